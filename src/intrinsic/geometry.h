@@ -1,0 +1,88 @@
+#pragma once
+
+#include "mesh/surface_point.h"
+#include "mesh/triangle_mesh.h"
+
+/// Lengths, angles, tangent frames and the discrete connection of a mesh.
+///
+/// Frame of a face: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above it.
+/// Frame of a vertex: directions are measured counterclockwise from its `outgoing` half-edge, by
+/// the cumulated corner angle times `angleScale` = 2 pi / total angle; at the boundary the scale
+/// is 1, since anything else would bend the plane. Where a direction is to be followed on the
+/// surface it is given unscaled, as the cumulated corner angle itself.
+///
+/// Connection: F. Knoppel, K. Crane, U. Pinkall, P. Schroder, "Globally Optimal Direction Fields"
+/// (2013), section 3, taken to the centroids of faces.
+namespace karcher {
+
+struct Geometry {
+  const TriangleMesh* mesh = nullptr;
+  Array<double> edgeLength;      ///< per half-edge
+  Array<double> cornerAngle;     ///< per half-edge, the angle at its tail, radians
+  Array<double> cumulatedAngle;  ///< per half-edge, unscaled direction in the frame of its tail
+  Array<double> totalAngle;      ///< per vertex, the sum of its corner angles
+  Array<double> angleScale;      ///< per vertex, 2 pi / totalAngle, or 1 at the boundary
+  Array<Vec2> apex;              ///< per face, corner 2 in the face's frame
+  Array<Vec2> vertexToFace;      ///< per half-edge, unit: turns a vector in the frame of its tail
+                                 ///< into the frame of its face
+  double meanEdge = 0;
+  double diagonal = 0;  ///< of the bounding box
+};
+
+/// The mesh must outlive the result.
+Geometry buildGeometry(const TriangleMesh& mesh);
+
+/// Corner k of face f in the face's frame.
+inline Vec2 cornerInFace(const Geometry& geometry, int f, int k) {
+  if (k == 0) return Vec2::Zero();
+  if (k == 1) return {geometry.edgeLength[3 * f], 0};
+  return geometry.apex[f];
+}
+
+/// A surface point in the frame of its face.
+inline Vec2 pointInFace(const Geometry& geometry, const SurfacePoint& p) {
+  return {p.bary[1] * geometry.edgeLength[3 * p.face] + p.bary[2] * geometry.apex[p.face].x(),
+          p.bary[2] * geometry.apex[p.face].y()};
+}
+
+/// Half-edge h as a vector in the frame of its face.
+inline Vec2 halfedgeInFace(const Geometry& geometry, int h) {
+  return cornerInFace(geometry, faceOf(h), cornerOf(next(h))) -
+         cornerInFace(geometry, faceOf(h), cornerOf(h));
+}
+
+/// Twice the area of face f.
+inline double doubleArea(const Geometry& geometry, int f) {
+  return geometry.edgeLength[3 * f] * geometry.apex[f].y();
+}
+
+/// Barycentric weights (sum 1, any sign) of a position in the frame of face f.
+Vec3 barycentric(const Geometry& geometry, int f, const Vec2& x);
+
+/// Turns a vector in the frame of face f into the frame of the face across half-edge h of f,
+/// unfolded about the edge. The half-edge must have a twin.
+Vec2 acrossEdge(const Geometry& geometry, int h, const Vec2& vector);
+
+/// A vector in the frame of face f as a vector in space, and the projection of one onto the face.
+Vec3 toSpace(const Geometry& geometry, int f, const Vec2& vector);
+Vec2 toFace(const Geometry& geometry, int f, const Vec3& vector);
+
+/// Unscaled direction at the tail of half-edge h of a vector in the frame of h's face that points
+/// into the corner: the cumulated angle of h plus the angle from h to the vector.
+double directionAtTail(const Geometry& geometry, int h, const Vec2& vector);
+
+/// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and
+/// the angle from that half-edge to it. Directions wrap around at interior vertices. At the
+/// boundary a direction outside [0, totalAngle] leaves the surface: then halfedge is -1.
+struct CornerDirection {
+  int halfedge = -1;
+  double angle = 0;
+};
+CornerDirection cornerOfDirection(const Geometry& geometry, int vertex, double direction);
+
+/// Saddle vertices (more than 2 pi of angle) and boundary vertices: shortest paths may turn there.
+inline bool maySpreadPaths(const Geometry& geometry, int vertex) {
+  return geometry.mesh->onBoundary[vertex] != 0 || geometry.totalAngle[vertex] > 2 * kPi + 1e-9;
+}
+
+}  // namespace karcher

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace karcher {
+
+/// What went wrong. `errorCodeName` gives the name that callers in JavaScript see.
+enum class ErrorCode {
+  kBadFile,            ///< the file cannot be read as OBJ, or holds no faces
+  kBadIndex,           ///< a face or a point names a vertex or face that does not exist
+  kNotFinite,          ///< a coordinate, weight or distance is NaN or infinite
+  kDegenerateFace,     ///< a face has a repeated corner or no area
+  kNonManifoldEdge,    ///< an edge has more than two faces, or two that disagree on its direction
+  kNonManifoldVertex,  ///< the faces around a vertex form more than one fan
+  kBadPoint,           ///< barycentric weights that are negative or do not sum to 1
+  kBadWeights,         ///< weights that do not sum to 1, or are too few
+  kTooFewPoints,       ///< a curve kind needs more control points
+  kBadArgument,        ///< any other argument outside its range
+  kUnreachable,        ///< two points lie on different components
+  kBoundary,           ///< a geodesic meets the boundary where it must not
+  kRadiusTooLarge,     ///< a circle wider than its component
+};
+
+/// The name of a code, as in `error.code` of the JavaScript API: "nonManifoldEdge".
+const char* errorCodeName(ErrorCode code);
+
+/// Every failure of the engine: a code, and a sentence that names the thing and the limit.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}
+  ErrorCode code() const { return code_; }
+
+ private:
+  ErrorCode code_;
+};
+
+}  // namespace karcher

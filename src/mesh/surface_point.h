@@ -1,0 +1,49 @@
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+
+/// Points anywhere on the surface: a face and barycentric weights, also on edges and vertices.
+namespace karcher {
+
+struct SurfacePoint {
+  int face = 0;
+  /// Weights of the face's corners 0, 1, 2: none negative, sum 1. A zero weight is an exact 0.
+  Vec3 bary = Vec3(1, 0, 0);
+};
+
+/// Weights below this, from rounding, are taken for 0: the point lies on the edge or vertex.
+inline constexpr double kOnEdgeTolerance = 1e-12;
+
+/// Checks a caller's point and cleans it: weights within 1e-6 of the triangle are clamped to it,
+/// those below kOnEdgeTolerance become 0, and the sum becomes 1.
+/// Throws Error: kBadIndex (no such face), kNotFinite, kBadPoint.
+SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary);
+
+/// The point at a vertex, in the vertex's first face.
+SurfacePoint vertexPoint(const TriangleMesh& mesh, int vertex);
+
+Vec3 position(const TriangleMesh& mesh, const SurfacePoint& point);
+
+/// Where a point lies: in a face, on an edge (not at its ends), or at a vertex.
+enum class Simplex { kFace, kEdge, kVertex };
+
+struct PointLocation {
+  Simplex simplex = Simplex::kFace;
+  int face = 0;
+  int halfedge = -1;  ///< kEdge: the half-edge in the point's own face
+  int vertex = -1;    ///< kVertex
+};
+
+PointLocation locate(const TriangleMesh& mesh, const SurfacePoint& point);
+
+/// The point at parameter s in [0, 1] along half-edge h, in h's face.
+SurfacePoint edgePoint(int h, double s);
+
+/// The same point seen from face `face`, which must hold it; the face is found by `locate`:
+/// an edge's other face, or any face around a vertex. Throws Error kBadArgument if it does not.
+SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& point, int face);
+
+/// The point of the mesh nearest to q by brute force over all faces: for tests and tools.
+SurfacePoint nearestPoint(const TriangleMesh& mesh, const Vec3& q);
+
+}  // namespace karcher

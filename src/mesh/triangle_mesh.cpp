@@ -1,0 +1,241 @@
+#include "mesh/triangle_mesh.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// A face is degenerate when its height over its longest edge is below this part of that edge:
+/// there its angles are rounding noise.
+constexpr double kDegenerateHeight = 1e-12;
+
+std::string edgeName(int a, int b) { return "edge " + std::to_string(a) + "-" + std::to_string(b); }
+
+void checkPositions(const Array<Vec3>& positions) {
+  for (int v = 0; v < positions.count(); ++v) {
+    if (!positions[v].allFinite()) {
+      throw Error(ErrorCode::kNotFinite,
+                  "vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
+    }
+  }
+}
+
+void checkFace(const Array<Vec3>& positions, const Triangle& face, int f) {
+  const std::string name = "face " + std::to_string(f);
+  for (const int v : face) {
+    if (v < 0 || v >= positions.count()) {
+      throw Error(ErrorCode::kBadIndex, name + " uses vertex " + std::to_string(v) +
+                                            ", but the mesh has " +
+                                            std::to_string(positions.size()) + " vertices");
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (face[k] == face[(k + 1) % 3]) {
+      throw Error(ErrorCode::kDegenerateFace,
+                  name + " uses vertex " + std::to_string(face[k]) + " twice");
+    }
+  }
+  const Vec3& a = positions[face[0]];
+  const Vec3 u = positions[face[1]] - a;
+  const Vec3 v = positions[face[2]] - a;
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+  if (!(u.cross(v).norm() > kDegenerateHeight * longest)) {
+    throw Error(ErrorCode::kDegenerateFace,
+                name + " has no area: its corners " + std::to_string(face[0]) + ", " +
+                    std::to_string(face[1]) + ", " + std::to_string(face[2]) + " lie on a line");
+  }
+}
+
+/// Half-edges listed by the smaller vertex of their edge: `start[v]` to `start[v + 1]`.
+struct HalfedgeBuckets {
+  Array<int> start;
+  Array<int> halfedges;
+};
+
+HalfedgeBuckets bucketBySmallerVertex(const TriangleMesh& mesh) {
+  HalfedgeBuckets buckets;
+  buckets.start.assign(static_cast<size_t>(mesh.vertexCount()) + 1, 0);
+  const int count = mesh.halfedgeCount();
+  for (int h = 0; h < count; ++h) {
+    ++buckets.start[std::min(mesh.tail(h), mesh.head(h)) + 1];
+  }
+  std::partial_sum(buckets.start.begin(), buckets.start.end(), buckets.start.begin());
+  buckets.halfedges.resize(static_cast<size_t>(count));
+  Array<int> cursor(buckets.start.begin(), buckets.start.end() - 1);
+  for (int h = 0; h < count; ++h) {
+    int& slot = cursor[std::min(mesh.tail(h), mesh.head(h))];
+    buckets.halfedges[slot++] = h;
+  }
+  return buckets;
+}
+
+/// Throws for the half-edges [first, last), all along the edge between v and other, when they are
+/// not one alone or two that run in opposite directions.
+void checkEdge(const TriangleMesh& mesh, int v, int other, const int* first, const int* last) {
+  const auto count = last - first;
+  if (count == 1 || (count == 2 && mesh.tail(first[0]) != mesh.tail(first[1]))) return;
+  const std::string name = edgeName(v, other);
+  if (count == 2) {
+    throw Error(ErrorCode::kNonManifoldEdge,
+                "faces " + std::to_string(faceOf(first[0])) + " and " +
+                    std::to_string(faceOf(first[1])) + " run along " + name +
+                    " in the same direction; their orientations must agree");
+  }
+  throw Error(ErrorCode::kNonManifoldEdge,
+              name + " has " + std::to_string(count) + " faces; a surface allows two");
+}
+
+void pairHalfedges(TriangleMesh& mesh) {
+  mesh.twin.assign(static_cast<size_t>(mesh.halfedgeCount()), -1);
+  HalfedgeBuckets buckets = bucketBySmallerVertex(mesh);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const auto other = [&](int h) { return mesh.tail(h) == v ? mesh.head(h) : mesh.tail(h); };
+    int* const begin = buckets.halfedges.data() + buckets.start[v];
+    int* const end = buckets.halfedges.data() + buckets.start[v + 1];
+    std::sort(begin, end,
+              [&](int g, int h) { return other(g) != other(h) ? other(g) < other(h) : g < h; });
+    for (int* first = begin; first < end;) {
+      int* last = first + 1;
+      while (last < end && other(*last) == other(*first)) ++last;
+      checkEdge(mesh, v, other(*first), first, last);
+      if (last - first == 2) {
+        mesh.twin[first[0]] = first[1];
+        mesh.twin[first[1]] = first[0];
+      }
+      first = last;
+    }
+  }
+}
+
+void findOutgoing(TriangleMesh& mesh) {
+  const int vertexCount = mesh.vertexCount();
+  mesh.outgoing.assign(mesh.positions.size(), -1);
+  mesh.onBoundary.assign(mesh.positions.size(), 0);
+  Array<int> valence(mesh.positions.size(), 0);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const int v = mesh.tail(h);
+    ++valence[v];
+    const bool boundary = mesh.twin[h] < 0;
+    if (mesh.outgoing[v] < 0 || boundary) mesh.outgoing[v] = h;
+    if (boundary) {
+      mesh.onBoundary[v] = 1;
+      mesh.onBoundary[mesh.head(h)] = 1;
+    }
+  }
+  for (int v = 0; v < vertexCount; ++v) {
+    if (mesh.outgoing[v] < 0) {
+      throw Error(ErrorCode::kBadIndex, "vertex " + std::to_string(v) + " belongs to no face");
+    }
+    int seen = 0;
+    int h = mesh.outgoing[v];
+    do {
+      ++seen;
+      h = rotateLeft(mesh, h);
+    } while (h >= 0 && h != mesh.outgoing[v] && seen <= valence[v]);
+    if (seen != valence[v]) {
+      throw Error(ErrorCode::kNonManifoldVertex,
+                  "vertex " + std::to_string(v) +
+                      " joins more than one fan of faces: " + std::to_string(seen) + " of its " +
+                      std::to_string(valence[v]) + " faces are connected around it");
+    }
+  }
+}
+
+}  // namespace
+
+TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces) {
+  if (faces.empty()) throw Error(ErrorCode::kBadFile, "the mesh has no faces");
+  constexpr size_t kMostFaces = static_cast<size_t>(std::numeric_limits<int>::max()) / 3;
+  if (faces.size() > kMostFaces) {
+    throw Error(ErrorCode::kBadArgument, "the mesh has " + std::to_string(faces.size()) +
+                                             " faces; at most " + std::to_string(kMostFaces) +
+                                             " can be numbered");
+  }
+  TriangleMesh mesh;
+  mesh.positions = std::move(positions);
+  mesh.faces = std::move(faces);
+  checkPositions(mesh.positions);
+  for (int f = 0; f < mesh.faceCount(); ++f) checkFace(mesh.positions, mesh.faces[f], f);
+  pairHalfedges(mesh);
+  findOutgoing(mesh);
+  return mesh;
+}
+
+double boundingBoxDiagonal(const TriangleMesh& mesh) {
+  Vec3 low = mesh.positions.front();
+  Vec3 high = low;
+  for (const Vec3& p : mesh.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).norm();
+}
+
+double meanEdgeLength(const TriangleMesh& mesh) {
+  double sum = 0;
+  int count = 0;
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const int t = mesh.twin[h];
+    if (t >= 0 && t < h) continue;
+    sum += (mesh.positions[mesh.tail(h)] - mesh.positions[mesh.head(h)]).norm();
+    ++count;
+  }
+  return sum / count;
+}
+
+Array<int> componentOfVertices(const TriangleMesh& mesh) {
+  Array<int> component(mesh.positions.size(), -1);
+  Array<int> stack;
+  int count = 0;
+  for (int seed = 0; seed < mesh.vertexCount(); ++seed) {
+    if (component[seed] >= 0) continue;
+    component[seed] = count;
+    stack.push_back(seed);
+    while (!stack.empty()) {
+      const int v = stack.back();
+      stack.pop_back();
+      const int first = mesh.outgoing[v];
+      for (int h = first; h >= 0;) {
+        for (const int w : {mesh.head(h), mesh.opposite(h)}) {
+          if (component[w] >= 0) continue;
+          component[w] = count;
+          stack.push_back(w);
+        }
+        h = rotateLeft(mesh, h);
+        if (h == first) break;
+      }
+    }
+    ++count;
+  }
+  return component;
+}
+
+Topology topology(const TriangleMesh& mesh) {
+  Topology result;
+  const Array<int> component = componentOfVertices(mesh);
+  result.components = 1 + *std::max_element(component.begin(), component.end());
+
+  int boundaryEdges = 0;
+  Array<uint8_t> seen(static_cast<size_t>(mesh.halfedgeCount()), 0);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    if (mesh.twin[h] >= 0) continue;
+    ++boundaryEdges;
+    if (seen[h]) continue;
+    ++result.boundaryLoops;
+    // The boundary goes on with the one half-edge without a twin that leaves this one's head.
+    for (int g = h; !seen[g]; g = mesh.outgoing[mesh.head(g)]) {
+      seen[g] = 1;
+    }
+  }
+  const int edges = (mesh.halfedgeCount() + boundaryEdges) / 2;
+  const int euler = mesh.vertexCount() - edges + mesh.faceCount() + result.boundaryLoops;
+  result.genus = (2 * result.components - euler) / 2;
+  return result;
+}
+
+}  // namespace karcher

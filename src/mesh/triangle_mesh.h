@@ -1,0 +1,64 @@
+#pragma once
+
+#include "mesh/types.h"
+
+/// A manifold, consistently oriented triangle mesh with half-edge adjacency.
+///
+/// Half-edge 3 f + k runs along face f from corner k to corner k + 1 (mod 3); it also stands for
+/// the corner of its tail, and the corner opposite to it is corner k + 2.
+namespace karcher {
+
+struct TriangleMesh {
+  Array<Vec3> positions;
+  Array<Triangle> faces;
+  /// Per half-edge the one that runs the other way in the neighbouring face; -1 at the boundary.
+  Array<int> twin;
+  /// Per vertex one half-edge that leaves it. At a boundary vertex it is the one without a twin,
+  /// the first counterclockwise, so that a turn with `rotateLeft` sees every face.
+  Array<int> outgoing;
+  /// Per vertex 1 where it lies on the boundary.
+  Array<uint8_t> onBoundary;
+
+  int vertexCount() const { return positions.count(); }
+  int faceCount() const { return faces.count(); }
+  int halfedgeCount() const { return 3 * faceCount(); }
+
+  int tail(int h) const { return corner(h / 3, h % 3); }
+  int head(int h) const { return corner(h / 3, h % 3 == 2 ? 0 : h % 3 + 1); }
+  /// The vertex opposite to half-edge h in its face.
+  int opposite(int h) const { return corner(h / 3, h % 3 == 0 ? 2 : h % 3 - 1); }
+  int corner(int f, int k) const { return faces[f][k]; }
+};
+
+inline int faceOf(int h) { return h / 3; }
+inline int cornerOf(int h) { return h % 3; }
+/// The next half-edge of the same face, counterclockwise.
+inline int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+inline int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+/// The half-edge after h, counterclockwise, among those that leave h's tail; -1 past the boundary.
+inline int rotateLeft(const TriangleMesh& mesh, int h) { return mesh.twin[previous(h)]; }
+
+/// Builds adjacency. Every vertex must belong to a face; components and boundaries may be many.
+/// Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kDegenerateFace, kNonManifoldEdge,
+/// kNonManifoldVertex, each naming the place by the indices that were passed in.
+TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
+
+/// Length of the bounding box's diagonal.
+double boundingBoxDiagonal(const TriangleMesh& mesh);
+
+/// Mean length over the edges, each counted once.
+double meanEdgeLength(const TriangleMesh& mesh);
+
+struct Topology {
+  int components = 0;
+  int boundaryLoops = 0;
+  int genus = 0;  ///< summed over the components, with their boundary loops filled in
+};
+
+Topology topology(const TriangleMesh& mesh);
+
+/// Per vertex the number of its connected component, numbered from 0 in the order of the vertices.
+Array<int> componentOfVertices(const TriangleMesh& mesh);
+
+}  // namespace karcher

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+/// The small vocabulary that every room of the engine shares.
+namespace karcher {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+/// Corner indices of a triangle, counterclockwise seen from outside.
+using Triangle = Eigen::Vector3i;
+
+/// A std::vector that is indexed by int, since vertices, faces and half-edges are numbered by int
+/// (and -1 stands for none).
+template <class T>
+class Array : public std::vector<T> {
+ public:
+  using std::vector<T>::vector;
+  T& operator[](std::integral auto i) { return std::vector<T>::operator[](static_cast<size_t>(i)); }
+  const T& operator[](std::integral auto i) const {
+    return std::vector<T>::operator[](static_cast<size_t>(i));
+  }
+  int count() const { return static_cast<int>(this->size()); }
+};
+
+inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// z-component of the cross product of two plane vectors: positive if b is to the left of a.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Turns v by the angle of the unit vector `rotation` (a product of complex numbers).
+inline Vec2 rotate(const Vec2& rotation, const Vec2& v) {
+  return {rotation.x() * v.x() - rotation.y() * v.y(), rotation.x() * v.y() + rotation.y() * v.x()};
+}
+
+/// Turns v back by the angle of the unit vector `rotation`.
+inline Vec2 rotateBack(const Vec2& rotation, const Vec2& v) {
+  return {rotation.x() * v.x() + rotation.y() * v.y(), rotation.x() * v.y() - rotation.y() * v.x()};
+}
+
+/// The unit vector at `angle` (radians) from the x axis.
+inline Vec2 unitVector(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Angle of v from the x axis, in (-pi, pi].
+inline double angleOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
+
+}  // namespace karcher

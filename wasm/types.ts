@@ -1,0 +1,162 @@
+/**
+ * The types of Karcher's JavaScript API.
+ *
+ * Vertices, faces and control points are numbered from 0 in the caller's own order; faces count
+ * triangles, after polygons were cut. Lengths are in the units of the mesh.
+ */
+
+/** A point of the surface: a face and the weights of its corners 0, 1, 2 (at least 0, sum 1). */
+export interface SurfacePoint {
+  face: number;
+  bary: [number, number, number];
+}
+
+/** Where a point is asked for: a surface point, or a vertex by its number. */
+export type PointLike = SurfacePoint | { vertex: number };
+
+/** How geodesic distances are found. */
+export type Solver = 'fast' | 'exact' | 'graph';
+
+/**
+ * How a control point's field is made: `karcher`: the log vectors that the solver yields;
+ * `paper`: gradients of squared distances, and Newton's method along geodesics (Algorithm 1).
+ */
+export type Method = 'karcher' | 'paper';
+
+/** How the search for a center of mass ended. Only `converged` is a center of mass. */
+export type Status = 'converged' | 'indefinite' | 'boundary' | 'noProgress' | 'limit' | 'unreachable';
+
+export type CurveKind = 'bspline' | 'bezier';
+
+/** The codes of `KarcherError`. */
+export type ErrorCode =
+  | 'badFile'
+  | 'badIndex'
+  | 'notFinite'
+  | 'degenerateFace'
+  | 'nonManifoldEdge'
+  | 'nonManifoldVertex'
+  | 'badPoint'
+  | 'badWeights'
+  | 'tooFewPoints'
+  | 'badArgument'
+  | 'unreachable'
+  | 'boundary'
+  | 'radiusTooLarge'
+  | 'disposed'
+  | 'outOfMemory'
+  | 'internal';
+
+/** What was mended while a mesh was read. */
+export interface Repair {
+  kind: 'triangulated' | 'welded' | 'dropped';
+  /** How many polygons were cut, vertices welded or unused vertices dropped. */
+  count: number;
+  /** The same as a sentence. */
+  message: string;
+}
+
+export interface MeshInfo {
+  /** Vertices and triangles of the surface, after repairs. */
+  vertices: number;
+  triangles: number;
+  components: number;
+  boundaryLoops: number;
+  genus: number;
+  meanEdge: number;
+  /** Length of the bounding box's diagonal. */
+  diagonal: number;
+  repairs: Repair[];
+}
+
+/** How fields are made; the defaults are `karcher` and `fast`. With `paper`: `graph` or `exact`. */
+export interface FieldOptions {
+  method?: Method;
+  solver?: Solver;
+  /** Rings of the graph solver, 1 to 10; 6 by default. */
+  rings?: number;
+}
+
+export interface CenterOfMass {
+  point: SurfacePoint;
+  position: [number, number, number];
+  status: Status;
+  iterations: number;
+  /** Sum of weight times squared distance, in squared units of the mesh. */
+  energy: number;
+}
+
+export interface CenterOptions extends FieldOptions {
+  /** Where the search starts; by default at the control point of the largest weight (`paper`). */
+  start?: PointLike;
+  /** Divide the weights by their sum, instead of an error when the sum is not 1. */
+  normalize?: boolean;
+}
+
+export interface CurveOptions extends FieldOptions {
+  kind: CurveKind;
+  points: PointLike[];
+  /** Samples a segment at t = i / (samples - 1), both ends included; 2 to 100,000. 128 by default. */
+  samples?: number;
+}
+
+/** The samples of a curve, segment by segment, as flat arrays of one entry (or three) a sample. */
+export interface CurveSamples {
+  count: number;
+  segment: Int32Array;
+  t: Float64Array;
+  face: Int32Array;
+  /** Three a sample. */
+  bary: Float64Array;
+  /** Three a sample. */
+  position: Float64Array;
+  status: Status[];
+}
+
+export interface CircleOptions extends FieldOptions {
+  center: PointLike;
+  radius: number;
+  /** Rational quadratic arcs, 3 to 64; 7 by default. */
+  arcs?: number;
+  /** Samples an arc; 32 by default. */
+  samples?: number;
+}
+
+export interface Circle {
+  samples: CurveSamples;
+  polyline: Float32Array;
+  length: number;
+  /** Numbers of the arcs whose geodesics from the center stopped being shortest. */
+  notShortest: number[];
+}
+
+export interface Path {
+  length: number;
+  /** x, y, z of the path's points, on the surface. */
+  polyline: Float64Array;
+}
+
+export interface StraightestPath {
+  end: SurfacePoint;
+  /** Length that was left when the path met the boundary; 0 elsewhere. */
+  remaining: number;
+  polyline: Float64Array;
+}
+
+/** Milliseconds of a curve's last update. */
+export interface CurveTimes {
+  fields: number;
+  trace: number;
+  join: number;
+}
+
+/** Progress of long work: a part of 1, and what is being done. */
+export type Progress = (done: number, stage: string) => void;
+
+export interface LongWorkOptions {
+  progress?: Progress;
+  signal?: AbortSignal;
+}
+
+/** A built-in shape; sizes are about 1. */
+export type Shape = 'sphere' | 'torus' | 'knot' | 'genus3' | 'openSheet';
