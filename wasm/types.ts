@@ -24,7 +24,13 @@ export type Solver = 'fast' | 'exact' | 'graph';
 export type Method = 'karcher' | 'paper';
 
 /** How the search for a center of mass ended. Only `converged` is a center of mass. */
-export type Status = 'converged' | 'indefinite' | 'boundary' | 'noProgress' | 'limit' | 'unreachable';
+export type Status =
+  | 'converged'
+  | 'indefinite'
+  | 'boundary'
+  | 'noProgress'
+  | 'limit'
+  | 'unreachable';
 
 export type CurveKind = 'bspline' | 'bezier';
 
