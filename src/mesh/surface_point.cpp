@@ -62,7 +62,11 @@ SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary) 
     throw Error(ErrorCode::kBadPoint,
                 name.str() + " lies outside it: the weights must be at least 0 and sum to 1");
   }
-  SurfacePoint point{face, bary.cwiseMax(0.0)};
+  return clampedPoint(face, bary);
+}
+
+SurfacePoint clampedPoint(int face, const Vec3& bary) {
+  SurfacePoint point{face, bary};
   for (int k = 0; k < 3; ++k) {
     if (point.bary[k] < kOnEdgeTolerance) point.bary[k] = 0;
   }

@@ -19,6 +19,9 @@ inline constexpr double kOnEdgeTolerance = 1e-12;
 /// Throws Error: kBadIndex (no such face), kNotFinite, kBadPoint.
 SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary);
 
+/// The point with these weights, whose rounding below kOnEdgeTolerance is taken for 0.
+SurfacePoint clampedPoint(int face, const Vec3& bary);
+
 /// The point at a vertex, in the vertex's first face.
 SurfacePoint vertexPoint(const TriangleMesh& mesh, int vertex);
 

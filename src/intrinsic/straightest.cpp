@@ -1,0 +1,165 @@
+#include "intrinsic/straightest.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// A crossing this near to an edge's end (as a part of the edge) goes through the vertex.
+constexpr double kVertexTolerance = 1e-12;
+
+/// Where a walk stands: a point in a face and the unit direction of travel in that face.
+struct Walker {
+  SurfacePoint point;
+  Vec2 direction;
+};
+
+Vec2 unitAtAngle(const Geometry& geometry, int h, double angle) {
+  return rotate(unitVector(angle), halfedgeInFace(geometry, h)) / geometry.edgeLength[h];
+}
+
+/// The walker that leaves `vertex` in an unscaled direction; none where that is off the surface.
+std::optional<Walker> leaveVertex(const Geometry& geometry, int vertex, double direction) {
+  const CornerDirection corner = cornerOfDirection(geometry, vertex, direction);
+  if (corner.halfedge < 0) return std::nullopt;
+  return Walker{edgePoint(corner.halfedge, 0),
+                unitAtAngle(geometry, corner.halfedge, corner.angle)};
+}
+
+/// The walker that goes on after arriving at the tail of h along `direction` in h's face.
+std::optional<Walker> passVertex(const Geometry& geometry, int h, const Vec2& direction) {
+  const int vertex = geometry.mesh->tail(h);
+  const double back = directionAtTail(geometry, h, -direction);
+  if (!geometry.mesh->onBoundary[vertex]) {
+    return leaveVertex(geometry, vertex, back + geometry.totalAngle[vertex] / 2);
+  }
+  // Along a straight boundary, or past a reentrant corner, there is surface straight ahead.
+  std::optional<Walker> left = leaveVertex(geometry, vertex, back + kPi);
+  return left ? left : leaveVertex(geometry, vertex, back - kPi);
+}
+
+/// Rates of change of the barycentric weights along a direction in face f.
+Vec3 barycentricRates(const Geometry& geometry, int f, const Vec2& direction) {
+  const Vec2& apex = geometry.apex[f];
+  const double r2 = direction.y() / apex.y();
+  const double r1 = (direction.x() - r2 * apex.x()) / geometry.edgeLength[3 * f];
+  return {-r1 - r2, r1, r2};
+}
+
+/// Moves a walker that starts on an edge or a vertex into the face that its direction points to.
+/// None where it points off the surface.
+std::optional<Walker> enterFace(const Geometry& geometry, const Walker& walker) {
+  const PointLocation location = locate(*geometry.mesh, walker.point);
+  if (location.simplex == Simplex::kVertex) {
+    int h = 3 * location.face;
+    while (walker.point.bary[cornerOf(h)] == 0) ++h;
+    return leaveVertex(geometry, location.vertex, directionAtTail(geometry, h, walker.direction));
+  }
+  if (location.simplex == Simplex::kEdge) {
+    const int h = location.halfedge;
+    const Vec2 along = halfedgeInFace(geometry, h);
+    if (cross(along, walker.direction) < -kOnEdgeTolerance * geometry.edgeLength[h]) {
+      const int t = geometry.mesh->twin[h];
+      if (t < 0) return std::nullopt;
+      return Walker{edgePoint(t, walker.point.bary[cornerOf(h)]),
+                    acrossEdge(geometry, h, walker.direction)};
+    }
+  }
+  return walker;
+}
+
+struct FaceExit {
+  double length = kInfinity;
+  int corner = -1;  ///< the weight that becomes 0
+};
+
+FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
+  FaceExit exit;
+  // A walk along an edge stays in the face: its rate of leaving is rounding noise.
+  const double threshold = -1e-13 * rates.cwiseAbs().maxCoeff();
+  for (int k = 0; k < 3; ++k) {
+    if (rates[k] >= threshold) continue;
+    const double length = bary[k] / -rates[k];
+    if (length < exit.length) exit = {length, k};
+  }
+  return exit;
+}
+
+class Walk {
+ public:
+  Walk(const Geometry& geometry, const StraightestOptions& options, double length)
+      : geometry_(geometry), crossingsLeft_(options.maxCrossings) {
+    path_.remaining = length;
+  }
+
+  StraightestPath run(const SurfacePoint& start, std::optional<Walker> walker) {
+    path_.points.push_back(start);
+    while (walker && path_.remaining > 0 && crossingsLeft_-- > 0) {
+      if (walker->point.face != path_.points.back().face) path_.points.push_back(walker->point);
+      path_.direction = walker->direction;
+      walker = step(*walker);
+    }
+    if (path_.remaining > 0) path_.stop = walker ? TraceStop::kLimit : TraceStop::kBoundary;
+    if (path_.points.size() < 2) path_.points.push_back(path_.points.back());
+    return std::move(path_);
+  }
+
+ private:
+  /// Walks through one face; the walker in the next, or none at the end or the boundary.
+  std::optional<Walker> step(const Walker& walker) {
+    const int f = walker.point.face;
+    Vec3 bary = walker.point.bary;
+    const Vec3 rates = barycentricRates(geometry_, f, walker.direction);
+    const FaceExit exit = exitOfFace(bary, rates);
+    if (path_.remaining < exit.length) {
+      bary = (bary + path_.remaining * rates).cwiseMax(0.0);
+      path_.points.push_back({f, bary / bary.sum()});
+      path_.remaining = 0;
+      return std::nullopt;
+    }
+    path_.remaining -= exit.length;
+    bary += exit.length * rates;
+    bary[exit.corner] = 0;
+    const int h = 3 * f + (exit.corner + 1) % 3;
+    const double s = std::clamp(bary[cornerOf(next(h))], 0.0, 1.0);
+    if (s <= kVertexTolerance || s >= 1 - kVertexTolerance) {
+      const int corner = s < 0.5 ? h : next(h);
+      path_.points.push_back(edgePoint(corner, 0));
+      return passVertex(geometry_, corner, walker.direction);
+    }
+    path_.points.push_back(edgePoint(h, s));
+    const int t = geometry_.mesh->twin[h];
+    if (t < 0) return std::nullopt;
+    return Walker{edgePoint(t, 1 - s), acrossEdge(geometry_, h, walker.direction)};
+  }
+
+  const Geometry& geometry_;
+  int crossingsLeft_;
+  StraightestPath path_;
+};
+
+}  // namespace
+
+StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
+                                 const Vec2& vector, const StraightestOptions& options) {
+  if (!vector.allFinite()) {
+    throw Error(ErrorCode::kNotFinite, "the direction of a geodesic must be finite");
+  }
+  const double length = vector.norm();
+  if (length == 0) return Walk(geometry, options, 0).run(start, std::nullopt);
+  return Walk(geometry, options, length).run(start, enterFace(geometry, {start, vector / length}));
+}
+
+StraightestPath traceFromVertex(const Geometry& geometry, int vertex, double direction,
+                                double length, const StraightestOptions& options) {
+  if (!std::isfinite(direction) || !std::isfinite(length)) {
+    throw Error(ErrorCode::kNotFinite, "the direction and length of a geodesic must be finite");
+  }
+  return Walk(geometry, options, length)
+      .run(vertexPoint(*geometry.mesh, vertex), leaveVertex(geometry, vertex, direction));
+}
+
+}  // namespace karcher

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "intrinsic/geometry.h"
+
+/// Straightest geodesics: K. Polthier, M. Schmies, "Straightest Geodesics on Polyhedral Surfaces"
+/// (1998). Straight inside faces and across unfolded edges; at a vertex the path leaves so that it
+/// halves the total angle; at the boundary it stops.
+namespace karcher {
+
+enum class TraceStop {
+  kComplete,  ///< the whole length was walked
+  kBoundary,  ///< the path met the boundary; `remaining` is left
+  kLimit,     ///< the path crossed `maxCrossings` edges; `remaining` is left
+};
+
+struct StraightestOptions {
+  int maxCrossings = 1'000'000;
+};
+
+/// Consecutive points lie in one face, the face of the later one: a crossing of an edge is given
+/// in the face that the path leaves, and again in the face that it enters.
+struct StraightestPath {
+  Array<SurfacePoint> points;  ///< from the start to the end, at least these two
+  double remaining = 0;        ///< length that was not walked
+  TraceStop stop = TraceStop::kComplete;
+  Vec2 direction = Vec2(1, 0);  ///< unit, of travel at the end, in the frame of the end's face
+};
+
+/// Walks from `start` along `vector`, given in the frame of start.face; its length is the length to
+/// walk. From an edge or a vertex the vector may point out of the face: it is followed into the
+/// face that it points to, unfolded about that edge or vertex.
+/// Throws Error kNotFinite if the vector is not finite.
+StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
+                                 const Vec2& vector, const StraightestOptions& options = {});
+
+/// Walks from a vertex in an unscaled direction (see geometry.h). At a boundary vertex a direction
+/// off the surface stops at once.
+StraightestPath traceFromVertex(const Geometry& geometry, int vertex, double direction,
+                                double length, const StraightestOptions& options = {});
+
+}  // namespace karcher

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "rcm/field_blend.h"
+
+/// The Riemannian center of mass of weighted points: the zero of grad K.
+namespace karcher {
+
+/// How a search ended. Only kConverged is a center of mass (a local minimum of K); with the others
+/// the point is where the search stood.
+enum class Status {
+  kConverged,
+  kIndefinite,  ///< the Hessian is not positive definite: the points lie too far apart
+  kBoundary,    ///< the minimum lies on the boundary, where grad K does not vanish
+  kNoProgress,  ///< no point along the Newton step has a smaller gradient
+  kLimit,       ///< the bound on iterations was reached
+};
+
+/// The name of a status, as in the JavaScript API: "converged".
+const char* statusName(Status status);
+
+struct CenterOfMass {
+  SurfacePoint point;
+  Status status = Status::kConverged;
+  int iterations = 0;
+};
+
+/// Newton's method along geodesics (Algorithm 1) from `start`. `weights` has one entry a field and
+/// should sum to 1. A zero that two neighbouring faces each place in the other is taken on their
+/// edge (FieldBlend::zeroAlongEdge).
+CenterOfMass newtonCenter(FieldBlend& fields, const Array<double>& weights,
+                          const SurfacePoint& start);
+
+/// The zero of the blended field by walking from face to face: in each face the zero in closed
+/// form; outside it, on to the face across the edge that it lies behind. From a start near by it
+/// takes one or two faces. Zeros between faces are taken on their edge or vertex.
+CenterOfMass walkToCenter(FieldBlend& fields, const Array<double>& weights,
+                          const SurfacePoint& start);
+
+}  // namespace karcher

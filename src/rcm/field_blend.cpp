@@ -1,0 +1,135 @@
+#include "rcm/field_blend.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace karcher {
+namespace {
+
+size_t hashOf(int face) { return static_cast<size_t>(static_cast<uint32_t>(face) * 2654435761u); }
+
+}  // namespace
+
+Hessian hessian(const Geometry& geometry, int face, const TriangleField& field) {
+  const Vec2& apex = geometry.apex[face];
+  const Vec2 alongX = (field.corner[1] - field.corner[0]) / geometry.edgeLength[3 * face];
+  const Vec2 alongY = (field.corner[2] - field.corner[0] - apex.x() * alongX) / apex.y();
+  return {alongX.x(), (alongX.y() + alongY.x()) / 2, alongY.y()};
+}
+
+FieldBlend::FieldBlend(const Geometry& geometry, Array<ControlField*> fields)
+    : geometry_(geometry), fields_(std::move(fields)) {
+  tableFaces_.assign(256, -1);
+  tableSlots_.assign(256, 0);
+}
+
+TriangleField FieldBlend::blend(int face, const Array<double>& weights) {
+  const double* vectors = transported(face);
+  const int count = fields_.count();
+  const double* w = weights.data();
+  TriangleField field;
+  for (Vec2& corner : field.corner) {
+    double x = 0;
+    double y = 0;
+    for (int i = 0; i < count; ++i) {
+      x += w[i] * vectors[i];
+      y += w[i] * vectors[count + i];
+    }
+    corner = Vec2(x, y);
+    vectors += 2 * count;
+  }
+  return field;
+}
+
+Vec2 FieldBlend::atVertex(int vertex, const Array<double>& weights) {
+  Vec2 sum = Vec2::Zero();
+  for (int i = 0; i < fields_.count(); ++i) sum += weights[i] * fields_[i]->at(vertex).gradient;
+  return sum;
+}
+
+double FieldBlend::energy(const SurfacePoint& point, const Array<double>& weights) {
+  const TriangleField field = blend(point.face, weights);
+  const Vec2 x = pointInFace(geometry_, point);
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (point.bary[k] == 0) continue;
+    const int vertex = geometry_.mesh->corner(point.face, k);
+    double corner = 0;
+    for (int i = 0; i < fields_.count(); ++i) {
+      corner += weights[i] * fields_[i]->at(vertex).squaredDistance;
+    }
+    const Vec2 step = x - cornerInFace(geometry_, point.face, k);
+    sum += point.bary[k] * (corner + field.corner[k].dot(step) / 2);
+  }
+  return sum;
+}
+
+double FieldBlend::zeroAlongEdge(int h, const Array<double>& weights) {
+  const TriangleMesh& mesh = *geometry_.mesh;
+  const int a = mesh.tail(h);
+  const int b = mesh.head(h);
+  // The edge's direction in the frame of either end; at b it is the way on, away from a.
+  const int onward = next(h);
+  const double atA = geometry_.angleScale[a] * geometry_.cumulatedAngle[h];
+  const double atB =
+      geometry_.angleScale[b] * (geometry_.cumulatedAngle[onward] + geometry_.cornerAngle[onward]) +
+      kPi;
+  const double alongA = atVertex(a, weights).dot(unitVector(atA));
+  const double alongB = atVertex(b, weights).dot(unitVector(atB));
+  if (alongA == alongB) return 0.5;
+  return std::clamp(alongA / (alongA - alongB), 0.0, 1.0);
+}
+
+const double* FieldBlend::transported(int face) {
+  if (face != lastFace_) {
+    lastSlot_ = slotOf(face);
+    lastFace_ = face;
+  }
+  return vectors_.data() + static_cast<size_t>(lastSlot_) * static_cast<size_t>(6 * fieldCount());
+}
+
+int FieldBlend::slotOf(int face) {
+  const size_t mask = tableFaces_.size() - 1;
+  size_t place = hashOf(face) & mask;
+  while (tableFaces_[place] != -1) {
+    if (tableFaces_[place] == face) return tableSlots_[place];
+    place = (place + 1) & mask;
+  }
+  const int count = fieldCount();
+  const size_t begin = static_cast<size_t>(slotCount_) * static_cast<size_t>(6 * count);
+  vectors_.resize(begin + static_cast<size_t>(6 * count));
+  double* out = vectors_.data() + begin;
+  for (int k = 0; k < 3; ++k) {
+    const int vertex = geometry_.mesh->corner(face, k);
+    const Vec2& rotation = geometry_.vertexToFace[3 * face + k];
+    for (int i = 0; i < count; ++i) {
+      const Vec2 vector = rotate(rotation, fields_[i]->at(vertex).gradient);
+      out[i] = vector.x();
+      out[count + i] = vector.y();
+    }
+    out += 2 * count;
+  }
+  // Only now, since a field's evaluation may throw.
+  tableFaces_[place] = face;
+  tableSlots_[place] = slotCount_;
+  const int slot = slotCount_++;
+  if (2 * static_cast<size_t>(slotCount_) > tableFaces_.size()) growTable();
+  return slot;
+}
+
+void FieldBlend::growTable() {
+  Array<int> faces(2 * tableFaces_.size(), -1);
+  Array<int> slots(faces.size(), 0);
+  const size_t mask = faces.size() - 1;
+  for (int i = 0; i < tableFaces_.count(); ++i) {
+    if (tableFaces_[i] == -1) continue;
+    size_t place = hashOf(tableFaces_[i]) & mask;
+    while (faces[place] != -1) place = (place + 1) & mask;
+    faces[place] = tableFaces_[i];
+    slots[place] = tableSlots_[i];
+  }
+  tableFaces_ = std::move(faces);
+  tableSlots_ = std::move(slots);
+}
+
+}  // namespace karcher

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "intrinsic/geometry.h"
+#include "rcm/control_field.h"
+
+/// The weighted sum of control points' fields, which is grad K for the energy
+/// K(p) = sum_i w_i d(p, p_i)^2 (Mancinelli, Puppo, Eq. 1), linear in each triangle.
+namespace karcher {
+
+/// A vector field that is linear in one triangle, by its values at the corners, in the face's
+/// frame.
+struct TriangleField {
+  Vec2 corner[3];
+
+  Vec2 at(const Vec3& bary) const {
+    return bary[0] * corner[0] + bary[1] * corner[1] + bary[2] * corner[2];
+  }
+
+  /// The field's zero, as barycentric weights up to their sum, which is positive where the
+  /// Jacobian's determinant is.
+  Vec3 zeroDirection() const {
+    return {cross(corner[1], corner[2]), cross(corner[2], corner[0]), cross(corner[0], corner[1])};
+  }
+};
+
+/// The symmetric part of the Jacobian of a triangle's field: the Hessian of K.
+struct Hessian {
+  double xx = 0, xy = 0, yy = 0;
+
+  bool positiveDefinite() const { return xx > 0 && xx * yy > xy * xy; }
+};
+
+Hessian hessian(const Geometry& geometry, int face, const TriangleField& field);
+
+class FieldBlend {
+ public:
+  /// The geometry and the fields must outlive the blend; there must be at least one field.
+  FieldBlend(const Geometry& geometry, Array<ControlField*> fields);
+
+  const Geometry& geometry() const { return geometry_; }
+  int fieldCount() const { return fields_.count(); }
+
+  /// The weighted sum of the fields in a face; `weights` has one entry a field.
+  TriangleField blend(int face, const Array<double>& weights);
+
+  /// The weighted sum of the fields at a vertex, in its frame.
+  Vec2 atVertex(int vertex, const Array<double>& weights);
+
+  /// K at a point: the squared distances at the corners, each carried to the point by its own
+  /// gradient, blended. Exact where squared distances are quadratic.
+  double energy(const SurfacePoint& point, const Array<double>& weights);
+
+  /// The parameter s in [0, 1] along half-edge h at which the component of the field along the edge
+  /// vanishes, in the edge's own frame, which the faces on both sides share: the same point of the
+  /// surface from either.
+  double zeroAlongEdge(int h, const Array<double>& weights);
+
+ private:
+  /// Transported corner vectors of all fields in `face`: for each corner the x components, then
+  /// the y components, a field each.
+  const double* transported(int face);
+  int slotOf(int face);
+  void growTable();
+
+  const Geometry& geometry_;
+  Array<ControlField*> fields_;
+  Array<double> vectors_;
+  /// Open addressing, so that nothing the size of the mesh is made: faces, and their slots.
+  Array<int> tableFaces_;
+  Array<int> tableSlots_;
+  int slotCount_ = 0;
+  int lastFace_ = -1;
+  int lastSlot_ = 0;
+};
+
+}  // namespace karcher

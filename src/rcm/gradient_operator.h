@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "intrinsic/geometry.h"
+
+/// The gradient of a function given at the vertices: C. Mancinelli, E. Puppo, "Computing the
+/// Riemannian Center of Mass on Meshes", Eq. 3.
+namespace karcher {
+
+/// Rows 2 v and 2 v + 1 hold the two components at vertex v, in its frame; a column a vertex.
+using GradientOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// At a vertex: the area-weighted mean of the constant gradients of its faces, each turned into
+/// the vertex's frame. Apply it to squared distances, which are smooth at the source.
+GradientOperator buildGradientOperator(const Geometry& geometry);
+
+/// A gradient a vertex, in the vertices' frames. `values` has one entry a vertex.
+Array<Vec2> applyGradient(const GradientOperator& gradient, const Array<double>& values);
+
+}  // namespace karcher

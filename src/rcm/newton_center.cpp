@@ -1,0 +1,154 @@
+#include <algorithm>
+
+#include "intrinsic/straightest.h"
+#include "rcm/center_of_mass.h"
+
+/// Algorithm 1 of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes".
+/// What the paper leaves open: the tolerance and the bound on iterations, and what happens when
+/// the start of a geodesic is its own best point (see goOn).
+namespace karcher {
+namespace {
+
+constexpr int kMaxIterations = 100;
+/// The gradient, a length, as a part of the bounding box's diagonal.
+constexpr double kGradientTolerance = 1e-10;
+constexpr double kInsideTolerance = 1e-10;
+
+struct Candidate {
+  SurfacePoint point;
+  double gradient = kInfinity;
+};
+
+class NewtonSearch {
+ public:
+  NewtonSearch(FieldBlend& fields, const Array<double>& weights, const SurfacePoint& start)
+      : fields_(fields),
+        geometry_(fields.geometry()),
+        mesh_(*geometry_.mesh),
+        weights_(weights),
+        point_(start) {}
+
+  CenterOfMass run() {
+    const double tolerance = kGradientTolerance * geometry_.diagonal;
+    for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
+      const TriangleField field = fields_.blend(point_.face, weights_);
+      const Hessian h = hessian(geometry_, point_.face, field);
+      if (!h.positiveDefinite()) return {point_, Status::kIndefinite, iteration};
+      const Vec3 zero = field.zeroDirection();
+      if (zero.sum() > 0 && zero.minCoeff() >= -kInsideTolerance * zero.sum()) {
+        return {clampedPoint(point_.face, zero / zero.sum()), Status::kConverged, iteration};
+      }
+      const Vec2 gradient = field.at(point_.bary);
+      if (gradient.norm() <= tolerance) return {point_, Status::kConverged, iteration};
+      const Candidate best = bestAlongStep(newtonStep(h, gradient));
+      if (best.gradient < gradient.norm()) {
+        point_ = best.point;
+        facesTried_ = 0;
+      } else if (!goOn(field, newtonStep(h, gradient))) {
+        return {point_, status_, iteration};
+      }
+    }
+    return {point_, Status::kLimit, kMaxIterations};
+  }
+
+ private:
+  Vec2 newtonStep(const Hessian& h, const Vec2& gradient) const {
+    const double determinant = h.xx * h.yy - h.xy * h.xy;
+    Vec2 step(-(h.yy * gradient.x() - h.xy * gradient.y()) / determinant,
+              -(h.xx * gradient.y() - h.xy * gradient.x()) / determinant);
+    const double length = step.norm();
+    if (length > geometry_.diagonal) step *= geometry_.diagonal / length;
+    return step;
+  }
+
+  /// The point of the geodesic along the step, among its joints with edges and its end, with the
+  /// smallest gradient.
+  Candidate bestAlongStep(const Vec2& step) {
+    Candidate best;
+    const StraightestPath path = traceStraightest(geometry_, point_, step);
+    for (int i = 1; i < path.points.count(); ++i) {
+      const SurfacePoint& p = path.points[i];
+      const double gradient = fields_.blend(p.face, weights_).at(p.bary).norm();
+      if (gradient < best.gradient) best = {p, gradient};
+    }
+    return best;
+  }
+
+  /// Called when no joint of the geodesic is better than its start. Inside a face: on to the best
+  /// point of the step inside the face. On an edge: into the other face; when that sends us back,
+  /// the zero sits on the edge. At a vertex: through the faces around it in turn.
+  /// False at the end of the search, whose status is then in status_.
+  bool goOn(const TriangleField& field, const Vec2& step) {
+    const PointLocation location = locate(mesh_, point_);
+    if (location.simplex == Simplex::kFace) return shortenStep(field, step);
+    if (location.simplex == Simplex::kEdge) return crossEdge(location.halfedge);
+    return turnAtVertex(location.vertex);
+  }
+
+  bool shortenStep(const TriangleField& field, const Vec2& step) {
+    const Vec2 x = pointInFace(geometry_, point_);
+    const Vec2 here = field.at(point_.bary);
+    const Vec2 change = field.at(barycentric(geometry_, point_.face, x + step)) - here;
+    const double part = -here.dot(change) / change.squaredNorm();
+    const Vec3 bary = barycentric(geometry_, point_.face, x + part * step);
+    const bool better = part > 1e-6 && bary.minCoeff() > 0;
+    status_ = Status::kNoProgress;
+    if (better) point_.bary = bary;
+    return better;
+  }
+
+  bool crossEdge(int h) {
+    const int twin = mesh_.twin[h];
+    if (twin < 0) {
+      status_ = Status::kBoundary;
+      point_ = edgePoint(h, fields_.zeroAlongEdge(h, weights_));
+      return false;
+    }
+    if (facesTried_ == 0) {
+      ++facesTried_;
+      point_ = edgePoint(twin, point_.bary[cornerOf(h)]);
+      return true;
+    }
+    point_ = edgePoint(h, fields_.zeroAlongEdge(h, weights_));
+    status_ = zeroLiesBehind(h) && zeroLiesBehind(twin) ? Status::kConverged : Status::kNoProgress;
+    return false;
+  }
+
+  bool turnAtVertex(int vertex) {
+    ++facesTried_;
+    int h = 3 * point_.face;
+    while (mesh_.tail(h) != vertex) ++h;
+    const int left = rotateLeft(mesh_, h);
+    const int on = left >= 0 ? left : mesh_.outgoing[vertex];
+    status_ = mesh_.onBoundary[vertex] ? Status::kBoundary : Status::kNoProgress;
+    point_ = edgePoint(on, 0);
+    constexpr int kMostFaces = 64;
+    return facesTried_ < kMostFaces && !(facesTried_ > 1 && on == mesh_.outgoing[vertex]);
+  }
+
+  /// Whether the face of h has the zero of its field on the far side of h.
+  bool zeroLiesBehind(int h) {
+    const TriangleField field = fields_.blend(faceOf(h), weights_);
+    if (!hessian(geometry_, faceOf(h), field).positiveDefinite()) return false;
+    const Vec3 zero = field.zeroDirection();
+    return zero.sum() > 0 && zero[cornerOf(previous(h))] <= 0;
+  }
+
+  FieldBlend& fields_;
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  const Array<double>& weights_;
+  SurfacePoint point_;
+  Status status_ = Status::kNoProgress;
+  /// Faces around the same edge or vertex that were left without progress.
+  int facesTried_ = 0;
+};
+
+}  // namespace
+
+CenterOfMass newtonCenter(FieldBlend& fields, const Array<double>& weights,
+                          const SurfacePoint& start) {
+  return NewtonSearch(fields, weights, start).run();
+}
+
+}  // namespace karcher

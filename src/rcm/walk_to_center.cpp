@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <optional>
+
+#include "intrinsic/straightest.h"
+#include "rcm/center_of_mass.h"
+
+namespace karcher {
+
+const char* statusName(Status status) {
+  switch (status) {
+    case Status::kConverged:
+      return "converged";
+    case Status::kIndefinite:
+      return "indefinite";
+    case Status::kBoundary:
+      return "boundary";
+    case Status::kNoProgress:
+      return "noProgress";
+    case Status::kLimit:
+      return "limit";
+  }
+  return "unknown";
+}
+
+namespace {
+
+constexpr int kMaxFaces = 400;
+constexpr int kMaxLeaps = 60;
+constexpr double kInsideTolerance = 1e-10;
+/// A zero whose weights in a face go below this is far away: leap instead of walking there.
+constexpr double kFarWeight = -6;
+
+int smallestCorner(const Vec3& b) {
+  return b[0] < b[1] ? (b[0] < b[2] ? 0 : 2) : (b[1] < b[2] ? 1 : 2);
+}
+
+/// The zero of a face's field as barycentric weights; none where the Hessian is not positive
+/// definite.
+std::optional<Vec3> zeroOfFace(FieldBlend& fields, const Array<double>& weights, int face) {
+  const TriangleField field = fields.blend(face, weights);
+  if (!hessian(fields.geometry(), face, field).positiveDefinite()) return std::nullopt;
+  const Vec3 zero = field.zeroDirection();
+  return zero / zero.sum();
+}
+
+/// The zero among the faces and edges around a vertex: the same answer whichever face the search
+/// came from. The vertex itself where each face places its zero in another.
+CenterOfMass centerAroundVertex(FieldBlend& fields, const Array<double>& weights, int vertex) {
+  const TriangleMesh& mesh = *fields.geometry().mesh;
+  const int first = mesh.outgoing[vertex];
+  bool definite = true;
+  double nearest = -kInfinity;
+  int h = first;
+  do {
+    const std::optional<Vec3> zero = zeroOfFace(fields, weights, faceOf(h));
+    definite = definite && zero;
+    if (zero) {
+      nearest = std::max(nearest, zero->minCoeff());
+      if (zero->minCoeff() >= -kInsideTolerance) {
+        return {clampedPoint(faceOf(h), *zero), Status::kConverged, 0};
+      }
+    }
+    h = rotateLeft(mesh, h);
+  } while (h >= 0 && h != first);
+  if (!definite) return {vertexPoint(mesh, vertex), Status::kIndefinite, 0};
+
+  h = first;
+  do {
+    const int twin = mesh.twin[h];
+    if (twin >= 0) {
+      const Vec3 left = *zeroOfFace(fields, weights, faceOf(h));
+      const Vec3 right = *zeroOfFace(fields, weights, faceOf(twin));
+      const double s = fields.zeroAlongEdge(h, weights);
+      if (left[cornerOf(previous(h))] < 0 && right[cornerOf(previous(twin))] < 0 && s > 0 &&
+          s < 1) {
+        return {edgePoint(h, s), Status::kConverged, 0};
+      }
+    }
+    h = rotateLeft(mesh, h);
+  } while (h >= 0 && h != first);
+
+  // The field jumps by a small part of an edge from face to face, no more.
+  constexpr double kLargestJump = 0.5;
+  const Status status = mesh.onBoundary[vertex]    ? Status::kBoundary
+                        : nearest >= -kLargestJump ? Status::kConverged
+                                                   : Status::kNoProgress;
+  return {vertexPoint(mesh, vertex), status, 0};
+}
+
+class ZeroWalk {
+ public:
+  ZeroWalk(FieldBlend& fields, const Array<double>& weights)
+      : fields_(fields), geometry_(fields.geometry()), mesh_(*geometry_.mesh), weights_(weights) {}
+
+  CenterOfMass run(const SurfacePoint& start) {
+    SurfacePoint point = start;
+    const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, point.face);
+    if (!zero || zero->minCoeff() < kFarWeight) point = leap(point);
+    CenterOfMass result = walk(point);
+    result.iterations += leaps_;
+    return result;
+  }
+
+ private:
+  /// Gradient descent by the natural step, p <- exp_p(sum_i w_i log_p(p_i)), until the zero is
+  /// near.
+  SurfacePoint leap(SurfacePoint point) {
+    while (leaps_ < kMaxLeaps) {
+      ++leaps_;
+      const TriangleField field = fields_.blend(point.face, weights_);
+      const Vec2 step = -field.at(point.bary) / 2;
+      const StraightestPath path = traceStraightest(geometry_, point, step);
+      point = path.points.back();
+      const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, point.face);
+      if (zero && zero->minCoeff() > kFarWeight) break;
+      if (step.norm() < 1e-3 * geometry_.meanEdge) break;
+    }
+    return point;
+  }
+
+  CenterOfMass walk(const SurfacePoint& start) {
+    int face = start.face;
+    int history[kHistory];
+    std::fill(history, history + kHistory, -1);
+    for (int step = 1; step <= kMaxFaces; ++step) {
+      const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, face);
+      if (!zero) return {face == start.face ? start : centroid(face), Status::kIndefinite, step};
+      const int corner = smallestCorner(*zero);
+      if ((*zero)[corner] >= -kInsideTolerance) {
+        return {clampedPoint(face, *zero), Status::kConverged, step};
+      }
+      const int h = exitEdge(face, *zero, corner);
+      const int twin = mesh_.twin[h];
+      if (twin < 0) {
+        return {edgePoint(h, fields_.zeroAlongEdge(h, weights_)), Status::kBoundary, step};
+      }
+      const int onward = faceOf(twin);
+      if (onward == history[(step - 1) % kHistory]) return betweenFaces(h, step);
+      if (std::find(history, history + kHistory, onward) != history + kHistory) {
+        CenterOfMass result =
+            centerAroundVertex(fields_, weights_, mesh_.corner(face, largest(*zero)));
+        result.iterations = step;
+        return result;
+      }
+      history[step % kHistory] = face;
+      face = onward;
+    }
+    return {centroid(face), Status::kLimit, kMaxFaces};
+  }
+
+  /// Two faces that each place the zero behind their common edge.
+  CenterOfMass betweenFaces(int h, int step) {
+    const double s = fields_.zeroAlongEdge(h, weights_);
+    if (s > 0 && s < 1) return {edgePoint(h, s), Status::kConverged, step};
+    CenterOfMass result =
+        centerAroundVertex(fields_, weights_, s > 0 ? mesh_.head(h) : mesh_.tail(h));
+    result.iterations = step;
+    return result;
+  }
+
+  /// The edge behind which the zero lies farthest; an edge of the boundary only where the zero lies
+  /// behind no other.
+  int exitEdge(int face, const Vec3& zero, int corner) const {
+    const int h = 3 * face + (corner + 1) % 3;
+    if (mesh_.twin[h] >= 0) return h;
+    int best = h;
+    double weight = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int other = 3 * face + (k + 1) % 3;
+      if (zero[k] < weight && mesh_.twin[other] >= 0) {
+        weight = zero[k];
+        best = other;
+      }
+    }
+    return best;
+  }
+
+  static int largest(const Vec3& b) {
+    return b[0] > b[1] ? (b[0] > b[2] ? 0 : 2) : (b[1] > b[2] ? 1 : 2);
+  }
+
+  static SurfacePoint centroid(int face) { return {face, Vec3::Constant(1.0 / 3)}; }
+
+  /// Faces left in the last steps: coming back to one means that the zero lies between faces.
+  static constexpr int kHistory = 16;
+
+  FieldBlend& fields_;
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  const Array<double>& weights_;
+  int leaps_ = 0;
+};
+
+}  // namespace
+
+CenterOfMass walkToCenter(FieldBlend& fields, const Array<double>& weights,
+                          const SurfacePoint& start) {
+  return ZeroWalk(fields, weights).run(start);
+}
+
+}  // namespace karcher
