@@ -1,0 +1,31 @@
+#pragma once
+
+#include "curves/segment.h"
+
+namespace karcher {
+
+struct CircleOptions {
+  int arcs = 7;      ///< 3 to 64
+  int samples = 32;  ///< an arc, both ends included
+  FieldOptions field;
+};
+
+struct GeodesicCircle {
+  /// Per arc its samples and their joined path.
+  Array<Array<CurveSample>> samples;
+  Array<JoinedPath> paths;
+  /// The numbers of the arcs with a geodesic from the center that is not the shortest.
+  Array<int> notShortest;
+};
+
+/// The circle of the given radius about a point of the surface, by rational quadratic arcs
+/// (Mancinelli, Puppo, section 5): with the total angle Theta of the center and a = Theta / (2 n),
+/// the arcs' ends lie at the radius and their middle points, of weight cos a, at radius / cos a,
+/// along straightest geodesics in equally spaced directions.
+/// Throws Error: kBadArgument (radius not positive and finite, arcs, samples), kBoundary naming the
+/// arc whose geodesic meets the boundary, kRadiusTooLarge where no point of the component is as
+/// far.
+GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
+                           const CircleOptions& options);
+
+}  // namespace karcher

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "distance/exact_distance.h"
+#include "distance/graph_distance.h"
+#include "rcm/control_field.h"
+#include "rcm/surface.h"
+
+namespace karcher {
+
+/// How the field of a control point is made.
+enum class Method {
+  kKarcher,  ///< log vectors: the directions in which shortest paths arrive
+  kPaper,    ///< gradients of squared distances (Mancinelli, Puppo, Eq. 3)
+};
+
+/// How distances are found.
+enum class Solver { kFast, kExact, kGraph };
+
+struct FieldOptions {
+  Method method = Method::kPaper;
+  Solver solver = Solver::kExact;
+  int rings = 6;  ///< of the graph, 1 to 10
+};
+
+/// Throws Error kBadArgument for a combination that does not exist.
+void checkFieldOptions(const FieldOptions& options);
+
+/// A control point with its solver and its field. The field's values depend on the surface, the
+/// options and the point alone.
+class PointField {
+ public:
+  /// The surface must outlive the field.
+  PointField(Surface& surface, const FieldOptions& options);
+  PointField(const PointField&) = delete;
+  PointField& operator=(const PointField&) = delete;
+
+  void setPoint(const SurfacePoint& point);
+  const SurfacePoint& point() const { return point_; }
+  ControlField& field() { return field_; }
+
+ private:
+  void makePaperField();
+
+  Surface& surface_;
+  FieldOptions options_;
+  SurfacePoint point_;
+  ControlField field_;
+  std::variant<std::monostate, std::unique_ptr<ExactDistance>, std::unique_ptr<GraphDistance>>
+      solver_;
+  Array<double> squaredDistances_;
+  Array<Vec2> gradients_;
+};
+
+/// A field from a caller's own distances, one a vertex, by the paper's gradient (Eq. 3). The result
+/// holds all it needs but the surface's frames. Throws Error kBadArgument (not one a vertex) or
+/// kNotFinite (NaN or negative).
+ControlField fieldFromDistances(Surface& surface, const Array<double>& distances);
+
+}  // namespace karcher

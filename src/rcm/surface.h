@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "distance/ring_graph.h"
+#include "intrinsic/geometry.h"
+#include "rcm/gradient_operator.h"
+
+namespace karcher {
+
+/// A mesh with what is derived from it: the geometry at once, and what only some methods need when
+/// it is first asked for. Neither copied nor moved, since its parts point to one another.
+class Surface {
+ public:
+  explicit Surface(TriangleMesh mesh);
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  const Geometry& geometry() const { return geometry_; }
+
+  /// The number of a vertex's connected component.
+  int component(int vertex);
+
+  /// The graph of the paper's graph distances; built at once if `takeRingGraph` gave none.
+  const RingGraph& ringGraph(int rings);
+  bool hasRingGraph(int rings) const { return ringGraphs_.count(rings) != 0; }
+  /// Keeps a graph that was built in slices.
+  void takeRingGraph(int rings, RingGraph graph);
+
+  const GradientOperator& gradientOperator();
+
+ private:
+  TriangleMesh mesh_;
+  Geometry geometry_;
+  Array<int> components_;
+  std::map<int, RingGraph> ringGraphs_;
+  std::optional<GradientOperator> gradientOperator_;
+};
+
+/// Throws Error kUnreachable, naming the two points by their places in `points`, if the points do
+/// not lie on one component.
+void checkOneComponent(Surface& surface, const Array<SurfacePoint>& points);
+
+}  // namespace karcher

@@ -1,0 +1,179 @@
+#include "rcm/center_of_mass.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+#include <string>
+
+#include "rcm/gradient_operator.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+/// A vector in space, at a vertex of a flat mesh, in the vertex's frame.
+Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector) {
+  const int h = geometry.mesh->outgoing[vertex];
+  return rotateBack(geometry.vertexToFace[h], toFace(geometry, faceOf(h), vector));
+}
+
+/// The field of a point p of a flat mesh: the gradient of |x - p|^2 is 2 (x - p).
+std::unique_ptr<ControlField> flatField(const Geometry& geometry, const Vec3& p) {
+  auto field = std::make_unique<ControlField>(geometry.mesh->vertexCount());
+  field->reset([&geometry, p](int v) {
+    const Vec3 away = geometry.mesh->positions[v] - p;
+    return FieldValue{inVertexFrame(geometry, v, 2 * away), away.squaredNorm()};
+  });
+  return field;
+}
+
+struct FlatCase {
+  TriangleMesh mesh = planeGrid(12, 9);
+  Geometry geometry = buildGeometry(mesh);
+  Array<std::unique_ptr<ControlField>> fields;
+  Array<Vec3> points;
+
+  explicit FlatCase(const Array<Vec3>& controlPoints) : points(controlPoints) {
+    for (const Vec3& p : points) fields.push_back(flatField(geometry, p));
+  }
+  FieldBlend blend() const {
+    Array<ControlField*> pointers;
+    for (const auto& field : fields) pointers.push_back(field.get());
+    return FieldBlend(geometry, pointers);
+  }
+  Vec3 average(const Array<double>& weights) const {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < points.count(); ++i) sum += weights[i] * points[i];
+    return sum;
+  }
+};
+
+using Search = CenterOfMass (*)(FieldBlend&, const Array<double>&, const SurfacePoint&);
+
+class CenterOfMassOnThePlane : public testing::TestWithParam<Search> {};
+
+TEST_P(CenterOfMassOnThePlane, IsTheAffineAverage) {
+  const uint64_t seed = 7;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 200; ++i) {
+    Array<Vec3> points;
+    for (int k = 0; k < 4; ++k) points.emplace_back(3 + 6 * unit(random), 2 + 5 * unit(random), 0);
+    const FlatCase plane(points);
+    // One weight may be negative: only their sum must be positive.
+    Array<double> weights{unit(random), unit(random), unit(random), -0.3 * unit(random)};
+    const double sum = weights[0] + weights[1] + weights[2] + weights[3];
+    for (double& w : weights) w /= sum;
+    const Vec3 expected = plane.average(weights);
+    if (sum < 0.5 || expected.x() < 0.1 || expected.x() > 11.9 || expected.y() < 0.1 ||
+        expected.y() > 8.9) {
+      continue;
+    }
+    FieldBlend blend = plane.blend();
+    const CenterOfMass center = GetParam()(blend, weights, nearestPoint(plane.mesh, points[0]));
+    EXPECT_EQ(center.status, Status::kConverged);
+    EXPECT_LT((position(plane.mesh, center.point) - expected).norm(), 1e-12);
+    double energy = 0;
+    for (int k = 0; k < 4; ++k) energy += weights[k] * (points[k] - expected).squaredNorm();
+    EXPECT_NEAR(blend.energy(center.point, weights), energy, 1e-11);
+  }
+}
+
+TEST_P(CenterOfMassOnThePlane, OfOnePointIsThePointEvenAtAVertexOrOnAnEdge) {
+  for (const Vec3& p : {Vec3(4, 5, 0), Vec3(4.5, 5, 0), Vec3(4.25, 5.25, 0), Vec3(4.3, 5.1, 0)}) {
+    const FlatCase plane({p});
+    FieldBlend blend = plane.blend();
+    const CenterOfMass center =
+        GetParam()(blend, {1.0}, nearestPoint(plane.mesh, Vec3(9.7, 1.2, 0)));
+    EXPECT_EQ(center.status, Status::kConverged);
+    EXPECT_LT((position(plane.mesh, center.point) - p).norm(), 1e-12);
+  }
+}
+
+TEST_P(CenterOfMassOnThePlane, SaysWhereTheSurfaceEnds) {
+  const FlatCase plane({Vec3(1, 4, 0), Vec3(5, 4.3, 0)});
+  FieldBlend blend = plane.blend();
+  // The affine average, at (-3, 3.7), lies off the surface.
+  const CenterOfMass center =
+      GetParam()(blend, {2.0, -1.0}, nearestPoint(plane.mesh, Vec3(1.2, 4.4, 0)));
+  EXPECT_EQ(center.status, Status::kBoundary);
+}
+
+TEST_P(CenterOfMassOnThePlane, RefusesAMaximum) {
+  const FlatCase plane({Vec3(5, 4, 0)});
+  FieldBlend blend = plane.blend();
+  const CenterOfMass center =
+      GetParam()(blend, {-1.0}, nearestPoint(plane.mesh, Vec3(5.2, 4.1, 0)));
+  EXPECT_EQ(center.status, Status::kIndefinite);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothSearches, CenterOfMassOnThePlane,
+                         testing::Values(newtonCenter, walkToCenter),
+                         [](const testing::TestParamInfo<Search>& search) {
+                           return search.index == 0 ? "Newton" : "Walk";
+                         });
+
+TEST(FieldBlend, FindsTheSameZeroOnAnEdgeFromBothSides) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Array<Vec2> values;
+  for (int v = 0; v < mesh.vertexCount(); ++v) values.emplace_back(unit(random), unit(random));
+  ControlField field(mesh.vertexCount());
+  field.reset([&](int v) { return FieldValue{values[v], 0}; });
+  FieldBlend blend(geometry, {&field});
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const double s = blend.zeroAlongEdge(h, {1.0});
+    EXPECT_NEAR(s, 1 - blend.zeroAlongEdge(mesh.twin[h], {1.0}), 1e-9);
+  }
+}
+
+TEST(GradientOperator, IsExactForLinearFunctionsOnThePlane) {
+  const TriangleMesh mesh = planeGrid(6, 5);
+  const Geometry geometry = buildGeometry(mesh);
+  const Vec3 slope(1.5, -0.7, 0);
+  Array<double> values;
+  for (const Vec3& p : mesh.positions) values.push_back(slope.dot(p) + 3);
+  const Array<Vec2> gradients = applyGradient(buildGradientOperator(geometry), values);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    EXPECT_LT((gradients[v] - inVertexFrame(geometry, v, slope)).norm(), 1e-13);
+  }
+}
+
+TEST(GradientOperator, TakesTheMeanOfCircumcentersForSquaredDistances) {
+  // On a face the gradient of the interpolated |x - p|^2 is 2 (circumcenter - p): inside a regular
+  // grid the mean of the circumcenters around a vertex is the vertex.
+  const TriangleMesh mesh = planeGrid(6, 6);
+  const Geometry geometry = buildGeometry(mesh);
+  const Vec3 p(2.3, 3.4, 0);
+  Array<double> values;
+  for (const Vec3& x : mesh.positions) values.push_back((x - p).squaredNorm());
+  const Array<Vec2> gradients = applyGradient(buildGradientOperator(geometry), values);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    if (mesh.onBoundary[v]) continue;
+    const Vec2 expected = inVertexFrame(geometry, v, 2 * (mesh.positions[v] - p));
+    EXPECT_LT((gradients[v] - expected).norm(), 1e-12);
+  }
+}
+
+TEST(ControlField, AsksOnceForEachVertexAndForgetsOnReset) {
+  ControlField field(1000);
+  int calls = 0;
+  field.reset([&](int v) {
+    ++calls;
+    return FieldValue{Vec2(v, 0), 1.0};
+  });
+  EXPECT_EQ(field.at(999).gradient.x(), 999);
+  EXPECT_EQ(field.at(999).gradient.x(), 999);
+  EXPECT_EQ(field.at(3).gradient.x(), 3);
+  EXPECT_EQ(calls, 2);
+  field.reset([&](int v) { return FieldValue{Vec2(-v, 0), 1.0}; });
+  EXPECT_EQ(field.knownCount(), 0);
+  EXPECT_EQ(field.at(999).gradient.x(), -999);
+}
+
+}  // namespace
+}  // namespace karcher

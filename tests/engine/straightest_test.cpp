@@ -1,0 +1,139 @@
+#include "intrinsic/straightest.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include "mesh/error.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+/// A cube's corner seen from outside: three unit squares, each cut in two, around vertex 0, whose
+/// total angle is 3 pi / 2.
+TriangleMesh cubeCorner() {
+  return buildMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, -1}, {0, 0, -1}, {1, 0, -1}},
+                   {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}});
+}
+
+TEST(Straightest, IsAStraightLineInThePlane) {
+  const TriangleMesh mesh = planeGrid(7, 5);
+  const Geometry geometry = buildGeometry(mesh);
+  const uint64_t seed = 20260101;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 a(0.2 + 6.6 * unit(random), 0.2 + 4.6 * unit(random), 0);
+    const Vec3 b(0.2 + 6.6 * unit(random), 0.2 + 4.6 * unit(random), 0);
+    const SurfacePoint start = nearestPoint(mesh, a);
+    const StraightestPath path =
+        traceStraightest(geometry, start, toFace(geometry, start.face, b - a));
+    EXPECT_EQ(path.stop, TraceStop::kComplete);
+    EXPECT_LT((position(mesh, path.points.back()) - b).norm(), 1e-13);
+  }
+}
+
+TEST(Straightest, GoesThroughTheVerticesOfAGrid) {
+  const TriangleMesh mesh = planeGrid(6, 6);
+  const Geometry geometry = buildGeometry(mesh);
+  for (const Vec3& step : {Vec3(4, 4, 0), Vec3(4, 0, 0), Vec3(0, 4, 0), Vec3(4, 2, 0)}) {
+    const SurfacePoint start = nearestPoint(mesh, Vec3(1, 1, 0));
+    const StraightestPath path =
+        traceStraightest(geometry, start, toFace(geometry, start.face, step));
+    EXPECT_EQ(path.stop, TraceStop::kComplete);
+    EXPECT_LT((position(mesh, path.points.back()) - Vec3(1, 1, 0) - step).norm(), 1e-13);
+  }
+}
+
+TEST(Straightest, HalvesTheTotalAngleAtAVertex) {
+  const TriangleMesh mesh = cubeCorner();
+  const Geometry geometry = buildGeometry(mesh);
+  // Vertex 0 is interior: along the x edge into it, and on for 3 pi / 4, which is the diagonal of
+  // the opposite square.
+  const SurfacePoint start = nearestPoint(mesh, Vec3(0.5, 0, 0));
+  const StraightestPath path =
+      traceStraightest(geometry, start, toFace(geometry, start.face, Vec3(-1, 0, 0)));
+  const double along = 0.5 / std::sqrt(2.0);
+  EXPECT_EQ(path.stop, TraceStop::kComplete);
+  EXPECT_LT((position(mesh, path.points.back()) - Vec3(0, along, -along)).norm(), 1e-14);
+}
+
+TEST(Straightest, StopsAtTheBoundaryWithTheLengthLeft) {
+  const TriangleMesh mesh = planeGrid(3, 3);
+  const Geometry geometry = buildGeometry(mesh);
+  const SurfacePoint start = nearestPoint(mesh, Vec3(1.3, 1.4, 0));
+  const StraightestPath path =
+      traceStraightest(geometry, start, toFace(geometry, start.face, Vec3(5, 0, 0)));
+  EXPECT_EQ(path.stop, TraceStop::kBoundary);
+  EXPECT_NEAR(path.remaining, 5 - 1.7, 1e-13);
+  EXPECT_LT((position(mesh, path.points.back()) - Vec3(3, 1.4, 0)).norm(), 1e-13);
+
+  const StraightestPath off = traceFromVertex(geometry, 0, 3.0, 1);
+  EXPECT_EQ(off.stop, TraceStop::kBoundary);
+  EXPECT_EQ(off.remaining, 1);
+}
+
+TEST(Straightest, FollowsAStraightBoundary) {
+  const TriangleMesh mesh = planeGrid(4, 2);
+  const Geometry geometry = buildGeometry(mesh);
+  const StraightestPath path = traceFromVertex(geometry, 0, 0, 3.5);
+  EXPECT_EQ(path.stop, TraceStop::kComplete);
+  EXPECT_LT((position(mesh, path.points.back()) - Vec3(3.5, 0, 0)).norm(), 1e-13);
+}
+
+TEST(Straightest, ConsecutivePointsShareAFaceAndAddUpToTheLength) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const StraightestPath path = traceStraightest(geometry, {100, Vec3(0.2, 0.3, 0.5)}, Vec2(8, 3));
+  double length = 0;
+  for (int i = 1; i < path.points.count(); ++i) {
+    const SurfacePoint before = inFace(mesh, path.points[i - 1], path.points[i].face);
+    length += (position(mesh, path.points[i]) - position(mesh, before)).norm();
+  }
+  EXPECT_NEAR(length, Vec2(8, 3).norm(), 1e-10);
+}
+
+TEST(Straightest, RefusesAVectorThatIsNotFinite) {
+  const TriangleMesh mesh = planeGrid(2, 2);
+  const Geometry geometry = buildGeometry(mesh);
+  EXPECT_THROW(traceStraightest(geometry, {0, Vec3(0.3, 0.3, 0.4)}, Vec2(std::nan(""), 1)), Error);
+}
+
+TEST(Straightest, AgreesWithGeometryCentralOnTheBunny) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  std::ifstream file(KARCHER_TEST_DATA "/bunny_straightest.txt");
+  ASSERT_TRUE(file) << "tests/data/bunny_straightest.txt is missing";
+  std::string line;
+  int count = 0;
+  double worst = 0;
+  while (std::getline(file, line)) {
+    if (line.front() == '#') continue;
+    std::istringstream in(line);
+    int face = 0;
+    int endFace = 0;
+    Vec3 bary, vector, endBary;
+    in >> face >> bary[0] >> bary[1] >> bary[2] >> vector[0] >> vector[1] >> vector[2] >> endFace >>
+        endBary[0] >> endBary[1] >> endBary[2];
+    ASSERT_TRUE(in);
+    const SurfacePoint start = checkedPoint(mesh, face, bary);
+    const StraightestPath path = traceStraightest(geometry, start, toFace(geometry, face, vector));
+    const Vec3 expected = position(mesh, {endFace, endBary});
+    worst = std::max(worst, (position(mesh, path.points.back()) - expected).norm());
+    ++count;
+  }
+  EXPECT_EQ(count, 200);
+  // The reference is written with 12 digits; a path's end moves with its start's rounding times
+  // the spread of geodesics.
+  EXPECT_LT(worst / geometry.meanEdge, 1e-6);
+  std::printf("straightest geodesics on the bunny: worst end %.1e mean edges off\n",
+              worst / geometry.meanEdge);
+}
+
+}  // namespace
+}  // namespace karcher

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+
+/// What several tests share.
+namespace karcher {
+
+/// Unit squares from (0, 0) to (columns, rows) in the plane z = 0, each cut from its lower left to
+/// its upper right corner. Vertex i + (columns + 1) j lies at (i, j).
+TriangleMesh planeGrid(int columns, int rows);
+
+/// The mesh of the npm package `bunny`, vertices and faces in its own order. Throws
+/// std::runtime_error if the set-up has not written it.
+TriangleMesh bunnyMesh();
+
+}  // namespace karcher
