@@ -1,0 +1,81 @@
+// Builds the parts of Karcher: native libraries and tests, the WebAssembly module, its TypeScript
+// facade, and the page.
+//
+//   node .tools/build.mjs [wasm] [facade] [page] [native]    (the first three without arguments)
+import { chmodSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { dirname } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { setUp } from './setup.mjs';
+import { cores, inRoot, root, run, which } from './shell.mjs';
+
+// Debian's Emscripten finds its JavaScript optimizer's libraries there, if Node is not Debian's own.
+const debianNodeModules = '/usr/share/nodejs';
+
+/** The program of an npm package, run with this Node. */
+const runNpmProgram = (path, ...args) =>
+  run(process.execPath, [inRoot(`node_modules/${path}`), ...args]);
+
+/** Configures and builds one of CMakePresets.json's native presets. */
+export async function buildNative(preset, ...targets) {
+  const ccache = which('ccache') ? ['-DCMAKE_CXX_COMPILER_LAUNCHER=ccache'] : [];
+  await run('cmake', ['--preset', preset, ...ccache]);
+  const named = targets.length > 0 ? ['--target', ...targets] : [];
+  await run('cmake', ['--build', '--preset', preset, '--parallel', `${cores}`, ...named]);
+}
+
+/** The engine as dist/karcher-engine.mjs and .wasm. */
+export async function buildWasm() {
+  const env = existsSync(debianNodeModules) ? { NODE_PATH: debianNodeModules } : {};
+  await run('emcmake', ['cmake', '--preset', 'wasm'], { env });
+  await run('cmake', ['--build', '--preset', 'wasm', '--parallel', `${cores}`], { env });
+}
+
+/** The facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. */
+export async function buildFacade() {
+  await runNpmProgram('typescript/bin/tsc', '-p', 'wasm');
+  chmodSync(inRoot('dist/cli.js'), 0o755);
+}
+
+/** The page in build/page. */
+export async function buildPage() {
+  await runNpmProgram('vite/bin/vite.js', 'build', '--logLevel', 'warn');
+}
+
+/** The npm package's bunny as build/data/bunny.obj, every digit kept. */
+export async function writeBunny() {
+  const { default: bunny } = await import('bunny');
+  const lines = [
+    ...bunny.positions.map((position) => `v ${position.join(' ')}`),
+    ...bunny.cells.map((cell) => `f ${cell.map((vertex) => vertex + 1).join(' ')}`),
+  ];
+  const path = inRoot('build/data/bunny.obj');
+  mkdirSync(dirname(path), { recursive: true });
+  writeFileSync(path, `${lines.join('\n')}\n`);
+}
+
+const parts = {
+  wasm: buildWasm,
+  facade: buildFacade,
+  page: buildPage,
+  native: async () => {
+    await writeBunny();
+    await buildNative('native');
+  },
+};
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  const names = process.argv.slice(2);
+  const unknown = names.find((name) => !(name in parts));
+  if (unknown) {
+    console.error(`There is no part '${unknown}' to build: ${Object.keys(parts).join(', ')}.`);
+    process.exit(1);
+  }
+  await setUp('build', ...(names.includes('native') ? ['test'] : []));
+  try {
+    for (const name of names.length > 0 ? names : ['wasm', 'facade', 'page']) await parts[name]();
+  } catch (error) {
+    console.error(error.message);
+    process.exit(1);
+  }
+  console.log(`Built in ${root}: dist/ and build/.`);
+}

@@ -1,0 +1,230 @@
+// Finds what the machine lacks to build and test Karcher, and installs it: system packages by apt
+// on Debian and Ubuntu, npm packages by `npm ci`. Elsewhere it says what is missing and how to get
+// it. With KARCHER_NO_INSTALL=1 it only prints the commands.
+//
+//   node .tools/setup.mjs [build] [test] [lint]     (all three without arguments)
+import { spawnSync } from 'node:child_process';
+import { existsSync, readFileSync, statSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { inRoot, run, which } from './shell.mjs';
+
+const kOldestCmake = [3, 24];
+
+function cmakeIsNewEnough() {
+  const output = which('cmake') && spawnSync('cmake', ['--version'], { encoding: 'utf8' }).stdout;
+  const [, major, minor] = /version (\d+)\.(\d+)/.exec(output || '') ?? [];
+  return major > kOldestCmake[0] || (+major === kOldestCmake[0] && minor >= kOldestCmake[1]);
+}
+
+/** Whether clang++ can link a program with the address sanitizer; its runtime is a package apart. */
+function clangHasSanitizers() {
+  const args = ['-x', 'c++', '-fsanitize=address,undefined', '-', '-o', '/dev/null'];
+  return !!which('clang++') && spawnSync('clang++', args, { input: 'int main() {}' }).status === 0;
+}
+
+const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
+const hasHeader = (name) => includeFolders.some((folder) => existsSync(`${folder}/${name}`));
+
+/** The browser that the page's tests drive, or undefined. */
+export function chromiumPath() {
+  const named = process.env.CHROMIUM_PATH;
+  if (named) return existsSync(named) ? named : undefined;
+  const mac = '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome';
+  return (
+    ['chromium', 'chromium-browser', 'google-chrome'].map(which).find(Boolean) ??
+    (existsSync(mac) ? mac : undefined)
+  );
+}
+
+// `optional`: CMake downloads it where it is not installed. Ubuntu has Chromium only as a snap.
+const needs = [
+  {
+    what: 'Emscripten (emcc)',
+    for: 'build',
+    found: () => which('emcc') && which('emcmake'),
+    apt: ['emscripten'],
+    how: 'brew install emscripten, or emsdk: https://emscripten.org/docs/getting_started/downloads.html',
+  },
+  {
+    what: `CMake ${kOldestCmake.join('.')} or newer`,
+    for: 'build',
+    found: cmakeIsNewEnough,
+    apt: ['cmake'],
+    how: 'brew install cmake, or https://cmake.org/download',
+  },
+  {
+    what: 'Ninja',
+    for: 'build',
+    found: () => which('ninja'),
+    apt: ['ninja-build'],
+    how: 'brew install ninja',
+  },
+  {
+    what: 'Eigen',
+    for: 'build',
+    optional: true,
+    found: () => hasHeader('eigen3/Eigen/Core'),
+    apt: ['libeigen3-dev'],
+  },
+  {
+    what: 'tinyobjloader',
+    for: 'build',
+    optional: true,
+    found: () => hasHeader('tiny_obj_loader.h'),
+    apt: ['libtinyobjloader-dev'],
+  },
+  {
+    what: 'a C++ compiler (c++)',
+    for: 'test',
+    found: () => which('c++') && which('g++'),
+    apt: ['g++'],
+    how: 'xcode-select --install, or your system’s g++',
+  },
+  {
+    what: 'clang++ with its sanitizers',
+    for: 'test',
+    found: clangHasSanitizers,
+    apt: ['clang', 'libclang-rt-dev'],
+    how: 'xcode-select --install, or your system’s clang and compiler-rt',
+  },
+  {
+    what: 'GoogleTest',
+    for: 'test',
+    found: () => hasHeader('gtest/gtest.h'),
+    apt: ['libgtest-dev'],
+    how: 'brew install googletest',
+  },
+  {
+    what: 'Chromium',
+    for: 'test',
+    found: chromiumPath,
+    apt: ['chromium'],
+    how: 'install Chromium or Chrome (Ubuntu: snap install chromium) and set CHROMIUM_PATH to its program',
+    ubuntuHasIt: false,
+  },
+  {
+    what: 'clang-format',
+    for: 'lint',
+    found: () => which('clang-format'),
+    apt: ['clang-format'],
+    how: 'brew install clang-format',
+  },
+  {
+    what: 'clang-tidy',
+    for: 'lint',
+    found: () => which('clang-tidy'),
+    apt: ['clang-tidy'],
+    how: 'brew install llvm, and put its bin folder on PATH',
+  },
+];
+
+/** 'debian', 'ubuntu' (or what is made from it), or undefined where there is no apt. */
+function aptSystem() {
+  if (!which('apt-get') || !existsSync('/etc/os-release')) return undefined;
+  const release = readFileSync('/etc/os-release', 'utf8');
+  if (/^(ID|ID_LIKE)=.*ubuntu/m.test(release)) return 'ubuntu';
+  return /^(ID|ID_LIKE)=.*debian/m.test(release) ? 'debian' : undefined;
+}
+
+/** How to become root: nothing as root; sudo that does not ask where nobody could answer. */
+function rootPrefix() {
+  if (process.getuid?.() === 0) return [];
+  if (!which('sudo')) return undefined;
+  return process.stdin.isTTY ? ['sudo'] : ['sudo', '-n'];
+}
+
+async function installByApt(packages, noInstall) {
+  const prefix = rootPrefix();
+  const apt = ['env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', '-o', 'DPkg::Lock::Timeout=300'];
+  const update = [...(prefix ?? ['sudo']), ...apt, 'update'];
+  const install = [
+    ...(prefix ?? ['sudo']),
+    ...apt,
+    'install',
+    '-y',
+    '--no-install-recommends',
+    ...packages,
+  ];
+  const script = `  ${update.join(' ')}\n  ${install.join(' ')}`;
+  if (noInstall || !prefix) {
+    const why = noInstall ? 'KARCHER_NO_INSTALL is set' : 'this needs root or sudo';
+    throw new SetupError(`Not installing, as ${why}. The commands are:\n${script}`);
+  }
+  console.log(`Installing system packages:\n${script}`);
+  for (const [program, ...args] of [update, install]) {
+    const { status } = spawnSync(program, args, { stdio: ['ignore', 'inherit', 'inherit'] });
+    // Without a fresh list the packages may still be found; the installation itself must work.
+    if (status !== 0 && args.includes('install')) {
+      throw new SetupError('apt-get could not install them: see its message above.');
+    }
+  }
+}
+
+class SetupError extends Error {}
+
+async function installSystemPackages(purposes, noInstall) {
+  const wanted = needs.filter((need) => purposes.includes(need.for));
+  let missing = wanted.filter((need) => !need.found());
+  if (missing.length === 0) return;
+  console.log(`Missing: ${missing.map((need) => need.what).join(', ')}.`);
+  const system = aptSystem();
+  const byApt = missing.filter(
+    (need) => system === 'debian' || (system && need.ubuntuHasIt !== false),
+  );
+  if (byApt.length > 0) {
+    await installByApt(
+      byApt.flatMap((need) => need.apt),
+      noInstall,
+    );
+    missing = missing.filter((need) => !need.found());
+  }
+  for (const need of missing.filter((need) => need.optional)) {
+    console.log(`${need.what} is not installed: CMake downloads it.`);
+  }
+  const required = missing.filter((need) => !need.optional);
+  if (required.length === 0) return;
+  const list = required.map((need) => `  ${need.what}: ${need.how}`);
+  throw new SetupError(`Still missing; install these and run this again:\n${list.join('\n')}`);
+}
+
+async function installNpmPackages(noInstall) {
+  const installed = inRoot('node_modules/.package-lock.json');
+  const lock = inRoot('package-lock.json');
+  if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;
+  if (noInstall) {
+    throw new SetupError('Not installing, as KARCHER_NO_INSTALL is set. The command is:\n  npm ci');
+  }
+  console.log('Installing npm packages into node_modules: npm ci');
+  const npm = process.env.npm_execpath;
+  if (npm?.endsWith('.js')) await run(process.execPath, [npm, 'ci']);
+  else await run('npm', ['ci']);
+}
+
+/**
+ * Makes the machine ready for `purposes` ('build', 'test', 'lint'); returns at once where it is.
+ * Prints what is wrong and ends the process where it cannot.
+ */
+export async function setUp(...purposes) {
+  const noInstall = !!process.env.KARCHER_NO_INSTALL && process.env.KARCHER_NO_INSTALL !== '0';
+  let ready = true;
+  for (const step of [
+    () => installSystemPackages(purposes, noInstall),
+    () => installNpmPackages(noInstall),
+  ]) {
+    try {
+      await step();
+    } catch (error) {
+      console.error(error.message);
+      ready = false;
+    }
+    // Where commands are only printed, print all of them.
+    if (!ready && !noInstall) break;
+  }
+  if (!ready) process.exit(1);
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  const purposes = process.argv.slice(2);
+  await setUp(...(purposes.length > 0 ? purposes : ['build', 'test', 'lint']));
+  console.log('Everything that is needed is installed.');
+}

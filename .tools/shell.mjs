@@ -1,0 +1,137 @@
+// Running programs, finding them, and counting what passed.
+import { spawn } from 'node:child_process';
+import { accessSync, constants, existsSync, readdirSync, statSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { delimiter, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+/** The project's folder, with a slash at its end. */
+export const root = fileURLToPath(new URL('..', import.meta.url));
+
+export const cores = availableParallelism();
+
+/** The project's path of `relative`. */
+export const inRoot = (relative) => join(root, relative);
+
+/** The full path of a program on PATH, or undefined. */
+export function which(program) {
+  for (const folder of (process.env.PATH ?? '').split(delimiter)) {
+    const path = join(folder, program);
+    try {
+      accessSync(path, constants.X_OK);
+      if (statSync(path).isFile()) return path;
+    } catch {
+      // Not in this folder.
+    }
+  }
+  return undefined;
+}
+
+/** Every file below `folder` (relative to the project) whose name matches, sorted; none if there is no such folder. */
+export function filesBelow(folder, pattern) {
+  if (!existsSync(inRoot(folder))) return [];
+  return readdirSync(inRoot(folder), { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile() && pattern.test(entry.name))
+    .map((entry) => join(entry.parentPath, entry.name))
+    .sort();
+}
+
+/** A program that did not end with status 0. */
+export class CommandError extends Error {}
+
+/**
+ * Runs a program in the project's folder, without standard input, and waits for it.
+ *
+ * Its output goes to ours, or with `quiet` into the resolved string. Throws a `CommandError` (with
+ * the collected `output`) when it cannot start, fails, or takes longer than `minutes`; then it and
+ * what it started are ended.
+ */
+export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {}) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(program, args, {
+      cwd: root,
+      env: { ...process.env, ...env },
+      stdio: ['ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit'],
+      detached: true,
+    });
+    let output = '';
+    let late = false;
+    child.stdout?.on('data', (data) => (output += data));
+    child.stderr?.on('data', (data) => (output += data));
+    const endGroup = (signal) => {
+      try {
+        process.kill(-child.pid, signal);
+      } catch {
+        // Already gone.
+      }
+    };
+    // The child leads its own process group, so that all of it can be ended; then Ctrl-C has to be
+    // passed on by hand.
+    const passOn = (signal) => {
+      endGroup(signal);
+      process.exit(1);
+    };
+    const timer = setTimeout(() => {
+      late = true;
+      endGroup('SIGKILL');
+    }, minutes * 60_000);
+    process.on('SIGINT', passOn).on('SIGTERM', passOn);
+    const settle = (problem) => {
+      clearTimeout(timer);
+      process.off('SIGINT', passOn).off('SIGTERM', passOn);
+      if (!problem) return resolve(output);
+      const error = new CommandError(`${program} ${args[0] ?? ''}: ${problem}`);
+      error.output = output;
+      reject(error);
+    };
+    child.on('error', (error) => settle(error.message));
+    child.on('close', (status, signal) => {
+      if (late) settle(`not done after ${minutes} minutes`);
+      else if (signal) settle(`ended by ${signal}`);
+      else settle(status === 0 ? undefined : `exit status ${status}`);
+    });
+  });
+}
+
+/**
+ * Runs stages one after another, prints each one's time and a table at the end.
+ *
+ * A stage is `{ name, run }`. `run` may return `{ passed, failed }`, the tests it counted; else the
+ * stage counts as one. A stage that throws, or counts no test, has failed; the ones after it still
+ * run. Returns the sums.
+ */
+export async function runStages(stages) {
+  const rows = [];
+  for (const stage of stages) {
+    console.log(`\n== ${stage.name}`);
+    const start = performance.now();
+    let counts;
+    try {
+      const result = await stage.run();
+      counts = typeof result === 'object' ? result : { passed: 1, failed: 0 };
+      if (counts.passed + counts.failed === 0) {
+        console.error(`${stage.name}: no test ran`);
+        counts = { passed: 0, failed: 1 };
+      }
+    } catch (error) {
+      console.error(error instanceof CommandError ? error.message : error);
+      counts = { passed: 0, failed: 1 };
+    }
+    rows.push({ name: stage.name, seconds: (performance.now() - start) / 1000, ...counts });
+  }
+  const width = Math.max(...rows.map((row) => row.name.length));
+  console.log('');
+  for (const { name, seconds, passed, failed } of rows) {
+    const time = seconds.toFixed(1).padStart(7);
+    console.log(`${name.padEnd(width)} ${time} s  ${passed} passed, ${failed} failed`);
+  }
+  const sum = (key) => rows.reduce((total, row) => total + row[key], 0);
+  return { passed: sum('passed'), failed: sum('failed'), seconds: sum('seconds') };
+}
+
+/** Prints the closing line that scripts read, and sets the exit status. */
+export function closeWith({ passed, failed, seconds }) {
+  console.log(`\nIn ${(seconds / 60).toFixed(1)} minutes:`);
+  console.log(`${passed} passed, ${failed} failed`);
+  process.exitCode = failed > 0 ? 1 : 0;
+}

@@ -1,0 +1,37 @@
+// `npm start`: sets up, builds, serves the page and prints its address.
+//
+//   npm start -- [--port N] [--host]
+import { parseArgs } from 'node:util';
+import { buildFacade, buildPage, buildWasm } from './build.mjs';
+import { setUp } from './setup.mjs';
+import { root } from './shell.mjs';
+
+let options;
+try {
+  const known = { port: { type: 'string', default: '4173' }, host: { type: 'boolean' } };
+  options = parseArgs({ options: known }).values;
+  if (!/^\d{1,5}$/.test(options.port)) throw new Error(`'${options.port}' is not a port.`);
+} catch (error) {
+  console.error(`${error.message}\nUsage: npm start -- [--port N] [--host]`);
+  process.exit(1);
+}
+
+await setUp('build');
+try {
+  await buildWasm();
+  await buildFacade();
+  await buildPage();
+} catch (error) {
+  console.error(error.message);
+  process.exit(1);
+}
+
+const { preview } = await import('vite');
+const server = await preview({
+  configFile: `${root}vite.config.ts`,
+  preview: { port: Number(options.port), host: options.host },
+});
+console.log('\nKarcher is at (Ctrl-C ends it):');
+for (const url of [...server.resolvedUrls.local, ...server.resolvedUrls.network]) {
+  console.log(`  ${url}`);
+}
