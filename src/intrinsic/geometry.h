@@ -51,6 +51,15 @@ inline Vec2 halfedgeInFace(const Geometry& geometry, int h) {
          cornerInFace(geometry, faceOf(h), cornerOf(h));
 }
 
+/// The vertex opposite to half-edge h seen from h: its tail at the origin, its head on the positive
+/// x axis, so that y is the face's height over h.
+inline Vec2 oppositeOverHalfedge(const Geometry& geometry, int h) {
+  const int f = faceOf(h);
+  if (cornerOf(h) == 0) return geometry.apex[f];
+  const Vec2 edge = halfedgeInFace(geometry, h) / geometry.edgeLength[h];
+  return rotateBack(edge, -halfedgeInFace(geometry, previous(h)));
+}
+
 /// Twice the area of face f.
 inline double doubleArea(const Geometry& geometry, int f) {
   return geometry.edgeLength[3 * f] * geometry.apex[f].y();

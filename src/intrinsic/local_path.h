@@ -1,0 +1,49 @@
+#pragma once
+
+#include "intrinsic/strip_path.h"
+
+/// A locally shortest geodesic between two points that lie near each other, such as consecutive
+/// samples of a curve: points in one face or in two that share an edge are joined at once, others
+/// through a strip of faces found by an A* search and pulled tight (strip_path.h). The work depends
+/// on the faces between the points, not on the mesh.
+namespace karcher {
+
+/// Scratch memory of the search; reuse one to spare the allocations.
+struct LocalPathWorkspace {
+  struct Node {
+    int face = -1;
+    int enteredBy = -1;  ///< half-edge of the face before, -1 where the search starts
+    bool expanded = false;
+    double length = 0;  ///< of the polyline from the start through the points of entry
+    Vec3 entry;
+  };
+  struct QueueEntry {
+    double key = 0;
+    int node = 0;
+  };
+  StripWorkspace strip;
+  Array<Node> nodes;
+  Array<QueueEntry> queue;
+  /// Open addressing from a face to its node, emptied by a new stamp.
+  struct Slot {
+    uint32_t stamp = 0;
+    int node = 0;
+  };
+  Array<Slot> slots;
+  uint32_t stamp = 0;
+};
+
+struct LocalPathOptions {
+  int maxFaces = 4096;  ///< the search gives up after this many
+};
+
+/// Appends the path's points after `from` to `out` (edge crossings, vertices, and `to`; consecutive
+/// points share a face) and adds its length to `length`. No vertex of the path has less than pi of
+/// surface on one of its sides.
+/// Returns false, and changes neither, where the search ends without reaching `to`: then the points
+/// are far apart or on different components.
+bool appendLocalPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+                     LocalPathWorkspace& workspace, Array<SurfacePoint>& out, double& length,
+                     const LocalPathOptions& options = {});
+
+}  // namespace karcher

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "intrinsic/geometry.h"
+
+/// The locally shortest path in a strip of faces.
+///
+/// The strip is unfolded into the plane and the path pulled tight between its sides by the funnel
+/// algorithm (D. Lee, F. Preparata, "Euclidean shortest paths in the presence of rectilinear
+/// barriers", 1984). Where the path then bends at a vertex with less than pi of surface on the side
+/// away from the strip, the strip is led round that side and pulled tight again (S. Xin, G. Wang,
+/// "Efficiently determining a locally exact shortest path on polyhedral surfaces", 2007; N. Sharp,
+/// K. Crane, "You Can Find Geodesic Paths in Triangle Meshes by Just Flipping Edges", 2020). Each
+/// turn shortens the path, until no vertex lets it.
+namespace karcher {
+
+/// A strip to pull tight, and the scratch memory for it; reuse one to spare the allocations.
+struct StripWorkspace {
+  /// The strip's first face and the half-edges that it crosses, in order, each in the face that the
+  /// strip leaves. Input; afterwards the strip that holds the path.
+  int face = -1;
+  Array<int> crossings;
+
+  /// A crossing unfolded: the ends of its half-edge, as the strip passes between them.
+  struct Portal {
+    Vec2 right;  ///< the tail
+    Vec2 left;   ///< the head
+  };
+  /// A vertex where the path touches the strip's side.
+  struct Bend {
+    int portal = 0;
+    bool onLeft = false;
+  };
+  Array<Portal> portals;
+  Array<Bend> bends;
+  Array<int> turned;
+};
+
+/// Appends to `out` the path from `from`, in the strip's first face, to `to`, in its last: where it
+/// crosses edges, the vertices it bends at, and `to`, but not `from`. Consecutive points share a
+/// face. Returns the length of what was appended.
+double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+                       StripWorkspace& strip, Array<SurfacePoint>& out);
+
+/// True if `point` lies in face f, its edges and corners included.
+bool liesInFace(const TriangleMesh& mesh, const PointLocation& point, int f);
+
+}  // namespace karcher

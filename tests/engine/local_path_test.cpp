@@ -1,0 +1,180 @@
+#include "intrinsic/local_path.h"
+
+#include <gtest/gtest.h>
+
+#include "distance_meshes.h"
+#include "intrinsic/straightest.h"
+
+namespace karcher::testing {
+namespace {
+
+struct Path {
+  bool found = false;
+  double length = 0;
+  Array<SurfacePoint> points;  ///< with the start
+};
+
+Path joined(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to,
+            const LocalPathOptions& options = {}) {
+  LocalPathWorkspace workspace;
+  Path path;
+  path.points.push_back(from);
+  path.found =
+      appendLocalPath(surface.geometry, from, to, workspace, path.points, path.length, options);
+  return path;
+}
+
+bool shareFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  const PointLocation la = locate(mesh, a);
+  const PointLocation lb = locate(mesh, b);
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    if (liesInFace(mesh, la, f) && liesInFace(mesh, lb, f)) return true;
+  }
+  return false;
+}
+
+void expectJoined(const Surface& surface, const Path& path) {
+  double length = 0;
+  for (int i = 1; i < path.points.count(); ++i) {
+    EXPECT_TRUE(shareFace(surface.mesh, path.points[i - 1], path.points[i]));
+    length += (position(surface.mesh, path.points[i]) - position(surface.mesh, path.points[i - 1]))
+                  .norm();
+  }
+  EXPECT_NEAR(path.length, length, 1e-12 * surface.geometry.diagonal);
+}
+
+TEST(LocalPath, isTheStraightLineInThePlane) {
+  const Surface surface(planeGrid(12, 9, 0.3));
+  std::mt19937 random(7);
+  for (int i = 0; i < 500; ++i) {
+    const SurfacePoint p = randomPoint(surface.mesh, random);
+    const SurfacePoint q = randomPoint(surface.mesh, random);
+    const Path path = joined(surface, p, q);
+    ASSERT_TRUE(path.found);
+    expectJoined(surface, path);
+    const double euclid = (position(surface.mesh, q) - position(surface.mesh, p)).norm();
+    EXPECT_NEAR(path.length, euclid, 1e-11);
+  }
+}
+
+TEST(LocalPath, isStraightThroughTheVerticesOfARegularGrid) {
+  const Surface surface(planeGrid(6, 6));
+  for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+    for (int w = 0; w < surface.mesh.vertexCount(); ++w) {
+      const Path path = joined(surface, vertexPoint(surface.mesh, v), vertexPoint(surface.mesh, w));
+      ASSERT_TRUE(path.found);
+      expectJoined(surface, path);
+      const double euclid = (surface.mesh.positions[v] - surface.mesh.positions[w]).norm();
+      EXPECT_NEAR(path.length, euclid, 1e-12);
+    }
+  }
+}
+
+TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
+  const Surface surface(icosphere(3));
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  std::uniform_real_distribution<double> length(0.01, 0.3);
+  int same = 0;
+  for (int i = 0; i < 300; ++i) {
+    SurfacePoint p = randomPoint(surface.mesh, random);
+    p.bary = (p.bary + Vec3::Constant(0.1)) / 1.3;
+    const double walked = length(random);
+    const StraightestPath straight =
+        traceStraightest(surface.geometry, p, walked * unitVector(angle(random)));
+    const Path path = joined(surface, p, straight.points.back());
+    ASSERT_TRUE(path.found);
+    expectJoined(surface, path);
+    // There may be another geodesic round the other side of a vertex; as the vertices' curvature
+    // is small its length is nearly the same.
+    EXPECT_NEAR(path.length, walked, 0.01 * walked);
+    if (std::abs(path.length - walked) < 1e-9) ++same;
+  }
+  EXPECT_GT(same, 240);
+}
+
+TEST(LocalPath, hasHalfATurnOnBothSidesOfItsVertices) {
+  const Surface surface(bunny());
+  const TriangleMesh& mesh = surface.mesh;
+  std::mt19937 random(3);
+  int vertices = 0;
+  for (int i = 0; i < 200; ++i) {
+    const SurfacePoint p = randomPoint(mesh, random);
+    const SurfacePoint q = randomPoint(mesh, random);
+    const Path path = joined(surface, p, q);
+    ASSERT_TRUE(path.found);
+    expectJoined(surface, path);
+    for (int k = 1; k + 1 < path.points.count(); ++k) {
+      const PointLocation at = locate(mesh, path.points[k]);
+      if (at.simplex != Simplex::kVertex) continue;
+      ++vertices;
+      const auto directionTo = [&](const SurfacePoint& neighbour) {
+        const PointLocation location = locate(mesh, neighbour);
+        int h = mesh.outgoing[at.vertex];
+        while (!liesInFace(mesh, location, faceOf(h))) h = rotateLeft(mesh, h);
+        const SurfacePoint there = inFace(mesh, neighbour, faceOf(h));
+        return directionAtTail(surface.geometry, h,
+                               pointInFace(surface.geometry, there) -
+                                   cornerInFace(surface.geometry, faceOf(h), cornerOf(h)));
+      };
+      const double turn =
+          std::abs(directionTo(path.points[k + 1]) - directionTo(path.points[k - 1]));
+      EXPECT_GT(turn, kPi - 1e-6);
+      EXPECT_GT(surface.geometry.totalAngle[at.vertex] - turn, kPi - 1e-6);
+    }
+  }
+  EXPECT_GT(vertices, 0) << "no path passed a vertex: the test says nothing";
+}
+
+TEST(LocalPath, goesRoundAReentrantCorner) {
+  // Three quarters of a square around the vertex at the middle.
+  TriangleMesh square = planeGrid(4, 4);
+  Array<Triangle> faces;
+  for (const Triangle& f : square.faces) {
+    const Vec3 centroid =
+        (square.positions[f[0]] + square.positions[f[1]] + square.positions[f[2]]) / 3;
+    if (centroid.x() < 2 || centroid.y() < 2) faces.push_back(f);
+  }
+  Array<Vec3> positions;
+  Array<int> number(square.positions.size(), -1);
+  for (Triangle& f : faces) {
+    for (int& v : f) {
+      if (number[v] < 0) {
+        number[v] = positions.count();
+        positions.push_back(square.positions[v]);
+      }
+      v = number[v];
+    }
+  }
+  const Surface surface(buildMesh(positions, faces));
+  const SurfacePoint p = nearestPoint(surface.mesh, Vec3(1.7, 3.6, 0));
+  const SurfacePoint q = nearestPoint(surface.mesh, Vec3(3.8, 1.9, 0));
+  const Path path = joined(surface, p, q);
+  ASSERT_TRUE(path.found);
+  expectJoined(surface, path);
+  EXPECT_NEAR(path.length, std::hypot(0.3, 1.6) + std::hypot(1.8, 0.1), 1e-12);
+}
+
+TEST(LocalPath, saysWhenThePointsAreTooFarApart) {
+  const Surface surface(planeGrid(30, 30));
+  const SurfacePoint p = vertexPoint(surface.mesh, 0);
+  const SurfacePoint q = vertexPoint(surface.mesh, surface.mesh.vertexCount() - 1);
+  LocalPathOptions options;
+  options.maxFaces = 20;
+  const Path path = joined(surface, p, q, options);
+  EXPECT_FALSE(path.found);
+  EXPECT_EQ(path.points.size(), 1u);
+  EXPECT_EQ(path.length, 0);
+}
+
+TEST(LocalPath, ofAPointToItselfHasNoLength) {
+  const Surface surface(icosphere(1));
+  const SurfacePoint p{4, Vec3(0.2, 0.5, 0.3)};
+  const Path path = joined(surface, p, p);
+  ASSERT_TRUE(path.found);
+  EXPECT_EQ(path.length, 0);
+  EXPECT_EQ(path.points.size(), 2u);
+}
+
+}  // namespace
+}  // namespace karcher::testing
