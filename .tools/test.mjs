@@ -19,7 +19,7 @@ async function runShard(preset, shard, shards) {
     UBSAN_OPTIONS: 'print_stacktrace=1',
     ...(long && { KARCHER_LONG: '1' }),
   };
-  const args = ['--gtest_brief=1', `--gtest_output=json:${report}`];
+  const args = [`--gtest_output=json:${report}`];
   let problem;
   let output;
   try {
@@ -32,7 +32,11 @@ async function runShard(preset, shard, shards) {
     problem = error;
     output = error.output ?? '';
   }
-  console.log(output.trimEnd());
+  // Of a good run only what the tests print themselves; of a bad one also which test was last.
+  const lines = output
+    .split('\n')
+    .filter((line) => line && (problem || !/^\[[ =\-A-Z]+\]/.test(line)));
+  console.log(lines.join('\n'));
   let counts = { passed: 0, failed: 0 };
   try {
     const { testsuites } = JSON.parse(readFileSync(report, 'utf8'));
