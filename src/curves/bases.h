@@ -2,18 +2,35 @@
 
 #include "mesh/types.h"
 
-/// Bases of curves: from a parameter t in [0, 1] to weights that sum to 1, one a control point of
-/// the segment (Mancinelli, Puppo, Eq. 4).
+/// Bases of curves: from a parameter to weights that sum to 1, one a control point of the segment
+/// (Mancinelli, Puppo, Eq. 4). They know nothing of surfaces.
 namespace karcher {
 
-/// Bernstein polynomials of degree `degree` >= 0 at t, by de Casteljau's recurrence: degree + 1
-/// weights.
+/// Bernstein polynomials of degree `degree` >= 0 at t in [0, 1], by de Casteljau's recurrence:
+/// degree + 1 weights.
 Array<double> bernsteinBasis(int degree, double t);
 
-/// The uniform cubic B-spline on one segment: 4 weights.
+/// The uniform cubic B-spline on one segment, t in [0, 1]: 4 weights.
 Array<double> uniformCubicBasis(double t);
+
+/// The `degree` + 1 B-splines that do not vanish on the knot span [knots[span], knots[span + 1]],
+/// at u in it, by Cox and de Boor's recurrence. The knots do not fall, the span is not empty, and
+/// degree <= span < knots.count() - degree - 1. They weigh the control points span - degree to
+/// span.
+Array<double> bsplineBasis(const Array<double>& knots, int degree, int span, double u);
 
 /// A rational basis: w_i N_i / sum_j w_j N_j for the weights N of another. All w_i positive.
 Array<double> rationalBasis(const Array<double>& basis, const Array<double>& pointWeights);
+
+/// Rational interpolation in barycentric form: proportional to (-1)^i beta_i / (t - i / n) for n +
+/// 1 positive betas, exactly 1 for point i at t = i / n (K. Ramanantoanina, K. Hormann, "New shape
+/// control tools for rational Bezier curve design", 2021). All betas equal is Berrut's interpolant;
+/// binomial coefficients give the polynomial.
+Array<double> barycentricBasis(const Array<double>& betas, double t);
+
+/// Catmull-Rom: the curve through four points between the second and the third, with knots
+/// (ascending) at the points and u between the middle two, as Barry and Goldman's pyramid of affine
+/// averages: 4 weights, of which the outer ones may be negative.
+Array<double> catmullRomBasis(const Array<double>& knots, double u);
 
 }  // namespace karcher

@@ -68,6 +68,7 @@ class Curve {
   CurveOptions options_;
   Array<std::unique_ptr<ControlPoint>> points_;
   Array<Segment> segments_;
+  WeightTable weights_;
 };
 
 }  // namespace karcher

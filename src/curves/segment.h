@@ -15,17 +15,31 @@ struct CurveSample {
   Status status = Status::kConverged;
 };
 
-/// From t in [0, 1] to the weights of the segment's control points, which sum to 1.
+/// From t in [0, 1] to the weights of a segment's control points, which sum to 1.
 using Basis = std::function<Array<double>(double t)>;
 
-/// Samples at t = i / (count - 1), count >= 2. The first starts at the control point of the largest
-/// weight, each other where the last converged sample lies: the result depends on the fields and
-/// the basis alone.
+/// A basis at the parameters t = i / (count - 1): made once for all segments with that basis.
+struct WeightTable {
+  int points = 0;
+  Array<double> t;
+  Array<double> weights;  ///< row by row, `points` a sample
+
+  Weights row(int sample) const {
+    return {weights.data() + static_cast<ptrdiff_t>(sample) * points, static_cast<size_t>(points)};
+  }
+};
+
+/// count >= 2.
+WeightTable tabulate(const Basis& basis, int count);
+
+/// One sample a row of the table. The first starts at the control point of the largest weight, each
+/// other where the last converged sample lies: the result depends on the fields and the weights
+/// alone.
 Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& points,
-                                const Basis& basis, int count, Method method);
+                                const WeightTable& table, Method method);
 
 /// The center of mass of the fields of `points`, by the search that belongs to the method.
-CenterOfMass findCenter(FieldBlend& fields, const Array<double>& weights, const SurfacePoint& start,
+CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
                         Method method);
 
 /// A polyline on the surface through the samples: consecutive points lie in one face. Points of

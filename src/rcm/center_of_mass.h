@@ -24,16 +24,13 @@ struct CenterOfMass {
   int iterations = 0;
 };
 
-/// Newton's method along geodesics (Algorithm 1) from `start`. `weights` has one entry a field and
-/// should sum to 1. A zero that two neighbouring faces each place in the other is taken on their
-/// edge (FieldBlend::zeroAlongEdge).
-CenterOfMass newtonCenter(FieldBlend& fields, const Array<double>& weights,
-                          const SurfacePoint& start);
+/// Newton's method along geodesics (Algorithm 1) from `start`. A zero that two neighbouring faces
+/// each place in the other is taken on their edge (FieldBlend::zeroAlongEdge).
+CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 /// The zero of the blended field by walking from face to face: in each face the zero in closed
 /// form; outside it, on to the face across the edge that it lies behind. From a start near by it
 /// takes one or two faces. Zeros between faces are taken on their edge or vertex.
-CenterOfMass walkToCenter(FieldBlend& fields, const Array<double>& weights,
-                          const SurfacePoint& start);
+CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 }  // namespace karcher

@@ -21,33 +21,28 @@ FieldBlend::FieldBlend(const Geometry& geometry, Array<ControlField*> fields)
     : geometry_(geometry), fields_(std::move(fields)) {
   tableFaces_.assign(256, -1);
   tableSlots_.assign(256, 0);
+  vectors_.reserve(static_cast<size_t>(64 * 6 * fieldCount()));
 }
 
-TriangleField FieldBlend::blend(int face, const Array<double>& weights) {
+TriangleField FieldBlend::blend(int face, Weights weights) {
+  // Six components a field side by side, so that the sums vectorise.
   const double* vectors = transported(face);
-  const int count = fields_.count();
-  const double* w = weights.data();
-  TriangleField field;
-  for (Vec2& corner : field.corner) {
-    double x = 0;
-    double y = 0;
-    for (int i = 0; i < count; ++i) {
-      x += w[i] * vectors[i];
-      y += w[i] * vectors[count + i];
-    }
-    corner = Vec2(x, y);
-    vectors += 2 * count;
+  double sum[6] = {};
+  for (const double w : weights) {
+    for (int c = 0; c < 6; ++c) sum[c] += w * vectors[c];
+    vectors += 6;
   }
-  return field;
+  return {{Vec2(sum[0], sum[1]), Vec2(sum[2], sum[3]), Vec2(sum[4], sum[5])}};
 }
 
-Vec2 FieldBlend::atVertex(int vertex, const Array<double>& weights) {
+Vec2 FieldBlend::atVertex(int vertex, Weights weights) {
   Vec2 sum = Vec2::Zero();
-  for (int i = 0; i < fields_.count(); ++i) sum += weights[i] * fields_[i]->at(vertex).gradient;
+  for (int i = 0; i < fields_.count(); ++i)
+    sum += weights.data()[i] * fields_[i]->at(vertex).gradient;
   return sum;
 }
 
-double FieldBlend::energy(const SurfacePoint& point, const Array<double>& weights) {
+double FieldBlend::energy(const SurfacePoint& point, Weights weights) {
   const TriangleField field = blend(point.face, weights);
   const Vec2 x = pointInFace(geometry_, point);
   double sum = 0;
@@ -56,7 +51,7 @@ double FieldBlend::energy(const SurfacePoint& point, const Array<double>& weight
     const int vertex = geometry_.mesh->corner(point.face, k);
     double corner = 0;
     for (int i = 0; i < fields_.count(); ++i) {
-      corner += weights[i] * fields_[i]->at(vertex).squaredDistance;
+      corner += weights.data()[i] * fields_[i]->at(vertex).squaredDistance;
     }
     const Vec2 step = x - cornerInFace(geometry_, point.face, k);
     sum += point.bary[k] * (corner + field.corner[k].dot(step) / 2);
@@ -64,7 +59,7 @@ double FieldBlend::energy(const SurfacePoint& point, const Array<double>& weight
   return sum;
 }
 
-double FieldBlend::zeroAlongEdge(int h, const Array<double>& weights) {
+double FieldBlend::zeroAlongEdge(int h, Weights weights) {
   const TriangleMesh& mesh = *geometry_.mesh;
   const int a = mesh.tail(h);
   const int b = mesh.head(h);
@@ -95,19 +90,19 @@ int FieldBlend::slotOf(int face) {
     if (tableFaces_[place] == face) return tableSlots_[place];
     place = (place + 1) & mask;
   }
-  const int count = fieldCount();
-  const size_t begin = static_cast<size_t>(slotCount_) * static_cast<size_t>(6 * count);
-  vectors_.resize(begin + static_cast<size_t>(6 * count));
-  double* out = vectors_.data() + begin;
+  const size_t width = static_cast<size_t>(6 * fieldCount());
+  const size_t begin = static_cast<size_t>(slotCount_) * width;
+  vectors_.resize(begin + width);
   for (int k = 0; k < 3; ++k) {
     const int vertex = geometry_.mesh->corner(face, k);
     const Vec2& rotation = geometry_.vertexToFace[3 * face + k];
-    for (int i = 0; i < count; ++i) {
-      const Vec2 vector = rotate(rotation, fields_[i]->at(vertex).gradient);
-      out[i] = vector.x();
-      out[count + i] = vector.y();
+    double* out = vectors_.data() + begin + 2 * k;
+    for (ControlField* field : fields_) {
+      const Vec2 vector = rotate(rotation, field->at(vertex).gradient);
+      out[0] = vector.x();
+      out[1] = vector.y();
+      out += 6;
     }
-    out += 2 * count;
   }
   // Only now, since a field's evaluation may throw.
   tableFaces_[place] = face;

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <span>
+
 #include "intrinsic/geometry.h"
 #include "rcm/control_field.h"
 
 /// The weighted sum of control points' fields, which is grad K for the energy
 /// K(p) = sum_i w_i d(p, p_i)^2 (Mancinelli, Puppo, Eq. 1), linear in each triangle.
 namespace karcher {
+
+/// One weight a field; they should sum to 1.
+using Weights = std::span<const double>;
 
 /// A vector field that is linear in one triangle, by its values at the corners, in the face's
 /// frame.
@@ -32,6 +37,17 @@ struct Hessian {
 
 Hessian hessian(const Geometry& geometry, int face, const TriangleField& field);
 
+/// hessian(...).positiveDefinite(), without its divisions.
+inline bool hasPositiveHessian(const Geometry& geometry, int face, const TriangleField& field) {
+  const Vec2& apex = geometry.apex[face];
+  const Vec2 u = field.corner[1] - field.corner[0];
+  const Vec2 v = field.corner[2] - field.corner[0];
+  const Vec2 alongX = apex.y() * u;
+  const Vec2 alongY = geometry.edgeLength[3 * face] * v - apex.x() * u;
+  const double xy = (alongX.y() + alongY.x()) / 2;
+  return alongX.x() > 0 && alongX.x() * alongY.y() > xy * xy;
+}
+
 class FieldBlend {
  public:
   /// The geometry and the fields must outlive the blend; there must be at least one field.
@@ -40,24 +56,23 @@ class FieldBlend {
   const Geometry& geometry() const { return geometry_; }
   int fieldCount() const { return fields_.count(); }
 
-  /// The weighted sum of the fields in a face; `weights` has one entry a field.
-  TriangleField blend(int face, const Array<double>& weights);
+  /// The weighted sum of the fields in a face.
+  TriangleField blend(int face, Weights weights);
 
   /// The weighted sum of the fields at a vertex, in its frame.
-  Vec2 atVertex(int vertex, const Array<double>& weights);
+  Vec2 atVertex(int vertex, Weights weights);
 
   /// K at a point: the squared distances at the corners, each carried to the point by its own
   /// gradient, blended. Exact where squared distances are quadratic.
-  double energy(const SurfacePoint& point, const Array<double>& weights);
+  double energy(const SurfacePoint& point, Weights weights);
 
   /// The parameter s in [0, 1] along half-edge h at which the component of the field along the edge
   /// vanishes, in the edge's own frame, which the faces on both sides share: the same point of the
   /// surface from either.
-  double zeroAlongEdge(int h, const Array<double>& weights);
+  double zeroAlongEdge(int h, Weights weights);
 
  private:
-  /// Transported corner vectors of all fields in `face`: for each corner the x components, then
-  /// the y components, a field each.
+  /// The transported vectors of all fields in `face`: six numbers a field, x and y at each corner.
   const double* transported(int face);
   int slotOf(int face);
   void growTable();

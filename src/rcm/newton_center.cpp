@@ -21,7 +21,7 @@ struct Candidate {
 
 class NewtonSearch {
  public:
-  NewtonSearch(FieldBlend& fields, const Array<double>& weights, const SurfacePoint& start)
+  NewtonSearch(FieldBlend& fields, Weights weights, const SurfacePoint& start)
       : fields_(fields),
         geometry_(fields.geometry()),
         mesh_(*geometry_.mesh),
@@ -137,7 +137,7 @@ class NewtonSearch {
   FieldBlend& fields_;
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  const Array<double>& weights_;
+  Weights weights_;
   SurfacePoint point_;
   Status status_ = Status::kNoProgress;
   /// Faces around the same edge or vertex that were left without progress.
@@ -146,8 +146,7 @@ class NewtonSearch {
 
 }  // namespace
 
-CenterOfMass newtonCenter(FieldBlend& fields, const Array<double>& weights,
-                          const SurfacePoint& start) {
+CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   return NewtonSearch(fields, weights, start).run();
 }
 

@@ -36,16 +36,16 @@ int smallestCorner(const Vec3& b) {
 
 /// The zero of a face's field as barycentric weights; none where the Hessian is not positive
 /// definite.
-std::optional<Vec3> zeroOfFace(FieldBlend& fields, const Array<double>& weights, int face) {
+std::optional<Vec3> zeroOfFace(FieldBlend& fields, Weights weights, int face) {
   const TriangleField field = fields.blend(face, weights);
-  if (!hessian(fields.geometry(), face, field).positiveDefinite()) return std::nullopt;
+  if (!hasPositiveHessian(fields.geometry(), face, field)) return std::nullopt;
   const Vec3 zero = field.zeroDirection();
   return zero / zero.sum();
 }
 
 /// The zero among the faces and edges around a vertex: the same answer whichever face the search
 /// came from. The vertex itself where each face places its zero in another.
-CenterOfMass centerAroundVertex(FieldBlend& fields, const Array<double>& weights, int vertex) {
+CenterOfMass centerAroundVertex(FieldBlend& fields, Weights weights, int vertex) {
   const TriangleMesh& mesh = *fields.geometry().mesh;
   const int first = mesh.outgoing[vertex];
   bool definite = true;
@@ -89,7 +89,7 @@ CenterOfMass centerAroundVertex(FieldBlend& fields, const Array<double>& weights
 
 class ZeroWalk {
  public:
-  ZeroWalk(FieldBlend& fields, const Array<double>& weights)
+  ZeroWalk(FieldBlend& fields, Weights weights)
       : fields_(fields), geometry_(fields.geometry()), mesh_(*geometry_.mesh), weights_(weights) {}
 
   CenterOfMass run(const SurfacePoint& start) {
@@ -187,14 +187,13 @@ class ZeroWalk {
   FieldBlend& fields_;
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  const Array<double>& weights_;
+  Weights weights_;
   int leaps_ = 0;
 };
 
 }  // namespace
 
-CenterOfMass walkToCenter(FieldBlend& fields, const Array<double>& weights,
-                          const SurfacePoint& start) {
+CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   return ZeroWalk(fields, weights).run(start);
 }
 

@@ -49,7 +49,7 @@ struct FlatCase {
   }
 };
 
-using Search = CenterOfMass (*)(FieldBlend&, const Array<double>&, const SurfacePoint&);
+using Search = CenterOfMass (*)(FieldBlend&, Weights, const SurfacePoint&);
 
 class CenterOfMassOnThePlane : public testing::TestWithParam<Search> {};
 
@@ -86,7 +86,7 @@ TEST_P(CenterOfMassOnThePlane, OfOnePointIsThePointEvenAtAVertexOrOnAnEdge) {
     const FlatCase plane({p});
     FieldBlend blend = plane.blend();
     const CenterOfMass center =
-        GetParam()(blend, {1.0}, nearestPoint(plane.mesh, Vec3(9.7, 1.2, 0)));
+        GetParam()(blend, Array<double>{1.0}, nearestPoint(plane.mesh, Vec3(9.7, 1.2, 0)));
     EXPECT_EQ(center.status, Status::kConverged);
     EXPECT_LT((position(plane.mesh, center.point) - p).norm(), 1e-12);
   }
@@ -97,7 +97,7 @@ TEST_P(CenterOfMassOnThePlane, SaysWhereTheSurfaceEnds) {
   FieldBlend blend = plane.blend();
   // The affine average, at (-3, 3.7), lies off the surface.
   const CenterOfMass center =
-      GetParam()(blend, {2.0, -1.0}, nearestPoint(plane.mesh, Vec3(1.2, 4.4, 0)));
+      GetParam()(blend, Array<double>{2.0, -1.0}, nearestPoint(plane.mesh, Vec3(1.2, 4.4, 0)));
   EXPECT_EQ(center.status, Status::kBoundary);
 }
 
@@ -105,7 +105,7 @@ TEST_P(CenterOfMassOnThePlane, RefusesAMaximum) {
   const FlatCase plane({Vec3(5, 4, 0)});
   FieldBlend blend = plane.blend();
   const CenterOfMass center =
-      GetParam()(blend, {-1.0}, nearestPoint(plane.mesh, Vec3(5.2, 4.1, 0)));
+      GetParam()(blend, Array<double>{-1.0}, nearestPoint(plane.mesh, Vec3(5.2, 4.1, 0)));
   EXPECT_EQ(center.status, Status::kIndefinite);
 }
 
@@ -125,9 +125,10 @@ TEST(FieldBlend, FindsTheSameZeroOnAnEdgeFromBothSides) {
   ControlField field(mesh.vertexCount());
   field.reset([&](int v) { return FieldValue{values[v], 0}; });
   FieldBlend blend(geometry, {&field});
+  const Array<double> one{1};
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-    const double s = blend.zeroAlongEdge(h, {1.0});
-    EXPECT_NEAR(s, 1 - blend.zeroAlongEdge(mesh.twin[h], {1.0}), 1e-9);
+    const double s = blend.zeroAlongEdge(h, one);
+    EXPECT_NEAR(s, 1 - blend.zeroAlongEdge(mesh.twin[h], one), 1e-9);
   }
 }
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+
+#include "rcm/center_of_mass.h"
+#include "rcm/point_field.h"
+
+/// The center of mass of points given at once, from a cold start.
+namespace karcher {
+
+struct Mean {
+  SurfacePoint point;
+  Status status = Status::kConverged;
+  int iterations = 0;
+  double energy = 0;  ///< sum of weight times squared distance
+  /// Whether searches from other control points ended at minima elsewhere. Only the method
+  /// kKarcher looks for them.
+  bool otherMinima = false;
+};
+
+struct MeanOptions {
+  FieldOptions field;
+  /// Where the search starts. By default at the control point of the largest weight with the
+  /// paper's method; at each control point in turn with kKarcher, which returns the lowest energy.
+  std::optional<SurfacePoint> start;
+  bool normalize = false;  ///< divide the weights by their sum instead of requiring 1
+};
+
+/// Throws Error: kBadWeights (not one a point, not summing to 1 within 1e-9, or to normalise a sum
+/// that is not positive), kNotFinite, kTooFewPoints (none), kUnreachable (several components).
+Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
+                  const MeanOptions& options);
+
+/// The same for fields from a caller's own distances, one array of a distance a vertex for each
+/// point, by the paper's method. The search starts at options.start, else at the vertex nearest to
+/// the source of the largest weight.
+Mean centerOfMassOfDistances(Surface& surface, const Array<Array<double>>& distances,
+                             Array<double> weights, const MeanOptions& options);
+
+}  // namespace karcher
