@@ -1,10 +1,10 @@
 #include "mesh/triangle_mesh.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <utility>
 
+#include "mesh/edges.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -13,8 +13,6 @@ namespace {
 /// A face is degenerate when its height over its longest edge is below this part of that edge:
 /// there its angles are rounding noise.
 constexpr double kDegenerateHeight = 1e-12;
-
-std::string edgeName(int a, int b) { return "edge " + std::to_string(a) + "-" + std::to_string(b); }
 
 void checkPositions(const Array<Vec3>& positions) {
   for (int v = 0; v < positions.count(); ++v) {
@@ -51,68 +49,34 @@ void checkFace(const Array<Vec3>& positions, const Triangle& face, int f) {
   }
 }
 
-/// Half-edges listed by the smaller vertex of their edge: `start[v]` to `start[v + 1]`.
-struct HalfedgeBuckets {
-  Array<int> start;
-  Array<int> halfedges;
-};
-
-HalfedgeBuckets bucketBySmallerVertex(const TriangleMesh& mesh) {
-  HalfedgeBuckets buckets;
-  buckets.start.assign(static_cast<size_t>(mesh.vertexCount()) + 1, 0);
-  const int count = mesh.halfedgeCount();
-  for (int h = 0; h < count; ++h) {
-    ++buckets.start[std::min(mesh.tail(h), mesh.head(h)) + 1];
-  }
-  std::partial_sum(buckets.start.begin(), buckets.start.end(), buckets.start.begin());
-  buckets.halfedges.resize(static_cast<size_t>(count));
-  Array<int> cursor(buckets.start.begin(), buckets.start.end() - 1);
-  for (int h = 0; h < count; ++h) {
-    int& slot = cursor[std::min(mesh.tail(h), mesh.head(h))];
-    buckets.halfedges[slot++] = h;
-  }
-  return buckets;
-}
-
-/// Throws for the half-edges [first, last), all along the edge between v and other, when they are
-/// not one alone or two that run in opposite directions.
-void checkEdge(const TriangleMesh& mesh, int v, int other, const int* first, const int* last) {
-  const auto count = last - first;
-  if (count == 1 || (count == 2 && mesh.tail(first[0]) != mesh.tail(first[1]))) return;
-  const std::string name = edgeName(v, other);
-  if (count == 2) {
+/// Throws for an edge that is not manifold.
+[[noreturn]] void throwEdge(const TriangleMesh& mesh, std::span<const EdgeSide> sides,
+                            const MeshNames& names) {
+  const int h = sides[0].halfedge;
+  const std::string name = "edge " + std::to_string(names.ofVertex(mesh.tail(h))) + "-" +
+                           std::to_string(names.ofVertex(mesh.head(h)));
+  if (sides.size() == 2) {
     throw Error(ErrorCode::kNonManifoldEdge,
-                "faces " + std::to_string(faceOf(first[0])) + " and " +
-                    std::to_string(faceOf(first[1])) + " run along " + name +
+                "faces " + std::to_string(names.ofFace(faceOf(h))) + " and " +
+                    std::to_string(names.ofFace(faceOf(sides[1].halfedge))) + " run along " + name +
                     " in the same direction; their orientations must agree");
   }
   throw Error(ErrorCode::kNonManifoldEdge,
-              name + " has " + std::to_string(count) + " faces; a surface allows two");
+              name + " has " + std::to_string(sides.size()) + " faces; a surface allows two");
 }
 
-void pairHalfedges(TriangleMesh& mesh) {
+void pairHalfedges(TriangleMesh& mesh, const MeshNames& names) {
   mesh.twin.assign(static_cast<size_t>(mesh.halfedgeCount()), -1);
-  HalfedgeBuckets buckets = bucketBySmallerVertex(mesh);
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    const auto other = [&](int h) { return mesh.tail(h) == v ? mesh.head(h) : mesh.tail(h); };
-    int* const begin = buckets.halfedges.data() + buckets.start[v];
-    int* const end = buckets.halfedges.data() + buckets.start[v + 1];
-    std::sort(begin, end,
-              [&](int g, int h) { return other(g) != other(h) ? other(g) < other(h) : g < h; });
-    for (int* first = begin; first < end;) {
-      int* last = first + 1;
-      while (last < end && other(*last) == other(*first)) ++last;
-      checkEdge(mesh, v, other(*first), first, last);
-      if (last - first == 2) {
-        mesh.twin[first[0]] = first[1];
-        mesh.twin[first[1]] = first[0];
-      }
-      first = last;
+  forEachEdge(mesh.faces, mesh.vertexCount(), [&](int, std::span<const EdgeSide> sides) {
+    if (!isManifoldEdge(mesh.faces, sides)) throwEdge(mesh, sides, names);
+    if (sides.size() == 2) {
+      mesh.twin[sides[0].halfedge] = sides[1].halfedge;
+      mesh.twin[sides[1].halfedge] = sides[0].halfedge;
     }
-  }
+  });
 }
 
-void findOutgoing(TriangleMesh& mesh) {
+void findOutgoing(TriangleMesh& mesh, const MeshNames& names) {
   const int vertexCount = mesh.vertexCount();
   mesh.outgoing.assign(mesh.positions.size(), -1);
   mesh.onBoundary.assign(mesh.positions.size(), 0);
@@ -129,7 +93,8 @@ void findOutgoing(TriangleMesh& mesh) {
   }
   for (int v = 0; v < vertexCount; ++v) {
     if (mesh.outgoing[v] < 0) {
-      throw Error(ErrorCode::kBadIndex, "vertex " + std::to_string(v) + " belongs to no face");
+      throw Error(ErrorCode::kBadIndex,
+                  "vertex " + std::to_string(names.ofVertex(v)) + " belongs to no face");
     }
     int seen = 0;
     int h = mesh.outgoing[v];
@@ -139,7 +104,7 @@ void findOutgoing(TriangleMesh& mesh) {
     } while (h >= 0 && h != mesh.outgoing[v] && seen <= valence[v]);
     if (seen != valence[v]) {
       throw Error(ErrorCode::kNonManifoldVertex,
-                  "vertex " + std::to_string(v) +
+                  "vertex " + std::to_string(names.ofVertex(v)) +
                       " joins more than one fan of faces: " + std::to_string(seen) + " of its " +
                       std::to_string(valence[v]) + " faces are connected around it");
     }
@@ -148,22 +113,30 @@ void findOutgoing(TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces) {
-  if (faces.empty()) throw Error(ErrorCode::kBadFile, "the mesh has no faces");
+void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles) {
+  if (triangles.empty()) throw Error(ErrorCode::kBadFile, "the mesh has no faces");
   constexpr size_t kMostFaces = static_cast<size_t>(std::numeric_limits<int>::max()) / 3;
-  if (faces.size() > kMostFaces) {
-    throw Error(ErrorCode::kBadArgument, "the mesh has " + std::to_string(faces.size()) +
+  if (triangles.size() > kMostFaces) {
+    throw Error(ErrorCode::kBadArgument, "the mesh has " + std::to_string(triangles.size()) +
                                              " faces; at most " + std::to_string(kMostFaces) +
                                              " can be numbered");
   }
+  checkPositions(positions);
+  for (int f = 0; f < triangles.count(); ++f) checkFace(positions, triangles[f], f);
+}
+
+TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names) {
   TriangleMesh mesh;
   mesh.positions = std::move(positions);
   mesh.faces = std::move(faces);
-  checkPositions(mesh.positions);
-  for (int f = 0; f < mesh.faceCount(); ++f) checkFace(mesh.positions, mesh.faces[f], f);
-  pairHalfedges(mesh);
-  findOutgoing(mesh);
+  pairHalfedges(mesh, names);
+  findOutgoing(mesh, names);
   return mesh;
+}
+
+TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces) {
+  checkTriangles(positions, faces);
+  return connectMesh(std::move(positions), std::move(faces), {});
 }
 
 double boundingBoxDiagonal(const TriangleMesh& mesh) {

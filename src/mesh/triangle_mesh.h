@@ -44,6 +44,25 @@ inline int rotateLeft(const TriangleMesh& mesh, int h) { return mesh.twin[previo
 /// kNonManifoldVertex, each naming the place by the indices that were passed in.
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 
+/// The two halves of buildMesh, for those who renumber in between.
+///
+/// Checks positions and triangles one by one: everything that buildMesh throws but the manifold
+/// errors and vertices without a face.
+void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles);
+
+/// The numbers by which errors name vertices and faces, where they are not the mesh's own.
+struct MeshNames {
+  const Array<int>* vertex = nullptr;  ///< per vertex of the mesh
+  const Array<int>* face = nullptr;    ///< per face of the mesh
+
+  int ofVertex(int v) const { return vertex ? (*vertex)[v] : v; }
+  int ofFace(int f) const { return face ? (*face)[f] : f; }
+};
+
+/// Builds the adjacency of checked triangles.
+/// Throws Error: kNonManifoldEdge, kNonManifoldVertex, kBadIndex (a vertex without a face).
+TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names);
+
 /// Length of the bounding box's diagonal.
 double boundingBoxDiagonal(const TriangleMesh& mesh);
 

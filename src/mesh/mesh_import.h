@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mesh/triangle_mesh.h"
+#include "mesh/triangle_soup.h"
+
+/// From what a caller has to the mesh that the engine works on: checked, repaired, and renumbered
+/// along a Morton curve, so that neighbours on the surface are neighbours in memory.
+namespace karcher {
+
+/// Between the caller's (input) numbers and the engine's. The corners of a face keep their order,
+/// so barycentric weights are the same on both sides.
+struct Numbering {
+  Array<int> engineVertex;  ///< per input vertex; -1 if dropped, the vertex it was welded to if so
+  Array<int> inputVertex;   ///< per engine vertex, the first input vertex that became it
+  Array<int> engineFace;    ///< per input triangle
+  Array<int> inputFace;     ///< per engine face
+};
+
+struct Repair {
+  enum class Kind {
+    kTriangulated,  ///< polygons were cut into triangles
+    kWelded,        ///< vertices at the same position became one
+    kDropped,       ///< vertices that no face uses were left out
+  };
+  Kind kind;
+  int count = 0;  ///< of polygons cut, vertices welded to another, vertices dropped
+  std::string sentence;
+};
+
+/// The name of a kind, as in the JavaScript API: "welded".
+const char* repairName(Repair::Kind kind);
+
+struct ImportedMesh {
+  TriangleMesh mesh;
+  Numbering numbering;
+  Array<Repair> repairs;
+};
+
+/// Vertices at exactly the same position are welded where two boundary edges meet along their whole
+/// length, which closes the seams of unwelded files; parts that only touch stay apart, since one
+/// vertex or edge for both would not be manifold.
+/// Throws Error as `buildMesh` does; errors name the caller's vertices and triangles.
+ImportedMesh importMesh(TriangleSoup soup);
+
+/// Reads an OBJ file's content and imports it; face numbers count triangles. Throws as `readObj`
+/// and `importMesh` do.
+ImportedMesh importObj(std::string_view bytes);
+
+}  // namespace karcher

@@ -1,0 +1,173 @@
+#include "mesh/obj_lines.h"
+
+#include <algorithm>
+#include <string>
+
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+bool isSpace(char c) { return c == ' ' || c == '\t'; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+
+/// Cuts the next word off the front of `line`; empty at its end.
+std::string_view takeWord(std::string_view& line) {
+  size_t begin = 0;
+  while (begin < line.size() && isSpace(line[begin])) ++begin;
+  size_t end = begin;
+  while (end < line.size() && !isSpace(line[end])) ++end;
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
+
+size_t countDigits(std::string_view word, size_t from) {
+  size_t end = from;
+  while (end < word.size() && isDigit(word[end])) ++end;
+  return end - from;
+}
+
+/// sign? (digits (. digits?)? | . digits) (e sign? digits)?
+bool isDecimal(std::string_view word) {
+  const auto isSign = [&](size_t i) {
+    return i < word.size() && (word[i] == '+' || word[i] == '-');
+  };
+  size_t i = isSign(0) ? 1 : 0;
+  size_t digits = countDigits(word, i);
+  i += digits;
+  if (i < word.size() && word[i] == '.') {
+    const size_t decimals = countDigits(word, ++i);
+    i += decimals;
+    digits += decimals;
+  }
+  if (digits == 0) return false;
+  if (i < word.size() && (word[i] == 'e' || word[i] == 'E')) {
+    ++i;
+    if (isSign(i)) ++i;
+    const size_t exponent = countDigits(word, i);
+    if (exponent == 0) return false;
+    i += exponent;
+  }
+  return i == word.size();
+}
+
+/// nan, inf and infinity, as C and Python print them.
+bool isNotFinite(std::string_view word) {
+  std::string lower(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower.starts_with("nan") || lower.starts_with("-nan") || lower == "inf" ||
+         lower == "infinity" || lower.starts_with("1.#");
+}
+
+/// A word as it is quoted in an error: at most 20 characters, each of them printable.
+std::string quoted(std::string_view word) {
+  std::string result = "'";
+  for (const char c : word.substr(0, 20)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (word.size() > 20 ? "...'" : "'");
+}
+
+class LineCheck {
+ public:
+  ObjLines check(std::string_view text) {
+    size_t begin = 0;
+    while (begin < text.size()) {
+      size_t end = begin;
+      while (end < text.size() && !isLineEnd(text[end])) ++end;
+      ++line_;
+      checkLine(text.substr(begin, end - begin));
+      if (end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n') ++end;
+      begin = end + 1;
+    }
+    if (found_.faces == 0) fail(ErrorCode::kBadFile, "the file has no faces");
+    if (greatest_ > found_.vertices) {
+      line_ = greatestLine_;
+      failIndex(std::to_string(greatest_));
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void checkLine(std::string_view line) {
+    const std::string_view keyword = takeWord(line);
+    if (keyword == "v") {
+      checkVertex(line);
+    } else if (keyword == "f") {
+      checkFace(line);
+    }
+  }
+
+  void checkVertex(std::string_view line) {
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view word = takeWord(line);
+      if (isDecimal(word)) continue;
+      if (word.empty()) fail(ErrorCode::kBadFile, place() + "a vertex needs three coordinates");
+      if (isNotFinite(word)) {
+        fail(ErrorCode::kNotFinite, place() + "the coordinate " + quoted(word) + " of vertex " +
+                                        std::to_string(found_.vertices) + " is not finite");
+      }
+      fail(ErrorCode::kBadFile, place() + "the coordinate " + quoted(word) + " is not a number");
+    }
+    ++found_.vertices;
+  }
+
+  void checkFace(std::string_view line) {
+    int corners = 0;
+    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+      checkCorner(word);
+      ++corners;
+    }
+    if (corners < 3) fail(ErrorCode::kBadFile, place() + "a face needs three corners");
+    if (corners > 3) found_.polygonLines.push_back(line_);
+    ++found_.faces;
+  }
+
+  /// A corner is the number of a vertex, and after a slash others that are not read: 7, 7/1, 7//2.
+  /// A negative number counts back from the last vertex so far.
+  void checkCorner(std::string_view word) {
+    const size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
+    const size_t digits = countDigits(word, sign);
+    const size_t end = sign + digits;
+    if (digits == 0 || (end < word.size() && word[end] != '/')) {
+      fail(ErrorCode::kBadFile, place() + quoted(word) + " is not the number of a vertex");
+    }
+    constexpr size_t kMostDigits = 10;
+    if (digits > kMostDigits) failIndex(std::string(word.substr(0, end)));
+    int64_t index = 0;
+    for (size_t i = sign; i < end; ++i) index = 10 * index + (word[i] - '0');
+    const bool back = word[0] == '-';
+    if (index == 0 || (back && index > found_.vertices))
+      failIndex(std::string(word.substr(0, end)));
+    if (!back && index > greatest_) {
+      greatest_ = index;
+      greatestLine_ = line_;
+    }
+  }
+
+  std::string place() const { return "line " + std::to_string(line_) + ": "; }
+
+  [[noreturn]] void failIndex(const std::string& index) const {
+    fail(ErrorCode::kBadIndex, place() + "the face uses vertex " + index + ", but " +
+                                   (index[0] == '-' ? "so far the file has " : "the file has ") +
+                                   std::to_string(found_.vertices) +
+                                   " vertices (OBJ numbers them from 1)");
+  }
+
+  [[noreturn]] static void fail(ErrorCode code, const std::string& sentence) {
+    throw Error(code, sentence);
+  }
+
+  ObjLines found_;
+  int line_ = 0;
+  int64_t greatest_ = 0;  ///< the greatest vertex number that a face used, and its line
+  int greatestLine_ = 0;
+};
+
+}  // namespace
+
+ObjLines checkObjLines(std::string_view text) { return LineCheck().check(text); }
+
+}  // namespace karcher

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+#include "mesh/types.h"
+
+namespace karcher {
+
+/// What a check of an OBJ file's lines learns about it.
+struct ObjLines {
+  int vertices = 0;
+  int faces = 0;
+  Array<int> polygonLines;  ///< for each face with more than three corners, its line from 1
+};
+
+/// Checks that every vertex line has three finite decimal numbers and that every face line names
+/// three or more of the file's vertices. Throws Error as `readObj` does.
+ObjLines checkObjLines(std::string_view text);
+
+}  // namespace karcher

@@ -1,0 +1,116 @@
+#include "mesh/obj_reader.h"
+
+#include <istream>
+#include <streambuf>
+#include <string>
+#include <utility>
+
+#include "mesh/error.h"
+#include "mesh/obj_lines.h"
+#include "mesh/polygon.h"
+
+#define TINYOBJLOADER_USE_DOUBLE
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>
+
+namespace karcher {
+namespace {
+
+/// Lets a stream read bytes where they are.
+class ViewBuffer : public std::streambuf {
+ public:
+  explicit ViewBuffer(std::string_view bytes) {
+    char* const begin = const_cast<char*>(bytes.data());
+    setg(begin, begin, begin + bytes.size());
+  }
+};
+
+[[noreturn]] void throwUncut(int line, int corners) {
+  const std::string face =
+      "line " + std::to_string(line) + ": the face with " + std::to_string(corners) + " corners ";
+  if (corners > kMostPolygonCorners) {
+    throw Error(ErrorCode::kDegenerateFace,
+                face + "is too large: at most " + std::to_string(kMostPolygonCorners) + " are cut");
+  }
+  throw Error(ErrorCode::kDegenerateFace,
+              face + "cannot be cut into triangles: it crosses itself or has no area");
+}
+
+/// The faces as the file has them, in flat arrays.
+struct Faces {
+  Array<Vec3> positions;
+  Array<int> corners;
+  Array<int> cornerCount;  ///< per face
+};
+
+void addVertex(void* faces, double x, double y, double z, double) {
+  static_cast<Faces*>(faces)->positions.emplace_back(x, y, z);
+}
+
+void addFace(void* user, tinyobj::index_t* indices, int count) {
+  Faces& faces = *static_cast<Faces*>(user);
+  for (int k = 0; k < count; ++k) {
+    const int v = indices[k].vertex_index;
+    faces.corners.push_back(v > 0 ? v - 1 : faces.positions.count() + v);
+  }
+  faces.cornerCount.push_back(count);
+}
+
+Faces parse(std::string_view text, const ObjLines& lines) {
+  Faces faces;
+  faces.positions.reserve(static_cast<size_t>(lines.vertices));
+  faces.corners.reserve(3 * static_cast<size_t>(lines.faces));
+  faces.cornerCount.reserve(static_cast<size_t>(lines.faces));
+  tinyobj::callback_t callbacks;
+  callbacks.vertex_cb = addVertex;
+  callbacks.index_cb = addFace;
+  ViewBuffer buffer(text);
+  std::istream stream(&buffer);
+  tinyobj::LoadObjWithCallback(stream, callbacks, &faces);
+  return faces;
+}
+
+/// tinyobjloader's own cutting of polygons is not used: where they are not convex it loses
+/// triangles or turns some over.
+Array<Triangle> cutFaces(const Faces& faces, const ObjLines& lines) {
+  Array<Triangle> triangles;
+  triangles.reserve(faces.cornerCount.size());
+  Array<Vec3> polygon;
+  int polygons = 0;
+  const int* corner = faces.corners.data();
+  for (const int count : faces.cornerCount) {
+    if (count == 3) {
+      triangles.emplace_back(corner[0], corner[1], corner[2]);
+    } else {
+      polygon.clear();
+      for (int k = 0; k < count; ++k) polygon.push_back(faces.positions[corner[k]]);
+      const Array<Triangle> cut = cutPolygon(polygon);
+      if (cut.empty()) throwUncut(lines.polygonLines[polygons], count);
+      for (const Triangle& t : cut) {
+        triangles.emplace_back(corner[t[0]], corner[t[1]], corner[t[2]]);
+      }
+      ++polygons;
+    }
+    corner += count;
+  }
+  return triangles;
+}
+
+}  // namespace
+
+ObjContents readObj(std::string_view bytes) {
+  if (bytes.find('\0') != std::string_view::npos) {
+    throw Error(ErrorCode::kBadFile, "the file is not text: an OBJ file has no zero bytes");
+  }
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  const ObjLines lines = checkObjLines(bytes);
+  Faces faces = parse(bytes, lines);
+  ObjContents contents;
+  contents.soup.triangles = cutFaces(faces, lines);
+  contents.soup.positions = std::move(faces.positions);
+  contents.polygonsCut = lines.polygonLines.count();
+  return contents;
+}
+
+}  // namespace karcher
