@@ -1,0 +1,185 @@
+#include "mesh/obj_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mesh/error.h"
+#include "mesh/polygon.h"
+
+namespace karcher {
+namespace {
+
+/// The error that reading throws, as "code: sentence"; empty if there was none.
+std::string errorOf(const std::string& text) {
+  try {
+    readObj(text);
+  } catch (const Error& error) {
+    return std::string(errorCodeName(error.code())) + ": " + error.what();
+  }
+  return "";
+}
+
+const std::string kThree = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+TEST(ReadObj, ReadsPositionsAndTrianglesInTheFilesOrder) {
+  const ObjContents obj = readObj(kThree + "v 1 1 0.5\nf 3 1 2\nf 3 2 4\n");
+  const Array<Vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}};
+  const Array<Triangle> triangles = {{2, 0, 1}, {2, 1, 3}};
+  EXPECT_TRUE(obj.soup.positions == positions);
+  EXPECT_TRUE(obj.soup.triangles == triangles);
+  EXPECT_EQ(obj.polygonsCut, 0);
+}
+
+TEST(ReadObj, SkipsWhatItDoesNotUse) {
+  const ObjContents obj = readObj(
+      "\xEF\xBB\xBF# comment\r\nmtllib scene.mtl\r\no thing\r\ng a b\r\n\r\n"
+      "v 0 0 0 1 0 0\r\n  v\t1 0 0\r\nv 0 1 0 # a corner\r\nvt 0 0\r\nvn 0 0 1\r\n"
+      "usemtl red\r\ns off\r\nf 1/1/1 2/1 3//1 \r\nl 1 2\r\np 3\r\ng c\r\nf 1 2 3");
+  ASSERT_EQ(obj.soup.positions.count(), 3);
+  EXPECT_EQ(obj.soup.positions[1], Vec3(1, 0, 0));
+  const Array<Triangle> triangles = {{0, 1, 2}, {0, 1, 2}};
+  EXPECT_TRUE(obj.soup.triangles == triangles);
+}
+
+TEST(ReadObj, ReadsEveryLineEnd) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const ObjContents obj =
+        readObj("v 0 0 0" + end + "v 1 0 0" + end + "v 0 1 0" + end + "f 1 2 3" + end);
+    EXPECT_EQ(obj.soup.triangles.count(), 1);
+  }
+}
+
+TEST(ReadObj, ReadsNumbersInEveryNotation) {
+  const ObjContents obj = readObj("v +1.5 -.25 2.\nv 1e3 2.5E-2 -1.e+1\nv 0 1 0\nf 1 2 3\n");
+  // tinyobjloader's decimals are off by a few units in the last place.
+  EXPECT_TRUE(obj.soup.positions[0].isApprox(Vec3(1.5, -0.25, 2), 1e-15));
+  EXPECT_TRUE(obj.soup.positions[1].isApprox(Vec3(1000, 0.025, -10), 1e-15));
+}
+
+TEST(ReadObj, CountsNegativeIndicesFromTheLastVertexSoFar) {
+  const ObjContents obj = readObj(kThree + "f -3 -2 -1\nv 1 1 0\nf -2 -3 -1\n");
+  const Array<Triangle> triangles = {{0, 1, 2}, {2, 1, 3}};
+  EXPECT_TRUE(obj.soup.triangles == triangles);
+}
+
+TEST(ReadObj, AllowsFacesBeforeTheirVertices) {
+  EXPECT_EQ(readObj("f 1 2 3\nf 1 2 4 3\n" + kThree + "v 1 1 0\n").soup.triangles.count(), 3);
+}
+
+TEST(ReadObj, NamesTheLineOfABadVertex) {
+  EXPECT_EQ(errorOf("v 0 0 0\nv 1 nan 0\n"),
+            "notFinite: line 2: the coordinate 'nan' of vertex 1 is not finite");
+  EXPECT_EQ(errorOf("v -inf 0 0\n"),
+            "notFinite: line 1: the coordinate '-inf' of vertex 0 is not finite");
+  for (const std::string word :
+       {"NaN", "+nan", "-nan(ind)", "Infinity", "INF", "1.#QNAN", "-1.#INF"}) {
+    EXPECT_EQ(errorOf("v 0 0 " + word + "\n").substr(0, 10), "notFinite:") << word;
+  }
+  EXPECT_EQ(errorOf("# ok\r\nv 0 1,5 0\r\n"),
+            "badFile: line 2: the coordinate '1,5' is not a number");
+  for (const std::string word :
+       {"x", "1.5x", "0x10", "--1", ".", "1e", "e5", "1e+", "+", "1.2.3"}) {
+    EXPECT_EQ(errorOf("v 0 0 " + word + "\n"),
+              "badFile: line 1: the coordinate '" + word + "' is not a number");
+  }
+  EXPECT_EQ(errorOf("v 0 0\n"), "badFile: line 1: a vertex needs three coordinates");
+  EXPECT_EQ(errorOf("v\n"), "badFile: line 1: a vertex needs three coordinates");
+}
+
+TEST(ReadObj, NamesTheLineOfABadFace) {
+  EXPECT_EQ(
+      errorOf(kThree + "f 1 2 3\nf 1 2 4\n"),
+      "badIndex: line 5: the face uses vertex 4, but the file has 3 vertices (OBJ numbers them "
+      "from 1)");
+  EXPECT_EQ(errorOf(kThree + "f 0 1 2\n").substr(0, 41),
+            "badIndex: line 4: the face uses vertex 0,");
+  EXPECT_EQ(errorOf("v 0 0 0\nf -1 -2 -3\n"),
+            "badIndex: line 2: the face uses vertex -2, but so far the file has 1 vertices (OBJ "
+            "numbers them from 1)");
+  EXPECT_EQ(errorOf(kThree + "f 1 2 99999999999999999999\n").substr(0, 9), "badIndex:");
+  EXPECT_EQ(errorOf(kThree + "f 1 2 2147483649\n").substr(0, 9), "badIndex:");
+  EXPECT_EQ(errorOf(kThree + "f 1 2 x\n"), "badFile: line 4: 'x' is not the number of a vertex");
+  EXPECT_EQ(errorOf(kThree + "f 1 2 3.5\n"),
+            "badFile: line 4: '3.5' is not the number of a vertex");
+  EXPECT_EQ(errorOf(kThree + "f 1 2\n"), "badFile: line 4: a face needs three corners");
+  EXPECT_EQ(errorOf(kThree + "f \n"), "badFile: line 4: a face needs three corners");
+}
+
+TEST(ReadObj, RefusesWhatIsNoObjFile) {
+  EXPECT_EQ(errorOf(""), "badFile: the file has no faces");
+  EXPECT_EQ(errorOf(kThree), "badFile: the file has no faces");
+  EXPECT_EQ(errorOf("<!doctype html><html></html>"), "badFile: the file has no faces");
+  EXPECT_EQ(errorOf(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16)),
+            "badFile: the file is not text: an OBJ file has no zero bytes");
+  EXPECT_EQ(errorOf("\xff\xfe\x80\x81\xffv\xff\n\xff"), "badFile: the file has no faces");
+}
+
+TEST(ReadObj, QuotesJunkWithPrintableCharactersOnly) {
+  EXPECT_EQ(errorOf("v 0 0 \x01g\xff\n"), "badFile: line 1: the coordinate '?g?' is not a number");
+}
+
+/*  3---2
+    |   |    with 3 pulled in to (0.4, 0.4): the diagonal 0-2 would leave the square,
+    0---1    1-3 stays inside                                                            */
+TEST(ReadObj, CutsQuadsAlongTheDiagonalInside) {
+  const ObjContents square = readObj(kThree + "v 1 1 0\nf 1 2 4 3\n");
+  EXPECT_EQ(square.polygonsCut, 1);
+  EXPECT_EQ(square.soup.triangles.count(), 2);
+
+  const ObjContents dart = readObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.6 0.4 0\nf 1 2 3 4\n");
+  for (const Triangle& t : dart.soup.triangles) {
+    const Vec3& a = dart.soup.positions[t[0]];
+    EXPECT_GT((dart.soup.positions[t[1]] - a).cross(dart.soup.positions[t[2]] - a).z(), 0);
+  }
+}
+
+TEST(ReadObj, NamesThePolygonThatCannotBeCut) {
+  EXPECT_EQ(errorOf(kThree + "v 1 1 0\nf 1 2 4 3\nf 1 2 2 3\n"),
+            "degenerateFace: line 6: the face with 4 corners cannot be cut into triangles: it "
+            "crosses itself or has no area");
+  std::string large = "f";
+  for (int i = 0; i <= kMostPolygonCorners; ++i) large += " 1";
+  EXPECT_EQ(errorOf(kThree + large),
+            "degenerateFace: line 4: the face with 10001 corners is too large: at most 10000 are "
+            "cut");
+}
+
+double doubleArea(const Array<Vec3>& corners, const Triangle& t) {
+  return (corners[t[1]] - corners[t[0]]).cross(corners[t[2]] - corners[t[0]]).z();
+}
+
+/// A star with 9 points, far from the origin; every second corner is pulled in.
+TEST(CutPolygon, KeepsTheAreaOfPolygonsThatAreNotConvex) {
+  Array<Vec3> star;
+  for (int i = 0; i < 18; ++i) {
+    const Vec2 p = (i % 2 == 0 ? 1 : 0.3) * unitVector(kPi * i / 9);
+    star.emplace_back(p.x() - 5, p.y() + 3, 2);
+  }
+  const Array<Triangle> triangles = cutPolygon(star);
+  ASSERT_EQ(triangles.count(), 16);
+  double area = 0;
+  for (const Triangle& t : triangles) {
+    EXPECT_GT(doubleArea(star, t), 0);
+    area += doubleArea(star, t) / 2;
+  }
+  // 18 triangles from the center with sides 1 and 0.3 at an angle of pi / 9.
+  EXPECT_NEAR(area, 9 * 0.3 * std::sin(kPi / 9), 1e-12);
+}
+
+TEST(CutPolygon, CopesWithCornersOnALine) {
+  // A square with a corner in the middle of each side.
+  const Array<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},
+                              {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}};
+  const Array<Triangle> triangles = cutPolygon(square);
+  ASSERT_EQ(triangles.count(), 6);
+  for (const Triangle& t : triangles) EXPECT_GT(doubleArea(square, t), 0.1);
+}
+
+TEST(CutPolygon, FindsNothingWherePolygonsCrossThemselves) {
+  EXPECT_TRUE(cutPolygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1.5, 0}}).empty());
+  EXPECT_TRUE(cutPolygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).empty());
+}
+
+}  // namespace
+}  // namespace karcher

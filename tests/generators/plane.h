@@ -1,0 +1,29 @@
+#pragma once
+
+#include "mesh/triangle_soup.h"
+
+namespace karcher {
+
+/// Tessellations of a piece of the plane z = 0. The piece is the unit square, but for
+/// kStretchedSheared, which shears it by x += y.
+enum class PlaneTessellation {
+  kRandomDelaunay,    ///< Delaunay of random points
+  kJitteredDelaunay,  ///< Delaunay of a jittered grid
+  kRegularGrid,       ///< squares cut by parallel diagonals
+  kStretched,         ///< Delaunay of a jittered grid, stretched 20:1 along x
+  kStretchedSheared,  ///< the same, sheared
+  kStretchedRandom,   ///< jittered grid of cells 20:1, cut by random diagonals
+};
+
+inline constexpr PlaneTessellation kPlaneTessellations[] = {
+    PlaneTessellation::kRandomDelaunay,   PlaneTessellation::kJitteredDelaunay,
+    PlaneTessellation::kRegularGrid,      PlaneTessellation::kStretched,
+    PlaneTessellation::kStretchedSheared, PlaneTessellation::kStretchedRandom};
+
+/// As a table prints it: "Delaunay of random points".
+const char* tessellationName(PlaneTessellation tessellation);
+
+/// About `triangles` triangles (within a few per cent from 1,000 on), facing +z.
+TriangleSoup tessellatedPlane(PlaneTessellation tessellation, int triangles, uint64_t seed);
+
+}  // namespace karcher

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace karcher {
+
+/// Random numbers that are the same on every platform: the standard fixes the engine's output but
+/// not that of its distributions.
+class Random {
+ public:
+  explicit Random(uint64_t seed) : engine_(seed) {}
+
+  /// Uniform in [0, 1).
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  /// Uniform in 0, ..., count - 1.
+  int index(int count) { return static_cast<int>(uniform() * count); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace karcher

@@ -1,0 +1,145 @@
+#include "generators/torus.h"
+
+#include "generators/delaunay.h"
+#include "generators/random.h"
+
+namespace karcher {
+namespace {
+
+const double kRoot = std::sqrt(kTorusMajor * kTorusMajor - kTorusMinor * kTorusMinor);
+
+/// The torus is a rectangle whose opposite sides are joined, up to scale: (x, y) -> the point at
+/// longitude x and at the angle theta around the tube with dy = r dtheta / (R + r cos theta).
+/// Angles are kept, so Delaunay triangulations of the rectangle are such on the surface.
+struct Rectangle {
+  double width;  ///< x is divided by the stretch
+  double height;
+  double stretch;
+
+  explicit Rectangle(double s)
+      : width(2 * kPi / s), height(2 * kPi * kTorusMinor / kRoot), stretch(s) {}
+
+  static double tubeAngle(double y) {
+    const double half = y * kRoot / kTorusMinor / 2;
+    return 2 * std::atan2(std::sqrt(kTorusMajor + kTorusMinor) * std::sin(half),
+                          std::sqrt(kTorusMajor - kTorusMinor) * std::cos(half));
+  }
+
+  /// Lengths on the surface are this times those in the (unstretched) rectangle.
+  static double scale(double y) { return kTorusMajor + kTorusMinor * std::cos(tubeAngle(y)); }
+
+  Vec2 wrapped(const Vec2& p) const {
+    return {p.x() - width * std::floor(p.x() / width), p.y() - height * std::floor(p.y() / height)};
+  }
+
+  Vec3 onTorus(const Vec2& p) const {
+    const double theta = tubeAngle(p.y());
+    const Vec2 u = (kTorusMajor + kTorusMinor * std::cos(theta)) * unitVector(stretch * p.x());
+    return {u.x(), u.y(), kTorusMinor * std::sin(theta)};
+  }
+};
+
+/// Points of the plane that stand for points of the joined rectangle: all of it and a margin.
+struct Unrolled {
+  Array<Vec2> points;  ///< first those of the rectangle itself
+  Array<int> original;
+};
+
+Unrolled unroll(const Rectangle& rectangle, const Array<Vec2>& points) {
+  const double spacing =
+      std::sqrt(rectangle.width * rectangle.height / static_cast<double>(points.size()));
+  const double margin = 8 * spacing;
+  Unrolled result{points, {}};
+  for (int i = 0; i < points.count(); ++i) result.original.push_back(i);
+  for (int i = 0; i < points.count(); ++i) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        if (dx == 0 && dy == 0) continue;
+        const Vec2 p = points[i] + Vec2(dx * rectangle.width, dy * rectangle.height);
+        if (p.x() < -margin || p.x() > rectangle.width + margin || p.y() < -margin ||
+            p.y() > rectangle.height + margin) {
+          continue;
+        }
+        result.points.push_back(p);
+        result.original.push_back(i);
+      }
+    }
+  }
+  return result;
+}
+
+/// Of the copies of each triangle the one whose corner with the smallest number lies in the
+/// rectangle itself; corners are numbered in `unrolled`.
+Array<Triangle> periodicDelaunay(const Unrolled& unrolled, int count) {
+  Array<Triangle> result;
+  for (const Triangle& t : delaunay(unrolled.points)) {
+    int smallest = 0;
+    for (int k = 1; k < 3; ++k) {
+      if (unrolled.original[t[k]] < unrolled.original[t[smallest]]) smallest = k;
+    }
+    if (t[smallest] < count) result.push_back(t);
+  }
+  return result;
+}
+
+/// Moves each point to the mean of its triangles' centroids, weighted with area on the surface.
+void moveApart(const Rectangle& rectangle, const Unrolled& unrolled,
+               const Array<Triangle>& triangles, Array<Vec2>& points) {
+  Array<Vec2> sum(points.size(), Vec2::Zero());
+  Array<double> area(points.size(), 0);
+  for (const Triangle& t : triangles) {
+    const Vec2& a = unrolled.points[t[0]];
+    const Vec2& b = unrolled.points[t[1]];
+    const Vec2& c = unrolled.points[t[2]];
+    const Vec2 centroid = (a + b + c) / 3;
+    const double scale = Rectangle::scale(centroid.y());
+    const double weight = cross(b - a, c - a) * scale * scale;
+    for (const int corner : t) {
+      const int v = unrolled.original[corner];
+      sum[v] += weight * (centroid - unrolled.points[corner]);
+      area[v] += weight;
+    }
+  }
+  for (int v = 0; v < points.count(); ++v) {
+    points[v] = rectangle.wrapped(points[v] + sum[v] / area[v]);
+  }
+}
+
+}  // namespace
+
+TriangleSoup irregularTorus(int triangles, double stretch, uint64_t seed) {
+  Random random(seed);
+  const Rectangle rectangle(stretch);
+  const int count = triangles / 2;
+  Array<Vec2> points;
+  while (points.count() < count) {
+    const Vec2 p(random.uniform(0, rectangle.width), random.uniform(0, rectangle.height));
+    // Kept with a probability proportional to the area that it stands for.
+    const double density = Rectangle::scale(p.y()) / (kTorusMajor + kTorusMinor);
+    if (random.uniform() < density * density) points.push_back(p);
+  }
+  constexpr int kSteps = 8;
+  TriangleSoup soup;
+  for (int step = 0; step <= kSteps; ++step) {
+    const Unrolled unrolled = unroll(rectangle, points);
+    const Array<Triangle> copies = periodicDelaunay(unrolled, count);
+    if (step < kSteps) {
+      moveApart(rectangle, unrolled, copies, points);
+      continue;
+    }
+    for (const Triangle& t : copies) {
+      soup.triangles.emplace_back(unrolled.original[t[0]], unrolled.original[t[1]],
+                                  unrolled.original[t[2]]);
+    }
+  }
+  for (const Vec2& p : points) soup.positions.push_back(rectangle.onTorus(p));
+  return soup;
+}
+
+Vec3 closestOnTorus(const Vec3& p) {
+  const Vec2 axis = kTorusMajor * Vec2(p.x(), p.y()).normalized();
+  const Vec3 center(axis.x(), axis.y(), 0);
+  return center + kTorusMinor * (p - center).normalized();
+}
+
+}  // namespace karcher
