@@ -5,51 +5,84 @@
 
 namespace karcher {
 
-GradientOperator buildGradientOperator(const Geometry& geometry) {
-  const TriangleMesh& mesh = *geometry.mesh;
-  const int vertexCount = mesh.vertexCount();
-  GradientOperator result(2 * vertexCount, vertexCount);
-  // A vertex's row has itself and its ring: a face, and at the boundary one vertex more.
-  Array<int> rowSize(static_cast<size_t>(2 * vertexCount), 1);
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-    const int v = mesh.tail(h);
-    const int neighbours = 1 + (h == mesh.outgoing[v] && mesh.onBoundary[v] ? 1 : 0);
-    rowSize[2 * v] += neighbours;
-    rowSize[2 * v + 1] += neighbours;
-  }
-  result.reserve(rowSize);
+namespace {
 
-  Array<std::pair<int, Vec2>> row;
-  const auto add = [&](int column, const Vec2& value) {
-    for (auto& [existing, sum] : row) {
+/// A row of the operator under construction: columns and their coefficients.
+struct Row {
+  Array<std::pair<int, Vec2>> entries;
+  double area = 0;
+
+  void add(int column, const Vec2& value) {
+    for (auto& [existing, sum] : entries) {
       if (existing == column) {
         sum += value;
         return;
       }
     }
-    row.emplace_back(column, value);
-  };
+    entries.emplace_back(column, value);
+  }
+};
+
+/// The gradient of the hat function of corner k of face f, times twice the face's area: the
+/// opposite edge, turned a quarter. The mean's area weight cancels that factor.
+Vec2 hatGradient(const Geometry& geometry, int f, int k) {
+  const Vec2 edge = halfedgeInFace(geometry, 3 * f + (k + 1) % 3);
+  return {-edge.y(), edge.x()};
+}
+
+/// Adds the face of h to the row of h's tail.
+void addFace(const Geometry& geometry, int h, Row& row) {
+  const int f = faceOf(h);
+  for (int k = 0; k < 3; ++k) {
+    row.add(geometry.mesh->corner(f, k),
+            rotateBack(geometry.vertexToFace[h], hatGradient(geometry, f, k)));
+  }
+  row.area += doubleArea(geometry, f);
+}
+
+/// Adds the face across the edge opposite to h's tail, where there is one.
+void addOuterFace(const Geometry& geometry, int h, Row& row) {
+  const int inward = geometry.mesh->twin[next(h)];
+  if (inward < 0) return;
+  const int f = faceOf(inward);
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 inFaceOfH = acrossEdge(geometry, inward, hatGradient(geometry, f, k));
+    row.add(geometry.mesh->corner(f, k), rotateBack(geometry.vertexToFace[h], inFaceOfH));
+  }
+  row.area += doubleArea(geometry, f);
+}
+
+}  // namespace
+
+GradientOperator buildGradientOperator(const Geometry& geometry) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const int vertexCount = mesh.vertexCount();
+  GradientOperator result(2 * vertexCount, vertexCount);
+  // At the most: itself, and for each face around it a ring vertex and one across; at the boundary
+  // one ring vertex more.
+  Array<int> rowSize(static_cast<size_t>(2 * vertexCount), 2);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    rowSize[2 * mesh.tail(h)] += 2;
+    rowSize[2 * mesh.tail(h) + 1] += 2;
+  }
+  result.reserve(rowSize);
+
+  Row row;
   for (int v = 0; v < vertexCount; ++v) {
-    row.clear();
-    double area = 0;
+    row.entries.clear();
+    row.area = 0;
     const int first = mesh.outgoing[v];
     int h = first;
     do {
-      const int f = faceOf(h);
-      // The gradient of a corner's hat function, times twice the face's area: the opposite edge,
-      // turned a quarter. The mean's area weight cancels that factor.
-      for (int k = 0; k < 3; ++k) {
-        const Vec2 edge = halfedgeInFace(geometry, 3 * f + (k + 1) % 3);
-        add(mesh.corner(f, k), rotateBack(geometry.vertexToFace[h], Vec2(-edge.y(), edge.x())));
-      }
-      area += doubleArea(geometry, f);
+      addFace(geometry, h, row);
+      addOuterFace(geometry, h, row);
       h = rotateLeft(mesh, h);
     } while (h >= 0 && h != first);
-    std::sort(row.begin(), row.end(),
+    std::sort(row.entries.begin(), row.entries.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     for (int component = 0; component < 2; ++component) {
-      for (const auto& [column, value] : row) {
-        result.insert(2 * v + component, column) = value[component] / area;
+      for (const auto& [column, value] : row.entries) {
+        result.insert(2 * v + component, column) = value[component] / row.area;
       }
     }
   }
