@@ -1,0 +1,45 @@
+#include "distance/ring_graph.h"
+
+#include <algorithm>
+#include <string>
+
+#include "mesh/error.h"
+
+namespace karcher {
+
+RingGraphBuilder::RingGraphBuilder(const Geometry& geometry, int rings)
+    : geometry_(geometry), visibility_(geometry) {
+  constexpr int kMostRings = 10;
+  if (rings < 1 || rings > kMostRings) {
+    throw Error(ErrorCode::kBadArgument, "the graph takes 1 to " + std::to_string(kMostRings) +
+                                             " rings, not " + std::to_string(rings));
+  }
+  graph_.rings = rings;
+  graph_.start.push_back(0);
+}
+
+bool RingGraphBuilder::advance(int vertices) {
+  const int count = geometry_.mesh->vertexCount();
+  const int end = vertices < count - nextVertex_ ? nextVertex_ + vertices : count;
+  for (; nextVertex_ < end; ++nextVertex_) {
+    for (const Visibility::Sight& sight : visibility_.fromVertex(nextVertex_, graph_.rings)) {
+      graph_.target.push_back(sight.vertex);
+      graph_.length.push_back(sight.length);
+      graph_.backDirection.push_back(static_cast<float>(sight.direction));
+    }
+    graph_.start.push_back(static_cast<int64_t>(graph_.target.size()));
+  }
+  return nextVertex_ == count;
+}
+
+double RingGraphBuilder::progress() const {
+  return static_cast<double>(nextVertex_) / geometry_.mesh->vertexCount();
+}
+
+RingGraph buildRingGraph(const Geometry& geometry, int rings) {
+  RingGraphBuilder builder(geometry, rings);
+  builder.advance(geometry.mesh->vertexCount());
+  return builder.take();
+}
+
+}  // namespace karcher

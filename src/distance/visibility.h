@@ -1,0 +1,58 @@
+#pragma once
+
+#include "intrinsic/geometry.h"
+
+namespace karcher {
+
+/// The vertices that a point sees in a straight line across the faces around it, unfolded: the arcs
+/// of the graph solver. A window is the part of an edge that the point sees; it is carried across
+/// the face behind and split at the vertex there (the windows of exact_distance.h without vertices
+/// that paths turn round: a path that does is made of arcs).
+class Visibility {
+ public:
+  struct Sight {
+    int vertex = -1;
+    double length = 0;
+    double direction = 0;  ///< unscaled, at the vertex, in which the line leaves it to the source
+  };
+
+  explicit Visibility(const Geometry& geometry);
+
+  /// What a vertex sees within its k-ring: the faces whose corners are all at most `rings` edges
+  /// away. For each vertex the shortest line; a line longer than another path may be left out.
+  const Array<Sight>& fromVertex(int vertex, int rings);
+
+  /// What a point inside a face or on an edge sees within the faces that share a vertex with its
+  /// face or faces.
+  const Array<Sight>& fromPoint(const SurfacePoint& point);
+
+ private:
+  /// The source lies at (x, y), y <= 0, where half-edge h runs from the origin along the x axis;
+  /// it sees the interval [from, to] of h, and what lies behind h in h's face.
+  struct Window {
+    int halfedge;
+    double from, to, x, y;
+  };
+
+  void start();
+  void allowRing(int vertex, int rings);
+  bool allowed(int vertex) const { return ringStamp_[vertex] == stamp_; }
+  void see(int vertex, double length, double direction);
+  double seen(int vertex) const;
+  void addWindow(int h, double from, double to, double x, double y);
+  void carryAcross(const Window& window);
+  void run();
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  /// Marks of the current call, by its number; made once for the mesh.
+  Array<int> ringStamp_;
+  Array<int> sightStamp_;
+  Array<int> sightOf_;
+  int stamp_ = 0;
+  Array<int> ring_;
+  Array<Window> windows_;
+  Array<Sight> sights_;
+};
+
+}  // namespace karcher
