@@ -110,6 +110,9 @@ ImportedMesh importMesh(TriangleSoup soup) {
              " left out"});
   }
   Array<Triangle> faces = orderFaces(soup.triangles, numbering);
+  for (int v = 0; v < soup.positions.count(); ++v) {
+    if (numbering.engineVertex[v] < 0) result.droppedPositions.push_back(soup.positions[v]);
+  }
   Array<Vec3> positions;
   positions.reserve(numbering.inputVertex.size());
   for (const int v : numbering.inputVertex) positions.push_back(soup.positions[v]);

@@ -36,6 +36,8 @@ const char* repairName(Repair::Kind kind);
 struct ImportedMesh {
   TriangleMesh mesh;
   Numbering numbering;
+  /// Per input vertex that was dropped, in the input's order, where it was.
+  Array<Vec3> droppedPositions;
   Array<Repair> repairs;
 };
 

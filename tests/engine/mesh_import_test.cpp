@@ -233,6 +233,8 @@ TEST(ImportObj, ReportsEveryRepair) {
             "triangulated 1: 1 polygon was cut into triangles\n"
             "welded 2: 2 vertices were welded to another at the same position\n"
             "dropped 1: 1 vertex that no face uses was left out\n");
+  ASSERT_EQ(imported.droppedPositions.count(), 1);
+  EXPECT_EQ(imported.droppedPositions[0], Vec3(9, 9, 9));
 }
 
 }  // namespace
