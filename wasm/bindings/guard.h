@@ -1,0 +1,67 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <exception>
+#include <new>
+#include <string>
+#include <type_traits>
+
+#include "mesh/error.h"
+
+/// Failures on their way to JavaScript. An exception that crosses the border arrives there without
+/// its sentence, so each binding runs under a guard that keeps code and sentence, and returns an
+/// empty result; the facade asks for the failure after each call.
+namespace karcher::bindings {
+
+/// Keeps a failure until `takeFailure`.
+void keepFailure(const char* code, const char* sentence);
+
+/// The kept failure as {code, message}, or undefined; it is then forgotten.
+emscripten::val takeFailure();
+
+/// Keeps the exception that is being handled.
+void keepCurrentException();
+
+/// Returns what `work` returns, or undefined or an empty value if it failed.
+template <class Work>
+auto guarded(const Work& work) -> decltype(work()) {
+  using Result = decltype(work());
+  try {
+    return work();
+  } catch (...) {
+    keepCurrentException();
+  }
+  if constexpr (std::is_same_v<Result, emscripten::val>) {
+    return emscripten::val::undefined();
+  } else {
+    return Result();
+  }
+}
+
+/// A function or member function `Work` under the guard, to be bound as Guarded<&Work>::call.
+template <auto Work>
+struct Guarded;
+
+template <class Result, class... Arguments, Result (*Work)(Arguments...)>
+struct Guarded<Work> {
+  static Result call(Arguments... arguments) {
+    return guarded([&] { return Work(arguments...); });
+  }
+};
+
+template <class Owner, class Result, class... Arguments, Result (Owner::*Work)(Arguments...)>
+struct Guarded<Work> {
+  static Result call(Owner& owner, Arguments... arguments) {
+    return guarded([&] { return (owner.*Work)(arguments...); });
+  }
+};
+
+template <class Owner, class Result, class... Arguments, Result (Owner::*Work)(Arguments...) const>
+struct Guarded<Work> {
+  static Result call(const Owner& owner, Arguments... arguments) {
+    return guarded([&] { return (owner.*Work)(arguments...); });
+  }
+};
+
+}  // namespace karcher::bindings

@@ -1,0 +1,92 @@
+#include "bindings/wire.h"
+
+#include <string>
+
+#include "mesh/error.h"
+
+namespace karcher::bindings {
+namespace {
+
+constexpr int kNumbersPerPoint = 4;
+
+void appendPoint(Array<double>& array, const Numbering& numbering, const SurfacePoint& point) {
+  array.push_back(numbering.inputFace[point.face]);
+  append(array, point.bary);
+}
+
+SurfacePoint point(const Numbering& numbering, const TriangleMesh& mesh, const double* numbers) {
+  const int inputFace = static_cast<int>(numbers[0]);
+  SurfacePoint result = checkedPoint(mesh, inputFace, {numbers[1], numbers[2], numbers[3]});
+  result.face = numbering.engineFace[inputFace];
+  return result;
+}
+
+}  // namespace
+
+val toJs(const Vec3& vector) {
+  val list = val::array();
+  for (int i = 0; i < 3; ++i) list.set(i, vector[i]);
+  return list;
+}
+
+val toJs(const Numbering& numbering, const SurfacePoint& point) {
+  Array<double> numbers;
+  appendPoint(numbers, numbering, point);
+  return toJs(numbers);
+}
+
+val toJs(const Numbering& numbering, const Array<SurfacePoint>& points) {
+  Array<double> numbers;
+  for (const SurfacePoint& point : points) appendPoint(numbers, numbering, point);
+  return toJs(numbers);
+}
+
+SurfacePoint pointFromJs(const Numbering& numbering, const TriangleMesh& mesh, const val& numbers) {
+  return point(numbering, mesh, fromJs<double>(numbers).data());
+}
+
+Array<SurfacePoint> pointsFromJs(const Numbering& numbering, const TriangleMesh& mesh,
+                                 const val& points) {
+  const Array<double> numbers = fromJs<double>(points);
+  Array<SurfacePoint> result;
+  for (int i = 0; i < numbers.count(); i += kNumbersPerPoint) {
+    result.push_back(point(numbering, mesh, &numbers[i]));
+  }
+  return result;
+}
+
+int engineVertex(const Numbering& numbering, int vertex) {
+  const int count = numbering.engineVertex.count();
+  if (vertex < 0 || vertex >= count) {
+    throw Error(ErrorCode::kBadIndex, "there is no vertex " + std::to_string(vertex) +
+                                          ": the mesh has " + std::to_string(count) +
+                                          " vertices, numbered from 0");
+  }
+  const int result = numbering.engineVertex[vertex];
+  if (result < 0) {
+    throw Error(ErrorCode::kBadIndex,
+                "vertex " + std::to_string(vertex) + " belongs to no face and was dropped");
+  }
+  return result;
+}
+
+Array<double> polyline(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
+                       Array<int>* kept) {
+  // Positions of one point, computed from two faces, differ by rounding.
+  constexpr double kSamePoint = 1e-13;
+  Array<double> result;
+  Vec3 last = Vec3::Zero();
+  for (int i = 0; i < points.count(); ++i) {
+    const Vec3 here = position(mesh, points[i]);
+    const double scale = here.cwiseAbs().maxCoeff();
+    const bool same = i > 0 && (here - last).cwiseAbs().maxCoeff() <= kSamePoint * scale;
+    const bool needed = result.size() < 6 && i == points.count() - 1;
+    if (same && !needed) continue;
+    append(result, here);
+    if (kept) kept->push_back(i);
+    last = here;
+  }
+  return result;
+}
+
+}  // namespace karcher::bindings

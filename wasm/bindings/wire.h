@@ -1,0 +1,53 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include "mesh/mesh_import.h"
+#include "mesh/surface_point.h"
+
+/// How values travel between JavaScript and the engine: arrays are copied, a point is four numbers
+/// (face, b0, b1, b2), faces and vertices are the caller's in JavaScript and the engine's here.
+namespace karcher::bindings {
+
+using emscripten::val;
+
+/// A copy as a typed array of JavaScript.
+template <class T>
+val toJs(const std::vector<T>& array) {
+  return val(emscripten::typed_memory_view(array.size(), array.data())).template call<val>("slice");
+}
+
+/// A copy of a typed array of JavaScript.
+template <class T>
+Array<T> fromJs(const val& numbers) {
+  Array<T> array(numbers["length"].as<size_t>());
+  val(emscripten::typed_memory_view(array.size(), array.data()))
+      .template call<void>("set", numbers);
+  return array;
+}
+
+/// A list [x, y, z].
+val toJs(const Vec3& vector);
+
+inline void append(Array<double>& array, const Vec3& vector) {
+  array.insert(array.end(), {vector[0], vector[1], vector[2]});
+}
+
+val toJs(const Numbering& numbering, const SurfacePoint& point);
+val toJs(const Numbering& numbering, const Array<SurfacePoint>& points);
+
+/// Points as a caller wrote them: checked by `checkedPoint`, whose errors name the caller's face.
+SurfacePoint pointFromJs(const Numbering& numbering, const TriangleMesh& mesh, const val& point);
+Array<SurfacePoint> pointsFromJs(const Numbering& numbering, const TriangleMesh& mesh,
+                                 const val& points);
+
+/// The engine's number of a caller's vertex. Throws Error kBadIndex if there is none or the vertex
+/// belongs to no face.
+int engineVertex(const Numbering& numbering, int vertex);
+
+/// Positions of points along a path, where the same point seen from two faces is given once. If
+/// `kept` is given, it receives the numbers of the points that stayed.
+Array<double> polyline(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
+                       Array<int>* kept = nullptr);
+
+}  // namespace karcher::bindings
