@@ -1,0 +1,46 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from 'karcher';
+import { badFiles, grid } from './meshes.mjs';
+
+/** Bytes in use after the first 10 and after all of `times` rounds of `work`. */
+function bytesAround(karcher, times, work) {
+  let early = 0;
+  for (let i = 0; i < times; i++) {
+    if (i === 10) early = karcher.allocatedBytes();
+    work();
+  }
+  return [early, karcher.allocatedBytes()];
+}
+
+test('a mesh that is disposed of gives all its memory back', async () => {
+  const karcher = await load();
+  const text = grid(6);
+  const [early, late] = bytesAround(karcher, 1000, () => {
+    const mesh = karcher.meshFromObj(text);
+    mesh.positions();
+    mesh.dispose();
+  });
+  assert.equal(late, early);
+});
+
+test('errors leave no memory behind', async () => {
+  const karcher = await load();
+  const [early, late] = bytesAround(karcher, 200, () => {
+    for (const { text, code } of badFiles) {
+      assert.throws(() => karcher.meshFromObj(text), { code });
+    }
+  });
+  assert.equal(late, early);
+});
+
+test('more than the memory can hold is an error, and the program goes on', async () => {
+  const karcher = await load();
+  const mesh = karcher.meshFromObj(grid(2));
+  const bytes = karcher.allocatedBytes();
+  // All zeros, which the system does not store.
+  const tooMuch = new Uint8Array(2 ** 32 - 1);
+  assert.throws(() => karcher.meshFromObj(tooMuch), { code: 'outOfMemory' });
+  assert.equal(karcher.allocatedBytes(), bytes);
+  assert.equal(mesh.info.triangles, 8);
+});

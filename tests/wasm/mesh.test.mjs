@@ -1,0 +1,224 @@
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { KarcherError, load } from 'karcher';
+import { badFiles, grid, square, tetrahedron } from './meshes.mjs';
+
+let karcher;
+before(async () => {
+  karcher = await load();
+});
+
+test('a tetrahedron: a closed surface of genus 0', () => {
+  const { info } = karcher.meshFromObj(tetrahedron);
+  assert.deepEqual(
+    { ...info, meanEdge: 0, diagonal: 0 },
+    {
+      vertices: 4,
+      triangles: 4,
+      components: 1,
+      boundaryLoops: 0,
+      genus: 0,
+      meanEdge: 0,
+      diagonal: 0,
+      repairs: [],
+    },
+  );
+  assert.ok(Math.abs(info.meanEdge - (1 + Math.SQRT2) / 2) < 1e-15);
+  assert.ok(Math.abs(info.diagonal - Math.sqrt(3)) < 1e-15);
+});
+
+test('text, bytes and arrays give the same mesh', () => {
+  const text = grid(3);
+  const meshes = [
+    karcher.meshFromObj(text),
+    karcher.meshFromObj(new TextEncoder().encode(text)),
+    karcher.meshFromObj(Buffer.from(text)),
+  ];
+  const [first] = meshes;
+  meshes.push(karcher.meshFromArrays(first.positions(), first.triangles()));
+  meshes.push(
+    karcher.meshFromArrays(Array.from(first.positions()), Uint16Array.from(first.triangles())),
+  );
+  for (const mesh of meshes) {
+    assert.deepEqual(mesh.info, first.info);
+    assert.deepEqual(mesh.positions(), first.positions());
+    assert.deepEqual(mesh.triangles(), first.triangles());
+  }
+});
+
+test('vertices and faces keep the order of the file', () => {
+  const mesh = karcher.meshFromObj(grid(4));
+  const positions = mesh.positions();
+  const triangles = mesh.triangles();
+  assert.equal(positions.length, 3 * 25);
+  for (let vertex = 0; vertex < 25; vertex++) {
+    const place = [vertex % 5, Math.floor(vertex / 5), 0];
+    assert.deepEqual(Array.from(positions.slice(3 * vertex, 3 * vertex + 3)), place);
+    assert.deepEqual(mesh.position({ vertex }), place);
+  }
+  // Square 6 has its lower left corner at (2, 1).
+  assert.deepEqual(Array.from(triangles.slice(36, 42)), [7, 8, 13, 7, 13, 12]);
+  assert.deepEqual(mesh.position({ face: 12, bary: [0.5, 0.25, 0.25] }), [2.5, 1.25, 0]);
+});
+
+test('polygons are cut, welded vertices repeat, dropped vertices keep their place', () => {
+  // The square twice, the right one with vertices of its own along the common edge; vertex 4 is
+  // not used.
+  const mesh = karcher.meshFromObj(
+    `${square}v 7 8 9\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 6 7 8 9\n`,
+  );
+  const { info } = mesh;
+  assert.equal(info.vertices, 6);
+  assert.equal(info.triangles, 4);
+  assert.equal(info.components, 1);
+  assert.deepEqual(
+    info.repairs.map(({ kind, count }) => [kind, count]),
+    [
+      ['triangulated', 2],
+      ['welded', 2],
+      ['dropped', 1],
+    ],
+  );
+  for (const { message } of info.repairs) assert.match(message, /\d/);
+  const positions = Array.from(mesh.positions());
+  assert.equal(positions.length, 27);
+  assert.deepEqual(positions.slice(12, 18), [7, 8, 9, 1, 0, 0]);
+  assert.deepEqual(mesh.position({ vertex: 5 }), [1, 0, 0]);
+  assert.deepEqual(mesh.position({ vertex: 8 }), [1, 1, 0]);
+  assert.throws(() => mesh.position({ vertex: 4 }), { code: 'badIndex', message: /vertex 4/ });
+  const used = new Set(mesh.triangles());
+  assert.ok(!used.has(4));
+  assert.equal(used.size, 6);
+});
+
+test('a point is checked, and cleaned of rounding', () => {
+  const mesh = karcher.meshFromObj(square);
+  assert.deepEqual(mesh.pointAt(1, [0.25, 0.25, 0.5]), { face: 1, bary: [0.25, 0.25, 0.5] });
+  assert.deepEqual(mesh.pointAt(0, Float32Array.of(-1e-8, 0.5, 0.5)), {
+    face: 0,
+    bary: [0, 0.5, 0.5],
+  });
+  const wrong = [
+    [2, [1, 0, 0], 'badIndex', /face 2/],
+    [-1, [1, 0, 0], 'badIndex', /face -1/],
+    [1, [0.5, 0.6, -0.1], 'badPoint', /face 1/],
+    [1, [0.5, 0.5, 0.5], 'badPoint', /sum to 1/],
+    [1, [Number.NaN, 0.5, 0.5], 'notFinite', /face 1/],
+    [0.5, [1, 0, 0], 'badArgument', /whole number/],
+    ['0', [1, 0, 0], 'badArgument', /whole number/],
+    [0, [1, 0], 'badArgument', /3 numbers/],
+    [0, ['1', 0, 0], 'badArgument', /must be a number/],
+    [0, undefined, 'badArgument', /array/],
+  ];
+  for (const [face, bary, code, message] of wrong) {
+    assert.throws(() => mesh.pointAt(face, bary), { name: 'KarcherError', code, message });
+  }
+  for (const point of [undefined, null, 3, {}, { vertex: 1.5 }, { vertex: '1' }]) {
+    assert.throws(() => mesh.position(point), { code: 'badArgument' });
+  }
+  for (const vertex of [-1, 4, 2 ** 31]) {
+    assert.throws(() => mesh.position({ vertex }), KarcherError);
+  }
+});
+
+test('a point is the same in whichever face is first in memory', () => {
+  // Errors and answers name the caller's faces though the engine sorts them.
+  const mesh = karcher.meshFromObj(grid(8));
+  for (let face = 0; face < 128; face++) {
+    assert.equal(mesh.pointAt(face, [0.2, 0.3, 0.5]).face, face);
+    assert.throws(() => mesh.pointAt(face, [2, 0, 0]), { message: new RegExp(`face ${face} `) });
+  }
+});
+
+test('files that are no mesh: an error each, and the program goes on', () => {
+  const mesh = karcher.meshFromObj(square);
+  for (const { what, text, code, says } of badFiles) {
+    assert.throws(
+      () => karcher.meshFromObj(text),
+      (error) => {
+        assert.ok(error instanceof KarcherError, what);
+        assert.ok(error instanceof Error);
+        assert.equal(error.code, code, what);
+        assert.match(error.message, says, what);
+        return true;
+      },
+    );
+    assert.deepEqual(mesh.position({ vertex: 2 }), [1, 1, 0]);
+    assert.equal(karcher.meshFromObj(square).info.triangles, 2);
+  }
+});
+
+test('arrays that are no mesh', () => {
+  const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+  const wrong = [
+    [positions, [0, 1], 'badArgument', /multiple/],
+    [positions.slice(1), [0, 1, 2], 'badArgument', /multiple/],
+    [positions, [0, 1, 3], 'badIndex', /vertex 3/],
+    [positions, [0, 1, -1], 'badIndex', /vertex -1/],
+    [positions, [0, 1, 1], 'degenerateFace', /face 0/],
+    [positions, [0, 1, Number.NaN], 'badArgument', /entry 2 of the triangles/],
+    [positions, [0, 1, 0.5], 'badArgument', /whole number/],
+    [positions, [0, 1, 2 ** 32], 'badArgument', /whole number/],
+    [positions, [], 'badFile', /no faces/],
+    [positions.with(4, Number.NaN), [0, 1, 2], 'notFinite', /vertex 1/],
+    [positions.with(8, Number.POSITIVE_INFINITY), [0, 1, 2], 'notFinite', /vertex 2/],
+    [positions.with(4, '1'), [0, 1, 2], 'badArgument', /entry 4 of the positions/],
+    [positions.with(4, undefined), [0, 1, 2], 'badArgument', /entry 4 of the positions/],
+    [positions, undefined, 'badArgument', /array/],
+    ['000100010', [0, 1, 2], 'badArgument', /array/],
+    [null, [0, 1, 2], 'badArgument', /array/],
+  ];
+  for (const [coordinates, triangles, code, message] of wrong) {
+    assert.throws(() => karcher.meshFromArrays(coordinates, triangles), {
+      name: 'KarcherError',
+      code,
+      message,
+    });
+  }
+  assert.throws(() => karcher.meshFromObj(3), { code: 'badArgument' });
+  assert.throws(() => karcher.meshFromObj(), { code: 'badArgument' });
+  assert.equal(karcher.meshFromArrays(positions, [0, 1, 2]).info.triangles, 1);
+});
+
+test('a straightest geodesic on a plane is a straight line', () => {
+  const mesh = karcher.meshFromObj(grid(4));
+  const from = { face: 0, bary: [0.5, 0.25, 0.25] };
+  const path = mesh.straightest(from, [0, 3, 4], 2);
+  const end = mesh.position(path.end);
+  assert.ok(Math.abs(end[0] - 0.5) < 1e-14 && Math.abs(end[1] - 2.25) < 1e-14);
+  assert.equal(path.remaining, 0);
+  assert.deepEqual(Array.from(path.polyline.slice(0, 3)), [0.5, 0.25, 0]);
+  assert.deepEqual(Array.from(path.polyline.slice(-3)), end);
+  // From (0.5, 0.25) it is half a unit to the left side.
+  const stopped = mesh.straightest(from, [-2, 0, 0], 3);
+  assert.ok(Math.abs(stopped.remaining - 2.5) < 1e-14);
+  assert.deepEqual(mesh.position(stopped.end), [0, 0.25, 0]);
+  assert.throws(() => mesh.straightest(from, [0, 0, 1], 1), { code: 'badArgument' });
+  assert.throws(() => mesh.straightest(from, [0, 1], 1), { code: 'badArgument' });
+  assert.throws(() => mesh.straightest(from, [0, Number.NaN, 1], 1), { code: 'notFinite' });
+  assert.throws(() => mesh.straightest(from, [0, 1, 0], -1), { code: 'badArgument' });
+  assert.throws(() => mesh.straightest(from, [0, 1, 0], Number.NaN), { code: 'notFinite' });
+});
+
+test('a mesh cannot be used after it was disposed of', () => {
+  const mesh = karcher.meshFromObj(square);
+  mesh.dispose();
+  mesh.dispose();
+  assert.equal(mesh.info.triangles, 2);
+  const uses = [
+    () => mesh.positions(),
+    () => mesh.triangles(),
+    () => mesh.pointAt(0, [1, 0, 0]),
+    () => mesh.position({ vertex: 0 }),
+    () => mesh.straightest({ vertex: 0 }, [1, 0, 0], 1),
+  ];
+  for (const use of uses) assert.throws(use, { code: 'disposed', message: /the mesh/ });
+});
+
+test('each load has a memory of its own', async () => {
+  const other = await load();
+  const before = karcher.allocatedBytes();
+  const mesh = other.meshFromObj(grid(10));
+  assert.equal(karcher.allocatedBytes(), before);
+  mesh.dispose();
+});

@@ -1,0 +1,66 @@
+// Small meshes as OBJ files.
+
+/** A square of unit side with one polygon:
+ *
+ *    3 --- 2
+ *    |     |
+ *    0 --- 1
+ */
+export const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
+
+export const tetrahedron =
+  'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
+
+/** A flat grid of `cells` by `cells` unit squares, each cut along the diagonal from its lower left:
+ * vertex i + (cells + 1) j lies at (i, j, 0), triangles 2 k and 2 k + 1 make square k. */
+export function grid(cells) {
+  const lines = [];
+  for (let j = 0; j <= cells; j++) {
+    for (let i = 0; i <= cells; i++) lines.push(`v ${i} ${j} 0`);
+  }
+  for (let j = 0; j < cells; j++) {
+    for (let i = 0; i < cells; i++) {
+      const a = i + (cells + 1) * j + 1;
+      const c = a + cells + 1;
+      lines.push(`f ${a} ${a + 1} ${c + 1}`, `f ${a} ${c + 1} ${c}`);
+    }
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+/** Files that are no mesh: what is wrong with them, the code of the error, and a word of it. */
+export const badFiles = [
+  { what: 'an empty file', text: '', code: 'badFile', says: /no faces/ },
+  { what: 'a file without faces', text: 'v 0 0 0\nv 1 0 0\n', code: 'badFile', says: /no faces/ },
+  { what: 'a file that is no OBJ', text: '\0\x01\x02', code: 'badFile', says: /text/ },
+  {
+    what: 'a vertex that does not exist',
+    text: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n',
+    code: 'badIndex',
+    says: /9/,
+  },
+  {
+    what: 'an edge of three faces',
+    text: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n',
+    code: 'nonManifoldEdge',
+    says: /edge/,
+  },
+  {
+    what: 'a vertex of two fans',
+    text: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n',
+    code: 'nonManifoldVertex',
+    says: /vertex 0/,
+  },
+  {
+    what: 'a coordinate that is no number',
+    text: 'v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n',
+    code: 'notFinite',
+    says: /line 2/,
+  },
+  {
+    what: 'a face without area',
+    text: 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n',
+    code: 'degenerateFace',
+    says: /face 0/,
+  },
+];

@@ -1,0 +1,18 @@
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const dist = fileURLToPath(new URL('.', import.meta.resolve('karcher')));
+const mostBytes = 250 * 1024;
+
+test('the module and its JavaScript are small enough to load', () => {
+  const files = readdirSync(dist).filter((name) => /\.(wasm|m?js)$/.test(name));
+  assert.ok(files.includes('karcher-engine.wasm') && files.includes('load.js'));
+  const size = files
+    .filter((name) => name !== 'cli.js')
+    .map((name) => gzipSync(readFileSync(dist + name)).length)
+    .reduce((sum, bytes) => sum + bytes, 0);
+  assert.ok(size <= mostBytes, `${size} bytes gzipped, at most ${mostBytes}`);
+});

@@ -1,0 +1,108 @@
+import { KarcherError } from './errors.js';
+
+/**
+ * Checks of arguments that only JavaScript can get wrong: types, lengths, numbers that are no
+ * integers. What a mesh allows is checked by the engine.
+ */
+
+const badArgument = (message: string) => new KarcherError('badArgument', message);
+
+/** A value as an error message shows it, cut to a readable length. */
+export function shown(value: unknown): string {
+  const text = typeof value === 'string' ? `'${value}'` : String(value);
+  return text.length > 60 ? `${text.slice(0, 57)}...` : text;
+}
+
+export function checkNumber(value: unknown, what: string): number {
+  if (typeof value !== 'number') throw badArgument(`${what} must be a number, not ${shown(value)}`);
+  if (!Number.isFinite(value)) {
+    throw new KarcherError('notFinite', `${what} must be a finite number, not ${value}`);
+  }
+  return value;
+}
+
+/** A whole number that fits the engine's 32-bit integers. */
+export function checkInteger(value: unknown, what: string): number {
+  if (!Number.isInteger(value) || Math.abs(value as number) > 0x7fffffff) {
+    throw badArgument(`${what} must be a whole number, not ${shown(value)}`);
+  }
+  return value as number;
+}
+
+export function checkOneOf<Name extends string>(
+  value: unknown,
+  names: readonly Name[],
+  what: string,
+): Name {
+  const name = names.find((candidate) => candidate === value);
+  if (name === undefined) {
+    throw badArgument(`${what} must be one of ${names.join(', ')}, not ${shown(value)}`);
+  }
+  return name;
+}
+
+function checkArrayLike(value: unknown, what: string): ArrayLike<unknown> {
+  const length = (value as ArrayLike<unknown> | null | undefined)?.length;
+  if (typeof value !== 'object' || !Number.isInteger(length)) {
+    throw badArgument(`${what} must be an array of numbers, not ${shown(value)}`);
+  }
+  return value as ArrayLike<unknown>;
+}
+
+/** A copy in doubles. NaN and infinity pass: the engine names the place that they mean. */
+export function toFloat64(value: unknown, what: string): Float64Array {
+  const array = checkArrayLike(value, what);
+  const result = new Float64Array(array.length);
+  for (let i = 0; i < array.length; i++) {
+    const entry = array[i];
+    if (typeof entry !== 'number') {
+      throw badArgument(`entry ${i} of ${what} must be a number, not ${shown(entry)}`);
+    }
+    result[i] = entry;
+  }
+  return result;
+}
+
+/** A copy in 32-bit integers, each of which must be one. */
+export function toInt32(value: unknown, what: string): Int32Array {
+  const array = checkArrayLike(value, what);
+  const result = new Int32Array(array.length);
+  for (let i = 0; i < array.length; i++) {
+    result[i] = checkInteger(array[i], `entry ${i} of ${what}`);
+  }
+  return result;
+}
+
+/** An options object. */
+export function checkOptions(options: unknown, what: string): void {
+  if (typeof options === 'object' && options !== null) return;
+  throw badArgument(`${what} must be an object, not ${shown(options)}`);
+}
+
+/** An array of things that are not numbers. */
+export function checkArray(value: unknown, what: string): unknown[] {
+  if (!Array.isArray(value)) throw badArgument(`${what} must be an array, not ${shown(value)}`);
+  return value;
+}
+
+export function checkLength(array: ArrayLike<unknown>, multipleOf: number, what: string): void {
+  if (array.length % multipleOf === 0) return;
+  throw badArgument(
+    `${what} must hold ${multipleOf} numbers each; ${array.length} is not a multiple of it`,
+  );
+}
+
+/** The face and weights of a surface point as four numbers, or the number of a vertex. */
+export function checkPointLike(value: unknown, what: string): Float64Array | number {
+  const point = value as Partial<{ vertex: unknown; face: unknown; bary: unknown }> | null;
+  if (typeof point !== 'object' || point === null) {
+    throw badArgument(`${what} must be {face, bary} or {vertex}, not ${shown(value)}`);
+  }
+  if (point.vertex !== undefined) return checkInteger(point.vertex, `the vertex of ${what}`);
+  const face = checkInteger(point.face, `the face of ${what}`);
+  const bary = toFloat64(point.bary, `the weights of ${what}`);
+  if (bary.length !== 3) {
+    throw badArgument(`the weights of ${what} must be 3 numbers, not ${bary.length}`);
+  }
+  return Float64Array.of(face, ...bary);
+}

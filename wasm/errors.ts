@@ -1,0 +1,15 @@
+import type { ErrorCode } from './types.js';
+
+/**
+ * Every failure of Karcher: `code` names its kind, `message` is a sentence that names the thing
+ * and the limit. After a failure everything is as it was before the call.
+ */
+export class KarcherError extends Error {
+  override readonly name = 'KarcherError';
+  readonly code: ErrorCode;
+
+  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+    super(message, options);
+    this.code = code;
+  }
+}

@@ -1,0 +1,58 @@
+import { checkLength, shown, toFloat64, toInt32 } from './check.js';
+import { Engine } from './engine.js';
+import { KarcherError } from './errors.js';
+import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
+import { Mesh } from './mesh.js';
+
+/** A loaded engine: makes meshes. What it makes lives in its memory until `dispose`. */
+export class Karcher {
+  readonly #engine: Engine;
+
+  /** @internal `load` makes one. */
+  constructor(module: EngineModule) {
+    this.#engine = new Engine(module);
+  }
+
+  /**
+   * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
+   *
+   * Polygons are cut into triangles, vertices at exactly the same place are welded, vertices of no
+   * face are dropped; `info.repairs` tells. Vertices and faces keep the file's order, faces counting
+   * triangles.
+   *
+   * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, degenerateFace,
+   * nonManifoldEdge, nonManifoldVertex, each naming the place.
+   */
+  meshFromObj(textOrBytes: string | Uint8Array): Mesh {
+    if (typeof textOrBytes !== 'string' && !(textOrBytes instanceof Uint8Array)) {
+      throw new KarcherError(
+        'badArgument',
+        `an OBJ file must be a string or a Uint8Array, not ${shown(textOrBytes)}`,
+      );
+    }
+    const bytes =
+      typeof textOrBytes === 'string' ? new TextEncoder().encode(textOrBytes) : textOrBytes;
+    return this.#mesh((engine) => engine.meshFromObj(bytes));
+  }
+
+  /**
+   * Makes a mesh from positions (x, y, z a vertex) and triangles (three vertex numbers a face,
+   * counterclockwise seen from outside), which are copied. Repairs and errors as in `meshFromObj`.
+   */
+  meshFromArrays(positions: ArrayLike<number>, triangles: ArrayLike<number>): Mesh {
+    const coordinates = toFloat64(positions, 'the positions');
+    checkLength(coordinates, 3, 'the positions');
+    const corners = toInt32(triangles, 'the triangles');
+    checkLength(corners, 3, 'the triangles');
+    return this.#mesh((engine) => engine.meshFromArrays(coordinates, corners));
+  }
+
+  /** Bytes in use in the engine's memory, for tests of what is given back. */
+  allocatedBytes(): number {
+    return this.#engine.call((engine) => engine.allocatedBytes());
+  }
+
+  #mesh(make: (engine: EngineModule) => EngineMesh): Mesh {
+    return new Mesh(this.#engine, this.#engine.call(make));
+  }
+}

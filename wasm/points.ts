@@ -1,0 +1,34 @@
+import { checkArray, checkPointLike } from './check.js';
+import type { Handle } from './engine.js';
+import type { EngineMesh } from './karcher-engine.mjs';
+import type { PointLike, SurfacePoint } from './types.js';
+
+/** A caller's point, checked against the mesh, as it travels: face, b0, b1, b2. */
+export function wirePoint(
+  handle: Handle<EngineMesh>,
+  point: PointLike,
+  what = 'the point',
+): Float64Array {
+  const wire = checkPointLike(point, what);
+  return handle.call((mesh) =>
+    typeof wire === 'number' ? mesh.vertexPoint(wire) : mesh.checkedPoint(wire),
+  );
+}
+
+/** Points one after the other, four numbers each. */
+export function wirePoints(handle: Handle<EngineMesh>, points: unknown): Float64Array {
+  const array = checkArray(points, 'the points') as PointLike[];
+  const wire = new Float64Array(4 * array.length);
+  array.forEach((point, i) => {
+    wire.set(wirePoint(handle, point, `point ${i}`), 4 * i);
+  });
+  return wire;
+}
+
+export function toSurfacePoint(wire: Float64Array, at = 0): SurfacePoint {
+  return { face: wire[at]!, bary: [wire[at + 1]!, wire[at + 2]!, wire[at + 3]!] };
+}
+
+export function toSurfacePoints(wire: Float64Array): SurfacePoint[] {
+  return Array.from({ length: wire.length / 4 }, (_, i) => toSurfacePoint(wire, 4 * i));
+}
