@@ -1,0 +1,102 @@
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { after, test } from 'node:test';
+import { badFiles, grid, square } from './meshes.mjs';
+import { failure, karcher, printed, program, temporaryFolder } from './run_cli.mjs';
+
+const folder = temporaryFolder();
+after(() => folder.remove());
+const squareFile = folder.write('square.obj', square);
+
+test('help, of the program and of each command', () => {
+  const general = karcher('--help');
+  assert.equal(general.status, 0);
+  assert.equal(general.stderr, '');
+  const commands = [...general.stdout.matchAll(/^ {2}(\w+) {2,}\S/gm)].map((match) => match[1]);
+  assert.deepEqual(commands, ['info']);
+  for (const command of commands) {
+    const { status, stdout, stderr } = karcher(command, '--help');
+    assert.equal(status, 0);
+    assert.equal(stderr, '');
+    assert.match(stdout, new RegExp(`^karcher ${command} MESH.obj`));
+    assert.equal(karcher(command, 'anything', '--more', '--help').stdout, stdout);
+  }
+});
+
+test('mistakes in the command line: a sentence and status 1', () => {
+  const wrong = [
+    [[], /needs a command/],
+    [['paint'], /no command 'paint'/],
+    [['info'], /needs a mesh/],
+    [['info', squareFile, squareFile], /one argument too many/],
+    [['info', squareFile, '--colour'], /no option --colour/],
+    [['info', squareFile, '--colour=red'], /no option --colour/],
+    [['info', '-x', squareFile], /no option -x/],
+    [['info', `${folder.path}/none.obj`], /cannot read .*none\.obj: there is no such file/],
+    [['info', folder.path], /cannot read .*: it is a folder/],
+  ];
+  for (const [args, message] of wrong) assert.match(failure(...args), message);
+});
+
+test('files that are no mesh: a sentence and status 1', () => {
+  for (const { text, says } of badFiles) {
+    assert.match(failure('info', folder.write('bad.obj', text)), says);
+  }
+});
+
+test('info tells what a mesh consists of', () => {
+  const { meanEdge, diagonal, repairs, ...counts } = printed('info', squareFile);
+  assert.deepEqual(counts, {
+    vertices: 4,
+    triangles: 2,
+    components: 1,
+    boundaryLoops: 1,
+    genus: 0,
+  });
+  assert.ok(Math.abs(meanEdge - (4 + Math.SQRT2) / 5) < 1e-15);
+  assert.ok(Math.abs(diagonal - Math.SQRT2) < 1e-15);
+  assert.deepEqual(
+    repairs.map(({ kind, count }) => [kind, count]),
+    [['triangulated', 1]],
+  );
+});
+
+test('two parts, Windows line ends, a handle', () => {
+  const moved = square.replaceAll('v 0', 'v 5').replaceAll('v 1', 'v 6');
+  const both = `${square}${moved.replace('f 1 2 3 4', 'f 5 6 7 8')}`.replaceAll('\n', '\r\n');
+  const counts = printed('info', folder.write('both.obj', both));
+  assert.equal(counts.components, 2);
+  assert.equal(counts.boundaryLoops, 2);
+  // Three by three squares with opposite sides joined: a torus.
+  const torus = [];
+  const corner = (i, j) => (i % 3) + 3 * (j % 3) + 1;
+  for (let k = 0; k < 9; k++) {
+    const [u, v] = [k % 3, Math.floor(k / 3)].map((i) => (2 * Math.PI * i) / 3);
+    torus.push(
+      `v ${(2 + Math.cos(v)) * Math.cos(u)} ${(2 + Math.cos(v)) * Math.sin(u)} ${Math.sin(v)}`,
+    );
+  }
+  for (let k = 0; k < 9; k++) {
+    const [i, j] = [k % 3, Math.floor(k / 3)];
+    const corners = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+    torus.push(`f ${corners.join(' ')}`);
+  }
+  const closed = printed('info', folder.write('torus.obj', torus.join('\n')));
+  assert.deepEqual(
+    [closed.vertices, closed.triangles, closed.boundaryLoops, closed.genus],
+    [9, 18, 0, 1],
+  );
+});
+
+test('a reader that goes away is reported', async () => {
+  const gridFile = folder.write('grid.obj', grid(4));
+  const child = spawn(process.execPath, [program, 'info', gridFile]);
+  child.stdout.destroy();
+  let message = '';
+  child.stderr.setEncoding('utf8').on('data', (text) => {
+    message += text;
+  });
+  const status = await new Promise((resolve) => child.on('close', resolve));
+  assert.equal(status, 1);
+  assert.match(message, /^karcher: cannot write to standard output: it was closed [^\n]*\n$/);
+});

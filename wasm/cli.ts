@@ -1,0 +1,36 @@
+#!/usr/bin/env node
+import { Arguments } from './cli/arguments.js';
+import type { Command } from './cli/command.js';
+import { UsageError } from './cli/errors.js';
+import { commandHelp, generalHelp } from './cli/help.js';
+import { info } from './cli/info.js';
+import { polylinesAsObj, print } from './cli/output.js';
+
+const commands: readonly Command[] = [info];
+
+async function run(args: string[]): Promise<void> {
+  const [name, ...rest] = args;
+  if (name === '--help' || name === 'help') return print(generalHelp(commands));
+  const names = commands.map((command) => command.name).join(', ');
+  if (name === undefined) throw new UsageError(`karcher needs a command: ${names}`);
+  const command = commands.find((candidate) => candidate.name === name);
+  if (command === undefined) {
+    throw new UsageError(`karcher has no command '${name}'; it has ${names}`);
+  }
+  if (rest.includes('--help')) return print(commandHelp(command));
+  const commandArguments = new Arguments(command, rest);
+  const drawn =
+    command.options.some((option) => option.name === 'format') &&
+    commandArguments.choice('format') === 'obj';
+  const { json, polylines } = await command.run(commandArguments);
+  return print(drawn ? polylinesAsObj(polylines!) : `${JSON.stringify(json)}\n`);
+}
+
+// A closed standard error leaves nobody to tell.
+process.stderr.on('error', () => {});
+try {
+  await run(process.argv.slice(2));
+} catch (error) {
+  process.stderr.write(`karcher: ${error instanceof Error ? error.message : String(error)}\n`);
+  process.exitCode = 1;
+}

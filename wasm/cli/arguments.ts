@@ -1,0 +1,156 @@
+import { readFile } from 'node:fs/promises';
+import { parseArgs } from 'node:util';
+import { load } from '../load.js';
+import type { Mesh } from '../mesh.js';
+import type { FieldOptions, Method, PointLike, Solver, SurfacePoint } from '../types.js';
+import type { Command, Option } from './command.js';
+import { fileError, UsageError } from './errors.js';
+import { parseNumber, parsePoint, parsePoints } from './syntax.js';
+
+/** The arguments of one command, checked: known options, once each, with a value where one belongs. */
+export class Arguments {
+  readonly #meshPath: string;
+  readonly #command: Command;
+  readonly #values: ReadonlyMap<string, string>;
+
+  constructor(command: Command, args: string[]) {
+    const { values, positionals } = readTokens(command, args);
+    for (const option of command.options) {
+      if (option.required && !values.has(option.name)) {
+        throw new UsageError(`${command.name} needs --${option.name} ${option.value}`);
+      }
+    }
+    const [meshPath, ...extra] = positionals;
+    if (meshPath === undefined) throw new UsageError(`${command.name} needs a mesh: an OBJ file`);
+    if (extra.length > 0) {
+      throw new UsageError(
+        `${command.name} takes one mesh; '${extra[0]}' is one argument too many`,
+      );
+    }
+    this.#meshPath = meshPath;
+    this.#command = command;
+    this.#values = values;
+  }
+
+  flag(name: string): boolean {
+    return this.#values.has(name);
+  }
+
+  /** The value of an option, or its default. */
+  text(name: string): string {
+    const option = this.#command.options.find((candidate) => candidate.name === name);
+    return this.#values.get(name) ?? option!.default!;
+  }
+
+  choice<Name extends string>(name: string): Name {
+    const names = this.#command.options
+      .find((candidate) => candidate.name === name)!
+      .value!.split('|');
+    const value = this.text(name);
+    if (!names.includes(value)) {
+      throw new UsageError(`--${name} must be one of ${names.join(', ')}, not '${value}'`);
+    }
+    return value as Name;
+  }
+
+  number(name: string): number {
+    return parseNumber(this.text(name), `--${name}`);
+  }
+
+  integer(name: string): number {
+    const value = this.number(name);
+    if (Number.isInteger(value)) return value;
+    throw new UsageError(`--${name} must be a whole number, not '${this.text(name)}'`);
+  }
+
+  /** Numbers with commas between them. */
+  numbers(name: string): number[] {
+    return this.text(name)
+      .split(',')
+      .map((text, i) => parseNumber(text, `number ${i + 1} of --${name}`));
+  }
+
+  point(name: string): PointLike {
+    return parsePoint(this.text(name), `--${name}`);
+  }
+
+  async points(): Promise<SurfacePoint[]> {
+    const path = this.text('points');
+    return parsePoints((await this.#read(path)).toString('utf8'), path);
+  }
+
+  field(): FieldOptions {
+    return {
+      method: this.choice<Method>('method'),
+      solver: this.choice<Solver>('solver'),
+      rings: this.integer('rings'),
+    };
+  }
+
+  meshBytes(): Promise<Uint8Array> {
+    return this.#read(this.#meshPath);
+  }
+
+  async mesh(): Promise<Mesh> {
+    const bytes = await this.meshBytes();
+    const karcher = await load();
+    return karcher.meshFromObj(bytes);
+  }
+
+  async #read(path: string): Promise<Buffer> {
+    try {
+      return await readFile(path);
+    } catch (cause) {
+      throw fileError(path, cause);
+    }
+  }
+}
+
+interface Read {
+  values: Map<string, string>;
+  positionals: string[];
+}
+
+/** Not `strict`: a value may begin with a dash (a negative weight), and the errors are ours. */
+function readTokens(command: Command, args: string[]): Read {
+  const { tokens } = parseArgs({
+    args,
+    options: Object.fromEntries(
+      command.options.map((option) => [
+        option.name,
+        { type: option.value === undefined ? ('boolean' as const) : ('string' as const) },
+      ]),
+    ),
+    strict: false,
+    allowPositionals: true,
+    tokens: true,
+  });
+  const read: Read = { values: new Map(), positionals: [] };
+  for (const token of tokens) {
+    if (token.kind === 'positional') read.positionals.push(token.value);
+    if (token.kind !== 'option') continue;
+    const option = command.options.find((candidate) => candidate.name === token.name);
+    checkOption(command, option, token.rawName, token.value, read.values.has(token.name));
+    read.values.set(token.name, token.value ?? '');
+  }
+  return read;
+}
+
+function checkOption(
+  command: Command,
+  option: Option | undefined,
+  rawName: string,
+  value: string | undefined,
+  repeated: boolean,
+): void {
+  if (option === undefined || !rawName.startsWith('--')) {
+    throw new UsageError(`${command.name} has no option ${rawName}`);
+  }
+  if (repeated) throw new UsageError(`${rawName} is given twice`);
+  if (option.value === undefined && value !== undefined) {
+    throw new UsageError(`${rawName} takes no value`);
+  }
+  if (option.value !== undefined && !value) {
+    throw new UsageError(`${rawName} needs a value: ${option.value}`);
+  }
+}

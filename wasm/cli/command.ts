@@ -1,0 +1,50 @@
+import type { Arguments } from './arguments.js';
+
+/** An option of a command. Without `value` it is a flag. */
+export interface Option {
+  name: string;
+  /** What stands for the value in the help text: FILE. */
+  value?: string;
+  help: string;
+  default?: string;
+  required?: boolean;
+}
+
+/** What a command gives: one JSON object, and its polylines (x, y, z, …) for `--format obj`. */
+export interface Result {
+  json: object;
+  polylines?: Float64Array[];
+}
+
+/** A command of `karcher`; each takes one mesh. */
+export interface Command {
+  name: string;
+  /** A line for the list of commands. */
+  summary: string;
+  /** What the JSON object holds. */
+  output: string;
+  options: readonly Option[];
+  run(args: Arguments): Promise<Result>;
+}
+
+/** The option of commands whose result can be drawn. */
+export const formatOption: Option = {
+  name: 'format',
+  value: 'json|obj',
+  help: 'JSON, or the polylines as an OBJ file (v and l lines)',
+  default: 'json',
+};
+
+export const pointsOption: Option = {
+  name: 'points',
+  value: 'FILE',
+  help: "a line 'face b1 b2' for each point; '#' starts a comment",
+  required: true,
+};
+
+/** How fields are made, for the commands that need some. */
+export const fieldOptions: readonly Option[] = [
+  { name: 'method', value: 'paper', help: 'how fields are made', default: 'paper' },
+  { name: 'solver', value: 'exact|graph', help: 'how distances are found', default: 'exact' },
+  { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
+];

@@ -1,0 +1,35 @@
+import type { Command, Option } from './command.js';
+
+const label = (option: Option) =>
+  `--${option.name}${option.value === undefined ? '' : ` ${option.value}`}`;
+
+const indented = (rows: readonly (readonly [string, string])[]) => {
+  const width = Math.max(...rows.map(([left]) => left.length));
+  return rows.map(([left, right]) => `  ${left.padEnd(width)}  ${right}\n`).join('');
+};
+
+export function generalHelp(commands: readonly Command[]): string {
+  return `karcher COMMAND MESH.obj [options]: centers of mass and splines on triangle meshes
+
+${indented(commands.map((command) => [command.name, command.summary]))}
+A point is 'face:b1,b2', the weights of the face's second and third corner, or 'v:vertex'. Faces and
+vertices are numbered from 0 in the file's order; faces count triangles, after polygons were cut.
+Results go to standard output, mistakes to standard error with exit status 1.
+'karcher COMMAND --help' tells more.
+`;
+}
+
+export function commandHelp(command: Command): string {
+  const required = command.options.filter((option) => option.required).map(label);
+  const usage = ['karcher', command.name, 'MESH.obj', ...required, '[options]'].join(' ');
+  const rows = command.options.map((option): [string, string] => [
+    label(option),
+    option.default === undefined ? option.help : `${option.help} (${option.default})`,
+  ]);
+  rows.push(['--help', 'this text']);
+  return `${usage}: ${command.summary}
+
+${indented(rows)}
+Prints ${command.output}
+`;
+}
