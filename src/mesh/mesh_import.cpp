@@ -1,5 +1,6 @@
 #include "mesh/mesh_import.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 

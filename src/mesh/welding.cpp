@@ -1,6 +1,8 @@
 #include "mesh/welding.h"
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "mesh/edges.h"
 

@@ -6,37 +6,20 @@
 namespace karcher {
 namespace {
 
-const double kRoot = std::sqrt(kTorusMajor * kTorusMajor - kTorusMinor * kTorusMinor);
-
-/// The torus is a rectangle whose opposite sides are joined, up to scale: (x, y) -> the point at
-/// longitude x and at the angle theta around the tube with dy = r dtheta / (R + r cos theta).
-/// Angles are kept, so Delaunay triangulations of the rectangle are such on the surface.
+/// The plane of `conformalTorus`, x divided by the stretch; with its opposite sides joined it is
+/// the torus. Angles are kept, so its Delaunay triangulations are such on the surface.
 struct Rectangle {
-  double width;  ///< x is divided by the stretch
-  double height;
+  double width;
+  double height = kTorusPeriod;
   double stretch;
 
-  explicit Rectangle(double s)
-      : width(2 * kPi / s), height(2 * kPi * kTorusMinor / kRoot), stretch(s) {}
-
-  static double tubeAngle(double y) {
-    const double half = y * kRoot / kTorusMinor / 2;
-    return 2 * std::atan2(std::sqrt(kTorusMajor + kTorusMinor) * std::sin(half),
-                          std::sqrt(kTorusMajor - kTorusMinor) * std::cos(half));
-  }
-
-  /// Lengths on the surface are this times those in the (unstretched) rectangle.
-  static double scale(double y) { return kTorusMajor + kTorusMinor * std::cos(tubeAngle(y)); }
+  explicit Rectangle(double s) : width(2 * kPi / s), stretch(s) {}
 
   Vec2 wrapped(const Vec2& p) const {
     return {p.x() - width * std::floor(p.x() / width), p.y() - height * std::floor(p.y() / height)};
   }
 
-  Vec3 onTorus(const Vec2& p) const {
-    const double theta = tubeAngle(p.y());
-    const Vec2 u = (kTorusMajor + kTorusMinor * std::cos(theta)) * unitVector(stretch * p.x());
-    return {u.x(), u.y(), kTorusMinor * std::sin(theta)};
-  }
+  Vec3 onTorus(const Vec2& p) const { return conformalTorus(Vec2(stretch * p.x(), p.y())); }
 };
 
 /// Points of the plane that stand for points of the joined rectangle: all of it and a margin.
@@ -92,7 +75,7 @@ void moveApart(const Rectangle& rectangle, const Unrolled& unrolled,
     const Vec2& b = unrolled.points[t[1]];
     const Vec2& c = unrolled.points[t[2]];
     const Vec2 centroid = (a + b + c) / 3;
-    const double scale = Rectangle::scale(centroid.y());
+    const double scale = conformalTorusScale(centroid.y());
     const double weight = cross(b - a, c - a) * scale * scale;
     for (const int corner : t) {
       const int v = unrolled.original[corner];
@@ -115,7 +98,7 @@ TriangleSoup irregularTorus(int triangles, double stretch, uint64_t seed) {
   while (points.count() < count) {
     const Vec2 p(random.uniform(0, rectangle.width), random.uniform(0, rectangle.height));
     // Kept with a probability proportional to the area that it stands for.
-    const double density = Rectangle::scale(p.y()) / (kTorusMajor + kTorusMinor);
+    const double density = conformalTorusScale(p.y()) / (kTorusMajor + kTorusMinor);
     if (random.uniform() < density * density) points.push_back(p);
   }
   constexpr int kSteps = 8;

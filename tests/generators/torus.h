@@ -1,13 +1,9 @@
 #pragma once
 
-#include "mesh/triangle_soup.h"
+#include "mesh/shapes.h"
 
-/// Irregular tessellations of the torus about the z axis with radii R = 1 (of the circle of
-/// centers) and r = 0.4 (of the tube).
+/// Irregular tessellations of the torus about the z axis with radii kTorusMajor and kTorusMinor.
 namespace karcher {
-
-inline constexpr double kTorusMajor = 1;
-inline constexpr double kTorusMinor = 0.4;
 
 /// About `triangles` triangles from random points, moved apart: isotropic with stretch 1; with 8,
 /// triangles 8 times as long along the circle of centers as across.

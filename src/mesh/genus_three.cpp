@@ -1,0 +1,148 @@
+#include "mesh/genus_three.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "mesh/split_triangles.h"
+
+// A slab of cubes with three cubes left out has the topology. Its faces are cut finer, its vertices
+// fall onto the zero set of a smooth function and spread out there; then again, at half the size.
+
+namespace karcher {
+namespace {
+
+constexpr double kRing = 0.5;
+constexpr double kTube = 0.22;
+constexpr double kSpacing = 0.95;  ///< of the rings' centers; under 2 kRing, so that they merge
+constexpr double kBlend = 0.07;    ///< how far the joints are rounded
+
+struct Implicit {
+  double value;
+  Vec3 gradient;
+};
+
+/// The distances from three tori, blended by a smooth minimum.
+Implicit threeTori(const Vec3& p) {
+  double sum = 0;
+  Vec3 gradient = Vec3::Zero();
+  for (const int i : {-1, 0, 1}) {
+    const Vec2 fromCenter(p.x() - i * kSpacing, p.y());
+    const double toCenter = std::max(fromCenter.norm(), 1e-9);
+    const Vec2 fromTube(toCenter - kRing, p.z());
+    const double toTube = std::max(fromTube.norm(), 1e-9);
+    const Vec2 outwards = fromTube.x() / toTube * fromCenter / toCenter;
+    const double weight = std::exp(-(toTube - kTube) / kBlend);
+    sum += weight;
+    gradient += weight * Vec3(outwards.x(), outwards.y(), p.z() / toTube);
+  }
+  return {-kBlend * std::log(sum), gradient / sum};
+}
+
+/// Newton's method along the gradient, which ends early where it has arrived.
+Vec3 onSurface(Vec3 p, int steps) {
+  constexpr double kArrived = 1e-14;
+  for (int step = 0; step < steps; ++step) {
+    const Implicit f = threeTori(p);
+    if (std::abs(f.value) < kArrived) break;
+    p -= f.value / std::max(f.gradient.squaredNorm(), 0.1) * f.gradient;
+  }
+  return p;
+}
+
+/// The outside of 7 x 3 unit cubes less three, scaled to the rings.
+TriangleMesh slab() {
+  constexpr int kColumns = 7;
+  constexpr int kRows = 3;
+  const auto filled = [](int i, int j, int k) {
+    if (i < 0 || i >= kColumns || j < 0 || j >= kRows || k != 0) return false;
+    return j != 1 || i % 2 == 0;
+  };
+  std::map<std::array<int, 3>, int> numbers;
+  Array<Vec3> positions;
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto [entry, isNew] = numbers.insert({at, positions.count()});
+    if (isNew) {
+      positions.push_back(kSpacing / 2 * Vec3(at[0] - 3.5, at[1] - 1.5, at[2] - 0.5));
+    }
+    return entry->second;
+  };
+  Array<Triangle> faces;
+  for (int i = 0; i < kColumns; ++i) {
+    for (int j = 0; j < kRows; ++j) {
+      if (!filled(i, j, 0)) continue;
+      for (size_t axis = 0; axis < 3; ++axis) {
+        for (const int side : {0, 1}) {
+          std::array<int, 3> neighbour = {i, j, 0};
+          neighbour[axis] += 2 * side - 1;
+          if (filled(neighbour[0], neighbour[1], neighbour[2])) continue;
+          const size_t u = (axis + 1) % 3;
+          const size_t v = (axis + 2) % 3;
+          std::array<int, 3> at = {i, j, 0};
+          at[axis] += side;
+          const int a = vertex(at);
+          ++at[u];
+          const int b = vertex(at);
+          ++at[v];
+          const int c = vertex(at);
+          --at[u];
+          const int d = vertex(at);
+          if (side == 1) {
+            faces.emplace_back(a, b, c);
+            faces.emplace_back(a, c, d);
+          } else {
+            faces.emplace_back(a, c, b);
+            faces.emplace_back(a, d, c);
+          }
+        }
+      }
+    }
+  }
+  return buildMesh(positions, faces);
+}
+
+/// Moves every vertex towards the mean of its neighbours, and back onto the surface.
+void spread(TriangleMesh& mesh, int steps) {
+  constexpr int kRoughly = 1;
+  for (int step = 0; step < steps; ++step) {
+    Array<Vec3> sum(mesh.positions.size(), Vec3::Zero());
+    Array<int> valence(mesh.positions.size(), 0);
+    for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+      sum[mesh.tail(h)] += mesh.positions[mesh.head(h)];
+      ++valence[mesh.tail(h)];
+    }
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      mesh.positions[v] = onSurface((mesh.positions[v] + sum[v] / valence[v]) / 2, kRoughly);
+    }
+  }
+}
+
+TriangleMesh splitMesh(const TriangleMesh& mesh, int parts) {
+  TriangleSoup soup = splitTriangles(mesh, parts);
+  return buildMesh(std::move(soup.positions), std::move(soup.triangles));
+}
+
+}  // namespace
+
+TriangleSoup genusThree(int triangles) {
+  const TriangleMesh coarse = slab();
+  // 2 to 7 parts, doubled as often as it takes.
+  double parts = std::sqrt(static_cast<double>(triangles) / coarse.faceCount());
+  int doublings = 0;
+  for (; parts > 7.5; parts /= 2) ++doublings;
+  TriangleMesh mesh = splitMesh(coarse, std::max(2, static_cast<int>(std::lround(parts))));
+  constexpr int kFirstSteps = 60;
+  constexpr int kLaterSteps = 4;
+  spread(mesh, kFirstSteps);
+  for (int i = 0; i < doublings; ++i) {
+    mesh = splitMesh(mesh, 2);
+    spread(mesh, kLaterSteps);
+  }
+  constexpr int kExactly = 5;
+  for (Vec3& p : mesh.positions) p = onSurface(p, kExactly);
+  return {std::move(mesh.positions), std::move(mesh.faces)};
+}
+
+}  // namespace karcher

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "mesh/triangle_soup.h"
+
+/// Built-in surfaces. Each is manifold and faces outwards; sizes are about 1.
+namespace karcher {
+
+enum class Shape {
+  kSphere,     ///< radius 1, an icosahedron's faces divided evenly
+  kTorus,      ///< radii 1 and 0.4, nearly equilateral triangles
+  kKnot,       ///< a tube along a trefoil knot
+  kGenus3,     ///< three rings in a row, smoothly joined
+  kOpenSheet,  ///< a rectangle that waves, with a boundary
+};
+
+inline constexpr Shape kShapes[] = {Shape::kSphere, Shape::kTorus, Shape::kKnot, Shape::kGenus3,
+                                    Shape::kOpenSheet};
+
+/// The name of a shape, as in the JavaScript API: "genus3".
+const char* shapeName(Shape shape);
+
+inline constexpr int kFewestShapeTriangles = 500;
+inline constexpr int kMostShapeTriangles = 1'000'000;
+
+/// A shape of about `triangles` triangles; each has its own steps, so the count is within 5 %,
+/// below 2,000 within 12 %, and for kGenus3 between 2/3 and 3/2 of it. Throws Error kBadArgument
+/// for less than 500 or more than 1,000,000.
+TriangleSoup makeShape(Shape shape, int triangles);
+
+/// The unit sphere of 20 frequency^2 triangles.
+TriangleSoup icosphere(int frequency);
+
+/// The torus about the z axis with the circle of centers of radius 1 and the tube of radius 0.4 as
+/// the image of the plane under a map that keeps angles, with periods 2 pi and kTorusPeriod. x is
+/// the longitude; y = 0 is the outer equator.
+inline constexpr double kTorusMajor = 1;
+inline constexpr double kTorusMinor = 0.4;
+extern const double kTorusPeriod;
+Vec3 conformalTorus(const Vec2& x);
+
+/// Lengths on the torus over lengths in the plane of `conformalTorus` at this y.
+double conformalTorusScale(double y);
+
+}  // namespace karcher
