@@ -1,0 +1,139 @@
+#include "curves/circle.h"
+
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "curves/bases.h"
+#include "distance/exact_distance.h"
+#include "intrinsic/straightest.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+constexpr int kFewestArcs = 3;
+constexpr int kMostArcs = 64;
+constexpr int kMostSamples = 100'000;
+
+void checkOptions(const CircleOptions& options, double radius) {
+  if (!(radius > 0) || !std::isfinite(radius)) {
+    throw Error(ErrorCode::kBadArgument, "a circle's radius must be a positive number");
+  }
+  if (options.arcs < kFewestArcs || options.arcs > kMostArcs) {
+    throw Error(ErrorCode::kBadArgument,
+                "a circle takes 3 to 64 arcs, not " + std::to_string(options.arcs));
+  }
+  if (options.samples < 2 || options.samples > kMostSamples) {
+    throw Error(ErrorCode::kBadArgument, "an arc takes 2 to " + std::to_string(kMostSamples) +
+                                             " samples, not " + std::to_string(options.samples));
+  }
+  checkFieldOptions(options.field);
+}
+
+/// Straightest geodesics from the circle's center.
+class Center {
+ public:
+  Center(const Geometry& geometry, const SurfacePoint& point)
+      : geometry_(geometry), point_(point), location_(locate(*geometry.mesh, point)) {
+    if (location_.simplex == Simplex::kVertex) total_ = geometry.totalAngle[location_.vertex];
+  }
+
+  double totalAngle() const { return total_; }
+
+  StraightestPath trace(double direction, double length) const {
+    return location_.simplex == Simplex::kVertex
+               ? traceFromVertex(geometry_, location_.vertex, direction, length)
+               : traceStraightest(geometry_, point_, length * unitVector(direction));
+  }
+
+ private:
+  const Geometry& geometry_;
+  SurfacePoint point_;
+  PointLocation location_;
+  double total_ = 2 * kPi;
+};
+
+void checkRadius(const TriangleMesh& mesh, const ExactDistance& distance, double radius) {
+  double farthest = 0;
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const double d = distance.distance(v);
+    if (d != kInfinity) farthest = std::max(farthest, d);
+  }
+  if (farthest >= radius) return;
+  std::ostringstream message;
+  message << "the radius " << radius << " goes beyond the farthest point of the component, at "
+          << farthest << " from the center";
+  throw Error(ErrorCode::kRadiusTooLarge, message.str());
+}
+
+/// The distance of a point from the squared distances and log vectors at its face's corners.
+double distanceAt(const Geometry& geometry, const ExactDistance& distance,
+                  const SurfacePoint& point) {
+  const Vec2 x = pointInFace(geometry, point);
+  double squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int h = 3 * point.face + k;
+    const int vertex = geometry.mesh->tail(h);
+    const double d = distance.distance(vertex);
+    const Vec2 toSource = unitVector(geometry.angleScale[vertex] * distance.direction(vertex));
+    const Vec2 gradient = rotate(geometry.vertexToFace[h], -2 * d * toSource);
+    const Vec2 step = x - cornerInFace(geometry, point.face, k);
+    squared += point.bary[k] * (d * d + gradient.dot(step) / 2);
+  }
+  return std::sqrt(std::max(squared, 0.0));
+}
+
+}  // namespace
+
+GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
+                           const CircleOptions& options) {
+  checkOptions(options, radius);
+  const Geometry& geometry = surface.geometry();
+  const Center from(geometry, center);
+  const double halfAngle = from.totalAngle() / (2 * options.arcs);
+  if (!(halfAngle < kPi / 2)) {
+    throw Error(ErrorCode::kBadArgument,
+                std::to_string(options.arcs) +
+                    " arcs are too few around a center with so much angle; take more");
+  }
+  const double outerRadius = radius / std::cos(halfAngle);
+  ExactDistance distance(geometry);
+  distance.setSource(center);
+  distance.grow(outerRadius + geometry.meanEdge);
+  checkRadius(surface.mesh(), distance, radius);
+
+  // Points 2 j and 2 j + 1: an arc's start, on the circle, and its middle control point.
+  const double tolerance = 0.05 * geometry.meanEdge;
+  Array<std::unique_ptr<PointField>> fields;
+  Array<uint8_t> shortest;
+  for (int i = 0; i < 2 * options.arcs; ++i) {
+    const double length = i % 2 == 0 ? radius : outerRadius;
+    const StraightestPath path = from.trace(i * halfAngle, length);
+    if (path.stop != TraceStop::kComplete) {
+      throw Error(ErrorCode::kBoundary, "the geodesic to arc " + std::to_string(i / 2) +
+                                            " of the circle meets the boundary");
+    }
+    fields.push_back(std::make_unique<PointField>(surface, options.field));
+    fields.back()->setPoint(path.points.back());
+    shortest.push_back(distanceAt(geometry, distance, path.points.back()) > length - tolerance);
+  }
+
+  GeodesicCircle circle;
+  const Array<double> weights{1, std::cos(halfAngle), 1};
+  const WeightTable table = tabulate(
+      [&](double t) { return rationalBasis(bernsteinBasis(2, t), weights); }, options.samples);
+  for (int j = 0; j < options.arcs; ++j) {
+    const int ends[3] = {2 * j, 2 * j + 1, (2 * j + 2) % fields.count()};
+    const Array<PointField*> points{fields[ends[0]].get(), fields[ends[1]].get(),
+                                    fields[ends[2]].get()};
+    circle.samples.push_back(traceSegment(surface, points, table, options.field.method));
+    circle.paths.push_back(joinSamples(surface, circle.samples.back()));
+    if (!shortest[ends[0]] || !shortest[ends[1]] || !shortest[ends[2]]) {
+      circle.notShortest.push_back(j);
+    }
+  }
+  return circle;
+}
+
+}  // namespace karcher

@@ -1,0 +1,64 @@
+#include "curves/segment.h"
+
+#include <algorithm>
+
+#include "distance/shortest_path.h"
+#include "intrinsic/local_path.h"
+
+namespace karcher {
+
+CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
+                        Method method) {
+  return method == Method::kPaper ? newtonCenter(fields, weights, start)
+                                  : walkToCenter(fields, weights, start);
+}
+
+WeightTable tabulate(const Basis& basis, int count) {
+  WeightTable table;
+  for (int i = 0; i < count; ++i) {
+    table.t.push_back(static_cast<double>(i) / (count - 1));
+    const Array<double> weights = basis(table.t[i]);
+    table.points = weights.count();
+    table.weights.insert(table.weights.end(), weights.begin(), weights.end());
+  }
+  return table;
+}
+
+Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& points,
+                                const WeightTable& table, Method method) {
+  Array<ControlField*> controlFields;
+  for (PointField* point : points) controlFields.push_back(&point->field());
+  FieldBlend fields(surface.geometry(), std::move(controlFields));
+
+  Array<CurveSample> samples(table.t.size());
+  const Weights first = table.row(0);
+  const auto heaviest = std::max_element(first.begin(), first.end()) - first.begin();
+  SurfacePoint start = points[heaviest]->point();
+  for (int i = 0; i < samples.count(); ++i) {
+    const CenterOfMass center = findCenter(fields, table.row(i), start, method);
+    samples[i] = {table.t[i], center.point, center.status};
+    if (center.status == Status::kConverged) start = center.point;
+  }
+  return samples;
+}
+
+JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples) {
+  JoinedPath path;
+  LocalPathWorkspace workspace;
+  path.points.push_back(samples.front().point);
+  path.sample.push_back(0);
+  for (int i = 1; i < samples.count(); ++i) {
+    const SurfacePoint& from = samples[i - 1].point;
+    const SurfacePoint& to = samples[i].point;
+    const Geometry& geometry = surface.geometry();
+    if (!appendLocalPath(geometry, from, to, workspace, path.points, path.length)) {
+      const ShortestPath shortest = shortestPath(geometry, from, to);
+      path.points.insert(path.points.end(), shortest.points.begin() + 1, shortest.points.end());
+      path.length += shortest.length;
+    }
+    path.sample.resize(path.points.size(), i);
+  }
+  return path;
+}
+
+}  // namespace karcher

@@ -1,0 +1,350 @@
+#include "distance/exact_distance.h"
+
+#include <algorithm>
+
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// Width of the queue's buckets in mean edges: wide enough that many windows cross a face together,
+/// narrow enough that few are carried on that a later one beats.
+constexpr double kBucketWidth = 0.5;
+
+/// How much wider than its wedge a vertex sends out windows, radians: the rounding of directions.
+constexpr double kWedgeMargin = 1e-9;
+
+/// A line that misses its window by this part of the edge still counts as seen through it.
+constexpr double kSeenTolerance = 1e-10;
+
+/// Paths with a slight bend, at the end of a window, are counted longer by this part: so that the
+/// straight path wins, whose direction is exact.
+constexpr double kBentPenalty = 1e-12;
+
+/// An arrival must be better by this part to count: not by rounding alone.
+constexpr double kImprovement = 1e-14;
+
+/// Shortest paths turn round vertices with more angle than this.
+bool spreadsPaths(const Geometry& geometry, int vertex) {
+  const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
+  return geometry.totalAngle[vertex] > flat + kWedgeMargin;
+}
+
+}  // namespace
+
+ExactDistance::ExactDistance(const Geometry& geometry)
+    : geometry_(geometry),
+      mesh_(*geometry.mesh),
+      vertices_(mesh_.vertexCount()),
+      faces_(mesh_.faceCount()),
+      queue_(kBucketWidth * geometry.meanEdge) {}
+
+void ExactDistance::setSource(const SurfacePoint& source) {
+  vertices_.clear();
+  faces_.clear();
+  touched_.clear();
+  queue_.clear();
+  pool_.clear();
+  targetFaces_[0] = targetFaces_[1] = -1;
+  target_ = {};
+  source_ = source;
+  const PointLocation location = locate(mesh_, source);
+  if (location.simplex == Simplex::kVertex) {
+    VertexRecord& record = vertices_.touch(location.vertex);
+    record.arrival.distance = 0;
+    touched_.push_back(location.vertex);
+    leaveVertex(location.vertex);
+    return;
+  }
+  leaveSourceFace(source.face, source, location.halfedge);
+  if (location.simplex == Simplex::kEdge) {
+    const int t = mesh_.twin[location.halfedge];
+    if (t >= 0) leaveSourceFace(faceOf(t), inFace(mesh_, source, faceOf(t)), t);
+  }
+}
+
+void ExactDistance::grow(double radius) {
+  int item = 0;
+  while (queue_.pop(radius, item)) {
+    if (item >= 0) {
+      if (waitingAt(item).bucket == queue_.current()) carryAcross(item);
+      continue;
+    }
+    VertexRecord& record = vertices_.touch(~item);
+    if (record.bucket == queue_.current()) {
+      record.bucket = kNotQueued;
+      leaveVertex(~item);
+    }
+  }
+}
+
+double ExactDistance::direction(int vertex) const {
+  const VertexRecord& record = *vertices_.find(vertex);
+  if (record.via < 0) return 0;
+  const Vec2 apex = oppositeOverHalfedge(geometry_, record.via);
+  const Vec2 toTail = -apex;
+  const Vec2 toCrossing = Vec2(record.crossing, 0) - apex;
+  const double angle = geometry_.cumulatedAngle[previous(record.via)] +
+                       std::atan2(cross(toTail, toCrossing), toTail.dot(toCrossing));
+  const double total = geometry_.totalAngle[vertex];
+  if (mesh_.onBoundary[vertex]) return std::clamp(angle, 0.0, total);
+  return angle < 0 ? angle + total : angle >= total ? angle - total : angle;
+}
+
+/// From a point of a face to its corners, and through its edges but the one the point lies on.
+void ExactDistance::leaveSourceFace(int face, const SurfacePoint& source, int ownEdge) {
+  for (int k = 0; k < 3; ++k) {
+    const int h = 3 * face + k;
+    const double length = geometry_.edgeLength[h];
+    const Vec2 apex = oppositeOverHalfedge(geometry_, h);
+    const double height = source.bary[cornerOf(previous(h))];
+    const Vec2 point = Vec2(source.bary[cornerOf(next(h))] * length, 0) + height * apex;
+    const int vertex = mesh_.opposite(h);
+    const double crossing = apex.x() + (point.x() - apex.x()) / (1 - height);
+    arrive(vertex, vertices_.touch(vertex), {(apex - point).norm(), 0, -1}, h, crossing);
+    const int t = mesh_.twin[h];
+    if (t >= 0 && h != ownEdge) addWindow(t, {0, length, length - point.x(), point.y()});
+  }
+}
+
+/// Sends out windows from a vertex: all around from the source, else into the wedge behind it.
+void ExactDistance::leaveVertex(int vertex) {
+  const double total = geometry_.totalAngle[vertex];
+  const bool isSource = vertices_.touch(vertex).via < 0;
+  const double back = isSource ? 0 : direction(vertex);
+  const double ahead = back + kPi - kWedgeMargin;
+  const double width = total - 2 * kPi + 2 * kWedgeMargin;
+  int h = mesh_.outgoing[vertex];
+  do {
+    const double right = geometry_.cumulatedAngle[h];
+    if (isSource) {
+      leaveThroughCorner(vertex, h, 0, geometry_.cornerAngle[h]);
+    } else if (mesh_.onBoundary[vertex]) {
+      leaveThroughCorner(vertex, h, ahead - right, kInfinity);
+      leaveThroughCorner(vertex, h, -kInfinity, back - kPi + kWedgeMargin - right);
+    } else {
+      leaveThroughCorner(vertex, h, ahead - right, ahead + width - right);
+      leaveThroughCorner(vertex, h, ahead - right - total, ahead + width - right - total);
+    }
+    h = rotateLeft(mesh_, h);
+  } while (h >= 0 && h != mesh_.outgoing[vertex]);
+}
+
+/// The part of a vertex's wedge in the corner of half-edge h; angles are measured from h.
+void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
+  const double angle = geometry_.cornerAngle[h];
+  if (!(from <= angle && to >= 0)) return;
+  const double distance = vertices_.touch(vertex).arrival.distance;
+  const auto arriveAlong = [&](int neighbour, double edge, int via, double crossing) {
+    arrive(neighbour, vertices_.touch(neighbour), {distance + edge, distance, vertex}, via,
+           crossing);
+  };
+  if (from <= 0) {
+    const int via = previous(h);
+    arriveAlong(mesh_.head(h), geometry_.edgeLength[h], via, geometry_.edgeLength[via]);
+  }
+  if (to >= angle) arriveAlong(mesh_.opposite(h), geometry_.edgeLength[previous(h)], h, 0);
+  if (isTargetFace(faceOf(h))) {
+    const Vec2 toVertex = -targetOver(h);
+    arriveAtTarget(h, {distance + toVertex.norm(), distance, vertex}, toVertex);
+  }
+
+  const int edge = next(h);
+  const int t = mesh_.twin[edge];
+  if (t < 0) return;
+  const double length = geometry_.edgeLength[edge];
+  const Vec2 position = oppositeOverHalfedge(geometry_, edge);
+  const double foot = std::atan2(position.x(), position.y());
+  const auto hit = [&](double a) { return position.x() + position.y() * std::tan(a - foot); };
+  Window window;
+  window.begin = to < angle ? length - hit(to) : 0;
+  window.end = from > 0 ? length - hit(from) : length;
+  window.sourceX = length - position.x();
+  window.depth = position.y();
+  window.offset = distance;
+  window.pseudoSource = vertex;
+  window.begin = std::max(window.begin, 0.0);
+  window.end = std::min(window.end, length);
+  const VertexRecord& tail = vertices_.touch(mesh_.tail(t));
+  const VertexRecord& head = vertices_.touch(mesh_.head(t));
+  if (trimByTail(window, tail.arrival.distance) &&
+      trimByHead(window, head.arrival.distance, length) && !isTooNarrow(window, length)) {
+    addWindow(t, window);
+  }
+}
+
+/// Carries the windows that wait at half-edge h across its face.
+void ExactDistance::carryAcross(int h) {
+  WaitingWindows& waiting = waitingAt(h);
+  int index = waiting.first;
+  waiting = {};
+  const int left = previous(h);
+  const int right = next(h);
+  const double length = geometry_.edgeLength[h];
+  const Vec2 apex = oppositeOverHalfedge(geometry_, h);
+  const int apexVertex = mesh_.opposite(h);
+  const VertexRecord& tail = vertices_.touch(mesh_.tail(h));
+  const VertexRecord& head = vertices_.touch(mesh_.head(h));
+  VertexRecord& top = vertices_.touch(apexVertex);
+
+  // First the apex, so that all windows are held against its best distance.
+  batch_.clear();
+  for (int block; index >= 0; index = block) {
+    const WindowBlock& waitingBlock = pool_[index];
+    batch_.insert(batch_.end(), waitingBlock.windows, waitingBlock.windows + waitingBlock.count);
+    block = waitingBlock.next;
+    pool_.release(index);
+  }
+  const size_t most = batch_.size();
+  if (leftward_.size() < most) {
+    leftward_.resize(most);
+    rightward_.resize(most);
+  }
+  int leftCount = 0;
+  int rightCount = 0;
+  bool seen = false;
+  const double tolerance = kSeenTolerance * length;
+  for (const Window& window : batch_) {
+    const double crossing = window.sourceX + (apex.x() - window.sourceX) * window.depth /
+                                                 (window.depth + apex.y());
+    if (crossing >= window.begin - tolerance && crossing <= window.end + tolerance) {
+      seen = true;
+      const double leg = square(apex.x() - window.sourceX) + square(apex.y() + window.depth);
+      arrive(apexVertex, top,
+             {window.offset + std::sqrt(leg), window.offset, window.pseudoSource}, h, crossing);
+    }
+    leftward_[leftCount] = {window, crossing};
+    leftCount += crossing > window.begin;
+    rightward_[rightCount] = {window, crossing};
+    rightCount += crossing < window.end;
+  }
+  if (isTargetFace(faceOf(h))) {
+    for (const Window& window : batch_) arriveAtTargetThrough(h, window);
+  }
+  if (!seen) arriveBent(apexVertex, top, h, apex);
+
+  // The way to the right is the mirror image of the way to the left. Unit vectors are normalized
+  // here, since in a needle the apex is known to rounding of the long edges only.
+  const auto carry = [&](const Window& window, double crossing, const Vec2& along, double edge,
+                         double nearDistance, double farDistance) {
+    Window child = carriedToTailEdge(window, along, edge, crossing);
+    const bool beaten = !trimByTail(child, nearDistance) ||
+                        !trimByHead(child, top.arrival.distance, edge) ||
+                        isTooNarrow(child, edge) ||
+                        isBeatenFrom(child, farDistance, length * along.x(), length * along.y(),
+                                     child.begin);
+    if (beaten) child.end = child.begin;
+    return child;
+  };
+  const int leftTwin = mesh_.twin[left];
+  if (leftTwin >= 0) {
+    const double edge = geometry_.edgeLength[left];
+    const Vec2 along = apex.normalized();
+    for (int i = 0; i < leftCount; ++i) {
+      const Window child = carry(leftward_[i].window, leftward_[i].crossing, along, edge,
+                                 tail.arrival.distance, head.arrival.distance);
+      if (child.end > child.begin) addWindow(leftTwin, child);
+    }
+  }
+  const int rightTwin = mesh_.twin[right];
+  if (rightTwin >= 0) {
+    const double edge = geometry_.edgeLength[right];
+    const Vec2 along = Vec2(length - apex.x(), apex.y()).normalized();
+    for (int i = 0; i < rightCount; ++i) {
+      const Window child =
+          carry(mirrored(rightward_[i].window, length), length - rightward_[i].crossing, along, edge,
+                head.arrival.distance, tail.arrival.distance);
+      if (child.end > child.begin) addWindow(rightTwin, mirrored(child, edge));
+    }
+  }
+}
+
+/// Where no window of the batch sees the apex: the way with the slightest bend, as an upper bound,
+/// and as the path itself where rounding left a gap between two windows.
+void ExactDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex) {
+  const Window* nearest = nullptr;
+  double nearestMiss = kInfinity;
+  double bend = 0;
+  for (const Window& window : batch_) {
+    const double crossing = window.sourceX + (apex.x() - window.sourceX) * window.depth /
+                                                 (window.depth + apex.y());
+    const double end = std::min(std::max(crossing, window.begin), window.end);
+    if (std::abs(crossing - end) < nearestMiss) {
+      nearestMiss = std::abs(crossing - end);
+      nearest = &window;
+      bend = end;
+    }
+  }
+  const double length = distanceAt(*nearest, bend) + (apex - Vec2(bend, 0)).norm();
+  arrive(vertex, record, {length * (1 + kBentPenalty), nearest->offset, nearest->pseudoSource}, via,
+         bend);
+}
+
+void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via,
+                           double crossing) {
+  const double before = record.arrival.distance;
+  if (!(arrival.distance < before * (1 - kImprovement)) || before <= queue_.leastKey()) return;
+  if (before == kInfinity) touched_.push_back(vertex);
+  record.arrival = arrival;
+  record.crossing = crossing;
+  record.via = via;
+  if (!spreadsPaths(geometry_, vertex)) return;
+  const int bucket = queue_.bucketOf(arrival.distance);
+  if (bucket < record.bucket) {
+    record.bucket = bucket;
+    queue_.push(~vertex, bucket);
+  }
+}
+
+void ExactDistance::addWindow(int h, const Window& window) {
+  WaitingWindows& waiting = waitingAt(h);
+  const int bucket = queue_.bucketOf(leastDistance(window));
+  waiting.first = pool_.add(waiting.first, window);
+  if (bucket < waiting.bucket) {
+    waiting.bucket = bucket;
+    queue_.push(h, bucket);
+  }
+}
+
+void ExactDistance::setTarget(const SurfacePoint& target) {
+  const PointLocation location = locate(mesh_, target);
+  if (location.simplex == Simplex::kVertex) {
+    throw Error(ErrorCode::kBadArgument, "a target at a vertex: ask for the vertex's distance");
+  }
+  targetPoint_ = target;
+  target_ = {};
+  targetFaces_[0] = target.face;
+  const int t = location.simplex == Simplex::kEdge ? mesh_.twin[location.halfedge] : -1;
+  targetFaces_[1] = t >= 0 ? faceOf(t) : -1;
+}
+
+/// The target in the frame of half-edge h of one of its faces.
+Vec2 ExactDistance::targetOver(int h) const {
+  const SurfacePoint target = inFace(mesh_, targetPoint_, faceOf(h));
+  return Vec2(target.bary[cornerOf(next(h))] * geometry_.edgeLength[h], 0) +
+         target.bary[cornerOf(previous(h))] * oppositeOverHalfedge(geometry_, h);
+}
+
+/// Takes an arrival at the target along `toSource`, in the frame of half-edge h.
+void ExactDistance::arriveAtTarget(int h, const Arrival& arrival, const Vec2& toSource) {
+  if (!(arrival.distance < target_.arrival.distance * (1 - kImprovement))) return;
+  const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
+  target_ = {arrival, faceOf(h), rotate(along, toSource.normalized())};
+}
+
+void ExactDistance::arriveAtTargetThrough(int h, const Window& window) {
+  const Vec2 point = targetOver(h);
+  const Vec2 toSource = Vec2(window.sourceX, -window.depth) - point;
+  Arrival arrival{window.offset + toSource.norm(), window.offset, window.pseudoSource};
+  const double crossing = point.x() + toSource.x() * point.y() / (point.y() + window.depth);
+  const double nearest = std::clamp(crossing, window.begin, window.end);
+  if (std::abs(crossing - nearest) <= kSeenTolerance * geometry_.edgeLength[h]) {
+    arriveAtTarget(h, arrival, toSource);
+  } else {
+    const Vec2 toBend = Vec2(nearest, 0) - point;
+    arrival.distance = (distanceAt(window, nearest) + toBend.norm()) * (1 + kBentPenalty);
+    arriveAtTarget(h, arrival, toBend);
+  }
+}
+
+}  // namespace karcher

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "distance/bucket_queue.h"
+#include "distance/paged_array.h"
+#include "distance/window.h"
+#include "intrinsic/geometry.h"
+
+/// Exact geodesic distances from a point of the surface, by windows.
+///
+/// A window is an interval of an edge with the position of the source, or of a vertex that shortest
+/// paths turn round, unfolded into the plane of the face behind it: all points of the interval see
+/// that source in a straight line. Windows are carried across faces from the nearest outwards
+/// (J. Chen, Y. Han, "Shortest paths on a polyhedron", 1990). Those that a vertex of their face
+/// beats are cut down or dropped (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the
+/// discrete geodesic problem", 2009). All windows that wait at an edge are carried across its face
+/// at once, edges in the order of distance up to half a mean edge (after the triangle-oriented
+/// propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact discrete geodesic
+/// computation based on triangle-oriented wavefront propagation", 2016).
+///
+/// A vertex that shortest paths turn round sends windows only into the wedge that lies straight
+/// behind it, at least pi from the path that reached it on both sides.
+namespace karcher {
+
+/// Where a shortest path ends, and how it comes there.
+struct Arrival {
+  double distance = kInfinity;
+  double pseudoSourceDistance = 0;  ///< distance of the last vertex that the path turns round
+  int pseudoSource = -1;            ///< that vertex, or -1: straight from the source
+};
+
+class ExactDistance {
+ public:
+  /// The geometry must outlive the solver.
+  explicit ExactDistance(const Geometry& geometry);
+
+  /// Starts anew from a point of a face, an edge or a vertex. Costs what was touched before.
+  void setSource(const SurfacePoint& source);
+  const SurfacePoint& source() const { return source_; }
+
+  /// Carries windows on until all vertices within `radius` (any number up to kInfinity) are final.
+  /// Goes on where it stopped before: the work, and so every value, is the same as in one go.
+  void grow(double radius);
+
+  /// Every vertex as near as this is final; kInfinity once the whole component is.
+  double reached() const { return queue_.empty() ? kInfinity : queue_.leastKey(); }
+
+  /// Final values depend on the source alone, not on where `grow` stopped: steps are taken in one
+  /// fixed order, and none changes a vertex nearer than its least key.
+  bool isFinal(int vertex) const { return distance(vertex) <= reached(); }
+
+  /// Length of the shortest path. Before it is final an upper bound; kInfinity where nothing
+  /// arrived.
+  double distance(int vertex) const {
+    const VertexRecord* record = vertices_.find(vertex);
+    return record == nullptr ? kInfinity : record->arrival.distance;
+  }
+
+  /// The path's last turn. Meaningless where nothing arrived.
+  const Arrival& arrival(int vertex) const { return vertices_.find(vertex)->arrival; }
+
+  /// Unscaled direction (geometry.h), in [0, total angle], in which the shortest path leaves the
+  /// vertex towards the source; 0 at the source itself. Meaningless where nothing arrived.
+  double direction(int vertex) const;
+
+  /// The vertices that something arrived at, in the order in which they were first touched.
+  const Array<int>& touched() const { return touched_; }
+
+  /// Also watches a point of a face or an edge: the distance to it, and how the path arrives. To be
+  /// called after `setSource` and before `grow`; the source must not lie in a face of the target.
+  /// Throws Error kBadArgument for a point at a vertex.
+  void setTarget(const SurfacePoint& target);
+
+  struct TargetArrival {
+    Arrival arrival;
+    int face = -1;                ///< the face through which the path arrives
+    Vec2 direction = Vec2(1, 0);  ///< unit, towards the source, in the frame of that face
+  };
+  /// Final once `arrival.distance` <= reached().
+  const TargetArrival& targetArrival() const { return target_; }
+
+ private:
+  static constexpr int kNotQueued = std::numeric_limits<int>::max();
+
+  struct VertexRecord {
+    Arrival arrival;
+    /// The path arrives through the face of this half-edge, opposite to the vertex, and meets the
+    /// half-edge's line at `crossing` from its tail; -1 at the source.
+    double crossing = 0;
+    int via = -1;
+    int bucket = kNotQueued;  ///< where the vertex waits to send out windows of its own
+  };
+  /// The windows that wait at a half-edge to be carried across its face.
+  struct WaitingWindows {
+    int first = -1;
+    int bucket = kNotQueued;
+  };
+  struct FaceRecord {
+    WaitingWindows waiting[3];
+  };
+
+  WaitingWindows& waitingAt(int h) { return faces_.touch(faceOf(h)).waiting[cornerOf(h)]; }
+
+  void leaveSourceFace(int face, const SurfacePoint& source, int ownEdge);
+  void leaveVertex(int vertex);
+  void leaveThroughCorner(int vertex, int h, double from, double to);
+  void carryAcross(int h);
+  void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex);
+  void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
+  void addWindow(int h, const Window& window);
+  bool isTargetFace(int f) const { return f == targetFaces_[0] || f == targetFaces_[1]; }
+  Vec2 targetOver(int h) const;
+  void arriveAtTarget(int h, const Arrival& arrival, const Vec2& toSource);
+  void arriveAtTargetThrough(int h, const Window& window);
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  SurfacePoint source_;
+  PagedArray<VertexRecord, 7> vertices_;
+  PagedArray<FaceRecord, 7> faces_;
+  Array<int> touched_;
+  BucketQueue queue_;
+  WindowPool pool_;
+  Array<Window> batch_;
+  struct AimedWindow {
+    Window window;
+    double crossing = 0;  ///< of the line from its source to the apex with the half-edge
+  };
+  Array<AimedWindow> leftward_;
+  Array<AimedWindow> rightward_;
+  SurfacePoint targetPoint_;
+  int targetFaces_[2] = {-1, -1};
+  TargetArrival target_;
+};
+
+}  // namespace karcher

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <algorithm>
+
+#include "mesh/types.h"
+
+/// Windows on half-edges: see exact_distance.h. In the frame of a half-edge its tail is the origin,
+/// its head lies on the positive x axis, its face above the axis and the window's source below.
+namespace karcher {
+
+struct Window {
+  double begin = 0;    ///< of the interval, from the half-edge's tail
+  double end = 0;
+  double sourceX = 0;  ///< the source lies at (sourceX, -depth)
+  double depth = 0;
+  double offset = 0;   ///< distance of the source itself, if it is a vertex that paths turn round
+  int pseudoSource = -1;  ///< that vertex, or -1
+};
+
+/// A window, or what is left of it, narrower than this part of its edge is dropped. What lies
+/// behind it is found from its neighbours, with an error of second order in this number.
+inline constexpr double kNarrowestWindow = 1e-11;
+
+/// A way beats another only if it is shorter by this part of its whole length, which is more than
+/// rounding makes of equal ways.
+inline constexpr double kBeats = 1e-12;
+
+inline double square(double x) { return x * x; }
+
+/// Distance from the window's source to the point at x, without the offset, squared.
+inline double squaredLegTo(const Window& w, double x) {
+  return square(x - w.sourceX) + square(w.depth);
+}
+
+/// Distance of the point at x, through the window.
+inline double distanceAt(const Window& w, double x) {
+  return w.offset + std::sqrt(squaredLegTo(w, x));
+}
+
+/// Least distance over the window.
+inline double leastDistance(const Window& w) {
+  return distanceAt(w, std::min(std::max(w.sourceX, w.begin), w.end));
+}
+
+/// The same window seen with head and tail exchanged; `length` is the half-edge's.
+inline Window mirrored(const Window& w, double length) {
+  Window m = w;
+  m.begin = length - w.end;
+  m.end = length - w.begin;
+  m.sourceX = length - w.sourceX;
+  return m;
+}
+
+/// Cuts off what the way over the half-edge's tail and along the edge beats: the interval up to
+/// where both are equal. Returns false if nothing is left.
+inline bool trimByTail(Window& w, double tailDistance) {
+  const double lead = tailDistance * (1 + kBeats) - w.offset;
+  const double leg = square(w.sourceX) + square(w.depth);
+  if (lead >= 0 && square(lead) >= leg) return true;
+  // |x - source| = lead + x, and the difference falls with x. Where that is badly conditioned the
+  // two ways are almost equal for long, so x may be far off but not the lengths at x.
+  const double slope = 2 * (lead + w.sourceX);
+  if (!(slope > 0)) return false;
+  w.begin = std::max(w.begin, (leg - square(lead)) / slope);
+  return w.begin < w.end;
+}
+
+/// The same over the head.
+inline bool trimByHead(Window& w, double headDistance, double length) {
+  const double lead = headDistance * (1 + kBeats) - w.offset;
+  const double toSource = length - w.sourceX;
+  const double leg = square(toSource) + square(w.depth);
+  if (lead >= 0 && square(lead) >= leg) return true;
+  const double slope = 2 * (lead + toSource);
+  if (!(slope > 0)) return false;
+  w.end = std::min(w.end, length - (leg - square(lead)) / slope);
+  return w.begin < w.end;
+}
+
+inline bool isTooNarrow(const Window& w, double length) {
+  return !(w.end - w.begin > kNarrowestWindow * length);
+}
+
+/// A window carried across its face to the edge that leaves the tail along the unit vector
+/// `along`, in the frame of that edge, tail kept. `apexCrossing` is where the line from the source
+/// to the face's apex crosses the half-edge; `length` is that of the new edge.
+inline Window carriedToTailEdge(const Window& w, const Vec2& along, double length,
+                                double apexCrossing) {
+  const auto hit = [&](double x) {
+    const double across = along.x() * w.depth - along.y() * (x - w.sourceX);
+    return across > 0 ? std::min(x * w.depth / across, length) : length;
+  };
+  Window c = w;
+  c.begin = w.begin > 0 ? hit(w.begin) : 0;
+  c.end = w.end < apexCrossing ? hit(w.end) : length;
+  c.sourceX = w.sourceX * along.x() - w.depth * along.y();
+  c.depth = std::max(0.0, w.sourceX * along.y() + w.depth * along.x());
+  return c;
+}
+
+/// True if a vertex behind the window at (x, -depth) and at distance `vertexDistance` beats all of
+/// it. Every line from the window's source through it must cross the segment from the vertex to the
+/// end of the window at `farEnd`.
+inline bool isBeatenFrom(const Window& w, double vertexDistance, double x, double depth,
+                         double farEnd) {
+  const double lead = vertexDistance * (1 + kBeats) - w.offset;
+  return lead + std::sqrt(square(farEnd - x) + square(depth)) <
+         std::sqrt(squaredLegTo(w, farEnd));
+}
+
+/// Some of the windows that wait at a half-edge, and the block that holds more of them.
+struct WindowBlock {
+  static constexpr int kCapacity = 8;
+  Window windows[kCapacity];
+  int count = 0;
+  int next = -1;
+};
+
+/// Memory for waiting windows; freed blocks are used again.
+class WindowPool {
+ public:
+  WindowBlock& operator[](int block) { return blocks_[block]; }
+
+  /// Puts a window before the list of blocks that starts with `first`; returns the new start.
+  int add(int first, const Window& window) {
+    if (first < 0 || blocks_[first].count == WindowBlock::kCapacity) {
+      const int block = takeBlock();
+      blocks_[block].next = first;
+      first = block;
+    }
+    WindowBlock& block = blocks_[first];
+    block.windows[block.count++] = window;
+    return first;
+  }
+
+  void release(int block) {
+    blocks_[block].next = free_;
+    free_ = block;
+  }
+
+  void clear() {
+    blocks_.clear();
+    free_ = -1;
+  }
+
+ private:
+  int takeBlock() {
+    if (free_ < 0) {
+      blocks_.emplace_back();
+      return blocks_.count() - 1;
+    }
+    const int block = free_;
+    free_ = blocks_[block].next;
+    blocks_[block].count = 0;
+    return block;
+  }
+
+  Array<WindowBlock> blocks_;
+  int free_ = -1;
+};
+
+}  // namespace karcher

@@ -1,0 +1,130 @@
+#include "rcm/mean.h"
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+constexpr double kSumTolerance = 1e-9;
+
+void checkWeights(Array<double>& weights, int points, bool normalize) {
+  if (points == 0) {
+    throw Error(ErrorCode::kTooFewPoints, "a center of mass needs at least one point");
+  }
+  if (weights.count() != points) {
+    throw Error(ErrorCode::kBadWeights, "there are " + std::to_string(points) + " points but " +
+                                            std::to_string(weights.count()) + " weights");
+  }
+  double sum = 0;
+  for (int i = 0; i < points; ++i) {
+    if (!std::isfinite(weights[i])) {
+      throw Error(ErrorCode::kNotFinite, "weight " + std::to_string(i) + " is not a finite number");
+    }
+    sum += weights[i];
+  }
+  if (normalize) {
+    if (!(sum > 0) || !std::isfinite(sum)) {
+      throw Error(ErrorCode::kBadWeights,
+                  "the weights cannot be normalised: their sum must be "
+                  "positive");
+    }
+    for (double& weight : weights) weight /= sum;
+    return;
+  }
+  if (std::abs(sum - 1) > kSumTolerance) {
+    std::ostringstream message;
+    message.precision(12);
+    message << "the weights sum to " << sum << "; they must sum to 1 within 1e-9";
+    throw Error(ErrorCode::kBadWeights, message.str());
+  }
+}
+
+int heaviest(const Array<double>& weights) {
+  return static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+}
+
+Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOfMass& center) {
+  return {center.point, center.status, center.iterations, fields.energy(center.point, weights),
+          false};
+}
+
+/// Whether a is the better answer: converged before not, then the lower energy.
+bool better(const Mean& a, const Mean& b) {
+  const bool aConverged = a.status == Status::kConverged;
+  const bool bConverged = b.status == Status::kConverged;
+  return aConverged != bConverged ? aConverged : a.energy < b.energy;
+}
+
+Mean lowestMinimum(FieldBlend& fields, const Array<double>& weights,
+                   const Array<SurfacePoint>& starts) {
+  const Geometry& geometry = fields.geometry();
+  Array<Mean> minima;
+  for (const SurfacePoint& start : starts) {
+    minima.push_back(withEnergy(fields, weights, walkToCenter(fields, weights, start)));
+  }
+  Mean best = *std::min_element(minima.begin(), minima.end(), better);
+  const Vec3 where = position(*geometry.mesh, best.point);
+  for (const Mean& other : minima) {
+    if (other.status != Status::kConverged) continue;
+    const Vec3 there = position(*geometry.mesh, other.point);
+    if ((there - where).norm() > 1e-6 * geometry.diagonal) best.otherMinima = true;
+  }
+  return best;
+}
+
+}  // namespace
+
+Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
+                  const MeanOptions& options) {
+  checkFieldOptions(options.field);
+  checkWeights(weights, points.count(), options.normalize);
+  Array<SurfacePoint> connected = points;
+  if (options.start) connected.push_back(*options.start);
+  checkOneComponent(surface, connected);
+
+  Array<std::unique_ptr<PointField>> owners;
+  Array<ControlField*> pointers;
+  for (const SurfacePoint& point : points) {
+    owners.push_back(std::make_unique<PointField>(surface, options.field));
+    owners.back()->setPoint(point);
+    pointers.push_back(&owners.back()->field());
+  }
+  FieldBlend fields(surface.geometry(), std::move(pointers));
+  if (options.field.method == Method::kPaper) {
+    const SurfacePoint start = options.start ? *options.start : points[heaviest(weights)];
+    return withEnergy(fields, weights, newtonCenter(fields, weights, start));
+  }
+  return lowestMinimum(fields, weights,
+                       options.start ? Array<SurfacePoint>{*options.start} : points);
+}
+
+Mean centerOfMassOfDistances(Surface& surface, const Array<Array<double>>& distances,
+                             Array<double> weights, const MeanOptions& options) {
+  checkWeights(weights, distances.count(), options.normalize);
+  Array<ControlField> owners;
+  owners.reserve(distances.size());
+  Array<ControlField*> pointers;
+  for (const Array<double>& field : distances) {
+    owners.push_back(fieldFromDistances(surface, field));
+    pointers.push_back(&owners.back());
+  }
+  FieldBlend fields(surface.geometry(), std::move(pointers));
+  SurfacePoint start;
+  if (options.start) {
+    start = *options.start;
+  } else {
+    const Array<double>& nearest = distances[heaviest(weights)];
+    start = vertexPoint(
+        surface.mesh(),
+        static_cast<int>(std::min_element(nearest.begin(), nearest.end()) - nearest.begin()));
+  }
+  return withEnergy(fields, weights, newtonCenter(fields, weights, start));
+}
+
+}  // namespace karcher

@@ -1,0 +1,44 @@
+#include "rcm/surface.h"
+
+#include <string>
+#include <utility>
+
+#include "mesh/error.h"
+
+namespace karcher {
+
+Surface::Surface(TriangleMesh mesh) : mesh_(std::move(mesh)), geometry_(buildGeometry(mesh_)) {}
+
+int Surface::component(int vertex) {
+  if (components_.empty()) components_ = componentOfVertices(mesh_);
+  return components_[vertex];
+}
+
+const RingGraph& Surface::ringGraph(int rings) {
+  const auto found = ringGraphs_.find(rings);
+  if (found != ringGraphs_.end()) return found->second;
+  return ringGraphs_.emplace(rings, buildRingGraph(geometry_, rings)).first->second;
+}
+
+void Surface::takeRingGraph(int rings, RingGraph graph) {
+  ringGraphs_.insert_or_assign(rings, std::move(graph));
+}
+
+const GradientOperator& Surface::gradientOperator() {
+  if (!gradientOperator_) gradientOperator_ = buildGradientOperator(geometry_);
+  return *gradientOperator_;
+}
+
+void checkOneComponent(Surface& surface, const Array<SurfacePoint>& points) {
+  const auto componentOf = [&](int i) {
+    return surface.component(surface.mesh().corner(points[i].face, 0));
+  };
+  for (int i = 1; i < points.count(); ++i) {
+    if (componentOf(i) == componentOf(0)) continue;
+    throw Error(ErrorCode::kUnreachable,
+                "points 0 and " + std::to_string(i) +
+                    " lie on different components of the mesh; no path joins them");
+  }
+}
+
+}  // namespace karcher

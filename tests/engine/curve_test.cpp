@@ -1,0 +1,199 @@
+#include "curves/curve.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "curves/bases.h"
+#include "mesh/error.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+constexpr FieldOptions kPaperExact{Method::kPaper, Solver::kExact, 6};
+
+void update(Curve& curve) {
+  curve.updateFields();
+  curve.trace();
+  curve.join();
+}
+
+Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& positions) {
+  Array<SurfacePoint> points;
+  for (const Vec3& p : positions) points.push_back(nearestPoint(mesh, p));
+  return points;
+}
+
+/// Control points close together on the bunny, where every search converges.
+Array<SurfacePoint> bunnyPoints(const TriangleMesh& mesh, int count) {
+  Array<SurfacePoint> points;
+  for (int i = 0; i < count; ++i) {
+    points.push_back(nearestPoint(mesh, Vec3(-3 + 1.1 * i, 7.5 + (i % 2), 4)));
+  }
+  return points;
+}
+
+ErrorCode codeOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "no error was thrown";
+  return ErrorCode::kBadFile;
+}
+
+void expectSameCurve(const Curve& a, const Curve& b, double tolerance, const TriangleMesh& mesh) {
+  ASSERT_EQ(a.segmentCount(), b.segmentCount());
+  for (int j = 0; j < a.segmentCount(); ++j) {
+    ASSERT_EQ(a.samples(j).count(), b.samples(j).count());
+    for (int i = 0; i < a.samples(j).count(); ++i) {
+      EXPECT_EQ(a.samples(j)[i].status, b.samples(j)[i].status);
+      const Vec3 pa = position(mesh, a.samples(j)[i].point);
+      const Vec3 pb = position(mesh, b.samples(j)[i].point);
+      EXPECT_LE((pa - pb).norm(), tolerance);
+    }
+    EXPECT_NEAR(a.path(j).length, b.path(j).length, 1e-6);
+  }
+}
+
+TEST(Curve, OnARegularGridIsTheBSplineOfThePlane) {
+  Surface surface(planeGrid(20, 14));
+  const Array<Vec3> positions{
+      {3.2, 3.1, 0}, {6.7, 9.3, 0}, {10.4, 4.6, 0}, {14.1, 9.8, 0}, {16.6, 5.5, 0}};
+  const Array<SurfacePoint> points = pointsNear(surface.mesh(), positions);
+  Curve curve(surface, {CurveKind::kBSpline, 33, kPaperExact}, points);
+  update(curve);
+  ASSERT_EQ(curve.segmentCount(), 2);
+  for (int j = 0; j < 2; ++j) {
+    for (const CurveSample& sample : curve.samples(j)) {
+      const Array<double> weights = uniformCubicBasis(sample.t);
+      Vec3 expected = Vec3::Zero();
+      for (int k = 0; k < 4; ++k) expected += weights[k] * positions[j + k];
+      EXPECT_EQ(sample.status, Status::kConverged);
+      // The rings of a regular grid are symmetric, so the paper's gradient is exact inside it.
+      EXPECT_LT((position(surface.mesh(), sample.point) - expected).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(Curve, BezierStartsAndEndsAtItsPoints) {
+  Surface surface(planeGrid(20, 14));
+  const Array<SurfacePoint> points =
+      pointsNear(surface.mesh(), {{3.2, 3.1, 0}, {6.7, 9.3, 0}, {15.4, 4.6, 0}});
+  Curve curve(surface, {CurveKind::kBezier, 20, kPaperExact}, points);
+  update(curve);
+  ASSERT_EQ(curve.segmentCount(), 1);
+  const Array<CurveSample>& samples = curve.samples(0);
+  EXPECT_LT((position(surface.mesh(), samples.front().point) - Vec3(3.2, 3.1, 0)).norm(), 1e-12);
+  EXPECT_LT((position(surface.mesh(), samples.back().point) - Vec3(15.4, 4.6, 0)).norm(), 1e-12);
+}
+
+TEST(Curve, ConsecutiveSegmentsMeet) {
+  Surface surface(bunnyMesh());
+  Curve curve(surface, {CurveKind::kBSpline, 40, kPaperExact}, bunnyPoints(surface.mesh(), 6));
+  update(curve);
+  for (int j = 1; j < curve.segmentCount(); ++j) {
+    const CurveSample& before = curve.samples(j - 1).back();
+    const CurveSample& after = curve.samples(j).front();
+    if (before.status != Status::kConverged || after.status != Status::kConverged) continue;
+    EXPECT_LT(
+        (position(surface.mesh(), before.point) - position(surface.mesh(), after.point)).norm(),
+        1e-9 * surface.geometry().diagonal);
+  }
+}
+
+TEST(Curve, IsJoinedOnTheSurface) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  Curve curve(surface, {CurveKind::kBSpline, 12, kPaperExact}, bunnyPoints(mesh, 5));
+  update(curve);
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    const JoinedPath& path = curve.path(j);
+    double length = 0;
+    for (int i = 1; i < path.points.count(); ++i) {
+      const SurfacePoint& to = path.points[i];
+      const SurfacePoint& from = path.points[i - 1];
+      // Either end's face may hold the piece.
+      EXPECT_NO_THROW({
+        try {
+          inFace(mesh, from, to.face);
+        } catch (const Error&) {
+          inFace(mesh, to, from.face);
+        }
+      });
+      length += (position(mesh, to) - position(mesh, from)).norm();
+    }
+    EXPECT_NEAR(length, path.length, 1e-9);
+    EXPECT_EQ(path.sample.back(), curve.samples(j).count() - 1);
+  }
+}
+
+TEST(Curve, AfterAnyEditsIsTheCurveTracedAnew) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  const uint64_t seed = 3;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  const CurveOptions options{CurveKind::kBSpline, 16, kPaperExact};
+  Curve curve(surface, options, bunnyPoints(mesh, 6));
+  update(curve);
+  const auto somewhere = [&] {
+    std::uniform_real_distribution<double> unit(0, 1);
+    return nearestPoint(mesh, Vec3(-3 + 6 * unit(random), 7 + 3 * unit(random), 4));
+  };
+  for (int edit = 0; edit < 12; ++edit) {
+    const int kind = static_cast<int>(random() % 4);
+    const int i = static_cast<int>(random() % static_cast<uint64_t>(curve.pointCount()));
+    if (kind == 0) curve.insertPoint(i, somewhere());
+    if (kind == 1 && curve.pointCount() > 4) curve.removePoint(i);
+    if (kind >= 2) curve.movePoint(i, somewhere());
+    if (edit % 3 != 0) update(curve);
+  }
+  update(curve);
+  Array<SurfacePoint> points;
+  for (int i = 0; i < curve.pointCount(); ++i) points.push_back(curve.point(i));
+  Curve anew(surface, options, points);
+  update(anew);
+  expectSameCurve(curve, anew, 1e-9 * surface.geometry().diagonal, mesh);
+}
+
+TEST(Curve, RefusesWhatIsNoCurveAndKeepsWhatItWas) {
+  Surface surface(planeGrid(10, 10));
+  const Array<SurfacePoint> points =
+      pointsNear(surface.mesh(), {{2, 2, 0}, {4, 6, 0}, {6, 3, 0}, {8, 7, 0}});
+  const CurveOptions options{CurveKind::kBSpline, 8, kPaperExact};
+  const Array<SurfacePoint> three(points.begin(), points.begin() + 3);
+  EXPECT_EQ(codeOf([&] { Curve(surface, options, three); }), ErrorCode::kTooFewPoints);
+  EXPECT_EQ(codeOf([&] {
+              Curve(surface, {CurveKind::kBSpline, 1, kPaperExact}, points);
+            }),
+            ErrorCode::kBadArgument);
+
+  Curve curve(surface, options, points);
+  update(curve);
+  EXPECT_EQ(codeOf([&] { curve.removePoint(0); }), ErrorCode::kTooFewPoints);
+  EXPECT_EQ(codeOf([&] { curve.movePoint(4, points[0]); }), ErrorCode::kBadIndex);
+  EXPECT_EQ(curve.pointCount(), 4);
+  EXPECT_EQ(curve.samples(0).count(), 8);
+}
+
+TEST(Curve, RefusesPointsOnSeveralComponents) {
+  const TriangleMesh one = planeGrid(3, 3);
+  Array<Vec3> positions = one.positions;
+  Array<Triangle> faces = one.faces;
+  for (const Vec3& p : one.positions) positions.push_back(p + Vec3(10, 0, 0));
+  for (const Triangle& f : one.faces) faces.push_back(f.array() + one.vertexCount());
+  Surface surface(buildMesh(positions, faces));
+  const Array<SurfacePoint> points =
+      pointsNear(surface.mesh(), {{1, 1, 0}, {2, 2, 0}, {11, 1, 0}, {12, 2, 0}});
+  EXPECT_EQ(codeOf([&] {
+              Curve(surface, {CurveKind::kBSpline, 8, kPaperExact}, points);
+            }),
+            ErrorCode::kUnreachable);
+}
+
+}  // namespace
+}  // namespace karcher

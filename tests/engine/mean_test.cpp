@@ -1,0 +1,78 @@
+#include "rcm/mean.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "mesh/error.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+constexpr MeanOptions kPaperExact{{Method::kPaper, Solver::kExact, 6}, std::nullopt, false};
+
+ErrorCode codeOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "no error was thrown";
+  return ErrorCode::kBadFile;
+}
+
+TEST(Mean, OnARegularGridIsTheAverageWithItsEnergy) {
+  Surface surface(planeGrid(12, 12));
+  const Array<SurfacePoint> points{nearestPoint(surface.mesh(), Vec3(3, 3.5, 0)),
+                                   nearestPoint(surface.mesh(), Vec3(9, 4, 0)),
+                                   nearestPoint(surface.mesh(), Vec3(5, 8.25, 0))};
+  const Mean mean = centerOfMass(surface, points, {0.25, 0.25, 0.5}, kPaperExact);
+  EXPECT_EQ(mean.status, Status::kConverged);
+  const Vec3 expected(5.5, 6, 0);
+  EXPECT_LT((position(surface.mesh(), mean.point) - expected).norm(), 1e-12);
+  EXPECT_GT(mean.iterations, 0);
+}
+
+TEST(Mean, TakesACallersOwnDistances) {
+  Surface surface(planeGrid(12, 12));
+  Array<Array<double>> distances;
+  for (const Vec3& p : {Vec3(3, 3.5, 0), Vec3(9, 4, 0)}) {
+    Array<double>& field = distances.emplace_back();
+    for (const Vec3& x : surface.mesh().positions) field.push_back((x - p).norm());
+  }
+  const Mean mean = centerOfMassOfDistances(surface, distances, {0.5, 0.5}, kPaperExact);
+  EXPECT_EQ(mean.status, Status::kConverged);
+  EXPECT_LT((position(surface.mesh(), mean.point) - Vec3(6, 3.75, 0)).norm(), 1e-12);
+
+  distances[1][5] = std::nan("");
+  EXPECT_EQ(codeOf([&] {
+              centerOfMassOfDistances(surface, distances, {0.5, 0.5}, kPaperExact);
+            }),
+            ErrorCode::kNotFinite);
+  distances[1].pop_back();
+  EXPECT_EQ(codeOf([&] {
+              centerOfMassOfDistances(surface, distances, {0.5, 0.5}, kPaperExact);
+            }),
+            ErrorCode::kBadArgument);
+}
+
+TEST(Mean, RefusesBadWeights) {
+  Surface surface(planeGrid(4, 4));
+  const Array<SurfacePoint> points{nearestPoint(surface.mesh(), Vec3(1, 1, 0)),
+                                   nearestPoint(surface.mesh(), Vec3(3, 1, 0))};
+  const auto mean = [&](const Array<double>& weights, bool normalize = false) {
+    MeanOptions options = kPaperExact;
+    options.normalize = normalize;
+    return centerOfMass(surface, points, weights, options);
+  };
+  EXPECT_EQ(codeOf([&] { mean({0.5, 0.4}); }), ErrorCode::kBadWeights);
+  EXPECT_EQ(codeOf([&] { mean({1}); }), ErrorCode::kBadWeights);
+  EXPECT_EQ(codeOf([&] { mean({std::nan(""), 1}); }), ErrorCode::kNotFinite);
+  EXPECT_EQ(codeOf([&] { mean({1, -1}, true); }), ErrorCode::kBadWeights);
+  EXPECT_EQ(codeOf([&] { centerOfMass(surface, {}, {}, kPaperExact); }), ErrorCode::kTooFewPoints);
+  EXPECT_EQ(mean({3, 1}, true).status, Status::kConverged);
+}
+
+}  // namespace
+}  // namespace karcher

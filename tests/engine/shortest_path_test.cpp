@@ -1,0 +1,154 @@
+#include "distance/shortest_path.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "intrinsic/strip_path.h"
+#include "mesh/error.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+/// Whether some face holds both points.
+bool shareFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  const PointLocation onA = locate(mesh, a);
+  const PointLocation onB = locate(mesh, b);
+  Array<int> faces{a.face};
+  if (onA.simplex == Simplex::kEdge && mesh.twin[onA.halfedge] >= 0) {
+    faces.push_back(faceOf(mesh.twin[onA.halfedge]));
+  }
+  if (onA.simplex == Simplex::kVertex) {
+    const int first = mesh.outgoing[onA.vertex];
+    for (int h = first; h >= 0; h = rotateLeft(mesh, h) == first ? -1 : rotateLeft(mesh, h)) {
+      faces.push_back(faceOf(h));
+    }
+  }
+  for (const int f : faces) {
+    if (liesInFace(mesh, onB, f)) return true;
+  }
+  return false;
+}
+
+/// Consecutive points must share a face, and the pieces add up to the length.
+void expectPathOnSurface(const TriangleMesh& mesh, const ShortestPath& path) {
+  double length = 0;
+  for (int i = 1; i < path.points.count(); ++i) {
+    const SurfacePoint& a = path.points[i - 1];
+    const SurfacePoint& b = path.points[i];
+    EXPECT_TRUE(shareFace(mesh, a, b)) << "points " << i - 1 << " and " << i;
+    length += (position(mesh, b) - position(mesh, a)).norm();
+  }
+  EXPECT_NEAR(length, path.length, 1e-9 * (1 + path.length));
+}
+
+TEST(ShortestPath, InThePlaneIsTheStraightLine) {
+  const TriangleMesh mesh = planeGrid(9, 7);
+  const Geometry geometry = buildGeometry(mesh);
+  const Array<Vec3> places{{0.3, 0.2, 0}, {8.4, 6.1, 0}, {4, 3, 0},
+                           {4.5, 3, 0},   {0, 7, 0},     {9, 2.5, 0}};
+  for (const Vec3& a : places) {
+    for (const Vec3& b : places) {
+      const ShortestPath path =
+          shortestPath(geometry, nearestPoint(mesh, a), nearestPoint(mesh, b));
+      EXPECT_NEAR(path.length, (b - a).norm(), 1e-12);
+      EXPECT_LT((position(mesh, path.points.front()) - a).norm(), 1e-12);
+      EXPECT_LT((position(mesh, path.points.back()) - b).norm(), 1e-12);
+      expectPathOnSurface(mesh, path);
+    }
+  }
+}
+
+TEST(ShortestPath, TurnsRoundTheCornerOfTheBoundary) {
+  // An L: the square [0, 4]^2 without its upper right quarter; the corner is at (2, 2).
+  const TriangleMesh square = planeGrid(4, 4);
+  Array<Triangle> faces;
+  for (const Triangle& f : square.faces) {
+    const Vec3 c = (square.positions[f[0]] + square.positions[f[1]] + square.positions[f[2]]) / 3;
+    if (c.x() < 2 || c.y() < 2) faces.push_back(f);
+  }
+  Array<Vec3> positions;
+  Array<int> number(square.positions.size(), -1);
+  for (Triangle& f : faces) {
+    for (int k = 0; k < 3; ++k) {
+      int& n = number[f[k]];
+      if (n < 0) {
+        n = positions.count();
+        positions.push_back(square.positions[f[k]]);
+      }
+      f[k] = n;
+    }
+  }
+  const TriangleMesh mesh = buildMesh(positions, faces);
+  const Geometry geometry = buildGeometry(mesh);
+  const Vec3 a(1.3, 3.6, 0);
+  const Vec3 b(3.7, 1.2, 0);
+  const ShortestPath path = shortestPath(geometry, nearestPoint(mesh, a), nearestPoint(mesh, b));
+  const Vec3 corner(2, 2, 0);
+  EXPECT_NEAR(path.length, (corner - a).norm() + (b - corner).norm(), 1e-12);
+  expectPathOnSurface(mesh, path);
+}
+
+TEST(ShortestPath, IsNoLongerThanLocallyShortestOnesOnTheBunny) {
+  // Lengths by geometry-central's edge flips, which find a locally shortest path.
+  struct Reference {
+    int from, to;
+    double length;
+  };
+  const Reference references[] = {
+      {1151, 624, 15.798146815529}, {1284, 1193, 6.386033321309}, {126, 1181, 6.036919989023},
+      {1199, 812, 5.308015668684},  {101, 452, 8.577243009890},   {95, 1140, 8.757386725514},
+      {1758, 272, 1.852184906428},  {593, 858, 9.594397991102},   {295, 1107, 7.868908988918},
+      {241, 1169, 8.507681017384},
+  };
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  for (const Reference& r : references) {
+    const ShortestPath path =
+        shortestPath(geometry, vertexPoint(mesh, r.from), vertexPoint(mesh, r.to));
+    EXPECT_LE(path.length, r.length * (1 + 1e-10));
+    EXPECT_GE(path.length, (mesh.positions[r.from] - mesh.positions[r.to]).norm());
+    expectPathOnSurface(mesh, path);
+  }
+}
+
+TEST(ShortestPath, IsTheSameBothWaysAndObeysTheTriangleInequality) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const uint64_t seed = 12;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  const auto somewhere = [&] {
+    const int face = static_cast<int>(random() % static_cast<uint64_t>(mesh.faceCount()));
+    return random() % 3 == 0 ? edgePoint(3 * face, 0.37) : SurfacePoint{face, {0.2, 0.5, 0.3}};
+  };
+  for (int i = 0; i < 12; ++i) {
+    const SurfacePoint a = somewhere();
+    const SurfacePoint b = somewhere();
+    const SurfacePoint c = somewhere();
+    const ShortestPath ab = shortestPath(geometry, a, b);
+    EXPECT_NEAR(ab.length, shortestPath(geometry, b, a).length, 1e-10 * ab.length);
+    EXPECT_LE(ab.length,
+              shortestPath(geometry, a, c).length + shortestPath(geometry, c, b).length + 1e-9);
+    expectPathOnSurface(mesh, ab);
+  }
+}
+
+TEST(ShortestPath, RefusesPointsOnSeveralComponents) {
+  const TriangleMesh one = planeGrid(3, 3);
+  Array<Vec3> positions = one.positions;
+  Array<Triangle> faces = one.faces;
+  for (const Vec3& p : one.positions) positions.push_back(p + Vec3(10, 0, 0));
+  for (const Triangle& f : one.faces) faces.push_back(f.array() + one.vertexCount());
+  const TriangleMesh mesh = buildMesh(positions, faces);
+  const Geometry geometry = buildGeometry(mesh);
+  const SurfacePoint a = nearestPoint(mesh, Vec3(1, 1, 0));
+  for (const Vec3& b : {Vec3(11, 1, 0), Vec3(11.3, 1.2, 0)}) {
+    EXPECT_THROW(shortestPath(geometry, a, nearestPoint(mesh, b)), Error);
+  }
+}
+
+}  // namespace
+}  // namespace karcher

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+
+#include "mesh/types.h"
+
+/// Smooth surfaces with their exponential and logarithmic maps: the truth that meshes of them are
+/// measured against. Points and tangent vectors are given in space.
+namespace karcher {
+
+struct SmoothSurface {
+  /// The point of the surface nearest to x.
+  std::function<Vec3(const Vec3& x)> project;
+  /// The unit normal at p.
+  std::function<Vec3(const Vec3& p)> normal;
+  /// The end of the geodesic that leaves p along v, of length |v|.
+  std::function<Vec3(const Vec3& p, const Vec3& v)> exp;
+  /// The tangent vector at p that leads to q along the shortest geodesic; q must not be so far away
+  /// that this is not unique.
+  std::function<Vec3(const Vec3& p, const Vec3& q)> log;
+};
+
+/// The sphere of radius 1 about the origin, in closed form.
+SmoothSurface smoothSphere();
+
+/// The torus about the z axis with radii `major` > `minor`: geodesics by the Runge-Kutta method of
+/// order 4, the logarithm by Newton's method on it; good to 1e-10 over lengths up to `minor`.
+SmoothSurface smoothTorus(double major, double minor);
+
+/// The center of mass of weighted points on a smooth surface, from a start near it: the fixed point
+/// of p <- exp_p(sum_i w_i log_p(p_i)), to a step of 1e-12. Throws std::runtime_error if 200 steps
+/// do not get there.
+Vec3 smoothCenter(const SmoothSurface& surface, const Array<Vec3>& points,
+                  const Array<double>& weights, const Vec3& start);
+
+}  // namespace karcher
