@@ -11,6 +11,7 @@ export interface EngineModule {
   allocatedBytes(): number;
   meshFromObj(bytes: Uint8Array): EngineMesh;
   meshFromArrays(positions: Float64Array, triangles: Int32Array): EngineMesh;
+  builtInShape(name: string, triangles: number): EngineMesh;
 }
 
 export interface EngineMesh {
@@ -18,6 +19,7 @@ export interface EngineMesh {
   info(): MeshInfo;
   positions(): Float64Array;
   triangles(): Int32Array;
+  subdivided(levels: number): EngineMesh;
   checkedPoint(point: Float64Array): Float64Array;
   vertexPoint(vertex: number): Float64Array;
   position(point: Float64Array): [number, number, number];

@@ -1,8 +1,11 @@
-import { checkLength, shown, toFloat64, toInt32 } from './check.js';
+import { checkInteger, checkLength, checkOneOf, shown, toFloat64, toInt32 } from './check.js';
 import { Engine } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import { Mesh } from './mesh.js';
+import type { Shape } from './types.js';
+
+const shapes: readonly Shape[] = ['sphere', 'torus', 'knot', 'genus3', 'openSheet'];
 
 /** A loaded engine: makes meshes. What it makes lives in its memory until `dispose`. */
 export class Karcher {
@@ -45,6 +48,16 @@ export class Karcher {
     const corners = toInt32(triangles, 'the triangles');
     checkLength(corners, 3, 'the triangles');
     return this.#mesh((engine) => engine.meshFromArrays(coordinates, corners));
+  }
+
+  /**
+   * A built-in shape of about that many triangles. Throws `KarcherError` badArgument for an unknown
+   * name or a number out of range.
+   */
+  shape(name: Shape, triangles = 20_000): Mesh {
+    checkOneOf(name, shapes, 'a shape');
+    checkInteger(triangles, 'the number of triangles');
+    return this.#mesh((engine) => engine.builtInShape(name, triangles));
   }
 
   /** Bytes in use in the engine's memory, for tests of what is given back. */

@@ -1,4 +1,4 @@
-import { checkNumber, toFloat64 } from './check.js';
+import { checkInteger, checkNumber, toFloat64 } from './check.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineMesh } from './karcher-engine.mjs';
@@ -13,6 +13,7 @@ import type { MeshInfo, PointLike, StraightestPath, SurfacePoint } from './types
  * NaN or infinity; badArgument for anything else out of range.
  */
 export class Mesh {
+  readonly #engine: Engine;
   readonly #handle: Handle<EngineMesh>;
 
   /** What the mesh consists of, and what was mended while it was read. */
@@ -20,6 +21,7 @@ export class Mesh {
 
   /** @internal `Karcher` makes meshes. */
   constructor(engine: Engine, target: EngineMesh) {
+    this.#engine = engine;
     this.#handle = new Handle(engine, 'the mesh', target);
     this.info = this.#handle.call((mesh) => mesh.info());
   }
@@ -35,6 +37,18 @@ export class Mesh {
   /** The vertices of each triangle, in the caller's order and numbers, as a new array. */
   triangles(): Int32Array {
     return this.#handle.call((mesh) => mesh.triangles());
+  }
+
+  /**
+   * The mesh refined by Loop subdivision: four triangles for each, `levels` times (1 to 6). The new
+   * mesh has a numbering of its own and is disposed of on its own.
+   */
+  subdivide(levels = 1): Mesh {
+    checkInteger(levels, 'the number of levels');
+    return new Mesh(
+      this.#engine,
+      this.#handle.call((mesh) => mesh.subdivided(levels)),
+    );
   }
 
   /**

@@ -4,6 +4,8 @@
 
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
+#include "mesh/loop_subdivision.h"
+#include "mesh/shapes.h"
 
 namespace karcher::bindings {
 
@@ -55,6 +57,20 @@ val MeshHandle::triangles() const {
   return toJs(result);
 }
 
+std::unique_ptr<MeshHandle> MeshHandle::subdivided(int levels) const {
+  constexpr int kMostLevels = 6;
+  if (levels < 1 || levels > kMostLevels) {
+    throw Error(ErrorCode::kBadArgument, "a mesh can be refined 1 to " +
+                                             std::to_string(kMostLevels) + " times at once, not " +
+                                             std::to_string(levels));
+  }
+  TriangleSoup soup = loopSubdivision(mesh_);
+  for (int level = 1; level < levels; ++level) {
+    soup = loopSubdivision(buildMesh(std::move(soup.positions), std::move(soup.triangles)));
+  }
+  return std::make_unique<MeshHandle>(importMesh(std::move(soup)));
+}
+
 val MeshHandle::checkedPoint(const val& point) const {
   return toJs(numbering_, pointFromJs(numbering_, mesh_, point));
 }
@@ -102,6 +118,14 @@ std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& tria
     soup.triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
   }
   return std::make_unique<MeshHandle>(importMesh(std::move(soup)));
+}
+
+std::unique_ptr<MeshHandle> builtInShape(const std::string& name, int triangles) {
+  for (const Shape shape : kShapes) {
+    if (name != shapeName(shape)) continue;
+    return std::make_unique<MeshHandle>(importMesh(makeShape(shape, triangles)));
+  }
+  throw Error(ErrorCode::kBadArgument, "there is no shape '" + name + "'");
 }
 
 }  // namespace karcher::bindings

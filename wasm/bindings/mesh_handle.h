@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "bindings/wire.h"
 #include "intrinsic/geometry.h"
@@ -20,6 +21,8 @@ class MeshHandle {
   val info() const;
   val positions() const;
   val triangles() const;
+  /// Refined by Loop subdivision, `levels` times.
+  std::unique_ptr<MeshHandle> subdivided(int levels) const;
 
   val checkedPoint(const val& point) const;
   val vertexPoint(int vertex) const;
@@ -39,5 +42,7 @@ class MeshHandle {
 std::unique_ptr<MeshHandle> meshFromObj(const val& bytes);
 /// `positions` is a Float64Array, `triangles` an Int32Array, each three numbers an item.
 std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles);
+/// A built-in shape, by its name in the JavaScript API.
+std::unique_ptr<MeshHandle> builtInShape(const std::string& name, int triangles);
 
 }  // namespace karcher::bindings

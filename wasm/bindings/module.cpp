@@ -25,10 +25,12 @@ EMSCRIPTEN_BINDINGS(karcher) {
   function("allocatedBytes", &allocatedBytes);
   function("meshFromObj", &Guarded<&meshFromObj>::call);
   function("meshFromArrays", &Guarded<&meshFromArrays>::call);
+  function("builtInShape", &Guarded<&builtInShape>::call);
   class_<MeshHandle>("Mesh")
       .function("info", &Guarded<&MeshHandle::info>::call)
       .function("positions", &Guarded<&MeshHandle::positions>::call)
       .function("triangles", &Guarded<&MeshHandle::triangles>::call)
+      .function("subdivided", &Guarded<&MeshHandle::subdivided>::call)
       .function("checkedPoint", &Guarded<&MeshHandle::checkedPoint>::call)
       .function("vertexPoint", &Guarded<&MeshHandle::vertexPoint>::call)
       .function("position", &Guarded<&MeshHandle::position>::call)
