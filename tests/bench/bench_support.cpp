@@ -1,0 +1,65 @@
+#include "bench_support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "mesh/mesh_import.h"
+
+namespace karcher {
+
+std::string readFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPath) {
+  ImportedMesh imported = importObj(readFile(objPath));
+  BenchMesh result;
+  if (!pointsPath.empty()) {
+    std::istringstream lines(readFile(pointsPath));
+    int face = 0;
+    double b1 = 0;
+    double b2 = 0;
+    while (lines >> face >> b1 >> b2) {
+      const int engineFace = imported.numbering.engineFace[face];
+      result.points.push_back(checkedPoint(imported.mesh, engineFace, {1 - b1 - b2, b1, b2}));
+    }
+  }
+  result.mesh = std::move(imported.mesh);
+  return result;
+}
+
+double quantile(Array<double> values, double rank) {
+  if (values.empty()) return std::nan("");
+  std::sort(values.begin(), values.end());
+  return values[static_cast<int>(rank * (values.count() - 1) + 0.5)];
+}
+
+double median(Array<double> values) { return quantile(std::move(values), 0.5); }
+
+double Random::uniform() {
+  uint64_t z = state_ += 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  z ^= z >> 31;
+  return static_cast<double>(z >> 11) * 0x1.0p-53;
+}
+
+SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
+  const int face = random.below(mesh.faceCount());
+  double b1 = random.uniform();
+  double b2 = random.uniform();
+  if (b1 + b2 > 1) {
+    b1 = 1 - b1;
+    b2 = 1 - b2;
+  }
+  return {face, {1 - b1 - b2, b1, b2}};
+}
+
+}  // namespace karcher

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "mesh/surface_point.h"
+#include "mesh/triangle_mesh.h"
+
+/// What the benchmarks and studies share.
+namespace karcher {
+
+/// The text of a file. Throws std::runtime_error if it cannot be read.
+std::string readFile(const std::string& path);
+
+/// The mesh of an OBJ file, and the points of a points file (`face b1 b2` a line) in the mesh's own
+/// numbering.
+struct BenchMesh {
+  TriangleMesh mesh;
+  Array<SurfacePoint> points;
+};
+BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPath);
+
+inline double milliseconds() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+/// Milliseconds that `work` takes, once.
+template <class Work>
+double timed(const Work& work) {
+  const double start = milliseconds();
+  work();
+  return milliseconds() - start;
+}
+
+double median(Array<double> values);
+/// The value below which the part `rank` (0 to 1) of the values lies.
+double quantile(Array<double> values, double rank);
+
+/// Random numbers that are the same with every compiler.
+class Random {
+ public:
+  explicit Random(uint64_t seed) : state_(seed) {}
+  /// Uniform in [0, 1). SplitMix64.
+  double uniform();
+  int below(int bound) { return static_cast<int>(uniform() * bound); }
+
+ private:
+  uint64_t state_;
+};
+
+SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random);
+
+}  // namespace karcher

@@ -1,0 +1,128 @@
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "bench_support.h"
+#include "curves/curve.h"
+#include "distance/edge_dijkstra.h"
+
+/// The timings of a mesh and a B-spline on it, as one JSON object: the native twin of
+/// `karcher bench MESH.obj --points FILE --samples N`. Medians of several runs.
+namespace karcher {
+namespace {
+
+constexpr int kRuns = 5;
+
+template <class Work>
+double medianTime(const Work& work) {
+  Array<double> times;
+  for (int i = 0; i < kRuns; ++i) times.push_back(timed(work));
+  return median(times);
+}
+
+/// The next corner of the point's face: a drag by about an edge.
+SurfacePoint neighbour(const SurfacePoint& p) {
+  const int heaviest =
+      p.bary[0] > p.bary[1] ? (p.bary[0] > p.bary[2] ? 0 : 2) : (p.bary[1] > p.bary[2] ? 1 : 2);
+  return edgePoint(3 * p.face + (heaviest + 1) % 3, 0);
+}
+
+struct CurveTimes {
+  double sampleUs = 0;
+  double dragMs = 0;
+  double joinMs = 0;
+  int samples = 0;
+  int lost = 0;
+};
+
+CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int samples,
+                     const FieldOptions& field) {
+  CurveTimes result;
+  Curve curve(surface, {CurveKind::kBSpline, samples, field}, points);
+  curve.updateFields();
+  curve.trace();
+  curve.join();
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    for (const CurveSample& sample : curve.samples(j)) {
+      ++result.samples;
+      result.lost += sample.status != Status::kConverged;
+    }
+  }
+  const int moved = curve.pointCount() / 2;
+  const SurfacePoint places[2] = {neighbour(curve.point(moved)), curve.point(moved)};
+  const int touched = std::min(4, curve.segmentCount());
+  Array<double> traces;
+  Array<double> drags;
+  Array<double> joins;
+  for (int i = 0; i < 2 * kRuns; ++i) {
+    double field_ms = 0;
+    curve.movePoint(moved, places[i % 2]);
+    field_ms = timed([&] { curve.updateFields(); });
+    traces.push_back(timed([&] { curve.trace(); }));
+    drags.push_back(field_ms + traces.back());
+    joins.push_back(timed([&] { curve.join(); }));
+  }
+  result.sampleUs = 1000 * median(traces) / (touched * samples);
+  result.dragMs = median(drags);
+  result.joinMs = median(joins);
+  return result;
+}
+
+double peakMemoryMB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void run(const std::string& meshPath, const std::string& pointsPath, int samples) {
+  BenchMesh input = loadBenchMesh(meshPath, pointsPath);
+  const int vertices = input.mesh.vertexCount();
+  const int triangles = input.mesh.faceCount();
+
+  std::unique_ptr<Surface> surface;
+  const double prepareMs = timed([&] {
+    surface = std::make_unique<Surface>(buildMesh(input.mesh.positions, input.mesh.faces));
+  });
+  const double calibration =
+      1e6 * medianTime([&] { edgeDijkstra(surface->geometry(), 0); }) / vertices;
+
+  const double graphMs = timed([&] { surface->ringGraph(6); });
+  surface->gradientOperator();
+  PointField exact(*surface, {Method::kPaper, Solver::kExact, 6});
+  PointField graph(*surface, {Method::kPaper, Solver::kGraph, 6});
+  const double fieldExactMs = timed([&] { exact.setPoint(input.points[0]); });
+  const double fieldGraphMs = medianTime([&] { graph.setPoint(input.points[0]); });
+  const Array<double> values(static_cast<size_t>(vertices), 1.0);
+  const double gradientMs = medianTime([&] { applyGradient(surface->gradientOperator(), values); });
+  const CurveTimes paper =
+      timeCurve(*surface, input.points, samples, {Method::kPaper, Solver::kGraph, 6});
+
+  std::printf(
+      "{\"mesh\":{\"vertices\":%d,\"triangles\":%d},\"prepareMs\":%.3f,"
+      "\"paper\":{\"graphMs\":%.1f,\"fieldGraphMs\":%.3f,\"fieldExactMs\":%.3f,"
+      "\"gradientMs\":%.3f,\"sampleUs\":%.4f,\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,"
+      "\"joinMs\":%.3f},\"calibrationNs\":%.1f,\"peakMemoryMB\":%.1f}\n",
+      vertices, triangles, prepareMs, graphMs, fieldGraphMs, fieldExactMs, gradientMs,
+      paper.sampleUs, paper.samples, paper.lost, paper.dragMs, paper.joinMs, calibration,
+      peakMemoryMB());
+}
+
+}  // namespace
+}  // namespace karcher
+
+int main(int argc, char** argv) {
+  const int samples = argc == 4 ? std::atoi(argv[3]) : 128;
+  if (argc < 3 || argc > 4 || samples < 2) {
+    std::fprintf(stderr, "usage: karcher_bench MESH.obj POINTS.txt [SAMPLES]\n");
+    return 1;
+  }
+  try {
+    karcher::run(argv[1], argv[2], samples);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,128 @@
+#include <cstdio>
+#include <string>
+
+#include "bench_support.h"
+#include "curves/segment.h"
+#include "distance/exact_distance.h"
+#include "distance/shortest_path.h"
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
+
+/// The center of mass of two points with weights 1 - w and w against the point at the fraction w of
+/// their exact shortest path, in mean edges: 50 random pairs, 5 to 20 % of the diagonal apart, 101
+/// values of w.
+///
+///   two_points_study [MESH.obj ...]
+namespace karcher {
+namespace {
+
+constexpr uint64_t kSeed = 42;
+constexpr int kPairs = 50;
+constexpr int kWeights = 101;
+
+struct Pair {
+  SurfacePoint from;
+  SurfacePoint to;
+  ShortestPath path;
+};
+
+/// The point of a path at a length from its start.
+Vec3 pointAtLength(const TriangleMesh& mesh, const ShortestPath& path, double length) {
+  Vec3 before = position(mesh, path.points.front());
+  for (const SurfacePoint& point : path.points) {
+    const Vec3 here = position(mesh, point);
+    const double step = (here - before).norm();
+    if (length <= step && step > 0) return before + length / step * (here - before);
+    length -= step;
+    before = here;
+  }
+  return before;
+}
+
+Array<Pair> choosePairs(const Geometry& geometry) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  Random random(kSeed);
+  Array<Pair> pairs;
+  ExactDistance distance(geometry);
+  while (pairs.count() < kPairs) {
+    const SurfacePoint from = randomPoint(mesh, random);
+    distance.setSource(from);
+    distance.grow(0.2 * geometry.diagonal);
+    for (int attempt = 0; attempt < 10'000; ++attempt) {
+      const SurfacePoint to = randomPoint(mesh, random);
+      const double d = distance.distance(mesh.corner(to.face, 0));
+      if (d < 0.05 * geometry.diagonal || d > 0.2 * geometry.diagonal) continue;
+      pairs.push_back({from, to, shortestPath(geometry, from, to)});
+      break;
+    }
+  }
+  return pairs;
+}
+
+struct Outcome {
+  Array<double> errors;
+  int lost = 0;
+};
+
+Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& options) {
+  const Geometry& geometry = surface.geometry();
+  Outcome outcome;
+  const WeightTable table = tabulate([](double t) { return Array<double>{1 - t, t}; }, kWeights);
+  PointField from(surface, options);
+  PointField to(surface, options);
+  for (const Pair& pair : pairs) {
+    from.setPoint(pair.from);
+    to.setPoint(pair.to);
+    const Array<CurveSample> samples = traceSegment(surface, {&from, &to}, table, options.method);
+    for (const CurveSample& sample : samples) {
+      if (sample.status != Status::kConverged) {
+        ++outcome.lost;
+        continue;
+      }
+      const Vec3 expected = pointAtLength(surface.mesh(), pair.path, sample.t * pair.path.length);
+      const Vec3 found = position(surface.mesh(), sample.point);
+      outcome.errors.push_back((found - expected).norm() / geometry.meanEdge);
+    }
+  }
+  return outcome;
+}
+
+void study(const std::string& name, TriangleMesh mesh) {
+  Surface surface(std::move(mesh));
+  const Array<Pair> pairs = choosePairs(surface.geometry());
+  struct Row {
+    const char* name;
+    FieldOptions options;
+  };
+  const Row rows[] = {
+      {"paper, exact", {Method::kPaper, Solver::kExact, 6}},
+      {"paper, graph", {Method::kPaper, Solver::kGraph, 6}},
+  };
+  for (const Row& row : rows) {
+    const Outcome outcome = measure(surface, pairs, row.options);
+    const int total = kPairs * kWeights;
+    std::printf("| %s | %d | %s | %.4f | %.4f | %.4f | %.2f %% |\n", name.c_str(),
+                surface.mesh().faceCount(), row.name, median(outcome.errors),
+                quantile(outcome.errors, 0.95), quantile(outcome.errors, 1),
+                100.0 * (total - outcome.lost) / total);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace karcher
+
+int main(int argc, char** argv) {
+  using namespace karcher;
+  try {
+    std::printf("Two points, %d pairs (seed %d), %d weights: error in mean edges\n\n", kPairs,
+                static_cast<int>(kSeed), kWeights);
+    std::printf("| mesh | triangles | fields | median | 95 %% | maximum | converged |\n");
+    std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
+    study("icosphere", importMesh(icosphere(32)).mesh);
+    for (int i = 1; i < argc; ++i) study(argv[i], loadBenchMesh(argv[i], "").mesh);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
