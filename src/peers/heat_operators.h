@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "peers/intrinsic_triangulation.h"
+#include "peers/sparse_factor.h"
+
+/// Short-time heat flow of scalars and of tangent vectors on a mesh, by one step of backward Euler,
+/// and the Poisson equation: what the vector heat and the affine heat method have in common.
+///
+/// N. Sharp, Y. Soliman, K. Crane, "The Vector Heat Method" (2019): cotangent and connection
+/// Laplacian (section 5), lumped mass, time t = (mean edge length)^2 (section 7.4).
+namespace karcher {
+
+struct HeatOptions {
+  double timeFactor = 1;  ///< t = timeFactor * (mean edge length)^2
+  bool delaunay = false;  ///< use the intrinsic Delaunay triangulation of the surface
+};
+
+/// An edge of the triangulation with what its entries in the operators are made of.
+struct HeatEdge {
+  int tail = 0;
+  int head = 0;
+  double weight = 0;  ///< half the sum of the cotangents opposite to it
+  Complex atTail;     ///< the edge as a vector from its tail, in the frame of the tail
+  Complex atHead;     ///< the way back, from its head, in the frame of the head
+};
+
+class HeatOperators {
+ public:
+  /// The geometry must outlive the operators. Throws Error kBadArgument if timeFactor is not
+  /// positive and finite.
+  explicit HeatOperators(const Geometry& geometry, const HeatOptions& options = {});
+
+  const Geometry& geometry() const { return *triangulation_.geometry; }
+  const IntrinsicTriangulation& triangulation() const { return triangulation_; }
+  int vertexCount() const { return triangulation_.vertexCount(); }
+  const Array<HeatEdge>& edges() const { return edges_; }
+  double time() const { return time_; }
+
+  /// The half-edges that leave a vertex in the triangulation: one a corner.
+  std::span<const int> halfedgesFrom(int vertex) const;
+
+  /// Mass + t Laplacian for functions, factorised when first asked for. These factors throw Error
+  /// kDegenerateFace where the matrix is singular.
+  const SparseFactor<double>& scalarHeat() const;
+  /// Mass + t connection Laplacian, for vectors in the vertices' frames.
+  const SparseFactor<Complex>& vectorHeat() const;
+  /// The Laplacian, with the first vertex of each component held at 0: right-hand sides must be 0
+  /// there.
+  const SparseFactor<double>& poisson() const;
+  const Array<int>& heldVertices() const { return heldVertices_; }
+
+ private:
+  void collectEdges();
+  void sumMass();
+  void groupHalfedges();
+  void chooseHeldVertices();
+  Eigen::SparseMatrix<double> scalarMatrix(double massFactor, double laplacianFactor) const;
+
+  IntrinsicTriangulation triangulation_;
+  Array<HeatEdge> edges_;
+  Array<double> mass_;  ///< per vertex, a third of the area around it
+  Array<int> firstHalfedge_;
+  Array<int> halfedges_;
+  Array<int> heldVertices_;
+  double time_ = 0;
+  mutable std::optional<SparseFactor<double>> scalarHeat_;
+  mutable std::optional<SparseFactor<Complex>> vectorHeat_;
+  mutable std::optional<SparseFactor<double>> poisson_;
+};
+
+/// Heat below this is lost to underflow: the vertex is too far away to tell a direction.
+inline constexpr double kLeastHeat = 1e-290;
+
+inline Vec2 toVec2(const Complex& z) { return {z.real(), z.imag()}; }
+inline Complex toComplex(const Vec2& v) { return {v.x(), v.y()}; }
+
+}  // namespace karcher

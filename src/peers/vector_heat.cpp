@@ -1,0 +1,133 @@
+#include "peers/vector_heat.h"
+
+namespace karcher {
+namespace {
+
+/// What the two hat functions at the far ends of a corner take up of the outward directions on a
+/// small circle in it: the integral over the corner of the hat's slope times the direction, in a
+/// plane with the corner's first side on the x axis.
+struct CornerBall {
+  Complex first;   ///< of the hat at the end of the first side
+  Complex second;  ///< of the hat at the end of the second side
+};
+
+CornerBall cornerBall(const IntrinsicTriangulation& triangulation, int h) {
+  const double angle = cornerAngle(triangulation, h);
+  const double area = doubleArea(triangulation, faceOf(h));
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  // Each hat rises from the other side to 1 at its own height over that side.
+  const double firstHeight = area / triangulation.length[previous(h)];
+  const double secondHeight = area / triangulation.length[h];
+  return {Complex(angle * sine, sine - angle * cosine) / (2 * firstHeight),
+          Complex(sine * sine, angle - sine * cosine) / (2 * secondHeight)};
+}
+
+void addOutwardBall(const HeatOperators& operators, int vertex, Columns<Complex, 2>& heat) {
+  const IntrinsicTriangulation& triangulation = operators.triangulation();
+  for (const int h : operators.halfedgesFrom(vertex)) {
+    const int last = previous(h);
+    const CornerBall ball = cornerBall(triangulation, h);
+    const Complex along = std::polar(1.0, std::arg(vectorAtTail(triangulation, h)));
+    // Each side's direction as it arrives at the side's other end.
+    const Complex arrivingFirst = -std::polar(1.0, std::arg(vectorAtHead(triangulation, h)));
+    const Complex arrivingSecond = -std::polar(1.0, std::arg(vectorAtTail(triangulation, last)));
+    const Complex secondSide = std::polar(1.0, cornerAngle(triangulation, h));
+    heat(triangulation.head(h), 0) += ball.first * arrivingFirst;
+    heat(triangulation.tail[last], 0) += ball.second / secondSide * arrivingSecond;
+    heat(vertex, 0) -= (ball.first + ball.second) * along;
+  }
+}
+
+Complex direction(const Complex& z) {
+  const double size = std::abs(z);
+  return size < kLeastHeat ? Complex(0) : z / size;
+}
+
+}  // namespace
+
+LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex) {
+  const int count = operators.vertexCount();
+  Columns<Complex, 2> heat = Columns<Complex, 2>::Zero(count, 2);
+  addOutwardBall(operators, vertex, heat);
+  heat(vertex, 1) = 1;
+  heat = operators.vectorHeat().solve<2>(heat);
+
+  for (int v = 0; v < count; ++v) heat(v, 0) = direction(heat(v, 0));
+  heat(vertex, 0) = 0;
+  Columns<double, 1> divergence = Columns<double, 1>::Zero(count);
+  for (const HeatEdge& edge : operators.edges()) {
+    const double rise = (toVec2(heat(edge.tail, 0)).dot(toVec2(edge.atTail)) -
+                         toVec2(heat(edge.head, 0)).dot(toVec2(edge.atHead))) /
+                        2;
+    divergence[edge.tail] -= edge.weight * rise;
+    divergence[edge.head] += edge.weight * rise;
+  }
+  for (const int v : operators.heldVertices()) divergence[v] = 0;
+  const Columns<double, 1> distance = operators.poisson().solve<1>(divergence);
+
+  LogMap logs(static_cast<size_t>(count), noLogarithm());
+  for (int v = 0; v < count; ++v) {
+    const Complex radial = heat(v, 0);
+    const Complex horizontal = direction(heat(v, 1));
+    if (radial == Complex(0) || horizontal == Complex(0)) continue;
+    logs[v] = (distance[v] - distance[vertex]) * toVec2(radial * std::conj(horizontal));
+  }
+  logs[vertex] = Vec2::Zero();
+  return logs;
+}
+
+Array<Vec2> vectorHeatTransport(const HeatOperators& operators,
+                                const Array<VertexVector>& sources) {
+  if (sources.empty()) throw Error(ErrorCode::kTooFewPoints, "there is no vector to transport");
+  const int count = operators.vertexCount();
+  Columns<Complex, 1> vectors = Columns<Complex, 1>::Zero(count);
+  Columns<double, 2> sizes = Columns<double, 2>::Zero(count, 2);
+  for (const VertexVector& source : sources) {
+    vectors[source.vertex] += toComplex(source.vector);
+    sizes(source.vertex, 0) += source.vector.norm();
+    sizes(source.vertex, 1) += 1;
+  }
+  vectors = operators.vectorHeat().solve<1>(vectors);
+  sizes = operators.scalarHeat().solve<2>(sizes);
+  Array<Vec2> result;
+  for (int v = 0; v < count; ++v) {
+    const double size = std::abs(sizes(v, 1)) < kLeastHeat ? 0 : sizes(v, 0) / sizes(v, 1);
+    result.push_back(size * toVec2(direction(vectors[v])));
+  }
+  return result;
+}
+
+Vec2 cornerRotation(const Geometry& geometry, const SurfacePoint& point, int k) {
+  const int h = 3 * point.face + k;
+  const PointLocation location = locate(*geometry.mesh, point);
+  double direction = geometry.cumulatedAngle[h];
+  Vec2 inFace = halfedgeInFace(geometry, h) / geometry.edgeLength[h];
+  const int last = previous(h);
+  if (location.simplex == Simplex::kEdge && location.halfedge == last) {
+    direction += geometry.cornerAngle[h];
+    inFace = -halfedgeInFace(geometry, last) / geometry.edgeLength[last];
+  }
+  const double scale = geometry.angleScale[geometry.mesh->tail(h)];
+  return rotateBack(unitVector(scale * direction), inFace);
+}
+
+LogMap logMapFromPoint(const Geometry& geometry, const LogMapFromVertex& fromVertex,
+                       const SurfacePoint& source) {
+  LogMap logs(geometry.mesh->positions.size(), Vec2::Zero());
+  for (int k = 0; k < 3; ++k) {
+    if (source.bary[k] == 0) continue;
+    const Vec2 rotation = source.bary[k] * cornerRotation(geometry, source, k);
+    const LogMap fromCorner = fromVertex(geometry.mesh->corner(source.face, k));
+    for (int v = 0; v < logs.count(); ++v) {
+      if (!fromCorner[v].allFinite() || !logs[v].allFinite()) {
+        logs[v] = noLogarithm();
+      } else {
+        logs[v] += rotate(rotation, fromCorner[v]);
+      }
+    }
+  }
+  return logs;
+}
+
+}  // namespace karcher

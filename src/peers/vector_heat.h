@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+
+#include "mesh/surface_point.h"
+#include "peers/heat_operators.h"
+
+/// The vector heat method: N. Sharp, Y. Soliman, K. Crane, "The Vector Heat Method", ACM
+/// Transactions on Graphics 38 (2019).
+///
+/// Vectors are transported along shortest paths by short-time heat flow with the connection
+/// Laplacian. From a vertex, heat that starts as all outward directions at once gives the direction
+/// in which shortest paths arrive (the radial field); heat that starts as one direction transports
+/// the vertex's own x axis. The angle between the two is the angle of the logarithm; its length is
+/// the potential whose gradient comes nearest to the radial field.
+namespace karcher {
+
+/// Per vertex its logarithm. Where there is none, on another component or so far away that the heat
+/// underflows (700 mean edges), it is (kInfinity, 0).
+using LogMap = Array<Vec2>;
+
+inline Vec2 noLogarithm() { return {kInfinity, 0}; }
+
+/// The log map from a vertex, in its own rescaled frame (section 8.2 of the paper; the start of the
+/// radial field as in its appendix A). Two solves with vectors and one with functions.
+LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex);
+
+/// A tangent vector at a vertex, in its frame.
+struct VertexVector {
+  int vertex = 0;
+  Vec2 vector = Vec2::Zero();
+};
+
+/// Parallel transport of vectors to all vertices, each along the shortest path from the nearest
+/// source (Algorithm 1 of the paper). Where no heat arrives the result is zero.
+/// Throws Error kTooFewPoints without sources.
+Array<Vec2> vectorHeatTransport(const HeatOperators& operators, const Array<VertexVector>& sources);
+
+/// A log map from each vertex, such as vectorHeatLogMap of some operators.
+using LogMapFromVertex = std::function<LogMap(int vertex)>;
+
+/// The rotation (a unit vector, see `rotate`) from the frame of corner k of a point's face into the
+/// frame of the face. It keeps the direction of the half-edge that leaves the corner, or for a
+/// point on an edge that of the edge, so that both faces at the edge agree. Since a vertex's frame
+/// is rescaled, other directions turn by a little more or less.
+Vec2 cornerRotation(const Geometry& geometry, const SurfacePoint& point, int k);
+
+/// The log map from any point, in the frame of its face: those from the face's corners, turned by
+/// cornerRotation and interpolated by the point's barycentric weights (as the authors' library
+/// does; the paper does not treat such sources). Corners of weight 0 cost nothing.
+LogMap logMapFromPoint(const Geometry& geometry, const LogMapFromVertex& fromVertex,
+                       const SurfacePoint& source);
+
+}  // namespace karcher

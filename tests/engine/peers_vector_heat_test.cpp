@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "generators/plane.h"
+#include "generators/sphere.h"
+#include "peers/vector_heat.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
+
+LogMap logMap(const HeatOperators& operators, const SurfacePoint& source) {
+  return logMapFromPoint(
+      operators.geometry(), [&](int v) { return vectorHeatLogMap(operators, v); }, source);
+}
+
+/// A vector in space, at a vertex of a flat mesh, in the vertex's frame.
+Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector) {
+  const int h = geometry.mesh->outgoing[vertex];
+  return rotateBack(geometry.vertexToFace[h], toFace(geometry, faceOf(h), vector));
+}
+
+TEST(VectorHeat, LogMapsAgreeWithAnIndependentLibrary) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  std::ifstream file(KARCHER_TEST_DATA "/bunny_vector_heat_logs.txt");
+  std::string line;
+  int sources = 0;
+  while (std::getline(file, line)) {
+    if (line[0] == '#') continue;
+    SCOPED_TRACE("source " + std::to_string(sources++));
+    std::istringstream words(line);
+    int face = 0;
+    Vec3 bary;
+    words >> face >> bary[0] >> bary[1] >> bary[2];
+    const LogMap logs = logMap(operators, checkedPoint(mesh, face, bary));
+    Array<Vec2> expected;
+    for (Vec2 log; words >> log[0] >> log[1];) expected.push_back(log);
+    ASSERT_EQ(expected.count(), (mesh.vertexCount() + 2) / 3);
+    // The library's frame at the source: the rotation that fits best.
+    Complex sum = 0;
+    for (int i = 0; i < expected.count(); ++i) {
+      sum += toComplex(expected[i]) * std::conj(toComplex(logs[3 * i]));
+    }
+    const Vec2 rotation = toVec2(sum / std::abs(sum));
+    for (int i = 0; i < expected.count(); ++i) {
+      // The file has 11 decimals of lengths up to 11.
+      EXPECT_LE((rotate(rotation, logs[3 * i]) - expected[i]).norm(), 1e-9 * expected[i].norm());
+    }
+  }
+  EXPECT_EQ(sources, 6);
+}
+
+TEST(VectorHeat, TransportOnThePlaneKeepsVectors) {
+  // Where the mesh is not Delaunay, heat may turn negative, and directions turn round with it.
+  const auto isDelaunayAnyway = [](PlaneTessellation tessellation) {
+    return tessellation == PlaneTessellation::kRandomDelaunay ||
+           tessellation == PlaneTessellation::kJitteredDelaunay ||
+           tessellation == PlaneTessellation::kRegularGrid;
+  };
+  for (const bool delaunay : {false, true}) {
+    for (const PlaneTessellation tessellation : kPlaneTessellations) {
+      if (!delaunay && !isDelaunayAnyway(tessellation)) continue;
+      SCOPED_TRACE(std::string(tessellationName(tessellation)) + (delaunay ? ", Delaunay" : ""));
+      const TriangleMesh mesh = meshOf(tessellatedPlane(tessellation, 500, 3));
+      const Geometry geometry = buildGeometry(mesh);
+      HeatOptions options;
+      options.delaunay = delaunay;
+      const HeatOperators operators(geometry, options);
+      const Vec3 vector(0.3, -1.7, 0);
+      const int source = mesh.vertexCount() / 2;
+      const Array<Vec2> field =
+          vectorHeatTransport(operators, {{source, inVertexFrame(geometry, source, vector)}});
+      for (int v = 0; v < mesh.vertexCount(); ++v) {
+        EXPECT_LT((field[v] - inVertexFrame(geometry, v, vector)).norm(), 1e-9);
+      }
+    }
+  }
+}
+
+/// A vector at a vertex as a vector in space: the mean of what it is in the faces around.
+Vec3 inSpace(const Geometry& geometry, int vertex, const Vec2& vector) {
+  Vec3 sum = Vec3::Zero();
+  int h = geometry.mesh->outgoing[vertex];
+  do {
+    sum += toSpace(geometry, faceOf(h), rotate(geometry.vertexToFace[h], vector));
+    h = rotateLeft(*geometry.mesh, h);
+  } while (h != geometry.mesh->outgoing[vertex]);
+  return vector.norm() * sum.normalized();
+}
+
+int vertexNear(const TriangleMesh& mesh, const Vec3& p) {
+  int best = 0;
+  for (int v = 1; v < mesh.vertexCount(); ++v) {
+    if ((mesh.positions[v] - p).norm() < (mesh.positions[best] - p).norm()) best = v;
+  }
+  return best;
+}
+
+TEST(VectorHeat, TransportOnTheSphereFollowsGreatCircles) {
+  const TriangleMesh mesh = meshOf(relaxedSphere(8000, 2));
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  const int source = vertexNear(mesh, Vec3(0, 0, 1));
+  const Vec2 vector(1.2, -0.4);
+  const Array<Vec2> field = vectorHeatTransport(operators, {{source, vector}});
+  const Vec3& from = mesh.positions[source];
+  const Vec3 start = inSpace(geometry, source, vector);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    EXPECT_NEAR(field[v].norm(), vector.norm(), 1e-12);
+    if (mesh.positions[v].dot(from) < -0.5) continue;  // towards the cut locus
+    const Vec3 expected =
+        Eigen::Quaterniond::FromTwoVectors(from, mesh.positions[v]).toRotationMatrix() * start;
+    EXPECT_LT((inSpace(geometry, v, field[v]) - expected).norm(), geometry.meanEdge);
+  }
+}
+
+TEST(VectorHeat, TransportTakesLengthsFromTheNearestSource) {
+  const TriangleMesh mesh = meshOf(relaxedSphere(2000, 2));
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  const int north = vertexNear(mesh, Vec3(0, 0, 1));
+  const int south = vertexNear(mesh, Vec3(0, 0, -1));
+  const Array<Vec2> field =
+      vectorHeatTransport(operators, {{north, Vec2(3, 0)}, {south, Vec2(0, 1)}});
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    // Heat falls by a factor of e an edge: ten edges beyond the equator nothing of it is left.
+    const double height = mesh.positions[v].z();
+    if (std::abs(height) < 5 * geometry.meanEdge) continue;
+    EXPECT_NEAR(field[v].norm(), height > 0 ? 3 : 1, 1e-3);
+  }
+}
+
+TEST(VectorHeat, LogMapsScaleWithTheMesh) {
+  const TriangleMesh mesh = bunnyMesh();
+  Array<Vec3> scaled = mesh.positions;
+  for (Vec3& p : scaled) p *= 1000;
+  const TriangleMesh largeMesh = buildMesh(scaled, mesh.faces);
+  const Geometry geometry = buildGeometry(mesh);
+  const Geometry largeGeometry = buildGeometry(largeMesh);
+  const SurfacePoint source{700, Vec3(0.2, 0.5, 0.3)};
+  const LogMap logs = logMap(HeatOperators(geometry), source);
+  const LogMap largeLogs = logMap(HeatOperators(largeGeometry), source);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    EXPECT_LT((largeLogs[v] / 1000 - logs[v]).norm(), 1e-9 * logs[v].norm());
+  }
+}
+
+TEST(VectorHeat, LogMapFromAnEdgeIsTheSameFromBothFaces) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  const int h = 1001;
+  const LogMap here = logMap(operators, edgePoint(h, 0.3));
+  const LogMap there = logMap(operators, edgePoint(mesh.twin[h], 0.7));
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    EXPECT_LT((acrossEdge(geometry, h, here[v]) - there[v]).norm(), 1e-12 * geometry.diagonal);
+  }
+}
+
+TEST(VectorHeat, HasNoLogarithmOnAnotherComponent) {
+  // Two triangles apart.
+  const TriangleMesh mesh = buildMesh(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  for (const SurfacePoint& source : {SurfacePoint{0, Vec3(1, 0, 0)}, {0, Vec3(0.2, 0.5, 0.3)}}) {
+    const LogMap logs = logMap(operators, source);
+    for (int v = 0; v < 3; ++v) EXPECT_TRUE(logs[v].allFinite());
+    for (int v = 3; v < 6; ++v) EXPECT_EQ(logs[v], noLogarithm());
+  }
+}
+
+TEST(VectorHeat, RefusesATimeThatIsNotPositive) {
+  const TriangleMesh mesh = planeGrid(2, 2);
+  const Geometry geometry = buildGeometry(mesh);
+  HeatOptions options;
+  for (const double factor : {0.0, -1.0, std::nan(""), kInfinity}) {
+    options.timeFactor = factor;
+    EXPECT_THROW(HeatOperators(geometry, options), Error);
+  }
+}
+
+}  // namespace
+}  // namespace karcher
