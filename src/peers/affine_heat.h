@@ -1,0 +1,29 @@
+#pragma once
+
+#include "peers/vector_heat.h"
+
+/// The affine heat method: Y. Soliman, N. Sharp, "The Affine Heat Method", Computer Graphics Forum
+/// 44 (2025), the successor of the vector heat method for log maps.
+///
+/// Heat carries not directions but positions: each vertex holds the source as a point of its own
+/// tangent plane, in homogeneous coordinates, and an edge changes planes by a rotation and by a
+/// translation along itself. Heat that starts as the origin at the source spreads as (v, u), and v
+/// / u, turned back by a transported frame, is the logarithm. It needs no Poisson equation and is
+/// exact on the plane.
+///
+/// The 3 n x 3 n operator of the paper is block triangular: u is ordinary heat, and v is heat of
+/// vectors with a source that u gives. So both variants need only the factors that the vector heat
+/// method has, and not the unsymmetric one (or, for the adaptive variant, one for each source).
+namespace karcher {
+
+enum class AffineVariant {
+  kLocal,     ///< rotations of the connection itself
+  kAdaptive,  ///< rotations to the frame that is transported from the source: more accurate near
+              ///< the cut locus
+};
+
+/// The log map from a vertex, in its own rescaled frame. Local: two solves with vectors and one
+/// with functions; adaptive: one with vectors and three with functions.
+LogMap affineHeatLogMap(const HeatOperators& operators, int vertex, AffineVariant variant);
+
+}  // namespace karcher
