@@ -1,0 +1,99 @@
+#include "peers/log_map_mean.h"
+
+#include "intrinsic/straightest.h"
+
+namespace karcher {
+
+LogMapMean::LogMapMean(const Geometry& geometry, LogMapFromVertex logMapFromVertex,
+                       Array<SurfacePoint> points, const LogMapMeanOptions& options)
+    : geometry_(geometry),
+      logMapFromVertex_(std::move(logMapFromVertex)),
+      options_(options),
+      points_(std::move(points)) {}
+
+void LogMapMean::setPoints(Array<SurfacePoint> points) {
+  points_ = std::move(points);
+  logarithms_.clear();
+}
+
+CenterOfMass LogMapMean::centerOfMass(Weights weights, const SurfacePoint& start) {
+  if (weights.size() != points_.size()) {
+    throw Error(ErrorCode::kBadWeights, "there are " + std::to_string(weights.size()) +
+                                            " weights for " + std::to_string(points_.size()) +
+                                            " points");
+  }
+  CenterOfMass center;
+  State state = stateAt(start, weights);
+  const double tolerance = options_.tolerance * geometry_.meanEdge;
+  center.status = Status::kLimit;
+  for (; center.iterations < options_.maxIterations; ++center.iterations) {
+    if (state.step.norm() <= tolerance) {
+      center.status = Status::kConverged;
+      break;
+    }
+    if (!descend(state, weights)) {
+      const PointLocation location = locate(*geometry_.mesh, state.point);
+      const bool atBoundary =
+          location.simplex == Simplex::kEdge && geometry_.mesh->twin[location.halfedge] < 0;
+      center.status = atBoundary ? Status::kBoundary : Status::kNoProgress;
+      break;
+    }
+  }
+  center.point = state.point;
+  return center;
+}
+
+bool LogMapMean::descend(State& state, Weights weights) {
+  constexpr int kMostHalvings = 10;
+  double part = 1;
+  for (int i = 0; i <= kMostHalvings; ++i, part /= 2) {
+    const StraightestPath path = traceStraightest(geometry_, state.point, part * state.step);
+    const State candidate = stateAt(path.points.back(), weights);
+    if (candidate.energy < state.energy || candidate.step.norm() < state.step.norm()) {
+      state = candidate;
+      return true;
+    }
+  }
+  return false;
+}
+
+LogMapMean::State LogMapMean::stateAt(const SurfacePoint& point, Weights weights) {
+  State state{point};
+  Array<Vec2> logs(points_.size(), Vec2::Zero());
+  for (int k = 0; k < 3; ++k) {
+    if (point.bary[k] == 0) continue;
+    const Vec2 rotation = point.bary[k] * cornerRotation(geometry_, point, k);
+    const Array<Vec2>& atCorner = logarithmsAt(geometry_.mesh->corner(point.face, k));
+    for (int i = 0; i < logs.count(); ++i) logs[i] += rotate(rotation, atCorner[i]);
+  }
+  for (int i = 0; i < logs.count(); ++i) {
+    const double weight = weights[static_cast<size_t>(i)];
+    state.step += weight * logs[i];
+    state.energy += weight * logs[i].squaredNorm();
+  }
+  return state;
+}
+
+const Array<Vec2>& LogMapMean::logarithmsAt(int vertex) {
+  const auto known = logarithms_.find(vertex);
+  if (known != logarithms_.end()) return known->second;
+  const LogMap logs = logMapFromVertex_(vertex);
+  Array<Vec2> ofPoints;
+  for (int i = 0; i < points_.count(); ++i) {
+    Vec2 log = Vec2::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const double weight = points_[i].bary[k];
+      if (weight != 0) log += weight * logs[geometry_.mesh->corner(points_[i].face, k)];
+    }
+    if (!log.allFinite()) {
+      throw Error(ErrorCode::kUnreachable,
+                  "no heat from vertex " + std::to_string(vertex) + " reaches control point " +
+                      std::to_string(i) +
+                      ": it lies on another component, or more than 600 mean edges away");
+    }
+    ofPoints.push_back(log);
+  }
+  return logarithms_.emplace(vertex, std::move(ofPoints)).first->second;
+}
+
+}  // namespace karcher
