@@ -1,0 +1,43 @@
+#pragma once
+
+#include "rcm/center_of_mass.h"
+
+/// Paths by piecewise-linear descent of a distance field: R. Kimmel, J. Sethian, "Computing
+/// geodesic paths on manifolds", Proceedings of the National Academy of Sciences 95 (1998); the
+/// magenta path of Mancinelli and Puppo's Fig. 3.
+///
+/// Distances are given at the vertices and linear in each face, so that their gradient is constant
+/// there. From the start the path runs against it from face to face; where two faces send it at
+/// their common edge from both sides it follows the edge, and at a vertex it takes the steepest
+/// way.
+namespace karcher {
+
+enum class DescentStop {
+  kArrived,  ///< the path reached a face of the source, and in it the source
+  kStuck,    ///< no way down: a local minimum of the distances, or the boundary
+  kLimit,    ///< more edges were crossed than the mesh has
+};
+
+struct DescentPath {
+  /// From the start on; consecutive points share a face.
+  Array<SurfacePoint> points;
+  double length = 0;
+  DescentStop stop = DescentStop::kStuck;
+};
+
+/// The gradient of the linear interpolation of `values` (one a vertex) in face f, in its frame.
+Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
+
+/// Descends from `start` to `source`, to which `distances` (one a vertex) belong.
+/// Throws Error: kBadArgument (not one distance a vertex), kNotFinite.
+DescentPath descendDistance(const Geometry& geometry, const Array<double>& distances,
+                            const SurfacePoint& source, const SurfacePoint& start);
+
+/// The center of mass of two points that a path joins, the source with weights[0] and the start
+/// with weights[1]: the point at the part weights[1] of the path's length from the source;
+/// kNoProgress if the path did not arrive. Throws Error kBadWeights unless there are two weights,
+/// neither negative, with the sum 1.
+CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& path,
+                                 Weights weights);
+
+}  // namespace karcher
