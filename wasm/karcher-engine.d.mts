@@ -1,4 +1,4 @@
-import type { MeshInfo } from './types.js';
+import type { CurveKind, MeshInfo, Method, Path, Solver, Status } from './types.js';
 
 /**
  * The WebAssembly module as the facade sees it: what bindings/*.cpp export.
@@ -8,26 +8,125 @@ import type { MeshInfo } from './types.js';
  */
 export interface EngineModule {
   takeFailure(): { code: string; message: string } | undefined;
+  /** Statuses by the numbers that samples give them. */
+  statusNames(): Status[];
   allocatedBytes(): number;
   meshFromObj(bytes: Uint8Array): EngineMesh;
   meshFromArrays(positions: Float64Array, triangles: Int32Array): EngineMesh;
   builtInShape(name: string, triangles: number): EngineMesh;
 }
 
+export interface EngineFieldOptions {
+  method: Method;
+  solver: Solver;
+  rings: number;
+}
+
 export interface EngineMesh {
   delete(): void;
   info(): MeshInfo;
+  /** The caller's vertices, before repairs. */
+  inputVertices(): number;
   positions(): Float64Array;
   triangles(): Int32Array;
   subdivided(levels: number): EngineMesh;
   checkedPoint(point: Float64Array): Float64Array;
   vertexPoint(vertex: number): Float64Array;
   position(point: Float64Array): [number, number, number];
+  distance(from: Float64Array, field: EngineFieldOptions): Float64Array;
+  shortestPath(from: Float64Array, to: Float64Array): Path;
   straightest(
     from: Float64Array,
     direction: Float64Array,
     length: number,
   ): { end: Float64Array; remaining: number; polyline: Float64Array };
+  hasRingGraph(rings: number): boolean;
+  graphBuilder(rings: number): EngineGraphBuilder;
+  prepareGradient(): void;
+  benchmark(): EngineBenchmark;
+  /** `start` is empty for the engine's choice. */
+  centerOfMass(
+    points: Float64Array,
+    weights: Float64Array,
+    start: Float64Array,
+    normalize: boolean,
+    field: EngineFieldOptions,
+  ): EngineMean;
+  /** `distances`: one array after another. */
+  centerOfMassOfDistances(
+    distances: Float64Array,
+    weights: Float64Array,
+    start: Float64Array,
+    normalize: boolean,
+  ): EngineMean;
+  circle(
+    center: Float64Array,
+    radius: number,
+    arcs: number,
+    samples: number,
+    field: EngineFieldOptions,
+  ): { samples: EngineSamples; polyline: Float64Array; length: number; notShortest: Int32Array };
+  curve(
+    points: Float64Array,
+    kind: CurveKind,
+    samples: number,
+    field: EngineFieldOptions,
+  ): EngineCurve;
+}
+
+export interface EngineSamples {
+  segment: Int32Array;
+  t: Float64Array;
+  face: Int32Array;
+  bary: Float64Array;
+  position: Float64Array;
+  status: Uint8Array;
+}
+
+export interface EngineMean {
+  point: Float64Array;
+  position: [number, number, number];
+  status: Status;
+  iterations: number;
+  energy: number;
+}
+
+/** After an edit: updateFields, trace and join, in this order. */
+export interface EngineCurve {
+  delete(): void;
+  pointCount(): number;
+  movePoint(i: number, point: Float64Array): void;
+  insertPoint(i: number, point: Float64Array): void;
+  removePoint(i: number): void;
+  setKind(kind: CurveKind): void;
+  updateFields(): void;
+  trace(): void;
+  join(): void;
+  points(): Float64Array;
+  samples(): EngineSamples;
+  path(): Path;
+  polylineStatus(): Uint8Array;
+  length(): number;
+}
+
+/** The graph of the graph solver, built in slices. */
+export interface EngineGraphBuilder {
+  delete(): void;
+  /** True when all is done. */
+  advance(vertices: number): boolean;
+  /** From 0 to 1. */
+  progress(): number;
+}
+
+/** Steps to be timed. */
+export interface EngineBenchmark {
+  delete(): void;
+  prepare(): void;
+  edgeDijkstra(): void;
+  ringGraph(rings: number): void;
+  gradientOperator(): void;
+  field(point: Float64Array, field: EngineFieldOptions): void;
+  gradient(): void;
 }
 
 export interface EngineOptions {

@@ -1,23 +1,48 @@
 #include "bindings/mesh_handle.h"
 
+#include <cmath>
+#include <string>
 #include <utility>
 
+#include "bindings/curve_handle.h"
+#include "bindings/field_options.h"
+#include "curves/circle.h"
+#include "distance/exact_distance.h"
+#include "distance/graph_distance.h"
+#include "distance/shortest_path.h"
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
 #include "mesh/loop_subdivision.h"
 #include "mesh/shapes.h"
+#include "rcm/mean.h"
 
 namespace karcher::bindings {
+namespace {
+
+/// Distances in the caller's order; NaN at vertices that were dropped or are not reached.
+template <class DistanceSolver>
+val distancesToJs(const Numbering& numbering, DistanceSolver& solver, const SurfacePoint& source) {
+  solver.setSource(source);
+  solver.grow(kInfinity);
+  Array<double> result;
+  result.reserve(numbering.engineVertex.size());
+  for (const int v : numbering.engineVertex) {
+    const double distance = v < 0 ? kInfinity : solver.distance(v);
+    result.push_back(distance == kInfinity ? std::nan("") : distance);
+  }
+  return toJs(result);
+}
+
+}  // namespace
 
 MeshHandle::MeshHandle(ImportedMesh imported)
     : numbering_(std::move(imported.numbering)),
       droppedPositions_(std::move(imported.droppedPositions)),
       repairs_(std::move(imported.repairs)),
-      mesh_(std::move(imported.mesh)),
-      geometry_(buildGeometry(mesh_)) {}
+      surface_(std::move(imported.mesh)) {}
 
 val MeshHandle::info() const {
-  const Topology shape = topology(mesh_);
+  const Topology shape = topology(mesh());
   val repairs = val::array();
   for (int i = 0; i < repairs_.count(); ++i) {
     val repair = val::object();
@@ -27,13 +52,13 @@ val MeshHandle::info() const {
     repairs.set(i, repair);
   }
   val info = val::object();
-  info.set("vertices", mesh_.vertexCount());
-  info.set("triangles", mesh_.faceCount());
+  info.set("vertices", mesh().vertexCount());
+  info.set("triangles", mesh().faceCount());
   info.set("components", shape.components);
   info.set("boundaryLoops", shape.boundaryLoops);
   info.set("genus", shape.genus);
-  info.set("meanEdge", geometry_.meanEdge);
-  info.set("diagonal", geometry_.diagonal);
+  info.set("meanEdge", surface_.geometry().meanEdge);
+  info.set("diagonal", surface_.geometry().diagonal);
   info.set("repairs", repairs);
   return info;
 }
@@ -43,7 +68,7 @@ val MeshHandle::positions() const {
   result.reserve(3 * numbering_.engineVertex.size());
   int dropped = 0;
   for (const int v : numbering_.engineVertex) {
-    append(result, v < 0 ? droppedPositions_[dropped++] : mesh_.positions[v]);
+    append(result, v < 0 ? droppedPositions_[dropped++] : mesh().positions[v]);
   }
   return toJs(result);
 }
@@ -52,7 +77,7 @@ val MeshHandle::triangles() const {
   Array<int> result;
   result.reserve(3 * numbering_.engineFace.size());
   for (const int f : numbering_.engineFace) {
-    for (int k = 0; k < 3; ++k) result.push_back(numbering_.inputVertex[mesh_.corner(f, k)]);
+    for (int k = 0; k < 3; ++k) result.push_back(numbering_.inputVertex[mesh().corner(f, k)]);
   }
   return toJs(result);
 }
@@ -64,7 +89,7 @@ std::unique_ptr<MeshHandle> MeshHandle::subdivided(int levels) const {
                                              std::to_string(kMostLevels) + " times at once, not " +
                                              std::to_string(levels));
   }
-  TriangleSoup soup = loopSubdivision(mesh_);
+  TriangleSoup soup = loopSubdivision(mesh());
   for (int level = 1; level < levels; ++level) {
     soup = loopSubdivision(buildMesh(std::move(soup.positions), std::move(soup.triangles)));
   }
@@ -72,21 +97,21 @@ std::unique_ptr<MeshHandle> MeshHandle::subdivided(int levels) const {
 }
 
 val MeshHandle::checkedPoint(const val& point) const {
-  return toJs(numbering_, pointFromJs(numbering_, mesh_, point));
+  return toJs(numbering_, pointFromJs(numbering_, mesh(), point));
 }
 
 val MeshHandle::vertexPoint(int vertex) const {
-  return toJs(numbering_, karcher::vertexPoint(mesh_, engineVertex(numbering_, vertex)));
+  return toJs(numbering_, karcher::vertexPoint(mesh(), engineVertex(numbering_, vertex)));
 }
 
 val MeshHandle::position(const val& point) const {
-  return toJs(karcher::position(mesh_, pointFromJs(numbering_, mesh_, point)));
+  return toJs(karcher::position(mesh(), pointFromJs(numbering_, mesh(), point)));
 }
 
 val MeshHandle::straightest(const val& from, const val& direction, double length) const {
-  const SurfacePoint start = pointFromJs(numbering_, mesh_, from);
+  const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
   const Array<double> space = fromJs<double>(direction);
-  const Vec2 vector = toFace(geometry_, start.face, {space[0], space[1], space[2]});
+  const Vec2 vector = toFace(surface_.geometry(), start.face, {space[0], space[1], space[2]});
   constexpr double kPerpendicular = 1e-12;
   const double norm = vector.norm();
   if (!(length >= 0)) throw Error(ErrorCode::kBadArgument, "a length must be at least 0");
@@ -94,11 +119,102 @@ val MeshHandle::straightest(const val& from, const val& direction, double length
     throw Error(ErrorCode::kBadArgument,
                 "the direction of a geodesic must not be perpendicular to its first face");
   }
-  const StraightestPath path = traceStraightest(geometry_, start, length / norm * vector);
+  const StraightestPath path = traceStraightest(surface_.geometry(), start, length / norm * vector);
   val result = val::object();
   result.set("end", toJs(numbering_, path.points.back()));
   result.set("remaining", path.remaining);
-  result.set("polyline", toJs(polyline(mesh_, path.points)));
+  result.set("polyline", toJs(polyline(mesh(), path.points)));
+  return result;
+}
+
+val MeshHandle::shortestPath(const val& from, const val& to) const {
+  const ShortestPath path =
+      karcher::shortestPath(surface_.geometry(), pointFromJs(numbering_, mesh(), from),
+                            pointFromJs(numbering_, mesh(), to));
+  val result = val::object();
+  result.set("length", path.length);
+  result.set("polyline", toJs(polyline(mesh(), path.points)));
+  return result;
+}
+
+val MeshHandle::distance(const val& from, const val& field) {
+  const SurfacePoint source = pointFromJs(numbering_, mesh(), from);
+  const FieldOptions options = fieldOptionsFromJs(field);
+  if (options.solver == Solver::kExact) {
+    ExactDistance solver(surface_.geometry());
+    return distancesToJs(numbering_, solver, source);
+  }
+  GraphDistance solver(surface_.geometry(), surface_.ringGraph(options.rings));
+  return distancesToJs(numbering_, solver, source);
+}
+
+val MeshHandle::centerOfMass(const val& points, const val& weights, const val& start,
+                             bool normalize, const val& field) {
+  MeanOptions options = meanOptions(start, normalize);
+  options.field = fieldOptionsFromJs(field);
+  return meanToJs(karcher::centerOfMass(surface_, pointsFromJs(numbering_, mesh(), points),
+                                        fromJs<double>(weights), options));
+}
+
+val MeshHandle::centerOfMassOfDistances(const val& distances, const val& weights, const val& start,
+                                        bool normalize) {
+  const Array<double> numbers = fromJs<double>(distances);
+  const size_t count = numbers.size() / numbering_.engineVertex.size();
+  Array<Array<double>> fields;
+  for (size_t i = 0; i < count; ++i) fields.push_back(engineDistances(numbers, i));
+  return meanToJs(karcher::centerOfMassOfDistances(surface_, fields, fromJs<double>(weights),
+                                                   meanOptions(start, normalize)));
+}
+
+MeanOptions MeshHandle::meanOptions(const val& start, bool normalize) const {
+  MeanOptions options;
+  options.normalize = normalize;
+  const Array<SurfacePoint> starts = pointsFromJs(numbering_, mesh(), start);
+  if (!starts.empty()) options.start = starts[0];
+  return options;
+}
+
+val MeshHandle::meanToJs(const Mean& mean) const {
+  val result = val::object();
+  result.set("point", toJs(numbering_, mean.point));
+  result.set("position", toJs(karcher::position(mesh(), mean.point)));
+  result.set("status", std::string(statusName(mean.status)));
+  result.set("iterations", mean.iterations);
+  result.set("energy", mean.energy);
+  return result;
+}
+
+/// Field number `field` of a caller's distances, in the engine's order. An error names the caller's
+/// vertex.
+Array<double> MeshHandle::engineDistances(const Array<double>& distances, size_t field) const {
+  const double* own = distances.data() + field * numbering_.engineVertex.size();
+  Array<double> result;
+  result.reserve(numbering_.inputVertex.size());
+  for (const int v : numbering_.inputVertex) {
+    if (!std::isfinite(own[v]) || own[v] < 0) {
+      throw Error(ErrorCode::kNotFinite, "the distance at vertex " + std::to_string(v) +
+                                             " of array " + std::to_string(field) +
+                                             " must be a finite number of at least 0");
+    }
+    result.push_back(own[v]);
+  }
+  return result;
+}
+
+val MeshHandle::circle(const val& center, double radius, int arcs, int samples, const val& field) {
+  const GeodesicCircle circle = traceCircle(surface_, pointFromJs(numbering_, mesh(), center),
+                                            radius, {arcs, samples, fieldOptionsFromJs(field)});
+  CurvePolyline line;
+  Array<const Array<CurveSample>*> segments;
+  for (int j = 0; j < circle.samples.count(); ++j) {
+    segments.push_back(&circle.samples[j]);
+    appendSegment(*this, circle.samples[j], circle.paths[j], line);
+  }
+  val result = val::object();
+  result.set("samples", samplesToJs(*this, segments));
+  result.set("polyline", toJs(line.positions));
+  result.set("length", line.length);
+  result.set("notShortest", toJs(circle.notShortest));
   return result;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bindings/wire.h"
-#include "intrinsic/geometry.h"
+#include "rcm/mean.h"
 
 namespace karcher::bindings {
 
@@ -15,10 +15,12 @@ class MeshHandle {
   MeshHandle(const MeshHandle&) = delete;
   MeshHandle& operator=(const MeshHandle&) = delete;
 
-  const TriangleMesh& mesh() const { return mesh_; }
+  Surface& surface() { return surface_; }
+  const TriangleMesh& mesh() const { return surface_.mesh(); }
   const Numbering& numbering() const { return numbering_; }
 
   val info() const;
+  int inputVertices() const { return numbering_.engineVertex.count(); }
   val positions() const;
   val triangles() const;
   /// Refined by Loop subdivision, `levels` times.
@@ -29,13 +31,29 @@ class MeshHandle {
   val position(const val& point) const;
   /// `direction` is a Float64Array of three numbers, in space.
   val straightest(const val& from, const val& direction, double length) const;
+  val shortestPath(const val& from, const val& to) const;
+
+  // `field` is {method, solver, rings}.
+  val distance(const val& from, const val& field);
+  bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
+  void prepareGradient() { surface_.gradientOperator(); }
+  /// `start` is a point, or an empty array for the engine's choice.
+  val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
+                   const val& field);
+  /// `distances` holds one field after another, each with a distance a vertex of the caller.
+  val centerOfMassOfDistances(const val& distances, const val& weights, const val& start,
+                              bool normalize);
+  val circle(const val& center, double radius, int arcs, int samples, const val& field);
 
  private:
+  MeanOptions meanOptions(const val& start, bool normalize) const;
+  val meanToJs(const Mean& mean) const;
+  Array<double> engineDistances(const Array<double>& distances, size_t field) const;
+
   Numbering numbering_;
   Array<Vec3> droppedPositions_;
   Array<Repair> repairs_;
-  TriangleMesh mesh_;
-  Geometry geometry_;
+  Surface surface_;
 };
 
 /// `bytes` is a Uint8Array with the content of an OBJ file.

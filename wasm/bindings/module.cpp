@@ -1,7 +1,12 @@
 #include <emscripten/bind.h>
 
+#include "bindings/benchmark_handle.h"
+#include "bindings/curve_handle.h"
+#include "bindings/field_options.h"
+#include "bindings/graph_builder_handle.h"
 #include "bindings/guard.h"
 #include "bindings/mesh_handle.h"
+#include "rcm/center_of_mass.h"
 
 // The allocator's own count; Emscripten's <malloc.h> does not declare it.
 extern "C" {
@@ -16,6 +21,30 @@ namespace {
 
 double allocatedBytes() { return static_cast<double>(mallinfo().uordblks); }
 
+/// The statuses' names by their numbers.
+val statusNames() {
+  val names = val::array();
+  for (int i = 0; i <= static_cast<int>(Status::kLimit); ++i) {
+    names.set(i, std::string(statusName(static_cast<Status>(i))));
+  }
+  return names;
+}
+
+std::unique_ptr<CurveHandle> makeCurve(MeshHandle& mesh, const val& points, const std::string& kind,
+                                       int samples, const val& field) {
+  return std::make_unique<CurveHandle>(
+      mesh, CurveOptions{curveKind(kind), samples, fieldOptionsFromJs(field)},
+      pointsFromJs(mesh.numbering(), mesh.mesh(), points));
+}
+
+std::unique_ptr<GraphBuilderHandle> makeGraphBuilder(MeshHandle& mesh, int rings) {
+  return std::make_unique<GraphBuilderHandle>(mesh, rings);
+}
+
+std::unique_ptr<BenchmarkHandle> makeBenchmark(MeshHandle& mesh) {
+  return std::make_unique<BenchmarkHandle>(mesh);
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(karcher) {
@@ -23,18 +52,54 @@ EMSCRIPTEN_BINDINGS(karcher) {
   using emscripten::function;
   function("takeFailure", &takeFailure);
   function("allocatedBytes", &allocatedBytes);
+  function("statusNames", &Guarded<&statusNames>::call);
   function("meshFromObj", &Guarded<&meshFromObj>::call);
   function("meshFromArrays", &Guarded<&meshFromArrays>::call);
   function("builtInShape", &Guarded<&builtInShape>::call);
   class_<MeshHandle>("Mesh")
       .function("info", &Guarded<&MeshHandle::info>::call)
+      .function("inputVertices", &Guarded<&MeshHandle::inputVertices>::call)
       .function("positions", &Guarded<&MeshHandle::positions>::call)
       .function("triangles", &Guarded<&MeshHandle::triangles>::call)
       .function("subdivided", &Guarded<&MeshHandle::subdivided>::call)
       .function("checkedPoint", &Guarded<&MeshHandle::checkedPoint>::call)
       .function("vertexPoint", &Guarded<&MeshHandle::vertexPoint>::call)
       .function("position", &Guarded<&MeshHandle::position>::call)
-      .function("straightest", &Guarded<&MeshHandle::straightest>::call);
+      .function("straightest", &Guarded<&MeshHandle::straightest>::call)
+      .function("shortestPath", &Guarded<&MeshHandle::shortestPath>::call)
+      .function("distance", &Guarded<&MeshHandle::distance>::call)
+      .function("hasRingGraph", &Guarded<&MeshHandle::hasRingGraph>::call)
+      .function("prepareGradient", &Guarded<&MeshHandle::prepareGradient>::call)
+      .function("centerOfMass", &Guarded<&MeshHandle::centerOfMass>::call)
+      .function("centerOfMassOfDistances", &Guarded<&MeshHandle::centerOfMassOfDistances>::call)
+      .function("circle", &Guarded<&MeshHandle::circle>::call)
+      .function("curve", &Guarded<&makeCurve>::call)
+      .function("graphBuilder", &Guarded<&makeGraphBuilder>::call)
+      .function("benchmark", &Guarded<&makeBenchmark>::call);
+  class_<CurveHandle>("Curve")
+      .function("pointCount", &Guarded<&CurveHandle::pointCount>::call)
+      .function("movePoint", &Guarded<&CurveHandle::movePoint>::call)
+      .function("insertPoint", &Guarded<&CurveHandle::insertPoint>::call)
+      .function("removePoint", &Guarded<&CurveHandle::removePoint>::call)
+      .function("setKind", &Guarded<&CurveHandle::setKind>::call)
+      .function("updateFields", &Guarded<&CurveHandle::updateFields>::call)
+      .function("trace", &Guarded<&CurveHandle::trace>::call)
+      .function("join", &Guarded<&CurveHandle::join>::call)
+      .function("points", &Guarded<&CurveHandle::points>::call)
+      .function("samples", &Guarded<&CurveHandle::samples>::call)
+      .function("path", &Guarded<&CurveHandle::path>::call)
+      .function("polylineStatus", &Guarded<&CurveHandle::polylineStatus>::call)
+      .function("length", &Guarded<&CurveHandle::length>::call);
+  class_<GraphBuilderHandle>("GraphBuilder")
+      .function("advance", &Guarded<&GraphBuilderHandle::advance>::call)
+      .function("progress", &Guarded<&GraphBuilderHandle::progress>::call);
+  class_<BenchmarkHandle>("Benchmark")
+      .function("prepare", &Guarded<&BenchmarkHandle::prepare>::call)
+      .function("edgeDijkstra", &Guarded<&BenchmarkHandle::edgeDijkstra>::call)
+      .function("ringGraph", &Guarded<&BenchmarkHandle::ringGraph>::call)
+      .function("gradientOperator", &Guarded<&BenchmarkHandle::gradientOperator>::call)
+      .function("field", &Guarded<&BenchmarkHandle::field>::call)
+      .function("gradient", &Guarded<&BenchmarkHandle::gradient>::call);
 }
 
 }  // namespace karcher::bindings

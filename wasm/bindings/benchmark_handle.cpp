@@ -1,0 +1,31 @@
+#include "bindings/benchmark_handle.h"
+
+#include <utility>
+
+#include "bindings/field_options.h"
+#include "distance/edge_dijkstra.h"
+
+namespace karcher::bindings {
+
+void BenchmarkHandle::prepare() const {
+  Surface(buildMesh(mesh_.mesh().positions, mesh_.mesh().faces));
+}
+
+void BenchmarkHandle::edgeDijkstra() const { karcher::edgeDijkstra(mesh_.surface().geometry(), 0); }
+
+void BenchmarkHandle::ringGraph(int rings) {
+  Surface& surface = mesh_.surface();
+  surface.takeRingGraph(rings, buildRingGraph(surface.geometry(), rings));
+}
+
+void BenchmarkHandle::field(const val& point, const val& options) {
+  PointField field(mesh_.surface(), fieldOptionsFromJs(options));
+  field.setPoint(pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+}
+
+void BenchmarkHandle::gradient() {
+  const Array<double> values(mesh_.mesh().positions.size(), 1.0);
+  applyGradient(mesh_.surface().gradientOperator(), values);
+}
+
+}  // namespace karcher::bindings

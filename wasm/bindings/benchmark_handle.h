@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "bindings/mesh_handle.h"
+#include "rcm/point_field.h"
+
+namespace karcher::bindings {
+
+/// The steps that `karcher bench` times, each without what a binding adds: copies to and from
+/// JavaScript. The mesh must outlive it.
+class BenchmarkHandle {
+ public:
+  explicit BenchmarkHandle(MeshHandle& mesh) : mesh_(mesh) {}
+
+  /// Adjacency, lengths, angles and frames of the mesh, from its positions and faces.
+  void prepare() const;
+  /// A plain Dijkstra along edges: the yardstick.
+  void edgeDijkstra() const;
+  /// The graph of the paper's graph distances; the mesh keeps it.
+  void ringGraph(int rings);
+  void gradientOperator() { mesh_.surface().gradientOperator(); }
+  /// The paper's field of a point, with the gradient in it.
+  void field(const val& point, const val& options);
+  /// The gradient operator, applied once.
+  void gradient();
+
+ private:
+  MeshHandle& mesh_;
+};
+
+}  // namespace karcher::bindings

@@ -1,0 +1,93 @@
+#include "bindings/curve_handle.h"
+
+namespace karcher::bindings {
+
+val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& segments) {
+  Array<int> segment;
+  Array<double> t;
+  Array<int> face;
+  Array<double> bary;
+  Array<double> places;
+  Array<uint8_t> status;
+  for (int j = 0; j < segments.count(); ++j) {
+    for (const CurveSample& sample : *segments[j]) {
+      segment.push_back(j);
+      t.push_back(sample.t);
+      face.push_back(mesh.numbering().inputFace[sample.point.face]);
+      append(bary, sample.point.bary);
+      append(places, position(mesh.mesh(), sample.point));
+      status.push_back(static_cast<uint8_t>(sample.status));
+    }
+  }
+  val result = val::object();
+  result.set("segment", toJs(segment));
+  result.set("t", toJs(t));
+  result.set("face", toJs(face));
+  result.set("bary", toJs(bary));
+  result.set("position", toJs(places));
+  result.set("status", toJs(status));
+  return result;
+}
+
+void appendSegment(const MeshHandle& mesh, const Array<CurveSample>& samples,
+                   const JoinedPath& path, CurvePolyline& result) {
+  Array<int> kept;
+  const Array<double> positions = polyline(mesh.mesh(), path.points, &kept);
+  result.positions.insert(result.positions.end(), positions.begin(), positions.end());
+  for (const int i : kept) {
+    result.unconverged.push_back(samples[path.sample[i]].status != Status::kConverged);
+  }
+  result.length += path.length;
+}
+
+void CurveHandle::movePoint(int i, const val& point) {
+  curve_.movePoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+}
+
+void CurveHandle::insertPoint(int i, const val& point) {
+  curve_.insertPoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+}
+
+void CurveHandle::setKind(const std::string& kind) { curve_.setKind(curveKind(kind)); }
+
+val CurveHandle::points() const {
+  Array<SurfacePoint> points;
+  for (int i = 0; i < curve_.pointCount(); ++i) points.push_back(curve_.point(i));
+  return toJs(mesh_.numbering(), points);
+}
+
+val CurveHandle::samples() const {
+  Array<const Array<CurveSample>*> segments;
+  for (int j = 0; j < curve_.segmentCount(); ++j) segments.push_back(&curve_.samples(j));
+  return samplesToJs(mesh_, segments);
+}
+
+val CurveHandle::path() const {
+  const CurvePolyline line = polyline();
+  val result = val::object();
+  result.set("length", line.length);
+  result.set("polyline", toJs(line.positions));
+  return result;
+}
+
+val CurveHandle::polylineStatus() const { return toJs(polyline().unconverged); }
+
+double CurveHandle::length() const {
+  double length = 0;
+  for (int j = 0; j < curve_.segmentCount(); ++j) length += curve_.path(j).length;
+  return length;
+}
+
+CurvePolyline CurveHandle::polyline() const {
+  CurvePolyline line;
+  for (int j = 0; j < curve_.segmentCount(); ++j) {
+    appendSegment(mesh_, curve_.samples(j), curve_.path(j), line);
+  }
+  return line;
+}
+
+CurveKind curveKind(const std::string& name) {
+  return name == "bspline" ? CurveKind::kBSpline : CurveKind::kBezier;
+}
+
+}  // namespace karcher::bindings

@@ -1,0 +1,39 @@
+#include "bindings/field_options.h"
+
+#include <string>
+
+#include "mesh/error.h"
+
+namespace karcher::bindings {
+namespace {
+
+template <class Value>
+struct Named {
+  const char* name;
+  Value value;
+};
+
+constexpr Named<Method> kMethods[] = {{"karcher", Method::kKarcher}, {"paper", Method::kPaper}};
+constexpr Named<Solver> kSolvers[] = {
+    {"fast", Solver::kFast}, {"exact", Solver::kExact}, {"graph", Solver::kGraph}};
+
+template <class Value, size_t count>
+Value valueOf(const Named<Value> (&list)[count], const std::string& name) {
+  for (const Named<Value>& named : list) {
+    if (name == named.name) return named.value;
+  }
+  throw Error(ErrorCode::kBadArgument, "there is no method or solver '" + name + "'");
+}
+
+}  // namespace
+
+FieldOptions fieldOptionsFromJs(const emscripten::val& options) {
+  FieldOptions result;
+  result.method = valueOf(kMethods, options["method"].as<std::string>());
+  result.solver = valueOf(kSolvers, options["solver"].as<std::string>());
+  result.rings = options["rings"].as<int>();
+  checkFieldOptions(result);
+  return result;
+}
+
+}  // namespace karcher::bindings

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include "rcm/point_field.h"
+
+namespace karcher::bindings {
+
+/// {method, solver, rings}, by the names of the JavaScript API. Throws Error kBadArgument for
+/// others, and as `checkFieldOptions` does.
+FieldOptions fieldOptionsFromJs(const emscripten::val& options);
+
+}  // namespace karcher::bindings
