@@ -1,13 +1,19 @@
 import { KarcherError } from './errors.js';
 import type { EngineModule } from './karcher-engine.mjs';
-import type { ErrorCode } from './types.js';
+import type { ErrorCode, Status } from './types.js';
 
 /** Calls into the module, so that each failure arrives as a `KarcherError`. */
 export class Engine {
   readonly #module: EngineModule;
+  #statusNames: Status[] | undefined;
 
   constructor(module: EngineModule) {
     this.#module = module;
+  }
+
+  get statusNames(): readonly Status[] {
+    this.#statusNames ??= this.call((module) => module.statusNames());
+    return this.#statusNames;
   }
 
   /** Returns what `work` returns, or throws the `KarcherError` that the engine left. */

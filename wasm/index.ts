@@ -1,3 +1,4 @@
+export type { Curve } from './curve.js';
 export { KarcherError } from './errors.js';
 export type { Karcher } from './karcher.js';
 export { load } from './load.js';

@@ -1,12 +1,29 @@
-import { checkInteger, checkNumber, toFloat64 } from './check.js';
+import { checkArray, checkInteger, checkNumber, checkOptions, toFloat64 } from './check.js';
+import { Curve } from './curve.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
-import type { EngineMesh } from './karcher-engine.mjs';
-import { toSurfacePoint, wirePoint } from './points.js';
-import type { MeshInfo, PointLike, StraightestPath, SurfacePoint } from './types.js';
+import type { EngineBenchmark, EngineMean, EngineMesh } from './karcher-engine.mjs';
+import { engineFieldOptions } from './options.js';
+import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
+import { prepareGraph } from './prepare.js';
+import { toCurveSamples } from './samples.js';
+import type {
+  CenterOfMass,
+  CenterOptions,
+  Circle,
+  CircleOptions,
+  CurveOptions,
+  FieldOptions,
+  LongWorkOptions,
+  MeshInfo,
+  Path,
+  PointLike,
+  StraightestPath,
+  SurfacePoint,
+} from './types.js';
 
 /**
- * A triangle mesh. It lives in the engine's memory until `dispose`.
+ * A triangle mesh. It and what is made from it live in the engine's memory until `dispose`.
  *
  * Every method throws `KarcherError`: disposed after `dispose`; badIndex for a face or vertex that
  * does not exist or a vertex that was dropped; badPoint for weights outside the face; notFinite for
@@ -15,6 +32,7 @@ import type { MeshInfo, PointLike, StraightestPath, SurfacePoint } from './types
 export class Mesh {
   readonly #engine: Engine;
   readonly #handle: Handle<EngineMesh>;
+  readonly #curves = new Set<Curve>();
 
   /** What the mesh consists of, and what was mended while it was read. */
   readonly info: MeshInfo;
@@ -66,6 +84,135 @@ export class Mesh {
   }
 
   /**
+   * Makes what the given fields need of the mesh, in slices of a few milliseconds: the graph of the
+   * graph solver. Other methods make it at once where it is missing.
+   *
+   * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed.
+   */
+  async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
+    checkOptions(options, 'the options');
+    const { method, solver, rings } = engineFieldOptions(options);
+    if (solver === 'graph') await prepareGraph(this.#engine, this.#handle, rings, work);
+    if (method === 'paper') this.#handle.call((mesh) => mesh.prepareGradient());
+  }
+
+  /**
+   * The Riemannian center of mass of points with weights, one a point, that sum to 1 within 1e-9 (or
+   * are divided by their sum with `normalize`). Some may be negative. Only with the status
+   * `converged` the result is a center of mass; see `Status`.
+   *
+   * Throws `KarcherError` badWeights (not one a point, or another sum), tooFewPoints (none),
+   * unreachable (the points lie on several components).
+   */
+  centerOfMass(
+    points: readonly PointLike[],
+    weights: ArrayLike<number>,
+    options: CenterOptions = {},
+  ): CenterOfMass {
+    checkOptions(options, 'the options');
+    const places = wirePoints(this.#handle, points);
+    const masses = toFloat64(weights, 'the weights');
+    const start = this.#wireStart(options);
+    const field = engineFieldOptions(options);
+    const normalize = options.normalize ?? false;
+    return toCenterOfMass(
+      this.#handle.call((mesh) => mesh.centerOfMass(places, masses, start, normalize, field)),
+    );
+  }
+
+  /**
+   * The center of mass of points that are known by their distances to all vertices, however these
+   * were found: for each point an array in the caller's vertex order, what stands at dropped
+   * vertices aside. Weights as in `centerOfMass`; the method is the paper's.
+   *
+   * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is
+   * negative or not finite), badWeights, tooFewPoints.
+   */
+  centerOfMassOfDistances(
+    distances: readonly ArrayLike<number>[],
+    weights: ArrayLike<number>,
+    options: Pick<CenterOptions, 'start' | 'normalize'> = {},
+  ): CenterOfMass {
+    checkOptions(options, 'the options');
+    const vertices = this.#handle.call((mesh) => mesh.inputVertices());
+    const arrays = checkArray(distances, 'the distances');
+    const all = new Float64Array(vertices * arrays.length);
+    arrays.forEach((entry, i) => {
+      const values = toFloat64(entry, `array ${i} of the distances`);
+      if (values.length !== vertices) {
+        throw new KarcherError(
+          'badArgument',
+          `array ${i} must hold a distance a vertex: ${vertices}, not ${values.length}`,
+        );
+      }
+      all.set(values, vertices * i);
+    });
+    const masses = toFloat64(weights, 'the weights');
+    const start = this.#wireStart(options);
+    const normalize = options.normalize ?? false;
+    return toCenterOfMass(
+      this.#handle.call((mesh) => mesh.centerOfMassOfDistances(all, masses, start, normalize)),
+    );
+  }
+
+  /**
+   * A curve with control points: a uniform cubic B-spline (at least 4 points, a segment for each
+   * four consecutive ones) or a Bezier curve (at least 2; one segment). It is disposed of with the
+   * mesh at the latest.
+   *
+   * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components).
+   */
+  curve(options: CurveOptions): Curve {
+    checkOptions(options, 'the options');
+    const curve = new Curve(this.#engine, this.#handle, options, (disposed) => {
+      this.#curves.delete(disposed);
+    });
+    this.#curves.add(curve);
+    return curve;
+  }
+
+  /**
+   * The geodesic circle about a center, by rational quadratic arcs.
+   *
+   * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
+   * boundary), radiusTooLarge (no point of the component lies as far from the center).
+   */
+  circle(options: CircleOptions): Circle {
+    checkOptions(options, 'the options');
+    const center = wirePoint(this.#handle, options.center, 'the center');
+    const radius = checkNumber(options.radius, 'the radius');
+    const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
+    const samples = checkInteger(options.samples ?? 32, 'the number of samples');
+    const field = engineFieldOptions(options);
+    const circle = this.#handle.call((mesh) => mesh.circle(center, radius, arcs, samples, field));
+    return {
+      samples: toCurveSamples(this.#engine, circle.samples),
+      polyline: new Float32Array(circle.polyline),
+      length: circle.length,
+      path: { length: circle.length, polyline: circle.polyline },
+      notShortest: Array.from(circle.notShortest),
+    };
+  }
+
+  /**
+   * Geodesic distances from a point to the vertices, in the caller's order: NaN at a dropped vertex
+   * and where no path leads.
+   */
+  distance(from: PointLike, options: Pick<FieldOptions, 'solver' | 'rings'> = {}): Float64Array {
+    checkOptions(options, 'the options');
+    const wire = wirePoint(this.#handle, from);
+    const field = engineFieldOptions(options);
+    return this.#handle.call((mesh) => mesh.distance(wire, field));
+  }
+
+  /** The exact shortest path. Throws `KarcherError` unreachable where no path leads. */
+  shortestPath(from: PointLike, to: PointLike): Path {
+    const wireFrom = wirePoint(this.#handle, from, 'the first point');
+    const wireTo = wirePoint(this.#handle, to, 'the second point');
+    return this.#handle.call((mesh) => mesh.shortestPath(wireFrom, wireTo));
+  }
+
+  /**
    * The straightest geodesic that leaves a point along a direction in space, which is projected onto
    * the point's face, for the given length. At the boundary it stops: `remaining` tells how much of
    * the length was left.
@@ -90,8 +237,27 @@ export class Mesh {
     return { ...path, end: toSurfacePoint(path.end) };
   }
 
-  /** Gives the memory back. Safe to repeat. */
+  /**
+   * The steps that `karcher bench` times.
+   * @internal
+   */
+  benchmark(): Handle<EngineBenchmark> {
+    const target = this.#handle.call((mesh) => mesh.benchmark());
+    return new Handle(this.#engine, 'the benchmark', target);
+  }
+
+  /** Gives the memory back, that of the mesh's curves too. Safe to repeat. */
   dispose(): void {
+    for (const curve of this.#curves) curve.dispose();
     this.#handle.dispose();
   }
+
+  /** The start of a search as it travels: empty for the engine's choice. */
+  #wireStart({ start }: CenterOptions): Float64Array {
+    return start === undefined ? new Float64Array() : wirePoint(this.#handle, start, 'the start');
+  }
+}
+
+function toCenterOfMass(mean: EngineMean): CenterOfMass {
+  return { ...mean, point: toSurfacePoint(mean.point) };
 }

@@ -14,16 +14,25 @@ export interface SurfacePoint {
 /** Where a point is asked for: a surface point, or a vertex by its number. */
 export type PointLike = SurfacePoint | { vertex: number };
 
-/** How geodesic distances are found. */
-export type Solver = 'fast' | 'exact' | 'graph';
+/** How geodesic distances are found: by exact windows, or on the graph of each vertex's k-ring. */
+export type Solver = 'exact' | 'graph';
 
 /**
- * How a control point's field is made: `karcher`: the log vectors that the solver yields;
- * `paper`: gradients of squared distances, and Newton's method along geodesics (Algorithm 1).
+ * How a control point's field is made, and centers of mass are found: `paper`: gradients of squared
+ * distances, and Newton's method along geodesics (Mancinelli, Puppo, Algorithm 1).
  */
-export type Method = 'karcher' | 'paper';
+export type Method = 'paper';
 
-/** How the search for a center of mass ended. Only `converged` is a center of mass. */
+/**
+ * How the search for a center of mass ended. Only `converged` is a center of mass; with the others
+ * the point is where the search stood.
+ *
+ * - `indefinite`: the Hessian is not positive definite; the points lie too far apart;
+ * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
+ * - `noProgress`: no point along the Newton step has a smaller gradient;
+ * - `limit`: the bound on iterations was reached;
+ * - `unreachable`: no path leads to a control point.
+ */
 export type Status =
   | 'converged'
   | 'indefinite'
@@ -75,7 +84,7 @@ export interface MeshInfo {
   repairs: Repair[];
 }
 
-/** How fields are made; the defaults are `karcher` and `fast`. With `paper`: `graph` or `exact`. */
+/** How fields are made; the defaults are `paper` and `exact`. */
 export interface FieldOptions {
   method?: Method;
   solver?: Solver;
@@ -129,9 +138,13 @@ export interface CircleOptions extends FieldOptions {
 }
 
 export interface Circle {
+  /** `segment` is the number of the arc. */
   samples: CurveSamples;
+  /** x, y, z of the vertices for drawing, on the surface. */
   polyline: Float32Array;
   length: number;
+  /** The circle's length, and its vertices in double precision. */
+  path: Path;
   /** Numbers of the arcs whose geodesics from the center stopped being shortest. */
   notShortest: number[];
 }

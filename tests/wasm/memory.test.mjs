@@ -24,6 +24,30 @@ test('a mesh that is disposed of gives all its memory back', async () => {
   assert.equal(late, early);
 });
 
+test('meshes, curves and what is asked of them give all their memory back', async () => {
+  const karcher = await load();
+  const text = grid(6);
+  const points = [16, 18, 31, 32].map((vertex) => ({ vertex }));
+  const [early, late] = bytesAround(karcher, 1000, () => {
+    const mesh = karcher.meshFromObj(text);
+    for (const solver of ['exact', 'graph']) {
+      const field = { method: 'paper', solver, rings: 2 };
+      const curve = mesh.curve({ kind: 'bspline', points, samples: 8, ...field });
+      curve.movePoint(1, points[2]);
+      curve.samples.count;
+      curve.polyline.length;
+      curve.dispose();
+      mesh.distance(points[0], { solver, rings: 2 });
+      mesh.centerOfMass(points, [0.25, 0.25, 0.25, 0.25], field);
+    }
+    mesh.shortestPath(points[0], points[3]);
+    mesh.circle({ center: points[1], radius: 1, samples: 4, method: 'paper', solver: 'exact' });
+    mesh.curve({ kind: 'bezier', points, samples: 8, method: 'paper', solver: 'exact' });
+    mesh.dispose();
+  });
+  assert.equal(late, early);
+});
+
 test('errors leave no memory behind', async () => {
   const karcher = await load();
   const [early, late] = bytesAround(karcher, 200, () => {

@@ -1,0 +1,133 @@
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { load } from 'karcher';
+import { grid, square } from './meshes.mjs';
+
+let karcher;
+before(async () => {
+  karcher = await load();
+});
+
+const paper = { method: 'paper', solver: 'exact' };
+const cells = 12;
+// Inner points: their neighbourhoods on the grid are symmetric, so that the paper's estimator of
+// the gradient is exact.
+const inner = [
+  { vertex: 4 + (cells + 1) * 4 },
+  { vertex: 8 + (cells + 1) * 5 },
+  { face: 2 * (6 + cells * 7), bary: [0.3, 0.3, 0.4] },
+  { face: 2 * (5 + cells * 6) + 1, bary: [0.6, 0.3, 0.1] },
+];
+
+const weightedSum = (mesh, points, weights) =>
+  [0, 1, 2].map((k) =>
+    points.reduce((sum, point, i) => sum + weights[i] * mesh.position(point)[k], 0),
+  );
+
+const closeTo = (actual, expected, tolerance) =>
+  actual.forEach((value, k) => {
+    assert.ok(Math.abs(value - expected[k]) < tolerance, `${actual} instead of ${expected}`);
+  });
+
+test('on a plane the center of mass is the weighted mean', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  for (const weights of [
+    [0.25, 0.25, 0.25, 0.25],
+    [0.1, 0.2, 0.3, 0.4],
+    [0.5, 0.6, -0.2, 0.1],
+    [0, 0, 1, 0],
+  ]) {
+    const expected = weightedSum(mesh, inner, weights);
+    const center = mesh.centerOfMass(inner, weights, paper);
+    assert.equal(center.status, 'converged');
+    closeTo(center.position, expected, 1e-9);
+    closeTo(mesh.position(center.point), center.position, 1e-12);
+    assert.ok(Number.isInteger(center.iterations) && center.iterations >= 0);
+    const energy = inner.reduce((sum, point, i) => {
+      const step = mesh.position(point).map((value, k) => value - expected[k]);
+      return sum + weights[i] * Math.hypot(...step) ** 2;
+    }, 0);
+    assert.ok(Math.abs(center.energy - energy) < 1e-8, `${center.energy} instead of ${energy}`);
+  }
+});
+
+test('the search can start anywhere', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  const weights = [0.1, 0.2, 0.3, 0.4];
+  const center = mesh.centerOfMass(inner, weights, { ...paper, start: { vertex: 60 } });
+  closeTo(center.position, weightedSum(mesh, inner, weights), 1e-9);
+});
+
+test('weights: their sum must be 1, or they are normalised', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  const weights = [1, 2, 3, 4];
+  const center = mesh.centerOfMass(inner, weights, { ...paper, normalize: true });
+  const same = mesh.centerOfMass(inner, [0.1, 0.2, 0.3, 0.4], paper);
+  closeTo(center.position, same.position, 1e-12);
+  mesh.centerOfMass(inner, [0.1, 0.2, 0.3, 0.4 + 5e-10], paper);
+  const wrong = [
+    [inner, weights, {}, 'badWeights', /sum to 10/],
+    [inner, [0.1, 0.2, 0.3, 0.4 + 1e-8], {}, 'badWeights', /1e-9/],
+    [inner, [0.5, 0.5], {}, 'badWeights', /4 points.* 2 weights/],
+    [inner, [1, -1, 1, -1], { normalize: true }, 'badWeights', /positive/],
+    [inner, [Number.NaN, 0, 0, 1], {}, 'notFinite', /weight 0/],
+    [inner, ['1', 0, 0, 0], {}, 'badArgument', /entry 0 of the weights/],
+    [[], [], {}, 'tooFewPoints', /at least one/],
+    [[], [1], {}, 'tooFewPoints', /at least one/],
+    [inner[0], [1], {}, 'badArgument', /the points must be an array/],
+    [[...inner.slice(0, 3), { vertex: 9999 }], weights, {}, 'badIndex', /vertex 9999/],
+    [[...inner.slice(0, 3), {}], weights, {}, 'badArgument', /point 3/],
+    [inner, [0.1, 0.2, 0.3, 0.4], { start: { vertex: -1 } }, 'badIndex', /vertex -1/],
+    [inner, [0.1, 0.2, 0.3, 0.4], { method: 'guess' }, 'badArgument', /the method/],
+  ];
+  for (const [points, numbers, options, code, message] of wrong) {
+    assert.throws(() => mesh.centerOfMass(points, numbers, { ...paper, ...options }), {
+      code,
+      message,
+    });
+    closeTo(mesh.centerOfMass(inner, [0.1, 0.2, 0.3, 0.4], paper).position, same.position, 1e-15);
+  }
+});
+
+test('points on several components have no center of mass', () => {
+  const apart = square.replace(/^v (.)/gm, 'v 5$1').replace('f 1 2 3 4', 'f 5 6 7 8');
+  const mesh = karcher.meshFromObj(square + apart);
+  assert.throws(() => mesh.centerOfMass([{ vertex: 0 }, { vertex: 4 }], [0.5, 0.5], paper), {
+    code: 'unreachable',
+  });
+});
+
+test("a caller's own distances serve as well", () => {
+  const mesh = karcher.meshFromObj(
+    `v 9 9 9\n${grid(cells).replace(/\d+/g, (n) => n)}`.replace(
+      /^f (\d+) (\d+) (\d+)$/gm,
+      (_, a, b, c) => `f ${+a + 1} ${+b + 1} ${+c + 1}`,
+    ),
+  );
+  // All vertices are one further on, after one that no face uses.
+  const points = inner.map((point) => ('vertex' in point ? { vertex: point.vertex + 1 } : point));
+  const weights = [0.1, 0.2, 0.3, 0.4];
+  const distances = points.map((point) => mesh.distance(point, { solver: 'exact' }));
+  assert.ok(Number.isNaN(distances[0][0]));
+  const expected = weightedSum(mesh, points, weights);
+  const center = mesh.centerOfMassOfDistances(distances, weights);
+  assert.equal(center.status, 'converged');
+  closeTo(center.position, expected, 1e-9);
+  const started = mesh.centerOfMassOfDistances(distances, [1, 2, 3, 4], {
+    start: points[0],
+    normalize: true,
+  });
+  closeTo(started.position, expected, 1e-9);
+  const with9 = (value) => distances.map((array) => array.with(9, value));
+  const wrong = [
+    [distances, [0.5, 0.5], 'badWeights', /4 .* 2/],
+    [distances.map((array) => array.slice(1)), weights, 'badArgument', /170, not 169/],
+    [with9(Number.NaN), weights, 'notFinite', /vertex 9 of array 0/],
+    [with9(-1), weights, 'notFinite', /vertex 9 of array 0/],
+    [[], [], 'tooFewPoints', /at least one/],
+    [distances[0], weights, 'badArgument', /must be an array/],
+  ];
+  for (const [arrays, numbers, code, message] of wrong) {
+    assert.throws(() => mesh.centerOfMassOfDistances(arrays, numbers), { code, message });
+  }
+});

@@ -1,0 +1,74 @@
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { load } from 'karcher';
+import { grid } from './meshes.mjs';
+
+let karcher;
+before(async () => {
+  karcher = await load();
+});
+
+const paper = { method: 'paper', solver: 'exact' };
+const cells = 16;
+const center = { vertex: 8 + (cells + 1) * 8 };
+
+test('on a plane a geodesic circle is a circle', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  for (const arcs of [3, 7]) {
+    const radius = arcs === 3 ? 2 : 4.5;
+    const circle = mesh.circle({ center, radius, arcs, samples: 40, ...paper });
+    const { samples } = circle;
+    assert.equal(samples.count, 40 * arcs);
+    assert.deepEqual(new Set(samples.segment), new Set(Array.from({ length: arcs }, (_, i) => i)));
+    for (let i = 0; i < samples.count; i++) {
+      const [x, y, z] = samples.position.slice(3 * i, 3 * i + 3);
+      assert.ok(Math.abs(Math.hypot(x - 8, y - 8) - radius) < 1e-9 && z === 0);
+    }
+    // The chords of n equal angles fall short by a part of (pi / n)^2 / 6; these are less equal.
+    const perimeter = 2 * Math.PI * radius;
+    assert.ok(circle.length < perimeter && circle.length > 0.999 * perimeter);
+    assert.equal(circle.path.length, circle.length);
+    assert.deepEqual(circle.polyline, new Float32Array(circle.path.polyline));
+    assert.deepEqual(circle.notShortest, []);
+  }
+});
+
+test('circles that cannot be', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  const good = { center, radius: 3, ...paper };
+  const expected = mesh.circle(good);
+  assert.equal(expected.samples.count, 7 * 32);
+  const wrong = [
+    [{ radius: 7.9 }, 'boundary', /arc \d+ .* boundary/],
+    [{ radius: 100 }, 'radiusTooLarge', /100 .* farthest/],
+    [{ radius: 0 }, 'badArgument', /radius/],
+    [{ radius: -1 }, 'badArgument', /radius/],
+    [{ radius: Number.NaN }, 'notFinite', /radius/],
+    [{ radius: '3' }, 'badArgument', /radius/],
+    [{ arcs: 2 }, 'badArgument', /3 to 64 arcs/],
+    [{ arcs: 65 }, 'badArgument', /3 to 64 arcs/],
+    [{ samples: 1 }, 'badArgument', /samples/],
+    [{ center: { vertex: -5 } }, 'badIndex', /vertex -5/],
+    [{ center: undefined }, 'badArgument', /the center/],
+  ];
+  for (const [change, code, message] of wrong) {
+    assert.throws(() => mesh.circle({ ...good, ...change }), {
+      name: 'KarcherError',
+      code,
+      message,
+    });
+    assert.deepEqual(mesh.circle(good), expected);
+  }
+  const sphere = karcher.shape('sphere', 2000);
+  assert.throws(() => sphere.circle({ center: { vertex: 0 }, radius: 3.2, ...paper }), {
+    code: 'radiusTooLarge',
+  });
+});
+
+test('an arc beyond the cut locus is marked', () => {
+  // On a torus, around its tube: the geodesics round the hole meet behind it.
+  const mesh = karcher.shape('torus', 6000);
+  const circle = mesh.circle({ center: { vertex: 0 }, radius: 1.6, ...paper });
+  assert.ok(circle.notShortest.length > 0);
+  for (const arc of circle.notShortest) assert.ok(arc >= 0 && arc < 7);
+});
