@@ -1,12 +1,18 @@
 #!/usr/bin/env node
 import { Arguments } from './cli/arguments.js';
+import { bench } from './cli/bench.js';
+import { circle } from './cli/circle.js';
 import type { Command } from './cli/command.js';
+import { distance } from './cli/distance.js';
 import { UsageError } from './cli/errors.js';
 import { commandHelp, generalHelp } from './cli/help.js';
 import { info } from './cli/info.js';
+import { mean } from './cli/mean.js';
 import { polylinesAsObj, print } from './cli/output.js';
+import { path } from './cli/path.js';
+import { trace } from './cli/trace.js';
 
-const commands: readonly Command[] = [info];
+const commands: readonly Command[] = [info, distance, path, mean, trace, circle, bench];
 
 async function run(args: string[]): Promise<void> {
   const [name, ...rest] = args;

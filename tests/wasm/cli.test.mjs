@@ -13,7 +13,7 @@ test('help, of the program and of each command', () => {
   assert.equal(general.status, 0);
   assert.equal(general.stderr, '');
   const commands = [...general.stdout.matchAll(/^ {2}(\w+) {2,}\S/gm)].map((match) => match[1]);
-  assert.deepEqual(commands, ['info']);
+  assert.deepEqual(commands, ['info', 'distance', 'path', 'mean', 'trace', 'circle', 'bench']);
   for (const command of commands) {
     const { status, stdout, stderr } = karcher(command, '--help');
     assert.equal(status, 0);
@@ -29,6 +29,21 @@ test('mistakes in the command line: a sentence and status 1', () => {
     [['paint'], /no command 'paint'/],
     [['info'], /needs a mesh/],
     [['info', squareFile, squareFile], /one argument too many/],
+    [['distance', squareFile], /distance needs --from POINT/],
+    [['distance', squareFile, '--from'], /--from needs a value: POINT/],
+    [['distance', squareFile, '--from', 'v:0', '--from', 'v:1'], /--from is given twice/],
+    [
+      ['distance', squareFile, '--from', 'v:0', '--solver', 'slow'],
+      /--solver must be one of exact/,
+    ],
+    [
+      ['distance', squareFile, '--from', 'v:0', '--rings', 'x'],
+      /--rings must be a number, not 'x'/,
+    ],
+    [['distance', squareFile, '--from', 'v:0', '--rings', '1.5'], /--rings must be a whole number/],
+    [['distance', squareFile, '--from', 'v:0', '--rings', '0'], /1 to 10 rings/],
+    [['path', squareFile, '--from', 'v:0', '--to', 'v:1', '--format', 'svg'], /--format must be/],
+    [['mean', squareFile, '--points', 'x', '--normalize=yes'], /--normalize takes no value/],
     [['info', squareFile, '--colour'], /no option --colour/],
     [['info', squareFile, '--colour=red'], /no option --colour/],
     [['info', '-x', squareFile], /no option -x/],

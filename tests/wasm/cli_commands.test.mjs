@@ -1,0 +1,232 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { load } from 'karcher';
+import { grid, square } from './meshes.mjs';
+import { failure, karcher, printed, temporaryFolder } from './run_cli.mjs';
+
+const folder = temporaryFolder();
+after(() => folder.remove());
+
+const cells = 12;
+const gridFile = folder.write('grid.obj', grid(cells));
+const places = [
+  [2 * (4 + cells * 4), 0, 0],
+  [2 * (8 + cells * 5), 0.25, 0.5],
+  [2 * (7 + cells * 8) + 1, 0.1, 0.2],
+  [2 * (4 + cells * 7), 0, 0],
+  [2 * (5 + cells * 4), 0.3, 0.3],
+];
+const pointsFile = folder.write(
+  'points.txt',
+  `# face b1 b2\n\n${places.map((place) => place.join(' ')).join('  # a point\r\n')}\n`,
+);
+const points = places.map(([face, b1, b2]) => ({ face, bary: [1 - b1 - b2, b1, b2] }));
+const paper = { method: 'paper', solver: 'exact' };
+const weights = '0.1,0.2,0.3,0.4,0';
+
+const mesh = (await load()).meshFromObj(grid(cells));
+
+test('distance prints what the API gives', () => {
+  for (const [point, from] of [
+    ['v:40', { vertex: 40 }],
+    ['57:0.25,0.5', { face: 57, bary: [0.25, 0.25, 0.5] }],
+  ]) {
+    for (const solver of ['exact', 'graph']) {
+      const { distance, ...rest } = printed(
+        ...['distance', gridFile, '--from', point, '--solver', solver, '--rings', '3'],
+      );
+      assert.deepEqual(rest, {});
+      assert.deepEqual(distance, Array.from(mesh.distance(from, { solver, rings: 3 })));
+    }
+  }
+});
+
+test('distance follows the vertices of the file', () => {
+  // A vertex of no face, then the square, then a triangle apart.
+  const text = `v 9 9 9\n${square.replace('f 1 2 3 4', 'f 2 3 4 5')}v 5 0 0\nv 6 0 0\nv 5 1 0\nf 6 7 8\n`;
+  const file = folder.write('parts.obj', text);
+  const { distance } = printed('distance', file, '--from', 'v:1', '--solver', 'exact');
+  assert.equal(distance[0], null);
+  assert.deepEqual(distance.slice(5), [null, null, null]);
+  [0, 1, Math.SQRT2, 1].forEach((expected, i) => {
+    assert.ok(Math.abs(distance[i + 1] - expected) < 1e-12);
+  });
+});
+
+test('path, as JSON and as an OBJ file', () => {
+  const args = ['path', gridFile, '--from', '0:0.25,0.25', '--to', 'v:100'];
+  const { length, polyline } = printed(...args);
+  const expected = mesh.shortestPath({ face: 0, bary: [0.5, 0.25, 0.25] }, { vertex: 100 });
+  assert.equal(length, expected.length);
+  assert.deepEqual(polyline.flat(), Array.from(expected.polyline));
+  const { status, stdout } = karcher(...args, '--format', 'obj');
+  assert.equal(status, 0);
+  const lines = stdout.trimEnd().split('\n');
+  assert.deepEqual(
+    lines.slice(0, -1),
+    polyline.map((place) => `v ${place.join(' ')}`),
+  );
+  assert.equal(lines.at(-1), `l ${polyline.map((_, i) => i + 1).join(' ')}`);
+});
+
+test('mean prints the center of mass', () => {
+  const args = ['mean', gridFile, '--points', pointsFile];
+  const mean = printed(...args, '--weights', weights);
+  const expected = mesh.centerOfMass(points, [0.1, 0.2, 0.3, 0.4, 0], paper);
+  assert.deepEqual(mean, expected);
+  const scaled = printed(...args, '--weights', '1,2,3,4,0', '--normalize');
+  assert.ok(Math.abs(scaled.position[0] - mean.position[0]) < 1e-12);
+  // A list that begins with a negative weight.
+  const negative = printed(...args, '--weights', '-0.1,0.3,0.4,0.4,0');
+  assert.equal(negative.status, 'converged');
+  const graph = printed(...args, '--weights', weights, '--solver', 'graph', '--rings', '2');
+  assert.deepEqual(
+    graph,
+    mesh.centerOfMass(points, [0.1, 0.2, 0.3, 0.4, 0], { ...paper, solver: 'graph', rings: 2 }),
+  );
+});
+
+test('trace prints the samples of a curve', () => {
+  for (const [kind, segments] of [
+    ['bspline', 2],
+    ['bezier', 1],
+  ]) {
+    const { samples, polyline, length, ms } = printed(
+      ...['trace', gridFile, '--points', pointsFile, '--kind', kind, '--samples', '9'],
+      ...['--method', 'paper', '--solver', 'exact'],
+    );
+    const curve = mesh.curve({ kind, points, samples: 9, ...paper });
+    assert.equal(samples.length, 9 * segments);
+    samples.forEach((sample, i) => {
+      assert.deepEqual(Object.keys(sample), [
+        'segment',
+        't',
+        'face',
+        'bary',
+        'position',
+        'converged',
+        'status',
+      ]);
+      assert.equal(sample.segment, Math.floor(i / 9));
+      assert.equal(sample.t, (i % 9) / 8);
+      assert.equal(sample.converged, true);
+      assert.equal(sample.status, 'converged');
+      assert.equal(sample.face, curve.samples.face[i]);
+    });
+    assert.deepEqual(
+      samples.flatMap(({ bary }) => bary),
+      Array.from(curve.samples.bary),
+    );
+    assert.deepEqual(
+      samples.flatMap(({ position }) => position),
+      Array.from(curve.samples.position),
+    );
+    assert.deepEqual(polyline.flat(), Array.from(curve.path.polyline));
+    assert.equal(length, curve.length);
+    for (const key of ['prepare', 'fields', 'trace']) assert.ok(ms[key] >= 0);
+  }
+});
+
+test('what trace prints, read back as points, is where it was', () => {
+  const { samples } = printed('trace', gridFile, '--points', pointsFile, '--samples', '5');
+  const text = samples.map(({ face, bary }) => `${face} ${bary[1]} ${bary[2]}\n`).join('');
+  const file = folder.write('again.txt', text);
+  for (const [i, sample] of samples.entries()) {
+    const oneHot = samples.map((_, j) => (i === j ? 1 : 0)).join(',');
+    const mean = printed('mean', gridFile, '--points', file, '--weights', oneHot);
+    mean.position.forEach((value, k) => {
+      assert.ok(Math.abs(value - sample.position[k]) < 1e-9);
+    });
+  }
+});
+
+test('trace draws a curve as an OBJ file', () => {
+  const { status, stdout } = karcher(
+    ...['trace', gridFile, '--points', pointsFile, '--samples', '5', '--format', 'obj'],
+  );
+  assert.equal(status, 0);
+  const vertices = stdout.match(/^v /gm).length;
+  const numbers = [...stdout.matchAll(/^l (.*)$/gm)].flatMap((match) => match[1].split(' '));
+  assert.deepEqual(
+    numbers.map(Number),
+    Array.from({ length: vertices }, (_, i) => i + 1),
+  );
+});
+
+test('circle prints samples at the radius', () => {
+  const { polyline, samples, length, notShortest } = printed(
+    ...['circle', gridFile, '--center', 'v:84', '--radius', '3', '--arcs', '5'],
+  );
+  assert.equal(samples.length, 5 * 32);
+  for (const { position } of samples) {
+    assert.ok(Math.abs(Math.hypot(position[0] - 6, position[1] - 6) - 3) < 1e-9);
+  }
+  assert.ok(polyline.length >= samples.length - 5);
+  assert.ok(Math.abs(length / (6 * Math.PI) - 1) < 1e-3);
+  assert.deepEqual(notShortest, []);
+});
+
+test('bench prints every timing', () => {
+  const report = printed('bench', gridFile, '--points', pointsFile, '--samples', '16');
+  assert.deepEqual(report.mesh, { vertices: 169, triangles: 288 });
+  assert.equal(report.paper.samples, 32);
+  assert.equal(report.paper.lost, 0);
+  for (const key of [
+    'graphMs',
+    'fieldGraphMs',
+    'fieldExactMs',
+    'gradientMs',
+    'sampleUs',
+    'dragMs',
+  ]) {
+    assert.ok(report.paper[key] >= 0 && Number.isFinite(report.paper[key]), key);
+  }
+  for (const key of ['prepareMs', 'calibrationNs', 'peakMemoryMB']) {
+    assert.ok(report[key] > 0 && Number.isFinite(report[key]), key);
+  }
+});
+
+test('bad points, weights and radii: a sentence and status 1', () => {
+  let files = 0;
+  const file = (text) => folder.write(`wrong${files++}.txt`, text);
+  const from = (point) => ['distance', gridFile, '--from', point];
+  const mean = (text, list) => ['mean', gridFile, '--points', file(text), '--weights', list];
+  const trace = (text, ...more) => ['trace', gridFile, '--points', file(text), ...more];
+  const circle = (radius) => ['circle', gridFile, '--center', 'v:84', '--radius', radius];
+  const three = '0 0 0\n1 0 0\n2 0 0\n';
+  const wrong = [
+    [from('v:999'), /no vertex 999/],
+    [from('v:-1'), /must be a point/],
+    [from('v:1.5'), /must be a point/],
+    [from('vertex'), /must be a point/],
+    [from('3'), /must be a point/],
+    [from('3:0.5'), /must be a point/],
+    [from('3:0.5,0.2,0.3'), /must be a point/],
+    [from('3:0.5,x'), /b2 of --from must be a number, not 'x'/],
+    [from('3:0.5,NaN'), /must be a number/],
+    [from('3:0.5,1e999'), /must be a number/],
+    [from('3:0.7,0.7'), /in face 3 lies outside/],
+    [from('288:0,0'), /no face 288: the mesh has 288/],
+    [mean(three, '0.3,0.3'), /3 points but 2 weights/],
+    [mean(three, '0.3,0.3,0.3'), /sum to 0\.9/],
+    [mean(three, '0.3,,0.7'), /number 2 of --weights must be a number, not ''/],
+    [mean(three, 'a,b,c'), /number 1 of --weights/],
+    [mean('', '1'), /at least one point/],
+    [mean('0 0 0\n\n0 0.5\n', '1'), /line 3 of .*wrong\d+\.txt must be 'face b1 b2', not '0 0\.5'/],
+    [mean('0 0 0 # fine\n0 0 zero\n', '1'), /b2 of line 2 of .*wrong\d+\.txt must be a number/],
+    [mean('-1 0 0\n', '1'), /line 1 of .* must be 'face b1 b2'/],
+    [mean('0 0.9 0.9\n', '1'), /in face 0 lies outside/],
+    [['mean', gridFile, '--points', `${folder.path}/none`, '--weights', '1'], /no such file/],
+    [trace(three), /at least 4 control points, not 3/],
+    [trace(three, '--kind', 'line'), /--kind must be one of bspline, bezier, not 'line'/],
+    [trace(three, '--kind', 'bezier', '--samples', '1'), /2 to 100000 samples/],
+    [trace(three, '--samples', 'many'), /--samples must be a number/],
+    [trace(three, '--method', 'other'), /--method must be one of/],
+    [circle('100'), /goes beyond the farthest point/],
+    [circle('5.99'), /meets the boundary/],
+    [circle('0'), /radius must be a positive number/],
+    [circle('wide'), /--radius must be a number, not 'wide'/],
+    [[...circle('2'), '--arcs', '2'], /3 to 64 arcs/],
+  ];
+  for (const [args, message] of wrong) assert.match(failure(...args), message);
+});

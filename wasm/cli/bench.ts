@@ -1,0 +1,110 @@
+import type { EngineBenchmark } from '../karcher-engine.mjs';
+import type { Mesh } from '../mesh.js';
+import { engineFieldOptions } from '../options.js';
+import type { FieldOptions, PointLike, Solver, SurfacePoint } from '../types.js';
+import { type Command, pointsOption } from './command.js';
+
+const runs = 5;
+const rings = 6;
+const paper = (solver: Solver): FieldOptions => ({ method: 'paper', solver, rings });
+
+export const bench: Command = {
+  name: 'bench',
+  summary: "how long the steps of the paper's method take, for a B-spline",
+  output:
+    '{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, joinMs}, calibrationNs, peakMemoryMB}; times are medians',
+  options: [
+    pointsOption,
+    { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
+  ],
+  async run(args) {
+    const samples = args.integer('samples');
+    const points = await args.points();
+    const mesh = await args.mesh();
+    const { vertices, triangles } = mesh.info;
+    const steps = timeSteps(mesh, points);
+    const curve = timeCurve(mesh, points, samples);
+    return {
+      json: {
+        mesh: { vertices, triangles },
+        prepareMs: steps.prepareMs,
+        paper: {
+          graphMs: steps.graphMs,
+          fieldGraphMs: steps.fieldGraphMs,
+          fieldExactMs: steps.fieldExactMs,
+          gradientMs: steps.gradientMs,
+          ...curve,
+        },
+        calibrationNs: (1e6 * steps.calibrationMs) / vertices,
+        peakMemoryMB: process.resourceUsage().maxRSS / 1024,
+      },
+    };
+  },
+};
+
+/** Milliseconds of a mesh's preparation and of the fields of its first point. */
+function timeSteps(mesh: Mesh, points: readonly SurfacePoint[]) {
+  const benchmark = mesh.benchmark();
+  const time = (work: (steps: EngineBenchmark) => void, times = runs) =>
+    median(Array.from({ length: times }, () => elapsed(() => benchmark.call(work))));
+  const { face, bary } = points[0] ?? { face: 0, bary: [1, 0, 0] };
+  const source = Float64Array.of(face, ...bary);
+  const field = (solver: Solver) => engineFieldOptions(paper(solver));
+  // One after the other: the fields need the graph and the operator.
+  const prepareMs = time((steps) => steps.prepare());
+  const calibrationMs = time((steps) => steps.edgeDijkstra());
+  const graphMs = time((steps) => steps.ringGraph(rings), 1);
+  benchmark.call((steps) => steps.gradientOperator());
+  const result = {
+    prepareMs,
+    calibrationMs,
+    graphMs,
+    fieldGraphMs: time((steps) => steps.field(source, field('graph'))),
+    fieldExactMs: time((steps) => steps.field(source, field('exact'))),
+    gradientMs: time((steps) => steps.gradient()),
+  };
+  benchmark.dispose();
+  return result;
+}
+
+/** A B-spline with graph distances, its middle point dragged to a neighbouring place and back. */
+function timeCurve(mesh: Mesh, points: readonly SurfacePoint[], samples: number) {
+  const curve = mesh.curve({ kind: 'bspline', points: [...points], samples, ...paper('graph') });
+  const { count, status } = curve.samples;
+  const lost = status.filter((name) => name !== 'converged').length;
+  const index = Math.floor(points.length / 2);
+  const here = curve.points[index]!;
+  const places: PointLike[] = [nextCorner(here), here];
+  const moves = Array.from({ length: 2 * runs }, (_, i) => {
+    curve.movePoint(index, places[i % 2]!);
+    return curve.times;
+  });
+  curve.dispose();
+  const touched = Math.min(index + 1, points.length - index, 4, points.length - 3) * samples;
+  return {
+    sampleUs: (1000 * median(moves.map(({ trace }) => trace))) / touched,
+    samples: count,
+    lost,
+    dragMs: median(moves.map(({ fields, trace }) => fields + trace)),
+    joinMs: median(moves.map(({ join }) => join)),
+  };
+}
+
+/** The corner after the point's nearest one in its face: a drag by about an edge. */
+function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {
+  const heaviest = bary.indexOf(Math.max(...bary));
+  const corner: [number, number, number] = [0, 0, 0];
+  corner[(heaviest + 1) % 3] = 1;
+  return { face, bary: corner };
+}
+
+function elapsed(work: () => void): number {
+  const start = performance.now();
+  work();
+  return performance.now() - start;
+}
+
+function median(values: number[]): number {
+  const sorted = values.toSorted((a, b) => a - b);
+  return sorted[Math.floor(sorted.length / 2)]!;
+}

@@ -1,0 +1,24 @@
+import type { Solver } from '../types.js';
+import type { Command } from './command.js';
+
+export const distance: Command = {
+  name: 'distance',
+  summary: 'geodesic distances from a point to all vertices',
+  output:
+    "{distance: […]}, in the file's vertex order: null at a vertex of no face and where no path leads",
+  options: [
+    { name: 'from', value: 'POINT', help: 'the source', required: true },
+    { name: 'solver', value: 'exact|graph', help: 'how distances are found', default: 'exact' },
+    { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
+  ],
+  async run(args) {
+    const from = args.point('from');
+    const solver = args.choice<Solver>('solver');
+    const rings = args.integer('rings');
+    const mesh = await args.mesh();
+    const distances = mesh.distance(from, { solver, rings });
+    return {
+      json: { distance: Array.from(distances, (value) => (Number.isNaN(value) ? null : value)) },
+    };
+  },
+};
