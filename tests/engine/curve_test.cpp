@@ -35,16 +35,6 @@ Array<SurfacePoint> bunnyPoints(const TriangleMesh& mesh, int count) {
   return points;
 }
 
-ErrorCode codeOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  ADD_FAILURE() << "no error was thrown";
-  return ErrorCode::kBadFile;
-}
-
 void expectSameCurve(const Curve& a, const Curve& b, double tolerance, const TriangleMesh& mesh) {
   ASSERT_EQ(a.segmentCount(), b.segmentCount());
   for (int j = 0; j < a.segmentCount(); ++j) {

@@ -12,16 +12,6 @@ namespace {
 
 constexpr MeanOptions kPaperExact{{Method::kPaper, Solver::kExact, 6}, std::nullopt, false};
 
-ErrorCode codeOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  ADD_FAILURE() << "no error was thrown";
-  return ErrorCode::kBadFile;
-}
-
 TEST(Mean, OnARegularGridIsTheAverageWithItsEnergy) {
   Surface surface(planeGrid(12, 12));
   const Array<SurfacePoint> points{nearestPoint(surface.mesh(), Vec3(3, 3.5, 0)),

@@ -1,5 +1,7 @@
 #include "support.h"
 
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -40,6 +42,16 @@ TriangleMesh bunnyMesh() {
     }
   }
   return buildMesh(positions, faces);
+}
+
+ErrorCode codeOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "no error was thrown";
+  return ErrorCode::kBadFile;
 }
 
 }  // namespace karcher

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+
+#include "mesh/error.h"
 #include "mesh/triangle_mesh.h"
 
 /// What several tests share.
@@ -12,5 +15,8 @@ TriangleMesh planeGrid(int columns, int rows);
 /// The mesh of the npm package `bunny`, vertices and faces in its own order. Throws
 /// std::runtime_error if the set-up has not written it.
 TriangleMesh bunnyMesh();
+
+/// The code of the Error that the action throws; a failure of the test if it throws none.
+ErrorCode codeOf(const std::function<void()>& action);
 
 }  // namespace karcher

@@ -1,0 +1,92 @@
+#include "curves/circle.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "mesh/error.h"
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+constexpr FieldOptions kPaperExact{Method::kPaper, Solver::kExact, 6};
+
+TEST(Circle, OnARegularGridIsTheCircleOfThePlane) {
+  Surface surface(planeGrid(24, 20));
+  // Centers in a face, on an edge and at a vertex.
+  for (const Vec3& center : {Vec3(11.3, 9.8, 0), Vec3(11.5, 9, 0), Vec3(12, 10, 0)}) {
+    const SurfacePoint point = nearestPoint(surface.mesh(), center);
+    for (const int arcs : {3, 4, 7}) {
+      const double radius = 2.6;
+      const GeodesicCircle circle = traceCircle(surface, point, radius, {arcs, 20, kPaperExact});
+      ASSERT_EQ(circle.samples.count(), arcs);
+      EXPECT_TRUE(circle.notShortest.empty());
+      for (const Array<CurveSample>& arc : circle.samples) {
+        for (const CurveSample& sample : arc) {
+          const Vec3 p = position(surface.mesh(), sample.point);
+          EXPECT_EQ(sample.status, Status::kConverged);
+          EXPECT_NEAR((p - center).norm(), radius, 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(Circle, OnTheSphereComesNearerToEquidistanceWithMoreArcs) {
+  Surface surface(importMesh(icosphere(20)).mesh);
+  const Vec3 pole = Vec3(0.3, -0.2, 1).normalized();
+  const SurfacePoint center = nearestPoint(surface.mesh(), pole);
+  const Vec3 truth = position(surface.mesh(), center).normalized();
+  const double radius = 0.5;
+  double before = kInfinity;
+  for (const int arcs : {3, 6, 12}) {
+    const GeodesicCircle circle = traceCircle(surface, center, radius, {arcs, 24, kPaperExact});
+    double worst = 0;
+    for (const Array<CurveSample>& arc : circle.samples) {
+      for (const CurveSample& sample : arc) {
+        const Vec3 p = position(surface.mesh(), sample.point).normalized();
+        worst = std::max(worst, std::abs(std::acos(p.dot(truth)) - radius));
+      }
+    }
+    std::printf("circle of radius 0.5 on the sphere, %d arcs: %.2e from equidistance\n", arcs,
+                worst);
+    EXPECT_LT(worst, before);
+    before = worst;
+  }
+}
+
+TEST(Circle, MarksArcsWhoseGeodesicsAreNotShortest) {
+  // Round the tube of a torus two geodesics meet at half its circumference, 0.4 pi.
+  Surface surface(importMesh(makeShape(Shape::kTorus, 3000)).mesh);
+  const SurfacePoint center = nearestPoint(surface.mesh(), Vec3(1.4, 0.01, 0.02));
+  const GeodesicCircle near = traceCircle(surface, center, 0.5, {7, 8, kPaperExact});
+  EXPECT_TRUE(near.notShortest.empty());
+  const GeodesicCircle wide = traceCircle(surface, center, 1.5, {7, 8, kPaperExact});
+  EXPECT_FALSE(wide.notShortest.empty());
+}
+
+TEST(Circle, RefusesWhatIsNoCircle) {
+  Surface surface(planeGrid(10, 10));
+  const SurfacePoint center = nearestPoint(surface.mesh(), Vec3(3.3, 5.2, 0));
+  const auto trace = [&](double radius, int arcs) {
+    traceCircle(surface, center, radius, {arcs, 8, kPaperExact});
+  };
+  EXPECT_EQ(codeOf([&] { trace(0, 7); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { trace(std::nan(""), 7); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { trace(1, 2); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { trace(4, 7); }), ErrorCode::kBoundary);
+  EXPECT_EQ(codeOf([&] { trace(100, 7); }), ErrorCode::kRadiusTooLarge);
+
+  Surface sphere(importMesh(icosphere(6)).mesh);
+  const SurfacePoint pole = nearestPoint(sphere.mesh(), Vec3(0, 0, 1));
+  EXPECT_EQ(codeOf([&] {
+              traceCircle(sphere, pole, 3.3, {7, 8, kPaperExact});
+            }),
+            ErrorCode::kRadiusTooLarge);
+}
+
+}  // namespace
+}  // namespace karcher
