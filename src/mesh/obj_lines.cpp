@@ -29,6 +29,9 @@ size_t countDigits(std::string_view word, size_t from) {
   return end - from;
 }
 
+/// More are too many for tinyobjloader, which then reads 0.
+constexpr size_t kMostExponentDigits = 9;
+
 /// sign? (digits (. digits?)? | . digits) (e sign? digits)?
 bool isDecimal(std::string_view word) {
   const auto isSign = [&](size_t i) {
@@ -47,7 +50,7 @@ bool isDecimal(std::string_view word) {
     ++i;
     if (isSign(i)) ++i;
     const size_t exponent = countDigits(word, i);
-    if (exponent == 0) return false;
+    if (exponent == 0 || exponent > kMostExponentDigits) return false;
     i += exponent;
   }
   return i == word.size();
@@ -131,7 +134,8 @@ class LineCheck {
     const size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
     const size_t digits = countDigits(word, sign);
     const size_t end = sign + digits;
-    if (digits == 0 || (end < word.size() && word[end] != '/')) {
+    const auto slashes = std::count(word.begin(), word.end(), '/');
+    if (digits == 0 || (end < word.size() && word[end] != '/') || slashes > 2) {
       fail(ErrorCode::kBadFile, place() + quoted(word) + " is not the number of a vertex");
     }
     constexpr size_t kMostDigits = 10;

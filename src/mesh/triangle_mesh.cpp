@@ -24,18 +24,17 @@ void checkPositions(const Array<Vec3>& positions) {
 }
 
 void checkFace(const Array<Vec3>& positions, const Triangle& face, int f) {
-  const std::string name = "face " + std::to_string(f);
   for (const int v : face) {
     if (v < 0 || v >= positions.count()) {
-      throw Error(ErrorCode::kBadIndex, name + " uses vertex " + std::to_string(v) +
-                                            ", but the mesh has " +
+      throw Error(ErrorCode::kBadIndex, "face " + std::to_string(f) + " uses vertex " +
+                                            std::to_string(v) + ", but the mesh has " +
                                             std::to_string(positions.size()) + " vertices");
     }
   }
   for (int k = 0; k < 3; ++k) {
     if (face[k] == face[(k + 1) % 3]) {
-      throw Error(ErrorCode::kDegenerateFace,
-                  name + " uses vertex " + std::to_string(face[k]) + " twice");
+      throw Error(ErrorCode::kDegenerateFace, "face " + std::to_string(f) + " uses vertex " +
+                                                  std::to_string(face[k]) + " twice");
     }
   }
   const Vec3& a = positions[face[0]];
@@ -44,8 +43,9 @@ void checkFace(const Array<Vec3>& positions, const Triangle& face, int f) {
   const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
   if (!(u.cross(v).norm() > kDegenerateHeight * longest)) {
     throw Error(ErrorCode::kDegenerateFace,
-                name + " has no area: its corners " + std::to_string(face[0]) + ", " +
-                    std::to_string(face[1]) + ", " + std::to_string(face[2]) + " lie on a line");
+                "face " + std::to_string(f) + " has no area: its corners " +
+                    std::to_string(face[0]) + ", " + std::to_string(face[1]) + ", " +
+                    std::to_string(face[2]) + " lie on a line");
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "generators/random.h"
 #include "mesh/error.h"
 #include "mesh/polygon.h"
 
@@ -79,7 +80,7 @@ TEST(ReadObj, NamesTheLineOfABadVertex) {
   EXPECT_EQ(errorOf("# ok\r\nv 0 1,5 0\r\n"),
             "badFile: line 2: the coordinate '1,5' is not a number");
   for (const std::string word :
-       {"x", "1.5x", "0x10", "--1", ".", "1e", "e5", "1e+", "+", "1.2.3"}) {
+       {"x", "1.5x", "0x10", "--1", ".", "1e", "e5", "1e+", "+", "1.2.3", "1e9999999999"}) {
     EXPECT_EQ(errorOf("v 0 0 " + word + "\n"),
               "badFile: line 1: the coordinate '" + word + "' is not a number");
   }
@@ -102,6 +103,8 @@ TEST(ReadObj, NamesTheLineOfABadFace) {
   EXPECT_EQ(errorOf(kThree + "f 1 2 x\n"), "badFile: line 4: 'x' is not the number of a vertex");
   EXPECT_EQ(errorOf(kThree + "f 1 2 3.5\n"),
             "badFile: line 4: '3.5' is not the number of a vertex");
+  EXPECT_EQ(errorOf(kThree + "f 1 2 3/1//1\n"),
+            "badFile: line 4: '3/1//1' is not the number of a vertex");
   EXPECT_EQ(errorOf(kThree + "f 1 2\n"), "badFile: line 4: a face needs three corners");
   EXPECT_EQ(errorOf(kThree + "f \n"), "badFile: line 4: a face needs three corners");
 }
@@ -117,6 +120,46 @@ TEST(ReadObj, RefusesWhatIsNoObjFile) {
 
 TEST(ReadObj, QuotesJunkWithPrintableCharactersOnly) {
   EXPECT_EQ(errorOf("v 0 0 \x01g\xff\n"), "badFile: line 1: the coordinate '?g?' is not a number");
+}
+
+/// Whatever a file holds, it is an error or a soup whose triangles have vertices.
+TEST(ReadObj, SurvivesDamagedFiles) {
+  const std::string sound =
+      "# a cube's corner\nmtllib a.mtl\no x\ng y z\nv 0 0 0\nv 1.5e0 0 -0\nv 0 1 0 1\nvn 0 0 1\n"
+      "vt 0 1\nv 1 1 .5\nusemtl m\ns 1\nf 1/1/1 2//1 3/1\nf -1 3 1 2\nl 1 2\nt a 1/1/1 2 3 b\n";
+  const std::string alphabet = "vfgot#-+./e019 \t\r\n\\x\xff";
+  Random random(20);
+  int read = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    std::string text = sound;
+    const auto place = [&] {
+      return static_cast<size_t>(random.index(static_cast<int>(text.size())));
+    };
+    for (int edits = 1 + random.index(2); edits > 0; --edits) {
+      const char c = alphabet[static_cast<size_t>(random.index(static_cast<int>(alphabet.size())))];
+      switch (random.index(3)) {
+        case 0:
+          text[place()] = c;
+          break;
+        case 1:
+          text.insert(place(), 1, c);
+          break;
+        default:
+          text.erase(place(), 1);
+      }
+    }
+    try {
+      const ObjContents obj = readObj(text);
+      ++read;
+      for (const Triangle& t : obj.soup.triangles) {
+        ASSERT_GE(t.minCoeff(), 0) << text;
+        ASSERT_LT(t.maxCoeff(), obj.soup.positions.count()) << text;
+      }
+    } catch (const Error& error) {
+      ASSERT_NE(error.what(), std::string());
+    }
+  }
+  EXPECT_GT(read, 1000);
 }
 
 /*  3---2
