@@ -1,0 +1,137 @@
+#include "rcm/estimators.h"
+
+#include <Eigen/Cholesky>
+
+namespace karcher {
+namespace {
+
+/// A neighbour, placed in the plane of a vertex's frame.
+struct Neighbour {
+  int vertex;
+  Vec2 place;
+  Vec2 rotation;  ///< unit: turns vectors in the neighbour's frame into the vertex's
+};
+
+void addNeighbour(Array<Neighbour>& ring, const Neighbour& from, int vertex, double length,
+                  double directionThere, double directionBack) {
+  for (const Neighbour& known : ring) {
+    if (known.vertex == vertex) return;
+  }
+  const Vec2 step = length * unitVector(directionThere);
+  const Vec2 turn = unitVector(directionThere + kPi - directionBack);
+  ring.push_back({vertex, from.place + rotate(from.rotation, step), rotate(from.rotation, turn)});
+}
+
+/// The vertex itself, then its ring by ring neighbours, each carried along the edge by which it was
+/// first met.
+Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  Array<Neighbour> ring{{vertex, Vec2::Zero(), Vec2(1, 0)}};
+  int begin = 0;
+  for (int r = 0; r < rings; ++r) {
+    const int end = ring.count();
+    for (; begin < end; ++begin) {
+      const Neighbour from = ring[begin];
+      const double scale = geometry.angleScale[from.vertex];
+      const int first = mesh.outgoing[from.vertex];
+      int h = first;
+      do {
+        const int to = mesh.head(h);
+        const int onward = next(h);
+        addNeighbour(ring, from, to, geometry.edgeLength[h], scale * geometry.cumulatedAngle[h],
+                     geometry.angleScale[to] *
+                         (geometry.cumulatedAngle[onward] + geometry.cornerAngle[onward]));
+        const int back = previous(h);
+        if (mesh.twin[back] < 0) {
+          const int last = mesh.tail(back);
+          addNeighbour(ring, from, last, geometry.edgeLength[back],
+                       scale * (geometry.cumulatedAngle[h] + geometry.cornerAngle[h]),
+                       geometry.angleScale[last] * geometry.cumulatedAngle[back]);
+        }
+        h = rotateLeft(mesh, h);
+      } while (h >= 0 && h != first);
+    }
+  }
+  return ring;
+}
+
+/// A linear map under which the neighbours' places have unit covariance about the vertex.
+Eigen::Matrix2d whitening(const Array<Neighbour>& ring) {
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  for (const Neighbour& n : ring) covariance += n.place * n.place.transpose();
+  covariance /= ring.count() - 1;
+  const Eigen::Matrix2d lower = covariance.llt().matrixL();
+  return lower.inverse();
+}
+
+double gaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 2); }
+
+/// Terms over log vectors; the vertex's own vector alone where the fit is not determined.
+void linearTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
+  const Eigen::Matrix2d toWhite = whitening(ring);
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  for (const Neighbour& n : ring) {
+    const Vec2 z = toWhite * n.place;
+    const Eigen::Vector3d row(1, z.x(), z.y());
+    normal += gaussian(z) * row * row.transpose();
+  }
+  const Eigen::Vector3d c = normal.ldlt().solve(Eigen::Vector3d(1, 0, 0));
+  if (!c.allFinite()) {
+    terms.push_back({ring[0].vertex, Vec2(1, 0)});
+    return;
+  }
+  for (const Neighbour& n : ring) {
+    const Vec2 z = toWhite * n.place;
+    const double weight = gaussian(z) * (c[0] + c[1] * z.x() + c[2] * z.y());
+    terms.push_back({n.vertex, weight * n.rotation});
+  }
+}
+
+/// Terms over differences of squared distances; false where the ring does not determine the fit.
+bool quadraticTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
+  using Vector5 = Eigen::Matrix<double, 5, 1>;
+  using Matrix5 = Eigen::Matrix<double, 5, 5>;
+  constexpr int kFewest = 8;
+  if (ring.count() < kFewest) return false;
+  const Eigen::Matrix2d toWhite = whitening(ring);
+  const auto row = [&](const Vec2& z) {
+    return Vector5(z.x(), z.y(), z.x() * z.x() / 2, z.x() * z.y(), z.y() * z.y() / 2);
+  };
+  Matrix5 normal = Matrix5::Zero();
+  for (int i = 1; i < ring.count(); ++i) {
+    const Vec2 z = toWhite * ring[i].place;
+    normal += gaussian(z) * row(z) * row(z).transpose();
+  }
+  const Eigen::LDLT<Matrix5> factor(normal);
+  const Vector5 pivots = factor.vectorD();
+  constexpr double kWorstCondition = 1e-4;
+  if (!(pivots.minCoeff() > kWorstCondition * pivots.maxCoeff())) return false;
+  for (int i = 1; i < ring.count(); ++i) {
+    const Vec2 z = toWhite * ring[i].place;
+    const Vector5 fit = factor.solve(gaussian(z) * row(z));
+    terms.push_back({ring[i].vertex, toWhite.transpose() * fit.head<2>()});
+  }
+  return true;
+}
+
+}  // namespace
+
+StencilTable::StencilTable(const Geometry& geometry, Estimator estimator)
+    : geometry_(geometry), estimator_(estimator), places_(geometry.mesh->vertexCount()) {}
+
+Stencil StencilTable::at(int vertex) {
+  Place& place = places_.touch(vertex);
+  if (place.begin < 0) {
+    const int64_t begin = static_cast<int64_t>(terms_.size());
+    const Array<Neighbour> ring =
+        ringsAround(geometry_, vertex, estimator_ == Estimator::kLinear1 ? 1 : 2);
+    place.ofDistances = estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring, terms_);
+    if (!place.ofDistances) linearTerms(ring, terms_);
+    place.count = static_cast<int>(static_cast<int64_t>(terms_.size()) - begin);
+    place.begin = begin;
+  }
+  const StencilTerm* begin = terms_.data() + place.begin;
+  return {begin, begin + place.count, place.ofDistances};
+}
+
+}  // namespace karcher

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "distance/paged_array.h"
+#include "intrinsic/geometry.h"
+
+/// Estimators of the gradient of a squared distance at a vertex, as linear combinations of what a
+/// solver found around it. Their coefficients depend on the mesh alone, so they serve all fields.
+///
+/// Neighbours are placed in the plane of the vertex's frame along edges, and weighted by a Gaussian
+/// of the covariance of their places, which makes the weights blind to a mesh's stretch.
+namespace karcher {
+
+enum class Estimator {
+  /// Linear least-squares fit of the log vectors of the 1-ring, carried into the vertex's frame:
+  /// its
+  /// value at the vertex. Exact for fields that are linear, as on the plane; halves the noise of
+  /// single vectors.
+  kLinear1,
+  /// The same over the 2-ring.
+  kLinear2,
+  /// Quadratic least-squares fit of squared distances over the 2-ring, through the vertex's own
+  /// value: its gradient there. Second order; kLinear2 where the ring does not determine the fit.
+  kQuadratic2,
+};
+
+/// A term of a stencil: of vectors the neighbour's vector, turned and scaled by `coefficient` as a
+/// complex number; of distances the neighbour's squared distance less the vertex's own, times the
+/// vector `coefficient`.
+struct StencilTerm {
+  int vertex;
+  Vec2 coefficient;
+};
+
+struct Stencil {
+  const StencilTerm* begin = nullptr;
+  const StencilTerm* end = nullptr;
+  bool ofDistances = false;
+};
+
+/// The stencils of one estimator, each made when it is first asked for.
+class StencilTable {
+ public:
+  /// The geometry must outlive the table.
+  StencilTable(const Geometry& geometry, Estimator estimator);
+
+  /// The stencil of a vertex; valid until the next call.
+  Stencil at(int vertex);
+
+ private:
+  struct Place {
+    int64_t begin = -1;
+    int count = 0;
+    bool ofDistances = false;
+  };
+
+  const Geometry& geometry_;
+  Estimator estimator_;
+  PagedArray<Place, 8> places_;
+  Array<StencilTerm> terms_;
+};
+
+}  // namespace karcher
