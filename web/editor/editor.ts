@@ -1,0 +1,208 @@
+import {
+  apply,
+  type Command,
+  type CurveDocument,
+  cleared,
+  emptyDocument,
+  invert,
+  isEmpty,
+  type Kind,
+} from './document';
+import { defaultMethod, type MethodId } from './methods';
+
+/** A control point by its number, or one of the circle's handles. */
+export type Selection = number | 'center' | 'rim' | null;
+
+export interface State {
+  /** The key of the surface that is shown; empty before the first one. */
+  readonly mesh: string;
+  readonly document: CurveDocument;
+  readonly selection: Selection;
+  readonly method: MethodId;
+  /** Grows with every change of the document or the method. */
+  readonly revision: number;
+  /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
+  readonly epoch: number;
+}
+
+interface History {
+  done: Command[];
+  undone: Command[];
+}
+
+const longestHistory = 1000;
+
+/** The page's one state, and the only way to change it. */
+export class Editor {
+  #state: State = {
+    mesh: '',
+    document: emptyDocument,
+    selection: null,
+    method: defaultMethod,
+    revision: 0,
+    epoch: 0,
+  };
+  readonly #listeners: ((state: State, before: State) => void)[] = [];
+  /** The surfaces that were shown: what was done there, and the document it led to. */
+  readonly #histories = new Map<string, History>();
+  readonly #documents = new Map<string, CurveDocument>();
+  /** The document before the drag that is going on, and the drag as one command. */
+  #drag: { base: CurveDocument; command: Command | null } | null = null;
+
+  get state(): State {
+    return this.#state;
+  }
+
+  subscribe(listener: (state: State, before: State) => void): void {
+    this.#listeners.push(listener);
+  }
+
+  /**
+   * Shows another surface, with the document it had when it was last shown, or else with this one.
+   * What was done there can still be undone.
+   */
+  open(mesh: string, document: CurveDocument): void {
+    this.cancelDrag();
+    this.#documents.set(this.#state.mesh, this.#state.document);
+    const kept = this.#documents.get(mesh) ?? document;
+    this.#change({ mesh, document: kept, selection: null }, true);
+  }
+
+  run(command: Command, selection: Selection = this.#state.selection): void {
+    this.cancelDrag();
+    this.#record(command);
+    this.#change({ document: apply(this.#state.document, command), selection }, true);
+  }
+
+  /** Shows the document as it is after a command that is not yet done: a drag's next position. */
+  preview(command: Command): void {
+    this.#drag ??= { base: this.#state.document, command: null };
+    this.#drag.command = command;
+    this.#change({ document: apply(this.#drag.base, command) }, false);
+  }
+
+  /** Makes the drag one step of the history. */
+  commitDrag(): void {
+    if (this.#drag?.command) this.#record(this.#drag.command);
+    const dragged = this.#drag !== null;
+    this.#drag = null;
+    if (dragged) this.#change({}, false);
+  }
+
+  cancelDrag(): void {
+    const drag = this.#drag;
+    this.#drag = null;
+    if (drag) this.#change({ document: drag.base }, true);
+  }
+
+  get dragging(): boolean {
+    return this.#drag !== null;
+  }
+
+  /** The document without the drag that is going on. */
+  get base(): CurveDocument {
+    return this.#drag?.base ?? this.#state.document;
+  }
+
+  get canUndo(): boolean {
+    return this.#history.done.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#history.undone.length > 0;
+  }
+
+  undo(): void {
+    if (this.#drag) {
+      this.cancelDrag();
+      return;
+    }
+    const command = this.#history.done.pop();
+    if (!command) return;
+    this.#history.undone.push(command);
+    this.#step(invert(command));
+  }
+
+  redo(): void {
+    if (this.#drag) return;
+    const command = this.#history.undone.pop();
+    if (!command) return;
+    this.#history.done.push(command);
+    this.#step(command);
+  }
+
+  select(selection: Selection): void {
+    if (selection !== this.#state.selection) this.#change({ selection }, false);
+  }
+
+  setKind(kind: Kind): void {
+    const { document } = this.#state;
+    if (kind !== document.kind) this.run({ type: 'kind', from: document.kind, to: kind }, null);
+  }
+
+  setMethod(method: MethodId): void {
+    if (method !== this.#state.method) this.#change({ method }, true);
+  }
+
+  /** Removes the selected control point, or the circle. */
+  removeSelected(): void {
+    const { document, selection } = this.#state;
+    if (selection === null) return;
+    if (typeof selection === 'string') {
+      this.run({ type: 'circle', from: document.circle, to: null }, null);
+      return;
+    }
+    const point = document.points[selection];
+    if (!point) return;
+    const left = document.points.length - 1;
+    const next = left === 0 ? null : Math.min(selection, left - 1);
+    this.run({ type: 'remove', index: selection, point }, next);
+  }
+
+  clear(): void {
+    const { document } = this.#state;
+    if (isEmpty(document)) return;
+    this.run({ type: 'replace', from: document, to: cleared(document) }, null);
+  }
+
+  get #history(): History {
+    const { mesh } = this.#state;
+    let history = this.#histories.get(mesh);
+    if (!history) {
+      history = { done: [], undone: [] };
+      this.#histories.set(mesh, history);
+    }
+    return history;
+  }
+
+  #record(command: Command): void {
+    const history = this.#history;
+    history.done.push(command);
+    history.undone = [];
+    if (history.done.length > longestHistory) history.done.shift();
+  }
+
+  /** One step back or forth; what the step touched is selected, so that it is seen. */
+  #step(command: Command): void {
+    const document = apply(this.#state.document, command);
+    let { selection } = this.#state;
+    if (command.type === 'insert' || command.type === 'move') selection = command.index;
+    else if (command.type !== 'circle' || !command.to) selection = null;
+    this.#change({ document, selection }, true);
+  }
+
+  #change(part: Partial<State>, newEpoch: boolean): void {
+    const before = this.#state;
+    const state = { ...before, ...part };
+    const traced =
+      state.document !== before.document ||
+      state.method !== before.method ||
+      state.mesh !== before.mesh;
+    this.#state = {
+      ...state,
+      revision: before.revision + (traced ? 1 : 0),
+      epoch: before.epoch + (newEpoch ? 1 : 0),
+    };
+    for (const listener of this.#listeners) listener(this.#state, before);
+  }
+}

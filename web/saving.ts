@@ -1,0 +1,54 @@
+import type { Editor, State } from './editor/editor';
+import { formatLink, type Link, parseLink } from './editor/link';
+import { recall, recallInTab, remember, rememberInTab } from './storage';
+
+const delayMilliseconds = 200;
+
+/**
+ * Keeps what is made where a reload finds it: in the address and in the browser's storage. Saving
+ * waits for a moment's rest, as browsers limit how often an address may change.
+ */
+export function saveChanges(editor: Editor): void {
+  let timer = 0;
+  const save = (state: State) => {
+    clearTimeout(timer);
+    timer = 0;
+    const text = formatLink(state.mesh, state.method, state.document);
+    remember('last', text);
+    remember(`document.${state.mesh}`, text);
+    remember('method', state.method);
+    if (location.hash.slice(1) !== text) history.replaceState(null, '', `#${text}`);
+  };
+  const saveSoon = () => {
+    clearTimeout(timer);
+    timer = window.setTimeout(() => {
+      if (editor.dragging) saveSoon();
+      else save(editor.state);
+    }, delayMilliseconds);
+  };
+  editor.subscribe((state, before) => {
+    if (state.revision === before.revision) return;
+    if (timer && state.mesh !== before.mesh) save(before);
+    saveSoon();
+  });
+  const flush = () => {
+    if (!timer) return;
+    editor.cancelDrag();
+    // A reload that is under way may still go to the address as it was.
+    const before = location.hash.slice(1);
+    save(editor.state);
+    rememberInTab('overtaken', `${before} ${location.hash.slice(1)}`);
+  };
+  window.addEventListener('pagehide', flush);
+  document.addEventListener('visibilitychange', () => {
+    if (document.hidden) flush();
+  });
+}
+
+/** What the page starts with: its address says it, or else what was last made in this browser. */
+export function startingLink(): Link | null {
+  const fragment = location.hash.slice(1);
+  const [before, after] = (recallInTab('overtaken') ?? '').split(' ');
+  const newest = after && before === fragment ? after : fragment;
+  return parseLink(newest) ?? parseLink(recall('last') ?? '');
+}

@@ -1,0 +1,75 @@
+/**
+ * What a browser keeps for the page: documents by surface and preferences (localStorage), and the
+ * bytes of the last files that were opened (IndexedDB). A browser that keeps nothing, as in private
+ * windows, is no error: the page then starts afresh.
+ */
+const prefix = 'karcher.';
+const longestFile = 128 * 1024 * 1024;
+const filesKept = 4;
+
+function keep(storage: () => Storage, name: string, value: string): void {
+  try {
+    storage().setItem(prefix + name, value);
+  } catch {
+    // Full or forbidden.
+  }
+}
+
+function find(storage: () => Storage, name: string): string | null {
+  try {
+    return storage().getItem(prefix + name);
+  } catch {
+    return null;
+  }
+}
+
+export const remember = (name: string, value: string) => keep(() => localStorage, name, value);
+export const recall = (name: string) => find(() => localStorage, name);
+
+/** For this tab only, through reloads. */
+export const rememberInTab = (name: string, value: string) =>
+  keep(() => sessionStorage, name, value);
+export const recallInTab = (name: string) => find(() => sessionStorage, name);
+
+function request<T>(make: IDBRequest<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    make.onsuccess = () => resolve(make.result);
+    make.onerror = () => reject(make.error);
+  });
+}
+
+async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
+  const opening = indexedDB.open('karcher', 1);
+  opening.onupgradeneeded = () => opening.result.createObjectStore('files');
+  const database = await request(opening);
+  return database.transaction('files', mode).objectStore('files');
+}
+
+interface StoredFile {
+  bytes: Uint8Array;
+  opened: number;
+}
+
+export async function keepFile(key: string, bytes: Uint8Array): Promise<void> {
+  if (bytes.length > longestFile) return;
+  try {
+    const files = await openFiles('readwrite');
+    await request(files.put({ bytes, opened: Date.now() } satisfies StoredFile, key));
+    const keys = await request(files.getAllKeys());
+    if (keys.length <= filesKept) return;
+    const stored: StoredFile[] = await request(files.getAll());
+    const oldest = stored.reduce((a, b, i) => (b.opened < stored[a]!.opened ? i : a), 0);
+    await request(files.delete(keys[oldest]!));
+  } catch {
+    // Full or forbidden.
+  }
+}
+
+export async function keptFile(key: string): Promise<Uint8Array | null> {
+  try {
+    const file: StoredFile | undefined = await request((await openFiles('readonly')).get(key));
+    return file?.bytes ?? null;
+  } catch {
+    return null;
+  }
+}
