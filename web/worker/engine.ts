@@ -1,0 +1,170 @@
+/** The worker that runs the engine: one surface, and the curve that is being edited on it. */
+
+import type { CurveSamples, Status } from 'karcher';
+import {
+  type Curve,
+  type CurveOptions,
+  type Karcher,
+  KarcherError,
+  load,
+  type Mesh,
+} from 'karcher';
+import type { MeshSource } from '../editor/meshes';
+import { changeBetween } from './change';
+import type { Calls, Failure, Reply, Request, TracedCurve } from './protocol';
+
+let mesh: Mesh | null = null;
+let curve: { options: CurveOptions; traced: Curve } | null = null;
+const running = new Map<number, AbortController>();
+
+type Work = { progress: (done: number, stage: string) => void; signal: AbortSignal };
+type Answer<Result> = { result: Result; transfer?: Transferable[] };
+type Handlers = {
+  [Name in keyof Calls]: (
+    work: Work,
+    ...args: Parameters<Calls[Name]>
+  ) => Answer<ReturnType<Calls[Name]>> | Promise<Answer<ReturnType<Calls[Name]>>>;
+};
+
+const handlers: Handlers = {
+  async load({ progress }, source) {
+    progress(0, 'Starting the engine');
+    const karcher = await load();
+    progress(0.2, 'Reading the surface');
+    mesh = await makeMesh(karcher, source, progress);
+    const [positions, triangles] = [mesh.positions(), mesh.triangles()];
+    const result = { info: mesh.info, positions, triangles };
+    return { result, transfer: [positions.buffer, triangles.buffer] as ArrayBuffer[] };
+  },
+
+  async prepare(work, options) {
+    await theMesh().prepare(options, work);
+    return { result: undefined };
+  },
+
+  curve(_, options) {
+    const started = performance.now();
+    const traced = retrace(options);
+    const polyline = traced.polyline.slice();
+    const polylineStatus = traced.polylineStatus.slice();
+    const result: TracedCurve = {
+      polyline,
+      polylineStatus,
+      ...count(traced.samples),
+      length: traced.length,
+      milliseconds: performance.now() - started,
+    };
+    return { result, transfer: [polyline.buffer, polylineStatus.buffer] };
+  },
+
+  circle(_, options) {
+    const started = performance.now();
+    const { polyline, length, samples } = theMesh().circle(options);
+    const result: TracedCurve = {
+      polyline: polyline.slice(),
+      polylineStatus: new Uint8Array(polyline.length / 3),
+      ...count(samples),
+      length,
+      milliseconds: performance.now() - started,
+    };
+    return { result, transfer: [result.polyline.buffer as ArrayBuffer] };
+  },
+
+  centerOfMass(_, points, weights, options) {
+    return { result: theMesh().centerOfMass(points, weights, options) };
+  },
+
+  distance(_, point, options) {
+    const result = theMesh().distance(point, options).slice();
+    return { result, transfer: [result.buffer] };
+  },
+
+  shortestPath(_, from, to) {
+    const { length, polyline } = theMesh().shortestPath(from, to);
+    return { result: { length, polyline: Float32Array.from(polyline) } };
+  },
+
+  straightest(_, from, direction, length) {
+    const { end, remaining, polyline } = theMesh().straightest(from, direction, length);
+    return { result: { end, remaining, polyline: Float32Array.from(polyline) } };
+  },
+};
+
+function theMesh(): Mesh {
+  if (!mesh) throw new Error('no surface is loaded');
+  return mesh;
+}
+
+async function makeMesh(
+  karcher: Karcher,
+  source: MeshSource,
+  progress: Work['progress'],
+): Promise<Mesh> {
+  if (source.kind === 'file') return karcher.meshFromObj(source.bytes);
+  if (source.kind === 'shape') return karcher.shape(source.name, source.triangles);
+  const { default: bunny } = await import('bunny');
+  const coarse = karcher.meshFromArrays(bunny.positions.flat(), bunny.cells.flat());
+  if (source.levels === 0) return coarse;
+  progress(0.4, 'Refining');
+  const fine = coarse.subdivide(source.levels);
+  coarse.dispose();
+  return fine;
+}
+
+/** The curve for these options, made from the one before where an edit does. */
+function retrace(options: CurveOptions): Curve {
+  const change = curve ? changeBetween(curve.options, options) : { type: 'new' as const };
+  if (!curve || change.type === 'new') {
+    const traced = theMesh().curve(options);
+    curve?.traced.dispose();
+    curve = { options, traced };
+    return traced;
+  }
+  // An edit that fails leaves the curve as it was.
+  const { traced } = curve;
+  if (change.type === 'move') traced.movePoint(change.index, change.point);
+  else if (change.type === 'insert') traced.insertPoint(change.index, change.point);
+  else if (change.type === 'remove') traced.removePoint(change.index);
+  else if (change.type === 'kind') traced.setKind(options.kind);
+  curve = { options, traced };
+  return traced;
+}
+
+function count(samples: CurveSamples): Pick<TracedCurve, 'sampleCount' | 'notConverged'> {
+  const notConverged: Partial<Record<Status, number>> = {};
+  for (const status of samples.status) {
+    if (status !== 'converged') notConverged[status] = (notConverged[status] ?? 0) + 1;
+  }
+  return { sampleCount: samples.count, notConverged };
+}
+
+function failure(error: unknown): Failure {
+  if (error instanceof KarcherError) return { message: error.message, code: error.code };
+  const message = error instanceof Error ? error.message : `${error}`;
+  return { message, fatal: error instanceof WebAssembly.RuntimeError };
+}
+
+const post = (reply: Reply, transfer: Transferable[] = []) => self.postMessage(reply, { transfer });
+
+self.onmessage = async ({ data }: MessageEvent<Request>) => {
+  const { id } = data;
+  if (data.call === 'cancel') {
+    running.get(id)?.abort();
+    return;
+  }
+  const controller = new AbortController();
+  running.set(id, controller);
+  const progress = (done: number, stage: string) => post({ id, progress: done, stage });
+  try {
+    const handler = handlers[data.call] as (
+      work: Work,
+      ...args: unknown[]
+    ) => Answer<unknown> | Promise<Answer<unknown>>;
+    const answer = await handler({ progress, signal: controller.signal }, ...data.args);
+    post({ id, result: answer.result }, answer.transfer);
+  } catch (error) {
+    post({ id, failure: failure(error) });
+  } finally {
+    running.delete(id);
+  }
+};

@@ -1,0 +1,83 @@
+/** The worker that prepares a surface for drawing and picking, so that the page never waits. */
+import { BufferAttribute, BufferGeometry } from 'three';
+import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
+
+/** Takes a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2. */
+export interface Frame {
+  center: [number, number, number];
+  scale: number;
+}
+
+export interface DrawnGeometry {
+  frame: Frame;
+  /** In the scene's coordinates. */
+  positions: Float32Array;
+  normals: Float32Array;
+  triangles: Uint32Array;
+  tree: SerializedBVH;
+  /** Which sides of the triangles are seen from outside. */
+  outside: 'front' | 'back' | 'both';
+}
+
+type Corners = [number, number, number];
+
+export interface GeometryRequest {
+  positions: Float64Array;
+  triangles: Int32Array;
+  /** Without a boundary. */
+  closed: boolean;
+}
+
+/** The frame of the vertices that triangles use. */
+function frameOf({ positions, triangles }: GeometryRequest): Frame {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (const vertex of triangles) {
+    for (let axis = 0; axis < 3; axis++) {
+      const value = positions[3 * vertex + axis]!;
+      low[axis] = Math.min(low[axis]!, value);
+      high[axis] = Math.max(high[axis]!, value);
+    }
+  }
+  const center = low.map((value, axis) => (value + high[axis]!) / 2) as Frame['center'];
+  const diagonal = Math.hypot(...low.map((value, axis) => high[axis]! - value));
+  return { center, scale: 2 / diagonal };
+}
+
+/** The sign of the volume that a closed surface encloses tells which way its triangles face. */
+function outsideOf(positions: Float32Array, triangles: Uint32Array): 'front' | 'back' {
+  let volume = 0;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a, b, c] = [0, 1, 2].map((corner) => 3 * triangles[i + corner]!) as Corners;
+    for (let axis = 0; axis < 3; axis++) {
+      const [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+      const minor =
+        positions[b + next]! * positions[c + last]! - positions[b + last]! * positions[c + next]!;
+      volume += positions[a + axis]! * minor;
+    }
+  }
+  return volume >= 0 ? 'front' : 'back';
+}
+
+self.onmessage = ({ data }: MessageEvent<GeometryRequest>) => {
+  const frame = frameOf(data);
+  const positions = Float32Array.from(
+    data.positions,
+    (value, i) => (value - frame.center[i % 3]!) * frame.scale,
+  );
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setIndex(new BufferAttribute(Uint32Array.from(data.triangles), 1));
+  geometry.computeVertexNormals();
+  // Without `indirect` the tree would reorder the triangles, and lose the engine's numbering.
+  const tree = MeshBVH.serialize(new MeshBVH(geometry, { indirect: true }), {
+    cloneBuffers: false,
+  });
+  const normals = geometry.getAttribute('normal').array as Float32Array;
+  const triangles = geometry.getIndex()!.array as Uint32Array;
+  const outside = data.closed ? outsideOf(positions, triangles) : 'both';
+  const answer: DrawnGeometry = { frame, positions, normals, triangles, tree, outside };
+  const buffers = new Set<Transferable>([positions.buffer, normals.buffer, triangles.buffer]);
+  for (const root of tree.roots) buffers.add(root);
+  self.postMessage(answer, { transfer: [...buffers] });
+};

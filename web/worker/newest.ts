@@ -1,0 +1,41 @@
+/**
+ * Runs one job at a time. While it runs the newest request waits and older ones are dropped; when
+ * nothing waits, `idle` may do work of lower rank, one piece a turn, until it returns false.
+ */
+export class Newest<Job> {
+  #waiting: { job: Job } | null = null;
+  #running = false;
+
+  constructor(
+    private readonly run: (job: Job) => Promise<void>,
+    private readonly idle: () => Promise<boolean> = async () => false,
+  ) {}
+
+  push(job: Job): void {
+    this.#waiting = { job };
+    if (!this.#running) void this.#loop();
+  }
+
+  /** Drops the request that waits; the running one goes on. */
+  drop(): void {
+    this.#waiting = null;
+  }
+
+  get busy(): boolean {
+    return this.#running;
+  }
+
+  async #loop(): Promise<void> {
+    this.#running = true;
+    try {
+      for (;;) {
+        const next = this.#waiting;
+        this.#waiting = null;
+        if (next) await this.run(next.job);
+        else if (!(await this.idle()) && !this.#waiting) break;
+      }
+    } finally {
+      this.#running = false;
+    }
+  }
+}

@@ -1,0 +1,76 @@
+/** The messages between the page and the worker that runs the engine. */
+import type {
+  CenterOfMass,
+  CenterOptions,
+  CircleOptions,
+  CurveOptions,
+  ErrorCode,
+  FieldOptions,
+  MeshInfo,
+  PointLike,
+  Solver,
+  Status,
+  SurfacePoint,
+} from 'karcher';
+import type { MeshSource } from '../editor/meshes';
+
+export interface LoadedMesh {
+  info: MeshInfo;
+  positions: Float64Array;
+  triangles: Int32Array;
+}
+
+/** A curve as the page draws it. */
+export interface TracedCurve {
+  polyline: Float32Array;
+  /** One a polyline vertex; 1 where its sample is not converged. */
+  polylineStatus: Uint8Array;
+  sampleCount: number;
+  /** How many samples are not converged, by how their search ended. */
+  notConverged: Partial<Record<Status, number>>;
+  length: number;
+  milliseconds: number;
+}
+
+export interface TracedPath {
+  length: number;
+  polyline: Float32Array;
+}
+
+export interface TracedStraightestPath {
+  end: SurfacePoint;
+  remaining: number;
+  polyline: Float32Array;
+}
+
+type Vector = [number, number, number];
+
+/** What can be asked of the worker; the names and arguments are the engine's own. */
+export interface Calls {
+  load(source: MeshSource): LoadedMesh;
+  prepare(options: FieldOptions): void;
+  curve(options: CurveOptions): TracedCurve;
+  circle(options: CircleOptions): TracedCurve;
+  centerOfMass(points: PointLike[], weights: number[], options?: CenterOptions): CenterOfMass;
+  distance(point: PointLike, options?: { solver?: Solver; rings?: number }): Float64Array;
+  shortestPath(from: PointLike, to: PointLike): TracedPath;
+  straightest(from: PointLike, direction: Vector, length: number): TracedStraightestPath;
+}
+
+export type CallName = keyof Calls;
+
+export type Request =
+  | { [Name in CallName]: { id: number; call: Name; args: Parameters<Calls[Name]> } }[CallName]
+  | { id: number; call: 'cancel' };
+
+export interface Failure {
+  message: string;
+  code?: ErrorCode;
+  /** The engine broke, and can't be relied on. */
+  fatal?: boolean;
+}
+
+export type Reply =
+  | { id: number; result: unknown }
+  | { id: number; failure: Failure }
+  | { id: number; progress: number; stage: string };
