@@ -1,0 +1,142 @@
+import {
+  type Color,
+  DynamicDrawUsage,
+  GreaterDepth,
+  Group,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+  type Vector3,
+} from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+
+export interface LineStyle {
+  /** In CSS pixels. */
+  width: number;
+  dashed?: boolean;
+  /** Opacity of what is hidden behind the surface. */
+  hidden: number;
+}
+
+/** Lines are drawn this part of the way to the camera nearer, so that the surface cuts none. */
+const nearer = 0.003;
+
+/** Dash and gap in the scene's units; a surface's diagonal is 2. */
+const dash = 0.009;
+const gap = 0.006;
+const smallest = 256;
+
+/**
+ * Polylines of constant width on the screen; what the surface hides shows through faintly. The
+ * buffers are kept and only grow, so that a drag makes none.
+ */
+export class FatLine {
+  readonly object = new Group();
+  readonly #materials: LineMaterial[];
+  #geometry = new LineSegmentsGeometry();
+  #ends = new Float32Array(0);
+  #distances = new Float32Array(0);
+  #segments = 0;
+
+  constructor(style: LineStyle, order: number) {
+    const common = { linewidth: style.width, dashed: style.dashed ?? false, transparent: true };
+    const seen = new LineMaterial({ ...common, depthWrite: false });
+    const hidden = new LineMaterial({ ...common, depthWrite: false, opacity: style.hidden });
+    hidden.depthFunc = GreaterDepth;
+    this.#materials = [hidden, seen];
+    for (const [i, material] of this.#materials.entries()) {
+      material.dashSize = dash;
+      material.gapSize = gap;
+      const line = new LineSegments2(this.#geometry, material);
+      line.frustumCulled = false;
+      line.renderOrder = order + i;
+      this.object.add(line);
+    }
+    this.#reserve(smallest);
+    this.clear();
+  }
+
+  set color(color: Color) {
+    for (const material of this.#materials) material.color.copy(color);
+  }
+
+  /** Takes the lines nearer to the camera, each point along its own ray. */
+  follow(camera: Vector3): void {
+    this.object.position.copy(camera).multiplyScalar(nearer);
+    this.object.scale.setScalar(1 - nearer);
+  }
+
+  clear(): void {
+    this.#segments = 0;
+    this.#upload();
+  }
+
+  /** Shows these polylines, x, y, z each, instead of what was there. */
+  set(polylines: readonly Float32Array[]): void {
+    const count = polylines.reduce((sum, line) => sum + Math.max(0, line.length / 3 - 1), 0);
+    this.#reserve(count);
+    this.#segments = 0;
+    for (const line of polylines) {
+      for (let i = 3; i < line.length; i += 3) this.#add(line, i);
+    }
+    this.#upload();
+  }
+
+  /** Shows the segments of a polyline that the choice takes. */
+  setChosen(line: Float32Array, choice: (segment: number) => boolean): void {
+    this.#reserve(line.length / 3);
+    this.#segments = 0;
+    for (let i = 3; i < line.length; i += 3) if (choice(i / 3 - 1)) this.#add(line, i);
+    this.#upload();
+  }
+
+  dispose(): void {
+    this.#geometry.dispose();
+    for (const material of this.#materials) material.dispose();
+  }
+
+  #add(line: Float32Array, at: number): void {
+    const segment = this.#segments++;
+    this.#ends.set(line.subarray(at - 3, at + 3), 6 * segment);
+    const before = segment > 0 ? this.#distances[2 * segment - 1]! : 0;
+    const [x, y, z] = [0, 1, 2].map((axis) => line[at + axis]! - line[at - 3 + axis]!);
+    this.#distances[2 * segment] = before;
+    this.#distances[2 * segment + 1] = before + Math.hypot(x!, y!, z!);
+  }
+
+  #reserve(count: number): void {
+    if (6 * count <= this.#ends.length) return;
+    const capacity = Math.max(smallest, 2 ** Math.ceil(Math.log2(count)));
+    this.#ends = new Float32Array(6 * capacity);
+    this.#distances = new Float32Array(2 * capacity);
+    this.#geometry.dispose();
+    this.#geometry = new LineSegmentsGeometry();
+    const [ends, distances] = [
+      new InstancedInterleavedBuffer(this.#ends, 6, 1),
+      new InstancedInterleavedBuffer(this.#distances, 2, 1),
+    ];
+    for (const buffer of [ends, distances]) buffer.setUsage(DynamicDrawUsage);
+    const attributes = {
+      instanceStart: new InterleavedBufferAttribute(ends, 3, 0),
+      instanceEnd: new InterleavedBufferAttribute(ends, 3, 3),
+      instanceDistanceStart: new InterleavedBufferAttribute(distances, 1, 0),
+      instanceDistanceEnd: new InterleavedBufferAttribute(distances, 1, 1),
+    };
+    for (const [name, attribute] of Object.entries(attributes)) {
+      this.#geometry.setAttribute(name, attribute);
+    }
+    for (const line of this.object.children) (line as LineSegments2).geometry = this.#geometry;
+  }
+
+  #upload(): void {
+    this.#geometry.instanceCount = this.#segments;
+    this.object.visible = this.#segments > 0;
+    for (const name of ['instanceStart', 'instanceDistanceStart']) {
+      const { data } = this.#geometry.getAttribute(name) as InterleavedBufferAttribute;
+      data.clearUpdateRanges();
+      data.addUpdateRange(0, this.#segments * data.stride);
+      data.needsUpdate = true;
+    }
+  }
+}

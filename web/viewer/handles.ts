@@ -1,0 +1,131 @@
+import type { Vector3 } from 'three';
+import type { Viewer } from './viewer';
+
+export interface Handle {
+  /** Tells it from the others, and stays with the point while it moves. */
+  id: string;
+  position: Vector3;
+  label: string;
+  /** Text beside the handle while it is selected or pointed at. */
+  tag: string;
+  look: 'point' | 'center' | 'rim';
+  selected: boolean;
+}
+
+export interface HandleEvents {
+  /** A drag's start, next position (of the handle's middle, in the window's pixels) and end. */
+  grab(id: string): void;
+  drag(id: string, clientX: number, clientY: number): void;
+  release(id: string, cancelled: boolean): void;
+  focus(id: string): void;
+  key(id: string, event: KeyboardEvent): void;
+}
+
+/** Handles of constant size over the canvas: real buttons, so that keys and readers reach them. */
+export class Handles {
+  readonly #buttons = new Map<string, { button: HTMLButtonElement; handle: Handle }>();
+  readonly #preview = document.createElement('div');
+  #previewPosition: Vector3 | null = null;
+
+  constructor(
+    private readonly viewer: Viewer,
+    private readonly layer: HTMLElement,
+    private readonly events: HandleEvents,
+  ) {
+    this.#preview.className = 'preview';
+    this.#preview.hidden = true;
+    layer.append(this.#preview);
+    viewer.onFrame(() => this.#place());
+  }
+
+  show(handles: readonly Handle[]): void {
+    const ids = new Set(handles.map(({ id }) => id));
+    for (const [id, { button }] of this.#buttons) {
+      if (ids.has(id)) continue;
+      button.remove();
+      this.#buttons.delete(id);
+    }
+    for (const handle of handles) {
+      const entry = this.#buttons.get(handle.id) ?? { button: this.#make(handle.id), handle };
+      entry.handle = handle;
+      this.#buttons.set(handle.id, entry);
+      const { button } = entry;
+      button.dataset.look = handle.look;
+      button.dataset.tag = handle.tag;
+      button.setAttribute('aria-label', handle.label);
+      button.setAttribute('aria-pressed', `${handle.selected}`);
+    }
+    this.viewer.requestFrame();
+  }
+
+  /** Where a click would put a point. */
+  showPreview(position: Vector3 | null): void {
+    this.#previewPosition = position;
+    this.#preview.hidden = position === null;
+    if (position) this.viewer.requestFrame();
+  }
+
+  focus(id: string): void {
+    this.#buttons.get(id)?.button.focus({ preventScroll: true });
+  }
+
+  /** Where a handle is in the window, in CSS pixels. */
+  place(id: string): { x: number; y: number } | null {
+    const handle = this.#buttons.get(id)?.handle;
+    if (!handle) return null;
+    const { x, y } = this.viewer.project(handle.position);
+    const box = this.layer.getBoundingClientRect();
+    return { x: box.left + x, y: box.top + y };
+  }
+
+  get hasFocus(): boolean {
+    return this.layer.contains(document.activeElement);
+  }
+
+  #place(): void {
+    for (const { button, handle } of this.#buttons.values()) {
+      const { x, y, hidden } = this.viewer.project(handle.position);
+      button.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
+      button.classList.toggle('behind', hidden);
+    }
+    if (!this.#previewPosition) return;
+    const { x, y } = this.viewer.project(this.#previewPosition);
+    this.#preview.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
+  }
+
+  #make(id: string): HTMLButtonElement {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'handle';
+    let offset: { x: number; y: number } | null = null;
+    button.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0 || offset) return;
+      // The view's controls listen on the stage: a drag of a handle is none of theirs.
+      event.stopPropagation();
+      button.setPointerCapture(event.pointerId);
+      const box = button.getBoundingClientRect();
+      offset = {
+        x: event.clientX - (box.left + box.width / 2),
+        y: event.clientY - (box.top + box.height / 2),
+      };
+      this.events.grab(id);
+    });
+    button.addEventListener('pointermove', (event) => {
+      if (!offset) return;
+      event.stopPropagation();
+      this.events.drag(id, event.clientX - offset.x, event.clientY - offset.y);
+    });
+    const end = (cancelled: boolean) => {
+      if (!offset) return;
+      offset = null;
+      this.events.release(id, cancelled);
+    };
+    button.addEventListener('pointerup', () => end(false));
+    button.addEventListener('pointercancel', () => end(true));
+    button.addEventListener('lostpointercapture', () => end(false));
+    button.addEventListener('focus', () => this.events.focus(id));
+    button.addEventListener('keydown', (event) => this.events.key(id, event));
+    this.layer.append(button);
+    return button;
+  }
+}

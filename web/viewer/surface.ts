@@ -1,0 +1,184 @@
+import type { SurfacePoint } from 'karcher';
+import {
+  BackSide,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  FrontSide,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  type Ray,
+  ShaderMaterial,
+  Vector3,
+} from 'three';
+import { MeshBVH } from 'three-mesh-bvh';
+import { surfacePoint } from '../editor/document';
+import type { DrawnGeometry, Frame } from '../worker/geometry';
+
+/** Digits after the point that the weights of a picked point have, so that links are short. */
+const shortened = (weight: number) => Math.floor(weight * 1e9) / 1e9;
+
+/** A point under the pointer, and where it is in the scene. */
+export interface Pick {
+  point: SurfacePoint;
+  position: Vector3;
+}
+
+export interface SurfaceColors {
+  front: string;
+  back: string;
+  sky: string;
+  ground: string;
+  edges: string;
+}
+
+/** Clay lit by a soft sky and a key light that goes with the camera. */
+const material = new ShaderMaterial({
+  uniforms: {
+    front: { value: new Color() },
+    back: { value: new Color() },
+    sky: { value: new Color() },
+    ground: { value: new Color() },
+    frontIsOutside: { value: true },
+  },
+  vertexShader: `
+    varying vec3 vNormal;
+    varying vec3 vEye;
+    void main() {
+      vec4 eye = modelViewMatrix * vec4(position, 1.0);
+      vEye = -eye.xyz;
+      vNormal = normalMatrix * normal;
+      gl_Position = projectionMatrix * eye;
+    }`,
+  fragmentShader: `
+    uniform vec3 front;
+    uniform vec3 back;
+    uniform vec3 sky;
+    uniform vec3 ground;
+    uniform bool frontIsOutside;
+    varying vec3 vNormal;
+    varying vec3 vEye;
+    void main() {
+      vec3 eye = normalize(vEye);
+      vec3 normal = normalize(vNormal);
+      if (!gl_FrontFacing) normal = -normal;
+      float up = 0.5 + 0.5 * normal.y;
+      vec3 key = normalize(vec3(-0.45, 0.7, 0.75));
+      float lit = max(0.0, (dot(normal, key) + 0.2) / 1.2);
+      float gloss = pow(max(0.0, dot(normal, normalize(key + eye))), 24.0);
+      float rim = pow(1.0 - abs(dot(normal, eye)), 3.0);
+      vec3 clay = gl_FrontFacing == frontIsOutside ? front : back;
+      vec3 light = mix(ground, sky, up) * 0.64 + vec3(0.56) * lit * lit;
+      gl_FragColor = vec4(clay * light + sky * (0.05 * gloss + 0.1 * rim), 1.0);
+      #include <colorspace_fragment>
+    }`,
+});
+
+/** Only the sides that are seen are drawn: the others would show as specks at the silhouette. */
+const sides = { front: FrontSide, back: BackSide, both: DoubleSide };
+
+const edgeMaterial = new MeshBasicMaterial({
+  wireframe: true,
+  transparent: true,
+  opacity: 0.16,
+  depthWrite: false,
+});
+
+export function colorSurface(colors: SurfaceColors): void {
+  for (const name of ['front', 'back', 'sky', 'ground'] as const) {
+    material.uniforms[name]!.value.set(colors[name]);
+  }
+  edgeMaterial.color.set(colors.edges);
+}
+
+/** A surface in the scene: its triangles as drawn, and as hit by rays. */
+export class Surface {
+  readonly object = new Group();
+  readonly frame: Frame;
+  readonly #geometry = new BufferGeometry();
+  readonly #tree: MeshBVH;
+  readonly #positions: Float32Array;
+  readonly #triangles: Uint32Array;
+  readonly #edges: Mesh;
+
+  constructor(drawn: DrawnGeometry) {
+    this.frame = drawn.frame;
+    this.#positions = drawn.positions;
+    this.#triangles = drawn.triangles;
+    this.#geometry.setAttribute('position', new BufferAttribute(drawn.positions, 3));
+    this.#geometry.setAttribute('normal', new BufferAttribute(drawn.normals, 3));
+    this.#geometry.setIndex(new BufferAttribute(drawn.triangles, 1));
+    material.side = sides[drawn.outside];
+    material.uniforms.frontIsOutside!.value = drawn.outside !== 'back';
+    material.needsUpdate = true;
+    this.#tree = MeshBVH.deserialize(drawn.tree, this.#geometry, { setIndex: false });
+    this.#edges = new Mesh(this.#geometry, edgeMaterial);
+    this.#edges.visible = false;
+    this.object.add(new Mesh(this.#geometry, material), this.#edges);
+  }
+
+  /** How many there are. */
+  get triangles(): number {
+    return this.#triangles.length / 3;
+  }
+
+  set edges(visible: boolean) {
+    this.#edges.visible = visible;
+  }
+
+  /** Where a ray of the scene meets the surface first. */
+  pick(ray: Ray): Pick | null {
+    const hit = this.#tree.raycastFirst(ray, DoubleSide);
+    return hit ? this.#pickAt(hit.faceIndex!, hit.point) : null;
+  }
+
+  /** Distance along the ray to the surface; infinite where it misses. */
+  depth(ray: Ray): number {
+    return this.#tree.raycastFirst(ray, DoubleSide)?.distance ?? Infinity;
+  }
+
+  /** The surface's point nearest to a point of the scene. */
+  nearest(position: Vector3): SurfacePoint {
+    const hit = this.#tree.closestPointToPoint(position)!;
+    return this.#pickAt(hit.faceIndex, hit.point).point;
+  }
+
+  /** Where a surface point is in the scene. */
+  position({ face, bary }: SurfacePoint, target = new Vector3()): Vector3 {
+    target.set(0, 0, 0);
+    for (let corner = 0; corner < 3; corner++) {
+      target.addScaledVector(this.#corner(face, corner), bary[corner]!);
+    }
+    return target;
+  }
+
+  /** A polyline in the surface's coordinates, x, y, z each, taken to the scene's. */
+  toScene(polyline: Float32Array): Float32Array {
+    const { center, scale } = this.frame;
+    return polyline.map((value, i) => (value - center[i % 3]!) * scale);
+  }
+
+  dispose(): void {
+    this.#geometry.dispose();
+  }
+
+  #corner(face: number, corner: number): Vector3 {
+    return new Vector3().fromArray(this.#positions, 3 * this.#triangles[3 * face + corner]!);
+  }
+
+  #pickAt(face: number, hit: Vector3): Pick {
+    const origin = this.#corner(face, 0);
+    const a = this.#corner(face, 1).sub(origin);
+    const b = this.#corner(face, 2).sub(origin);
+    const d = hit.clone().sub(origin);
+    const [aa, ab, bb, da, db] = [a.dot(a), a.dot(b), b.dot(b), d.dot(a), d.dot(b)];
+    const area = aa * bb - ab * ab;
+    const u = area > 0 ? Math.max(0, (bb * da - ab * db) / area) : 0;
+    const v = area > 0 ? Math.max(0, (aa * db - ab * da) / area) : 0;
+    const sum = Math.max(1, u + v);
+    const point = surfacePoint(face, shortened(u / sum), shortened(v / sum));
+    return { point, position: this.position(point) };
+  }
+}
