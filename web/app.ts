@@ -1,0 +1,85 @@
+import { Editor } from './editor/editor';
+import { Gestures } from './editor/gestures';
+import { formatLink, parseLink } from './editor/link';
+import { isMethod } from './editor/methods';
+import { Session } from './editor/session';
+import { exposeState } from './inspection';
+import { Opening } from './opening';
+import { CurvePanel } from './panels/curve_panel';
+import { byId } from './panels/elements';
+import { Status } from './panels/status';
+import { SurfacePanel } from './panels/surface_panel';
+import { Tools } from './panels/tools';
+import { saveChanges } from './saving';
+import { recall } from './storage';
+import { Viewer } from './viewer/viewer';
+
+/** Lets the browser start what was asked for, before work that holds the page up. */
+const breathe = () => new Promise((resolve) => setTimeout(resolve));
+
+/**
+ * Builds the page from its parts and opens the first surface; rejects where the browser cannot draw
+ * it.
+ */
+export async function start(): Promise<void> {
+  const editor = new Editor();
+  const method = recall('method');
+  if (isMethod(method)) editor.setMethod(method);
+  const session = new Session();
+  const opening = new Opening(editor, session);
+  // The engine loads while the graphics start, which takes as long.
+  const first = opening.first();
+  await breathe();
+
+  const antialias = new URLSearchParams(location.search).get('antialias') !== 'off';
+  const stage = byId('stage');
+  const viewer = new Viewer(stage, byId<HTMLCanvasElement>('canvas'), { antialias });
+  const gestures = new Gestures(editor, session, viewer, stage, byId('handles'));
+  const remove = () => gestures.keepFocus(() => editor.removeSelected());
+  const status = new Status(remove);
+  session.onView = (view) => {
+    viewer.showCurve(view.curve);
+    viewer.showPolygon(view.legs, view.polygonOnly);
+    gestures.show();
+    curvePanel.show(editor.state, view);
+    status.show(editor.state, view, session.client?.info ?? null);
+  };
+
+  const surfacePanel = new SurfacePanel({
+    choose: (key) => opening.sample(key),
+    openFile: (file) => opening.file(file),
+  });
+  opening.onEnd = () => {
+    if (session.client) surfacePanel.show(editor.state.mesh, session.client.info);
+  };
+  const curvePanel = new CurvePanel(editor, {
+    async chooseMethod(id) {
+      if (await opening.prepare(id)) editor.setMethod(id);
+      else curvePanel.show(editor.state, session.view);
+    },
+  });
+  const fragment = () => formatLink(editor.state.mesh, editor.state.method, editor.state.document);
+  new Tools(editor, viewer, {
+    removeSelected: remove,
+    link: () => ({
+      address: `${location.href.split('#')[0]}#${fragment()}`,
+      complete: !editor.state.mesh.startsWith('file:'),
+    }),
+  });
+
+  editor.subscribe((state, before) => {
+    if (state.revision !== before.revision) session.update(state);
+    gestures.show();
+    curvePanel.show(state, session.view);
+    status.showHint(state, session.view);
+  });
+  curvePanel.show(editor.state, session.view);
+  saveChanges(editor);
+  window.addEventListener('hashchange', () => {
+    const link = parseLink(location.hash);
+    if (link && location.hash.slice(1) !== fragment()) void opening.link(link);
+  });
+  exposeState(editor, session);
+  opening.show(viewer);
+  await first;
+}

@@ -1,0 +1,269 @@
+import { type Handle, Handles } from '../viewer/handles';
+import type { Pick } from '../viewer/surface';
+import type { Viewer } from '../viewer/viewer';
+import type { CircleShape, Command } from './document';
+import type { Editor, Selection } from './editor';
+import type { Session } from './session';
+
+/** A press that moves less, in CSS pixels, is a click. */
+const clickSlop = 4;
+const touchSlop = 10;
+/** A new circle's radius as a part of the surface's diagonal. */
+const newRadius = 0.08;
+const arrows: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+/** Turns what the pointer and the keys do on the stage into commands. */
+export class Gestures {
+  readonly #handles: Handles;
+  #press: { id: number; x: number; y: number; slop: number } | null = null;
+  #grabbed: { x: number; y: number; circle: CircleShape | null } | null = null;
+  #pointers = 0;
+  #hover: { x: number; y: number } | null = null;
+  #drag: { id: string; x: number; y: number } | null = null;
+  #frame = 0;
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+    private readonly viewer: Viewer,
+    private readonly stage: HTMLElement,
+    layer: HTMLElement,
+  ) {
+    this.#handles = new Handles(viewer, layer, {
+      grab: (id) => this.#grab(id),
+      drag: (id, x, y) => {
+        this.#drag = { id, x, y };
+        this.#schedule();
+      },
+      release: (_, cancelled) => this.#release(cancelled),
+      focus: (id) => editor.select(selectionOf(id)),
+      key: (id, event) => this.#nudge(id, event),
+    });
+    // The stage takes keys of its own: it turns, zooms and places points.
+    stage.tabIndex = 0;
+    stage.addEventListener('pointerdown', (event) => this.#down(event));
+    stage.addEventListener('pointermove', (event) => this.#move(event));
+    stage.addEventListener('pointerup', (event) => this.#up(event));
+    stage.addEventListener('pointercancel', () => this.#lift());
+    stage.addEventListener('pointerleave', () => this.#aim(null));
+    stage.addEventListener('keydown', (event) => this.#stageKey(event));
+    stage.addEventListener('contextmenu', (event) => event.preventDefault());
+    stage.addEventListener('blur', () => {
+      stage.classList.remove('pointed');
+      this.#aim(null);
+    });
+    layer.addEventListener('keyup', (event) => {
+      if (event.key in arrows) this.editor.commitDrag();
+    });
+  }
+
+  /** Shows the handles of the editor's state. */
+  show(): void {
+    this.#handles.show(this.viewer.surface ? this.#list() : []);
+  }
+
+  /** Whether the keys go to a handle; after a removal they go to the next one. */
+  keepFocus(change: () => void): void {
+    const hadFocus = this.#handles.hasFocus;
+    change();
+    const { selection } = this.editor.state;
+    if (!hadFocus) return;
+    if (selection === null) this.stage.focus({ preventScroll: true });
+    else this.#handles.focus(idOf(selection));
+  }
+
+  #list(): Handle[] {
+    const { document, selection } = this.editor.state;
+    const surface = this.viewer.surface!;
+    if (document.kind !== 'circle') {
+      const count = document.points.length;
+      return document.points.map((point, i) => ({
+        id: idOf(i),
+        position: surface.position(point),
+        label: `Control point ${i + 1} of ${count}`,
+        tag: `${i + 1}`,
+        look: 'point',
+        selected: selection === i,
+      }));
+    }
+    if (!document.circle) return [];
+    const { center, rim } = document.circle;
+    const end = 'face' in rim ? rim : this.session.view.circle?.rim;
+    const handles: Handle[] = [
+      {
+        id: 'center',
+        position: surface.position(center),
+        label: 'Center of the circle',
+        tag: 'Center',
+        look: 'center',
+        selected: selection === 'center',
+      },
+    ];
+    if (end) {
+      handles.push({
+        id: 'rim',
+        position: surface.position(end),
+        label: 'Radius of the circle',
+        tag: 'Radius',
+        look: 'rim',
+        selected: selection === 'rim',
+      });
+    }
+    return handles;
+  }
+
+  #down(event: PointerEvent): void {
+    this.#pointers++;
+    this.#aim(null);
+    this.stage.classList.add('pointed');
+    const slop = event.pointerType === 'mouse' ? clickSlop : touchSlop;
+    const alone = this.#pointers === 1 && event.button === 0;
+    this.#press = alone ? { id: event.pointerId, x: event.clientX, y: event.clientY, slop } : null;
+  }
+
+  #move(event: PointerEvent): void {
+    const press = this.#press;
+    if (press) {
+      const moved = Math.hypot(event.clientX - press.x, event.clientY - press.y);
+      if (moved > press.slop) this.#press = null;
+    }
+    const hovers = event.pointerType !== 'touch' && event.buttons === 0;
+    const free = event.target === this.stage || event.target instanceof HTMLCanvasElement;
+    this.#aim(hovers && free ? { x: event.clientX, y: event.clientY } : null);
+  }
+
+  #up(event: PointerEvent): void {
+    const press = this.#press;
+    this.#lift();
+    if (press?.id === event.pointerId) this.#click(event.clientX, event.clientY);
+  }
+
+  #lift(): void {
+    this.#pointers = Math.max(0, this.#pointers - 1);
+    this.#press = null;
+  }
+
+  #aim(place: { x: number; y: number } | null): void {
+    this.#hover = place;
+    this.#schedule();
+  }
+
+  /** Rays are cast once a frame, for the pointer's newest place. */
+  #schedule(): void {
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0;
+      const pick = this.#hover && this.viewer.pick(this.#hover.x, this.#hover.y);
+      this.stage.classList.toggle('aiming', pick !== null);
+      this.#handles.showPreview(pick?.position ?? null);
+      this.#dragNow();
+    });
+  }
+
+  #click(x: number, y: number): void {
+    const pick = this.viewer.pick(x, y);
+    if (pick) this.#put(pick);
+    else this.editor.select(null);
+  }
+
+  /** Adds what a click adds: a control point, a circle, or the circle's radius. */
+  #put({ point }: Pick): void {
+    const { document } = this.editor.state;
+    if (document.kind !== 'circle') {
+      const index = document.points.length;
+      this.editor.run({ type: 'insert', index, point }, index);
+      return;
+    }
+    const from = document.circle;
+    const radius = newRadius * (this.session.client?.info.diagonal ?? 1);
+    const to: CircleShape = from
+      ? { ...from, rim: point }
+      : { center: point, rim: { radius, direction: this.viewer.right } };
+    this.editor.run({ type: 'circle', from, to }, 'rim');
+  }
+
+  #grab(id: string): void {
+    this.editor.select(selectionOf(id));
+    const { circle } = this.editor.state.document;
+    const drawn = this.session.view.circle;
+    // A circle whose center is dragged keeps its radius, as it is drawn.
+    const carried = drawn && { radius: drawn.radius, direction: drawn.direction };
+    this.#grabbed = { x: NaN, y: NaN, circle: circle && { ...circle, rim: carried ?? circle.rim } };
+  }
+
+  #dragNow(): void {
+    const drag = this.#drag;
+    const grabbed = this.#grabbed;
+    this.#drag = null;
+    if (!drag || !grabbed) return;
+    if (Number.isNaN(grabbed.x)) [grabbed.x, grabbed.y] = [drag.x, drag.y];
+    const moved = Math.hypot(drag.x - grabbed.x, drag.y - grabbed.y);
+    if (!this.editor.dragging && moved <= clickSlop / 2) return;
+    this.#moveTo(drag.id, drag.x, drag.y, grabbed.circle);
+  }
+
+  /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
+  #moveTo(id: string, x: number, y: number, carried: CircleShape | null): void {
+    const point = this.viewer.pick(x, y)?.point;
+    if (!point) return;
+    const base = this.editor.base;
+    const selection = selectionOf(id);
+    let command: Command | null = null;
+    if (typeof selection === 'number') {
+      const from = base.points[selection];
+      if (from) command = { type: 'move', index: selection, from, to: point };
+    } else if (base.circle && carried) {
+      const to =
+        selection === 'center' ? { ...carried, center: point } : { ...base.circle, rim: point };
+      command = { type: 'circle', from: base.circle, to };
+    }
+    if (command) this.editor.preview(command);
+  }
+
+  #release(cancelled: boolean): void {
+    this.#dragNow();
+    this.#grabbed = null;
+    if (cancelled) this.editor.cancelDrag();
+    else this.editor.commitDrag();
+  }
+
+  #nudge(id: string, event: KeyboardEvent): void {
+    const arrow = arrows[event.key];
+    if (!arrow) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const step = event.shiftKey ? 16 : 4;
+    const place = this.#handles.place(id);
+    if (!place) return;
+    if (!this.editor.dragging) this.#grab(id);
+    const circle = this.#grabbed?.circle ?? null;
+    this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], circle);
+  }
+
+  #stageKey(event: KeyboardEvent): void {
+    if (event.target !== this.stage || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = arrows[event.key];
+    const box = this.stage.getBoundingClientRect();
+    const middle = { x: box.left + box.width / 2, y: box.top + box.height / 2 };
+    if (arrow) this.viewer.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
+    else if (event.key === '+' || event.key === '=') this.viewer.zoom(1 / 1.15);
+    else if (event.key === '-') this.viewer.zoom(1.15);
+    else if (event.key === 'Enter') this.#click(middle.x, middle.y);
+    else return;
+    event.preventDefault();
+    this.stage.classList.remove('pointed');
+    this.#aim(middle);
+  }
+}
+
+function idOf(selection: NonNullable<Selection>): string {
+  return typeof selection === 'number' ? `point-${selection}` : selection;
+}
+
+function selectionOf(id: string): NonNullable<Selection> {
+  return id === 'center' || id === 'rim' ? id : Number(id.slice('point-'.length));
+}

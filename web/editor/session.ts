@@ -1,0 +1,211 @@
+import type { CurveKind, SurfacePoint } from 'karcher';
+import type { EngineClient } from '../worker/client';
+import { Newest } from '../worker/newest';
+import type { TracedCurve } from '../worker/protocol';
+import type { CircleShape, Vector } from './document';
+import { pointsNeeded } from './document';
+import type { State } from './editor';
+import { methodOptions } from './methods';
+
+/** What the engine made of a state of the editor. */
+export interface View {
+  /** The revision that is shown. */
+  revision: number;
+  curve: TracedCurve | null;
+  /** Geodesics between neighbouring control points, or the circle's radius. */
+  legs: readonly Float32Array[];
+  /** The polygon stands for the curve, which has too few points yet. */
+  polygonOnly: boolean;
+  circle: { radius: number; direction: Vector; rim: SurfacePoint } | null;
+  /** Why there is no curve, as a sentence. */
+  problem: string | null;
+}
+
+const emptyView: View = {
+  revision: 0,
+  curve: null,
+  legs: [],
+  polygonOnly: false,
+  circle: null,
+  problem: null,
+};
+
+const samplesPerSegment = 128;
+const fewestLegsKept = 64;
+
+/** Keeps the view up to date with the editor: the newest state first, then its control polygon. */
+export class Session {
+  #client: EngineClient | null = null;
+  #state: State | null = null;
+  #view: View = emptyView;
+  /** Geodesics by their ends; null where there is none. */
+  readonly #legs = new Map<string, Float32Array | null>();
+  /** The legs that are shown, by their place, for while a drag outruns them. */
+  #shownLegs: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
+  readonly #newest = new Newest<State>(
+    (state) => this.#trace(state),
+    () => this.#traceLeg(),
+  );
+
+  /** Called with every change of the view. */
+  onView: (view: View) => void = () => {};
+
+  get view(): View {
+    return this.#view;
+  }
+
+  /** Whether the newest state is traced, its polygon included. */
+  get settled(): boolean {
+    return !this.#newest.busy;
+  }
+
+  /** Another surface: what was traced on the one before is dropped. */
+  use(client: EngineClient): void {
+    this.#client?.close();
+    this.#client = client;
+    this.#legs.clear();
+    this.#state = null;
+    this.#newest.drop();
+    this.#show(emptyView);
+  }
+
+  get client(): EngineClient | null {
+    return this.#client;
+  }
+
+  update(state: State): void {
+    this.#state = state;
+    if (this.#client) this.#newest.push(state);
+  }
+
+  #show(part: Partial<View>): void {
+    this.#view = { ...this.#view, ...part };
+    this.onView(this.#view);
+  }
+
+  /** Whether an answer to a state may still be shown. */
+  #current(client: EngineClient, state: State): boolean {
+    return client === this.#client && state.epoch === this.#state?.epoch;
+  }
+
+  async #trace(state: State): Promise<void> {
+    const client = this.#client;
+    if (!client || client.closed) return;
+    const { kind } = state.document;
+    try {
+      const part =
+        kind === 'circle'
+          ? await this.#circle(client, state)
+          : await this.#spline(client, state, kind);
+      if (!this.#current(client, state)) return;
+      this.#show({ problem: null, ...part, revision: state.revision, ...this.#polygon() });
+    } catch (error) {
+      if (!this.#current(client, state) || client.closed) return;
+      const problem = error instanceof Error ? error.message : `${error}`;
+      this.#show({ curve: null, circle: null, problem, revision: state.revision });
+      this.#show(this.#polygon());
+    }
+  }
+
+  async #spline(client: EngineClient, state: State, kind: CurveKind): Promise<Partial<View>> {
+    const points = [...state.document.points];
+    if (points.length < pointsNeeded[kind]) return { curve: null, circle: null };
+    const options = methodOptions(state.method);
+    const curve = await client.curve({ ...options, kind, points, samples: samplesPerSegment });
+    return { curve, circle: null };
+  }
+
+  async #circle(client: EngineClient, state: State): Promise<Partial<View>> {
+    const { circle } = state.document;
+    if (!circle) return { curve: null, circle: null, legs: [], polygonOnly: false };
+    const { radius, direction, rim, path } = await resolveCircle(client, circle);
+    const options = methodOptions(state.method);
+    const shown = { radius, direction, rim };
+    try {
+      const curve = await client.circle({ ...options, center: circle.center, radius });
+      return { curve, circle: shown, legs: [path], polygonOnly: false };
+    } catch (error) {
+      // The handles stay where they are, so that the radius can be taken back.
+      if (this.#current(client, state)) this.#show({ circle: shown, legs: [path] });
+      throw error;
+    }
+  }
+
+  /** The polygon of the newest document: its legs that are known, or what a drag left behind. */
+  #polygon(): Partial<View> {
+    const state = this.#state;
+    if (!state || state.document.kind === 'circle') return {};
+    const { kind, points } = state.document;
+    const before = this.#shownLegs.epoch === state.epoch ? this.#shownLegs.legs : [];
+    const legs = pairsOf(points).map((pair, i) => {
+      const leg = this.#legs.get(keyOf(...pair));
+      return leg === undefined ? (before[i] ?? null) : leg;
+    });
+    this.#shownLegs = { epoch: state.epoch, legs };
+    return {
+      legs: legs.filter((leg) => leg !== null),
+      polygonOnly: points.length < pointsNeeded[kind],
+    };
+  }
+
+  /** Traces one leg that is missing; false when there is none. */
+  async #traceLeg(): Promise<boolean> {
+    const client = this.#client;
+    const document = this.#state?.document;
+    if (!client || client.closed || !document || document.kind === 'circle') return false;
+    const pairs = pairsOf(document.points);
+    const missing = pairs.find((pair) => !this.#legs.has(keyOf(...pair)));
+    if (!missing) return false;
+    if (this.#legs.size > fewestLegsKept + 4 * pairs.length) this.#forgetLegs(pairs);
+    // Points on two components have no path between them: that leg stays away.
+    const path = await client.shortestPath(...missing).catch(() => null);
+    if (client !== this.#client) return false;
+    this.#legs.set(keyOf(...missing), path?.polyline ?? null);
+    this.#show(this.#polygon());
+    return true;
+  }
+
+  /** Forgets the legs of what is no longer there. */
+  #forgetLegs(pairs: readonly Pair[]): void {
+    const used = new Set(pairs.map((pair) => keyOf(...pair)));
+    for (const key of this.#legs.keys()) if (!used.has(key)) this.#legs.delete(key);
+  }
+}
+
+interface ResolvedCircle {
+  radius: number;
+  direction: Vector;
+  rim: SurfacePoint;
+  path: Float32Array;
+}
+
+async function resolveCircle(
+  client: EngineClient,
+  { center, rim }: CircleShape,
+): Promise<ResolvedCircle> {
+  if ('face' in rim) {
+    const { length, polyline } = await client.shortestPath(center, rim);
+    return { radius: length, direction: directionOf(polyline), rim, path: polyline };
+  }
+  const { radius, direction } = rim;
+  const { end, polyline } = await client.straightest(center, direction, radius);
+  return { radius, direction, rim: end, path: polyline };
+}
+
+/** The first step of a polyline that is no repeated point; any direction when all are. */
+function directionOf(polyline: Float32Array): Vector {
+  for (let i = 3; i < polyline.length; i += 3) {
+    const step = [0, 1, 2].map((axis) => polyline[i + axis]! - polyline[axis]!) as Vector;
+    const length = Math.hypot(...step);
+    if (length > 0) return step.map((value) => value / length) as Vector;
+  }
+  return [1, 0, 0];
+}
+
+type Pair = readonly [SurfacePoint, SurfacePoint];
+
+const pairsOf = (points: readonly SurfacePoint[]): Pair[] =>
+  points.slice(1).map((point, i) => [points[i]!, point]);
+
+const keyOf = (a: SurfacePoint, b: SurfacePoint) =>
+  [a, b].map(({ face, bary }) => `${face},${bary[1]},${bary[2]}`).join(';');

@@ -1,0 +1,39 @@
+import type { MeshInfo } from 'karcher';
+import type { Editor, State } from './editor/editor';
+import type { Session, View } from './editor/session';
+
+/** What the page shows, as copies: for tests, and for a look from the browser's console. */
+export interface Inspection {
+  /** Whether the engine has answered the newest state, control polygon included. */
+  readonly settled: boolean;
+  state(): State;
+  view(): View;
+  mesh(): { info: MeshInfo; positions: Float64Array; triangles: Int32Array } | null;
+}
+
+declare global {
+  interface Window {
+    readonly karcherPage: Inspection;
+  }
+}
+
+export function exposeState(editor: Editor, session: Session): void {
+  const inspection: Inspection = {
+    get settled() {
+      return session.settled && session.view.revision === editor.state.revision;
+    },
+    state: () => structuredClone(editor.state),
+    view: () => structuredClone(session.view),
+    mesh() {
+      const { client } = session;
+      if (!client) return null;
+      const { info } = client;
+      return structuredClone({
+        info,
+        positions: client.positions(),
+        triangles: client.triangles(),
+      });
+    },
+  };
+  Object.defineProperty(window, 'karcherPage', { value: Object.freeze(inspection) });
+}

@@ -1,0 +1,249 @@
+import type { Vector3 } from 'three';
+import { type CurveDocument, emptyDocument } from './editor/document';
+import type { Editor } from './editor/editor';
+import { fitting, formatLink, type Link, parseLink } from './editor/link';
+import {
+  defaultMesh,
+  fileKey,
+  type MeshSource,
+  meshLabel,
+  parseKey,
+  sameSurface,
+  sampleSource,
+} from './editor/meshes';
+import { methodOptions } from './editor/methods';
+import type { Session } from './editor/session';
+import { sentenceOf, showError, showNote } from './panels/messages';
+import { showProgress } from './panels/progress';
+import { startingLink } from './saving';
+import { keepFile, keptFile, recall } from './storage';
+import type { Surface } from './viewer/surface';
+import type { Viewer } from './viewer/viewer';
+import { EngineClient } from './worker/client';
+import { drawnGeometry } from './worker/draw';
+
+/** How often an engine that stopped by itself is started again for one surface. */
+const mostRestarts = 2;
+
+/** A document for a new surface: from a link, or made from what was shown before. */
+type Wanted = (surface: Surface, before: Surface | null) => CurveDocument | null;
+
+/**
+ * Opens surfaces, each in an engine of its own. What is on the stage stays there until the new
+ * surface is whole, so a file that is bad, or a wait that is cancelled, changes nothing.
+ */
+export class Opening {
+  #running: AbortController | null = null;
+  #restarts = 0;
+  #viewer: Viewer | null = null;
+  readonly #viewerReady = withResolvers<Viewer>();
+  /** Called when an attempt has ended, well or not, and no other took its place. */
+  onEnd: () => void = () => {};
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+  ) {}
+
+  /** Surfaces that are whole wait for the viewer. */
+  show(viewer: Viewer): void {
+    this.#viewerReady.resolve(viewer);
+    this.#viewer = viewer;
+  }
+
+  /** Opens a sample. Another detail of the surface that is shown keeps the curve. */
+  async sample(key: string): Promise<boolean> {
+    const parsed = parseKey(key);
+    if (!parsed || !('sample' in parsed)) {
+      showError(`There is no sample surface '${key}'.`);
+      return false;
+    }
+    return this.#open(key, sampleSource(parsed.sample, parsed.detail), (surface, before) => {
+      const { mesh, document } = this.editor.state;
+      const carries = before && mesh !== key && sameSurface(mesh, key);
+      return carries ? carried(document, before, surface) : null;
+    });
+  }
+
+  async file(file: File): Promise<void> {
+    try {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const key = fileKey(file.name, bytes);
+      if (await this.#open(key, { kind: 'file', bytes }, () => null)) await keepFile(key, bytes);
+    } catch (error) {
+      showError(`${file.name} could not be read. ${sentenceOf(error)}`);
+    }
+  }
+
+  /** Opens what a link says; false where that can't be, and why was said. */
+  async link({ mesh, method, document }: Link): Promise<boolean> {
+    const parsed = parseKey(mesh);
+    if (!parsed) {
+      showError(`The link asks for a surface '${mesh}', which this page does not have.`);
+      return false;
+    }
+    const shown = mesh === this.editor.state.mesh ? this.session.client : null;
+    if (method && (!shown || (await this.prepare(method)))) this.editor.setMethod(method);
+    const wanted = (surface: Pick<Surface, 'triangles'>) => {
+      const fit = fitting(document, surface.triangles);
+      const lost = document.points.length - fit.points.length;
+      if (lost > 0) showNote(`${lost} points of the link are not on this surface.`);
+      return fit;
+    };
+    if (shown) {
+      this.#replace(wanted(this.#viewer!.surface!));
+      return true;
+    }
+    if ('sample' in parsed) {
+      return this.#open(mesh, sampleSource(parsed.sample, parsed.detail), wanted);
+    }
+    const bytes = await keptFile(mesh);
+    if (!bytes) {
+      showError(`This browser no longer has ${parsed.name}. Drop the file here to go on with it.`);
+      return false;
+    }
+    return this.#open(mesh, { kind: 'file', bytes }, wanted);
+  }
+
+  /** What was last made here, or the page's first surface. */
+  async first(): Promise<void> {
+    const link = startingLink();
+    if (link && (await this.link(link))) return;
+    await this.sample(defaultMesh);
+  }
+
+  /** Makes ready what a method needs; false when that failed or was cancelled. */
+  async prepare(method: Parameters<typeof methodOptions>[0]): Promise<boolean> {
+    const client = this.session.client;
+    if (!client) return false;
+    const controller = new AbortController();
+    const progress = showProgress('Preparing', () => controller.abort());
+    try {
+      await client.prepare(methodOptions(method), {
+        progress: (done, stage) => progress.set(done, stageName(stage)),
+        signal: controller.signal,
+      });
+      return true;
+    } catch (error) {
+      if (!controller.signal.aborted && !client.closed) showError(sentenceOf(error));
+      return false;
+    } finally {
+      progress.hide();
+    }
+  }
+
+  async #open(key: string, source: MeshSource, wanted: Wanted): Promise<boolean> {
+    this.#running?.abort();
+    const controller = new AbortController();
+    this.#running = controller;
+    const { signal } = controller;
+    const name = meshLabel(key);
+    const progress = showProgress(`Opening ${name}`, () => controller.abort());
+    let client: EngineClient | null = null;
+    try {
+      client = await EngineClient.load(source, {
+        progress: (done, stage) => progress.set(0.4 * done, stage),
+        signal,
+      });
+      const mesh = {
+        positions: client.positions(),
+        triangles: client.triangles(),
+        closed: client.info.boundaryLoops === 0,
+      };
+      const [drawn, viewer] = await Promise.all([
+        drawnGeometry(mesh, signal),
+        this.#viewerReady.promise,
+        client.prepare(methodOptions(this.editor.state.method), {
+          progress: (done, stage) => progress.set(0.4 + 0.6 * done, stageName(stage)),
+          signal,
+        }),
+      ]);
+      signal.throwIfAborted();
+      this.session.use(client);
+      const before = viewer.surface;
+      const surface = viewer.showSurface(drawn);
+      if (key !== this.editor.state.mesh) viewer.resetView({ animated: false });
+      if (key !== this.editor.state.mesh) this.#restarts = 0;
+      client.onStopped = () => this.#restart(key, source);
+      this.#showDocument(key, wanted(surface, before), surface.triangles);
+      return true;
+    } catch (error) {
+      client?.close();
+      if (!signal.aborted) showError(`${name} could not be opened. ${sentenceOf(error)}`);
+      return false;
+    } finally {
+      progress.hide();
+      if (this.#running === controller) {
+        this.#running = null;
+        this.onEnd();
+      }
+    }
+  }
+
+  #showDocument(key: string, wanted: CurveDocument | null, triangles: number): void {
+    const kept = parseLink(recall(`document.${key}`) ?? '')?.document ?? emptyDocument;
+    const isFirst = this.editor.state.mesh === '';
+    this.editor.open(key, isFirst && wanted ? wanted : fitting(kept, triangles));
+    if (wanted) this.#replace(wanted);
+    // The engine is new, even where the document is not.
+    this.session.update(this.editor.state);
+  }
+
+  /** Shows another document of the surface that is shown; the one before can be had back. */
+  #replace(to: CurveDocument): void {
+    const { mesh, method, document: from } = this.editor.state;
+    if (formatLink(mesh, method, from) === formatLink(mesh, method, to)) return;
+    this.editor.run({ type: 'replace', from, to }, null);
+  }
+
+  /** An engine that ended by itself, as when memory ran out, is replaced; the document stays. */
+  #restart(key: string, source: MeshSource): void {
+    if (this.#restarts++ >= mostRestarts) {
+      showError('The engine stopped again. Your curve is kept; open the surface again to go on.');
+      return;
+    }
+    showError('The engine stopped, and was started again. Your curve is kept.');
+    void this.#open(key, source, () => null);
+  }
+}
+
+function withResolvers<Value>() {
+  let resolve!: (value: Value) => void;
+  const promise = new Promise<Value>((resolveIt) => {
+    resolve = resolveIt;
+  });
+  return { promise, resolve };
+}
+
+/** What the page calls the engine's stages of long work. */
+const stageNames: Record<string, string> = { graph: 'Building the graph' };
+
+const stageName = (stage: string) => stageNames[stage] ?? 'Preparing';
+
+/** A document taken to another mesh of the same surface: to the nearest points. */
+function carried(document: CurveDocument, from: Surface, to: Surface): CurveDocument {
+  const { center, scale } = from.frame;
+  const move = (point: CurveDocument['points'][number]) => {
+    const position = from.position(point).divideScalar(scale);
+    position.x += center[0];
+    position.y += center[1];
+    position.z += center[2];
+    return to.nearest(toScene(position, to));
+  };
+  const { circle } = document;
+  return {
+    ...document,
+    points: document.points.map(move),
+    circle: circle && {
+      center: move(circle.center),
+      rim: 'face' in circle.rim ? move(circle.rim) : circle.rim,
+    },
+  };
+}
+
+function toScene(position: Vector3, { frame }: Surface): Vector3 {
+  position.x -= frame.center[0];
+  position.y -= frame.center[1];
+  position.z -= frame.center[2];
+  return position.multiplyScalar(frame.scale);
+}

@@ -1,0 +1,23 @@
+/** An element of index.html; a wrong name is a mistake of ours. */
+export function byId<Type extends HTMLElement = HTMLElement>(id: string): Type {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`index.html has no element '${id}'`);
+  return element as Type;
+}
+
+export function make<Name extends keyof HTMLElementTagNameMap>(
+  name: Name,
+  text = '',
+  properties: Partial<HTMLElementTagNameMap[Name]> = {},
+): HTMLElementTagNameMap[Name] {
+  const element = document.createElement(name);
+  if (text) element.textContent = text;
+  return Object.assign(element, properties);
+}
+
+const integers = new Intl.NumberFormat('en');
+
+export const formatCount = (count: number, one: string, many = `${one}s`) =>
+  `${integers.format(count)} ${count === 1 ? one : many}`;
+
+export const formatInteger = (value: number) => integers.format(value);

@@ -1,0 +1,39 @@
+import { byId, make } from './elements';
+
+const close = '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="m5 5 10 10M15 5 5 15" /></svg>';
+const noteMilliseconds = 4000;
+const mostShown = 4;
+
+const container = byId('messages');
+
+/** A failure as a sentence; it stays until it is dismissed. */
+export function showError(sentence: string): void {
+  const message = show(sentence, 'error');
+  message.setAttribute('role', 'alert');
+}
+
+/** A short remark that goes away by itself. */
+export function showNote(sentence: string): void {
+  const message = show(sentence, 'note');
+  message.setAttribute('role', 'status');
+  setTimeout(() => message.remove(), noteMilliseconds);
+}
+
+function show(sentence: string, kind: 'error' | 'note'): HTMLElement {
+  const message = make('div', '', { className: `message ${kind}` });
+  const button = make('button', '', { type: 'button', className: 'tool' });
+  button.setAttribute('aria-label', 'Dismiss');
+  button.innerHTML = close;
+  button.addEventListener('click', () => message.remove());
+  message.append(make('p', sentence), button);
+  container.append(message);
+  while (container.childElementCount > mostShown) container.firstElementChild!.remove();
+  return message;
+}
+
+/** What went wrong, as a sentence of its own. */
+export function sentenceOf(error: unknown): string {
+  const text = error instanceof Error ? error.message : `${error}`;
+  const sentence = text.charAt(0).toUpperCase() + text.slice(1);
+  return /[.!?]$/.test(sentence) ? sentence : `${sentence}.`;
+}

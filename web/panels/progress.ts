@@ -1,0 +1,43 @@
+import { byId } from './elements';
+
+/** Work this short shows no bar. */
+const patienceMilliseconds = 200;
+
+const box = byId('progress');
+const stageText = byId('progress-stage');
+const bar = byId<HTMLProgressElement>('progress-bar');
+const cancel = byId<HTMLButtonElement>('cancel');
+
+let shown: object | null = null;
+
+export interface ShownProgress {
+  /** A part of 1, or null while it is not known. */
+  set(done: number | null, stage: string): void;
+  hide(): void;
+}
+
+/** Shows one piece of long work, in place of the one before. */
+export function showProgress(stage: string, onCancel: () => void): ShownProgress {
+  const own = {};
+  shown = own;
+  const timer = setTimeout(() => {
+    if (shown === own) box.hidden = false;
+  }, patienceMilliseconds);
+  const set = (done: number | null, text: string) => {
+    if (shown !== own) return;
+    stageText.textContent = text;
+    if (done === null) bar.removeAttribute('value');
+    else bar.value = done;
+  };
+  cancel.onclick = onCancel;
+  set(null, stage);
+  return {
+    set,
+    hide() {
+      clearTimeout(timer);
+      if (shown !== own) return;
+      shown = null;
+      box.hidden = true;
+    },
+  };
+}

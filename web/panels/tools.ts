@@ -1,0 +1,133 @@
+import type { Editor } from '../editor/editor';
+import { recall, remember } from '../storage';
+import type { Viewer, ViewerColors } from '../viewer/viewer';
+import { byId } from './elements';
+import { showNote } from './messages';
+
+export interface ToolEvents {
+  removeSelected(): void;
+  link(): { address: string; complete: boolean };
+}
+
+type Theme = 'light' | 'dark';
+
+const systemDark = matchMedia('(prefers-color-scheme: dark)');
+
+/** The toolbar, the keys that work everywhere, the help and the theme. */
+export class Tools {
+  readonly #undo = byId<HTMLButtonElement>('undo');
+  readonly #redo = byId<HTMLButtonElement>('redo');
+  readonly #edges = byId<HTMLButtonElement>('edges');
+  readonly #help = byId<HTMLDialogElement>('help-dialog');
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly viewer: Viewer,
+    private readonly events: ToolEvents,
+  ) {
+    this.#undo.addEventListener('click', () => editor.undo());
+    this.#redo.addEventListener('click', () => editor.redo());
+    byId('reset').addEventListener('click', () => viewer.resetView({ animated: true }));
+    this.#edges.addEventListener('click', () => this.#toggleEdges());
+    byId('share').addEventListener('click', () => this.#share());
+    byId('theme').addEventListener('click', () => this.#toggleTheme());
+    byId('help').addEventListener('click', () => this.#help.showModal());
+    this.#help.addEventListener('click', (event) => {
+      if (event.target === this.#help) this.#help.close();
+    });
+    systemDark.addEventListener('change', () => this.#applyTheme());
+    document.addEventListener('keydown', (event) => this.#key(event));
+    editor.subscribe(() => this.#showHistory());
+    this.#showHistory();
+    this.#applyTheme();
+  }
+
+  #showHistory(): void {
+    this.#undo.disabled = !this.editor.canUndo;
+    this.#redo.disabled = !this.editor.canRedo;
+  }
+
+  #toggleEdges(): void {
+    this.viewer.edges = !this.viewer.edges;
+    this.#edges.setAttribute('aria-pressed', `${this.viewer.edges}`);
+  }
+
+  async #share(): Promise<void> {
+    const { address, complete } = this.events.link();
+    try {
+      await navigator.clipboard.writeText(address);
+      showNote(
+        complete ? 'Link copied.' : 'Link copied. It opens in this browser, which keeps the file.',
+      );
+    } catch {
+      showNote('The browser kept the link from being copied; it is in the address bar.');
+    }
+  }
+
+  #toggleTheme(): void {
+    const theme: Theme = this.#theme() === 'dark' ? 'light' : 'dark';
+    const isSystem = theme === (systemDark.matches ? 'dark' : 'light');
+    remember('theme', isSystem ? '' : theme);
+    this.#applyTheme();
+  }
+
+  #theme(): Theme {
+    const kept = recall('theme');
+    if (kept === 'light' || kept === 'dark') return kept;
+    return systemDark.matches ? 'dark' : 'light';
+  }
+
+  #applyTheme(): void {
+    const theme = this.#theme();
+    document.documentElement.dataset.theme = theme;
+    byId('theme').setAttribute('aria-pressed', `${theme === 'dark'}`);
+    this.viewer.colors = readColors();
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (this.#help.open || event.defaultPrevented || event.altKey) return;
+    const typing = event.target instanceof HTMLElement && event.target.closest('select');
+    const key = event.key.toLowerCase();
+    if (event.ctrlKey || event.metaKey) {
+      if (key === 'z' && event.shiftKey) this.editor.redo();
+      else if (key === 'z') this.editor.undo();
+      else if (key === 'y') this.editor.redo();
+      else return;
+      event.preventDefault();
+      return;
+    }
+    if (typing) return;
+    const action = this.#actions[key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  }
+
+  readonly #actions: Record<string, () => void> = {
+    delete: () => this.events.removeSelected(),
+    backspace: () => this.events.removeSelected(),
+    escape: () => (this.editor.dragging ? this.editor.cancelDrag() : this.editor.select(null)),
+    r: () => this.viewer.resetView({ animated: true }),
+    home: () => this.viewer.resetView({ animated: true }),
+    t: () => this.#toggleEdges(),
+    1: () => this.editor.setKind('bspline'),
+    2: () => this.editor.setKind('bezier'),
+    3: () => this.editor.setKind('circle'),
+    '?': () => this.#help.showModal(),
+  };
+}
+
+function readColors(): ViewerColors {
+  const style = getComputedStyle(document.documentElement);
+  const read = (name: string) => style.getPropertyValue(`--${name}`).trim();
+  return {
+    front: read('surface-front'),
+    back: read('surface-back'),
+    sky: read('surface-sky'),
+    ground: read('surface-ground'),
+    edges: read('surface-edges'),
+    curve: read('curve'),
+    lost: read('curve-lost'),
+    polygon: read('polygon'),
+  };
+}
