@@ -1,0 +1,158 @@
+// A browser with the built page, for the tests of the page.
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const built = fileURLToPath(new URL('../../build/page', import.meta.url));
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+};
+const flags = [
+  '--no-sandbox',
+  '--disable-gpu-sandbox',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--no-first-run',
+];
+/** Generous: software graphics on a busy machine start slowly. */
+const patience = 60_000;
+
+function servePage() {
+  const server = createServer((request, response) => {
+    const path = normalize(decodeURIComponent(new URL(request.url, 'http://page').pathname));
+    const file = join(built, path.endsWith('/') ? `${path}index.html` : path);
+    try {
+      const body = readFileSync(file);
+      response.writeHead(200, { 'content-type': types[extname(file)] ?? 'text/plain' }).end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
+}
+
+/** Serves the page and opens a browser with a profile of its own. */
+export async function openBrowser(options = {}) {
+  const server = await servePage();
+  const profile = mkdtempSync(join(tmpdir(), 'karcher-page-'));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium',
+    args: flags,
+    viewport: { width: 900, height: 640 },
+    ...options,
+  });
+  context.setDefaultTimeout(patience);
+  const address = `http://127.0.0.1:${server.address().port}/`;
+  return {
+    context,
+    address,
+    async close() {
+      await context.close();
+      server.close();
+      rmSync(profile, { recursive: true, force: true });
+    },
+  };
+}
+
+/** A tab with the page; `logged` lists what the page complained about. */
+export class Tab {
+  logged = [];
+
+  constructor(page, address) {
+    this.page = page;
+    this.address = address;
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) this.logged.push(message.text());
+    });
+    page.on('pageerror', (error) => this.logged.push(`${error}`));
+    page.on('requestfailed', (request) => this.logged.push(`failed: ${request.url()}`));
+  }
+
+  /** Opens the page with a fragment such as `mesh=sphere:1500`, and waits until it can be used. */
+  static async open(browser, fragment = 'mesh=sphere:1500') {
+    const tab = new Tab(await browser.context.newPage(), browser.address);
+    await tab.page.goto(`${browser.address}?antialias=off#${fragment}`);
+    await tab.settled();
+    return tab;
+  }
+
+  /** Until the engine has answered the newest state. */
+  async settled() {
+    await this.page.waitForFunction(
+      () => window.karcherPage?.settled && window.karcherPage.mesh() !== null,
+    );
+  }
+
+  state = () => this.page.evaluate(() => window.karcherPage.state());
+
+  async view() {
+    await this.settled();
+    const view = await this.page.evaluate(() => {
+      const { curve, ...rest } = window.karcherPage.view();
+      const polyline = curve && Array.from(curve.polyline);
+      return { ...rest, legs: rest.legs.map((leg) => Array.from(leg)), curve, polyline };
+    });
+    return view;
+  }
+
+  mesh = () =>
+    this.page.evaluate(() => {
+      const { info, positions, triangles } = window.karcherPage.mesh();
+      return { info, positions: Array.from(positions), triangles: Array.from(triangles) };
+    });
+
+  /** The middle of the stage, in the window's pixels. */
+  async middle() {
+    const box = await this.page.locator('#stage').boundingBox();
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
+  /** Clicks the stage at offsets from its middle. */
+  async click(...offsets) {
+    const { x, y } = await this.middle();
+    for (const [dx, dy] of offsets) await this.page.mouse.click(x + dx, y + dy);
+    await this.settled();
+  }
+
+  /** The middle of a handle, in the window's pixels. */
+  async handle(name) {
+    const box = await this.page.getByRole('button', { name, exact: false }).boundingBox();
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
+  /** Drags from one place of the window to another, in several steps. */
+  async drag(from, to) {
+    await this.page.mouse.move(from.x, from.y);
+    await this.page.mouse.down();
+    await this.page.mouse.move(to.x, to.y, { steps: 6 });
+    await this.page.mouse.up();
+    await this.settled();
+  }
+
+  async dragHandle(name, dx, dy) {
+    const from = await this.handle(name);
+    await this.drag(from, { x: from.x + dx, y: from.y + dy });
+  }
+
+  /** Drops a file of that text onto the page. */
+  drop(name, text) {
+    return this.page.evaluate(
+      ([fileName, content]) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([content], fileName));
+        window.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
+      },
+      [name, text],
+    );
+  }
+}

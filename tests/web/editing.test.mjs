@@ -1,0 +1,198 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+import { farthestFromSurface, middles } from './on_surface.mjs';
+
+/** Four places that are on every surface used here, as offsets from the stage's middle. */
+const places = [
+  [-110, 40],
+  [-40, -10],
+  [40, 50],
+  [110, -10],
+];
+/** Places are floats of a surface of about unit size, and edges are crossed in doubles. */
+const onSurface = 2e-6;
+
+describe('editing a curve', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  for (const mesh of ['sphere:1500', 'bunny:0']) {
+    test(`clicks make a curve on ${mesh}, and a drag changes it there`, async () => {
+      const tab = await Tab.open(browser, `mesh=${mesh}`);
+      const hint = tab.page.locator('#hint');
+      assert.equal(await hint.textContent(), 'Click the surface to place a control point');
+
+      await tab.click(...places.slice(0, 3));
+      const polygon = await tab.view();
+      assert.equal(polygon.curve, null);
+      assert.equal(polygon.polygonOnly, true);
+      assert.equal(polygon.legs.length, 2, 'two geodesics join three points');
+      assert.equal(await hint.textContent(), '1 more point makes a curve');
+
+      await tab.click(places[3]);
+      const first = await tab.view();
+      assert.equal(first.curve.sampleCount, 128, 'one segment');
+      assert.equal(first.legs.length, 3);
+      assert.equal(await hint.isVisible(), false);
+
+      await tab.dragHandle('Control point 2 of 4', 25, -20);
+      const moved = await tab.view();
+      assert.notDeepEqual(moved.polyline, first.polyline);
+      assert.equal((await tab.state()).document.points.length, 4, 'a drag adds no point');
+
+      const surface = await tab.mesh();
+      const tolerance = onSurface * surface.info.diagonal;
+      for (const { polyline, legs } of [polygon, first, moved]) {
+        for (const line of [polyline ?? [], ...legs]) {
+          assert.ok(farthestFromSurface(line, surface) <= tolerance);
+          assert.ok(farthestFromSurface(middles(line), surface) <= tolerance);
+        }
+      }
+      assert.match(await tab.page.locator('#status').textContent(), /triangles.*128 samples.*ms/s);
+      assert.deepEqual(tab.logged, []);
+      await tab.page.close();
+    });
+  }
+
+  test('every edit is taken back and done again', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    await tab.dragHandle('Control point 4 of 4', 10, 30);
+    await tab.page.getByLabel('Bézier').check({ force: true });
+    await tab.page.keyboard.press('Escape');
+    await tab.page.getByRole('button', { name: 'Control point 1 of 4' }).focus();
+    await tab.page.keyboard.press('Delete');
+    await tab.settled();
+    const end = (await tab.state()).document;
+    assert.equal(end.points.length, 3);
+    assert.equal(end.kind, 'bezier');
+
+    const documents = [end];
+    while (await tab.page.locator('#undo').isEnabled()) {
+      await tab.page.keyboard.press('Control+z');
+      documents.push((await tab.state()).document);
+    }
+    const counts = documents.map(({ points }) => points.length);
+    assert.deepEqual(counts, [3, 4, 4, 4, 3, 2, 1, 0], 'delete, kind, drag, four clicks');
+    assert.deepEqual(documents[3].points.slice(0, 3), documents[1].points.slice(0, 3));
+    assert.notDeepEqual(documents[3].points[3], documents[1].points[3]);
+
+    for (const document of documents.slice(0, -1).reverse()) {
+      await tab.page.keyboard.press('Control+Shift+z');
+      assert.deepEqual((await tab.state()).document, document);
+    }
+    const again = await tab.view();
+    assert.equal(again.curve.sampleCount, 128);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a curve after edits is the curve that its points make anew', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places, [60, 90]);
+    await tab.dragHandle('Control point 3 of 5', -15, 20);
+    await tab.page.keyboard.press('Delete');
+    await tab.click([20, 100]);
+    const edited = await tab.view();
+    await tab.page.reload();
+    const anew = await tab.view();
+    assert.equal(anew.polyline.length, edited.polyline.length);
+    const farthest = Math.max(...anew.polyline.map((x, i) => Math.abs(x - edited.polyline[i])));
+    assert.ok(farthest <= 1e-6 * (await tab.mesh()).info.diagonal, `${farthest}`);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a drag of empty space or of the surface turns the view and edits nothing', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { document } = await tab.state();
+    const handle = await tab.handle('Control point 1 of 4');
+    const { x, y } = await tab.middle();
+    await tab.drag({ x, y: y + 60 }, { x: x + 50, y: y + 60 });
+    await tab.drag({ x: x - 300, y: y - 250 }, { x: x - 300, y: y - 200 });
+    assert.deepEqual((await tab.state()).document, document);
+    const turned = await tab.handle('Control point 1 of 4');
+    assert.ok(Math.hypot(turned.x - handle.x, turned.y - handle.y) > 5);
+
+    await tab.page.keyboard.press('r');
+    await tab.page.waitForTimeout(600);
+    const reset = await tab.handle('Control point 1 of 4');
+    assert.ok(Math.hypot(reset.x - handle.x, reset.y - handle.y) < 0.5);
+    await tab.page.close();
+  });
+
+  test('keys alone place, move and remove points', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await page.locator('#stage').focus();
+    for (const key of ['Enter', 'ArrowLeft', 'ArrowLeft', 'Enter']) await page.keyboard.press(key);
+    await page.keyboard.press('Tab');
+    assert.equal((await tab.state()).selection, 0);
+    const before = (await tab.state()).document.points;
+    assert.equal(before.length, 2);
+    await page.keyboard.press('Shift+ArrowDown');
+    const moved = (await tab.state()).document.points;
+    assert.notDeepEqual(moved[0], before[0]);
+    assert.deepEqual(moved[1], before[1]);
+    await page.keyboard.press('Backspace');
+    assert.equal((await tab.state()).document.points.length, 1);
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    assert.deepEqual((await tab.state()).document.points, before);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  test("a circle's radius and center are dragged on the surface", async () => {
+    const tab = await Tab.open(browser);
+    await tab.page.keyboard.press('3');
+    assert.equal(
+      await tab.page.locator('#hint').textContent(),
+      'Click the surface to place the center',
+    );
+    await tab.click([0, 0]);
+    const first = await tab.view();
+    assert.ok(first.curve, 'one click makes a circle');
+    const surface = await tab.mesh();
+    const tolerance = onSurface * surface.info.diagonal;
+    assert.ok(farthestFromSurface(first.polyline, surface) <= tolerance);
+
+    await tab.dragHandle('Radius of the circle', 40, 0);
+    const wider = await tab.view();
+    assert.ok(wider.circle.radius > 1.2 * first.circle.radius);
+    assert.ok(wider.curve.length > 1.2 * first.curve.length);
+
+    await tab.dragHandle('Center of the circle', -30, -20);
+    const moved = await tab.view();
+    const { radius } = wider.circle;
+    assert.ok(Math.abs(moved.circle.radius - radius) <= 1e-9 * radius, 'the radius goes along');
+    assert.notDeepEqual(moved.polyline, wider.polyline);
+    assert.ok(farthestFromSurface(moved.polyline, surface) <= tolerance);
+
+    await tab.page.keyboard.press('Delete');
+    assert.equal((await tab.view()).curve, null);
+    await tab.page.keyboard.press('Control+z');
+    assert.deepEqual((await tab.view()).polyline, moved.polyline);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a circle wider than the surface is a sentence, and can be taken back', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle&circle=0,0.3,0.3;9,1,0,0');
+    const { problem, curve } = await tab.view();
+    assert.equal(curve, null);
+    assert.ok(problem);
+    const hint = await tab.page.locator('#hint').textContent();
+    assert.match(hint, /^[A-Z].*\.$/);
+    await tab.page.keyboard.press('1');
+    await tab.click(...places);
+    assert.ok((await tab.view()).curve);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});

@@ -1,0 +1,167 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const places = [
+  [-100, 30],
+  [-30, -20],
+  [40, 40],
+  [100, -20],
+];
+const tetrahedron = `v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1
+f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n`;
+const badFiles = {
+  'empty.obj': '',
+  'no-faces.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\n',
+  'index.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n',
+  'nan.obj': 'v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n',
+  'non-manifold.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n',
+  'picture.obj': '\x89PNG\r\n\x1a\n\0\0\0\rIHDR',
+};
+
+describe('nothing that was made is lost', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  test('a bad file is a sentence, and the curve stays', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const [document, { polyline }] = [(await tab.state()).document, await tab.view()];
+    for (const [name, text] of Object.entries(badFiles)) {
+      await tab.drop(name, text);
+      const alert = tab.page.getByRole('alert');
+      await alert.waitFor();
+      const said = await alert.locator('p').textContent();
+      assert.ok(said.startsWith(`${name} could not be opened. `) && said.endsWith('.'), said);
+      await alert.getByRole('button', { name: 'Dismiss' }).click();
+      await alert.waitFor({ state: 'detached' });
+      assert.deepEqual((await tab.state()).document, document);
+      assert.deepEqual((await tab.view()).polyline, polyline);
+      assert.equal(await tab.page.locator('#surface').inputValue(), 'sphere');
+    }
+    await tab.dragHandle('Control point 2 of 4', 10, 10);
+    assert.notDeepEqual((await tab.view()).polyline, polyline, 'the curve is still edited');
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a file is opened, reloaded, and left for a sample and back', async () => {
+    const tab = await Tab.open(browser);
+    await tab.drop('tetrahedron.obj', tetrahedron);
+    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.page.keyboard.press('2');
+    await tab.click([-10, 0], [15, 10]);
+    const [{ document, mesh }, { polyline }] = [await tab.state(), await tab.view()];
+    assert.equal(document.points.length, 2);
+    await tab.page.waitForFunction(() => location.hash.includes('points='));
+    await tab.page.waitForTimeout(400);
+
+    await tab.page.reload();
+    await tab.settled();
+    assert.equal((await tab.state()).mesh, mesh);
+    assert.deepEqual((await tab.view()).polyline, polyline);
+
+    await tab.page.locator('#surface').selectOption('torus');
+    await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
+    assert.equal((await tab.state()).document.points.length, 0);
+    await tab.drop('tetrahedron.obj', tetrahedron);
+    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    assert.deepEqual((await tab.view()).polyline, polyline);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('an engine that breaks is started again, and the curve is edited on', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { polyline } = await tab.view();
+    const [engine] = tab.page.workers();
+    await engine.evaluate(() => {
+      setTimeout(() => {
+        throw new Error('out of luck');
+      });
+    });
+    await tab.page.getByRole('alert').waitFor();
+    assert.deepEqual((await tab.view()).polyline, polyline);
+    await tab.dragHandle('Control point 2 of 4', 10, 10);
+    assert.notDeepEqual((await tab.view()).polyline, polyline);
+    await tab.page.close();
+  });
+
+  test('reload and the link alone restore what was made', async () => {
+    const tab = await Tab.open(browser);
+    await tab.page.keyboard.press('2');
+    await tab.click(...places);
+    const [{ document }, { polyline }] = [await tab.state(), await tab.view()];
+    await tab.page.reload();
+    const reloaded = await tab.view();
+    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual(reloaded.polyline, polyline);
+    const address = tab.page.url();
+    assert.match(address, /#mesh=sphere:1500&kind=bezier&/);
+    await tab.page.close();
+
+    const other = await openBrowser();
+    try {
+      const elsewhere = await Tab.open(other, address.split('#')[1]);
+      assert.deepEqual((await elsewhere.view()).polyline, polyline);
+      assert.deepEqual(elsewhere.logged, []);
+    } finally {
+      await other.close();
+    }
+  });
+
+  test('a link pasted over the address is shown, and can be taken back', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { document } = await tab.state();
+    await tab.page.evaluate(() => {
+      location.hash = 'mesh=sphere:1500&kind=bezier&points=1,0.2,0.3;700,0.1,0.5;99999,0,0';
+    });
+    await tab.page.waitForFunction(() => window.karcherPage.state().document.kind === 'bezier');
+    assert.deepEqual(
+      (await tab.state()).document.points.map(({ face }) => face),
+      [1, 700],
+      'points beyond the surface are left out',
+    );
+    await tab.page.keyboard.press('Control+z');
+    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('another detail of a surface takes the curve along', async () => {
+    const tab = await Tab.open(browser, 'mesh=bunny:0');
+    await tab.click(...places);
+    const { polyline } = await tab.view();
+    await tab.page.locator('#detail').selectOption('1');
+    await tab.page.waitForFunction(() => window.karcherPage.state().mesh === 'bunny:1');
+    const finer = await tab.view();
+    const { info } = await tab.mesh();
+    assert.equal((await tab.state()).document.points.length, 4);
+    // Loop subdivision moves the coarse bunny's surface by less than an edge.
+    const off = [0, 1, 2].map((axis) => finer.polyline[axis] - polyline[axis]);
+    assert.ok(Math.hypot(...off) < 2 * info.meanEdge);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('opening a surface is cancelled, and the one before stays', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { polyline } = await tab.view();
+    await tab.page.locator('#surface').selectOption('genus3');
+    await tab.page.locator('#detail').isEnabled();
+    await tab.page.evaluate(() => document.getElementById('cancel').click());
+    await tab.page.waitForFunction(() => document.getElementById('progress').hidden);
+    await tab.page.waitForTimeout(300);
+    assert.equal((await tab.state()).mesh, 'sphere:1500');
+    assert.deepEqual((await tab.view()).polyline, polyline);
+    assert.equal(await tab.page.locator('#surface').inputValue(), 'sphere');
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});

@@ -1,0 +1,85 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+describe('where the page is shown', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  });
+  after(() => browser.close());
+
+  test('a narrow window has no sideways scroll and every tool in reach', async () => {
+    const tab = await Tab.open(browser);
+    const width = await tab.page.evaluate(() => document.scrollingElement.scrollWidth);
+    assert.equal(width, 390);
+    const tools = tab.page.locator('button:visible, select:visible, .segments label:visible');
+    for (const tool of await tools.all()) {
+      const box = await tool.boundingBox();
+      assert.ok(box.x >= 0 && box.x + box.width <= 390, `${await tool.textContent()}`);
+      assert.ok(box.y >= 0 && box.y + box.height <= 844, `${await tool.textContent()}`);
+    }
+    await tab.page.close();
+  });
+
+  test('fingers place and remove points', async () => {
+    const tab = await Tab.open(browser);
+    const { x, y } = await tab.middle();
+    await tab.page.touchscreen.tap(x - 40, y);
+    await tab.page.touchscreen.tap(x + 40, y + 10);
+    await tab.settled();
+    assert.equal((await tab.state()).document.points.length, 2);
+    await tab.page.getByRole('button', { name: 'Delete' }).tap();
+    assert.equal((await tab.state()).document.points.length, 1);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('the theme follows the system until it is chosen', async () => {
+    const tab = await Tab.open(browser);
+    const shows = (theme) => tab.page.locator(`html[data-theme="${theme}"]`).waitFor();
+    await tab.page.emulateMedia({ colorScheme: 'dark' });
+    await shows('dark');
+    await tab.page.emulateMedia({ colorScheme: 'light' });
+    await shows('light');
+    await tab.page.getByRole('button', { name: 'Dark theme' }).click();
+    await tab.page.reload();
+    await tab.settled();
+    await shows('dark');
+    await tab.page.close();
+  });
+
+  test('the help opens by its key and closes', async () => {
+    const tab = await Tab.open(browser);
+    await tab.page.keyboard.press('?');
+    const dialog = tab.page.getByRole('dialog', { name: 'Working on a surface' });
+    await dialog.waitFor();
+    await tab.page.keyboard.press('Escape');
+    await dialog.waitFor({ state: 'hidden' });
+    await tab.page.close();
+  });
+
+  const lacks = {
+    WebAssembly: () => {
+      delete window.WebAssembly;
+    },
+    'WebGL 2': () => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    },
+  };
+  for (const [name, remove] of Object.entries(lacks)) {
+    test(`a browser without ${name} gets a page that says so`, async () => {
+      const page = await browser.context.newPage();
+      const errors = [];
+      page.on('pageerror', (error) => errors.push(`${error}`));
+      await page.addInitScript(remove);
+      await page.goto(browser.address);
+      const box = page.locator('#unsupported');
+      await box.waitFor();
+      assert.match(await box.textContent(), new RegExp(`${name}, which`));
+      assert.equal(await page.locator('#app').isVisible(), false);
+      assert.deepEqual(errors, []);
+      await page.close();
+    });
+  }
+});

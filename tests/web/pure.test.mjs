@@ -1,0 +1,139 @@
+// The page's parts that need no browser.
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { runnerImport } from 'vite';
+
+const load = async (path) => {
+  const file = fileURLToPath(new URL(`../../web/${path}`, import.meta.url));
+  const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });
+  return module;
+};
+
+const point = (face, u = 0.25, v = 0.5) => ({ face, bary: [1 - u - v, u, v] });
+const document = { kind: 'bspline', points: [1, 2, 3, 4].map((face) => point(face)), circle: null };
+const circle = { center: point(5), rim: { radius: 0.5, direction: [0, 0, 1] } };
+
+describe('commands', () => {
+  let module;
+  before(async () => {
+    module = await load('editor/document.ts');
+  });
+
+  test('the inverse takes a command back', () => {
+    const [from, to] = [document.points[1], point(9)];
+    const commands = [
+      { type: 'insert', index: 2, point: point(7) },
+      { type: 'remove', index: 1, point: from },
+      { type: 'move', index: 1, from, to },
+      { type: 'kind', from: 'bspline', to: 'circle' },
+      { type: 'circle', from: null, to: circle },
+      { type: 'replace', from: document, to: module.emptyDocument },
+    ];
+    for (const command of commands) {
+      const done = module.apply(document, command);
+      assert.notDeepEqual(done, document, command.type);
+      assert.deepEqual(module.apply(done, module.invert(command)), document, command.type);
+      assert.deepEqual(module.invert(module.invert(command)), command, command.type);
+    }
+  });
+});
+
+describe('the smallest edit between two curves', () => {
+  let changeBetween;
+  before(async () => {
+    ({ changeBetween } = await load('worker/change.ts'));
+  });
+  const options = (points, kind = 'bspline') => ({ kind, points, method: 'paper', samples: 9 });
+  const { points } = document;
+
+  test('names what changed', () => {
+    const from = options(points);
+    const to = (...changed) => changeBetween(from, options(...changed));
+    const added = point(8);
+    assert.deepEqual(to(points.map((p) => structuredClone(p))), { type: 'none' });
+    assert.deepEqual(to(points.with(2, added)), { type: 'move', index: 2, point: added });
+    assert.deepEqual(to([...points, added]), { type: 'insert', index: 4, point: added });
+    assert.deepEqual(to([added, ...points]), { type: 'insert', index: 0, point: added });
+    assert.deepEqual(to(points.toSpliced(1, 1)), { type: 'remove', index: 1 });
+    assert.deepEqual(to(points, 'bezier'), { type: 'kind' });
+    assert.deepEqual(to(points.with(2, added), 'bezier'), { type: 'new' });
+    assert.deepEqual(to(points.toReversed()), { type: 'new' });
+    assert.deepEqual(changeBetween(from, { ...from, solver: 'exact' }), { type: 'new' });
+  });
+
+  test('is as small among equal points', () => {
+    const [p, q] = points;
+    const change = changeBetween(options([p, p, q]), options([p, p, p, q]));
+    assert.equal(change.type, 'insert');
+    assert.deepEqual([p, p, q].toSpliced(change.index, 0, change.point), [p, p, p, q]);
+  });
+});
+
+describe('links', () => {
+  let link;
+  before(async () => {
+    link = await load('editor/link.ts');
+  });
+
+  test('say what they were made of', () => {
+    const whole = { ...document, kind: 'circle', circle };
+    for (const mesh of ['bunny:1', 'file:1x-9:a b&c=#.obj']) {
+      const text = link.formatLink(mesh, 'paper-exact', whole);
+      const read = link.parseLink(`#${text}`);
+      assert.deepEqual(read, { mesh, method: 'paper-exact', document: whole });
+    }
+  });
+
+  test('leave out what they say wrongly', () => {
+    assert.equal(link.parseLink('#'), null);
+    const text =
+      '#mesh=torus:9&kind=conic&method=magic&points=1,0.2;x;2,0.1,0.2;-1,0,0;3,2,2;4,nan,0';
+    const read = link.parseLink(text);
+    assert.equal(read.method, null);
+    assert.equal(read.document.kind, 'bspline');
+    assert.deepEqual(
+      read.document.points.map(({ face }) => face),
+      [2],
+    );
+    assert.equal(link.parseLink('#mesh=torus:9&circle=1,0.2,0.2;-3,1,0,0').document.circle, null);
+  });
+
+  test('keep only points of the surface', () => {
+    const far = { ...document, circle: { center: point(99), rim: point(1) } };
+    const fit = link.fitting(far, 4);
+    assert.deepEqual(fit.points, document.points.slice(0, 3));
+    assert.equal(fit.circle, null);
+  });
+});
+
+describe('the newest request', () => {
+  test('waits for the running one, and older ones are dropped', async () => {
+    const { Newest } = await load('worker/newest.ts');
+    const ran = [];
+    let idle = 2;
+    let release;
+    const newest = new Newest(
+      (job) => {
+        ran.push(job);
+        return new Promise((resolve) => {
+          release = resolve;
+        });
+      },
+      async () => {
+        ran.push('idle');
+        return --idle > 0;
+      },
+    );
+    for (const job of [1, 2, 3]) newest.push(job);
+    assert.deepEqual(ran, [1]);
+    assert.equal(newest.busy, true);
+    release();
+    await new Promise(setImmediate);
+    assert.deepEqual(ran, [1, 3]);
+    release();
+    await new Promise(setImmediate);
+    assert.deepEqual(ran, [1, 3, 'idle', 'idle']);
+    assert.equal(newest.busy, false);
+  });
+});
