@@ -1,6 +1,7 @@
 #include "distance/exact_distance.h"
 
 #include <algorithm>
+#include <string>
 
 #include "mesh/error.h"
 
@@ -30,6 +31,26 @@ bool spreadsPaths(const Geometry& geometry, int vertex) {
   return geometry.totalAngle[vertex] > flat + kWedgeMargin;
 }
 
+/// An edge that windows are carried to, seen from the end that it shares with the edge they leave.
+struct SideEdge {
+  int twin;  ///< the half-edge where they will wait; -1 at the boundary
+  double length;
+  Vec2 along;           ///< unit, in the frame of the edge they leave
+  double leftLength;    ///< of the edge they leave
+  double nearDistance;  ///< of the shared end
+  double apexDistance;
+  double farDistance;  ///< of the other end of the edge they leave
+};
+
+/// Trims a window that was carried to a side by the three corners of the face; false if nothing
+/// worth keeping is left.
+inline bool isWorthKeeping(const SideEdge& side, Window& window) {
+  return trimByTail(window, side.nearDistance) &&
+         trimByHead(window, side.apexDistance, side.length) && !isTooNarrow(window, side.length) &&
+         !isBeatenFrom(window, side.farDistance, side.leftLength * side.along.x(),
+                       side.leftLength * side.along.y(), window.begin);
+}
+
 }  // namespace
 
 ExactDistance::ExactDistance(const Geometry& geometry)
@@ -45,6 +66,7 @@ void ExactDistance::setSource(const SurfacePoint& source) {
   touched_.clear();
   queue_.clear();
   pool_.clear();
+  windowsLeft_ = static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount();
   targetFaces_[0] = targetFaces_[1] = -1;
   target_ = {};
   source_ = source;
@@ -173,88 +195,90 @@ void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to
   }
 }
 
-/// Carries the windows that wait at half-edge h across its face.
-void ExactDistance::carryAcross(int h) {
+/// Moves the windows that wait at half-edge h to the batch.
+void ExactDistance::takeWaiting(int h) {
   WaitingWindows& waiting = waitingAt(h);
-  int index = waiting.first;
+  batch_.clear();
+  for (int index = waiting.first; index >= 0;) {
+    const WindowBlock& block = pool_[index];
+    batch_.insert(batch_.end(), block.windows, block.windows + block.count);
+    const int after = block.next;
+    pool_.release(index);
+    index = after;
+  }
   waiting = {};
-  const int left = previous(h);
-  const int right = next(h);
+  windowsLeft_ -= batch_.count();
+  if (windowsLeft_ < 0) {
+    throw Error(ErrorCode::kBadArgument, "exact distances on this mesh take more than " +
+                                             std::to_string(kMostWindowsPerFace) +
+                                             " windows a face");
+  }
+}
+
+/// Carries the windows that wait at half-edge h across its face: first to the apex, so that then
+/// all are held against its best distance, then to the edges on its sides.
+void ExactDistance::carryAcross(int h) {
+  takeWaiting(h);
   const double length = geometry_.edgeLength[h];
   const Vec2 apex = oppositeOverHalfedge(geometry_, h);
   const int apexVertex = mesh_.opposite(h);
-  const VertexRecord& tail = vertices_.touch(mesh_.tail(h));
-  const VertexRecord& head = vertices_.touch(mesh_.head(h));
+  const double tail = vertices_.touch(mesh_.tail(h)).arrival.distance;
+  const double head = vertices_.touch(mesh_.head(h)).arrival.distance;
   VertexRecord& top = vertices_.touch(apexVertex);
 
-  // First the apex, so that all windows are held against its best distance.
-  batch_.clear();
-  for (int block; index >= 0; index = block) {
-    const WindowBlock& waitingBlock = pool_[index];
-    batch_.insert(batch_.end(), waitingBlock.windows, waitingBlock.windows + waitingBlock.count);
-    block = waitingBlock.next;
-    pool_.release(index);
-  }
-  const size_t most = batch_.size();
-  if (leftward_.size() < most) {
-    leftward_.resize(most);
-    rightward_.resize(most);
-  }
+  // Windows are sorted by side without branches, which would be guessed wrong half of the time.
+  leftward_.resize(std::max(leftward_.size(), batch_.size()));
+  rightward_.resize(std::max(rightward_.size(), batch_.size()));
   int leftCount = 0;
   int rightCount = 0;
   bool seen = false;
   const double tolerance = kSeenTolerance * length;
   for (const Window& window : batch_) {
-    const double crossing = window.sourceX + (apex.x() - window.sourceX) * window.depth /
-                                                 (window.depth + apex.y());
+    const double crossing = crossingTowards(window, apex);
     if (crossing >= window.begin - tolerance && crossing <= window.end + tolerance) {
       seen = true;
       const double leg = square(apex.x() - window.sourceX) + square(apex.y() + window.depth);
-      arrive(apexVertex, top,
-             {window.offset + std::sqrt(leg), window.offset, window.pseudoSource}, h, crossing);
+      arrive(apexVertex, top, {window.offset + std::sqrt(leg), window.offset, window.pseudoSource},
+             h, crossing);
     }
     leftward_[leftCount] = {window, crossing};
     leftCount += crossing > window.begin;
     rightward_[rightCount] = {window, crossing};
     rightCount += crossing < window.end;
   }
+  if (!seen) arriveBent(apexVertex, top, h, apex);
   if (isTargetFace(faceOf(h))) {
     for (const Window& window : batch_) arriveAtTargetThrough(h, window);
   }
-  if (!seen) arriveBent(apexVertex, top, h, apex);
 
-  // The way to the right is the mirror image of the way to the left. Unit vectors are normalized
-  // here, since in a needle the apex is known to rounding of the long edges only.
-  const auto carry = [&](const Window& window, double crossing, const Vec2& along, double edge,
-                         double nearDistance, double farDistance) {
-    Window child = carriedToTailEdge(window, along, edge, crossing);
-    const bool beaten = !trimByTail(child, nearDistance) ||
-                        !trimByHead(child, top.arrival.distance, edge) ||
-                        isTooNarrow(child, edge) ||
-                        isBeatenFrom(child, farDistance, length * along.x(), length * along.y(),
-                                     child.begin);
-    if (beaten) child.end = child.begin;
-    return child;
-  };
-  const int leftTwin = mesh_.twin[left];
-  if (leftTwin >= 0) {
-    const double edge = geometry_.edgeLength[left];
-    const Vec2 along = apex.normalized();
-    for (int i = 0; i < leftCount; ++i) {
-      const Window child = carry(leftward_[i].window, leftward_[i].crossing, along, edge,
-                                 tail.arrival.distance, head.arrival.distance);
-      if (child.end > child.begin) addWindow(leftTwin, child);
-    }
+  // The way to the right is the mirror image of the way to the left. Unit vectors are normalized,
+  // since in a needle the apex is known to rounding of the long edges only.
+  const int left = previous(h);
+  const SideEdge leftSide{mesh_.twin[left],
+                          geometry_.edgeLength[left],
+                          apex.normalized(),
+                          length,
+                          tail,
+                          top.arrival.distance,
+                          head};
+  for (int i = 0; i < leftCount && leftSide.twin >= 0; ++i) {
+    Window window = carriedToTailEdge(leftward_[i].window, leftSide.along, leftSide.length,
+                                      leftward_[i].crossing);
+    if (isWorthKeeping(leftSide, window)) addWindow(leftSide.twin, window);
   }
-  const int rightTwin = mesh_.twin[right];
-  if (rightTwin >= 0) {
-    const double edge = geometry_.edgeLength[right];
-    const Vec2 along = Vec2(length - apex.x(), apex.y()).normalized();
-    for (int i = 0; i < rightCount; ++i) {
-      const Window child =
-          carry(mirrored(rightward_[i].window, length), length - rightward_[i].crossing, along, edge,
-                head.arrival.distance, tail.arrival.distance);
-      if (child.end > child.begin) addWindow(rightTwin, mirrored(child, edge));
+  const int right = next(h);
+  const SideEdge rightSide{mesh_.twin[right],
+                           geometry_.edgeLength[right],
+                           Vec2(length - apex.x(), apex.y()).normalized(),
+                           length,
+                           head,
+                           top.arrival.distance,
+                           tail};
+  for (int i = 0; i < rightCount && rightSide.twin >= 0; ++i) {
+    Window window = carriedToTailEdge(mirrored(rightward_[i].window, length), rightSide.along,
+                                      rightSide.length, length - rightward_[i].crossing);
+    if (isWorthKeeping(rightSide, window)) {
+      addWindow(rightSide.twin, mirrored(window, rightSide.length));
     }
   }
 }
@@ -266,8 +290,7 @@ void ExactDistance::arriveBent(int vertex, VertexRecord& record, int via, const 
   double nearestMiss = kInfinity;
   double bend = 0;
   for (const Window& window : batch_) {
-    const double crossing = window.sourceX + (apex.x() - window.sourceX) * window.depth /
-                                                 (window.depth + apex.y());
+    const double crossing = crossingTowards(window, apex);
     const double end = std::min(std::max(crossing, window.begin), window.end);
     if (std::abs(crossing - end) < nearestMiss) {
       nearestMiss = std::abs(crossing - end);
@@ -336,7 +359,7 @@ void ExactDistance::arriveAtTargetThrough(int h, const Window& window) {
   const Vec2 point = targetOver(h);
   const Vec2 toSource = Vec2(window.sourceX, -window.depth) - point;
   Arrival arrival{window.offset + toSource.norm(), window.offset, window.pseudoSource};
-  const double crossing = point.x() + toSource.x() * point.y() / (point.y() + window.depth);
+  const double crossing = point.y() > 0 ? crossingTowards(window, point) : point.x();
   const double nearest = std::clamp(crossing, window.begin, window.end);
   if (std::abs(crossing - nearest) <= kSeenTolerance * geometry_.edgeLength[h]) {
     arriveAtTarget(h, arrival, toSource);

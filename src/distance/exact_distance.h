@@ -39,7 +39,10 @@ class ExactDistance {
 
   /// Carries windows on until all vertices within `radius` (any number up to kInfinity) are final.
   /// Goes on where it stopped before: the work, and so every value, is the same as in one go.
+  /// Throws Error kBadArgument if that takes more than kMostWindowsPerFace windows a face, which
+  /// only a surface whose shape is rounding noise comes near (ordinary meshes take 10 to 100).
   void grow(double radius);
+  static constexpr int kMostWindowsPerFace = 10'000;
 
   /// Every vertex as near as this is final; kInfinity once the whole component is.
   double reached() const { return queue_.empty() ? kInfinity : queue_.leastKey(); }
@@ -103,6 +106,7 @@ class ExactDistance {
   void leaveSourceFace(int face, const SurfacePoint& source, int ownEdge);
   void leaveVertex(int vertex);
   void leaveThroughCorner(int vertex, int h, double from, double to);
+  void takeWaiting(int h);
   void carryAcross(int h);
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
@@ -120,6 +124,7 @@ class ExactDistance {
   Array<int> touched_;
   BucketQueue queue_;
   WindowPool pool_;
+  int64_t windowsLeft_ = 0;
   Array<Window> batch_;
   struct AimedWindow {
     Window window;

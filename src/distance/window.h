@@ -9,11 +9,11 @@
 namespace karcher {
 
 struct Window {
-  double begin = 0;    ///< of the interval, from the half-edge's tail
+  double begin = 0;  ///< of the interval, from the half-edge's tail
   double end = 0;
   double sourceX = 0;  ///< the source lies at (sourceX, -depth)
   double depth = 0;
-  double offset = 0;   ///< distance of the source itself, if it is a vertex that paths turn round
+  double offset = 0;  ///< distance of the source itself, if it is a vertex that paths turn round
   int pseudoSource = -1;  ///< that vertex, or -1
 };
 
@@ -40,6 +40,11 @@ inline double distanceAt(const Window& w, double x) {
 /// Least distance over the window.
 inline double leastDistance(const Window& w) {
   return distanceAt(w, std::min(std::max(w.sourceX, w.begin), w.end));
+}
+
+/// Where the line from the window's source to a point above the half-edge crosses it.
+inline double crossingTowards(const Window& w, const Vec2& point) {
+  return w.sourceX + (point.x() - w.sourceX) * w.depth / (w.depth + point.y());
 }
 
 /// The same window seen with head and tail exchanged; `length` is the half-edge's.
@@ -104,8 +109,7 @@ inline Window carriedToTailEdge(const Window& w, const Vec2& along, double lengt
 inline bool isBeatenFrom(const Window& w, double vertexDistance, double x, double depth,
                          double farEnd) {
   const double lead = vertexDistance * (1 + kBeats) - w.offset;
-  return lead + std::sqrt(square(farEnd - x) + square(depth)) <
-         std::sqrt(squaredLegTo(w, farEnd));
+  return lead + std::sqrt(square(farEnd - x) + square(depth)) < std::sqrt(squaredLegTo(w, farEnd));
 }
 
 /// Some of the windows that wait at a half-edge, and the block that holds more of them.

@@ -1,52 +1,25 @@
 #pragma once
 
-#include <fstream>
 #include <map>
-#include <random>
-#include <sstream>
-#include <string>
 #include <utility>
 
+#include "generators/random.h"
 #include "intrinsic/geometry.h"
+#include "mesh/triangle_soup.h"
 
-/// Small meshes for the tests of distances and paths.
+/// What the tests of distances and paths share.
 namespace karcher::testing {
 
 /// A mesh with its geometry, which points into it.
 struct Surface {
   explicit Surface(TriangleMesh m) : mesh(std::move(m)), geometry(buildGeometry(mesh)) {}
+  explicit Surface(const TriangleSoup& soup) : Surface(buildMesh(soup.positions, soup.triangles)) {}
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
 
   const TriangleMesh mesh;
   const Geometry geometry;
 };
-
-/// columns x rows squares in the plane, spacing 1, cut along the diagonal from the lower left.
-/// Inner vertices are moved by up to `jitter` in x and y.
-inline TriangleMesh planeGrid(int columns, int rows, double jitter = 0, unsigned seed = 1) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> shift(-jitter, jitter);
-  Array<Vec3> positions;
-  for (int y = 0; y <= rows; ++y) {
-    for (int x = 0; x <= columns; ++x) {
-      const bool inside = x > 0 && y > 0 && x < columns && y < rows;
-      const double dx = inside ? shift(random) : 0;
-      const double dy = inside ? shift(random) : 0;
-      positions.push_back({x + dx, y + dy, 0});
-    }
-  }
-  Array<Triangle> faces;
-  for (int y = 0; y < rows; ++y) {
-    for (int x = 0; x < columns; ++x) {
-      const int a = y * (columns + 1) + x;
-      const int b = a + columns + 1;
-      faces.push_back({a, a + 1, b + 1});
-      faces.push_back({a, b + 1, b});
-    }
-  }
-  return buildMesh(positions, faces);
-}
 
 /// The unit icosphere: an icosahedron, its faces cut in four `levels` times.
 inline TriangleMesh icosphere(int levels) {
@@ -81,47 +54,58 @@ inline TriangleMesh icosphere(int levels) {
   return buildMesh(positions, faces);
 }
 
-/// The npm package's bunny (1,839 vertices, closed).
-inline TriangleMesh bunny() {
-  std::ifstream in(KARCHER_BUNNY_OBJ);
-  Array<Vec3> positions;
-  Array<Triangle> faces;
-  std::string line;
-  while (std::getline(in, line)) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    if (kind == "v") {
-      Vec3 p;
-      words >> p[0] >> p[1] >> p[2];
-      positions.push_back(p);
-    } else if (kind == "f") {
-      Triangle f;
-      words >> f[0] >> f[1] >> f[2];
-      faces.push_back((f.array() - 1).matrix());
+/// Three quarters of the square from (0, 0) to (2n, 2n): the upper right quarter is missing, and
+/// (n, n) is a reentrant corner of the boundary.
+inline TriangleMesh lShape(int n) {
+  const TriangleSoup square = [&] {
+    TriangleSoup soup;
+    for (int y = 0; y <= 2 * n; ++y) {
+      for (int x = 0; x <= 2 * n; ++x) soup.positions.push_back(Vec3(x, y, 0));
     }
+    const int row = 2 * n + 1;
+    for (int y = 0; y < 2 * n; ++y) {
+      for (int x = 0; x < 2 * n; ++x) {
+        if (x >= n && y >= n) continue;
+        const int a = y * row + x;
+        soup.triangles.push_back({a, a + 1, a + row + 1});
+        soup.triangles.push_back({a, a + row + 1, a + row});
+      }
+    }
+    return soup;
+  }();
+  TriangleSoup used;
+  Array<int> number(square.positions.size(), -1);
+  for (Triangle t : square.triangles) {
+    for (int& v : t) {
+      if (number[v] < 0) {
+        number[v] = used.positions.count();
+        used.positions.push_back(square.positions[v]);
+      }
+      v = number[v];
+    }
+    used.triangles.push_back(t);
   }
+  return buildMesh(used.positions, used.triangles);
+}
+
+/// Two meshes side by side as one.
+inline TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b, const Vec3& shift) {
+  Array<Vec3> positions = a.positions;
+  for (const Vec3& p : b.positions) positions.push_back(p + shift);
+  Array<Triangle> faces = a.faces;
+  for (const Triangle& f : b.faces) faces.push_back((f.array() + a.vertexCount()).matrix());
   return buildMesh(positions, faces);
 }
 
-/// A random point: in a face, or one time in four each on an edge or at a vertex.
-inline SurfacePoint randomPoint(const TriangleMesh& mesh, std::mt19937& random) {
-  std::uniform_int_distribution<int> face(0, mesh.faceCount() - 1);
-  std::uniform_int_distribution<int> kind(0, 3);
-  std::uniform_int_distribution<int> corner(0, 2);
-  std::uniform_real_distribution<double> unit(0.01, 0.99);
-  const int f = face(random);
-  switch (kind(random)) {
-    case 0:
-      return edgePoint(3 * f + corner(random), unit(random));
-    case 1:
-      return edgePoint(3 * f + corner(random), 0);
-    default: {
-      const double s = std::sqrt(unit(random));
-      const double t = unit(random);
-      return {f, Vec3(1 - s, s * (1 - t), s * t)};
-    }
-  }
+/// A random point: half of the time in a face, else on an edge or at a vertex.
+inline SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
+  const int f = random.index(mesh.faceCount());
+  const int kind = random.index(4);
+  if (kind == 0) return edgePoint(3 * f + random.index(3), random.uniform(0.01, 0.99));
+  if (kind == 1) return edgePoint(3 * f + random.index(3), 0);
+  const double s = std::sqrt(random.uniform(0.01, 0.99));
+  const double t = random.uniform(0.01, 0.99);
+  return {f, Vec3(1 - s, s * (1 - t), s * t)};
 }
 
 }  // namespace karcher::testing

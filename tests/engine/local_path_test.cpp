@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "distance_meshes.h"
+#include "generators/plane.h"
 #include "intrinsic/straightest.h"
+#include "support.h"
 
 namespace karcher::testing {
 namespace {
@@ -44,8 +46,8 @@ void expectJoined(const Surface& surface, const Path& path) {
 }
 
 TEST(LocalPath, isTheStraightLineInThePlane) {
-  const Surface surface(planeGrid(12, 9, 0.3));
-  std::mt19937 random(7);
+  const Surface surface(tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 300, 5));
+  Random random(7);
   for (int i = 0; i < 500; ++i) {
     const SurfacePoint p = randomPoint(surface.mesh, random);
     const SurfacePoint q = randomPoint(surface.mesh, random);
@@ -72,16 +74,14 @@ TEST(LocalPath, isStraightThroughTheVerticesOfARegularGrid) {
 
 TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
   const Surface surface(icosphere(3));
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> angle(-kPi, kPi);
-  std::uniform_real_distribution<double> length(0.01, 0.3);
+  Random random(11);
   int same = 0;
   for (int i = 0; i < 300; ++i) {
     SurfacePoint p = randomPoint(surface.mesh, random);
     p.bary = (p.bary + Vec3::Constant(0.1)) / 1.3;
-    const double walked = length(random);
+    const double walked = random.uniform(0.01, 0.3);
     const StraightestPath straight =
-        traceStraightest(surface.geometry, p, walked * unitVector(angle(random)));
+        traceStraightest(surface.geometry, p, walked * unitVector(random.uniform(-kPi, kPi)));
     const Path path = joined(surface, p, straight.points.back());
     ASSERT_TRUE(path.found);
     expectJoined(surface, path);
@@ -94,9 +94,9 @@ TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
 }
 
 TEST(LocalPath, hasHalfATurnOnBothSidesOfItsVertices) {
-  const Surface surface(bunny());
+  const Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh;
-  std::mt19937 random(3);
+  Random random(3);
   int vertices = 0;
   for (int i = 0; i < 200; ++i) {
     const SurfacePoint p = randomPoint(mesh, random);
@@ -127,26 +127,7 @@ TEST(LocalPath, hasHalfATurnOnBothSidesOfItsVertices) {
 }
 
 TEST(LocalPath, goesRoundAReentrantCorner) {
-  // Three quarters of a square around the vertex at the middle.
-  TriangleMesh square = planeGrid(4, 4);
-  Array<Triangle> faces;
-  for (const Triangle& f : square.faces) {
-    const Vec3 centroid =
-        (square.positions[f[0]] + square.positions[f[1]] + square.positions[f[2]]) / 3;
-    if (centroid.x() < 2 || centroid.y() < 2) faces.push_back(f);
-  }
-  Array<Vec3> positions;
-  Array<int> number(square.positions.size(), -1);
-  for (Triangle& f : faces) {
-    for (int& v : f) {
-      if (number[v] < 0) {
-        number[v] = positions.count();
-        positions.push_back(square.positions[v]);
-      }
-      v = number[v];
-    }
-  }
-  const Surface surface(buildMesh(positions, faces));
+  const Surface surface(lShape(2));
   const SurfacePoint p = nearestPoint(surface.mesh, Vec3(1.7, 3.6, 0));
   const SurfacePoint q = nearestPoint(surface.mesh, Vec3(3.8, 1.9, 0));
   const Path path = joined(surface, p, q);

@@ -1,0 +1,264 @@
+#include "distance/exact_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "distance_meshes.h"
+#include "generators/flat.h"
+#include "generators/plane.h"
+#include "intrinsic/strip_path.h"
+#include "mesh/error.h"
+#include "support.h"
+
+namespace karcher::testing {
+namespace {
+
+/// The vector of length d from a vertex along the shortest path towards the source, in space, for
+/// surfaces in the plane z = 0.
+Vec3 stepToSource(const Surface& surface, const ExactDistance& solver, int v) {
+  const CornerDirection corner = cornerOfDirection(surface.geometry, v, solver.direction(v));
+  const Vec2 edge = halfedgeInFace(surface.geometry, corner.halfedge).normalized();
+  return solver.distance(v) *
+         toSpace(surface.geometry, faceOf(corner.halfedge), rotate(unitVector(corner.angle), edge));
+}
+
+TEST(ExactDistance, IsEuclidsInThePlane) {
+  for (const PlaneTessellation tessellation : kPlaneTessellations) {
+    SCOPED_TRACE(tessellationName(tessellation));
+    const Surface surface(tessellatedPlane(tessellation, 1500, 3));
+    ExactDistance solver(surface.geometry);
+    Random random(17);
+    for (int i = 0; i < 5; ++i) {
+      const SurfacePoint source = randomPoint(surface.mesh, random);
+      const Vec3 p = position(surface.mesh, source);
+      solver.setSource(source);
+      solver.grow(kInfinity);
+      for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+        const Vec3 step = p - surface.mesh.positions[v];
+        ASSERT_NEAR(solver.distance(v), step.norm(), 1e-12);
+        ASSERT_LE((stepToSource(surface, solver, v) - step).norm(), 1e-11);
+      }
+    }
+  }
+}
+
+TEST(ExactDistance, KeepsItsAccuracyOnNeedles) {
+  TriangleSoup soup = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 1500, 4);
+  for (Vec3& p : soup.positions) p.x() *= 1e5;
+  const Surface surface(soup);
+  ExactDistance solver(surface.geometry);
+  Random random(18);
+  for (int i = 0; i < 4; ++i) {
+    const SurfacePoint source = randomPoint(surface.mesh, random);
+    const Vec3 p = position(surface.mesh, source);
+    solver.setSource(source);
+    solver.grow(kInfinity);
+    for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+      const double truth = (p - surface.mesh.positions[v]).norm();
+      ASSERT_NEAR(solver.distance(v), truth, 1e-11 * truth + 1e-12);
+    }
+  }
+}
+
+TEST(ExactDistance, LosesNoRegionOfARegularGrid) {
+  // Every vertex lies behind others exactly, and every way has equals.
+  const Surface surface(planeGrid(30, 30));
+  ExactDistance solver(surface.geometry);
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(15, 15, 0), Vec3(7.5, 7.5, 0), Vec3(10.5, 3, 0)}) {
+    solver.setSource(nearestPoint(surface.mesh, p));
+    solver.grow(kInfinity);
+    for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+      ASSERT_NEAR(solver.distance(v), (p - surface.mesh.positions[v]).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(ExactDistance, AgreesWithAnotherLibrary) {
+  const Surface surface(bunnyMesh());
+  ExactDistance solver(surface.geometry);
+  std::ifstream in(std::string(KARCHER_TEST_DATA) + "/bunny_exact_distances.txt");
+  std::string line;
+  int sources = 0;
+  while (std::getline(in, line)) {
+    if (line[0] == '#') continue;
+    std::istringstream header(line);
+    int face = 0;
+    int count = 0;
+    Vec3 bary;
+    header >> face >> bary[0] >> bary[1] >> bary[2] >> count;
+    solver.setSource(checkedPoint(surface.mesh, face, bary));
+    solver.grow(kInfinity);
+    ++sources;
+    for (int i = 0; i < count; ++i) {
+      int v = 0;
+      double expected = 0;
+      in >> v >> expected;
+      // The file has twelve decimals.
+      EXPECT_NEAR(solver.distance(v), expected, 1e-10 * expected + 1e-12) << "vertex " << v;
+    }
+    std::getline(in, line);
+  }
+  EXPECT_EQ(sources, 6);
+}
+
+TEST(ExactDistance, UnrollsTheCylinder) {
+  const FlatCylinder cylinder = flatCylinder(40, 3, 6);
+  const Surface surface(cylinder.soup);
+  ExactDistance solver(surface.geometry);
+  for (int source = 0; source < surface.mesh.vertexCount(); source += 97) {
+    solver.setSource(vertexPoint(surface.mesh, source));
+    solver.grow(kInfinity);
+    for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+      const double truth =
+          cylinderDistance(cylinder, cylinder.unrolled[source], cylinder.unrolled[v]);
+      ASSERT_NEAR(solver.distance(v), truth, 1e-12);
+    }
+  }
+}
+
+TEST(ExactDistance, UnrollsTheCone) {
+  for (const double angle : {2.0, 4.0, 6.0}) {
+    const FlatCone cone = flatCone(30, angle, 6);
+    const Surface surface(cone.soup);
+    ExactDistance solver(surface.geometry);
+    for (int source = 0; source < surface.mesh.vertexCount(); source += 61) {
+      solver.setSource(vertexPoint(surface.mesh, source));
+      solver.grow(kInfinity);
+      for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+        // The chord of the bottom's polygon cuts into the unrolled disk: paths run along it there,
+        // so points near the rim are left out.
+        if (cone.unrolled[v].x() > 0.5 || cone.unrolled[source].x() > 0.5) continue;
+        const double truth = coneDistance(cone, cone.unrolled[source], cone.unrolled[v]);
+        ASSERT_NEAR(solver.distance(v), truth, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(ExactDistance, TurnsRoundAReentrantCorner) {
+  const Surface surface(lShape(6));
+  const Vec3 corner(6, 6, 0);
+  ExactDistance solver(surface.geometry);
+  for (const Vec3& p : {Vec3(10.3, 4.6, 0), Vec3(11, 6, 0), Vec3(8, 5.5, 0), Vec3(1, 1, 0)}) {
+    solver.setSource(nearestPoint(surface.mesh, p));
+    solver.grow(kInfinity);
+    for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+      const Vec3& q = surface.mesh.positions[v];
+      // The corner is in the way where it lies on the inner side of the straight line.
+      const Vec3 toQ = q - p;
+      const bool aroundCorner = q.y() > 6 && p.x() > 6 && toQ.cross(corner - p).z() > 0;
+      const bool turns = aroundCorner && q.x() <= 6;
+      const double truth = turns ? (corner - p).norm() + (q - corner).norm() : toQ.norm();
+      ASSERT_NEAR(solver.distance(v), truth, 1e-12) << q.transpose();
+      if (turns && (q - corner).norm() > 0 && toQ.cross(corner - p).z() > 1e-9) {
+        EXPECT_NEAR(solver.arrival(v).pseudoSourceDistance, (corner - p).norm(), 1e-12);
+        const Vec3 step = stepToSource(surface, solver, v).normalized();
+        EXPECT_LE((step - (corner - q).normalized()).norm(), 1e-9);
+      }
+    }
+  }
+}
+
+TEST(ExactDistance, ConvergesToTheSphere) {
+  double previous = kInfinity;
+  for (int levels = 2; levels <= 4; ++levels) {
+    const Surface surface(icosphere(levels));
+    ExactDistance solver(surface.geometry);
+    const SurfacePoint source{3, Vec3(0.2, 0.3, 0.5)};
+    const Vec3 p = position(surface.mesh, source).normalized();
+    solver.setSource(source);
+    solver.grow(kInfinity);
+    double worst = 0;
+    for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+      const Vec3& q = surface.mesh.positions[v];
+      const double arc = std::atan2(p.cross(q).norm(), p.dot(q));
+      worst = std::max(worst, std::abs(solver.distance(v) - arc));
+    }
+    EXPECT_LT(worst, previous / 3) << "the inscribed surface is off by O(h^2)";
+    previous = worst;
+  }
+  EXPECT_LT(previous, 3e-3);
+}
+
+TEST(ExactDistance, IsSymmetric) {
+  const Surface surface(bunnyMesh());
+  ExactDistance from(surface.geometry);
+  ExactDistance back(surface.geometry);
+  Random random(23);
+  for (int i = 0; i < 12; ++i) {
+    const int v = random.index(surface.mesh.vertexCount());
+    const SurfacePoint p = randomPoint(surface.mesh, random);
+    from.setSource(vertexPoint(surface.mesh, v));
+    from.grow(kInfinity);
+    back.setSource(p);
+    back.grow(kInfinity);
+    const PointLocation location = locate(surface.mesh, p);
+    if (location.simplex == Simplex::kVertex) {
+      EXPECT_NEAR(from.distance(location.vertex), back.distance(v), 1e-12 * back.distance(v));
+    } else if (!liesInFace(surface.mesh, locate(surface.mesh, vertexPoint(surface.mesh, v)),
+                           p.face)) {
+      from.setSource(vertexPoint(surface.mesh, v));
+      from.setTarget(p);
+      from.grow(kInfinity);
+      EXPECT_NEAR(from.targetArrival().arrival.distance, back.distance(v),
+                  1e-12 * back.distance(v));
+    }
+  }
+}
+
+TEST(ExactDistance, ResumedIsTheSameBitForBit) {
+  const Surface surface(bunnyMesh());
+  ExactDistance whole(surface.geometry);
+  ExactDistance resumed(surface.geometry);
+  Random random(29);
+  for (int i = 0; i < 6; ++i) {
+    const SurfacePoint source = randomPoint(surface.mesh, random);
+    whole.setSource(source);
+    whole.grow(kInfinity);
+    resumed.setSource(source);
+    for (double radius = 0; resumed.reached() < kInfinity; radius += random.uniform(0, 2)) {
+      resumed.grow(radius);
+      EXPECT_GT(resumed.reached(), radius);
+      for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+        ASSERT_EQ(resumed.isFinal(v), whole.distance(v) <= resumed.reached());
+        if (!resumed.isFinal(v)) continue;
+        ASSERT_EQ(resumed.distance(v), whole.distance(v));
+        ASSERT_EQ(resumed.direction(v), whole.direction(v));
+      }
+    }
+  }
+}
+
+TEST(ExactDistance, StaysOnItsComponent) {
+  const TriangleMesh sphere = icosphere(1);
+  const Surface surface(together(sphere, sphere, Vec3(5, 0, 0)));
+  ExactDistance solver(surface.geometry);
+  solver.setSource({2, Vec3(0.3, 0.3, 0.4)});
+  solver.grow(kInfinity);
+  EXPECT_EQ(solver.touched().count(), sphere.vertexCount());
+  for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+    EXPECT_EQ(solver.distance(v) == kInfinity, v >= sphere.vertexCount());
+  }
+}
+
+TEST(ExactDistance, TouchesOnlyTheNeighbourhood) {
+  const Surface surface(planeGrid(100, 100));
+  ExactDistance solver(surface.geometry);
+  solver.setSource(nearestPoint(surface.mesh, Vec3(50.2, 49.9, 0)));
+  solver.grow(5);
+  EXPECT_LT(solver.touched().count(), 200);
+  EXPECT_GT(solver.touched().count(), 78);
+}
+
+TEST(ExactDistance, RefusesATargetAtAVertex) {
+  const Surface surface(planeGrid(2, 2));
+  ExactDistance solver(surface.geometry);
+  solver.setSource(vertexPoint(surface.mesh, 0));
+  EXPECT_THROW(solver.setTarget(vertexPoint(surface.mesh, 8)), Error);
+}
+
+}  // namespace
+}  // namespace karcher::testing
