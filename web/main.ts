@@ -1,4 +1,5 @@
 import { byId, make } from './panels/elements';
+import { applyTheme } from './panels/theme';
 
 function showUnsupported(reason: string): void {
   byId('app').hidden = true;
@@ -25,4 +26,5 @@ async function run(): Promise<void> {
   }
 }
 
+applyTheme();
 await run();

@@ -1,17 +1,13 @@
 import type { Editor } from '../editor/editor';
-import { recall, remember } from '../storage';
-import type { Viewer, ViewerColors } from '../viewer/viewer';
+import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
 import { showNote } from './messages';
+import { onTheme, sceneColors, toggleTheme } from './theme';
 
 export interface ToolEvents {
   removeSelected(): void;
   link(): { address: string; complete: boolean };
 }
-
-type Theme = 'light' | 'dark';
-
-const systemDark = matchMedia('(prefers-color-scheme: dark)');
 
 /** The toolbar, the keys that work everywhere, the help and the theme. */
 export class Tools {
@@ -30,16 +26,18 @@ export class Tools {
     byId('reset').addEventListener('click', () => viewer.resetView({ animated: true }));
     this.#edges.addEventListener('click', () => this.#toggleEdges());
     byId('share').addEventListener('click', () => this.#share());
-    byId('theme').addEventListener('click', () => this.#toggleTheme());
+    byId('theme').addEventListener('click', toggleTheme);
     byId('help').addEventListener('click', () => this.#help.showModal());
     this.#help.addEventListener('click', (event) => {
       if (event.target === this.#help) this.#help.close();
     });
-    systemDark.addEventListener('change', () => this.#applyTheme());
+    onTheme((theme) => {
+      byId('theme').setAttribute('aria-pressed', `${theme === 'dark'}`);
+      viewer.colors = sceneColors();
+    });
     document.addEventListener('keydown', (event) => this.#key(event));
     editor.subscribe(() => this.#showHistory());
     this.#showHistory();
-    this.#applyTheme();
   }
 
   #showHistory(): void {
@@ -62,26 +60,6 @@ export class Tools {
     } catch {
       showNote('The browser kept the link from being copied; it is in the address bar.');
     }
-  }
-
-  #toggleTheme(): void {
-    const theme: Theme = this.#theme() === 'dark' ? 'light' : 'dark';
-    const isSystem = theme === (systemDark.matches ? 'dark' : 'light');
-    remember('theme', isSystem ? '' : theme);
-    this.#applyTheme();
-  }
-
-  #theme(): Theme {
-    const kept = recall('theme');
-    if (kept === 'light' || kept === 'dark') return kept;
-    return systemDark.matches ? 'dark' : 'light';
-  }
-
-  #applyTheme(): void {
-    const theme = this.#theme();
-    document.documentElement.dataset.theme = theme;
-    byId('theme').setAttribute('aria-pressed', `${theme === 'dark'}`);
-    this.viewer.colors = readColors();
   }
 
   #key(event: KeyboardEvent): void {
@@ -114,20 +92,5 @@ export class Tools {
     2: () => this.editor.setKind('bezier'),
     3: () => this.editor.setKind('circle'),
     '?': () => this.#help.showModal(),
-  };
-}
-
-function readColors(): ViewerColors {
-  const style = getComputedStyle(document.documentElement);
-  const read = (name: string) => style.getPropertyValue(`--${name}`).trim();
-  return {
-    front: read('surface-front'),
-    back: read('surface-back'),
-    sky: read('surface-sky'),
-    ground: read('surface-ground'),
-    edges: read('surface-edges'),
-    curve: read('curve'),
-    lost: read('curve-lost'),
-    polygon: read('polygon'),
   };
 }

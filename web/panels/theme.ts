@@ -1,0 +1,57 @@
+/** Light or dark: as the system has it, until it is chosen here. */
+import { recall, remember } from '../storage';
+import type { ViewerColors } from '../viewer/viewer';
+
+export type Theme = 'light' | 'dark';
+
+const system = matchMedia('(prefers-color-scheme: dark)');
+const listeners: ((theme: Theme) => void)[] = [];
+
+const systemTheme = (): Theme => (system.matches ? 'dark' : 'light');
+
+function chosenTheme(): Theme | null {
+  const kept = recall('theme');
+  return kept === 'light' || kept === 'dark' ? kept : null;
+}
+
+export function applyTheme(): void {
+  const theme = chosenTheme() ?? systemTheme();
+  document.documentElement.dataset.theme = theme;
+  for (const listener of listeners) listener(theme);
+}
+
+/** Choosing what the system has anyway is no choice: the page then follows the system again. */
+export function toggleTheme(): void {
+  const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
+  remember('theme', theme === systemTheme() ? '' : theme);
+  applyTheme();
+}
+
+/** Calls back now and with every change. */
+export function onTheme(listener: (theme: Theme) => void): void {
+  listeners.push(listener);
+  listener(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
+}
+
+/** The colors that the style sheet has for what is drawn in the scene. */
+export function sceneColors(): ViewerColors {
+  const probe = document.body.appendChild(document.createElement('i'));
+  const read = (name: string) => {
+    probe.style.color = `var(--${name})`;
+    return getComputedStyle(probe).color;
+  };
+  const colors: ViewerColors = {
+    front: read('surface-front'),
+    back: read('surface-back'),
+    sky: read('surface-sky'),
+    ground: read('surface-ground'),
+    edges: read('surface-edges'),
+    curve: read('curve'),
+    lost: read('curve-lost'),
+    polygon: read('polygon'),
+  };
+  probe.remove();
+  return colors;
+}
+
+system.addEventListener('change', applyTheme);
