@@ -189,9 +189,10 @@ describe('editing a curve', () => {
     assert.ok(problem);
     const hint = await tab.page.locator('#hint').textContent();
     assert.match(hint, /^[A-Z].*\.$/);
+    await tab.page.getByRole('button', { name: 'Radius of the circle' }).waitFor();
     await tab.page.keyboard.press('1');
     await tab.click(...places);
-    assert.ok((await tab.view()).curve);
+    assert.ok((await tab.view()).curve, 'other curves are not in the way of it');
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });

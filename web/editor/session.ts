@@ -101,9 +101,8 @@ export class Session {
       this.#show({ problem: null, ...part, revision: state.revision, ...this.#polygon() });
     } catch (error) {
       if (!this.#current(client, state) || client.closed) return;
-      const problem = error instanceof Error ? error.message : `${error}`;
-      this.#show({ curve: null, circle: null, problem, revision: state.revision });
-      this.#show(this.#polygon());
+      this.#show({ curve: null, circle: null, problem: messageOf(error) });
+      this.#show({ revision: state.revision, ...this.#polygon() });
     }
   }
 
@@ -120,14 +119,13 @@ export class Session {
     if (!circle) return { curve: null, circle: null, legs: [], polygonOnly: false };
     const { radius, direction, rim, path } = await resolveCircle(client, circle);
     const options = methodOptions(state.method);
-    const shown = { radius, direction, rim };
+    const shown = { circle: { radius, direction, rim }, legs: [path], polygonOnly: false };
     try {
       const curve = await client.circle({ ...options, center: circle.center, radius });
-      return { curve, circle: shown, legs: [path], polygonOnly: false };
+      return { curve, ...shown };
     } catch (error) {
-      // The handles stay where they are, so that the radius can be taken back.
-      if (this.#current(client, state)) this.#show({ circle: shown, legs: [path] });
-      throw error;
+      // The handles stay, so that the radius can be taken back.
+      return { curve: null, ...shown, problem: messageOf(error) };
     }
   }
 
@@ -171,6 +169,8 @@ export class Session {
     for (const key of this.#legs.keys()) if (!used.has(key)) this.#legs.delete(key);
   }
 }
+
+const messageOf = (error: unknown) => (error instanceof Error ? error.message : `${error}`);
 
 interface ResolvedCircle {
   radius: number;

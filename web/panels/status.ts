@@ -31,6 +31,10 @@ export class Status {
     text('status-length', `length ${formatLength(curve?.length ?? 0)}`);
     text('status-time', `${formatMilliseconds(curve?.milliseconds ?? 0)} ms`);
     this.#showLost(view);
+    const arcs = byId('status-arcs');
+    const bent = curve?.arcsNotShortest ?? 0;
+    arcs.hidden = bent === 0;
+    arcs.textContent = formatCount(bent, 'arc not shortest', 'arcs not shortest');
     this.showHint(state, view);
   }
 

@@ -15,7 +15,7 @@ export interface LineStyle {
   /** In CSS pixels. */
   width: number;
   dashed?: boolean;
-  /** Opacity of what is hidden behind the surface. */
+  /** How much of the color is left where the surface hides the line. */
   hidden: number;
 }
 
@@ -34,15 +34,19 @@ const smallest = 256;
 export class FatLine {
   readonly object = new Group();
   readonly #materials: LineMaterial[];
+  readonly #left: number;
   #geometry = new LineSegmentsGeometry();
   #ends = new Float32Array(0);
   #distances = new Float32Array(0);
   #segments = 0;
 
   constructor(style: LineStyle, order: number) {
-    const common = { linewidth: style.width, dashed: style.dashed ?? false, transparent: true };
-    const seen = new LineMaterial({ ...common, depthWrite: false });
-    const hidden = new LineMaterial({ ...common, depthWrite: false, opacity: style.hidden });
+    this.#left = style.hidden;
+    const { width: linewidth, dashed = false } = style;
+    const common = { linewidth, dashed, transparent: true, depthWrite: false };
+    const seen = new LineMaterial(common);
+    // Not see-through: the segments' round ends lie over each other, and would show as beads.
+    const hidden = new LineMaterial(common);
     hidden.depthFunc = GreaterDepth;
     this.#materials = [hidden, seen];
     for (const [i, material] of this.#materials.entries()) {
@@ -57,8 +61,11 @@ export class FatLine {
     this.clear();
   }
 
-  set color(color: Color) {
-    for (const material of this.#materials) material.color.copy(color);
+  /** The line's color, and the surface's around it. */
+  setColor(color: Color, surface: Color): void {
+    const [hidden, seen] = this.#materials;
+    seen!.color.copy(color);
+    hidden!.color.copy(surface).lerp(color, this.#left);
   }
 
   /** Takes the lines nearer to the camera, each point along its own ray. */

@@ -19,6 +19,8 @@ const fieldOfView = 30;
 /** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
 const margin = 0.88;
 const startDirection = new Vector3(0.34, 0.22, 1).normalize();
+/** The surface's color where it is lit as most of it is. */
+const surfaceShade = 0.75;
 const flightMilliseconds = 260;
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
@@ -28,10 +30,10 @@ export class Viewer {
   readonly #camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
   readonly #controls: OrbitControls;
   readonly #raycaster = new Raycaster();
-  readonly #curve = new FatLine({ width: 4, hidden: 0.16 }, 4);
-  readonly #lost = new FatLine({ width: 4, dashed: true, hidden: 0.2 }, 4);
-  readonly #polygon = new FatLine({ width: 1.5, hidden: 0.14 }, 2);
-  readonly #sketch = new FatLine({ width: 2.5, dashed: true, hidden: 0.14 }, 2);
+  readonly #curve = new FatLine({ width: 4, hidden: 0.26 }, 4);
+  readonly #lost = new FatLine({ width: 4, dashed: true, hidden: 0.4 }, 4);
+  readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
+  readonly #sketch = new FatLine({ width: 2.5, dashed: true, hidden: 0.25 }, 2);
   readonly #lines = [this.#curve, this.#lost, this.#polygon, this.#sketch];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
@@ -111,10 +113,11 @@ export class Viewer {
 
   set colors(colors: ViewerColors) {
     colorSurface(colors);
-    this.#curve.color = new Color(colors.curve);
-    this.#lost.color = new Color(colors.lost);
-    this.#polygon.color = new Color(colors.polygon);
-    this.#sketch.color = new Color(colors.curve);
+    const surface = new Color(colors.front).multiplyScalar(surfaceShade);
+    this.#curve.setColor(new Color(colors.curve), surface);
+    this.#lost.setColor(new Color(colors.lost), surface);
+    this.#polygon.setColor(new Color(colors.polygon), surface);
+    this.#sketch.setColor(new Color(colors.curve), surface);
     this.requestFrame();
   }
 

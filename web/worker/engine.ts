@@ -51,6 +51,7 @@ const handlers: Handlers = {
       polyline,
       polylineStatus,
       ...count(traced.samples),
+      arcsNotShortest: 0,
       length: traced.length,
       milliseconds: performance.now() - started,
     };
@@ -59,15 +60,17 @@ const handlers: Handlers = {
 
   circle(_, options) {
     const started = performance.now();
-    const { polyline, length, samples } = theMesh().circle(options);
+    const { polyline, path, length, samples, notShortest } = theMesh().circle(options);
     const result: TracedCurve = {
       polyline: polyline.slice(),
-      polylineStatus: new Uint8Array(polyline.length / 3),
+      polylineStatus: statusAlong(path.polyline, samples),
       ...count(samples),
+      arcsNotShortest: notShortest.length,
       length,
       milliseconds: performance.now() - started,
     };
-    return { result, transfer: [result.polyline.buffer as ArrayBuffer] };
+    const transfer = [result.polyline.buffer, result.polylineStatus.buffer] as ArrayBuffer[];
+    return { result, transfer };
   },
 
   centerOfMass(_, points, weights, options) {
@@ -128,6 +131,24 @@ function retrace(options: CurveOptions): Curve {
   else if (change.type === 'kind') traced.setKind(options.kind);
   curve = { options, traced };
   return traced;
+}
+
+/**
+ * A number for each vertex of a polyline through samples: 1 where the sample it leads to is not
+ * converged. The samples are vertices of the polyline, in its order.
+ */
+function statusAlong(polyline: Float64Array, samples: CurveSamples): Uint8Array {
+  const statuses = new Uint8Array(polyline.length / 3);
+  const { position, status } = samples;
+  let sample = 0;
+  const isAt = (vertex: number) =>
+    [0, 1, 2].every((axis) => polyline[3 * vertex + axis] === position[3 * sample + axis]);
+  for (let vertex = 0; vertex < statuses.length && sample < status.length; vertex++) {
+    statuses[vertex] = status[sample] === 'converged' ? 0 : 1;
+    // Where one arc ends another begins: two samples at one vertex.
+    while (sample < status.length && isAt(vertex)) sample++;
+  }
+  return statuses;
 }
 
 function count(samples: CurveSamples): Pick<TracedCurve, 'sampleCount' | 'notConverged'> {

@@ -28,6 +28,8 @@ export interface TracedCurve {
   sampleCount: number;
   /** How many samples are not converged, by how their search ended. */
   notConverged: Partial<Record<Status, number>>;
+  /** A circle's arcs whose geodesics from the center stopped being shortest. */
+  arcsNotShortest: number;
   length: number;
   milliseconds: number;
 }
