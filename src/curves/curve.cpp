@@ -66,6 +66,10 @@ void Curve::setKind(CurveKind kind) {
   resetSegments();
 }
 
+void Curve::retrace() {
+  for (Segment& segment : segments_) segment.traced = segment.joined = false;
+}
+
 void Curve::updateFields() {
   for (const std::unique_ptr<ControlPoint>& point : points_) {
     if (!point->moved) continue;

@@ -32,6 +32,9 @@ class Curve {
   void removePoint(int i);
   void setKind(CurveKind kind);
 
+  /// Marks all segments to be traced anew, with the fields as they are.
+  void retrace();
+
   void updateFields();
   void trace();
   void join();

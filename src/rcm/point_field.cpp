@@ -21,6 +21,14 @@ Array<double> squaredDistances(const DistanceSolver& solver, int vertexCount) {
   return squares;
 }
 
+/// -2 log_v(source), by the distance and the direction back to the source.
+template <class DistanceSolver>
+Vec2 logVector(const Geometry& geometry, const DistanceSolver& solver, int v) {
+  return -2 * solver.distance(v) * unitVector(geometry.angleScale[v] * solver.direction(v));
+}
+
+Vec2 logVector(const Geometry&, const FastDistance& solver, int v) { return solver.logVector(v); }
+
 }  // namespace
 
 void checkFieldOptions(const FieldOptions& options) {
@@ -41,24 +49,83 @@ PointField::PointField(Surface& surface, const FieldOptions& options)
 
 void PointField::setPoint(const SurfacePoint& point) {
   point_ = point;
-  makePaperField();
+  position_ = position(surface_.mesh(), point);
+  if (options_.method == Method::kPaper) {
+    makePaperField();
+  } else {
+    makeLogField();
+  }
+}
+
+PointField::AnySolver PointField::makeSolver() const {
+  const Geometry& geometry = surface_.geometry();
+  switch (options_.solver) {
+    case Solver::kExact:
+      return std::make_unique<ExactDistance>(geometry);
+    case Solver::kGraph:
+      return std::make_unique<GraphDistance>(geometry, surface_.ringGraph(options_.rings));
+    case Solver::kFast:
+      break;
+  }
+  return std::make_unique<FastDistance>(geometry, surface_.vertexFans());
 }
 
 void PointField::makePaperField() {
-  const int vertexCount = surface_.mesh().vertexCount();
-  if (options_.solver == Solver::kExact) {
-    ExactDistance solver(surface_.geometry());
-    solver.setSource(point_);
-    solver.grow(kInfinity);
-    squaredDistances_ = squaredDistances(solver, vertexCount);
-  } else {
-    GraphDistance solver(surface_.geometry(), surface_.ringGraph(options_.rings));
-    solver.setSource(point_);
-    solver.grow(kInfinity);
-    squaredDistances_ = squaredDistances(solver, vertexCount);
-  }
+  AnySolver anySolver = makeSolver();
+  std::visit(
+      [&](auto& solver) {
+        solver->setSource(point_);
+        solver->grow(kInfinity);
+        squaredDistances_ = squaredDistances(*solver, surface_.mesh().vertexCount());
+      },
+      anySolver);
   gradients_ = applyGradient(surface_.gradientOperator(), squaredDistances_);
   field_.reset([this](int v) { return FieldValue{gradients_[v], squaredDistances_[v]}; });
+}
+
+void PointField::makeLogField() {
+  if (!solver_) solver_ = makeSolver();
+  std::visit(
+      [&](auto& solver) {
+        solver->setSource(point_);
+        field_.reset([this, growing = solver.get()](int v) { return estimate(*growing, v); });
+      },
+      *solver_);
+}
+
+template <class DistanceSolver>
+FieldValue PointField::estimate(DistanceSolver& solver, int vertex) {
+  const TriangleMesh& mesh = surface_.mesh();
+  // Far enough for the vertex by the straight line, then in steps that keep the number of calls
+  // small and the excess of work too.
+  const auto growTo = [&](int v) {
+    if (solver.isFinal(v) && solver.distance(v) != kInfinity) return;
+    double radius = (mesh.positions[v] - position_).norm();
+    while (!(solver.isFinal(v) && solver.distance(v) != kInfinity)) {
+      if (solver.reached() == kInfinity) {
+        throw Error(ErrorCode::kUnreachable,
+                    "a field was read on another component than its control point's");
+      }
+      solver.grow(radius);
+      radius *= 1.1;
+    }
+  };
+  const Estimator estimator =
+      options_.solver == Solver::kExact ? Estimator::kQuadratic2 : Estimator::kLinear1;
+  const Stencil stencil = surface_.stencils(estimator).at(vertex);
+  growTo(vertex);
+  const double own = solver.distance(vertex) * solver.distance(vertex);
+  Vec2 gradient = Vec2::Zero();
+  for (const StencilTerm* term = stencil.begin; term != stencil.end; ++term) {
+    growTo(term->vertex);
+    if (stencil.ofDistances) {
+      const double d = solver.distance(term->vertex);
+      gradient += (d * d - own) * term->coefficient;
+    } else {
+      gradient += rotate(term->coefficient, logVector(surface_.geometry(), solver, term->vertex));
+    }
+  }
+  return {gradient, own};
 }
 
 ControlField fieldFromDistances(Surface& surface, const Array<double>& distances) {

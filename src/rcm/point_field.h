@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "distance/exact_distance.h"
+#include "distance/fast_distance.h"
 #include "distance/graph_distance.h"
 #include "rcm/control_field.h"
 #include "rcm/surface.h"
@@ -16,12 +18,16 @@ enum class Method {
   kPaper,    ///< gradients of squared distances (Mancinelli, Puppo, Eq. 3)
 };
 
-/// How distances are found.
-enum class Solver { kFast, kExact, kGraph };
+/// How distances are found, and with log vectors which estimator (estimators.h) smooths them.
+enum class Solver {
+  kFast,   ///< virtual sources; kLinear1
+  kExact,  ///< windows; kQuadratic2
+  kGraph,  ///< arcs of the k-ring graph; kLinear1
+};
 
 struct FieldOptions {
-  Method method = Method::kPaper;
-  Solver solver = Solver::kExact;
+  Method method = Method::kKarcher;
+  Solver solver = Solver::kFast;
   int rings = 6;  ///< of the graph, 1 to 10
 };
 
@@ -29,7 +35,8 @@ struct FieldOptions {
 void checkFieldOptions(const FieldOptions& options);
 
 /// A control point with its solver and its field. The field's values depend on the surface, the
-/// options and the point alone.
+/// options and the point alone. With log vectors they are made as they are read: the solver grows
+/// to the vertices that a search asks for, and no further.
 class PointField {
  public:
   /// The surface must outlive the field.
@@ -42,14 +49,22 @@ class PointField {
   ControlField& field() { return field_; }
 
  private:
+  using AnySolver = std::variant<std::unique_ptr<FastDistance>, std::unique_ptr<ExactDistance>,
+                                 std::unique_ptr<GraphDistance>>;
+
+  AnySolver makeSolver() const;
   void makePaperField();
+  void makeLogField();
+  template <class DistanceSolver>
+  FieldValue estimate(DistanceSolver& solver, int vertex);
 
   Surface& surface_;
   FieldOptions options_;
   SurfacePoint point_;
+  Vec3 position_ = Vec3::Zero();
   ControlField field_;
-  std::variant<std::monostate, std::unique_ptr<ExactDistance>, std::unique_ptr<GraphDistance>>
-      solver_;
+  /// Kept for log vectors, which are made as they are read.
+  std::optional<AnySolver> solver_;
   Array<double> squaredDistances_;
   Array<Vec2> gradients_;
 };

@@ -29,6 +29,17 @@ const GradientOperator& Surface::gradientOperator() {
   return *gradientOperator_;
 }
 
+StencilTable& Surface::stencils(Estimator estimator) {
+  const auto found = stencils_.find(estimator);
+  if (found != stencils_.end()) return found->second;
+  return stencils_.emplace(estimator, StencilTable(geometry_, estimator)).first->second;
+}
+
+const std::shared_ptr<const VertexFans>& Surface::vertexFans() {
+  if (!vertexFans_) vertexFans_ = std::make_shared<const VertexFans>(buildVertexFans(geometry_));
+  return vertexFans_;
+}
+
 void checkOneComponent(Surface& surface, const Array<SurfacePoint>& points) {
   const auto componentOf = [&](int i) {
     return surface.component(surface.mesh().corner(points[i].face, 0));

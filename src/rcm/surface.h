@@ -6,6 +6,8 @@
 
 #include "distance/ring_graph.h"
 #include "intrinsic/geometry.h"
+#include "intrinsic/vertex_fans.h"
+#include "rcm/estimators.h"
 #include "rcm/gradient_operator.h"
 
 namespace karcher {
@@ -32,12 +34,20 @@ class Surface {
 
   const GradientOperator& gradientOperator();
 
+  /// The stencils of an estimator, made as they are read.
+  StencilTable& stencils(Estimator estimator);
+
+  /// The triangles around each vertex laid flat, for the fast solver; shared by all of them.
+  const std::shared_ptr<const VertexFans>& vertexFans();
+
  private:
   TriangleMesh mesh_;
   Geometry geometry_;
   Array<int> components_;
   std::map<int, RingGraph> ringGraphs_;
   std::optional<GradientOperator> gradientOperator_;
+  std::map<Estimator, StencilTable> stencils_;
+  std::shared_ptr<const VertexFans> vertexFans_;
 };
 
 /// Throws Error kUnreachable, naming the two points by their places in `points`, if the points do

@@ -53,22 +53,47 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   }
   const int moved = curve.pointCount() / 2;
   const SurfacePoint places[2] = {neighbour(curve.point(moved)), curve.point(moved)};
-  const int touched = std::min(4, curve.segmentCount());
   Array<double> traces;
   Array<double> drags;
   Array<double> joins;
   for (int i = 0; i < 2 * kRuns; ++i) {
-    double field_ms = 0;
     curve.movePoint(moved, places[i % 2]);
-    field_ms = timed([&] { curve.updateFields(); });
+    const double fieldMs = timed([&] { curve.updateFields(); });
+    const double traceMs = timed([&] { curve.trace(); });
+    drags.push_back(fieldMs + traceMs);
+    // Once more with all fields known: the searches alone.
+    curve.retrace();
     traces.push_back(timed([&] { curve.trace(); }));
-    drags.push_back(field_ms + traces.back());
     joins.push_back(timed([&] { curve.join(); }));
   }
-  result.sampleUs = 1000 * median(traces) / (touched * samples);
+  result.sampleUs = 1000 * median(traces) / (curve.segmentCount() * samples);
   result.dragMs = median(drags);
   result.joinMs = median(joins);
   return result;
+}
+
+/// A whole field within a radius, as a curve reads it: distances, then the estimate at each vertex.
+struct FieldTimes {
+  double ms = 0;
+  int vertices = 0;
+};
+
+FieldTimes timeField(Surface& surface, const SurfacePoint& point, Solver solver, double radius) {
+  PointField field(surface, {Method::kKarcher, solver, 6});
+  const Vec3 center = position(surface.mesh(), point);
+  Array<int> near;
+  for (int v = 0; v < surface.mesh().vertexCount(); ++v) {
+    if ((surface.mesh().positions[v] - center).norm() < radius) near.push_back(v);
+  }
+  FieldTimes times;
+  times.ms = medianTime([&] {
+    field.setPoint(point);
+    times.vertices = 0;
+    for (const int v : near) {
+      if (std::sqrt(field.field().at(v).squaredDistance) <= radius) ++times.vertices;
+    }
+  });
+  return times;
 }
 
 double peakMemoryMB() {
@@ -100,14 +125,26 @@ void run(const std::string& meshPath, const std::string& pointsPath, int samples
   const CurveTimes paper =
       timeCurve(*surface, input.points, samples, {Method::kPaper, Solver::kGraph, 6});
 
+  const double radius = 0.1 * surface->geometry().diagonal;
+  const FieldTimes fast = timeField(*surface, input.points[0], Solver::kFast, radius);
+  const FieldTimes windows = timeField(*surface, input.points[0], Solver::kExact, radius);
+  const CurveTimes karcher =
+      timeCurve(*surface, input.points, samples, {Method::kKarcher, Solver::kFast, 6});
+
   std::printf(
       "{\"mesh\":{\"vertices\":%d,\"triangles\":%d},\"prepareMs\":%.3f,"
       "\"paper\":{\"graphMs\":%.1f,\"fieldGraphMs\":%.3f,\"fieldExactMs\":%.3f,"
       "\"gradientMs\":%.3f,\"sampleUs\":%.4f,\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,"
-      "\"joinMs\":%.3f},\"calibrationNs\":%.1f,\"peakMemoryMB\":%.1f}\n",
+      "\"joinMs\":%.3f},"
+      "\"karcher\":{\"fieldMs\":%.3f,\"fieldVertices\":%d,\"fieldNsPerVertex\":%.1f,"
+      "\"sampleNs\":%.1f,\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,\"joinMs\":%.3f},"
+      "\"exact\":{\"fieldMs\":%.3f,\"fieldVertices\":%d,\"fieldNsPerVertex\":%.1f},"
+      "\"calibrationNs\":%.1f,\"peakMemoryMB\":%.1f}\n",
       vertices, triangles, prepareMs, graphMs, fieldGraphMs, fieldExactMs, gradientMs,
-      paper.sampleUs, paper.samples, paper.lost, paper.dragMs, paper.joinMs, calibration,
-      peakMemoryMB());
+      paper.sampleUs, paper.samples, paper.lost, paper.dragMs, paper.joinMs, fast.ms, fast.vertices,
+      1e6 * fast.ms / fast.vertices, 1000 * karcher.sampleUs, karcher.samples, karcher.lost,
+      karcher.dragMs, karcher.joinMs, windows.ms, windows.vertices,
+      1e6 * windows.ms / windows.vertices, calibration, peakMemoryMB());
 }
 
 }  // namespace

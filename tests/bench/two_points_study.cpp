@@ -97,6 +97,8 @@ void study(const std::string& name, TriangleMesh mesh) {
   const Row rows[] = {
       {"paper, exact", {Method::kPaper, Solver::kExact, 6}},
       {"paper, graph", {Method::kPaper, Solver::kGraph, 6}},
+      {"log, fast", {Method::kKarcher, Solver::kFast, 6}},
+      {"log, exact", {Method::kKarcher, Solver::kExact, 6}},
   };
   for (const Row& row : rows) {
     const Outcome outcome = measure(surface, pairs, row.options);
