@@ -45,6 +45,8 @@ export async function start(): Promise<void> {
     status.show(editor.state, view, session.client?.info ?? null);
   };
 
+  session.onBusy = (busy) => status.setBusy(busy);
+
   const surfacePanel = new SurfacePanel({
     choose: (key) => opening.sample(key),
     openFile: (file) => opening.file(file),

@@ -148,6 +148,32 @@ describe('editing a curve', () => {
     await page.close();
   });
 
+  test('another method prepares, can be cancelled, and traces another curve', async () => {
+    const tab = await Tab.open(browser, 'mesh=bunny:0');
+    await tab.click(...places);
+    const exact = await tab.view();
+    const method = tab.page.locator('#method');
+    await tab.page.evaluate(() => {
+      const menu = document.getElementById('method');
+      menu.value = 'paper-graph';
+      menu.dispatchEvent(new Event('change'));
+      document.getElementById('cancel').click();
+    });
+    await tab.page.waitForFunction(() => document.getElementById('method').value === 'paper-exact');
+    assert.equal((await tab.state()).method, 'paper-exact');
+
+    await method.selectOption('paper-graph');
+    await tab.page.waitForFunction(() => window.karcherPage.state().method === 'paper-graph');
+    const graph = await tab.view();
+    assert.equal(graph.curve.sampleCount, 128);
+    assert.notDeepEqual(graph.polyline, exact.polyline);
+    await method.selectOption('paper-exact');
+    await tab.page.waitForFunction(() => window.karcherPage.state().method === 'paper-exact');
+    assert.deepEqual((await tab.view()).polyline, exact.polyline);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   test("a circle's radius and center are dragged on the surface", async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('3');

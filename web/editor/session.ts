@@ -49,6 +49,8 @@ export class Session {
 
   /** Called with every change of the view. */
   onView: (view: View) => void = () => {};
+  /** Called when the engine begins with a curve, and when it has ended. */
+  onBusy: (busy: boolean) => void = () => {};
 
   get view(): View {
     return this.#view;
@@ -92,6 +94,7 @@ export class Session {
     const client = this.#client;
     if (!client || client.closed) return;
     const { kind } = state.document;
+    this.onBusy(true);
     try {
       const part =
         kind === 'circle'
@@ -103,6 +106,8 @@ export class Session {
       if (!this.#current(client, state) || client.closed) return;
       this.#show({ curve: null, circle: null, problem: messageOf(error) });
       this.#show({ revision: state.revision, ...this.#polygon() });
+    } finally {
+      this.onBusy(false);
     }
   }
 

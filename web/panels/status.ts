@@ -5,6 +5,9 @@ import type { View } from '../editor/session';
 import { byId, formatCount } from './elements';
 import { sentenceOf } from './messages';
 
+/** Work this short goes without saying. */
+const patienceMilliseconds = 300;
+
 const statusNames: Record<string, string> = {
   indefinite: 'more than one center',
   boundary: 'the surface ends',
@@ -16,6 +19,7 @@ const statusNames: Record<string, string> = {
 /** The line of figures, the hint, and what can be done with the selection. */
 export class Status {
   readonly #notice = byId('notice');
+  #timer = 0;
 
   constructor(remove: () => void) {
     byId('remove').addEventListener('click', remove);
@@ -36,6 +40,14 @@ export class Status {
     arcs.hidden = bent === 0;
     arcs.textContent = formatCount(bent, 'arc not shortest', 'arcs not shortest');
     this.showHint(state, view);
+  }
+
+  /** Says that the engine is at work, once it has been for a while. */
+  setBusy(busy: boolean): void {
+    clearTimeout(this.#timer);
+    const element = byId('status-busy');
+    if (busy) this.#timer = window.setTimeout(() => (element.hidden = false), patienceMilliseconds);
+    else element.hidden = true;
   }
 
   #showLost({ curve }: View): void {
