@@ -2,22 +2,19 @@
 
 #include <algorithm>
 
+#include "intrinsic/local_path.h"
 #include "intrinsic/straightest.h"
-#include "intrinsic/strip_path.h"
 #include "mesh/error.h"
 
 namespace karcher {
 namespace {
 
-/// Appends a straight piece, which `path` walked from the target's side, without its first point.
+/// Points of a path nearer to each other than this part of a mean edge are one.
+constexpr double kRepeatedPoint = 1e-13;
+
+/// Appends the points that a straight piece walked through, without its first.
 void appendPiece(const StraightestPath& path, Array<SurfacePoint>& points) {
-  for (int i = 1; i < path.points.count(); ++i) {
-    // A crossing is given in both faces; one is enough where the next point shares a face with it.
-    const bool repeated = i + 1 < path.points.count() &&
-                          path.points[i + 1].face != path.points[i].face &&
-                          path.points[i].face == path.points[i - 1].face;
-    if (!repeated) points.push_back(path.points[i]);
-  }
+  points.insert(points.end(), path.points.begin() + 1, path.points.end());
 }
 
 /// Follows the path from a vertex back to the source, appending its points.
@@ -35,9 +32,28 @@ void followBack(const Geometry& geometry, const ExactDistance& distance, int ver
   }
 }
 
-ShortestPath reversed(Array<SurfacePoint> points, double length) {
-  std::reverse(points.begin(), points.end());
-  return {std::move(points), length};
+/// Turns the points that were walked from the target to the source round, once each. Along an edge,
+/// or past the end of one, rounding may lead a walk into faces next to the path's: there the gap is
+/// closed by the straight line.
+ShortestPath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked, double length) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  ShortestPath path{{walked.back()}, length};
+  LocalPathWorkspace workspace;
+  for (int i = walked.count() - 2; i >= 0; --i) {
+    const SurfacePoint& last = path.points.back();
+    const SurfacePoint& point = walked[i];
+    const bool repeated =
+        (position(mesh, point) - position(mesh, last)).norm() <= kRepeatedPoint * geometry.meanEdge;
+    if (repeated && i > 0) continue;
+    if (repeated && path.points.count() > 1) path.points.pop_back();
+    double gap = 0;
+    const SurfacePoint from = path.points.back();
+    if (haveCommonFace(mesh, from, point) ||
+        !appendLocalPath(geometry, from, point, workspace, path.points, gap)) {
+      path.points.push_back(point);
+    }
+  }
+  return path;
 }
 
 [[noreturn]] void throwUnreachable() {
@@ -65,21 +81,16 @@ ShortestPath shortestPathToVertex(const Geometry& geometry, ExactDistance& dista
   if (distance.distance(vertex) == kInfinity) throwUnreachable();
   Array<SurfacePoint> points{target};
   followBack(geometry, distance, vertex, points);
-  return reversed(std::move(points), distance.distance(vertex));
+  return cleaned(geometry, points, distance.distance(vertex));
 }
 
 ShortestPath shortestPath(const Geometry& geometry, const SurfacePoint& from,
                           const SurfacePoint& to) {
   const TriangleMesh& mesh = *geometry.mesh;
   const double chord = (position(mesh, to) - position(mesh, from)).norm();
-  const PointLocation start = locate(mesh, from);
   const PointLocation end = locate(mesh, to);
   // In one face the straight line is the shortest path of all.
-  const int across = end.simplex == Simplex::kEdge ? mesh.twin[end.halfedge] : -1;
-  if (liesInFace(mesh, start, to.face) || liesInFace(mesh, end, from.face) ||
-      (across >= 0 && liesInFace(mesh, start, faceOf(across)))) {
-    return {{from, to}, chord};
-  }
+  if (haveCommonFace(mesh, from, to)) return {{from, to}, chord};
 
   ExactDistance distance(geometry);
   distance.setSource(from);
@@ -104,7 +115,7 @@ ShortestPath shortestPath(const Geometry& geometry, const SurfacePoint& from,
   } else {
     points.back() = from;
   }
-  return reversed(std::move(points), target.arrival.distance);
+  return cleaned(geometry, points, target.arrival.distance);
 }
 
 }  // namespace karcher

@@ -308,6 +308,21 @@ bool liesInFace(const TriangleMesh& mesh, const PointLocation& point, int f) {
           mesh.corner(f, 2) == point.vertex);
 }
 
+bool haveCommonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  const PointLocation onA = locate(mesh, a);
+  const PointLocation onB = locate(mesh, b);
+  if (onA.simplex != Simplex::kVertex) {
+    const int t = onA.simplex == Simplex::kEdge ? mesh.twin[onA.halfedge] : -1;
+    return liesInFace(mesh, onB, a.face) || (t >= 0 && liesInFace(mesh, onB, faceOf(t)));
+  }
+  int h = mesh.outgoing[onA.vertex];
+  do {
+    if (liesInFace(mesh, onB, faceOf(h))) return true;
+    h = rotateLeft(mesh, h);
+  } while (h >= 0 && h != mesh.outgoing[onA.vertex]);
+  return false;
+}
+
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                        StripWorkspace& strip, Array<SurfacePoint>& out) {
   Tightening tightening(geometry, from, to, strip);

@@ -44,4 +44,7 @@ double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const
 /// True if `point` lies in face f, its edges and corners included.
 bool liesInFace(const TriangleMesh& mesh, const PointLocation& point, int f);
 
+/// True if some face holds both points.
+bool haveCommonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+
 }  // namespace karcher

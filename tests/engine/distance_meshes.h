@@ -1,10 +1,10 @@
 #pragma once
 
-#include <map>
 #include <utility>
 
 #include "generators/random.h"
 #include "intrinsic/geometry.h"
+#include "mesh/shapes.h"
 #include "mesh/triangle_soup.h"
 
 /// What the tests of distances and paths share.
@@ -20,39 +20,6 @@ struct Surface {
   const TriangleMesh mesh;
   const Geometry geometry;
 };
-
-/// The unit icosphere: an icosahedron, its faces cut in four `levels` times.
-inline TriangleMesh icosphere(int levels) {
-  const double g = (1 + std::sqrt(5.0)) / 2;
-  Array<Vec3> positions = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
-                           {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
-                           {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  for (Vec3& p : positions) p.normalize();
-  Array<Triangle> faces = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                           {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                           {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                           {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-  for (int level = 0; level < levels; ++level) {
-    std::map<std::pair<int, int>, int> middles;
-    const auto middle = [&](int a, int b) {
-      const auto [it, isNew] = middles.insert({std::minmax(a, b), positions.count()});
-      if (isNew) positions.push_back((positions[a] + positions[b]).normalized());
-      return it->second;
-    };
-    Array<Triangle> finer;
-    for (const Triangle& f : faces) {
-      const int ab = middle(f[0], f[1]);
-      const int bc = middle(f[1], f[2]);
-      const int ca = middle(f[2], f[0]);
-      finer.push_back({f[0], ab, ca});
-      finer.push_back({ab, f[1], bc});
-      finer.push_back({ca, bc, f[2]});
-      finer.push_back({ab, bc, ca});
-    }
-    faces = finer;
-  }
-  return buildMesh(positions, faces);
-}
 
 /// Three quarters of the square from (0, 0) to (2n, 2n): the upper right quarter is missing, and
 /// (n, n) is a reentrant corner of the boundary.

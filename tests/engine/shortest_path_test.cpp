@@ -5,6 +5,8 @@
 #include <random>
 #include <string>
 
+#include "distance_meshes.h"
+#include "generators/plane.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
 #include "support.h"
@@ -12,34 +14,18 @@
 namespace karcher {
 namespace {
 
-/// Whether some face holds both points.
-bool shareFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
-  const PointLocation onA = locate(mesh, a);
-  const PointLocation onB = locate(mesh, b);
-  Array<int> faces{a.face};
-  if (onA.simplex == Simplex::kEdge && mesh.twin[onA.halfedge] >= 0) {
-    faces.push_back(faceOf(mesh.twin[onA.halfedge]));
-  }
-  if (onA.simplex == Simplex::kVertex) {
-    const int first = mesh.outgoing[onA.vertex];
-    for (int h = first; h >= 0; h = rotateLeft(mesh, h) == first ? -1 : rotateLeft(mesh, h)) {
-      faces.push_back(faceOf(h));
-    }
-  }
-  for (const int f : faces) {
-    if (liesInFace(mesh, onB, f)) return true;
-  }
-  return false;
-}
-
-/// Consecutive points must share a face, and the pieces add up to the length.
+/// Consecutive points must share a face and differ, and the pieces add up to the length.
 void expectPathOnSurface(const TriangleMesh& mesh, const ShortestPath& path) {
   double length = 0;
   for (int i = 1; i < path.points.count(); ++i) {
     const SurfacePoint& a = path.points[i - 1];
     const SurfacePoint& b = path.points[i];
-    EXPECT_TRUE(shareFace(mesh, a, b)) << "points " << i - 1 << " and " << i;
-    length += (position(mesh, b) - position(mesh, a)).norm();
+    EXPECT_TRUE(haveCommonFace(mesh, a, b)) << "points " << i - 1 << " and " << i;
+    const double piece = (position(mesh, b) - position(mesh, a)).norm();
+    if (path.length > 0) {
+      EXPECT_GT(piece, 0) << "point " << i << " is repeated";
+    }
+    length += piece;
   }
   EXPECT_NEAR(length, path.length, 1e-9 * (1 + path.length));
 }
@@ -133,6 +119,38 @@ TEST(ShortestPath, IsTheSameBothWaysAndObeysTheTriangleInequality) {
     EXPECT_LE(ab.length,
               shortestPath(geometry, a, c).length + shortestPath(geometry, c, b).length + 1e-9);
     expectPathOnSurface(mesh, ab);
+  }
+}
+
+TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
+  using testing::Surface;
+  TriangleSoup needles = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 800, 2);
+  for (Vec3& p : needles.positions) p.x() *= 1e4;
+  const Surface stretched(needles);
+  const Surface corner(testing::lShape(5));
+  for (const Surface* surface : {&stretched, &corner}) {
+    const TriangleMesh& mesh = surface->mesh;
+    Array<int> boundary;
+    for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+      if (mesh.twin[h] < 0) boundary.push_back(h);
+    }
+    Random random(31);
+    const auto onBoundary = [&] {
+      const int h = boundary[random.index(boundary.count())];
+      return edgePoint(h, random.index(2) == 0 ? 0 : random.uniform(0.01, 0.99));
+    };
+    ExactDistance solver(surface->geometry);
+    for (int i = 0; i < 200; ++i) {
+      const SurfacePoint a = i % 2 == 0 ? onBoundary() : testing::randomPoint(mesh, random);
+      const SurfacePoint b = onBoundary();
+      const ShortestPath path = shortestPath(surface->geometry, a, b);
+      expectPathOnSurface(mesh, path);
+      const PointLocation end = locate(mesh, b);
+      if (end.simplex != Simplex::kVertex) continue;
+      solver.setSource(a);
+      solver.grow(kInfinity);
+      EXPECT_NEAR(path.length, solver.distance(end.vertex), 1e-12 * (1 + path.length));
+    }
   }
 }
 
