@@ -17,16 +17,24 @@ const runNpmProgram = (path, ...args) =>
 
 /** Configures and builds one of CMakePresets.json's native presets. */
 export async function buildNative(preset, ...targets) {
-  const ccache = which('ccache') ? ['-DCMAKE_CXX_COMPILER_LAUNCHER=ccache'] : [];
-  await run('cmake', ['--preset', preset, ...ccache]);
+  await run('cmake', ['--preset', preset, ...shortcuts(preset)]);
   const named = targets.length > 0 ? ['--target', ...targets] : [];
   await run('cmake', ['--build', '--preset', preset, '--parallel', `${cores}`, ...named]);
+}
+
+/**
+ * What makes a build faster. One of them goes without precompiled headers, so that a file that
+ * forgets to include what it uses is noticed; ccache does not work with them.
+ */
+function shortcuts(preset) {
+  if (preset !== 'native') return ['-DKARCHER_PRECOMPILE=ON'];
+  return which('ccache') ? ['-DCMAKE_CXX_COMPILER_LAUNCHER=ccache'] : [];
 }
 
 /** The engine as dist/karcher-engine.mjs and .wasm. */
 export async function buildWasm() {
   const env = existsSync(debianNodeModules) ? { NODE_PATH: debianNodeModules } : {};
-  await run('emcmake', ['cmake', '--preset', 'wasm'], { env });
+  await run('emcmake', ['cmake', '--preset', 'wasm', ...shortcuts('wasm')], { env });
   await run('cmake', ['--build', '--preset', 'wasm', '--parallel', `${cores}`], { env });
 }
 
