@@ -10,7 +10,7 @@
 namespace karcher {
 namespace {
 
-constexpr MeanOptions kPaperExact{{Method::kPaper, Solver::kExact, 6}, std::nullopt, false};
+const MeanOptions kPaperExact{{Method::kPaper, Solver::kExact, 6}, std::nullopt, false};
 
 TEST(Mean, OnARegularGridIsTheAverageWithItsEnergy) {
   Surface surface(planeGrid(12, 12));
