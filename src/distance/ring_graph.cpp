@@ -22,7 +22,9 @@ bool RingGraphBuilder::advance(int vertices) {
   const int count = geometry_.mesh->vertexCount();
   const int end = vertices < count - nextVertex_ ? nextVertex_ + vertices : count;
   for (; nextVertex_ < end; ++nextVertex_) {
-    for (const Visibility::Sight& sight : visibility_.fromVertex(nextVertex_, graph_.rings)) {
+    const Array<Visibility::Sight>& sights = visibility_.fromVertex(nextVertex_, graph_.rings);
+    makeRoom(sights.size());
+    for (const Visibility::Sight& sight : sights) {
       graph_.target.push_back(sight.vertex);
       graph_.length.push_back(sight.length);
       graph_.backDirection.push_back(static_cast<float>(sight.direction));
@@ -30,6 +32,19 @@ bool RingGraphBuilder::advance(int vertices) {
     graph_.start.push_back(static_cast<int64_t>(graph_.target.size()));
   }
   return nextVertex_ == count;
+}
+
+/// Grows the arrays to what the whole graph will need if it goes on like this: on a large mesh
+/// doubling them would take as much memory again as the graph.
+void RingGraphBuilder::makeRoom(size_t arcs) {
+  const size_t needed = graph_.target.size() + arcs;
+  if (needed <= graph_.target.capacity()) return;
+  const double share = (nextVertex_ + 1.0) / geometry_.mesh->vertexCount();
+  constexpr double kMargin = 1.05;
+  const size_t room = static_cast<size_t>(kMargin * static_cast<double>(needed) / share);
+  graph_.target.reserve(room);
+  graph_.length.reserve(room);
+  graph_.backDirection.reserve(room);
 }
 
 double RingGraphBuilder::progress() const {

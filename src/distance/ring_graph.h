@@ -32,6 +32,8 @@ class RingGraphBuilder {
   RingGraph take() { return std::move(graph_); }
 
  private:
+  void makeRoom(size_t arcs);
+
   const Geometry& geometry_;
   Visibility visibility_;
   RingGraph graph_;

@@ -5,19 +5,8 @@
 namespace karcher {
 namespace {
 
-/// Intervals narrower than this part of their edge see nothing.
-constexpr double kNarrowest = 1e-11;
 /// A bound on the windows of one call; only a surface folded upon itself many times comes near.
 constexpr int kMostWindows = 200'000;
-
-/// The vertex opposite to half-edge h where h runs from the origin along the x axis.
-Vec2 oppositeOf(const Geometry& geometry, int h) {
-  const double base = geometry.edgeLength[h];
-  const double left = geometry.edgeLength[previous(h)];
-  const double right = geometry.edgeLength[next(h)];
-  return {(base * base + left * left - right * right) / (2 * base),
-          doubleArea(geometry, faceOf(h)) / base};
-}
 
 }  // namespace
 
@@ -44,9 +33,9 @@ const Array<Visibility::Sight>& Visibility::fromVertex(int vertex, int rings) {
     const int t = mesh_.twin[onward];
     if (t >= 0) {
       // Seen from the face behind, the edge runs the other way and the vertex lies below it.
-      const Vec2 apex = oppositeOf(geometry_, onward);
+      const Vec2 apex = oppositeOverHalfedge(geometry_, onward);
       const double length = geometry_.edgeLength[t];
-      addWindow(t, 0, length, length - apex.x(), -apex.y());
+      addWindow(t, {0, length, length - apex.x(), apex.y()});
     }
     h = rotateLeft(mesh_, h);
   } while (h >= 0 && h != first);
@@ -73,7 +62,7 @@ const Array<Visibility::Sight>& Visibility::fromPoint(const SurfacePoint& point)
       if (t < 0 || here.bary[cornerOf(previous(h))] == 0) continue;
       const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
       const double length = geometry_.edgeLength[t];
-      addWindow(t, 0, length, length - toPoint.dot(along), -cross(along, toPoint));
+      addWindow(t, {0, length, length - toPoint.dot(along), cross(along, toPoint)});
     }
   }
   run();
@@ -121,58 +110,45 @@ void Visibility::see(int vertex, double length, double direction) {
   }
 }
 
-void Visibility::addWindow(int h, double from, double to, double x, double y) {
+void Visibility::addWindow(int h, Window window) {
+  if (!allowed(mesh_.opposite(h))) return;
+  // What the way over an end of the edge beats leads to no shortest path (Xin, Wang 2009).
   const double length = geometry_.edgeLength[h];
-  if (to - from < kNarrowest * length || !allowed(mesh_.opposite(h))) return;
-  // A window that an end of its edge beats throughout leads to no shortest path (Xin, Wang 2009).
-  constexpr double kRounding = 1 - 1e-12;
-  if (seen(mesh_.tail(h)) + to < std::hypot(x - to, y) * kRounding) return;
-  if (seen(mesh_.head(h)) + length - from < std::hypot(x - from, y) * kRounding) return;
-  windows_.push_back({h, from, to, x, y});
+  if (trimByTail(window, seen(mesh_.tail(h))) && trimByHead(window, seen(mesh_.head(h)), length) &&
+      !isTooNarrow(window, length)) {
+    windows_.push_back({h, window});
+  }
 }
 
-void Visibility::carryAcross(const Window& w) {
-  const int right = next(w.halfedge);
-  const int left = previous(w.halfedge);
-  const double base = geometry_.edgeLength[w.halfedge];
-  const Vec2 apex = oppositeOf(geometry_, w.halfedge);
-  const Vec2 source(w.x, w.y);
-  // Where the line from the source to the apex crosses the half-edge.
-  const double crossing = w.x + (apex.x() - w.x) * -w.y / (apex.y() - w.y);
-  const double tolerance = kNarrowest * base;
-  if (crossing >= w.from - tolerance && crossing <= w.to + tolerance) {
-    const Vec2 back = source - apex;
+void Visibility::carryAcross(int h, const Window& window) {
+  const int right = next(h);
+  const int left = previous(h);
+  const double length = geometry_.edgeLength[h];
+  const Vec2 apex = oppositeOverHalfedge(geometry_, h);
+  const double crossing = crossingTowards(window, apex);
+  const double tolerance = kNarrowestWindow * length;
+  if (crossing >= window.begin - tolerance && crossing <= window.end + tolerance) {
+    const Vec2 back = Vec2(window.sourceX, -window.depth) - apex;
     const double angle = std::atan2(cross(-apex, back), (-apex).dot(back));
-    see(mesh_.opposite(w.halfedge), back.norm(), geometry_.cumulatedAngle[left] + angle);
+    see(mesh_.opposite(h), back.norm(), geometry_.cumulatedAngle[left] + angle);
   }
-
-  // The point of the line through `start` along `unit` that is seen through x on the half-edge.
-  const auto project = [&](double x, const Vec2& start, const Vec2& unit) {
-    const Vec2 ray(x - w.x, -w.y);
-    const Vec2 toStart = start - source;
-    return cross(toStart, ray) / cross(ray, unit);
-  };
-  if (crossing > w.from && mesh_.twin[left] >= 0) {
-    const double length = geometry_.edgeLength[left];
-    const Vec2 unit = apex / length;
-    const double from = w.from <= 0 ? 0 : std::max(0.0, project(w.from, Vec2::Zero(), unit));
-    const double to =
-        w.to >= crossing ? length : std::min(length, project(w.to, Vec2::Zero(), unit));
-    addWindow(mesh_.twin[left], from, to, source.dot(unit), cross(unit, source));
+  if (crossing > window.begin && mesh_.twin[left] >= 0) {
+    addWindow(mesh_.twin[left],
+              carriedToTailEdge(window, apex.normalized(), geometry_.edgeLength[left], crossing));
   }
-  if (crossing < w.to && mesh_.twin[right] >= 0) {
-    const double length = geometry_.edgeLength[right];
-    const Vec2 unit = (Vec2(base, 0) - apex) / length;
-    const double from = w.from <= crossing ? 0 : std::max(0.0, project(w.from, apex, unit));
-    const double to = w.to >= base ? length : std::min(length, project(w.to, apex, unit));
-    addWindow(mesh_.twin[right], from, to, (source - apex).dot(unit), cross(unit, source - apex));
+  if (crossing < window.end && mesh_.twin[right] >= 0) {
+    const double edge = geometry_.edgeLength[right];
+    const Vec2 along = Vec2(length - apex.x(), apex.y()).normalized();
+    addWindow(mesh_.twin[right],
+              mirrored(carriedToTailEdge(mirrored(window, length), along, edge, length - crossing),
+                       edge));
   }
 }
 
 void Visibility::run() {
   for (int i = 0; i < windows_.count() && i < kMostWindows; ++i) {
-    const Window window = windows_[i];
-    carryAcross(window);
+    const WaitingWindow waiting = windows_[i];
+    carryAcross(waiting.halfedge, waiting.window);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "distance/window.h"
 #include "intrinsic/geometry.h"
 
 namespace karcher {
@@ -27,11 +28,10 @@ class Visibility {
   const Array<Sight>& fromPoint(const SurfacePoint& point);
 
  private:
-  /// The source lies at (x, y), y <= 0, where half-edge h runs from the origin along the x axis;
-  /// it sees the interval [from, to] of h, and what lies behind h in h's face.
-  struct Window {
+  /// What the source sees of a half-edge; it goes on through the half-edge's face.
+  struct WaitingWindow {
     int halfedge;
-    double from, to, x, y;
+    Window window;
   };
 
   void start();
@@ -39,8 +39,8 @@ class Visibility {
   bool allowed(int vertex) const { return ringStamp_[vertex] == stamp_; }
   void see(int vertex, double length, double direction);
   double seen(int vertex) const;
-  void addWindow(int h, double from, double to, double x, double y);
-  void carryAcross(const Window& window);
+  void addWindow(int h, Window window);
+  void carryAcross(int h, const Window& window);
   void run();
 
   const Geometry& geometry_;
@@ -51,7 +51,7 @@ class Visibility {
   Array<int> sightOf_;
   int stamp_ = 0;
   Array<int> ring_;
-  Array<Window> windows_;
+  Array<WaitingWindow> windows_;
   Array<Sight> sights_;
 };
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "distance/exact_distance.h"
 #include "mesh/error.h"
 #include "support.h"
 
@@ -62,6 +65,44 @@ TEST(RingGraph, IsSymmetric) {
       }
     }
   }
+}
+
+TEST(RingGraph, ArcsMakeUpExactDistancesInsideTheRing) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const RingGraph graph = buildRingGraph(geometry, 6);
+  constexpr int kSmallerRing = 4;
+  GraphDistance byArcs(geometry, graph);
+  ExactDistance exact(geometry);
+  int compared = 0;
+  for (int v = 0; v < mesh.vertexCount(); v += 97) {
+    byArcs.setSource(vertexPoint(mesh, v));
+    byArcs.grow(kInfinity);
+    exact.setSource(vertexPoint(mesh, v));
+    exact.grow(kInfinity);
+    // Nearer than everything outside a smaller ring, paths stay inside this one.
+    Array<uint8_t> inside(mesh.positions.size(), 0);
+    inside[v] = 1;
+    for (int ring = 0; ring < kSmallerRing; ++ring) {
+      const Array<uint8_t> before = inside;
+      for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+        if (before[mesh.tail(h)] || before[mesh.head(h)]) {
+          inside[mesh.tail(h)] = inside[mesh.head(h)] = 1;
+        }
+      }
+    }
+    double radius = kInfinity;
+    for (int w = 0; w < mesh.vertexCount(); ++w) {
+      if (!inside[w]) radius = std::min(radius, exact.distance(w));
+    }
+    for (int w = 0; w < mesh.vertexCount(); ++w) {
+      EXPECT_GE(byArcs.distance(w), exact.distance(w) * (1 - 1e-12));
+      if (exact.distance(w) >= radius) continue;
+      EXPECT_NEAR(byArcs.distance(w), exact.distance(w), 1e-9 * radius);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 500);
 }
 
 TEST(RingGraph, RefusesOtherNumbersOfRings) {
