@@ -89,6 +89,7 @@ export interface EngineMean {
   status: Status;
   iterations: number;
   energy: number;
+  otherMinima: boolean;
 }
 
 /** After an edit: updateFields, trace and join, in this order. */
@@ -126,6 +127,10 @@ export interface EngineBenchmark {
   ringGraph(rings: number): void;
   gradientOperator(): void;
   field(point: Float64Array, field: EngineFieldOptions): void;
+  /** Chooses a field and the vertices within a radius of its point: their number. */
+  chooseField(point: Float64Array, field: EngineFieldOptions, radius: number): number;
+  /** Makes the chosen field anew and reads it at these vertices. */
+  readField(): void;
   gradient(): void;
 }
 

@@ -196,12 +196,12 @@ export class Mesh {
 
   /**
    * Geodesic distances from a point to the vertices, in the caller's order: NaN at a dropped vertex
-   * and where no path leads.
+   * and where no path leads. By default exact.
    */
   distance(from: PointLike, options: Pick<FieldOptions, 'solver' | 'rings'> = {}): Float64Array {
     checkOptions(options, 'the options');
     const wire = wirePoint(this.#handle, from);
-    const field = engineFieldOptions(options);
+    const field = engineFieldOptions({ solver: 'exact', ...options });
     return this.#handle.call((mesh) => mesh.distance(wire, field));
   }
 

@@ -14,14 +14,19 @@ export interface SurfacePoint {
 /** Where a point is asked for: a surface point, or a vertex by its number. */
 export type PointLike = SurfacePoint | { vertex: number };
 
-/** How geodesic distances are found: by exact windows, or on the graph of each vertex's k-ring. */
-export type Solver = 'exact' | 'graph';
+/**
+ * How geodesic distances are found: `fast`: by virtual sources, with a mean error of 1e-3; `exact`:
+ * by windows; `graph`: on the graph of each vertex's k-ring.
+ */
+export type Solver = 'fast' | 'exact' | 'graph';
 
 /**
- * How a control point's field is made, and centers of mass are found: `paper`: gradients of squared
- * distances, and Newton's method along geodesics (Mancinelli, Puppo, Algorithm 1).
+ * How a control point's field is made, and centers of mass are found. `karcher`: the log vectors
+ * that a solver yields, read where the search goes; exact on any tessellation of the plane. `paper`:
+ * gradients of squared distances at all vertices, and Newton's method along geodesics (Mancinelli,
+ * Puppo, Algorithm 1); with the solvers `exact` and `graph`.
  */
-export type Method = 'paper';
+export type Method = 'karcher' | 'paper';
 
 /**
  * How the search for a center of mass ended. Only `converged` is a center of mass; with the others
@@ -84,7 +89,7 @@ export interface MeshInfo {
   repairs: Repair[];
 }
 
-/** How fields are made; the defaults are `paper` and `exact`. */
+/** How fields are made; the defaults are `karcher` and `fast`, with `paper` `exact`. */
 export interface FieldOptions {
   method?: Method;
   solver?: Solver;
@@ -99,10 +104,18 @@ export interface CenterOfMass {
   iterations: number;
   /** Sum of weight times squared distance, in squared units of the mesh. */
   energy: number;
+  /**
+   * Whether searches from other control points ended at other minima, of which this is the lowest.
+   * The method `paper` searches once and does not know.
+   */
+  otherMinima: boolean;
 }
 
 export interface CenterOptions extends FieldOptions {
-  /** Where the search starts; by default at the control point of the largest weight (`paper`). */
+  /**
+   * Where the search starts. By default at each control point in turn (`karcher`), or at the one of
+   * the largest weight (`paper`).
+   */
   start?: PointLike;
   /** Divide the weights by their sum, instead of an error when the sum is not 1. */
   normalize?: boolean;

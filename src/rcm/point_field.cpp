@@ -1,6 +1,7 @@
 #include "rcm/point_field.h"
 
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "mesh/error.h"
@@ -126,6 +127,32 @@ FieldValue PointField::estimate(DistanceSolver& solver, int vertex) {
     }
   }
   return {gradient, own};
+}
+
+Array<int> verticesWithin(Surface& surface, PointField& field, double radius) {
+  const TriangleMesh& mesh = surface.mesh();
+  // From vertex to vertex, so that only the neighbourhood is looked at.
+  Array<int> stack;
+  std::unordered_set<int> seen;
+  const auto visit = [&](int v) {
+    if (seen.insert(v).second) stack.push_back(v);
+  };
+  for (int k = 0; k < 3; ++k) visit(mesh.corner(field.point().face, k));
+  Array<int> within;
+  while (!stack.empty()) {
+    const int v = stack.back();
+    stack.pop_back();
+    if (std::sqrt(field.field().at(v).squaredDistance) > radius) continue;
+    within.push_back(v);
+    const int first = mesh.outgoing[v];
+    int h = first;
+    do {
+      visit(mesh.head(h));
+      visit(mesh.opposite(h));
+      h = rotateLeft(mesh, h);
+    } while (h >= 0 && h != first);
+  }
+  return within;
 }
 
 ControlField fieldFromDistances(Surface& surface, const Array<double>& distances) {

@@ -69,6 +69,9 @@ class PointField {
   Array<Vec2> gradients_;
 };
 
+/// The vertices within `radius` of a field's point, by the field: what a benchmark then reads.
+Array<int> verticesWithin(Surface& surface, PointField& field, double radius);
+
 /// A field from a caller's own distances, one a vertex, by the paper's gradient (Eq. 3). The result
 /// holds all it needs but the surface's frames. Throws Error kBadArgument (not one a vertex) or
 /// kNotFinite (NaN or negative).

@@ -80,20 +80,13 @@ struct FieldTimes {
 
 FieldTimes timeField(Surface& surface, const SurfacePoint& point, Solver solver, double radius) {
   PointField field(surface, {Method::kKarcher, solver, 6});
-  const Vec3 center = position(surface.mesh(), point);
-  Array<int> near;
-  for (int v = 0; v < surface.mesh().vertexCount(); ++v) {
-    if ((surface.mesh().positions[v] - center).norm() < radius) near.push_back(v);
-  }
-  FieldTimes times;
-  times.ms = medianTime([&] {
+  field.setPoint(point);
+  const Array<int> within = verticesWithin(surface, field, radius);
+  const double ms = medianTime([&] {
     field.setPoint(point);
-    times.vertices = 0;
-    for (const int v : near) {
-      if (std::sqrt(field.field().at(v).squaredDistance) <= radius) ++times.vertices;
-    }
+    for (const int v : within) field.field().at(v);
   });
-  return times;
+  return {ms, within.count()};
 }
 
 double peakMemoryMB() {

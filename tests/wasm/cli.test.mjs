@@ -34,7 +34,7 @@ test('mistakes in the command line: a sentence and status 1', () => {
     [['distance', squareFile, '--from', 'v:0', '--from', 'v:1'], /--from is given twice/],
     [
       ['distance', squareFile, '--from', 'v:0', '--solver', 'slow'],
-      /--solver must be one of exact/,
+      /--solver must be one of fast, exact, graph/,
     ],
     [
       ['distance', squareFile, '--from', 'v:0', '--rings', 'x'],

@@ -22,11 +22,17 @@ class BenchmarkHandle {
   void gradientOperator() { mesh_.surface().gradientOperator(); }
   /// The paper's field of a point, with the gradient in it.
   void field(const val& point, const val& options);
+  /// Chooses a field of log vectors and all vertices within `radius` of its point: their number.
+  int chooseField(const val& point, const val& options, double radius);
+  /// Makes the chosen field anew and reads it at these vertices.
+  void readField();
   /// The gradient operator, applied once.
   void gradient();
 
  private:
   MeshHandle& mesh_;
+  std::optional<PointField> field_;
+  Array<int> within_;
 };
 
 }  // namespace karcher::bindings

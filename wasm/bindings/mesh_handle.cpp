@@ -144,6 +144,10 @@ val MeshHandle::distance(const val& from, const val& field) {
     ExactDistance solver(surface_.geometry());
     return distancesToJs(numbering_, solver, source);
   }
+  if (options.solver == Solver::kFast) {
+    FastDistance solver(surface_.geometry(), surface_.vertexFans());
+    return distancesToJs(numbering_, solver, source);
+  }
   GraphDistance solver(surface_.geometry(), surface_.ringGraph(options.rings));
   return distancesToJs(numbering_, solver, source);
 }
@@ -181,6 +185,7 @@ val MeshHandle::meanToJs(const Mean& mean) const {
   result.set("status", std::string(statusName(mean.status)));
   result.set("iterations", mean.iterations);
   result.set("energy", mean.energy);
+  result.set("otherMinima", mean.otherMinima);
   return result;
 }
 

@@ -99,6 +99,8 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("ringGraph", &Guarded<&BenchmarkHandle::ringGraph>::call)
       .function("gradientOperator", &Guarded<&BenchmarkHandle::gradientOperator>::call)
       .function("field", &Guarded<&BenchmarkHandle::field>::call)
+      .function("chooseField", &Guarded<&BenchmarkHandle::chooseField>::call)
+      .function("readField", &Guarded<&BenchmarkHandle::readField>::call)
       .function("gradient", &Guarded<&BenchmarkHandle::gradient>::call);
 }
 

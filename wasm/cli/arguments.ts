@@ -80,9 +80,11 @@ export class Arguments {
   }
 
   field(): FieldOptions {
+    const solver = this.choice<Solver>('solver');
     return {
       method: this.choice<Method>('method'),
-      solver: this.choice<Solver>('solver'),
+      // Which solver is the default depends on the method.
+      ...(this.#values.has('solver') ? { solver } : {}),
       rings: this.integer('rings'),
     };
   }

@@ -10,9 +10,9 @@ const paper = (solver: Solver): FieldOptions => ({ method: 'paper', solver, ring
 
 export const bench: Command = {
   name: 'bench',
-  summary: "how long the steps of the paper's method take, for a B-spline",
+  summary: 'how long the steps take, for a B-spline: the default method and the paper\'s',
   output:
-    '{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, joinMs}, calibrationNs, peakMemoryMB}; times are medians',
+    '{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, joinMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, joinMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians, fields reach a tenth of the diagonal',
   options: [
     pointsOption,
     { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
@@ -23,7 +23,8 @@ export const bench: Command = {
     const mesh = await args.mesh();
     const { vertices, triangles } = mesh.info;
     const steps = timeSteps(mesh, points);
-    const curve = timeCurve(mesh, points, samples);
+    const paperCurve = timeCurve(mesh, points, samples, paper('graph'));
+    const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });
     return {
       json: {
         mesh: { vertices, triangles },
@@ -33,8 +34,10 @@ export const bench: Command = {
           fieldGraphMs: steps.fieldGraphMs,
           fieldExactMs: steps.fieldExactMs,
           gradientMs: steps.gradientMs,
-          ...curve,
+          ...paperCurve,
         },
+        karcher: { ...steps.fast, sampleNs: 1000 * sampleUs, ...karcherCurve },
+        exact: steps.exact,
         calibrationNs: (1e6 * steps.calibrationMs) / vertices,
         peakMemoryMB: process.resourceUsage().maxRSS / 1024,
       },
@@ -50,6 +53,13 @@ function timeSteps(mesh: Mesh, points: readonly SurfacePoint[]) {
   const { face, bary } = points[0] ?? { face: 0, bary: [1, 0, 0] };
   const source = Float64Array.of(face, ...bary);
   const field = (solver: Solver) => engineFieldOptions(paper(solver));
+  const radius = 0.1 * mesh.info.diagonal;
+  const logField = (solver: Solver) => {
+    const options = engineFieldOptions({ method: 'karcher', solver });
+    const fieldVertices = benchmark.call((steps) => steps.chooseField(source, options, radius));
+    const fieldMs = time((steps) => steps.readField());
+    return { fieldMs, fieldVertices, fieldNsPerVertex: (1e6 * fieldMs) / fieldVertices };
+  };
   // One after the other: the fields need the graph and the operator.
   const prepareMs = time((steps) => steps.prepare());
   const calibrationMs = time((steps) => steps.edgeDijkstra());
@@ -62,14 +72,21 @@ function timeSteps(mesh: Mesh, points: readonly SurfacePoint[]) {
     fieldGraphMs: time((steps) => steps.field(source, field('graph'))),
     fieldExactMs: time((steps) => steps.field(source, field('exact'))),
     gradientMs: time((steps) => steps.gradient()),
+    fast: logField('fast'),
+    exact: logField('exact'),
   };
   benchmark.dispose();
   return result;
 }
 
-/** A B-spline with graph distances, its middle point dragged to a neighbouring place and back. */
-function timeCurve(mesh: Mesh, points: readonly SurfacePoint[], samples: number) {
-  const curve = mesh.curve({ kind: 'bspline', points: [...points], samples, ...paper('graph') });
+/** A B-spline, its middle point dragged to a neighbouring place and back. */
+function timeCurve(
+  mesh: Mesh,
+  points: readonly SurfacePoint[],
+  samples: number,
+  field: FieldOptions,
+) {
+  const curve = mesh.curve({ kind: 'bspline', points: [...points], samples, ...field });
   const { count, status } = curve.samples;
   const lost = status.filter((name) => name !== 'converged').length;
   const index = Math.floor(points.length / 2);

@@ -44,7 +44,12 @@ export const pointsOption: Option = {
 
 /** How fields are made, for the commands that need some. */
 export const fieldOptions: readonly Option[] = [
-  { name: 'method', value: 'paper', help: 'how fields are made', default: 'paper' },
-  { name: 'solver', value: 'exact|graph', help: 'how distances are found', default: 'exact' },
+  { name: 'method', value: 'karcher|paper', help: 'how fields are made', default: 'karcher' },
+  {
+    name: 'solver',
+    value: 'fast|exact|graph',
+    help: 'how distances are found; with --method paper exact (the default) or graph',
+    default: 'fast',
+  },
   { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
 ];

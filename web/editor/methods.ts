@@ -3,6 +3,16 @@ import type { FieldOptions } from 'karcher';
 /** The ways to compute centers of mass that the page offers, in the menu's order. */
 const list = [
   {
+    id: 'karcher-fast',
+    label: 'Karcher (fast)',
+    options: { method: 'karcher', solver: 'fast' },
+  },
+  {
+    id: 'karcher-exact',
+    label: 'Karcher (exact)',
+    options: { method: 'karcher', solver: 'exact' },
+  },
+  {
     id: 'paper-exact',
     label: 'Paper (exact)',
     options: { method: 'paper', solver: 'exact' },
