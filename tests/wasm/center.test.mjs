@@ -31,14 +31,16 @@ const closeTo = (actual, expected, tolerance) =>
 
 test('on a plane the center of mass is the weighted mean', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  for (const weights of [
+  const masses = [
     [0.25, 0.25, 0.25, 0.25],
     [0.1, 0.2, 0.3, 0.4],
     [0.5, 0.6, -0.2, 0.1],
     [0, 0, 1, 0],
-  ]) {
+  ];
+  const fields = [paper, {}, { solver: 'exact' }];
+  for (const [weights, field] of masses.flatMap((w) => fields.map((field) => [w, field]))) {
     const expected = weightedSum(mesh, inner, weights);
-    const center = mesh.centerOfMass(inner, weights, paper);
+    const center = mesh.centerOfMass(inner, weights, field);
     assert.equal(center.status, 'converged');
     closeTo(center.position, expected, 1e-9);
     closeTo(mesh.position(center.point), center.position, 1e-12);

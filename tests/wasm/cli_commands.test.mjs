@@ -31,7 +31,7 @@ test('distance prints what the API gives', () => {
     ['v:40', { vertex: 40 }],
     ['57:0.25,0.5', { face: 57, bary: [0.25, 0.25, 0.5] }],
   ]) {
-    for (const solver of ['exact', 'graph']) {
+    for (const solver of ['fast', 'exact', 'graph']) {
       const { distance, ...rest } = printed(
         ...['distance', gridFile, '--from', point, '--solver', solver, '--rings', '3'],
       );
@@ -72,18 +72,17 @@ test('path, as JSON and as an OBJ file', () => {
 test('mean prints the center of mass', () => {
   const args = ['mean', gridFile, '--points', pointsFile];
   const mean = printed(...args, '--weights', weights);
-  const expected = mesh.centerOfMass(points, [0.1, 0.2, 0.3, 0.4, 0], paper);
-  assert.deepEqual(mean, expected);
+  const masses = [0.1, 0.2, 0.3, 0.4, 0];
+  assert.deepEqual(mean, mesh.centerOfMass(points, masses));
+  const papers = printed(...args, '--weights', weights, '--method', 'paper');
+  assert.deepEqual(papers, mesh.centerOfMass(points, masses, paper));
   const scaled = printed(...args, '--weights', '1,2,3,4,0', '--normalize');
   assert.ok(Math.abs(scaled.position[0] - mean.position[0]) < 1e-12);
   // A list that begins with a negative weight.
   const negative = printed(...args, '--weights', '-0.1,0.3,0.4,0.4,0');
   assert.equal(negative.status, 'converged');
   const graph = printed(...args, '--weights', weights, '--solver', 'graph', '--rings', '2');
-  assert.deepEqual(
-    graph,
-    mesh.centerOfMass(points, [0.1, 0.2, 0.3, 0.4, 0], { ...paper, solver: 'graph', rings: 2 }),
-  );
+  assert.deepEqual(graph, mesh.centerOfMass(points, masses, { solver: 'graph', rings: 2 }));
 });
 
 test('trace prints the samples of a curve', () => {
@@ -180,6 +179,14 @@ test('bench prints every timing', () => {
     'dragMs',
   ]) {
     assert.ok(report.paper[key] >= 0 && Number.isFinite(report.paper[key]), key);
+  }
+  assert.equal(report.karcher.samples, 32);
+  assert.equal(report.karcher.lost, 0);
+  for (const key of ['fieldMs', 'fieldVertices', 'fieldNsPerVertex', 'sampleNs', 'dragMs']) {
+    assert.ok(report.karcher[key] > 0 && Number.isFinite(report.karcher[key]), key);
+  }
+  for (const key of ['fieldMs', 'fieldVertices', 'fieldNsPerVertex']) {
+    assert.ok(report.exact[key] > 0 && Number.isFinite(report.exact[key]), key);
   }
   for (const key of ['prepareMs', 'calibrationNs', 'peakMemoryMB']) {
     assert.ok(report[key] > 0 && Number.isFinite(report[key]), key);

@@ -30,8 +30,13 @@ test('meshes, curves and what is asked of them give all their memory back', asyn
   const points = [16, 18, 31, 32].map((vertex) => ({ vertex }));
   const [early, late] = bytesAround(karcher, 1000, () => {
     const mesh = karcher.meshFromObj(text);
-    for (const solver of ['exact', 'graph']) {
-      const field = { method: 'paper', solver, rings: 2 };
+    for (const [method, solver] of [
+      ['karcher', 'fast'],
+      ['karcher', 'exact'],
+      ['paper', 'exact'],
+      ['paper', 'graph'],
+    ]) {
+      const field = { method, solver, rings: 2 };
       const curve = mesh.curve({ kind: 'bspline', points, samples: 8, ...field });
       curve.movePoint(1, points[2]);
       curve.samples.count;

@@ -10,7 +10,7 @@ const paper = (solver: Solver): FieldOptions => ({ method: 'paper', solver, ring
 
 export const bench: Command = {
   name: 'bench',
-  summary: 'how long the steps take, for a B-spline: the default method and the paper\'s',
+  summary: "how long the steps take, for a B-spline: the default method and the paper's",
   output:
     '{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, joinMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, joinMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians, fields reach a tenth of the diagonal',
   options: [

@@ -8,7 +8,12 @@ export const distance: Command = {
     "{distance: […]}, in the file's vertex order: null at a vertex of no face and where no path leads",
   options: [
     { name: 'from', value: 'POINT', help: 'the source', required: true },
-    { name: 'solver', value: 'fast|exact|graph', help: 'how distances are found', default: 'exact' },
+    {
+      name: 'solver',
+      value: 'fast|exact|graph',
+      help: 'how distances are found',
+      default: 'exact',
+    },
     { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
   ],
   async run(args) {
