@@ -54,8 +54,8 @@ inline constexpr double kHidden = 0.1;
 /// to one front. Below it two fronts meet.
 inline constexpr double kOneFront = -0.5;
 
-/// The shortest way over the edge's line may pass this far beside the edge, as a part of it; it then
-/// goes through the end. Further out another edge is its way.
+/// The shortest way over the edge's line may pass this far beside the edge, as a part of it; it
+/// then goes through the end. Further out another edge is its way.
 inline constexpr double kBeside = 1e-3;
 
 /// If the line to the middle of the sources passes this far beside, so does the shortest way.
@@ -85,7 +85,8 @@ inline bool hides(const EdgeEnd& end, const EdgeEnd& other) {
 
 /// One source is the other's pseudo-source: decides on which side of the line through both the apex
 /// lies. Returns false if that is not how the two sources are related.
-inline bool aroundCorner(const EdgeEnd& a, const EdgeEnd& b, const Vec2& apex, ApexArrival& result) {
+inline bool aroundCorner(const EdgeEnd& a, const EdgeEnd& b, const Vec2& apex,
+                         ApexArrival& result) {
   const Vec2 sourceA = a.source();
   const Vec2 sourceB(1 - b.radius() * b.cosine, -b.radius() * b.sine);
   const double apart = (sourceB - sourceA).norm();
