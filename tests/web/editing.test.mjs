@@ -159,7 +159,9 @@ describe('editing a curve', () => {
       menu.dispatchEvent(new Event('change'));
       document.getElementById('cancel').click();
     });
-    await tab.page.waitForFunction(() => document.getElementById('method').value === 'karcher-fast');
+    await tab.page.waitForFunction(
+      () => document.getElementById('method').value === 'karcher-fast',
+    );
     assert.equal((await tab.state()).method, 'karcher-fast');
 
     await method.selectOption('paper-graph');
