@@ -63,6 +63,7 @@ export type ErrorCode =
   | 'unreachable'
   | 'boundary'
   | 'radiusTooLarge'
+  | 'noEmbedding'
   | 'disposed'
   | 'outOfMemory'
   | 'internal';

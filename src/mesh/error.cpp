@@ -30,6 +30,8 @@ const char* errorCodeName(ErrorCode code) {
       return "boundary";
     case ErrorCode::kRadiusTooLarge:
       return "radiusTooLarge";
+    case ErrorCode::kNoEmbedding:
+      return "noEmbedding";
   }
   return "unknown";
 }

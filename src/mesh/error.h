@@ -20,6 +20,7 @@ enum class ErrorCode {
   kUnreachable,        ///< two points lie on different components
   kBoundary,           ///< a geodesic meets the boundary where it must not
   kRadiusTooLarge,     ///< a circle wider than its component
+  kNoEmbedding,        ///< weighted averages: no acceptable embedding of the mesh was found
 };
 
 /// The name of a code, as in `error.code` of the JavaScript API: "nonManifoldEdge".
