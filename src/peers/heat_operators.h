@@ -38,6 +38,10 @@ class HeatOperators {
   int vertexCount() const { return triangulation_.vertexCount(); }
   const Array<HeatEdge>& edges() const { return edges_; }
   double time() const { return time_; }
+  /// Per vertex a third of the area around it.
+  const Array<double>& mass() const { return mass_; }
+  /// The lower triangle of the cotangent Laplacian, positive semidefinite.
+  Eigen::SparseMatrix<double> laplacian() const { return scalarMatrix(0, 1); }
 
   /// The half-edges that leave a vertex in the triangulation: one a corner.
   std::span<const int> halfedgesFrom(int vertex) const;
@@ -61,7 +65,7 @@ class HeatOperators {
 
   IntrinsicTriangulation triangulation_;
   Array<HeatEdge> edges_;
-  Array<double> mass_;  ///< per vertex, a third of the area around it
+  Array<double> mass_;
   Array<int> firstHalfedge_;
   Array<int> halfedges_;
   Array<int> heldVertices_;

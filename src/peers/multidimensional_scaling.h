@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+/// Metric multidimensional scaling: points in a Euclidean space whose distances come near given
+/// ones. The sum of the squared relative errors is lowered by majorization, from a start by
+/// classical scaling (J. de Leeuw, "Applications of convex analysis to multidimensional scaling",
+/// 1977; T. Cox, M. Cox, "Multidimensional Scaling", 2000).
+namespace karcher {
+
+struct ScalingOptions {
+  int dimensions = 8;
+  int maxIterations = 500;
+  double tolerance = 1e-5;  ///< stop when an iteration lowers the stress by less, relatively
+};
+
+struct Scaling {
+  Eigen::MatrixXd positions;  ///< a row a point, centered
+  double stress = 0;          ///< root mean square of the distances' relative errors
+  int iterations = 0;
+};
+
+/// `distances` is symmetric, 0 on the diagonal and positive and finite elsewhere.
+Scaling scaleDistances(const Eigen::MatrixXd& distances, const ScalingOptions& options = {});
+
+}  // namespace karcher

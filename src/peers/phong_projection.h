@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+
+#include "intrinsic/geometry.h"
+#include "peers/intrinsic_triangulation.h"
+
+/// Phong projection: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted Averages on
+/// Surfaces", ACM Transactions on Graphics 32 (2013), section 4.
+///
+/// A mesh embedded in eight dimensions has a tangent plane at each vertex, and between them planes
+/// that change continuously over the surface. A point of the space projects to the point of the
+/// mesh whose plane is orthogonal to the line between them. Other than the nearest point, this
+/// depends on the point smoothly.
+namespace karcher {
+
+inline constexpr int kEmbeddingDimensions = 8;
+using EmbeddedPoint = Eigen::Matrix<double, kEmbeddingDimensions, 1>;
+/// Two orthonormal rows.
+using TangentPlane = Eigen::Matrix<double, 2, kEmbeddingDimensions>;
+
+/// Per vertex the plane that fits its edges best, oriented as the mesh: the images of the edges
+/// against their lengths and directions in the vertex's frame, by least squares.
+Array<TangentPlane> tangentPlanes(const Geometry& geometry, const Array<EmbeddedPoint>& positions);
+
+/// Whether face f is turned over, or has no area, as seen in the tangent plane of one of its
+/// corners: there projections are not unique.
+bool isFolded(const TriangleMesh& mesh, const Array<EmbeddedPoint>& positions,
+              const Array<TangentPlane>& planes, int f);
+
+class PhongSurface {
+ public:
+  /// The mesh must outlive the surface.
+  PhongSurface(const TriangleMesh& mesh, Array<EmbeddedPoint> positions,
+               Array<TangentPlane> planes);
+
+  EmbeddedPoint position(const SurfacePoint& point) const;
+
+  /// The blended tangent plane at a point: orthonormal rows.
+  TangentPlane planeAt(const SurfacePoint& point) const;
+
+  /// The projection of p, searched from face to face and then around the nearest vertex; none where
+  /// it lies off the boundary or no face has one.
+  std::optional<SurfacePoint> project(const EmbeddedPoint& p, const SurfacePoint& start) const;
+
+ private:
+  /// A face as Newton's method sees it, from its corner 0: all in the planes of its corners, whose
+  /// two coordinates are taken for a complex number.
+  struct Patch {
+    Complex turnFirst[3];   ///< turns the plane of corner k into the frame of the blend along the
+                            ///< edge from k on
+    Complex turnSecond[3];  ///< the same for the edge that leads to k
+    Complex corners[3][3];  ///< [k][c]: corner c in the plane of corner k
+    Complex target[3];      ///< the point that is projected
+  };
+  struct FaceProjection {
+    Vec3 bary;
+    bool found = false;  ///< in the face; else the bary tells on which side to go on
+  };
+
+  Patch patchOf(int f) const;
+  FaceProjection projectInFace(int f, const EmbeddedPoint& p) const;
+  std::optional<SurfacePoint> walk(const EmbeddedPoint& p, int face) const;
+  std::optional<SurfacePoint> searchAround(const EmbeddedPoint& p, int vertex) const;
+  int nearestVertex(const EmbeddedPoint& p, int vertex) const;
+
+  const TriangleMesh& mesh_;
+  Array<EmbeddedPoint> positions_;
+  Array<TangentPlane> planes_;
+};
+
+}  // namespace karcher
