@@ -29,9 +29,9 @@ LogMap localLogMap(const HeatOperators& operators, int vertex) {
   vectors = operators.vectorHeat().solve<2>(vectors);
   LogMap logs(static_cast<size_t>(operators.vertexCount()), noLogarithm());
   for (int v = 0; v < operators.vertexCount(); ++v) {
-    const double frame = std::abs(vectors(v, 1));
-    if (std::abs(heat[v]) < kLeastHeat || frame < kLeastHeat) continue;
-    logs[v] = toVec2(vectors(v, 0) / heat[v] * std::conj(vectors(v, 1) / frame));
+    const Vec2 xAxis = heatDirection(vectors(v, 1));
+    if (std::abs(heat[v]) < kLeastHeat || xAxis.isZero(0)) continue;
+    logs[v] = rotateBack(xAxis, toVec2(vectors(v, 0) / heat[v]));
   }
   return logs;
 }
@@ -39,20 +39,18 @@ LogMap localLogMap(const HeatOperators& operators, int vertex) {
 LogMap adaptiveLogMap(const HeatOperators& operators, int vertex) {
   const int count = operators.vertexCount();
   const Columns<double, 1> heat = heatFrom(operators, vertex);
-  Columns<Complex, 1> frames = Columns<Complex, 1>::Zero(count);
-  frames[vertex] = 1;
-  frames = operators.vectorHeat().solve<1>(frames);
-  for (int v = 0; v < count; ++v) {
-    const double size = std::abs(frames[v]);
-    frames[v] = size < kLeastHeat ? Complex(0) : frames[v] / size;
-  }
+  Columns<Complex, 1> transported = Columns<Complex, 1>::Zero(count);
+  transported[vertex] = 1;
+  transported = operators.vectorHeat().solve<1>(transported);
+  Array<Vec2> xAxis;
+  for (int v = 0; v < count; ++v) xAxis.push_back(heatDirection(transported[v]));
   Columns<double, 2> sources = Columns<double, 2>::Zero(count, 2);
   for (const HeatEdge& edge : operators.edges()) {
     const double flow = operators.time() * edge.weight;
-    sources.row(edge.tail) -=
-        flow * heat[edge.head] * toVec2(edge.atTail * std::conj(frames[edge.tail])).transpose();
-    sources.row(edge.head) -=
-        flow * heat[edge.tail] * toVec2(edge.atHead * std::conj(frames[edge.head])).transpose();
+    const Vec2 onward = rotateBack(xAxis[edge.tail], toVec2(edge.atTail));
+    const Vec2 back = rotateBack(xAxis[edge.head], toVec2(edge.atHead));
+    sources.row(edge.tail) -= flow * heat[edge.head] * onward.transpose();
+    sources.row(edge.head) -= flow * heat[edge.tail] * back.transpose();
   }
   sources = operators.scalarHeat().solve<2>(sources);
   LogMap logs(static_cast<size_t>(count), noLogarithm());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -80,5 +81,14 @@ inline constexpr double kLeastHeat = 1e-290;
 
 inline Vec2 toVec2(const Complex& z) { return {z.real(), z.imag()}; }
 inline Complex toComplex(const Vec2& v) { return {v.x(), v.y()}; }
+
+/// The direction of a vector of heat, a unit vector; zero where the heat has underflowed.
+inline Vec2 heatDirection(const Complex& heat) {
+  // Squares of the heat would underflow long before the heat itself.
+  const double largest = std::max(std::abs(heat.real()), std::abs(heat.imag()));
+  if (largest < kLeastHeat) return Vec2::Zero();
+  const Vec2 scaled = toVec2(heat) * (1 / largest);
+  return scaled * (1 / scaled.norm());
+}
 
 }  // namespace karcher

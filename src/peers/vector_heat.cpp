@@ -39,11 +39,6 @@ void addOutwardBall(const HeatOperators& operators, int vertex, Columns<Complex,
   }
 }
 
-Complex direction(const Complex& z) {
-  const double size = std::abs(z);
-  return size < kLeastHeat ? Complex(0) : z / size;
-}
-
 }  // namespace
 
 LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex) {
@@ -53,25 +48,25 @@ LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex) {
   heat(vertex, 1) = 1;
   heat = operators.vectorHeat().solve<2>(heat);
 
-  for (int v = 0; v < count; ++v) heat(v, 0) = direction(heat(v, 0));
-  heat(vertex, 0) = 0;
+  Array<Vec2> radial(static_cast<size_t>(count));
+  for (int v = 0; v < count; ++v) radial[v] = heatDirection(heat(v, 0));
+  radial[vertex] = Vec2::Zero();
   Columns<double, 1> divergence = Columns<double, 1>::Zero(count);
   for (const HeatEdge& edge : operators.edges()) {
-    const double rise = (toVec2(heat(edge.tail, 0)).dot(toVec2(edge.atTail)) -
-                         toVec2(heat(edge.head, 0)).dot(toVec2(edge.atHead))) /
-                        2;
-    divergence[edge.tail] -= edge.weight * rise;
-    divergence[edge.head] += edge.weight * rise;
+    const double rise =
+        radial[edge.tail].dot(toVec2(edge.atTail)) - radial[edge.head].dot(toVec2(edge.atHead));
+    divergence[edge.tail] -= edge.weight / 2 * rise;
+    divergence[edge.head] += edge.weight / 2 * rise;
   }
   for (const int v : operators.heldVertices()) divergence[v] = 0;
   const Columns<double, 1> distance = operators.poisson().solve<1>(divergence);
 
-  LogMap logs(static_cast<size_t>(count), noLogarithm());
+  LogMap logs(static_cast<size_t>(count));
   for (int v = 0; v < count; ++v) {
-    const Complex radial = heat(v, 0);
-    const Complex horizontal = direction(heat(v, 1));
-    if (radial == Complex(0) || horizontal == Complex(0)) continue;
-    logs[v] = (distance[v] - distance[vertex]) * toVec2(radial * std::conj(horizontal));
+    const Vec2 xAxis = heatDirection(heat(v, 1));
+    const bool reached = !radial[v].isZero(0) && !xAxis.isZero(0);
+    logs[v] = reached ? Vec2((distance[v] - distance[vertex]) * rotateBack(xAxis, radial[v]))
+                      : noLogarithm();
   }
   logs[vertex] = Vec2::Zero();
   return logs;
@@ -93,7 +88,7 @@ Array<Vec2> vectorHeatTransport(const HeatOperators& operators,
   Array<Vec2> result;
   for (int v = 0; v < count; ++v) {
     const double size = std::abs(sizes(v, 1)) < kLeastHeat ? 0 : sizes(v, 0) / sizes(v, 1);
-    result.push_back(size * toVec2(direction(vectors[v])));
+    result.push_back(size * heatDirection(vectors[v]));
   }
   return result;
 }
