@@ -125,6 +125,14 @@ export class Curve {
     this.#edit((curve) => curve.setKind(kind));
   }
 
+  /**
+   * Traces all segments again with the fields as they are.
+   * @internal
+   */
+  retrace(): void {
+    this.#edit((curve) => curve.retrace());
+  }
+
   /** Gives the memory back. Safe to repeat. */
   dispose(): void {
     this.#handle.dispose();

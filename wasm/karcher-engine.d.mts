@@ -42,7 +42,7 @@ export interface EngineMesh {
   ): { end: Float64Array; remaining: number; polyline: Float64Array };
   hasRingGraph(rings: number): boolean;
   graphBuilder(rings: number): EngineGraphBuilder;
-  prepareGradient(): void;
+  prepareFields(field: EngineFieldOptions): void;
   benchmark(): EngineBenchmark;
   /** `start` is empty for the engine's choice. */
   centerOfMass(
@@ -100,6 +100,7 @@ export interface EngineCurve {
   insertPoint(i: number, point: Float64Array): void;
   removePoint(i: number): void;
   setKind(kind: CurveKind): void;
+  retrace(): void;
   updateFields(): void;
   trace(): void;
   join(): void;

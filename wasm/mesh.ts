@@ -84,16 +84,18 @@ export class Mesh {
   }
 
   /**
-   * Makes what the given fields need of the mesh, in slices of a few milliseconds: the graph of the
-   * graph solver. Other methods make it at once where it is missing.
+   * Makes what the given fields need of the mesh; the graph of the graph solver in slices of a few
+   * milliseconds. Other methods make at once what is missing.
    *
    * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed.
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
     checkOptions(options, 'the options');
-    const { method, solver, rings } = engineFieldOptions(options);
-    if (solver === 'graph') await prepareGraph(this.#engine, this.#handle, rings, work);
-    if (method === 'paper') this.#handle.call((mesh) => mesh.prepareGradient());
+    const field = engineFieldOptions(options);
+    if (field.solver === 'graph') {
+      await prepareGraph(this.#engine, this.#handle, field.rings, work);
+    }
+    this.#handle.call((mesh) => mesh.prepareFields(field));
   }
 
   /**

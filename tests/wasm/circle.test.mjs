@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
-import { grid } from './meshes.mjs';
+import { exactFields, grid } from './meshes.mjs';
 
 let karcher;
 before(async () => {
@@ -14,9 +14,9 @@ const center = { vertex: 8 + (cells + 1) * 8 };
 
 test('on a plane a geodesic circle is a circle', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  for (const arcs of [3, 7]) {
+  for (const [arcs, field] of [3, 7].flatMap((n) => exactFields.map((f) => [n, f]))) {
     const radius = arcs === 3 ? 2 : 4.5;
-    const circle = mesh.circle({ center, radius, arcs, samples: 40, ...paper });
+    const circle = mesh.circle({ center, radius, arcs, samples: 40, ...field });
     const { samples } = circle;
     assert.equal(samples.count, 40 * arcs);
     assert.deepEqual(new Set(samples.segment), new Set(Array.from({ length: arcs }, (_, i) => i)));

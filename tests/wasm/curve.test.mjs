@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
-import { grid, square } from './meshes.mjs';
+import { exactFields, fields, grid, square } from './meshes.mjs';
 
 let karcher;
 before(async () => {
@@ -52,11 +52,12 @@ const shown = (curve) => ({
 
 test('a B-spline on a plane, at t = i / (samples - 1)', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  const curve = mesh.curve({ kind: 'bspline', points: inner, samples: 9, ...paper });
-  const { samples } = curve;
-  assert.equal(samples.count, 18);
-  assert.equal(samples.bary.length, 3 * 18);
-  for (let i = 0; i < samples.count; i++) {
+  const traced = exactFields.map(
+    (field) => mesh.curve({ kind: 'bspline', points: inner, samples: 9, ...field }).samples,
+  );
+  for (const [i, samples] of traced.flatMap((all) => Array.from(all.t, (_, i) => [i, all]))) {
+    assert.equal(samples.count, 18);
+    assert.equal(samples.bary.length, 3 * 18);
     const segment = Math.floor(i / 9);
     const t = (i % 9) / 8;
     assert.equal(samples.segment[i], segment);
@@ -72,16 +73,18 @@ test('a B-spline on a plane, at t = i / (samples - 1)', () => {
 
 test('a Bezier curve on a plane runs from its first to its last point', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  const curve = mesh.curve({ kind: 'bezier', points: inner, samples: 17, ...paper });
-  const { samples } = curve;
-  assert.equal(samples.count, 17);
-  for (let i = 0; i < 17; i++) {
-    const expected = planePoint(mesh, inner, bernstein(4, i / 16));
-    closeTo(samples.position.slice(3 * i, 3 * i + 3), expected, 1e-9, `sample ${i}`);
+  for (const field of exactFields) {
+    const curve = mesh.curve({ kind: 'bezier', points: inner, samples: 17, ...field });
+    const { samples } = curve;
+    assert.equal(samples.count, 17);
+    for (let i = 0; i < 17; i++) {
+      const expected = planePoint(mesh, inner, bernstein(4, i / 16));
+      closeTo(samples.position.slice(3 * i, 3 * i + 3), expected, 1e-9, `sample ${i}`);
+    }
+    const { polyline } = curve.path;
+    closeTo(polyline.slice(0, 3), mesh.position(inner[0]), 1e-9, 'start');
+    closeTo(polyline.slice(-3), mesh.position(inner[4]), 1e-9, 'end');
   }
-  const { polyline } = curve.path;
-  closeTo(polyline.slice(0, 3), mesh.position(inner[0]), 1e-9, 'start');
-  closeTo(polyline.slice(-3), mesh.position(inner[4]), 1e-9, 'end');
   const straight = mesh.curve({ kind: 'bezier', points: [inner[0], inner[2]], ...paper });
   assert.equal(straight.samples.count, 128);
   assert.ok(Math.abs(straight.length - Math.hypot(5, 6)) < 1e-9);
@@ -112,13 +115,18 @@ test('the polyline joins the samples on the surface', () => {
   );
 });
 
-test('after edits a curve is the one that its points give anew', () => {
+for (const field of fields) {
+  const name = Object.values(field).join(' ') || 'defaults';
+  test(`after edits a curve is the one that its points give anew: ${name}`, () => edit(field));
+}
+
+function edit(field) {
   const mesh = karcher.shape('sphere', 2000);
   const points = [10, 40, 70, 100, 130].map((face) => ({ face, bary: [0.5, 0.25, 0.25] }));
-  const edited = mesh.curve({ kind: 'bspline', points, samples: 16, ...paper });
+  const edited = mesh.curve({ kind: 'bspline', points, samples: 16, ...field });
   let current = points;
   const check = (kind = 'bspline') => {
-    const anew = mesh.curve({ kind, points: current, samples: 16, ...paper });
+    const anew = mesh.curve({ kind, points: current, samples: 16, ...field });
     assert.deepEqual(shown(edited), shown(anew));
     anew.dispose();
   };
@@ -151,7 +159,7 @@ test('after edits a curve is the one that its points give anew', () => {
   edited.setKind('bspline');
   check();
   for (const value of Object.values(edited.times)) assert.ok(value >= 0);
-});
+}
 
 /** Some face and weights of a vertex. */
 function pointOf(mesh, number) {
@@ -203,6 +211,7 @@ test('curves that cannot be', () => {
     [{ samples: 100_001 }, 'badArgument', /2 to 100000 samples/],
     [{ samples: 2.5 }, 'badArgument', /whole number/],
     [{ solver: 'graph', rings: 99 }, 'badArgument', /rings/],
+    [{ solver: 'fast' }, 'badArgument', /paper's method takes/],
   ];
   const bytes = karcher.allocatedBytes();
   for (const [change, code, message] of wrong) {
@@ -248,11 +257,10 @@ test('the same calls give the same numbers, also in another engine', async () =>
     const mesh = engine.shape('torus', 3000);
     const points = [100, 130, 160, 200].map((face) => ({ face, bary: [0.4, 0.35, 0.25] }));
     const result = [];
-    for (const solver of ['exact', 'graph']) {
-      const field = { method: 'paper', solver };
+    for (const field of fields) {
       result.push(shown(mesh.curve({ kind: 'bspline', points, samples: 33, ...field })));
       result.push(mesh.centerOfMass(points, [0.1, 0.2, 0.3, 0.4], field));
-      result.push(mesh.distance(points[1], { solver }));
+      result.push(mesh.distance(points[1], field));
     }
     mesh.dispose();
     return result;

@@ -13,16 +13,18 @@ const cells = 6;
 const planeDistance = (x, y, v) =>
   Math.hypot((v % (cells + 1)) - x, Math.floor(v / (cells + 1)) - y);
 
-test('on a plane exact distances are those of the plane', () => {
+test('on a plane exact and fast distances are those of the plane', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const from = { face: 20, bary: [0.5, 0.2, 0.3] };
   const [x, y] = mesh.position(from);
-  const distances = mesh.distance(from, { solver: 'exact' });
-  assert.equal(distances.length, (cells + 1) ** 2);
-  distances.forEach((distance, v) => {
-    assert.ok(Math.abs(distance - planeDistance(x, y, v)) < 1e-12, `vertex ${v}`);
-  });
-  assert.deepEqual(mesh.distance(from), distances);
+  for (const solver of ['exact', 'fast']) {
+    const distances = mesh.distance(from, { solver });
+    assert.equal(distances.length, (cells + 1) ** 2);
+    distances.forEach((distance, v) => {
+      assert.ok(Math.abs(distance - planeDistance(x, y, v)) < 1e-12, `${solver}, vertex ${v}`);
+    });
+  }
+  assert.deepEqual(mesh.distance(from), mesh.distance(from, { solver: 'exact' }));
   assert.equal(mesh.distance({ vertex: 8 }, { solver: 'exact' })[8], 0);
 });
 
@@ -46,7 +48,7 @@ test('welded vertices repeat their distance; dropped and unreachable ones have n
   const mesh = karcher.meshFromObj(
     `${square}v 7 8 9\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 6 7 8 9\n${apart}`,
   );
-  for (const solver of ['exact', 'graph']) {
+  for (const solver of ['exact', 'fast', 'graph']) {
     const distances = mesh.distance({ vertex: 0 }, { solver });
     const near = [0, 1, Math.SQRT2, 1, Number.NaN, 1, 2, Math.sqrt(5), Math.SQRT2];
     assert.equal(distances.length, 13);

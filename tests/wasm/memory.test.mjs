@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
-import { badFiles, grid } from './meshes.mjs';
+import { badFiles, fields, grid } from './meshes.mjs';
 
 /** Bytes in use after the first 10 and after all of `times` rounds of `work`. */
 function bytesAround(karcher, times, work) {
@@ -30,24 +30,18 @@ test('meshes, curves and what is asked of them give all their memory back', asyn
   const points = [16, 18, 31, 32].map((vertex) => ({ vertex }));
   const [early, late] = bytesAround(karcher, 1000, () => {
     const mesh = karcher.meshFromObj(text);
-    for (const [method, solver] of [
-      ['karcher', 'fast'],
-      ['karcher', 'exact'],
-      ['paper', 'exact'],
-      ['paper', 'graph'],
-    ]) {
-      const field = { method, solver, rings: 2 };
+    for (const field of fields) {
       const curve = mesh.curve({ kind: 'bspline', points, samples: 8, ...field });
       curve.movePoint(1, points[2]);
       curve.samples.count;
       curve.polyline.length;
       curve.dispose();
-      mesh.distance(points[0], { solver, rings: 2 });
+      mesh.distance(points[0], field);
       mesh.centerOfMass(points, [0.25, 0.25, 0.25, 0.25], field);
     }
     mesh.shortestPath(points[0], points[3]);
-    mesh.circle({ center: points[1], radius: 1, samples: 4, method: 'paper', solver: 'exact' });
-    mesh.curve({ kind: 'bezier', points, samples: 8, method: 'paper', solver: 'exact' });
+    mesh.circle({ center: points[1], radius: 1, samples: 4 });
+    mesh.curve({ kind: 'bezier', points, samples: 8 });
     mesh.dispose();
   });
   assert.equal(late, early);

@@ -28,6 +28,19 @@ export function grid(cells) {
   return `${lines.join('\n')}\n`;
 }
 
+/** Every way to make fields; the first is the default. */
+export const fields = [
+  {},
+  { method: 'karcher', solver: 'fast' },
+  { method: 'karcher', solver: 'exact' },
+  { method: 'karcher', solver: 'graph', rings: 3 },
+  { method: 'paper', solver: 'exact' },
+  { method: 'paper', solver: 'graph', rings: 3 },
+];
+
+/** Those whose distances are exact on a plane. */
+export const exactFields = fields.filter(({ solver }) => solver !== 'graph');
+
 /** Files that are no mesh: what is wrong with them, the code of the error, and a word of it. */
 export const badFiles = [
   { what: 'an empty file', text: '', code: 'badFile', says: /no faces/ },

@@ -30,6 +30,7 @@ class CurveHandle {
   void insertPoint(int i, const val& point);
   void removePoint(int i) { curve_.removePoint(i); }
   void setKind(const std::string& kind);
+  void retrace() { curve_.retrace(); }
   void updateFields() { curve_.updateFields(); }
   void trace() { curve_.trace(); }
   void join() { curve_.join(); }

@@ -152,6 +152,15 @@ val MeshHandle::distance(const val& from, const val& field) {
   return distancesToJs(numbering_, solver, source);
 }
 
+void MeshHandle::prepareFields(const val& field) {
+  const FieldOptions options = fieldOptionsFromJs(field);
+  if (options.method == Method::kPaper) {
+    surface_.gradientOperator();
+  } else if (options.solver == Solver::kFast) {
+    surface_.vertexFans();
+  }
+}
+
 val MeshHandle::centerOfMass(const val& points, const val& weights, const val& start,
                              bool normalize, const val& field) {
   MeanOptions options = meanOptions(start, normalize);

@@ -36,7 +36,8 @@ class MeshHandle {
   // `field` is {method, solver, rings}.
   val distance(const val& from, const val& field);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
-  void prepareGradient() { surface_.gradientOperator(); }
+  /// Makes what fields need of the mesh, but for the graph.
+  void prepareFields(const val& field);
   /// `start` is a point, or an empty array for the engine's choice.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
                    const val& field);

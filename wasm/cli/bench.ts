@@ -1,7 +1,7 @@
 import type { EngineBenchmark } from '../karcher-engine.mjs';
 import type { Mesh } from '../mesh.js';
 import { engineFieldOptions } from '../options.js';
-import type { FieldOptions, PointLike, Solver, SurfacePoint } from '../types.js';
+import type { FieldOptions, Solver, SurfacePoint } from '../types.js';
 import { type Command, pointsOption } from './command.js';
 
 const runs = 5;
@@ -22,9 +22,10 @@ export const bench: Command = {
     const points = await args.points();
     const mesh = await args.mesh();
     const { vertices, triangles } = mesh.info;
-    const steps = timeSteps(mesh, points);
-    const paperCurve = timeCurve(mesh, points, samples, paper('graph'));
+    // First, so that wrong points are told before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });
+    const steps = timeSteps(mesh, points[0]!);
+    const paperCurve = timeCurve(mesh, points, samples, paper('graph'));
     return {
       json: {
         mesh: { vertices, triangles },
@@ -46,11 +47,10 @@ export const bench: Command = {
 };
 
 /** Milliseconds of a mesh's preparation and of the fields of its first point. */
-function timeSteps(mesh: Mesh, points: readonly SurfacePoint[]) {
+function timeSteps(mesh: Mesh, { face, bary }: SurfacePoint) {
   const benchmark = mesh.benchmark();
   const time = (work: (steps: EngineBenchmark) => void, times = runs) =>
     median(Array.from({ length: times }, () => elapsed(() => benchmark.call(work))));
-  const { face, bary } = points[0] ?? { face: 0, bary: [1, 0, 0] };
   const source = Float64Array.of(face, ...bary);
   const field = (solver: Solver) => engineFieldOptions(paper(solver));
   const radius = 0.1 * mesh.info.diagonal;
@@ -91,19 +91,25 @@ function timeCurve(
   const lost = status.filter((name) => name !== 'converged').length;
   const index = Math.floor(points.length / 2);
   const here = curve.points[index]!;
-  const places: PointLike[] = [nextCorner(here), here];
-  const moves = Array.from({ length: 2 * runs }, (_, i) => {
+  const places = [nextCorner(here), here];
+  const drags: number[] = [];
+  const traces: number[] = [];
+  const joins: number[] = [];
+  for (let i = 0; i < 2 * runs; i++) {
     curve.movePoint(index, places[i % 2]!);
-    return curve.times;
-  });
+    drags.push(curve.times.fields + curve.times.trace);
+    // Once more with all fields known: the searches alone.
+    curve.retrace();
+    traces.push(curve.times.trace);
+    joins.push(curve.times.join);
+  }
   curve.dispose();
-  const touched = Math.min(index + 1, points.length - index, 4, points.length - 3) * samples;
   return {
-    sampleUs: (1000 * median(moves.map(({ trace }) => trace))) / touched,
+    sampleUs: (1000 * median(traces)) / count,
     samples: count,
     lost,
-    dragMs: median(moves.map(({ fields, trace }) => fields + trace)),
-    joinMs: median(moves.map(({ join }) => join)),
+    dragMs: median(drags),
+    joinMs: median(joins),
   };
 }
 
