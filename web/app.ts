@@ -7,6 +7,7 @@ import { exposeState } from './inspection';
 import { Opening } from './opening';
 import { CurvePanel } from './panels/curve_panel';
 import { byId } from './panels/elements';
+import { LostPanel } from './panels/lost_panel';
 import { Status } from './panels/status';
 import { SurfacePanel } from './panels/surface_panel';
 import { Tools } from './panels/tools';
@@ -36,12 +37,14 @@ export async function start(): Promise<void> {
   const viewer = new Viewer(stage, byId<HTMLCanvasElement>('canvas'), { antialias });
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'));
   const remove = () => gestures.keepFocus(() => editor.removeSelected());
-  const status = new Status(remove);
+  const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));
+  const status = new Status({ remove, goToLost: () => lostPanel.goToNext() });
   session.onView = (view) => {
     viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);
     gestures.show();
     curvePanel.show(editor.state, view);
+    lostPanel.show(view);
     status.show(editor.state, view, session.client?.info ?? null);
   };
 
@@ -70,7 +73,8 @@ export async function start(): Promise<void> {
   });
 
   editor.subscribe((state, before) => {
-    if (state.revision !== before.revision) session.update(state);
+    const ended = before.dragging && !state.dragging;
+    if (state.revision !== before.revision || ended) session.update(state);
     gestures.show();
     curvePanel.show(state, session.view);
     status.showHint(state, session.view);

@@ -159,18 +159,16 @@ describe('editing a curve', () => {
       menu.dispatchEvent(new Event('change'));
       document.getElementById('cancel').click();
     });
-    await tab.page.waitForFunction(
-      () => document.getElementById('method').value === 'karcher-fast',
-    );
-    assert.equal((await tab.state()).method, 'karcher-fast');
+    await tab.page.waitForFunction(() => document.getElementById('method').value === 'karcher');
+    assert.equal((await tab.state()).method, 'karcher');
 
     await method.selectOption('paper-graph');
     await tab.page.waitForFunction(() => window.karcherPage.state().method === 'paper-graph');
     const graph = await tab.view();
     assert.equal(graph.curve.sampleCount, 128);
     assert.notDeepEqual(graph.polyline, usual.polyline);
-    await method.selectOption('karcher-fast');
-    await tab.page.waitForFunction(() => window.karcherPage.state().method === 'karcher-fast');
+    await method.selectOption('karcher');
+    await tab.page.waitForFunction(() => window.karcherPage.state().method === 'karcher');
     assert.deepEqual((await tab.view()).polyline, usual.polyline);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();

@@ -137,3 +137,34 @@ describe('the newest request', () => {
     assert.equal(newest.busy, false);
   });
 });
+
+describe('samples that are not converged', () => {
+  test('are joined to intervals of one segment and one status', async () => {
+    const { lostIntervals, lostSamples } = await load('worker/lost.ts');
+    const [c, i, n] = ['converged', 'indefinite', 'noProgress'];
+    const status = [c, i, i, i, i, n, c, i];
+    const segment = [0, 0, 0, 1, 1, 1, 1, 1];
+    const t = [0, 0.5, 1, 0, 0.25, 0.5, 0.75, 1];
+    const position = Float64Array.from({ length: 24 }, (_, at) => at);
+    const lost = lostIntervals({ segment, t, status, position });
+    const at = (sample) => [3 * sample, 3 * sample + 1, 3 * sample + 2];
+    assert.deepEqual(lost, [
+      { segment: 0, from: 0.5, to: 1, status: i, samples: 2, position: at(1) },
+      { segment: 1, from: 0, to: 0.25, status: i, samples: 2, position: at(3) },
+      { segment: 1, from: 0.5, to: 0.5, status: n, samples: 1, position: at(5) },
+      { segment: 1, from: 1, to: 1, status: i, samples: 1, position: at(7) },
+    ]);
+    assert.equal(lostSamples(lost), 6);
+    assert.deepEqual(lostIntervals({ segment: [], t: [], status: [], position: [] }), []);
+  });
+});
+
+describe('the shift between two curves', () => {
+  test('has a median and a largest value in the unit given', async () => {
+    const { shiftBetween } = await load('editor/shift.ts');
+    const to = Float64Array.of(1, 0, 0, 0, 2, 0, 0, 0, 6, 3, 4, 0);
+    assert.deepEqual(shiftBetween(new Float64Array(12), to, 2), { median: 1.75, largest: 3 });
+    assert.equal(shiftBetween(new Float64Array(9), to, 1), null);
+    assert.equal(shiftBetween(new Float64Array(), new Float64Array(), 1), null);
+  });
+});

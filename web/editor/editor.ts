@@ -19,6 +19,8 @@ export interface State {
   readonly document: CurveDocument;
   readonly selection: Selection;
   readonly method: MethodId;
+  /** Whether the document is a drag's, which may go on. */
+  readonly dragging: boolean;
   /** Grows with every change of the document or the method. */
   readonly revision: number;
   /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
@@ -39,6 +41,7 @@ export class Editor {
     document: emptyDocument,
     selection: null,
     method: defaultMethod,
+    dragging: false,
     revision: 0,
     epoch: 0,
   };
@@ -78,7 +81,7 @@ export class Editor {
   preview(command: Command): void {
     this.#drag ??= { base: this.#state.document, command: null };
     this.#drag.command = command;
-    this.#change({ document: apply(this.#drag.base, command) }, false);
+    this.#change({ document: apply(this.#drag.base, command), dragging: true }, false);
   }
 
   /** Makes the drag one step of the history. */
@@ -86,17 +89,17 @@ export class Editor {
     if (this.#drag?.command) this.#record(this.#drag.command);
     const dragged = this.#drag !== null;
     this.#drag = null;
-    if (dragged) this.#change({}, false);
+    if (dragged) this.#change({ dragging: false }, false);
   }
 
   cancelDrag(): void {
     const drag = this.#drag;
     this.#drag = null;
-    if (drag) this.#change({ document: drag.base }, true);
+    if (drag) this.#change({ document: drag.base, dragging: false }, true);
   }
 
   get dragging(): boolean {
-    return this.#drag !== null;
+    return this.#state.dragging;
   }
 
   /** The document without the drag that is going on. */

@@ -1,7 +1,8 @@
+import { Vector3 } from 'three';
 import { type Handle, Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
-import type { CircleShape, Command } from './document';
+import type { CircleShape, Command, Vector } from './document';
 import type { Editor, Selection } from './editor';
 import type { Session } from './session';
 
@@ -65,6 +66,15 @@ export class Gestures {
   /** Shows the handles of the editor's state. */
   show(): void {
     this.#handles.show(this.viewer.surface ? this.#list() : []);
+  }
+
+  /** Turns the view to a place in the surface's coordinates, and marks it for a moment. */
+  showPlace(position: Vector): void {
+    const { surface } = this.viewer;
+    if (!surface) return;
+    const place = new Vector3(...surface.toScene(Float32Array.from(position)));
+    this.viewer.lookAt(place);
+    this.#handles.showBeacon(place);
   }
 
   /** Whether the keys go to a handle; after a removal they go to the next one. */

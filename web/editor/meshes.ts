@@ -4,7 +4,8 @@ import type { Shape } from 'karcher';
 export type MeshSource =
   | { kind: 'bunny'; levels: number }
   | { kind: 'shape'; name: Shape; triangles: number }
-  | { kind: 'file'; bytes: Uint8Array };
+  | { kind: 'file'; bytes: Uint8Array }
+  | { kind: 'arrays'; positions: Float64Array; triangles: Int32Array };
 
 export interface Sample {
   id: 'bunny' | Shape;

@@ -1,15 +1,24 @@
 import type { FieldOptions } from 'karcher';
 
+/** How good the curve is that is shown: the fast one of a drag, or the one to keep. */
+export type Quality = 'draft' | 'exact';
+
 /** The ways to compute centers of mass that the page offers, in the menu's order. */
 const list = [
   {
+    id: 'karcher',
+    label: 'Karcher',
+    options: { method: 'karcher', solver: 'fast' },
+    refined: { method: 'karcher', solver: 'exact' },
+  },
+  {
     id: 'karcher-fast',
-    label: 'Karcher (fast)',
+    label: 'Karcher, fast only',
     options: { method: 'karcher', solver: 'fast' },
   },
   {
     id: 'karcher-exact',
-    label: 'Karcher (exact)',
+    label: 'Karcher, exact only',
     options: { method: 'karcher', solver: 'exact' },
   },
   {
@@ -22,16 +31,39 @@ const list = [
     label: 'Paper (graph)',
     options: { method: 'paper', solver: 'graph' },
   },
-] as const satisfies { id: string; label: string; options: FieldOptions }[];
+] as const satisfies MethodEntry[];
+
+interface MethodEntry {
+  id: string;
+  label: string;
+  /** While something is edited, and after it unless there are refined options. */
+  options: FieldOptions;
+  /** Once the edit is done, in the background. */
+  refined?: FieldOptions;
+}
 
 export type MethodId = (typeof list)[number]['id'];
 
-export const methods: readonly { id: MethodId; label: string; options: FieldOptions }[] = list;
+export const methods: readonly (MethodEntry & { id: MethodId })[] = list;
 
 export const defaultMethod: MethodId = list[0].id;
 
+const find = (id: MethodId) => methods.find((method) => method.id === id)!;
+
 export function methodOptions(id: MethodId): FieldOptions {
-  return methods.find((method) => method.id === id)!.options;
+  return find(id).options;
+}
+
+/** What a method computes in the background; null where its first answer is its last. */
+export function refinedOptions(id: MethodId): FieldOptions | null {
+  return find(id).refined ?? null;
+}
+
+/** The quality of a method's first answer; null where the two words do not fit. */
+export function qualityOf(id: MethodId): Quality | null {
+  const { method, solver } = find(id).options;
+  if (method !== 'karcher') return null;
+  return solver === 'exact' ? 'exact' : 'draft';
 }
 
 export function isMethod(id: string | null): id is MethodId {

@@ -1,17 +1,27 @@
-import type { CurveKind, SurfacePoint } from 'karcher';
+import type { CurveKind, CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
 import type { EngineClient } from '../worker/client';
 import { Newest } from '../worker/newest';
 import type { TracedCurve } from '../worker/protocol';
 import type { CircleShape, Vector } from './document';
 import { pointsNeeded } from './document';
 import type { State } from './editor';
-import { methodOptions } from './methods';
+import { methodOptions, type Quality, qualityOf, refinedOptions } from './methods';
+import { Refinement } from './refinement';
+import { type Shift, shiftBetween } from './shift';
 
 /** What the engine made of a state of the editor. */
 export interface View {
   /** The revision that is shown. */
   revision: number;
   curve: TracedCurve | null;
+  /** How good the curve is; null where the method knows no such words. */
+  quality: Quality | null;
+  /** Whether a better curve is awaited. */
+  refining: boolean;
+  /** How far the exact curve lies from the draft that it took the place of, in mean edges. */
+  shift: Shift | null;
+  /** Why a draft stays a draft, as a sentence. */
+  notRefined: string | null;
   /** Geodesics between neighbouring control points, or the circle's radius. */
   legs: readonly Float32Array[];
   /** The polygon stands for the curve, which has too few points yet. */
@@ -24,6 +34,10 @@ export interface View {
 const emptyView: View = {
   revision: 0,
   curve: null,
+  quality: null,
+  refining: false,
+  shift: null,
+  notRefined: null,
   legs: [],
   polygonOnly: false,
   circle: null,
@@ -33,18 +47,24 @@ const emptyView: View = {
 const samplesPerSegment = 128;
 const fewestLegsKept = 64;
 
-/** Keeps the view up to date with the editor: the newest state first, then its control polygon. */
+/**
+ * Keeps the view up to date with the editor: the newest state first, then its control polygon, and
+ * once the edit is done the exact curve.
+ */
 export class Session {
   #client: EngineClient | null = null;
   #state: State | null = null;
   #view: View = emptyView;
+  /** The newest state that was given to the engine. */
+  #asked: State | null = null;
+  readonly #refinement = new Refinement();
   /** Geodesics by their ends; null where there is none. */
   readonly #legs = new Map<string, Float32Array | null>();
   /** The legs that are shown, by their place, for while a drag outruns them. */
   #shownLegs: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
   readonly #newest = new Newest<State>(
     (state) => this.#trace(state),
-    () => this.#traceLeg(),
+    async () => (await this.#traceLeg()) || this.#refine(),
   );
 
   /** Called with every change of the view. */
@@ -56,17 +76,19 @@ export class Session {
     return this.#view;
   }
 
-  /** Whether the newest state is traced, its polygon included. */
+  /** Whether the newest state is traced, its polygon and the exact curve included. */
   get settled(): boolean {
-    return !this.#newest.busy;
+    return !this.#newest.busy && !this.#refinement.busy;
   }
 
   /** Another surface: what was traced on the one before is dropped. */
   use(client: EngineClient): void {
     this.#client?.close();
     this.#client = client;
+    this.#refinement.use(client);
     this.#legs.clear();
     this.#state = null;
+    this.#asked = null;
     this.#newest.drop();
     this.#show(emptyView);
   }
@@ -77,7 +99,15 @@ export class Session {
 
   update(state: State): void {
     this.#state = state;
-    if (this.#client) this.#newest.push(state);
+    if (!this.#client) return;
+    if (state.revision !== this.#asked?.revision) {
+      this.#asked = state;
+      this.#refinement.drop();
+      this.#newest.push(state);
+    } else if (!this.#newest.busy) {
+      // A drag has ended: what it left is already traced.
+      this.#refine();
+    }
   }
 
   #show(part: Partial<View>): void {
@@ -101,11 +131,15 @@ export class Session {
           ? await this.#circle(client, state)
           : await this.#spline(client, state, kind);
       if (!this.#current(client, state)) return;
-      this.#show({ problem: null, ...part, revision: state.revision, ...this.#polygon() });
+      const { revision } = state;
+      const quality = part.curve ? qualityOf(state.method) : null;
+      const fresh = { problem: null, quality, refining: false, shift: null, notRefined: null };
+      this.#show({ ...fresh, ...part, revision, ...this.#polygon() });
     } catch (error) {
       if (!this.#current(client, state) || client.closed) return;
-      this.#show({ curve: null, circle: null, problem: messageOf(error) });
-      this.#show({ revision: state.revision, ...this.#polygon() });
+      const none = { curve: null, quality: null, refining: false, shift: null, circle: null };
+      const problem = messageOf(error);
+      this.#show({ ...none, problem, revision: state.revision, ...this.#polygon() });
     } finally {
       this.onBusy(false);
     }
@@ -114,8 +148,7 @@ export class Session {
   async #spline(client: EngineClient, state: State, kind: CurveKind): Promise<Partial<View>> {
     const points = [...state.document.points];
     if (points.length < pointsNeeded[kind]) return { curve: null, circle: null };
-    const options = methodOptions(state.method);
-    const curve = await client.curve({ ...options, kind, points, samples: samplesPerSegment });
+    const curve = await client.curve(splineOptions(state, kind, methodOptions(state.method)));
     return { curve, circle: null };
   }
 
@@ -132,6 +165,27 @@ export class Session {
       // The handles stay, so that the radius can be taken back.
       return { curve: null, ...shown, problem: messageOf(error) };
     }
+  }
+
+  /** Asks for the exact curve of what is shown, where it is a draft and nothing is dragged. */
+  #refine(): false {
+    const [state, view] = [this.#state, this.#view];
+    if (!state || state.dragging || view.revision !== state.revision) return false;
+    const options = refinedOptions(state.method);
+    const draft = view.curve;
+    if (!options || !draft || view.quality !== 'draft' || view.notRefined) return false;
+    const unit = this.#client!.info.meanEdge;
+    this.#refinement.request({
+      revision: state.revision,
+      trace: (client) => traceExactly(client, state, view, options),
+      done: (curve) => {
+        const shift = shiftBetween(draft.samplePositions, curve.samplePositions, unit);
+        this.#show({ curve, quality: 'exact', refining: false, shift });
+      },
+      failed: (error) => this.#show({ refining: false, notRefined: messageOf(error) }),
+    });
+    if (!view.refining) this.#show({ refining: true });
+    return false;
   }
 
   /** The polygon of the newest document: its legs that are known, or what a drag left behind. */
@@ -173,6 +227,22 @@ export class Session {
     const used = new Set(pairs.map((pair) => keyOf(...pair)));
     for (const key of this.#legs.keys()) if (!used.has(key)) this.#legs.delete(key);
   }
+}
+
+function splineOptions(state: State, kind: CurveKind, options: FieldOptions): CurveOptions {
+  return { ...options, kind, points: [...state.document.points], samples: samplesPerSegment };
+}
+
+/** What a view shows as a draft, with other options. */
+function traceExactly(
+  client: EngineClient,
+  state: State,
+  view: View,
+  options: FieldOptions,
+): Promise<TracedCurve> {
+  const { kind, circle } = state.document;
+  if (kind !== 'circle') return client.curve(splineOptions(state, kind, options));
+  return client.circle({ ...options, center: circle!.center, radius: view.circle!.radius });
 }
 
 const messageOf = (error: unknown) => (error instanceof Error ? error.message : `${error}`);

@@ -1,28 +1,30 @@
 import type { MeshInfo } from 'karcher';
 import { pointsNeeded } from '../editor/document';
 import type { Selection, State } from '../editor/editor';
+import type { Quality } from '../editor/methods';
 import type { View } from '../editor/session';
+import { type Shift, unseenShift } from '../editor/shift';
+import { lostSamples } from '../worker/lost';
 import { byId, formatCount } from './elements';
 import { sentenceOf } from './messages';
 
 /** Work this short goes without saying. */
 const patienceMilliseconds = 300;
 
-const statusNames: Record<string, string> = {
-  indefinite: 'more than one center',
-  boundary: 'the surface ends',
-  noProgress: 'the search got stuck',
-  limit: 'the search took too long',
-  unreachable: 'no path to a control point',
-};
+export interface StatusEvents {
+  remove(): void;
+  /** Shows the next place where samples are not converged. */
+  goToLost(): void;
+}
 
 /** The line of figures, the hint, and what can be done with the selection. */
 export class Status {
   readonly #notice = byId('notice');
   #timer = 0;
 
-  constructor(remove: () => void) {
-    byId('remove').addEventListener('click', remove);
+  constructor(events: StatusEvents) {
+    byId('remove').addEventListener('click', events.remove);
+    byId('status-lost').addEventListener('click', events.goToLost);
   }
 
   show(state: State, view: View, info: MeshInfo | null): void {
@@ -35,6 +37,7 @@ export class Status {
     text('status-length', `length ${formatLength(curve?.length ?? 0)}`);
     text('status-time', `${formatMilliseconds(curve?.milliseconds ?? 0)} ms`);
     this.#showLost(view);
+    this.#showQuality(view);
     const arcs = byId('status-arcs');
     const bent = curve?.arcsNotShortest ?? 0;
     arcs.hidden = bent === 0;
@@ -51,14 +54,23 @@ export class Status {
   }
 
   #showLost({ curve }: View): void {
-    const lost = byId('status-lost');
-    const entries = Object.entries(curve?.notConverged ?? {});
-    const count = entries.reduce((sum, [, samples]) => sum + samples, 0);
-    lost.hidden = count === 0;
-    lost.textContent = `${formatCount(count, 'sample')} not converged`;
-    lost.title = entries
-      .map(([status, samples]) => `${samples}: ${statusNames[status] ?? status}`)
-      .join('\n');
+    const badge = byId('status-lost');
+    const count = lostSamples(curve?.lost ?? []);
+    badge.hidden = count === 0;
+    badge.textContent = `${formatCount(count, 'sample')} not converged`;
+    badge.title = 'Show the next place';
+  }
+
+  #showQuality({ quality, refining, shift, notRefined }: View): void {
+    const mark = byId('status-quality');
+    mark.hidden = quality === null;
+    if (quality === null) return;
+    const jumped = shift !== null && shift.median > unseenShift;
+    mark.dataset.quality = quality;
+    mark.classList.toggle('refining', refining);
+    mark.classList.toggle('jumped', jumped);
+    mark.textContent = jumped ? `exact, moved by ${formatShift(shift.median)}` : quality;
+    mark.title = qualityText(quality, refining, shift, notRefined);
   }
 
   showHint(state: State, view: View): void {
@@ -87,6 +99,22 @@ function hintOf({ mesh, document }: State, view: View): string {
   if (missing <= 0) return '';
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }
+
+function qualityText(
+  quality: Quality,
+  refining: boolean,
+  shift: Shift | null,
+  notRefined: string | null,
+): string {
+  if (notRefined) return `The exact curve could not be made. ${sentenceOf(notRefined)}`;
+  if (refining) return 'By fast distances; the exact curve is on its way.';
+  if (quality === 'draft') return 'By fast distances.';
+  if (!shift) return 'By exact distances.';
+  const [median, largest] = [formatShift(shift.median), formatShift(shift.largest)];
+  return `By exact distances: ${median} from the draft (median), ${largest} at most.`;
+}
+
+const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 
 const formatLength = (length: number) => length.toPrecision(4);
 

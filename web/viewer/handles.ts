@@ -26,6 +26,8 @@ export class Handles {
   readonly #buttons = new Map<string, { button: HTMLButtonElement; handle: Handle }>();
   readonly #preview = document.createElement('div');
   #previewPosition: Vector3 | null = null;
+  readonly #beacon = document.createElement('div');
+  #beaconPosition: Vector3 | null = null;
 
   constructor(
     private readonly viewer: Viewer,
@@ -34,7 +36,13 @@ export class Handles {
   ) {
     this.#preview.className = 'preview';
     this.#preview.hidden = true;
-    layer.append(this.#preview);
+    this.#beacon.className = 'beacon';
+    this.#beacon.hidden = true;
+    this.#beacon.addEventListener('animationend', () => {
+      this.#beacon.hidden = true;
+      this.#beaconPosition = null;
+    });
+    layer.append(this.#preview, this.#beacon);
     viewer.onFrame(() => this.#place());
   }
 
@@ -65,6 +73,16 @@ export class Handles {
     if (position) this.viewer.requestFrame();
   }
 
+  /** Rings around a place, for a moment. */
+  showBeacon(position: Vector3): void {
+    this.#beaconPosition = position;
+    // Shown anew, the animation starts again.
+    this.#beacon.hidden = true;
+    void this.#beacon.offsetWidth;
+    this.#beacon.hidden = false;
+    this.viewer.requestFrame();
+  }
+
   focus(id: string): void {
     this.#buttons.get(id)?.button.focus({ preventScroll: true });
   }
@@ -88,9 +106,14 @@ export class Handles {
       button.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
       button.classList.toggle('behind', hidden);
     }
-    if (!this.#previewPosition) return;
-    const { x, y } = this.viewer.project(this.#previewPosition);
-    this.#preview.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
+    this.#put(this.#preview, this.#previewPosition);
+    this.#put(this.#beacon, this.#beaconPosition);
+  }
+
+  #put(element: HTMLElement, position: Vector3 | null): void {
+    if (!position) return;
+    const { x, y } = this.viewer.project(position);
+    element.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
   }
 
   #make(id: string): HTMLButtonElement {

@@ -101,12 +101,16 @@ export class Surface {
   readonly #tree: MeshBVH;
   readonly #positions: Float32Array;
   readonly #triangles: Uint32Array;
+  readonly #normals: Float32Array;
+  readonly #outside: DrawnGeometry['outside'];
   readonly #edges: Mesh;
 
   constructor(drawn: DrawnGeometry) {
     this.frame = drawn.frame;
     this.#positions = drawn.positions;
     this.#triangles = drawn.triangles;
+    this.#normals = drawn.normals;
+    this.#outside = drawn.outside;
     this.#geometry.setAttribute('position', new BufferAttribute(drawn.positions, 3));
     this.#geometry.setAttribute('normal', new BufferAttribute(drawn.normals, 3));
     this.#geometry.setIndex(new BufferAttribute(drawn.triangles, 1));
@@ -152,6 +156,16 @@ export class Surface {
       target.addScaledVector(this.#corner(face, corner), bary[corner]!);
     }
     return target;
+  }
+
+  /** The unit normal at a surface point, on the outside where there is one. */
+  normal({ face, bary }: SurfacePoint): Vector3 {
+    const normal = new Vector3();
+    for (let corner = 0; corner < 3; corner++) {
+      const vertex = this.#triangles[3 * face + corner]!;
+      normal.addScaledVector(new Vector3().fromArray(this.#normals, 3 * vertex), bary[corner]!);
+    }
+    return normal.normalize().multiplyScalar(this.#outside === 'back' ? -1 : 1);
   }
 
   /** A polyline in the surface's coordinates, x, y, z each, taken to the scene's. */

@@ -1,4 +1,13 @@
-import { Color, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import {
+  Color,
+  PerspectiveCamera,
+  Quaternion,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { DrawnGeometry } from '../worker/geometry';
 import { FatLine } from './fat_line';
@@ -22,6 +31,14 @@ const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 /** The surface's color where it is lit as most of it is. */
 const surfaceShade = 0.75;
 const flightMilliseconds = 260;
+/** From how far a place is looked at, unless the view is nearer already. */
+const closeDistance = 1.6;
+
+/** Where the camera is from what it looks at. */
+interface Place {
+  offset: Vector3;
+  target: Vector3;
+}
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
 export class Viewer {
@@ -41,7 +58,7 @@ export class Viewer {
   #frame = 0;
   /** Whether the view was not touched since it was reset; it then goes with the stage's size. */
   #whole = true;
-  #flight: { from: Vector3; to: Vector3; target: Vector3; started: number } | null = null;
+  #flight: { from: Place; to: Place; started: number } | null = null;
 
   /** `stage` takes the pointer; the canvas fills it. Throws where there is no WebGL 2. */
   constructor(
@@ -212,11 +229,29 @@ export class Viewer {
   /** The whole surface, from the front; at once where motion is not wanted. */
   resetView(options: { animated: boolean }): void {
     this.#whole = true;
-    const to = startDirection.clone().multiplyScalar(this.#wholeDistance());
+    this.#go({
+      offset: startDirection.clone().multiplyScalar(this.#wholeDistance()),
+      target: new Vector3(),
+      animated: options.animated,
+    });
+  }
+
+  /** Puts a point of the scene in the middle, seen from straight above the surface there. */
+  lookAt(position: Vector3): void {
+    if (!this.#surface) return;
+    this.#whole = false;
+    const far = this.#camera.position.distanceTo(this.#controls.target);
+    const offset = this.#surface.normal(this.#surface.nearest(position));
+    offset.multiplyScalar(Math.min(far, closeDistance));
+    this.#go({ offset, target: position.clone(), animated: true });
+  }
+
+  #go({ animated, ...to }: Place & { animated: boolean }): void {
     const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (options.animated && !still) {
-      const [from, target] = [this.#camera.position.clone(), this.#controls.target.clone()];
-      this.#flight = { from, to, target, started: performance.now() };
+    if (animated && !still) {
+      const target = this.#controls.target.clone();
+      const from = { offset: this.#camera.position.clone().sub(target), target };
+      this.#flight = { from, to, started: performance.now() };
     } else {
       this.#flight = null;
       this.#aim(to);
@@ -224,20 +259,22 @@ export class Viewer {
     this.requestFrame();
   }
 
-  #aim(position: Vector3, target = new Vector3()): void {
-    this.#camera.position.copy(position);
+  #aim({ offset, target }: Place): void {
+    this.#camera.position.copy(target).add(offset);
     this.#controls.target.copy(target);
     this.#controls.update();
   }
 
   #fly(now: number): void {
     if (!this.#flight) return;
-    const { from, to, target, started } = this.#flight;
+    const { from, to, started } = this.#flight;
     const part = Math.min(1, Math.max(0, (now - started) / flightMilliseconds));
     const eased = 1 - (1 - part) ** 3;
-    const length = from.length() + (to.length() - from.length()) * eased;
-    const place = from.clone().lerp(to, eased).setLength(length);
-    this.#aim(place, target.clone().multiplyScalar(1 - eased));
+    const [a, b] = [from.offset.clone().normalize(), to.offset.clone().normalize()];
+    const turn = new Quaternion().slerp(new Quaternion().setFromUnitVectors(a, b), eased);
+    const [near, far] = [from.offset.length(), to.offset.length()];
+    const offset = a.applyQuaternion(turn).multiplyScalar(near + (far - near) * eased);
+    this.#aim({ offset, target: from.target.clone().lerp(to.target, eased) });
     if (part < 1) this.requestFrame();
     else this.#flight = null;
   }

@@ -1,6 +1,6 @@
 /** The worker that runs the engine: one surface, and the curve that is being edited on it. */
 
-import type { CurveSamples, Status } from 'karcher';
+import type { CurveSamples } from 'karcher';
 import {
   type Curve,
   type CurveOptions,
@@ -11,6 +11,7 @@ import {
 } from 'karcher';
 import type { MeshSource } from '../editor/meshes';
 import { changeBetween } from './change';
+import { lostIntervals } from './lost';
 import type { Calls, Failure, Reply, Request, TracedCurve } from './protocol';
 
 let mesh: Mesh | null = null;
@@ -50,12 +51,12 @@ const handlers: Handlers = {
     const result: TracedCurve = {
       polyline,
       polylineStatus,
-      ...count(traced.samples),
+      ...drawnSamples(traced.samples),
       arcsNotShortest: 0,
       length: traced.length,
       milliseconds: performance.now() - started,
     };
-    return { result, transfer: [polyline.buffer, polylineStatus.buffer] };
+    return { result, transfer: buffersOf(result) };
   },
 
   circle(_, options) {
@@ -64,13 +65,12 @@ const handlers: Handlers = {
     const result: TracedCurve = {
       polyline: polyline.slice(),
       polylineStatus: statusAlong(path.polyline, samples),
-      ...count(samples),
+      ...drawnSamples(samples),
       arcsNotShortest: notShortest.length,
       length,
       milliseconds: performance.now() - started,
     };
-    const transfer = [result.polyline.buffer, result.polylineStatus.buffer] as ArrayBuffer[];
-    return { result, transfer };
+    return { result, transfer: buffersOf(result) };
   },
 
   centerOfMass(_, points, weights, options) {
@@ -93,6 +93,9 @@ const handlers: Handlers = {
   },
 };
 
+const buffersOf = ({ polyline, polylineStatus, samplePositions }: TracedCurve) =>
+  [polyline.buffer, polylineStatus.buffer, samplePositions.buffer] as ArrayBuffer[];
+
 function theMesh(): Mesh {
   if (!mesh) throw new Error('no surface is loaded');
   return mesh;
@@ -104,6 +107,7 @@ async function makeMesh(
   progress: Work['progress'],
 ): Promise<Mesh> {
   if (source.kind === 'file') return karcher.meshFromObj(source.bytes);
+  if (source.kind === 'arrays') return karcher.meshFromArrays(source.positions, source.triangles);
   if (source.kind === 'shape') return karcher.shape(source.name, source.triangles);
   const { default: bunny } = await import('bunny');
   const coarse = karcher.meshFromArrays(bunny.positions.flat(), bunny.cells.flat());
@@ -151,12 +155,11 @@ function statusAlong(polyline: Float64Array, samples: CurveSamples): Uint8Array 
   return statuses;
 }
 
-function count(samples: CurveSamples): Pick<TracedCurve, 'sampleCount' | 'notConverged'> {
-  const notConverged: Partial<Record<Status, number>> = {};
-  for (const status of samples.status) {
-    if (status !== 'converged') notConverged[status] = (notConverged[status] ?? 0) + 1;
-  }
-  return { sampleCount: samples.count, notConverged };
+function drawnSamples(
+  samples: CurveSamples,
+): Pick<TracedCurve, 'sampleCount' | 'samplePositions' | 'lost'> {
+  const { count, position } = samples;
+  return { sampleCount: count, samplePositions: position, lost: lostIntervals(samples) };
 }
 
 function failure(error: unknown): Failure {

@@ -9,10 +9,10 @@ import type {
   MeshInfo,
   PointLike,
   Solver,
-  Status,
   SurfacePoint,
 } from 'karcher';
 import type { MeshSource } from '../editor/meshes';
+import type { LostInterval } from './lost';
 
 export interface LoadedMesh {
   info: MeshInfo;
@@ -26,8 +26,10 @@ export interface TracedCurve {
   /** One a polyline vertex; 1 where its sample is not converged. */
   polylineStatus: Uint8Array;
   sampleCount: number;
-  /** How many samples are not converged, by how their search ended. */
-  notConverged: Partial<Record<Status, number>>;
+  /** x, y, z of the samples. */
+  samplePositions: Float64Array;
+  /** Where samples are not converged. */
+  lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */
   arcsNotShortest: number;
   length: number;

@@ -1,0 +1,199 @@
+// Two qualities of a curve: the draft while something is dragged, the exact one after it.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const places = [
+  [-110, 40],
+  [-40, -10],
+  [40, 50],
+  [110, -10],
+];
+/** Mean edges that a median shift must not exceed, to go unseen. */
+const unseen = 0.2;
+
+const samplesOf = (tab) =>
+  tab.page.evaluate(() => Array.from(window.karcherPage.view().curve.samplePositions));
+
+/** The median distance of two curves' samples. */
+function medianShift(from, to) {
+  assert.equal(from.length, to.length);
+  const shifts = [];
+  for (let i = 0; i < from.length; i += 3) {
+    shifts.push(Math.hypot(...[0, 1, 2].map((axis) => to[i + axis] - from[i + axis])));
+  }
+  shifts.sort((a, b) => a - b);
+  return (shifts[(shifts.length - 1) >> 1] + shifts[shifts.length >> 1]) / 2;
+}
+
+/** Points all over a surface with holes: some samples have more than one center. */
+const scattered = [3713, 2975, 4071, 3269, 3294, 1757].map((face) => `${face},0.3,0.3`).join(';');
+
+describe('the exact curve after the draft', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  const around = [
+    [-150, 60],
+    [-60, 150],
+    [60, 150],
+    [150, 60],
+  ];
+  const shapes = { 'bunny:0': places, 'torus:5000': around };
+  for (const [mesh, clicks] of Object.entries(shapes)) {
+    test(`replaces it on ${mesh} when a drag ends, without a jump`, async (t) => {
+      const tab = await Tab.open(browser, `mesh=${mesh}&method=karcher`);
+      const mark = tab.page.locator('#status-quality');
+      await tab.click(...clicks);
+      assert.equal(await mark.textContent(), 'exact');
+
+      const from = await tab.handle('Control point 2 of 4');
+      await tab.page.mouse.move(from.x, from.y);
+      await tab.page.mouse.down();
+      await tab.page.mouse.move(from.x + 20, from.y - 15, { steps: 4 });
+      await tab.settled();
+      assert.equal(await mark.textContent(), 'draft', 'while the point is held');
+      const draft = await samplesOf(tab);
+      await tab.page.mouse.up();
+      await tab.settled();
+      assert.equal(await mark.textContent(), 'exact');
+      const { shift } = await tab.view();
+      const { meanEdge } = (await tab.mesh()).info;
+      const measured = medianShift(draft, await samplesOf(tab)) / meanEdge;
+      t.diagnostic(`median shift: ${measured.toPrecision(3)} mean edges`);
+      assert.ok(Math.abs(measured - shift.median) <= 1e-9, 'the page measures the same');
+      assert.ok(measured > 0 && measured <= unseen, `${measured}`);
+
+      const exact = await tab.view();
+      await tab.page.locator('#method').selectOption('karcher-exact');
+      await tab.page.waitForFunction(() => window.karcherPage.state().method === 'karcher-exact');
+      const direct = await tab.view();
+      const { diagonal } = (await tab.mesh()).info;
+      assert.equal(direct.polyline.length, exact.polyline.length);
+      const off = direct.polyline.map((x, i) => Math.abs(x - exact.polyline[i]));
+      assert.ok(Math.max(...off) <= 1e-6 * diagonal, 'it is the curve of the exact method');
+      assert.deepEqual(tab.logged, []);
+      await tab.page.close();
+    });
+  }
+
+  test('is never in the way of the next drag', async () => {
+    const tab = await Tab.open(browser, 'mesh=bunny:0&method=karcher');
+    await tab.click(...places);
+    const from = await tab.handle('Control point 2 of 4');
+    await tab.drag(from, { x: from.x + 10, y: from.y });
+
+    // The engine that refines is kept busy for longer than a drag takes.
+    const refining = tab.page.workers().filter((worker) => worker.url().includes('engine'))[1];
+    let busy = true;
+    const end = refining.evaluate(() => {
+      const until = performance.now() + 6000;
+      while (performance.now() < until);
+    });
+    const ended = end.then(() => {
+      busy = false;
+    });
+    const answered = () =>
+      tab.page.waitForFunction(() => {
+        const [state, view] = [window.karcherPage.state(), window.karcherPage.view()];
+        return state.revision === view.revision;
+      });
+    const drafts = [];
+    for (const step of [1, 2, 3]) {
+      const place = await tab.handle('Control point 2 of 4');
+      await tab.page.mouse.move(place.x, place.y);
+      await tab.page.mouse.down();
+      await tab.page.mouse.move(place.x + 6, place.y + 8, { steps: 3 });
+      await answered();
+      drafts.push(await samplesOf(tab));
+      await tab.page.mouse.up();
+      await answered();
+      const { quality, refining: waits } = await tab.page.evaluate(() => window.karcherPage.view());
+      assert.deepEqual({ quality, waits }, { quality: 'draft', waits: true }, `drag ${step}`);
+    }
+    assert.ok(busy, 'the drags were answered before the exact curve');
+    assert.notDeepEqual(drafts[0], drafts[2]);
+    await ended;
+    const last = await tab.view();
+    assert.equal(last.quality, 'exact');
+    const { meanEdge } = (await tab.mesh()).info;
+    assert.ok(
+      medianShift(drafts[2], await samplesOf(tab)) <= unseen * meanEdge,
+      'of the last drag',
+    );
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('is a circle too', async () => {
+    const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle&method=karcher');
+    await tab.click([0, 40]);
+    const { quality, shift, curve } = await tab.view();
+    assert.equal(quality, 'exact');
+    assert.ok(curve && shift.median <= unseen, `${shift.median}`);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('is made by another engine where the first one stopped', async () => {
+    const tab = await Tab.open(browser, 'mesh=bunny:0&method=karcher');
+    await tab.click(...places);
+    const refining = tab.page.workers().filter((worker) => worker.url().includes('engine'))[1];
+    await refining.evaluate(() => {
+      setTimeout(() => {
+        throw new Error('out of luck');
+      });
+    });
+    await tab.dragHandle('Control point 2 of 4', 10, 10);
+    assert.equal((await tab.view()).quality, 'exact', 'without a word');
+    assert.equal(await tab.page.getByRole('alert').count(), 0);
+    await tab.page.close();
+  });
+});
+
+describe('samples that are not converged', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1100, height: 760 } });
+  });
+  after(() => browser.close());
+
+  test('are counted and listed, and a click goes there', async () => {
+    const tab = await Tab.open(browser, `mesh=genus3:5000&kind=bspline&points=${scattered}`);
+    const { curve } = await tab.view();
+    const lost = curve.lost.reduce((sum, { samples }) => sum + samples, 0);
+    assert.ok(lost > 0 && lost < curve.sampleCount, `${lost}`);
+    for (const { segment, from, to, samples, status } of curve.lost) {
+      assert.notEqual(status, 'converged');
+      assert.ok(segment >= 0 && segment < 3 && 0 <= from && from <= to && to <= 1);
+      assert.equal(samples, Math.round((to - from) * 127) + 1);
+    }
+    const badge = tab.page.locator('#status-lost');
+    assert.equal(await badge.textContent(), `${lost} samples not converged`);
+
+    const list = tab.page.locator('#lost');
+    assert.equal(await list.locator('#lost-count').textContent(), `${lost} samples`);
+    const rows = list.locator('li button');
+    assert.equal(await rows.count(), curve.lost.length);
+    assert.equal(await list.locator('h3').count(), new Set(curve.lost.map((l) => l.status)).size);
+
+    const from = await tab.handle('Control point 1 of 6');
+    await rows.first().click();
+    const beacon = tab.page.locator('.beacon');
+    await beacon.waitFor();
+    // The view flies there: the mark comes to rest in the middle of the stage.
+    await tab.page.waitForTimeout(500);
+    const box = await beacon.boundingBox();
+    const middle = await tab.middle();
+    assert.ok(Math.hypot(box.x + 22 - middle.x, box.y + 22 - middle.y) < 2);
+    const to = await tab.handle('Control point 1 of 6');
+    assert.ok(Math.hypot(to.x - from.x, to.y - from.y) > 5, 'the view has turned');
+    await badge.click();
+    await tab.page.keyboard.press('Home');
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});

@@ -1,0 +1,23 @@
+/** How far a curve's samples moved, in a unit of length. */
+export interface Shift {
+  median: number;
+  largest: number;
+}
+
+/** A median shift of more mean edges than this is seen as a jump. */
+export const unseenShift = 0.2;
+
+/**
+ * The distances between the samples of two curves (x, y, z each) at the same parameters; null where
+ * the curves do not have as many.
+ */
+export function shiftBetween(from: Float64Array, to: Float64Array, unit: number): Shift | null {
+  if (from.length !== to.length || from.length === 0) return null;
+  const distances = new Float64Array(from.length / 3).map((_, i) =>
+    Math.hypot(...[0, 1, 2].map((axis) => to[3 * i + axis]! - from[3 * i + axis]!)),
+  );
+  distances.sort();
+  const middle = (distances.length - 1) / 2;
+  const median = (distances[Math.floor(middle)]! + distances[Math.ceil(middle)]!) / 2;
+  return { median: median / unit, largest: distances.at(-1)! / unit };
+}

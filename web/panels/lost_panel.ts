@@ -1,0 +1,69 @@
+import type { View } from '../editor/session';
+import { type LostInterval, lostSamples } from '../worker/lost';
+import { byId, formatCount, make } from './elements';
+
+/** Why a search ended without a center of mass. */
+const reasons: Record<LostInterval['status'], string> = {
+  indefinite: 'more than one center',
+  boundary: 'the surface ends',
+  noProgress: 'the search got stuck',
+  limit: 'the search took too long',
+  unreachable: 'no path to a control point',
+};
+const mostShown = 40;
+
+/** The list of the places where samples are not converged: a click goes there. */
+export class LostPanel {
+  readonly #group = byId('lost');
+  readonly #kinds = byId('lost-kinds');
+  #intervals: readonly LostInterval[] = [];
+  #next = 0;
+  #shown = '';
+
+  constructor(private readonly goTo: (interval: LostInterval) => void) {}
+
+  show({ curve }: View): void {
+    this.#intervals = curve?.lost ?? [];
+    const text = JSON.stringify(this.#intervals);
+    if (text === this.#shown) return;
+    this.#shown = text;
+    this.#next = 0;
+    this.#group.hidden = this.#intervals.length === 0;
+    byId('lost-count').textContent = formatCount(lostSamples(this.#intervals), 'sample');
+    const shown = this.#intervals.slice(0, mostShown);
+    const statuses = [...new Set(shown.map(({ status }) => status))];
+    this.#kinds.replaceChildren(...statuses.flatMap((status) => this.#list(status, shown)));
+    const left = this.#intervals.length - shown.length;
+    if (left > 0) this.#kinds.append(make('p', `and ${formatCount(left, 'more place')}`));
+  }
+
+  /** Shows one place after the other, around. */
+  goToNext(): void {
+    const interval = this.#intervals[this.#next % this.#intervals.length];
+    if (!interval) return;
+    this.#next = (this.#next + 1) % this.#intervals.length;
+    this.goTo(interval);
+  }
+
+  #list(status: LostInterval['status'], shown: readonly LostInterval[]): HTMLElement[] {
+    const all = this.#intervals.filter((interval) => interval.status === status);
+    const title = make('h3', reasons[status]);
+    title.append(make('span', `${lostSamples(all)}`));
+    const list = make('ol', '', { className: 'points' });
+    for (const interval of shown.filter((one) => one.status === status)) {
+      const button = make('button', '', { type: 'button' });
+      button.append(make('b', `Segment ${interval.segment + 1}`), make('span', rangeOf(interval)));
+      button.title = formatCount(interval.samples, 'sample');
+      button.addEventListener('click', () => this.goTo(interval));
+      const row = make('li');
+      row.append(button);
+      list.append(row);
+    }
+    return [title, list];
+  }
+}
+
+function rangeOf({ from, to }: LostInterval): string {
+  const [a, b] = [from.toFixed(2), to.toFixed(2)];
+  return a === b ? `at t = ${a}` : `t = ${a} to ${b}`;
+}
