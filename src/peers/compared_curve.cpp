@@ -1,0 +1,242 @@
+#include "peers/compared_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+template <class DistanceSolver>
+Array<double> allDistances(DistanceSolver& solver, const SurfacePoint& source, int vertexCount) {
+  solver.setSource(source);
+  solver.grow(kInfinity);
+  Array<double> distances;
+  distances.reserve(static_cast<size_t>(vertexCount));
+  for (int v = 0; v < vertexCount; ++v) distances.push_back(solver.distance(v));
+  return distances;
+}
+
+}  // namespace
+
+PreparedMethod::PreparedMethod(Surface& surface, const ComparedOptions& options)
+    : surface_(surface), options_(options) {
+  switch (options.method) {
+    case ComparedMethod::kFields:
+      prepareFields();
+      break;
+    case ComparedMethod::kVectorHeat:
+    case ComparedMethod::kAffineHeat:
+      factorise();
+      break;
+    case ComparedMethod::kWeightedAverages:
+      embed();
+      break;
+    case ComparedMethod::kDescent:
+      break;
+  }
+}
+
+void PreparedMethod::prepareFields() {
+  const FieldOptions& field = options_.field;
+  checkFieldOptions(field);
+  if (field.solver == Solver::kGraph) surface_.ringGraph(field.rings);
+  if (field.method == Method::kPaper) {
+    surface_.gradientOperator();
+  } else if (field.solver == Solver::kFast) {
+    surface_.vertexFans();
+  }
+}
+
+void PreparedMethod::factorise() {
+  HeatOptions options;
+  options.delaunay = options_.delaunay;
+  operators_ = std::make_unique<HeatOperators>(surface_.geometry(), options);
+  operators_->vectorHeat();
+  if (options_.method == ComparedMethod::kVectorHeat) {
+    operators_->poisson();
+  } else {
+    operators_->scalarHeat();
+  }
+}
+
+void PreparedMethod::embed() {
+  const TriangleMesh& mesh = surface_.mesh();
+  int landmarks = 0;
+  const auto embedWith = [&](auto&& solver) {
+    const auto distancesFrom = [&](int v) {
+      if (options_.progress) options_.progress(landmarks++);
+      return allDistances(solver, vertexPoint(mesh, v), mesh.vertexCount());
+    };
+    averages_ = std::make_unique<WeightedAverages>(
+        mesh, embedSurface(surface_.geometry(), distancesFrom, options_.embedding));
+  };
+  if (options_.landmarkDistances == Solver::kExact) {
+    embedWith(ExactDistance(surface_.geometry()));
+  } else {
+    embedWith(FastDistance(surface_.geometry(), surface_.vertexFans()));
+  }
+}
+
+LogMapFromVertex PreparedMethod::logMaps() const {
+  const HeatOperators& operators = *operators_;
+  if (options_.method == ComparedMethod::kVectorHeat) {
+    return [&operators](int v) { return vectorHeatLogMap(operators, v); };
+  }
+  return [&operators, variant = options_.variant](int v) {
+    return affineHeatLogMap(operators, v, variant);
+  };
+}
+
+ComparedCurve::ComparedCurve(PreparedMethod& method, ComparedPlan plan)
+    : method_(method), plan_(std::move(plan)) {
+  check();
+  segments_.resize(plan_.first.size());
+  moved_.assign(plan_.points.size(), 1);
+  const ComparedOptions& options = method.options();
+  if (options.method == ComparedMethod::kFields) {
+    for (int i = 0; i < plan_.points.count(); ++i) {
+      fields_.push_back(std::make_unique<PointField>(method.surface(), options.field));
+    }
+  } else if (options.method == ComparedMethod::kVectorHeat ||
+             options.method == ComparedMethod::kAffineHeat) {
+    mean_ =
+        std::make_unique<LogMapMean>(method.surface().geometry(), method.logMaps(), plan_.points);
+  }
+}
+
+void ComparedCurve::check() const {
+  const WeightTable& table = plan_.table;
+  for (const int first : plan_.first) {
+    if (first >= 0 && table.points > 0 && first + table.points <= plan_.points.count()) continue;
+    throw Error(ErrorCode::kBadIndex, "a segment of " + std::to_string(table.points) +
+                                          " points cannot begin at point " + std::to_string(first) +
+                                          " of " + std::to_string(plan_.points.count()));
+  }
+  constexpr double kSumTolerance = 1e-9;
+  for (int i = 0; i < table.t.count(); ++i) {
+    double sum = 0;
+    for (const double weight : table.row(i)) sum += weight;
+    if (std::abs(sum - 1) <= kSumTolerance) continue;
+    throw Error(ErrorCode::kBadWeights, "the weights of sample " + std::to_string(i) + " sum to " +
+                                            std::to_string(sum) + " instead of 1");
+  }
+  checkOneComponent(method_.surface(), plan_.points);
+  if (method_.options().method != ComparedMethod::kDescent) return;
+  if (plan_.points.count() != 2 || table.points != 2) {
+    throw Error(ErrorCode::kBadArgument,
+                "piecewise-linear descent joins two points; this curve has " +
+                    std::to_string(plan_.points.count()));
+  }
+}
+
+void ComparedCurve::movePoint(int i, const SurfacePoint& point) {
+  if (i < 0 || i >= plan_.points.count()) {
+    throw Error(ErrorCode::kBadIndex, "there is no control point " + std::to_string(i) +
+                                          ": the curve has " +
+                                          std::to_string(plan_.points.count()));
+  }
+  Array<SurfacePoint> points = plan_.points;
+  points[i] = point;
+  checkOneComponent(method_.surface(), points);
+  plan_.points = std::move(points);
+  moved_[i] = 1;
+  for (int j = 0; j < segmentCount(); ++j) {
+    if (plan_.first[j] <= i && i < plan_.first[j] + plan_.table.points) segments_[j].clear();
+  }
+  blend_.reset();
+  // A log map holds the logarithms of all points; those kept are of the points before.
+  if (mean_) mean_->setPoints(plan_.points);
+}
+
+int ComparedCurve::samplesLeft() const {
+  int left = segmentCount() * plan_.table.t.count();
+  for (const Array<CurveSample>& segment : segments_) left -= segment.count();
+  return left;
+}
+
+bool ComparedCurve::advance(int samples) {
+  if (makeNextField()) return false;
+  for (int j = 0; j < segmentCount(); ++j) {
+    if (segments_[j].count() == plan_.table.t.count()) continue;
+    traceOn(j, samples);
+    break;
+  }
+  return samplesLeft() == 0;
+}
+
+/// Makes the field of a moved point, or the path of a descent, if one is missing.
+bool ComparedCurve::makeNextField() {
+  const auto next = std::find(moved_.begin(), moved_.end(), 1);
+  if (next == moved_.end()) return false;
+  const int i = static_cast<int>(next - moved_.begin());
+  moved_[i] = 0;
+  if (!fields_.empty()) {
+    fields_[i]->setPoint(plan_.points[i]);
+    return true;
+  }
+  if (method_.options().method != ComparedMethod::kDescent) return makeNextField();
+  moved_.assign(moved_.size(), 0);
+  const Geometry& geometry = method_.surface().geometry();
+  ExactDistance solver(geometry);
+  const Array<double> distances =
+      allDistances(solver, plan_.points[0], method_.surface().mesh().vertexCount());
+  path_ = descendDistance(geometry, distances, plan_.points[0], plan_.points[1]);
+  return true;
+}
+
+void ComparedCurve::traceOn(int segment, int samples) {
+  Array<CurveSample>& traced = segments_[segment];
+  if (traced.empty()) {
+    last_ = startOf(segment);
+    blend_.reset();
+  }
+  if (!fields_.empty() && !blend_) {
+    Array<ControlField*> fields;
+    for (int i = 0; i < plan_.table.points; ++i) {
+      fields.push_back(&fields_[plan_.first[segment] + i]->field());
+    }
+    blend_.emplace(method_.surface().geometry(), std::move(fields));
+  }
+  const int end = static_cast<int>(
+      std::min<int64_t>(plan_.table.t.count(), static_cast<int64_t>(traced.count()) + samples));
+  for (int i = traced.count(); i < end; ++i) {
+    const CenterOfMass found = center(segment, plan_.table.row(i), last_);
+    traced.push_back({plan_.table.t[i], found.point, found.status});
+    if (found.status == Status::kConverged) last_ = found.point;
+  }
+}
+
+CenterOfMass ComparedCurve::center(int segment, Weights weights, const SurfacePoint& start) {
+  const int first = plan_.first[segment];
+  const int count = plan_.table.points;
+  switch (method_.options().method) {
+    case ComparedMethod::kFields:
+      return findCenter(*blend_, weights, start, method_.options().field.method);
+    case ComparedMethod::kVectorHeat:
+    case ComparedMethod::kAffineHeat: {
+      Array<double> all(plan_.points.size(), 0);
+      for (int k = 0; k < count; ++k) all[first + k] = weights[static_cast<size_t>(k)];
+      return mean_->centerOfMass(all, start);
+    }
+    case ComparedMethod::kWeightedAverages: {
+      const auto begin = plan_.points.begin() + first;
+      return method_.averages().centerOfMass({begin, begin + count}, weights, start);
+    }
+    case ComparedMethod::kDescent:
+      return descentCenterOfMass(method_.surface().geometry(), path_, weights);
+  }
+  return {};
+}
+
+SurfacePoint ComparedCurve::startOf(int segment) const {
+  if (start_) return *start_;
+  const Weights weights = plan_.table.row(0);
+  const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+  return plan_.points[plan_.first[segment] + static_cast<int>(heaviest)];
+}
+
+}  // namespace karcher
