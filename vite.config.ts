@@ -7,7 +7,12 @@ export default defineConfig({
   root: here('./web'),
   // Relative addresses: the built page can be put in any folder of any static host.
   base: './',
-  resolve: { alias: { karcher: here('./dist/index.js') } },
+  resolve: {
+    alias: [
+      { find: /^karcher$/, replacement: here('./dist/index.js') },
+      { find: /^karcher\/peers$/, replacement: here('./dist/peers/index.js') },
+    ],
+  },
   worker: { format: 'es' },
   server: { fs: { allow: [here('.')] } },
   build: {

@@ -1,5 +1,5 @@
 import { checkInteger, checkLength, checkOneOf, shown, toFloat64, toInt32 } from './check.js';
-import { Engine } from './engine.js';
+import type { Engine } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import { Mesh } from './mesh.js';
@@ -12,8 +12,8 @@ export class Karcher {
   readonly #engine: Engine;
 
   /** @internal `load` makes one. */
-  constructor(module: EngineModule) {
-    this.#engine = new Engine(module);
+  constructor(engine: Engine) {
+    this.#engine = engine;
   }
 
   /**

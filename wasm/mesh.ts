@@ -44,6 +44,16 @@ export class Mesh {
     this.info = this.#handle.call((mesh) => mesh.info());
   }
 
+  /** @internal The engine that made the mesh. */
+  get engine(): Engine {
+    return this.#engine;
+  }
+
+  /** @internal The mesh in that engine's memory. */
+  get handle(): Handle<EngineMesh> {
+    return this.#handle;
+  }
+
   /**
    * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices repeat their
    * place; dropped ones keep theirs.

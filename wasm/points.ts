@@ -32,3 +32,11 @@ export function toSurfacePoint(wire: Float64Array, at = 0): SurfacePoint {
 export function toSurfacePoints(wire: Float64Array): SurfacePoint[] {
   return Array.from({ length: wire.length / 4 }, (_, i) => toSurfacePoint(wire, 4 * i));
 }
+
+/** The corner after the point's nearest one in its face: a drag by about an edge. */
+export function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {
+  const heaviest = bary.indexOf(Math.max(...bary));
+  const corner: [number, number, number] = [0, 0, 0];
+  corner[(heaviest + 1) % 3] = 1;
+  return { face, bary: corner };
+}

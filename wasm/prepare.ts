@@ -3,12 +3,12 @@ import type { EngineMesh } from './karcher-engine.mjs';
 import type { LongWorkOptions } from './types.js';
 
 /** How long a slice may keep the thread busy, in milliseconds. */
-const sliceTime = 8;
+export const sliceTime = 8;
 /** Vertices between two looks at the clock. */
 const batch = 32;
 
 /** Lets the thread do what waits: messages, drawing. */
-function pause(): Promise<void> {
+export function pause(): Promise<void> {
   if (typeof setImmediate === 'function') return new Promise((resolve) => setImmediate(resolve));
   // A timeout would take 4 ms or more in a page.
   return new Promise((resolve) => {
@@ -21,27 +21,31 @@ function pause(): Promise<void> {
   });
 }
 
-/** Builds a mesh's k-ring graph in slices, unless it has one. */
+/** Builds a mesh's k-ring graph in slices, unless it has one: the milliseconds of work. */
 export async function prepareGraph(
   engine: Engine,
   mesh: Handle<EngineMesh>,
   rings: number,
   { progress, signal }: LongWorkOptions,
-): Promise<void> {
-  if (mesh.call((target) => target.hasRingGraph(rings))) return;
+): Promise<number> {
+  if (mesh.call((target) => target.hasRingGraph(rings))) return 0;
+  const start = performance.now();
   const builder = new Handle(
     engine,
     'the graph',
     mesh.call((target) => target.graphBuilder(rings)),
   );
+  let worked = performance.now() - start;
   try {
     for (let done = false; !done; ) {
       signal?.throwIfAborted();
-      const end = performance.now() + sliceTime;
+      const sliceStart = performance.now();
+      const end = sliceStart + sliceTime;
       // While the slices pause, the mesh may be disposed of.
       mesh.check();
       while (!done && performance.now() < end)
         done = builder.call((target) => target.advance(batch));
+      worked += performance.now() - sliceStart;
       progress?.(
         builder.call((target) => target.progress()),
         'graph',
@@ -51,4 +55,5 @@ export async function prepareGraph(
   } finally {
     builder.dispose();
   }
+  return worked;
 }

@@ -1,6 +1,7 @@
 import type { EngineBenchmark } from '../karcher-engine.mjs';
 import type { Mesh } from '../mesh.js';
 import { engineFieldOptions } from '../options.js';
+import { nextCorner } from '../points.js';
 import type { FieldOptions, Solver, SurfacePoint } from '../types.js';
 import { type Command, pointsOption } from './command.js';
 
@@ -111,14 +112,6 @@ function timeCurve(
     dragMs: median(drags),
     joinMs: median(joins),
   };
-}
-
-/** The corner after the point's nearest one in its face: a drag by about an edge. */
-function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {
-  const heaviest = bary.indexOf(Math.max(...bary));
-  const corner: [number, number, number] = [0, 0, 0];
-  corner[(heaviest + 1) % 3] = 1;
-  return { face, bary: corner };
 }
 
 function elapsed(work: () => void): number {

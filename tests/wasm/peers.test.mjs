@@ -1,0 +1,235 @@
+// The methods that Karcher is compared with, through their module.
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import { load } from 'karcher';
+import {
+  comparedMethods,
+  loadPeers,
+  runMethod,
+  standardOptions,
+  traceReference,
+} from 'karcher/peers';
+import { grid } from './meshes.mjs';
+
+const cells = 12;
+const points = [53, 58, 84, 98, 110].map((vertex) => ({ vertex }));
+
+let peers;
+let plane;
+before(async () => {
+  peers = await loadPeers();
+  plane = peers.karcher.meshFromObj(grid(cells));
+});
+
+const prepared = (method, mesh = plane, options = {}) =>
+  peers.prepare(mesh, { method, landmarks: 40, ...options });
+
+function distance(a, b) {
+  return Math.hypot(...a.map((x, i) => x - b[i]));
+}
+
+test("ours and the paper's are the curves of the engine, sample by sample", async () => {
+  for (const options of [
+    { method: 'karcher', solver: 'fast' },
+    { method: 'karcher', solver: 'exact' },
+    { method: 'paper', solver: 'exact' },
+    { method: 'paper', solver: 'graph', rings: 3 },
+  ]) {
+    const expected = plane.curve({ kind: 'bspline', points, samples: 9, ...options });
+    const method = await peers.prepare(plane, options);
+    const curve = method.curve(peers.plan(points, 9));
+    curve.finish();
+    assert.deepEqual(curve.samples, expected.samples);
+    assert.deepEqual(curve.path.polyline, expected.path.polyline);
+    curve.movePoint(2, { vertex: 71 });
+    expected.movePoint(2, { vertex: 71 });
+    assert.ok((await curve.trace()) >= 0);
+    assert.deepEqual(curve.samples, expected.samples);
+    method.dispose();
+    expected.dispose();
+  }
+});
+
+describe('every method', () => {
+  const curved = comparedMethods.filter((name) => name !== 'descent');
+
+  test('gives a control point that has all the weight', async () => {
+    for (const name of curved) {
+      const method = await prepared(name);
+      const { position, status } = method.centerOfMass(points, [0, 0, 1, 0, 0]);
+      assert.equal(status, 'converged', name);
+      assert.ok(distance(position, plane.position(points[2])) < 1e-6, name);
+      method.dispose();
+    }
+  });
+
+  test('averages points of the plane, as far as its error allows', async () => {
+    // In edges. Affine heat is exact but for the heat that the boundary reflects; the embedding of
+    // 40 landmarks is no isometry; vector heat is not linearly precise.
+    const most = {
+      affineHeat: 0.01,
+      weightedAverages: 0.2,
+      vectorHeat: 0.5,
+      karcher: 1e-9,
+      paper: 1e-9,
+    };
+    const weights = [0.1, 0.3, 0.2, 0.3, 0.1];
+    const places = points.map((point) => plane.position(point));
+    const expected = [0, 1, 2].map((c) =>
+      places.reduce((sum, place, i) => sum + weights[i] * place[c], 0),
+    );
+    for (const name of curved) {
+      const method = await prepared(name, plane, name === 'paper' ? { solver: 'exact' } : {});
+      const { position, status } = method.centerOfMass(points, weights);
+      assert.equal(status, 'converged', name);
+      const error = distance(position, expected);
+      assert.ok(error <= most[name], `${name}: ${error}`);
+      method.dispose();
+    }
+  });
+
+  test('finds points on the shortest path between two', async () => {
+    const pair = [{ vertex: 30 }, { vertex: 107 }];
+    for (const name of comparedMethods) {
+      const method = await prepared(name);
+      const plan = peers.plan(pair, 5);
+      const curve = method.curve(plan);
+      curve.finish();
+      const { position, status } = curve.samples;
+      const [from, to] = pair.map((point) => plane.position(point));
+      for (let i = 0; i < 5; i++) {
+        assert.equal(status[i], 'converged', `${name}, sample ${i}`);
+        const expected = from.map((x, c) => x + (i / 4) * (to[c] - x));
+        const error = distance(Array.from(position.slice(3 * i, 3 * i + 3)), expected);
+        // Constant gradients of exact distances point up to 2 edges past a source so near.
+        assert.ok(
+          error < (name === 'descent' ? 2 : 0.6),
+          `${name}, sample ${i}: ${error} edges away`,
+        );
+      }
+      method.dispose();
+    }
+  });
+
+  test('starts where it is told to', async () => {
+    for (const name of curved) {
+      const method = await prepared(name);
+      const there = method.centerOfMass(points, [0.2, 0.2, 0.2, 0.2, 0.2], {
+        start: { vertex: 71 },
+      });
+      assert.equal(there.status, 'converged', name);
+      method.dispose();
+    }
+  });
+});
+
+describe('errors', () => {
+  const code = (name) => (error) => {
+    assert.equal(error.name, 'KarcherError', String(error));
+    assert.equal(error.code, name, error.message);
+    return true;
+  };
+
+  test('descent joins two points only', async () => {
+    const method = await prepared('descent');
+    assert.throws(() => method.curve(peers.plan(points, 5)), code('badArgument'));
+  });
+
+  test('weights that do not sum to 1, points that do not exist, segments without points', async () => {
+    const method = await prepared('karcher');
+    const plan = peers.plan(points, 5);
+    assert.throws(() => method.centerOfMass(points, [1, 1, 1, 1, 1]), code('badWeights'));
+    assert.throws(() => method.curve({ ...plan, points: [{ vertex: 999 }] }), code('badIndex'));
+    assert.throws(() => method.curve({ ...plan, first: [2] }), code('badIndex'));
+    assert.throws(() => method.curve({ ...plan, first: [-1] }), code('badIndex'));
+    assert.throws(() => peers.plan([{ vertex: 1 }], 5), code('tooFewPoints'));
+    assert.throws(() => peers.rational([1, -1], 5), code('badArgument'));
+    assert.throws(() => peers.bspline(1), code('badArgument'));
+    method.dispose();
+    assert.throws(() => method.curve(plan), code('disposed'));
+  });
+
+  test('points on several parts', async () => {
+    const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 4 5 6\n';
+    const mesh = peers.karcher.meshFromObj(text);
+    for (const name of ['vectorHeat', 'affineHeat', 'descent', 'karcher']) {
+      const method = await prepared(name, mesh);
+      const pair = [{ vertex: 0 }, { vertex: 3 }];
+      assert.throws(() => method.centerOfMass(pair, [0.5, 0.5]), code('unreachable'), name);
+      method.dispose();
+    }
+    await assert.rejects(prepared('weightedAverages', mesh), code('unreachable'));
+  });
+
+  test('a mesh of another engine, an unknown method, a mesh that is gone', async () => {
+    const other = (await load()).meshFromObj(grid(2));
+    await assert.rejects(peers.prepare(other, { method: 'karcher' }), code('badArgument'));
+    await assert.rejects(prepared('heat'), code('badArgument'));
+    const mesh = peers.karcher.meshFromObj(grid(2));
+    const method = await prepared('vectorHeat', mesh);
+    const curve = method.curve(peers.plan([{ vertex: 0 }, { vertex: 8 }], 3));
+    mesh.dispose();
+    assert.throws(() => curve.finish(), code('disposed'));
+    method.dispose();
+  });
+});
+
+describe('a comparison', () => {
+  test('measures the reference as itself', async () => {
+    const plan = peers.plan(points, 17);
+    const reference = await traceReference(peers, plane, plan);
+    const options = { method: 'karcher', solver: 'exact' };
+    const run = await runMethod(peers, plane, plan, options, reference.samples);
+    assert.equal(run.ok, true);
+    assert.deepEqual(run.deviation, { median: 0, max: 0 });
+    assert.equal(run.turningNoise, 0);
+    assert.equal(run.samples, 34);
+    assert.equal(run.lost, 0);
+    for (const key of ['prepareMs', 'traceMs', 'dragMs']) assert.ok(run[key] >= 0, key);
+  });
+
+  test('gives a reason for what fails, and no number that was not measured', async () => {
+    const plan = peers.plan(points, 5);
+    const descent = await runMethod(peers, plane, plan, standardOptions('descent', plan), null);
+    const { ok, reason, traceMs, dragMs, samples, deviation, curve } = descent;
+    assert.equal(ok, false);
+    assert.match(reason, /two points/);
+    assert.deepEqual([traceMs, dragMs, samples, deviation, curve], [null, null, null, null, null]);
+    const long = peers.plan(points, 20_000);
+    const late = await runMethod(peers, plane, plan, { method: 'vectorHeat' }, null, {
+      budgetMs: -1,
+    });
+    assert.equal(late.ok, false);
+    assert.match(late.reason, /stopped after/);
+    assert.equal(late.traceMs, null);
+  });
+
+  test('ends when it is told to', async () => {
+    const plan = peers.plan(points, 5);
+    const signal = AbortSignal.abort(new Error('enough'));
+    const run = runMethod(peers, plane, plan, { method: 'karcher' }, null, { signal });
+    await assert.rejects(run, /enough/);
+  });
+});
+
+test('methods and curves give all their memory back', async () => {
+  let early = 0;
+  for (let i = 0; i < 30; i++) {
+    if (i === 10) early = peers.karcher.allocatedBytes();
+    for (const name of ['vectorHeat', 'affineHeat', 'paper', 'karcher']) {
+      const mesh = peers.karcher.meshFromObj(grid(6));
+      const method = await prepared(name, mesh);
+      method
+        .curve(
+          peers.plan(
+            [16, 18, 31, 32].map((vertex) => ({ vertex })),
+            3,
+          ),
+        )
+        .finish();
+      method.dispose();
+      mesh.dispose();
+    }
+  }
+  assert.equal(peers.karcher.allocatedBytes(), early);
+});

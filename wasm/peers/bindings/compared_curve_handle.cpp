@@ -1,0 +1,126 @@
+#include "peers/bindings/compared_curve_handle.h"
+
+#include <utility>
+
+#include "bindings/curve_handle.h"
+#include "bindings/field_options.h"
+#include "curves/bases.h"
+#include "mesh/error.h"
+
+namespace karcher::bindings {
+namespace {
+
+ComparedMethod comparedMethod(const std::string& name) {
+  if (name == "vectorHeat") return ComparedMethod::kVectorHeat;
+  if (name == "affineHeat") return ComparedMethod::kAffineHeat;
+  if (name == "weightedAverages") return ComparedMethod::kWeightedAverages;
+  if (name == "descent") return ComparedMethod::kDescent;
+  return ComparedMethod::kFields;
+}
+
+/// The basis of that name. Throws Error kBadArgument.
+Basis basisOf(const std::string& name, const Array<double>& parameters) {
+  if (name == "bspline") return uniformCubicBasis;
+  for (const double parameter : parameters) {
+    if (parameter > 0 && parameter < kInfinity) continue;
+    throw Error(ErrorCode::kBadArgument, "the parameters of a basis must be positive and finite");
+  }
+  if (parameters.empty()) {
+    throw Error(ErrorCode::kBadArgument, "the basis '" + name + "' needs parameters");
+  }
+  const int degree = parameters.count() - 1;
+  if (name == "bezier") {
+    return [n = static_cast<int>(parameters[0])](double t) { return bernsteinBasis(n, t); };
+  }
+  if (name == "rational") {
+    return [=](double t) { return rationalBasis(bernsteinBasis(degree, t), parameters); };
+  }
+  if (name == "barycentric") {
+    return [=](double t) { return barycentricBasis(parameters, t); };
+  }
+  throw Error(ErrorCode::kBadArgument, "there is no basis '" + name + "'");
+}
+
+}  // namespace
+
+void ComparedCurveHandle::movePoint(int i, const val& point) {
+  curve_.movePoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+}
+
+void ComparedCurveHandle::startAt(const val& point) {
+  curve_.startAt(pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+}
+
+val ComparedCurveHandle::samples() const {
+  Array<const Array<CurveSample>*> segments;
+  for (int j = 0; j < curve_.segmentCount(); ++j) segments.push_back(&curve_.samples(j));
+  return samplesToJs(mesh_, segments);
+}
+
+val ComparedCurveHandle::path() const {
+  CurvePolyline line;
+  for (int j = 0; j < curve_.segmentCount(); ++j) {
+    if (curve_.samples(j).empty()) continue;
+    appendSegment(mesh_, curve_.samples(j), joinSamples(mesh_.surface(), curve_.samples(j)), line);
+  }
+  val result = val::object();
+  result.set("length", line.length);
+  result.set("polyline", toJs(line.positions));
+  return result;
+}
+
+std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val& options,
+                                                    const val& progress) {
+  ComparedOptions result;
+  result.method = comparedMethod(options["method"].as<std::string>());
+  result.field = fieldOptionsFromJs(options["field"]);
+  result.delaunay = options["delaunay"].as<bool>();
+  result.variant =
+      options["adaptive"].as<bool>() ? AffineVariant::kAdaptive : AffineVariant::kLocal;
+  result.embedding.landmarks = options["landmarks"].as<int>();
+  result.landmarkDistances =
+      options["landmarkDistances"].as<std::string>() == "exact" ? Solver::kExact : Solver::kFast;
+  if (!progress.isUndefined()) {
+    result.progress = [&progress](int landmarks) {
+      if (progress(landmarks).as<bool>()) return;
+      throw Error(ErrorCode::kNoEmbedding,
+                  "the embedding was given up after " + std::to_string(landmarks) + " landmarks");
+    };
+  }
+  return std::make_unique<PreparedMethodHandle>(mesh, result);
+}
+
+std::unique_ptr<ComparedCurveHandle> comparedCurve(PreparedMethodHandle& method, const val& points,
+                                                   const val& first, const val& t,
+                                                   const val& weights) {
+  const MeshHandle& mesh = method.mesh();
+  ComparedPlan plan;
+  plan.points = pointsFromJs(mesh.numbering(), mesh.mesh(), points);
+  plan.first = fromJs<int>(first);
+  plan.table.t = fromJs<double>(t);
+  plan.table.weights = fromJs<double>(weights);
+  const int rows = plan.table.t.count();
+  if (rows == 0 || plan.table.weights.count() % rows != 0) {
+    throw Error(ErrorCode::kBadWeights, std::to_string(plan.table.weights.count()) +
+                                            " weights are no table of " + std::to_string(rows) +
+                                            " rows");
+  }
+  plan.table.points = plan.table.weights.count() / rows;
+  return std::make_unique<ComparedCurveHandle>(method, std::move(plan));
+}
+
+val basisWeights(const std::string& name, const val& parameters, int samples) {
+  constexpr int kMostSamples = 100'000;
+  if (samples < 2 || samples > kMostSamples) {
+    throw Error(ErrorCode::kBadArgument, "a segment takes 2 to " + std::to_string(kMostSamples) +
+                                             " samples, not " + std::to_string(samples));
+  }
+  const WeightTable table = tabulate(basisOf(name, fromJs<double>(parameters)), samples);
+  val result = val::object();
+  result.set("points", table.points);
+  result.set("t", toJs(table.t));
+  result.set("weights", toJs(table.weights));
+  return result;
+}
+
+}  // namespace karcher::bindings

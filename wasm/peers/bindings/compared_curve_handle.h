@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "bindings/mesh_handle.h"
+#include "peers/compared_curve.h"
+
+namespace karcher::bindings {
+
+/// A method of the comparison, prepared on a mesh that must be there at each call.
+class PreparedMethodHandle {
+ public:
+  PreparedMethodHandle(MeshHandle& mesh, const ComparedOptions& options)
+      : mesh_(mesh), method_(mesh.surface(), options) {}
+
+  MeshHandle& mesh() { return mesh_; }
+  PreparedMethod& method() { return method_; }
+
+ private:
+  MeshHandle& mesh_;
+  PreparedMethod method_;
+};
+
+/// A curve by such a method; both must be there at each call.
+class ComparedCurveHandle {
+ public:
+  ComparedCurveHandle(PreparedMethodHandle& method, ComparedPlan plan)
+      : mesh_(method.mesh()), curve_(method.method(), std::move(plan)) {}
+
+  void movePoint(int i, const val& point);
+  void startAt(const val& point);
+  bool advance(int samples) { return curve_.advance(samples); }
+  int samplesLeft() const { return curve_.samplesLeft(); }
+  val samples() const;
+  /// {length, polyline}: the samples of each segment, joined by geodesics.
+  val path() const;
+
+ private:
+  MeshHandle& mesh_;
+  ComparedCurve curve_;
+};
+
+/// `options` is {method, field: {method, solver, rings}, delaunay, adaptive, landmarks,
+/// landmarkDistances}; `progress` a function of the number of landmarks that returns whether to go
+/// on, or undefined.
+std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val& options,
+                                                    const val& progress);
+
+/// `first` is an Int32Array of the first points of the segments, `weights` a Float64Array with a
+/// row of as many weights as a segment has points for each of the parameters `t`.
+std::unique_ptr<ComparedCurveHandle> comparedCurve(PreparedMethodHandle& method, const val& points,
+                                                   const val& first, const val& t,
+                                                   const val& weights);
+
+/// {points, t, weights} of a basis at evenly spaced parameters: 'bspline' (uniform cubic), 'bezier'
+/// (parameters: the degree), 'rational' (the points' weights, on Bernstein polynomials) or
+/// 'barycentric' (the betas).
+val basisWeights(const std::string& name, const val& parameters, int samples);
+
+}  // namespace karcher::bindings

@@ -1,0 +1,218 @@
+import { KarcherError } from '../errors.js';
+import type { Mesh } from '../mesh.js';
+import { nextCorner, toSurfacePoint, wirePoint } from '../points.js';
+import type { CurveSamples, LongWorkOptions, Path } from '../types.js';
+import type { ComparedCurve } from './compared_curve.js';
+import { CurveMeter, type CurveMeasures } from './measure.js';
+import type { Peers } from './peers.js';
+import { comparedMethods, type PreparedMethod } from './prepared_method.js';
+import type { ComparedMethod, CurvePlan, MethodOptions } from './types.js';
+
+export { comparedMethods };
+
+/** What a method did on a mesh; null is a number that was not measured. */
+export interface MethodResult {
+  ok: boolean;
+  /** Why it failed, or what was not measured of it. */
+  reason: string | null;
+  /** What is done once for the mesh, but for what every method needs: neighbours, angles, frames. */
+  prepareMs: number | null;
+  /** The curve with all its fields, log maps or distances, not joined. */
+  traceMs: number | null;
+  /** The middle point moved by an edge, and the segments that it touches traced again. */
+  dragMs: number | null;
+  samples: number | null;
+  lost: number | null;
+  deviation: CurveMeasures['deviation'];
+  turningNoise: number | null;
+}
+
+/** A result with the curve itself, where there is one. */
+export interface MethodRun extends MethodResult {
+  curve: { samples: CurveSamples; path: Path } | null;
+}
+
+export interface CompareOptions extends LongWorkOptions {
+  /** A method gives up when it has worked for so long, in milliseconds, between two steps. */
+  budgetMs?: number;
+  /** Leaves out the drag, and the repetitions of what is quickly done: for figures that only show. */
+  once?: boolean;
+}
+
+/** How each method is set up for a curve: the paper's distances are exact for two points, and on the
+ * graph with k = 6 else, as in its Table 1. */
+export function standardOptions(method: ComparedMethod, plan: CurvePlan): MethodOptions {
+  if (method !== 'paper') return { method };
+  return { method, solver: plan.points.length === 2 ? 'exact' : 'graph' };
+}
+
+/** Log vectors of exact distances with the quadratic estimator: what all are measured against. */
+export const referenceOptions: MethodOptions = { method: 'karcher', solver: 'exact' };
+
+/** The reference curve. Throws as `Peers.prepare` and `PreparedMethod.curve` do. */
+export async function traceReference(
+  peers: Peers,
+  mesh: Mesh,
+  plan: CurvePlan,
+  work: LongWorkOptions = {},
+): Promise<{ samples: CurveSamples; path: Path }> {
+  const method = await peers.prepare(mesh, referenceOptions, work);
+  try {
+    const curve = method.curve(plan);
+    await curve.trace(work);
+    return { samples: curve.samples, path: curve.path };
+  } finally {
+    method.dispose();
+  }
+}
+
+/**
+ * Prepares a method on a copy of the mesh of its own, so that it finds nothing that others made;
+ * traces the curve, drags a point and measures the curve against a reference. A method that fails
+ * tells why in its result; the curve's samples so far are kept.
+ *
+ * Rejects with the signal's reason.
+ */
+export async function runMethod(
+  peers: Peers,
+  mesh: Mesh,
+  plan: CurvePlan,
+  options: MethodOptions,
+  reference: CurveSamples | null,
+  { progress, signal, budgetMs = Number.POSITIVE_INFINITY, once = false }: CompareOptions = {},
+): Promise<MethodRun> {
+  const run: MethodRun = { ...nothingMeasured, curve: null };
+  const budget = new Budget(budgetMs, signal);
+  const work: LongWorkOptions = {
+    signal: budget.signal,
+    progress: (done, stage) => {
+      budget.check();
+      progress?.(done, stage);
+    },
+  };
+  const own = peers.karcher.meshFromArrays(mesh.positions(), mesh.triangles());
+  let method: PreparedMethod | undefined;
+  try {
+    method = await peers.prepare(own, options, work);
+    run.prepareMs = method.prepareMs;
+    const curve = method.curve(plan);
+    run.traceMs = await curve.trace(work);
+    run.curve = { samples: curve.samples, path: curve.path };
+    Object.assign(run, measures(mesh, run.curve.samples, reference));
+    run.ok = run.lost! < run.samples!;
+    if (!run.ok) run.reason = 'no sample converged';
+    if (!once && run.ok) await repeatAndDrag(run, method, curve, own, plan, work);
+  } catch (error) {
+    signal?.throwIfAborted();
+    // A curve that was traced in time stays; what is missing is null.
+    run.ok = run.ok && budget.reason !== null;
+    run.reason = budget.reason ?? reasonOf(error);
+  } finally {
+    method?.dispose();
+    own.dispose();
+  }
+  return run;
+}
+
+/** Ends work that takes too long, at the next step that can be parted. */
+class Budget {
+  readonly signal: AbortSignal;
+  /** Why the work was ended. */
+  reason: string | null = null;
+  readonly #controller = new AbortController();
+  readonly #start = performance.now();
+  readonly #milliseconds: number;
+
+  constructor(milliseconds: number, signal?: AbortSignal) {
+    this.#milliseconds = milliseconds;
+    const own = this.#controller.signal;
+    this.signal = signal ? AbortSignal.any([signal, own]) : own;
+  }
+
+  check(): void {
+    if (performance.now() - this.#start <= this.#milliseconds) return;
+    this.reason ??= `stopped after ${Math.round(this.#milliseconds / 1000)} s`;
+    this.#controller.abort();
+  }
+}
+
+const nothingMeasured: MethodResult = {
+  ok: false,
+  reason: null,
+  prepareMs: null,
+  traceMs: null,
+  dragMs: null,
+  samples: null,
+  lost: null,
+  deviation: null,
+  turningNoise: null,
+};
+
+function measures(mesh: Mesh, samples: CurveSamples, reference: CurveSamples | null) {
+  if (reference !== null) return new CurveMeter(mesh).measure(samples, reference);
+  const lost = samples.status.filter((status) => status !== 'converged').length;
+  return { samples: samples.count, lost };
+}
+
+/** The reason of a failure that a method may have; others are not for a table. */
+function reasonOf(error: unknown): string {
+  if (error instanceof KarcherError) return error.message;
+  throw error;
+}
+
+/** What is done in a moment is done again, since a first time is not the usual time. */
+const mostRuns = 5;
+const longEnoughMs = 150;
+
+async function repeatAndDrag(
+  run: MethodRun,
+  method: PreparedMethod,
+  curve: ComparedCurve,
+  mesh: Mesh,
+  plan: CurvePlan,
+  work: LongWorkOptions,
+): Promise<void> {
+  run.traceMs = await medianTrace(method, plan, run.traceMs!, work);
+  run.dragMs = await medianDrag(mesh, curve, plan, work);
+}
+
+/** The median of traces by new curves, `first` among them. */
+async function medianTrace(
+  method: PreparedMethod,
+  plan: CurvePlan,
+  first: number,
+  work: LongWorkOptions,
+): Promise<number> {
+  const times = [first];
+  for (let spent = first; spent < longEnoughMs && times.length < mostRuns; ) {
+    const curve = method.curve(plan);
+    times.push(await curve.trace(work));
+    curve.dispose();
+    spent += times.at(-1)!;
+  }
+  return median(times);
+}
+
+/** The middle point moved to the next corner and back: all segments that it touches. */
+async function medianDrag(
+  mesh: Mesh,
+  curve: ComparedCurve,
+  { points }: CurvePlan,
+  work: LongWorkOptions,
+): Promise<number> {
+  const middle = Math.floor(points.length / 2);
+  const here = toSurfacePoint(wirePoint(mesh.handle, points[middle]!));
+  const places = [nextCorner(here), here];
+  const times: number[] = [];
+  for (let spent = 0; times.length === 0 || (spent < longEnoughMs && times.length < mostRuns); ) {
+    curve.movePoint(middle, places[times.length % 2]!);
+    times.push(await curve.trace(work));
+    spent += times.at(-1)!;
+  }
+  return median(times);
+}
+
+function median(values: readonly number[]): number {
+  const sorted = values.toSorted((a, b) => a - b);
+  return sorted[Math.floor(sorted.length / 2)]!;
+}

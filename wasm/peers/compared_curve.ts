@@ -1,0 +1,108 @@
+import { checkInteger } from '../check.js';
+import { type Engine, Handle } from '../engine.js';
+import type { Mesh } from '../mesh.js';
+import { wirePoint } from '../points.js';
+import { pause, sliceTime } from '../prepare.js';
+import { toCurveSamples } from '../samples.js';
+import type { CurveSamples, LongWorkOptions, Path, PointLike } from '../types.js';
+import type { EngineComparedCurve, EnginePreparedMethod } from './karcher-peers.mjs';
+
+const all = 0x7fffffff;
+
+/** A curve by one of the methods, until `dispose`. */
+export class ComparedCurve {
+  readonly #engine: Engine;
+  readonly #mesh: Mesh;
+  readonly #method: Handle<EnginePreparedMethod>;
+  readonly #handle: Handle<EngineComparedCurve>;
+  readonly #forget: (curve: ComparedCurve) => void;
+
+  /** @internal `PreparedMethod.curve` makes curves. */
+  constructor(
+    engine: Engine,
+    mesh: Mesh,
+    method: Handle<EnginePreparedMethod>,
+    target: EngineComparedCurve,
+    forget: (curve: ComparedCurve) => void,
+  ) {
+    this.#engine = engine;
+    this.#mesh = mesh;
+    this.#method = method;
+    this.#handle = new Handle(engine, 'the curve', target);
+    this.#forget = forget;
+  }
+
+  /** Replaces a control point: the segments that it touches are to be traced again. */
+  movePoint(i: number, point: PointLike): void {
+    const index = checkInteger(i, 'the number of the control point');
+    const wire = wirePoint(this.#mesh.handle, point);
+    this.#call((curve) => curve.movePoint(index, wire));
+  }
+
+  /** Starts the searches of each segment there, instead of at the point of the largest weight. */
+  startAt(point: PointLike): void {
+    const wire = wirePoint(this.#mesh.handle, point);
+    this.#call((curve) => curve.startAt(wire));
+  }
+
+  /** Makes the fields and samples that are missing, at once: the milliseconds that it took. */
+  finish(): number {
+    const start = performance.now();
+    while (!this.#call((curve) => curve.advance(all)));
+    return performance.now() - start;
+  }
+
+  /**
+   * The same in slices, with pauses between them that do not count. `work.progress` tells the part
+   * of the samples that is done. Rejects with the signal's reason.
+   */
+  async trace({ progress, signal }: LongWorkOptions = {}): Promise<number> {
+    const total = this.#call((curve) => curve.samplesLeft());
+    let worked = 0;
+    // As many samples between two looks at the clock as take no time: one can take a second.
+    let batch = 1;
+    for (let done = false; !done; ) {
+      signal?.throwIfAborted();
+      const start = performance.now();
+      let now = start;
+      while (!done && now - start < sliceTime) {
+        const before = now;
+        done = this.#call((curve) => curve.advance(batch));
+        now = performance.now();
+        if (now - before < 1) batch = Math.min(2 * batch, all);
+      }
+      worked += now - start;
+      progress?.(
+        this.#call((curve) => 1 - curve.samplesLeft() / Math.max(total, 1)),
+        'samples',
+      );
+      if (!done) await pause();
+    }
+    return worked;
+  }
+
+  /** The samples that are there, segment by segment. */
+  get samples(): CurveSamples {
+    return toCurveSamples(
+      this.#engine,
+      this.#call((curve) => curve.samples()),
+    );
+  }
+
+  /** The samples joined by geodesics. */
+  get path(): Path {
+    return this.#call((curve) => curve.path());
+  }
+
+  /** Gives the memory back. Safe to repeat. */
+  dispose(): void {
+    this.#handle.dispose();
+    this.#forget(this);
+  }
+
+  #call<Result>(work: (curve: EngineComparedCurve) => Result): Result {
+    this.#mesh.handle.check();
+    this.#method.check();
+    return this.#handle.call(work);
+  }
+}

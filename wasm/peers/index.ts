@@ -1,0 +1,22 @@
+import { instantiate } from '../instantiate.js';
+import createPeers from './karcher-peers.mjs';
+import { Peers } from './peers.js';
+
+export * from '../index.js';
+export * from './compare.js';
+export type { ComparedCurve } from './compared_curve.js';
+export * from './measure.js';
+export type { Peers } from './peers.js';
+export type { PreparedMethod } from './prepared_method.js';
+export type * from './types.js';
+
+/**
+ * Loads the engine together with the methods that it is compared with: a larger module than `load`
+ * gives, for comparisons only. Meshes are made by its `karcher`.
+ *
+ * Rejects with an `Error` where WebAssembly is missing or the module cannot be read.
+ */
+export async function loadPeers(): Promise<Peers> {
+  const url = new URL('./karcher-peers.wasm', import.meta.url);
+  return new Peers(await instantiate(createPeers, url));
+}

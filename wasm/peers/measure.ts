@@ -1,0 +1,140 @@
+import type { Mesh } from '../mesh.js';
+import type { CurveSamples } from '../types.js';
+
+/** How a curve differs from a reference that was sampled at the same parameters. */
+export interface CurveMeasures {
+  samples: number;
+  /** Samples that did not converge. */
+  lost: number;
+  /** Distances between corresponding samples that both converged, in mean edges. */
+  deviation: { median: number; max: number } | null;
+  /**
+   * Root mean square of (turning angle - the reference's) a sample, in radians, at about 128 samples
+   * a segment.
+   */
+  turningNoise: number | null;
+}
+
+type Vector = [number, number, number];
+
+const subtract = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vector, b: Vector): Vector => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+const triple = (flat: ArrayLike<number>, i: number): Vector => [
+  flat[3 * i]!,
+  flat[3 * i + 1]!,
+  flat[3 * i + 2]!,
+];
+
+/** Measures curves on one mesh. */
+export class CurveMeter {
+  readonly #meanEdge: number;
+  readonly #triangles: Int32Array;
+  /** Per vertex the sum of the normals of its faces, weighted by area. */
+  readonly #normals: Float64Array;
+
+  constructor(mesh: Mesh) {
+    const positions = mesh.positions();
+    this.#meanEdge = mesh.info.meanEdge;
+    this.#triangles = mesh.triangles();
+    this.#normals = vertexNormals(positions, this.#triangles);
+  }
+
+  /** Both curves have the same segments and parameters. */
+  measure(curve: CurveSamples, reference: CurveSamples): CurveMeasures {
+    const converged = (samples: CurveSamples, i: number) => samples.status[i] === 'converged';
+    const distances: number[] = [];
+    for (let i = 0; i < curve.count; i++) {
+      if (!converged(curve, i) || !converged(reference, i)) continue;
+      const offset = subtract(triple(curve.position, i), triple(reference.position, i));
+      distances.push(Math.sqrt(dot(offset, offset)) / this.#meanEdge);
+    }
+    distances.sort((a, b) => a - b);
+    return {
+      samples: curve.count,
+      lost: curve.status.filter((status) => status !== 'converged').length,
+      deviation:
+        distances.length === 0
+          ? null
+          : { median: distances[Math.floor(distances.length / 2)]!, max: distances.at(-1)! },
+      turningNoise: this.#turningNoise(curve, reference),
+    };
+  }
+
+  #turningNoise(curve: CurveSamples, reference: CurveSamples): number | null {
+    const samplesPerNoise = 128;
+    let squares = 0;
+    let count = 0;
+    for (const [begin, end] of segments(curve)) {
+      const stride = Math.max(1, Math.round((end - begin - 1) / (samplesPerNoise - 1)));
+      for (let i = begin + stride; i + stride < end; i += stride) {
+        const turn = this.#turningAngle(curve, i, stride);
+        const truth = this.#turningAngle(reference, i, stride);
+        if (turn === null || truth === null) continue;
+        // Angles on both sides of pi are near each other.
+        const difference = Math.abs(turn - truth);
+        squares += Math.min(difference, 2 * Math.PI - difference) ** 2;
+        count++;
+      }
+    }
+    return count === 0 ? null : Math.sqrt(squares / count);
+  }
+
+  /** By how much the curve turns to the left at sample i; null where samples are lost or coincide. */
+  #turningAngle(samples: CurveSamples, i: number, stride: number): number | null {
+    for (const k of [i - stride, i, i + stride]) {
+      if (samples.status[k] !== 'converged') return null;
+    }
+    const here = triple(samples.position, i);
+    const before = subtract(here, triple(samples.position, i - stride));
+    const after = subtract(triple(samples.position, i + stride), here);
+    const least = (1e-9 * this.#meanEdge) ** 2;
+    if (dot(before, before) <= least || dot(after, after) <= least) return null;
+    const normal = this.#normalAt(samples, i);
+    return Math.atan2(dot(normal, cross(before, after)), dot(before, after));
+  }
+
+  #normalAt(samples: CurveSamples, i: number): Vector {
+    const normal: Vector = [0, 0, 0];
+    for (let k = 0; k < 3; k++) {
+      const vertex = this.#triangles[3 * samples.face[i]! + k]!;
+      for (let c = 0; c < 3; c++) {
+        normal[c]! += samples.bary[3 * i + k]! * this.#normals[3 * vertex + c]!;
+      }
+    }
+    const length = Math.sqrt(dot(normal, normal));
+    return length > 0 ? [normal[0] / length, normal[1] / length, normal[2] / length] : normal;
+  }
+}
+
+/** The first sample of each segment, and the one after its last. */
+function segments(samples: CurveSamples): [number, number][] {
+  const result: [number, number][] = [];
+  for (let i = 0; i < samples.count; i++) {
+    if (i === 0 || samples.segment[i] !== samples.segment[i - 1]) result.push([i, i]);
+    result.at(-1)![1] = i + 1;
+  }
+  return result;
+}
+
+function vertexNormals(positions: Float64Array, triangles: Int32Array): Float64Array {
+  const normals = new Float64Array(positions.length);
+  for (let f = 0; f < triangles.length; f += 3) {
+    const corners = [triangles[f]!, triangles[f + 1]!, triangles[f + 2]!];
+    const [a, b, c] = corners.map((vertex) => triple(positions, vertex)) as [
+      Vector,
+      Vector,
+      Vector,
+    ];
+    const normal = cross(subtract(b, a), subtract(c, a));
+    for (const vertex of corners) {
+      for (let k = 0; k < 3; k++) normals[3 * vertex + k]! += normal[k]!;
+    }
+  }
+  return normals;
+}

@@ -1,0 +1,84 @@
+import { checkInteger, toFloat64 } from '../check.js';
+import { Engine } from '../engine.js';
+import { KarcherError } from '../errors.js';
+import { Karcher } from '../karcher.js';
+import type { Mesh } from '../mesh.js';
+import type { LongWorkOptions } from '../types.js';
+import type { PeersModule } from './karcher-peers.mjs';
+import { type PreparedMethod, prepareMethod } from './prepared_method.js';
+import type { CurvePlan, MethodOptions, WeightTable } from './types.js';
+
+/** The engine and the methods that it is compared with. */
+export class Peers {
+  /** The engine of this module: it makes the meshes, with all that they offer. */
+  readonly karcher: Karcher;
+  readonly #engine: Engine;
+  readonly #module: PeersModule;
+
+  /** @internal `loadPeers` makes one. */
+  constructor(module: PeersModule) {
+    this.#module = module;
+    this.#engine = new Engine(module);
+    this.karcher = new Karcher(this.#engine);
+  }
+
+  /**
+   * Computes what a method needs of a mesh, which is to live as long as the method. `work.progress`
+   * is called, and the signal asked, between the steps that can be parted: the vertices of a graph,
+   * the landmarks of an embedding.
+   *
+   * Rejects with the signal's reason, and with `KarcherError`: noEmbedding, degenerateFace,
+   * unreachable, badArgument.
+   */
+  async prepare(
+    mesh: Mesh,
+    options: MethodOptions,
+    work: LongWorkOptions = {},
+  ): Promise<PreparedMethod> {
+    if (mesh.engine !== this.#engine) {
+      throw new KarcherError('badArgument', 'the mesh was made by another engine');
+    }
+    return prepareMethod(this.#engine, this.#module, mesh, options, work);
+  }
+
+  /** The weights of a Bernstein basis of that degree at evenly spaced parameters. */
+  bezier(degree: number, samples: number): WeightTable {
+    return this.#table('bezier', [checkInteger(degree, 'the degree')], samples);
+  }
+
+  /** The weights of the uniform cubic B-spline. */
+  bspline(samples: number): WeightTable {
+    return this.#table('bspline', [], samples);
+  }
+
+  /** The weights of a rational Bezier curve whose points have these weights. */
+  rational(weights: readonly number[], samples: number): WeightTable {
+    return this.#table('rational', weights, samples);
+  }
+
+  /** Those of rational interpolation in barycentric form (Ramanantoanina, Hormann 2021). */
+  barycentric(betas: readonly number[], samples: number): WeightTable {
+    return this.#table('barycentric', betas, samples);
+  }
+
+  /**
+   * The plan of a curve as its points' number suggests: two are joined by a shortest path, three
+   * make a quadratic Bezier curve, four and more a uniform cubic B-spline.
+   */
+  plan(points: CurvePlan['points'], samples: number): CurvePlan {
+    if (points.length < 2) {
+      throw new KarcherError('tooFewPoints', `a curve needs 2 points, not ${points.length}`);
+    }
+    if (points.length < 4) {
+      return { points, first: [0], table: this.bezier(points.length - 1, samples) };
+    }
+    const first = Array.from({ length: points.length - 3 }, (_, j) => j);
+    return { points, first, table: this.bspline(samples) };
+  }
+
+  #table(name: string, parameters: readonly number[], samples: number): WeightTable {
+    const numbers = toFloat64(parameters, 'the parameters of the basis');
+    const count = checkInteger(samples, 'the number of samples');
+    return this.#engine.call(() => this.#module.basisWeights(name, numbers, count));
+  }
+}

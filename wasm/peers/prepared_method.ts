@@ -1,0 +1,145 @@
+import { checkInteger, checkOneOf, toFloat64, toInt32 } from '../check.js';
+import { type Engine, Handle } from '../engine.js';
+import { engineFieldOptions } from '../options.js';
+import type { Mesh } from '../mesh.js';
+import { toSurfacePoint, wirePoints } from '../points.js';
+import { prepareGraph } from '../prepare.js';
+import type { LongWorkOptions, PointLike } from '../types.js';
+import { ComparedCurve } from './compared_curve.js';
+import type { EngineMethodOptions, EnginePreparedMethod, PeersModule } from './karcher-peers.mjs';
+import type { ComparedCenter, ComparedMethod, CurvePlan, MethodOptions } from './types.js';
+
+/** The methods, in the order of tables. */
+export const comparedMethods: readonly ComparedMethod[] = [
+  'vectorHeat',
+  'affineHeat',
+  'weightedAverages',
+  'descent',
+  'paper',
+  'karcher',
+];
+
+const defaultLandmarks = 500;
+
+/** A method prepared on a mesh, until `dispose`. */
+export class PreparedMethod {
+  readonly options: MethodOptions;
+  /** How long the preparation took, in milliseconds, pauses apart. */
+  readonly prepareMs: number;
+  readonly #engine: Engine;
+  readonly #module: PeersModule;
+  readonly #mesh: Mesh;
+  readonly #handle: Handle<EnginePreparedMethod>;
+  readonly #curves = new Set<ComparedCurve>();
+
+  /** @internal `Peers.prepare` makes one. */
+  constructor(
+    engine: Engine,
+    module: PeersModule,
+    mesh: Mesh,
+    options: MethodOptions,
+    target: EnginePreparedMethod,
+    prepareMs: number,
+  ) {
+    this.#engine = engine;
+    this.#module = module;
+    this.#mesh = mesh;
+    this.#handle = new Handle(engine, 'the method', target);
+    this.options = options;
+    this.prepareMs = prepareMs;
+  }
+
+  /**
+   * A curve, not yet traced. Throws `KarcherError`: badIndex, badPoint, badWeights, unreachable, and
+   * badArgument for a curve that the method does not make.
+   */
+  curve(plan: CurvePlan): ComparedCurve {
+    const points = wirePoints(this.#mesh.handle, plan.points);
+    const first = toInt32(plan.first, 'the first points of the segments');
+    const t = toFloat64(plan.table.t, 'the parameters');
+    const weights = toFloat64(plan.table.weights, 'the weights');
+    const target = this.#handle.call((method) =>
+      this.#module.comparedCurve(method, points, first, t, weights),
+    );
+    const curve = new ComparedCurve(this.#engine, this.#mesh, this.#handle, target, (disposed) => {
+      this.#curves.delete(disposed);
+    });
+    this.#curves.add(curve);
+    return curve;
+  }
+
+  /**
+   * The center of mass of points with weights that sum to 1, searched from `start` or from the point
+   * of the largest weight. Throws as `curve` does.
+   */
+  centerOfMass(
+    points: readonly PointLike[],
+    weights: ArrayLike<number>,
+    { start }: { start?: PointLike } = {},
+  ): ComparedCenter {
+    const row = toFloat64(weights, 'the weights');
+    const table = { points: points.length, t: Float64Array.of(0), weights: row };
+    const curve = this.curve({ points, first: [0], table });
+    try {
+      if (start !== undefined) curve.startAt(start);
+      curve.finish();
+      const { face, bary, position, status } = curve.samples;
+      return {
+        point: toSurfacePoint(Float64Array.of(face[0]!, ...bary)),
+        position: [position[0]!, position[1]!, position[2]!],
+        status: status[0]!,
+      };
+    } finally {
+      curve.dispose();
+    }
+  }
+
+  /** Gives the memory back, that of the method's curves too. Safe to repeat. */
+  dispose(): void {
+    for (const curve of this.#curves) curve.dispose();
+    this.#handle.dispose();
+  }
+}
+
+/** @internal */
+export async function prepareMethod(
+  engine: Engine,
+  module: PeersModule,
+  mesh: Mesh,
+  options: MethodOptions,
+  { progress, signal }: LongWorkOptions,
+): Promise<PreparedMethod> {
+  const wire = engineOptions(options);
+  signal?.throwIfAborted();
+  let worked = 0;
+  if (wire.field.solver === 'graph') {
+    worked += await prepareGraph(engine, mesh.handle, wire.field.rings, { progress, signal });
+  }
+  const start = performance.now();
+  const target = mesh.handle.call((engineMesh) =>
+    module.prepareMethod(engineMesh, wire, (landmarks) => {
+      progress?.(Math.min(landmarks / wire.landmarks, 1), 'landmarks');
+      return !signal?.aborted;
+    }),
+  );
+  worked += performance.now() - start;
+  return new PreparedMethod(engine, module, mesh, options, target, worked);
+}
+
+function engineOptions(options: MethodOptions): EngineMethodOptions {
+  const method = checkOneOf(options.method, comparedMethods, 'a method');
+  const ours = method === 'paper' || method === 'karcher';
+  const { solver, rings } = options;
+  return {
+    method,
+    field: engineFieldOptions(ours ? { method, solver, rings } : {}),
+    delaunay: options.delaunay ?? false,
+    adaptive: options.adaptive ?? false,
+    landmarks: checkInteger(options.landmarks ?? defaultLandmarks, 'the number of landmarks'),
+    landmarkDistances: checkOneOf(
+      options.landmarkDistances ?? 'fast',
+      ['fast', 'exact'] as const,
+      'the distances of the landmarks',
+    ),
+  };
+}
