@@ -3,6 +3,7 @@ import { Arguments } from './cli/arguments.js';
 import { bench } from './cli/bench.js';
 import { circle } from './cli/circle.js';
 import type { Command } from './cli/command.js';
+import { compare } from './cli/compare.js';
 import { distance } from './cli/distance.js';
 import { UsageError } from './cli/errors.js';
 import { commandHelp, generalHelp } from './cli/help.js';
@@ -12,7 +13,7 @@ import { polylinesAsObj, print } from './cli/output.js';
 import { path } from './cli/path.js';
 import { trace } from './cli/trace.js';
 
-const commands: readonly Command[] = [info, distance, path, mean, trace, circle, bench];
+const commands: readonly Command[] = [info, distance, path, mean, trace, circle, bench, compare];
 
 async function run(args: string[]): Promise<void> {
   const [name, ...rest] = args;

@@ -13,7 +13,16 @@ test('help, of the program and of each command', () => {
   assert.equal(general.status, 0);
   assert.equal(general.stderr, '');
   const commands = [...general.stdout.matchAll(/^ {2}(\w+) {2,}\S/gm)].map((match) => match[1]);
-  assert.deepEqual(commands, ['info', 'distance', 'path', 'mean', 'trace', 'circle', 'bench']);
+  assert.deepEqual(commands, [
+    'info',
+    'distance',
+    'path',
+    'mean',
+    'trace',
+    'circle',
+    'bench',
+    'compare',
+  ]);
   for (const command of commands) {
     const { status, stdout, stderr } = karcher(command, '--help');
     assert.equal(status, 0);

@@ -237,3 +237,32 @@ test('bad points, weights and radii: a sentence and status 1', () => {
   ];
   for (const [args, message] of wrong) assert.match(failure(...args), message);
 });
+
+test('compare prints each method with its measures or its reason', () => {
+  const args = ['compare', gridFile, '--points', pointsFile, '--samples', '5', '--landmarks', '40'];
+  const { mesh: printedMesh, methods } = printed(...args);
+  assert.deepEqual(printedMesh, { vertices: 169, triangles: 288, meanEdge: mesh.info.meanEdge });
+  assert.deepEqual(Object.keys(methods), [
+    ...['vectorHeat', 'affineHeat', 'weightedAverages', 'descent', 'paper', 'karcher'],
+  ]);
+  const keys = [
+    ...['ok', 'reason', 'prepareMs', 'traceMs', 'dragMs', 'samples', 'lost', 'deviation'],
+    'turningNoise',
+  ];
+  for (const [name, method] of Object.entries(methods)) {
+    assert.deepEqual(Object.keys(method), keys, name);
+    assert.equal(method.ok, name !== 'descent', `${name}: ${method.reason}`);
+    assert.equal(method.samples, method.ok ? 10 : null, name);
+    assert.equal(method.reason === null, method.ok, name);
+  }
+  // The plane is where log vectors are exact with both solvers.
+  assert.ok(methods.karcher.deviation.max < 1e-8);
+  assert.match(methods.descent.reason, /two points/);
+  const two = folder.write('two.txt', '3 0 0\n200 0.1 0.2\n');
+  const pair = printed('compare', gridFile, '--points', two, '--samples', '9', '--landmarks', '40');
+  assert.equal(pair.methods.descent.ok, true);
+  assert.match(
+    failure('compare', gridFile, '--points', folder.write('one.txt', '3 0 0\n')),
+    /2 points/,
+  );
+});
