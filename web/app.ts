@@ -8,6 +8,7 @@ import { Opening } from './opening';
 import { CurvePanel } from './panels/curve_panel';
 import { byId } from './panels/elements';
 import { LostPanel } from './panels/lost_panel';
+import { SaveMenu } from './panels/save_menu';
 import { Status } from './panels/status';
 import { SurfacePanel } from './panels/surface_panel';
 import { Tools } from './panels/tools';
@@ -64,7 +65,9 @@ export async function start(): Promise<void> {
     },
   });
   const fragment = () => formatLink(editor.state.mesh, editor.state.method, editor.state.document);
+  const saveMenu = new SaveMenu(editor, session, viewer);
   new Tools(editor, viewer, {
+    saveJson: () => saveMenu.save('json'),
     removeSelected: remove,
     link: () => ({
       address: `${location.href.split('#')[0]}#${fragment()}`,

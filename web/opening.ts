@@ -13,6 +13,7 @@ import {
 } from './editor/meshes';
 import { methodOptions } from './editor/methods';
 import type { Session } from './editor/session';
+import { linkOfJson } from './export/curve_file';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
 import { startingLink } from './saving';
@@ -35,6 +36,9 @@ type Wanted = (surface: Surface, before: Surface | null) => CurveDocument | null
 export class Opening {
   #running: AbortController | null = null;
   #restarts = 0;
+  #complaint: HTMLElement | null = null;
+  /** A curve on a file that this browser does not have: it is shown once the file is opened. */
+  #awaited: Link | null = null;
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
   /** Called when an attempt has ended, well or not, and no other took its place. */
@@ -65,18 +69,28 @@ export class Opening {
     });
   }
 
+  /** Opens a surface (OBJ), or a curve that the page saved (JSON). */
   async file(file: File): Promise<void> {
     try {
+      if (/\.json$/i.test(file.name)) {
+        await this.link(linkOfJson(await file.text()));
+        return;
+      }
       const bytes = new Uint8Array(await file.arrayBuffer());
       const key = fileKey(file.name, bytes);
-      if (await this.#open(key, { kind: 'file', bytes }, () => null)) await keepFile(key, bytes);
+      const awaited = this.#awaited?.mesh === key ? this.#awaited : null;
+      const wanted = awaited ? wantedOf(awaited) : () => null;
+      if (!(await this.#open(key, { kind: 'file', bytes }, wanted))) return;
+      if (awaited) this.#awaited = null;
+      await keepFile(key, bytes);
     } catch (error) {
-      showError(`${file.name} could not be read. ${sentenceOf(error)}`);
+      this.#complain(`${file.name} could not be read. ${sentenceOf(error)}`);
     }
   }
 
   /** Opens what a link says; false where that can't be, and why was said. */
-  async link({ mesh, method, document }: Link): Promise<boolean> {
+  async link(link: Link): Promise<boolean> {
+    const { mesh, method } = link;
     const parsed = parseKey(mesh);
     if (!parsed) {
       showError(`The link asks for a surface '${mesh}', which this page does not have.`);
@@ -84,12 +98,7 @@ export class Opening {
     }
     const shown = mesh === this.editor.state.mesh ? this.session.client : null;
     if (method && (!shown || (await this.prepare(method)))) this.editor.setMethod(method);
-    const wanted = (surface: Pick<Surface, 'triangles'>) => {
-      const fit = fitting(document, surface.triangles);
-      const lost = document.points.length - fit.points.length;
-      if (lost > 0) showNote(`${lost} points of the link are not on this surface.`);
-      return fit;
-    };
+    const wanted = wantedOf(link);
     if (shown) {
       this.#replace(wanted(this.#viewer!.surface!));
       return true;
@@ -99,7 +108,8 @@ export class Opening {
     }
     const bytes = await keptFile(mesh);
     if (!bytes) {
-      showError(`This browser no longer has ${parsed.name}. Drop the file here to go on with it.`);
+      this.#awaited = link;
+      this.#complain(`The curve is on ${parsed.name}. Drop that file here to go on with it.`);
       return false;
     }
     return this.#open(mesh, { kind: 'file', bytes }, wanted);
@@ -134,6 +144,7 @@ export class Opening {
 
   async #open(key: string, source: MeshSource, wanted: Wanted): Promise<boolean> {
     this.#running?.abort();
+    this.#complaint?.remove();
     const controller = new AbortController();
     this.#running = controller;
     const { signal } = controller;
@@ -169,7 +180,7 @@ export class Opening {
       return true;
     } catch (error) {
       client?.close();
-      if (!signal.aborted) showError(`${name} could not be opened. ${sentenceOf(error)}`);
+      if (!signal.aborted) this.#complain(`${name} could not be opened. ${sentenceOf(error)}`);
       return false;
     } finally {
       progress.hide();
@@ -178,6 +189,12 @@ export class Opening {
         this.onEnd();
       }
     }
+  }
+
+  /** Says why nothing was opened, until something is. */
+  #complain(sentence: string): void {
+    this.#complaint?.remove();
+    this.#complaint = showError(sentence);
   }
 
   #showDocument(key: string, wanted: CurveDocument | null, triangles: number): void {
@@ -205,6 +222,16 @@ export class Opening {
     showError('The engine stopped, and was started again. Your curve is kept.');
     void this.#open(key, source, () => null);
   }
+}
+
+/** The document of a link, as far as it is on the surface; says what is not. */
+function wantedOf({ document }: Link) {
+  return (surface: Surface): CurveDocument => {
+    const fit = fitting(document, surface.triangles);
+    const lost = document.points.length - fit.points.length;
+    if (lost > 0) showNote(`${lost} points of the link are not on this surface.`);
+    return fit;
+  };
 }
 
 function withResolvers<Value>() {

@@ -35,7 +35,7 @@ describe('editing a curve', () => {
 
       await tab.click(places[3]);
       const first = await tab.view();
-      assert.equal(first.curve.sampleCount, 128, 'one segment');
+      assert.equal(first.curve.samples.count, 128, 'one segment');
       assert.equal(first.legs.length, 3);
       assert.equal(await hint.isVisible(), false);
 
@@ -86,7 +86,7 @@ describe('editing a curve', () => {
       assert.deepEqual((await tab.state()).document, document);
     }
     const again = await tab.view();
-    assert.equal(again.curve.sampleCount, 128);
+    assert.equal(again.curve.samples.count, 128);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
@@ -123,6 +123,20 @@ describe('editing a curve', () => {
     await tab.page.waitForTimeout(600);
     const reset = await tab.handle('Control point 1 of 4');
     assert.ok(Math.hypot(reset.x - handle.x, reset.y - handle.y) < 0.5);
+    await tab.page.close();
+  });
+
+  test('hovering shows where a click puts a point', async () => {
+    const tab = await Tab.open(browser);
+    const { x, y } = await tab.middle();
+    await tab.page.mouse.move(x + 30, y - 20);
+    const mark = tab.page.locator('.preview');
+    await mark.waitFor();
+    const box = await mark.boundingBox();
+    assert.ok(Math.hypot(box.x + 7 - x - 30, box.y + 7 - y + 20) < 1);
+    await tab.page.mouse.move(x - 300, y - 300);
+    await mark.waitFor({ state: 'hidden' });
+    assert.equal((await tab.state()).document.points.length, 0);
     await tab.page.close();
   });
 
@@ -165,7 +179,7 @@ describe('editing a curve', () => {
     await method.selectOption('paper-graph');
     await tab.page.waitForFunction(() => window.karcherPage.state().method === 'paper-graph');
     const graph = await tab.view();
-    assert.equal(graph.curve.sampleCount, 128);
+    assert.equal(graph.curve.samples.count, 128);
     assert.notDeepEqual(graph.polyline, usual.polyline);
     await method.selectOption('karcher');
     await tab.page.waitForFunction(() => window.karcherPage.state().method === 'karcher');

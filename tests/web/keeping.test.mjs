@@ -115,6 +115,18 @@ describe('nothing that was made is lost', () => {
     }
   });
 
+  test('leaving the page and coming back restores what was made', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const [{ document }, { polyline }] = [await tab.state(), await tab.view()];
+    await tab.page.goto('about:blank');
+    await tab.page.goBack();
+    await tab.settled();
+    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.view()).polyline, polyline);
+    await tab.page.close();
+  });
+
   test('a link pasted over the address is shown, and can be taken back', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);

@@ -35,6 +35,52 @@ describe('where the page is shown', () => {
     await tab.page.close();
   });
 
+  test('a finger drags a point, and two zoom', async () => {
+    const tab = await Tab.open(browser);
+    const { x, y } = await tab.middle();
+    await tab.page.touchscreen.tap(x - 40, y);
+    await tab.page.touchscreen.tap(x + 40, y + 10);
+    await tab.settled();
+    const before = (await tab.state()).document.points;
+    const protocol = await tab.page.context().newCDPSession(tab.page);
+    const touch = (type, ...places) =>
+      protocol.send('Input.dispatchTouchEvent', {
+        type,
+        touchPoints: places.map(([px, py], id) => ({ x: px, y: py, id })),
+      });
+    await touch('touchStart', [x - 40, y]);
+    for (const step of [8, 16, 24]) await touch('touchMove', [x - 40 + step, y - step]);
+    // Rays are cast once a frame.
+    await tab.page.waitForFunction(() => window.karcherPage.state().dragging);
+    await touch('touchEnd');
+    await tab.settled();
+    const { points } = (await tab.state()).document;
+    assert.equal(points.length, 2);
+    assert.notDeepEqual(points[0], before[0]);
+    assert.deepEqual(points[1], before[1]);
+    const handle = await tab.handle('Control point 1 of 2');
+    assert.ok(Math.hypot(handle.x - (x - 16), handle.y - (y - 24)) < 3, 'it is under the finger');
+
+    const apart = async () => {
+      const [a, b] = [
+        await tab.handle('Control point 1 of 2'),
+        await tab.handle('Control point 2 of 2'),
+      ];
+      return Math.hypot(a.x - b.x, a.y - b.y);
+    };
+    const near = await apart();
+    await touch('touchStart', [x - 30, y + 80], [x + 30, y + 80]);
+    for (const step of [10, 20, 30]) {
+      await touch('touchMove', [x - 30 - step, y + 80], [x + 30 + step, y + 80]);
+    }
+    await touch('touchEnd');
+    await tab.page.waitForTimeout(300);
+    assert.ok((await apart()) > 1.3 * near, 'nearer');
+    assert.equal((await tab.state()).document.points.length, 2, 'and no point is added');
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   test('the theme follows the system until it is chosen', async () => {
     const tab = await Tab.open(browser);
     const shows = (theme) => tab.page.locator(`html[data-theme="${theme}"]`).waitFor();

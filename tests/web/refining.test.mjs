@@ -13,7 +13,7 @@ const places = [
 const unseen = 0.2;
 
 const samplesOf = (tab) =>
-  tab.page.evaluate(() => Array.from(window.karcherPage.view().curve.samplePositions));
+  tab.page.evaluate(() => Array.from(window.karcherPage.view().curve.samples.position));
 
 /** The median distance of two curves' samples. */
 function medianShift(from, to) {
@@ -165,7 +165,7 @@ describe('samples that are not converged', () => {
     const tab = await Tab.open(browser, `mesh=genus3:5000&kind=bspline&points=${scattered}`);
     const { curve } = await tab.view();
     const lost = curve.lost.reduce((sum, { samples }) => sum + samples, 0);
-    assert.ok(lost > 0 && lost < curve.sampleCount, `${lost}`);
+    assert.ok(lost > 0 && lost < curve.samples.count, `${lost}`);
     for (const { segment, from, to, samples, status } of curve.lost) {
       assert.notEqual(status, 'converged');
       assert.ok(segment >= 0 && segment < 3 && 0 <= from && from <= to && to <= 1);

@@ -179,7 +179,7 @@ export class Session {
       revision: state.revision,
       trace: (client) => traceExactly(client, state, view, options),
       done: (curve) => {
-        const shift = shiftBetween(draft.samplePositions, curve.samplePositions, unit);
+        const shift = shiftBetween(draft.samples.position, curve.samples.position, unit);
         this.#show({ curve, quality: 'exact', refining: false, shift });
       },
       failed: (error) => this.#show({ refining: false, notRefined: messageOf(error) }),

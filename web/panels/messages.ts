@@ -7,9 +7,10 @@ const mostShown = 4;
 const container = byId('messages');
 
 /** A failure as a sentence; it stays until it is dismissed. */
-export function showError(sentence: string): void {
+export function showError(sentence: string): HTMLElement {
   const message = show(sentence, 'error');
   message.setAttribute('role', 'alert');
+  return message;
 }
 
 /** A short remark that goes away by itself. */

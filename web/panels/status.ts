@@ -33,7 +33,7 @@ export class Status {
     const text = (id: string, value: string) => {
       byId(id).textContent = curve ? value : '';
     };
-    text('status-samples', formatCount(curve?.sampleCount ?? 0, 'sample'));
+    text('status-samples', formatCount(curve?.samples.count ?? 0, 'sample'));
     text('status-length', `length ${formatLength(curve?.length ?? 0)}`);
     text('status-time', `${formatMilliseconds(curve?.milliseconds ?? 0)} ms`);
     this.#showLost(view);

@@ -7,6 +7,7 @@ import { onTheme, sceneColors, toggleTheme } from './theme';
 export interface ToolEvents {
   removeSelected(): void;
   link(): { address: string; complete: boolean };
+  saveJson(): void;
 }
 
 /** The toolbar, the keys that work everywhere, the help and the theme. */
@@ -63,13 +64,15 @@ export class Tools {
   }
 
   #key(event: KeyboardEvent): void {
-    if (this.#help.open || event.defaultPrevented || event.altKey) return;
+    const covered = this.#help.open || document.querySelector(':popover-open');
+    if (covered || event.defaultPrevented || event.altKey) return;
     const typing = event.target instanceof HTMLElement && event.target.closest('select');
     const key = event.key.toLowerCase();
     if (event.ctrlKey || event.metaKey) {
       if (key === 'z' && event.shiftKey) this.editor.redo();
       else if (key === 'z') this.editor.undo();
       else if (key === 'y') this.editor.redo();
+      else if (key === 's') this.events.saveJson();
       else return;
       event.preventDefault();
       return;

@@ -9,6 +9,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { SeenLine } from '../export/svg';
 import type { DrawnGeometry } from '../worker/geometry';
 import { FatLine } from './fat_line';
 import { colorSurface, type Pick, Surface } from './surface';
@@ -197,6 +198,24 @@ export class Viewer {
     const x = ((place.x + 1) / 2) * clientWidth;
     const y = ((1 - place.y) / 2) * clientHeight;
     return { x, y, hidden: hidden || place.z > 1 };
+  }
+
+  /** The stage's size, in CSS pixels. */
+  get size(): { width: number; height: number } {
+    return { width: this.stage.clientWidth, height: this.stage.clientHeight };
+  }
+
+  /** A polyline in the surface's coordinates as it is seen on the stage. */
+  seen(polyline: Float32Array): SeenLine {
+    const line: SeenLine = { x: [], y: [], hidden: [] };
+    const places = this.#surface?.toScene(polyline) ?? [];
+    for (let i = 0; i < places.length; i += 3) {
+      const { x, y, hidden } = this.project(new Vector3().fromArray(places, i));
+      line.x.push(x);
+      line.y.push(y);
+      line.hidden.push(hidden);
+    }
+    return line;
   }
 
   /** The camera's direction to the right, in the surface's coordinates. */

@@ -93,8 +93,11 @@ const handlers: Handlers = {
   },
 };
 
-const buffersOf = ({ polyline, polylineStatus, samplePositions }: TracedCurve) =>
-  [polyline.buffer, polylineStatus.buffer, samplePositions.buffer] as ArrayBuffer[];
+function buffersOf({ polyline, polylineStatus, samples }: TracedCurve): ArrayBuffer[] {
+  const { segment, t, face, bary, position } = samples;
+  const arrays = [polyline, polylineStatus, segment, t, face, bary, position];
+  return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
+}
 
 function theMesh(): Mesh {
   if (!mesh) throw new Error('no surface is loaded');
@@ -155,11 +158,10 @@ function statusAlong(polyline: Float64Array, samples: CurveSamples): Uint8Array 
   return statuses;
 }
 
-function drawnSamples(
-  samples: CurveSamples,
-): Pick<TracedCurve, 'sampleCount' | 'samplePositions' | 'lost'> {
-  const { count, position } = samples;
-  return { sampleCount: count, samplePositions: position, lost: lostIntervals(samples) };
+function drawnSamples(traced: CurveSamples): Pick<TracedCurve, 'samples' | 'lost'> {
+  // Statuses by name would be copied one by one, with each step of a drag.
+  const { status, ...samples } = traced;
+  return { samples, lost: lostIntervals(traced) };
 }
 
 function failure(error: unknown): Failure {

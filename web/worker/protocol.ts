@@ -4,6 +4,7 @@ import type {
   CenterOptions,
   CircleOptions,
   CurveOptions,
+  CurveSamples,
   ErrorCode,
   FieldOptions,
   MeshInfo,
@@ -25,9 +26,8 @@ export interface TracedCurve {
   polyline: Float32Array;
   /** One a polyline vertex; 1 where its sample is not converged. */
   polylineStatus: Uint8Array;
-  sampleCount: number;
-  /** x, y, z of the samples. */
-  samplePositions: Float64Array;
+  /** Without the statuses: `lost` has those. */
+  samples: Omit<CurveSamples, 'status'>;
   /** Where samples are not converged. */
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */

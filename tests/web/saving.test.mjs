@@ -1,0 +1,164 @@
+// What the page saves as files, and opens again.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const places = [
+  [-110, 40],
+  [-40, -10],
+  [40, 50],
+  [110, -10],
+];
+const octahedron = `v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1
+f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n`;
+
+/** Saves in one of the menu's formats, and returns the file's name and text. */
+async function save(tab, format) {
+  const coming = tab.page.waitForEvent('download');
+  await tab.page.locator('#save').click();
+  await tab.page.getByRole('menuitem', { name: format }).click();
+  const download = await coming;
+  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+}
+
+describe('saving', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  test('an OBJ file holds the polyline that is drawn', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { name, text } = await save(tab, 'OBJ');
+    assert.equal(name, 'bspline-on-sphere.obj');
+    const lines = text.trimEnd().split('\n');
+    const vertices = lines.filter((line) => line.startsWith('v ')).map((line) => line.split(' '));
+    const { polyline } = await tab.view();
+    assert.deepEqual(
+      vertices.flatMap(([, ...place]) => place.map((value) => Math.fround(value))),
+      polyline,
+    );
+    const element = lines.at(-1).split(' ').slice(1).map(Number);
+    assert.deepEqual(
+      element,
+      vertices.map((_, i) => i + 1),
+    );
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a JSON file opens the curve again, elsewhere too', async () => {
+    const tab = await Tab.open(browser);
+    await tab.page.keyboard.press('2');
+    await tab.click(...places);
+    const [{ document }, view] = [await tab.state(), await tab.view()];
+    const { name, text } = await save(tab, 'JSON');
+    const content = JSON.parse(text);
+    assert.deepEqual(content.points, document.points);
+    assert.equal(content.samples.length, 128);
+    assert.ok(content.samples.every(({ status }) => status === 'converged'));
+    assert.deepEqual([content.kind, content.quality], ['bezier', 'exact']);
+    assert.ok(Math.abs(content.length - view.curve.length) <= 1e-12 * content.length);
+
+    await tab.page.getByRole('button', { name: 'Clear' }).click();
+    await tab.drop(name, text);
+    await tab.page.waitForFunction(() => window.karcherPage.state().document.points.length === 4);
+    assert.deepEqual((await tab.state()).document, document);
+    await tab.page.keyboard.press('Control+z');
+    assert.equal((await tab.state()).document.points.length, 0);
+    await tab.page.close();
+
+    const other = await openBrowser();
+    try {
+      const elsewhere = await Tab.open(other, 'mesh=torus:5000');
+      await elsewhere.drop(name, text);
+      await elsewhere.page.waitForFunction(() =>
+        window.karcherPage.state().mesh.startsWith('sphere:'),
+      );
+      assert.deepEqual((await elsewhere.view()).polyline, view.polyline);
+      assert.deepEqual(elsewhere.logged, []);
+    } finally {
+      await other.close();
+    }
+  });
+
+  test('a curve on a file waits for that file', async () => {
+    const tab = await Tab.open(browser);
+    await tab.drop('octahedron.obj', octahedron);
+    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 8);
+    await tab.page.keyboard.press('2');
+    await tab.click([-30, -20], [40, 10]);
+    const { document } = await tab.state();
+    const { name, text } = await save(tab, 'JSON');
+    await tab.page.close();
+
+    const other = await openBrowser();
+    try {
+      const elsewhere = await Tab.open(other);
+      await elsewhere.drop(name, text);
+      const alert = elsewhere.page.getByRole('alert');
+      await alert.waitFor();
+      assert.match(await alert.textContent(), /octahedron\.obj/);
+      await elsewhere.drop('octahedron.obj', octahedron);
+      await elsewhere.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 8);
+      assert.deepEqual((await elsewhere.state()).document, document);
+      await alert.waitFor({ state: 'detached' });
+    } finally {
+      await other.close();
+    }
+  });
+
+  test('an SVG file draws the curve where it is seen', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { text } = await save(tab, 'SVG');
+    const { viewBox, dots, paths } = await tab.page.evaluate((svg) => {
+      const root = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
+      return {
+        viewBox: root.getAttribute('viewBox'),
+        dots: [...root.querySelectorAll('circle')].map((dot) => [
+          Number(dot.getAttribute('cx')),
+          Number(dot.getAttribute('cy')),
+        ]),
+        paths: [...root.querySelectorAll('path')].map((path) => path.getAttribute('d')),
+      };
+    }, text);
+    const stage = await tab.page.locator('#stage').boundingBox();
+    assert.equal(viewBox, `0 0 ${stage.width} ${stage.height}`);
+    assert.equal(dots.length, 4);
+    for (const [i, [x, y]] of dots.entries()) {
+      const [dx, dy] = places[i];
+      const off = Math.hypot(x - stage.width / 2 - dx, y - stage.height / 2 - dy);
+      assert.ok(off < 1.5, `point ${i + 1} lies ${off} pixels from the click`);
+    }
+    assert.ok(paths.length >= 4, 'three legs and the curve');
+    assert.ok(paths.every((path) => /^M-?[\d.]+ /.test(path) && !path.includes('NaN')));
+    await tab.page.close();
+  });
+
+  test('without a curve there is nothing to save, and a file of another kind is a sentence', async () => {
+    const tab = await Tab.open(browser);
+    await tab.page.locator('#save').click();
+    assert.equal(await tab.page.getByRole('menuitem', { name: 'OBJ' }).isEnabled(), false);
+    await tab.page.keyboard.press('Escape');
+    await tab.page.locator('#save-menu').waitFor({ state: 'hidden' });
+    await tab.click(...places);
+    const { document } = await tab.state();
+    for (const [name, text] of Object.entries({
+      'broken.json': '{',
+      'other.json': '{"format":"something"}',
+      'empty.json': 'null',
+    })) {
+      await tab.drop(name, text);
+      const alert = tab.page.getByRole('alert').filter({ hasText: name });
+      await alert.waitFor();
+      assert.match(await alert.locator('p').textContent(), /could not be read\. .*JSON.*\.$/);
+    }
+    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});

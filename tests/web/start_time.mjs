@@ -1,0 +1,38 @@
+// Prints how long the built page takes from its address to a surface that can be edited, in a new
+// profile with nothing cached and again with everything cached: node tests/web/start_time.mjs
+import { openBrowser } from './browser.mjs';
+
+const repeats = 5;
+
+/** Milliseconds from the navigation until the first surface is drawn and takes clicks. */
+async function startTime(context, address) {
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    const look = () => {
+      if (window.karcherPage?.mesh()) window.usableAt ??= performance.now();
+      else requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  });
+  await page.goto(address);
+  const usable = await (await page.waitForFunction(() => window.usableAt)).jsonValue();
+  await page.close();
+  return usable;
+}
+
+const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
+
+const times = { first: [], again: [] };
+for (let i = 0; i < repeats; i++) {
+  const browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  try {
+    times.first.push(await startTime(browser.context, browser.address));
+    times.again.push(await startTime(browser.context, browser.address));
+  } finally {
+    await browser.close();
+  }
+}
+const usableMs = Object.fromEntries(
+  Object.entries(times).map(([name, values]) => [name, Math.round(median(values))]),
+);
+console.log(JSON.stringify({ usableMs, repeats, graphics: 'software' }));

@@ -1,0 +1,77 @@
+/** What the page makes, as text for other programs. */
+import type { State } from '../editor/editor';
+import { formatLink, type Link, parseLink } from '../editor/link';
+import type { View } from '../editor/session';
+import type { TracedCurve } from '../worker/protocol';
+
+const format = 'karcher-curve';
+
+/** Float32 coordinates as the shortest decimals that are these floats. */
+export function shortest(value: number): string {
+  for (let digits = 6; digits < 9; digits++) {
+    const text = value.toPrecision(digits);
+    if (Math.fround(Number(text)) === Math.fround(value)) return `${Number(text)}`;
+  }
+  return `${Number(value.toPrecision(9))}`;
+}
+
+/** A polyline (x, y, z each) as an OBJ file of vertices and one line element. */
+export function objOf(curve: TracedCurve, title: string): string {
+  const { polyline } = curve;
+  const lines = [`# ${title}`];
+  for (let i = 0; i < polyline.length; i += 3) {
+    lines.push(`v ${[0, 1, 2].map((axis) => shortest(polyline[i + axis]!)).join(' ')}`);
+  }
+  const numbers = Array.from({ length: polyline.length / 3 }, (_, i) => i + 1);
+  return `${lines.join('\n')}\nl ${numbers.join(' ')}\n`;
+}
+
+/** Everything about a curve: how it is made, in a link that opens it again, and its samples. */
+export function jsonOf(state: State, view: View): string {
+  const { curve } = view;
+  const { kind, points, circle } = state.document;
+  return `${JSON.stringify({
+    format,
+    version: 1,
+    link: formatLink(state.mesh, state.method, state.document),
+    surface: state.mesh,
+    method: state.method,
+    kind,
+    ...(kind === 'circle' ? { circle, radius: view.circle?.radius } : { points }),
+    quality: view.quality,
+    length: curve?.length,
+    samples: curve && samplesOf(curve),
+    lost: curve?.lost,
+    polyline: curve && Array.from(curve.polyline, (value) => Number(shortest(value))),
+  })}\n`;
+}
+
+function samplesOf({ samples, lost }: TracedCurve) {
+  const { count, segment, t, face, bary, position } = samples;
+  const three = (values: Float64Array, i: number) => Array.from(values.subarray(3 * i, 3 * i + 3));
+  return Array.from({ length: count }, (_, i) => ({
+    segment: segment[i]!,
+    t: t[i]!,
+    face: face[i]!,
+    bary: three(bary, i),
+    position: three(position, i),
+    status:
+      lost.find((one) => one.segment === segment[i] && one.from <= t[i]! && t[i]! <= one.to)
+        ?.status ?? 'converged',
+  }));
+}
+
+/** What a file made by `jsonOf` opens; throws where it is none. */
+export function linkOfJson(text: string): Link {
+  const notOurs = 'the file is JSON, but no curve that this page saved';
+  let content: { format?: unknown; link?: unknown } | null;
+  try {
+    content = JSON.parse(text);
+  } catch {
+    throw new Error('the file is not JSON');
+  }
+  if (content?.format !== format || typeof content.link !== 'string') throw new Error(notOurs);
+  const link = parseLink(content.link);
+  if (!link) throw new Error(notOurs);
+  return link;
+}

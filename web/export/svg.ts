@@ -1,0 +1,60 @@
+/** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
+export interface SeenLine {
+  x: number[];
+  y: number[];
+  hidden: boolean[];
+}
+
+export interface DrawnLine extends SeenLine {
+  color: string;
+  width: number;
+  /** Segments, by the number of their first vertex, that are drawn otherwise. */
+  lost?: { color: string; has(segment: number): boolean };
+}
+
+export interface Drawing {
+  width: number;
+  height: number;
+  lines: DrawnLine[];
+  points: { x: number; y: number; color: string }[];
+}
+
+/** The curve as it is seen, as an SVG file; what the surface hides is faint. */
+export function svgOf({ width, height, lines, points }: Drawing): string {
+  const paths = lines.flatMap(pathsOf);
+  const dots = points.map(
+    ({ x, y, color }) =>
+      `<circle cx="${short(x)}" cy="${short(y)}" r="4.5" fill="#fff" stroke="${color}" stroke-width="2.5"/>`,
+  );
+  const [w, h] = [Math.round(width), Math.round(height)];
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${w} ${h}" width="${w}" height="${h}">
+<g fill="none" stroke-linecap="round" stroke-linejoin="round">
+${paths.join('\n')}
+</g>
+${dots.join('\n')}
+</svg>
+`;
+}
+
+const short = (value: number) => `${Number(value.toFixed(2))}`;
+
+/** A path for each run of segments that look alike. */
+function pathsOf({ x, y, hidden, color, width, lost }: DrawnLine): string[] {
+  const look = (segment: number) => {
+    const seen = hidden[segment] && hidden[segment + 1] ? ' opacity="0.3"' : '';
+    const stroke = lost?.has(segment)
+      ? `stroke="${lost.color}" stroke-dasharray="4 5"`
+      : `stroke="${color}"`;
+    return `${stroke} stroke-width="${width}"${seen}`;
+  };
+  const at = (vertex: number) => `${short(x[vertex]!)} ${short(y[vertex]!)}`;
+  const paths: string[] = [];
+  let first = 0;
+  for (let segment = 1; segment < x.length; segment++) {
+    if (segment < x.length - 1 && look(segment) === look(first)) continue;
+    const vertices = Array.from({ length: segment - first + 1 }, (_, i) => at(first + i));
+    paths.push(`<path ${look(first)} d="M${vertices.join('L')}"/>`);
+    first = segment;
+  }
+  return paths;
+}

@@ -1,0 +1,100 @@
+import type { Editor } from '../editor/editor';
+import { meshLabel } from '../editor/meshes';
+import type { Session } from '../editor/session';
+import { jsonOf, objOf } from '../export/curve_file';
+import { type DrawnLine, svgOf } from '../export/svg';
+import type { Viewer } from '../viewer/viewer';
+import { byId, make } from './elements';
+import { showNote } from './messages';
+import { sceneColors } from './theme';
+
+export type Format = 'obj' | 'svg' | 'json';
+
+const types: Record<Format, string> = {
+  obj: 'model/obj',
+  svg: 'image/svg+xml',
+  json: 'application/json',
+};
+
+/** The menu that saves the curve as a file. */
+export class SaveMenu {
+  readonly #menu = byId('save-menu');
+  readonly #items = [...this.#menu.querySelectorAll<HTMLButtonElement>('[data-save]')];
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+    private readonly viewer: Viewer,
+  ) {
+    for (const item of this.#items) {
+      item.addEventListener('click', () => {
+        this.#menu.hidePopover();
+        this.save(item.dataset.save as Format);
+      });
+    }
+    this.#menu.addEventListener('toggle', (event) => {
+      const open = (event as ToggleEvent).newState === 'open';
+      byId('save').setAttribute('aria-expanded', `${open}`);
+      if (open) this.#open();
+    });
+    this.#menu.addEventListener('keydown', (event) => this.#key(event));
+  }
+
+  /** Saves what is shown; without a curve, says so. */
+  save(format: Format): void {
+    const { curve } = this.session.view;
+    if (!curve) {
+      showNote('There is no curve to save yet.');
+      return;
+    }
+    const { state } = this.editor;
+    const surface = meshLabel(state.mesh).replace(/\.obj$/i, '');
+    const title = `${state.document.kind} on ${surface}`;
+    const text = {
+      obj: () => objOf(curve, title),
+      svg: () => this.#drawing(),
+      json: () => jsonOf(state, this.session.view),
+    }[format]();
+    const name = `${title.replaceAll(/[^\p{L}\p{N}]+/gu, '-').toLowerCase()}.${format}`;
+    const address = URL.createObjectURL(new Blob([text], { type: types[format] }));
+    make('a', '', { href: address, download: name }).click();
+    setTimeout(() => URL.revokeObjectURL(address), 60_000);
+  }
+
+  #open(): void {
+    const none = !this.session.view.curve;
+    byId('save-none').hidden = !none;
+    for (const item of this.#items) item.disabled = none;
+    this.#items[0]!.focus();
+  }
+
+  #key(event: KeyboardEvent): void {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const count = this.#items.length;
+    const at = this.#items.indexOf(document.activeElement as HTMLButtonElement);
+    this.#items[(at + step + count) % count]!.focus();
+  }
+
+  #drawing(): string {
+    const { viewer } = this;
+    const { curve, legs } = this.session.view;
+    const colors = sceneColors();
+    const lost = {
+      color: colors.lost,
+      has: (segment: number) => curve!.polylineStatus[segment + 1] === 1,
+    };
+    const lines: DrawnLine[] = [
+      ...legs.map((leg) => ({ ...viewer.seen(leg), color: colors.polygon, width: 1.2 })),
+      { ...viewer.seen(curve!.polyline), color: colors.curve, width: 3.5, lost },
+    ];
+    const { kind, points, circle } = this.editor.state.document;
+    const handles = kind === 'circle' ? [circle!.center] : points;
+    const dots = handles.map((point) => ({
+      ...viewer.project(viewer.surface!.position(point)),
+      color: colors.curve,
+    }));
+    return svgOf({ ...viewer.size, lines, points: dots });
+  }
+}
