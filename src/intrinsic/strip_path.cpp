@@ -308,19 +308,20 @@ bool liesInFace(const TriangleMesh& mesh, const PointLocation& point, int f) {
           mesh.corner(f, 2) == point.vertex);
 }
 
-bool haveCommonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+int commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   const PointLocation onA = locate(mesh, a);
   const PointLocation onB = locate(mesh, b);
   if (onA.simplex != Simplex::kVertex) {
+    if (liesInFace(mesh, onB, a.face)) return a.face;
     const int t = onA.simplex == Simplex::kEdge ? mesh.twin[onA.halfedge] : -1;
-    return liesInFace(mesh, onB, a.face) || (t >= 0 && liesInFace(mesh, onB, faceOf(t)));
+    return t >= 0 && liesInFace(mesh, onB, faceOf(t)) ? faceOf(t) : -1;
   }
   int h = mesh.outgoing[onA.vertex];
   do {
-    if (liesInFace(mesh, onB, faceOf(h))) return true;
+    if (liesInFace(mesh, onB, faceOf(h))) return faceOf(h);
     h = rotateLeft(mesh, h);
   } while (h >= 0 && h != mesh.outgoing[onA.vertex]);
-  return false;
+  return -1;
 }
 
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,

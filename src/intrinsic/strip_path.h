@@ -44,7 +44,11 @@ double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const
 /// True if `point` lies in face f, its edges and corners included.
 bool liesInFace(const TriangleMesh& mesh, const PointLocation& point, int f);
 
-/// True if some face holds both points.
-bool haveCommonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+/// A face that holds both points, or -1.
+int commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+
+inline bool haveCommonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  return commonFace(mesh, a, b) >= 0;
+}
 
 }  // namespace karcher
