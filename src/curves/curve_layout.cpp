@@ -1,0 +1,180 @@
+#include "curves/curve_layout.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "curves/bases.h"
+#include "curves/knots.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+constexpr double kSumTolerance = 1e-9;
+
+Array<double> ownWeights(const SegmentBasis& basis, double t) {
+  Array<double> weights = (*basis.own)(basis.points, t);
+  double sum = 0;
+  for (const double weight : weights) sum += weight;
+  if (weights.count() == basis.points && std::abs(sum - 1) <= kSumTolerance) return weights;
+  std::ostringstream message;
+  message << "the basis gives " << weights.count() << " weights of sum " << sum << " at t = " << t
+          << "; there must be " << basis.points << ", of sum 1 within 1e-9";
+  throw Error(ErrorCode::kBadWeights, message.str());
+}
+
+Array<double> unfolded(const SegmentBasis& basis, double t) {
+  switch (basis.form) {
+    case BasisForm::kUniformCubic:
+      return uniformCubicBasis(t);
+    case BasisForm::kBSpline:
+      return bsplineBasis(basis.numbers, basis.degree, basis.degree, t);
+    case BasisForm::kBarycentric:
+      return barycentricBasis(basis.numbers, t);
+    case BasisForm::kCatmullRom:
+      return catmullRomBasis(basis.numbers, t);
+    case BasisForm::kOwn:
+      return ownWeights(basis, t);
+    case BasisForm::kBernstein:
+      break;
+  }
+  return bernsteinBasis(basis.degree, t);
+}
+
+/// A segment that blends `numbers`, one a weight of the basis; a number may come several times.
+SegmentLayout segmentOf(SegmentBasis basis, const Array<int>& numbers) {
+  SegmentLayout segment;
+  Array<SegmentBasis::Fold> folds;
+  for (int k = 0; k < numbers.count(); ++k) {
+    const auto known = std::find(segment.points.begin(), segment.points.end(), numbers[k]);
+    const int to = static_cast<int>(known - segment.points.begin());
+    if (known == segment.points.end()) segment.points.push_back(numbers[k]);
+    folds.push_back({k, to, 1});
+  }
+  if (segment.points.count() < numbers.count()) basis.folds = std::move(folds);
+  basis.points = segment.points.count();
+  segment.basis = std::move(basis);
+  return segment;
+}
+
+Array<int> consecutive(int first, int count, int points) {
+  Array<int> numbers;
+  for (int k = first; k < first + count; ++k) numbers.push_back(k % points);
+  return numbers;
+}
+
+Array<SegmentLayout> bsplineSegments(const CurveShape& shape, int points) {
+  const int degree = shape.degree;
+  const Array<double> knots = knotsOf(shape, points);
+  Array<SegmentLayout> segments;
+  for (int j = 0; j < spanCount(knots, degree, shape.closed); ++j) {
+    const auto knot = [&](int k) { return knotOfSpan(knots, degree, shape.closed, k); };
+    const double start = knot(j);
+    const double length = knot(j + 1) - start;
+    if (!(length > 0)) continue;
+    SegmentBasis basis{BasisForm::kBSpline, degree};
+    bool uniform = degree == 3;
+    for (int k = -degree; k <= degree + 1; ++k) {
+      // The outermost two only fill their places: no weight depends on them.
+      const int used = std::clamp(k, 1 - degree, degree);
+      basis.numbers.push_back((knot(j + used) - start) / length);
+      uniform = uniform && basis.numbers.back() == used;
+    }
+    // Its weights at a joint are the same numbers from both sides.
+    if (uniform) basis = {BasisForm::kUniformCubic, degree};
+    segments.push_back(segmentOf(std::move(basis), consecutive(j, degree + 1, points)));
+  }
+  return segments;
+}
+
+Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points,
+                                        const Array<double>& gaps) {
+  const int count = shape.closed ? points : points - 1;
+  // Coincident points would leave no knots between them, and nearly so cost digits.
+  constexpr double kLeastGap = 1e-4;
+  double largest = 0;
+  for (const double gap : gaps) largest = std::max(largest, gap);
+  const auto spacing = [&](int j) {
+    if (!shape.centripetal || !(largest > 0)) return 1.0;
+    return std::sqrt(std::max(gaps[((j % count) + count) % count] / largest, kLeastGap));
+  };
+  Array<SegmentLayout> segments;
+  for (int j = 0; j < count; ++j) {
+    const bool first = !shape.closed && j == 0;
+    const bool last = !shape.closed && j == count - 1;
+    const double own = spacing(j);
+    const double before = first ? own : spacing(j - 1);
+    const double after = last ? own : spacing(j + 1);
+    SegmentBasis basis{BasisForm::kCatmullRom, 3, {-before / own, 0, 1, 1 + after / own}};
+    if (!first && !last) {
+      segments.push_back(segmentOf(std::move(basis), consecutive(j + points - 1, 4, points)));
+      continue;
+    }
+    // Beyond an end the curve goes on as if the second point were reflected at the first.
+    SegmentLayout segment;
+    const int begin = first ? 0 : j - 1;
+    const int end = last ? points - 1 : j + 2;
+    for (int k = begin; k <= end; ++k) segment.points.push_back(k);
+    const int start = j - begin;
+    using Fold = SegmentBasis::Fold;
+    if (first) {
+      basis.folds.insert(basis.folds.end(), {Fold{0, 0, 2}, Fold{0, 1, -1}});
+    } else {
+      basis.folds.push_back({0, 0, 1});
+    }
+    basis.folds.insert(basis.folds.end(), {Fold{1, start, 1}, Fold{2, start + 1, 1}});
+    if (last) {
+      basis.folds.insert(basis.folds.end(), {Fold{3, start + 1, 2}, Fold{3, start, -1}});
+    } else {
+      basis.folds.push_back({3, start + 2, 1});
+    }
+    basis.points = segment.points.count();
+    segment.basis = std::move(basis);
+    segments.push_back(std::move(segment));
+  }
+  return segments;
+}
+
+}  // namespace
+
+Array<double> weightsAt(const SegmentBasis& basis, double t) {
+  Array<double> raw = unfolded(basis, t);
+  if (basis.folds.empty()) return raw;
+  Array<double> weights(static_cast<size_t>(basis.points), 0.0);
+  for (const SegmentBasis::Fold& fold : basis.folds) {
+    weights[fold.to] += fold.factor * raw[fold.from];
+  }
+  return weights;
+}
+
+Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps) {
+  // A closed curve of one segment ends at its first point.
+  const Array<int> all = consecutive(0, shape.closed ? points + 1 : points, points);
+  const int last = all.count() - 1;
+  switch (shape.kind) {
+    case CurveKind::kBSpline:
+      return bsplineSegments(shape, points);
+    case CurveKind::kCatmullRom:
+      return catmullRomSegments(shape, points, gaps);
+    case CurveKind::kPolyline: {
+      Array<SegmentLayout> segments;
+      for (int j = 0; j < last; ++j) segments.push_back(segmentOf({}, {all[j], all[j + 1]}));
+      return segments;
+    }
+    case CurveKind::kBarycentric: {
+      Array<double> betas = shape.betas;
+      betas.resize(static_cast<size_t>(points), 1);
+      if (shape.closed) betas.push_back(betas[0]);
+      return {segmentOf({BasisForm::kBarycentric, last, betas}, all)};
+    }
+    case CurveKind::kOwn:
+      return {segmentOf({BasisForm::kOwn, last, {}, shape.basis}, all)};
+    case CurveKind::kBezier:
+    case CurveKind::kRational:
+      break;
+  }
+  return {segmentOf({BasisForm::kBernstein, last}, all)};
+}
+
+}  // namespace karcher

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "mesh/types.h"
+
+/// What a curve is apart from its control points' places: plain data and its edits, which know
+/// nothing of surfaces.
+namespace karcher {
+
+enum class CurveKind {
+  kBSpline,      ///< B-spline of degree 1 to 5; with weights a NURBS curve
+  kBezier,       ///< one segment of degree (points - 1)
+  kRational,     ///< the same with a weight per point
+  kBarycentric,  ///< one rational segment through the points, shaped by a beta per point
+  kCatmullRom,   ///< a segment between each two points, through them, C1
+  kPolyline,     ///< shortest paths from point to point
+  kOwn,          ///< one segment with a caller's basis
+};
+inline constexpr CurveKind kCurveKinds[] = {
+    CurveKind::kBSpline,    CurveKind::kBezier,   CurveKind::kRational, CurveKind::kBarycentric,
+    CurveKind::kCatmullRom, CurveKind::kPolyline, CurveKind::kOwn};
+
+/// The name of a kind, as in the JavaScript API: "catmullrom".
+const char* curveKindName(CurveKind kind);
+
+/// The knots of a B-spline (knots.h).
+enum class KnotRule {
+  kUniform,  ///< evenly spaced
+  kClamped,  ///< evenly spaced inside, repeated at the ends; open curves only
+  kOwn,      ///< the caller's
+};
+
+/// A caller's basis: the weights, one a control point and summing to 1, for a number of points and
+/// t in [0, 1].
+using OwnBasis = std::function<Array<double>(int points, double t)>;
+
+struct CurveShape {
+  CurveKind kind = CurveKind::kBSpline;
+  bool closed = false;
+  int degree = 3;  ///< of a B-spline
+  KnotRule knotRule = KnotRule::kUniform;
+  Array<double> knots = {};  ///< with KnotRule::kOwn
+  /// Of Catmull-Rom curves: knots spaced by the root of the points' geodesic distances, or evenly.
+  bool centripetal = true;
+  Array<double> weights = {};  ///< kBSpline, kRational: positive, one a point; none: all 1
+  Array<double> betas = {};    ///< kBarycentric: positive, one a point; none: all 1 (Berrut)
+  std::shared_ptr<const OwnBasis> basis = {};  ///< kOwn
+};
+
+inline bool takesWeights(CurveKind kind) {
+  return kind == CurveKind::kBSpline || kind == CurveKind::kRational;
+}
+inline bool takesBetas(CurveKind kind) { return kind == CurveKind::kBarycentric; }
+
+/// Throws Error where so many points make no such curve: kTooFewPoints, kNotFinite, kBadArgument.
+void checkShape(const CurveShape& shape, int points);
+
+/// The same, and kBadArgument where the shape holds what its kind has no use for.
+void checkGivenShape(const CurveShape& shape, int points);
+
+/// The knots of a B-spline with so many points, by its rule.
+Array<double> knotsOf(const CurveShape& shape, int points);
+
+// The shape after an edit of a curve of `points` points. Weights and betas go with their points, a
+// new point's are 1. A caller's own knots are kept as far as they can be (knots.h).
+CurveShape withPoint(CurveShape shape, int i);
+CurveShape withoutPoint(CurveShape shape, int points, int i);
+CurveShape withPointMoved(CurveShape shape, int from, int to);
+CurveShape withKind(CurveShape shape, CurveKind kind);
+CurveShape withClosed(CurveShape shape, bool closed);
+CurveShape withWeight(CurveShape shape, int points, int i, double weight);
+CurveShape withBeta(CurveShape shape, int points, int i, double beta);
+CurveShape reversed(CurveShape shape);
+
+/// Entries in the order of a curve run backwards: a closed one keeps its first point.
+template <class T>
+void reverseEntries(Array<T>& array, bool closed) {
+  std::reverse(array.begin() + (closed && !array.empty() ? 1 : 0), array.end());
+}
+
+/// Moves entry `from` so that it becomes entry `to`.
+template <class T>
+void moveEntry(Array<T>& array, int from, int to) {
+  T entry = array[from];
+  array.erase(array.begin() + from);
+  array.insert(array.begin() + to, entry);
+}
+
+}  // namespace karcher

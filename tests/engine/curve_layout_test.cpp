@@ -1,0 +1,305 @@
+#include "curves/curve_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "curves/bases.h"
+#include "curves/knots.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+const Array<double> kOwnKnots{0, 0.5, 0.5, 1, 1.2, 2.5, 2.5, 4, 5, 5.5};
+
+CurveShape bspline(int degree, bool closed, KnotRule rule = KnotRule::kUniform,
+                   const Array<double>& knots = {}) {
+  return {CurveKind::kBSpline, closed, degree, rule, knots};
+}
+
+/// Every kind of curve of six points.
+Array<CurveShape> shapes() {
+  Array<CurveShape> all;
+  for (int degree = 1; degree <= 5; ++degree) {
+    all.push_back(bspline(degree, false));
+    all.push_back(bspline(degree, false, KnotRule::kClamped));
+    all.push_back(bspline(degree, true));
+  }
+  all.push_back(bspline(3, false, KnotRule::kOwn, kOwnKnots));
+  all.push_back(bspline(2, true, KnotRule::kOwn, {0, 1, 1, 3, 3.5, 4, 6}));
+  all.push_back(bspline(5, true, KnotRule::kOwn, {0, 1, 1.5, 3, 3.5, 4, 6}));
+  for (const bool closed : {false, true}) {
+    for (const CurveKind kind : {CurveKind::kBezier, CurveKind::kRational, CurveKind::kBarycentric,
+                                 CurveKind::kCatmullRom, CurveKind::kPolyline}) {
+      all.push_back({kind, closed});
+      if (takesBetas(kind)) all.back().betas = {1, 2, 0.5, 3, 1, 1};
+    }
+    all.push_back({CurveKind::kCatmullRom, closed});
+    all.back().centripetal = false;
+  }
+  return all;
+}
+
+constexpr int kPoints = 6;
+const Array<double> kGaps{1, 2, 0.5, 0, 3, 1};
+
+Array<SegmentLayout> layOutSix(const CurveShape& shape) {
+  Array<double> gaps = kGaps;
+  if (!shape.closed) gaps.pop_back();
+  return layOut(shape, kPoints, gaps);
+}
+
+/// The weights of all control points at t in a segment.
+Array<double> spread(const SegmentLayout& segment, double t) {
+  Array<double> all(kPoints, 0.0);
+  const Array<double> weights = weightsAt(segment.basis, t);
+  EXPECT_EQ(weights.count(), segment.points.count());
+  for (int k = 0; k < weights.count(); ++k) all[segment.points[k]] += weights[k];
+  return all;
+}
+
+double blend(const Array<double>& weights, const Array<double>& values) {
+  double sum = 0;
+  for (int i = 0; i < weights.count(); ++i) sum += weights[i] * values[i];
+  return sum;
+}
+
+std::string describe(const CurveShape& shape) {
+  return std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : "") + " degree " +
+         std::to_string(shape.degree) + " rule " + std::to_string(static_cast<int>(shape.knotRule));
+}
+
+TEST(CurveLayout, SegmentsArePartitionsOfUnityAndMeet) {
+  for (const CurveShape& shape : shapes()) {
+    SCOPED_TRACE(describe(shape));
+    EXPECT_NO_THROW(checkGivenShape(shape, kPoints));
+    const Array<SegmentLayout> segments = layOutSix(shape);
+    ASSERT_FALSE(segments.empty());
+    for (const SegmentLayout& segment : segments) {
+      for (int i = 0; i <= 20; ++i) {
+        EXPECT_NEAR(blend(spread(segment, i / 20.0), Array<double>(kPoints, 1.0)), 1, 1e-12);
+      }
+    }
+    const int joints = segments.count() - (shape.closed ? 0 : 1);
+    for (int j = 0; j < joints; ++j) {
+      const Array<double> end = spread(segments[j], 1);
+      const Array<double> start = spread(segments[(j + 1) % segments.count()], 0);
+      for (int i = 0; i < kPoints; ++i) EXPECT_NEAR(end[i], start[i], 1e-13);
+    }
+  }
+}
+
+TEST(CurveLayout, HasTheSegmentsThatTheKindHas) {
+  const auto count = [](const CurveShape& shape) { return layOutSix(shape).count(); };
+  EXPECT_EQ(count(bspline(3, false)), 3);
+  EXPECT_EQ(count(bspline(3, true)), 6);
+  EXPECT_EQ(count(bspline(1, false)), 5);
+  EXPECT_EQ(count(bspline(3, false, KnotRule::kOwn, kOwnKnots)), 2);  // a span is empty
+  EXPECT_EQ(count({CurveKind::kBezier}), 1);
+  EXPECT_EQ(count({CurveKind::kCatmullRom}), 5);
+  EXPECT_EQ(count({CurveKind::kCatmullRom, true}), 6);
+  EXPECT_EQ(count({CurveKind::kPolyline, true}), 6);
+  // Uniform segments have one basis, so that they can share one table.
+  const Array<SegmentLayout> uniform = layOutSix(bspline(4, true));
+  for (const SegmentLayout& segment : uniform) EXPECT_EQ(segment.basis, uniform[0].basis);
+}
+
+TEST(CurveLayout, ClampedAndInterpolatingCurvesPassTheirPoints) {
+  for (const CurveShape& shape :
+       {bspline(3, false, KnotRule::kClamped), CurveShape{CurveKind::kBezier},
+        CurveShape{CurveKind::kRational}, CurveShape{CurveKind::kBarycentric},
+        CurveShape{CurveKind::kCatmullRom}, CurveShape{CurveKind::kPolyline}}) {
+    SCOPED_TRACE(describe(shape));
+    const Array<SegmentLayout> segments = layOutSix(shape);
+    EXPECT_NEAR(spread(segments[0], 0)[0], 1, 1e-14);
+    EXPECT_NEAR(spread(segments[segments.count() - 1], 1)[kPoints - 1], 1, 1e-14);
+    if (segments.count() < kPoints - 1) continue;
+    for (int j = 0; j < segments.count(); ++j) EXPECT_NEAR(spread(segments[j], 0)[j], 1, 1e-14);
+  }
+}
+
+/// The largest jump of the k-th derivative with respect to the curve's own parameter between the
+/// segments of a closed curve of numbers, by one-sided differences.
+double largestJump(const Array<SegmentLayout>& segments, const Array<double>& lengths, int k) {
+  const Array<double> values{0.3, -1, 2, 0.7, 1.1, -0.4};
+  constexpr double kStep = 0.01;
+  const auto derivative = [&](int j, double at, double direction) {
+    // Polynomials of degree 5 and less: six values give every derivative.
+    Array<double> differences;
+    for (int i = 0; i <= 5; ++i) {
+      differences.push_back(blend(spread(segments[j], at + direction * i * kStep), values));
+    }
+    // Forward differences give the Newton form; its derivative at the first value.
+    Array<double> coefficients;
+    for (int order = 0; order <= 5; ++order) {
+      coefficients.push_back(differences[0]);
+      for (int i = 0; i + 1 < differences.count(); ++i)
+        differences[i] = differences[i + 1] - differences[i];
+      differences.pop_back();
+    }
+    // Sums of D^n f with the Stirling numbers of the logarithm series.
+    const double first = coefficients[1] - coefficients[2] / 2 + coefficients[3] / 3 -
+                         coefficients[4] / 4 + coefficients[5] / 5;
+    const double second =
+        coefficients[2] - coefficients[3] + 11 * coefficients[4] / 12 - 5 * coefficients[5] / 6;
+    const double step = direction * kStep * lengths[j];
+    return k == 1 ? first / step : second / (step * step);
+  };
+  double worst = 0;
+  const int count = segments.count();
+  for (int j = 0; j < count; ++j) {
+    worst = std::max(worst, std::abs(derivative(j, 1, -1) - derivative((j + 1) % count, 0, 1)));
+  }
+  return worst;
+}
+
+TEST(CurveLayout, JoinsAreAsSmoothAsTheKindPromises) {
+  const Array<double> even(kPoints, 1.0);
+  EXPECT_LT(largestJump(layOutSix(bspline(2, true)), even, 1), 1e-10);
+  EXPECT_GT(largestJump(layOutSix(bspline(2, true)), even, 2), 0.1);
+  for (int degree = 3; degree <= 5; ++degree) {
+    EXPECT_LT(largestJump(layOutSix(bspline(degree, true)), even, 1), 1e-10);
+    EXPECT_LT(largestJump(layOutSix(bspline(degree, true)), even, 2), 1e-8);
+  }
+  const Array<double> spans{1, 0.5, 1.5, 0.5, 0.5, 2};
+  const CurveShape own = bspline(4, true, KnotRule::kOwn, {0, 1, 1.5, 3, 3.5, 4, 6});
+  EXPECT_LT(largestJump(layOutSix(own), spans, 1), 1e-10);
+  EXPECT_LT(largestJump(layOutSix(own), spans, 2), 1e-8);
+
+  CurveShape uniform{CurveKind::kCatmullRom, true};
+  uniform.centripetal = false;
+  EXPECT_LT(largestJump(layOutSix(uniform), even, 1), 1e-10);
+  Array<double> gaps{1, 2, 0.5, 0.3, 3, 1};
+  Array<double> roots;
+  for (const double gap : gaps) roots.push_back(std::sqrt(gap));
+  EXPECT_LT(largestJump(layOut({CurveKind::kCatmullRom, true}, kPoints, gaps), roots, 1), 1e-10);
+}
+
+TEST(CurveLayout, ReversedCurvesRunBackwards) {
+  const Array<double> values{0.3, -1, 2, 0.7, 1.1, -0.4};
+  for (const CurveShape& shape : shapes()) {
+    SCOPED_TRACE(describe(shape));
+    const Array<SegmentLayout> segments = layOutSix(shape);
+    Array<double> backwards = values;
+    reverseEntries(backwards, shape.closed);
+    // Of closed curves the last gap leads back to the first point.
+    Array<double> gaps(kGaps.rbegin(), kGaps.rend());
+    if (!shape.closed) gaps.erase(gaps.begin());
+    const Array<SegmentLayout> others = layOut(reversed(shape), kPoints, gaps);
+    ASSERT_EQ(segments.count(), others.count());
+    // A closed B-spline's first segment is another: one of them has the value.
+    for (int j = 0; j < segments.count(); ++j) {
+      const double value = blend(spread(segments[j], 0.3), values);
+      double nearest = kInfinity;
+      for (const SegmentLayout& other : others) {
+        nearest = std::min(nearest, std::abs(blend(spread(other, 0.7), backwards) - value));
+      }
+      EXPECT_LT(nearest, 1e-12);
+    }
+  }
+}
+
+TEST(CurveLayout, KeepsOwnKnotsValidThroughEdits) {
+  const uint64_t seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  CurveShape shape = bspline(3, false, KnotRule::kOwn, kOwnKnots);
+  int points = kPoints;
+  for (int edit = 0; edit < 300; ++edit) {
+    const int i = static_cast<int>(random() % static_cast<uint64_t>(points));
+    CurveShape changed = shape;
+    int count = points;
+    switch (random() % 5) {
+      case 0:
+      case 1:
+        changed = withPoint(shape, i);
+        ++count;
+        break;
+      case 2:
+        changed = withoutPoint(shape, points, i);
+        --count;
+        break;
+      case 3:
+        changed = withClosed(shape, !shape.closed);
+        break;
+      default:
+        changed = reversed(shape);
+    }
+    try {
+      checkShape(changed, count);
+    } catch (const Error& error) {
+      // Only what the edit asks for may be refused, and multiple knots that come to lie inside.
+      EXPECT_TRUE(count < 4 || std::string(error.what()).find("repeats") != std::string::npos)
+          << error.what();
+      continue;
+    }
+    shape = changed;
+    points = count;
+    if (points > 12) shape = bspline(3, false, KnotRule::kOwn, kOwnKnots), points = kPoints;
+  }
+}
+
+TEST(CurveLayout, OpeningAClosedCurveKeepsItsFirstSegments) {
+  const CurveShape closed = bspline(3, true, KnotRule::kOwn, {0, 1, 1.5, 3, 3.5, 4, 6});
+  const Array<SegmentLayout> all = layOutSix(closed);
+  const Array<SegmentLayout> open = layOutSix(withClosed(closed, false));
+  ASSERT_EQ(open.count(), 3);
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i <= 4; ++i) {
+      const Array<double> a = spread(all[j], i / 4.0);
+      const Array<double> b = spread(open[j], i / 4.0);
+      for (int k = 0; k < kPoints; ++k) EXPECT_NEAR(a[k], b[k], 1e-14);
+    }
+  }
+}
+
+TEST(CurveLayout, RefusesWhatIsNoCurve) {
+  const auto code = [](const CurveShape& shape, int points) {
+    return codeOf([&] { checkGivenShape(shape, points); });
+  };
+  const auto knots = [](const Array<double>& own) {
+    return bspline(2, false, KnotRule::kOwn, own);
+  };
+  EXPECT_EQ(code(bspline(3, false), 3), ErrorCode::kTooFewPoints);
+  EXPECT_EQ(code(bspline(3, true), 2), ErrorCode::kTooFewPoints);
+  EXPECT_EQ(code(bspline(0, false), 5), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(bspline(6, false), 9), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(bspline(3, true, KnotRule::kClamped), 6), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(knots({0, 1, 2, 3, 4}), 3), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(knots({0, 1, 3, 2, 4, 5}), 3), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(knots({0, 1, 2, 2, 4, 5}), 3), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(knots({0, 1, 2, 3, 4, kInfinity}), 3), ErrorCode::kNotFinite);
+  EXPECT_EQ(code(knots({0, 0, 0, 1, 1, 1, 2, 2, 2}), 6), ErrorCode::kBadArgument);
+  EXPECT_EQ(code({CurveKind::kBezier}, 1), ErrorCode::kTooFewPoints);
+  EXPECT_EQ(code({CurveKind::kBezier}, 1001), ErrorCode::kBadArgument);
+  EXPECT_EQ(code({CurveKind::kOwn}, 3), ErrorCode::kBadArgument);
+  CurveShape weighted{CurveKind::kRational};
+  weighted.weights = {1, 0, 1};
+  EXPECT_EQ(code(weighted, 3), ErrorCode::kBadArgument);
+  weighted.weights = {1, 2};
+  EXPECT_EQ(code(weighted, 3), ErrorCode::kBadArgument);
+  weighted.weights = {1, kInfinity, 1};
+  EXPECT_EQ(code(weighted, 3), ErrorCode::kNotFinite);
+  weighted.weights = {1, 2, 1};
+  EXPECT_NO_THROW(checkGivenShape(weighted, 3));
+  weighted.kind = CurveKind::kBezier;
+  EXPECT_EQ(code(weighted, 3), ErrorCode::kBadArgument);
+  EXPECT_NO_THROW(checkShape(weighted, 3));
+}
+
+TEST(CurveLayout, RefusesABasisThatIsNoPartitionOfUnity) {
+  CurveShape shape{CurveKind::kOwn};
+  shape.basis = std::make_shared<OwnBasis>([](int points, double t) {
+    Array<double> weights = bernsteinBasis(points - 1, t);
+    if (t > 0.7) weights[0] += 0.1;
+    return weights;
+  });
+  const SegmentBasis basis = layOut(shape, 4)[0].basis;
+  EXPECT_EQ(weightsAt(basis, 0.5), bernsteinBasis(3, 0.5));
+  EXPECT_EQ(codeOf([&] { weightsAt(basis, 0.8); }), ErrorCode::kBadWeights);
+}
+
+}  // namespace
+}  // namespace karcher
