@@ -13,6 +13,15 @@ CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint&
                                   : walkToCenter(fields, weights, start);
 }
 
+int heaviest(Weights weights) {
+  // Weights that should be equal may differ by rounding.
+  constexpr double kEqual = 1e-9;
+  const double most = *std::max_element(weights.begin(), weights.end());
+  int i = 0;
+  while (weights.data()[i] < most - kEqual) ++i;
+  return i;
+}
+
 WeightTable tabulate(const Basis& basis, int count) {
   WeightTable table;
   for (int i = 0; i < count; ++i) {
@@ -31,10 +40,12 @@ Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& poin
   FieldBlend fields(surface.geometry(), std::move(controlFields));
 
   Array<CurveSample> samples(table.t.size());
-  const Weights first = table.row(0);
-  const auto heaviest = std::max_element(first.begin(), first.end()) - first.begin();
-  SurfacePoint start = points[heaviest]->point();
+  SurfacePoint start;
   for (int i = 0; i < samples.count(); ++i) {
+    // The ends are found from their control points alone: as the segments find them that meet
+    // there.
+    const bool isEnd = i == 0 || i == samples.count() - 1;
+    if (isEnd) start = points[heaviest(table.row(i))]->point();
     const CenterOfMass center = findCenter(fields, table.row(i), start, method);
     samples[i] = {table.t[i], center.point, center.status};
     if (center.status == Status::kConverged) start = center.point;

@@ -32,9 +32,12 @@ struct WeightTable {
 /// count >= 2.
 WeightTable tabulate(const Basis& basis, int count);
 
-/// One sample a row of the table. The first starts at the control point of the largest weight, each
-/// other where the last converged sample lies: the result depends on the fields and the weights
-/// alone.
+/// The number of the largest weight; of several, the first.
+int heaviest(Weights weights);
+
+/// One sample a row of the table. The search for the first and the last starts at the control point
+/// of the largest weight, for each other where the last converged sample lies: the result depends
+/// on the fields and the weights alone, and the end of one segment is the start of the next.
 Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& points,
                                 const WeightTable& table, Method method);
 

@@ -83,7 +83,7 @@ Array<Vec3> trueCurve(const SmoothSurface& surface, const Array<Vec3>& points) {
 
 Measure measure(Surface& mesh, const SmoothSurface& surface, const Array<SurfacePoint>& points,
                 const Array<Vec3>& truth, const FieldOptions& options) {
-  Curve curve(mesh, {CurveKind::kBSpline, kSamples, options}, points);
+  Curve curve(mesh, {{CurveKind::kBSpline}, kSamples, options}, points);
   curve.updateFields();
   curve.trace();
   Measure result;

@@ -34,7 +34,7 @@ void study(const std::string& meshPath, const std::string& pointsPath,
            const std::string& authorsPath, Solver solver) {
   BenchMesh input = loadBenchMesh(meshPath, pointsPath);
   Surface surface(std::move(input.mesh));
-  const CurveOptions options{CurveKind::kBSpline, kSamples, {Method::kPaper, solver, 6}};
+  const CurveOptions options{{CurveKind::kBSpline}, kSamples, {Method::kPaper, solver, 6}};
   Curve curve(surface, options, input.points);
   curve.updateFields();
   curve.trace();

@@ -41,7 +41,7 @@ struct CurveTimes {
 CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int samples,
                      const FieldOptions& field) {
   CurveTimes result;
-  Curve curve(surface, {CurveKind::kBSpline, samples, field}, points);
+  Curve curve(surface, {{CurveKind::kBSpline}, samples, field}, points);
   curve.updateFields();
   curve.trace();
   curve.join();

@@ -22,7 +22,7 @@ SurfacePoint snapped(const SurfacePoint& p) {
 }
 
 int lost(Surface& surface, const Array<SurfacePoint>& points, Solver solver) {
-  Curve curve(surface, {CurveKind::kBSpline, kSamples, {Method::kKarcher, solver, 6}}, points);
+  Curve curve(surface, {{CurveKind::kBSpline}, kSamples, {Method::kKarcher, solver, 6}}, points);
   curve.updateFields();
   curve.trace();
   int count = 0;

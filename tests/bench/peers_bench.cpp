@@ -43,7 +43,8 @@ Array<CurveSample> traceSpline(const Spline& spline, const Average& average) {
 }
 
 Array<CurveSample> referenceSpline(Surface& surface, const Spline& spline) {
-  Curve curve(surface, {CurveKind::kBSpline, spline.samples, {Method::kKarcher, Solver::kExact, 6}},
+  Curve curve(surface,
+              {{CurveKind::kBSpline}, spline.samples, {Method::kKarcher, Solver::kExact, 6}},
               spline.points);
   curve.updateFields();
   curve.trace();

@@ -54,7 +54,7 @@ TEST(Curve, OnARegularGridIsTheBSplineOfThePlane) {
   const Array<Vec3> positions{
       {3.2, 3.1, 0}, {6.7, 9.3, 0}, {10.4, 4.6, 0}, {14.1, 9.8, 0}, {16.6, 5.5, 0}};
   const Array<SurfacePoint> points = pointsNear(surface.mesh(), positions);
-  Curve curve(surface, {CurveKind::kBSpline, 33, kPaperExact}, points);
+  Curve curve(surface, {{CurveKind::kBSpline}, 33, kPaperExact}, points);
   update(curve);
   ASSERT_EQ(curve.segmentCount(), 2);
   for (int j = 0; j < 2; ++j) {
@@ -73,7 +73,7 @@ TEST(Curve, BezierStartsAndEndsAtItsPoints) {
   Surface surface(planeGrid(20, 14));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{3.2, 3.1, 0}, {6.7, 9.3, 0}, {15.4, 4.6, 0}});
-  Curve curve(surface, {CurveKind::kBezier, 20, kPaperExact}, points);
+  Curve curve(surface, {{CurveKind::kBezier}, 20, kPaperExact}, points);
   update(curve);
   ASSERT_EQ(curve.segmentCount(), 1);
   const Array<CurveSample>& samples = curve.samples(0);
@@ -83,7 +83,7 @@ TEST(Curve, BezierStartsAndEndsAtItsPoints) {
 
 TEST(Curve, ConsecutiveSegmentsMeet) {
   Surface surface(bunnyMesh());
-  Curve curve(surface, {CurveKind::kBSpline, 40, kPaperExact}, bunnyPoints(surface.mesh(), 6));
+  Curve curve(surface, {{CurveKind::kBSpline}, 40, kPaperExact}, bunnyPoints(surface.mesh(), 6));
   update(curve);
   for (int j = 1; j < curve.segmentCount(); ++j) {
     const CurveSample& before = curve.samples(j - 1).back();
@@ -98,7 +98,7 @@ TEST(Curve, ConsecutiveSegmentsMeet) {
 TEST(Curve, IsJoinedOnTheSurface) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
-  Curve curve(surface, {CurveKind::kBSpline, 12, kPaperExact}, bunnyPoints(mesh, 5));
+  Curve curve(surface, {{CurveKind::kBSpline}, 12, kPaperExact}, bunnyPoints(mesh, 5));
   update(curve);
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const JoinedPath& path = curve.path(j);
@@ -127,7 +127,7 @@ TEST(Curve, AfterAnyEditsIsTheCurveTracedAnew) {
   const uint64_t seed = 3;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);
-  const CurveOptions options{CurveKind::kBSpline, 16, kPaperExact};
+  const CurveOptions options{{CurveKind::kBSpline}, 16, kPaperExact};
   Curve curve(surface, options, bunnyPoints(mesh, 6));
   update(curve);
   const auto somewhere = [&] {
@@ -154,11 +154,11 @@ TEST(Curve, RefusesWhatIsNoCurveAndKeepsWhatItWas) {
   Surface surface(planeGrid(10, 10));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{2, 2, 0}, {4, 6, 0}, {6, 3, 0}, {8, 7, 0}});
-  const CurveOptions options{CurveKind::kBSpline, 8, kPaperExact};
+  const CurveOptions options{{CurveKind::kBSpline}, 8, kPaperExact};
   const Array<SurfacePoint> three(points.begin(), points.begin() + 3);
   EXPECT_EQ(codeOf([&] { Curve(surface, options, three); }), ErrorCode::kTooFewPoints);
   EXPECT_EQ(codeOf([&] {
-              Curve(surface, {CurveKind::kBSpline, 1, kPaperExact}, points);
+              Curve(surface, {{CurveKind::kBSpline}, 1, kPaperExact}, points);
             }),
             ErrorCode::kBadArgument);
 
@@ -180,7 +180,7 @@ TEST(Curve, RefusesPointsOnSeveralComponents) {
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{1, 1, 0}, {2, 2, 0}, {11, 1, 0}, {12, 2, 0}});
   EXPECT_EQ(codeOf([&] {
-              Curve(surface, {CurveKind::kBSpline, 8, kPaperExact}, points);
+              Curve(surface, {{CurveKind::kBSpline}, 8, kPaperExact}, points);
             }),
             ErrorCode::kUnreachable);
 }

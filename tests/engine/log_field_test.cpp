@@ -26,7 +26,7 @@ TEST_P(LogFields, GiveTheBSplineOfThePlaneOnAnyTessellation) {
          {Vec2(0.3, 0.35), Vec2(0.42, 0.62), Vec2(0.52, 0.4), Vec2(0.7, 0.66), Vec2(0.74, 0.45)}) {
       points.push_back(nearestPoint(surface.mesh(), Vec3(p.x() + shear * p.y(), p.y(), 0)));
     }
-    Curve curve(surface, {CurveKind::kBSpline, 40, options()}, points);
+    Curve curve(surface, {{CurveKind::kBSpline}, 40, options()}, points);
     curve.updateFields();
     curve.trace();
     for (int j = 0; j < curve.segmentCount(); ++j) {
@@ -50,7 +50,7 @@ TEST_P(LogFields, LeaveAnEditedCurveAsTracedAnew) {
   for (int i = 0; i < 7; ++i) {
     points.push_back(nearestPoint(mesh, Vec3(-3 + 0.9 * i, 7.5 + (i % 2), 4)));
   }
-  const CurveOptions curveOptions{CurveKind::kBSpline, 32, options()};
+  const CurveOptions curveOptions{{CurveKind::kBSpline}, 32, options()};
   Curve edited(surface, curveOptions, points);
   for (int edit = 0; edit < 10; ++edit) {
     edited.updateFields();

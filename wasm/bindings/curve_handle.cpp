@@ -1,5 +1,7 @@
 #include "bindings/curve_handle.h"
 
+#include "mesh/error.h"
+
 namespace karcher::bindings {
 
 val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& segments) {
@@ -87,7 +89,10 @@ CurvePolyline CurveHandle::polyline() const {
 }
 
 CurveKind curveKind(const std::string& name) {
-  return name == "bspline" ? CurveKind::kBSpline : CurveKind::kBezier;
+  for (const CurveKind kind : kCurveKinds) {
+    if (name == curveKindName(kind)) return kind;
+  }
+  throw Error(ErrorCode::kBadArgument, "there is no kind of curve '" + name + "'");
 }
 
 }  // namespace karcher::bindings

@@ -33,7 +33,7 @@ val statusNames() {
 std::unique_ptr<CurveHandle> makeCurve(MeshHandle& mesh, const val& points, const std::string& kind,
                                        int samples, const val& field) {
   return std::make_unique<CurveHandle>(
-      mesh, CurveOptions{curveKind(kind), samples, fieldOptionsFromJs(field)},
+      mesh, CurveOptions{{curveKind(kind)}, samples, fieldOptionsFromJs(field)},
       pointsFromJs(mesh.numbering(), mesh.mesh(), points));
 }
 

@@ -1,0 +1,266 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "curves/curve.h"
+#include "generators/plane.h"
+#include "mesh/mesh_import.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
+constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
+
+void update(Curve& curve) {
+  curve.updateFields();
+  curve.trace();
+  curve.join();
+}
+
+/// Every kind, open and closed where it can be.
+Array<CurveShape> shapes(int points) {
+  Array<CurveShape> all;
+  for (const bool closed : {false, true}) {
+    for (const CurveKind kind : kCurveKinds) {
+      if (kind == CurveKind::kOwn) continue;
+      all.push_back({kind, closed});
+      Array<double> values;
+      for (int i = 0; i < points; ++i) values.push_back(0.5 + i % 3);
+      if (takesWeights(kind)) all.back().weights = values;
+      if (takesBetas(kind)) all.back().betas = values;
+    }
+    all.push_back({CurveKind::kBSpline, closed});
+    all.push_back({CurveKind::kBSpline, closed, 2});
+    all.push_back({CurveKind::kBSpline, closed, 5});
+  }
+  all.push_back({CurveKind::kBSpline, false, 3, KnotRule::kClamped});
+  return all;
+}
+
+std::string describe(const CurveShape& shape) {
+  return std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : "") + " degree " +
+         std::to_string(shape.degree);
+}
+
+/// Points around a place of the bunny, near enough for every search to converge.
+Array<SurfacePoint> ring(const TriangleMesh& mesh, int count, double radius) {
+  Array<SurfacePoint> points;
+  for (int i = 0; i < count; ++i) {
+    const Vec2 around = radius * (1 + 0.3 * (i % 2)) * unitVector(2 * kPi * i / count);
+    points.push_back(nearestPoint(mesh, Vec3(-3 + around.x(), 7.5 + around.y(), 4)));
+  }
+  return points;
+}
+
+/// The curve that the shape and points of another give anew.
+Curve anew(Curve& curve) {
+  CurveOptions options = curve.options();
+  if (!takesWeights(options.shape.kind)) options.shape.weights.clear();
+  if (!takesBetas(options.shape.kind)) options.shape.betas.clear();
+  Curve result(curve.surface(), options, curve.points());
+  update(result);
+  return result;
+}
+
+void expectSame(const Curve& a, const Curve& b) {
+  ASSERT_EQ(a.segmentCount(), b.segmentCount());
+  for (int j = 0; j < a.segmentCount(); ++j) {
+    ASSERT_EQ(a.samples(j).count(), b.samples(j).count());
+    for (int i = 0; i < a.samples(j).count(); ++i) {
+      EXPECT_EQ(a.samples(j)[i].status, b.samples(j)[i].status);
+      EXPECT_EQ(a.samples(j)[i].point.face, b.samples(j)[i].point.face);
+      EXPECT_EQ(a.samples(j)[i].point.bary, b.samples(j)[i].point.bary);
+    }
+    EXPECT_EQ(a.path(j).length, b.path(j).length);
+  }
+}
+
+TEST(CurveKinds, OnThePlaneAreTheAffineAverages) {
+  Surface surface(importMesh(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 2000, 4)).mesh);
+  const Array<Vec3> places{{0.3, 0.3, 0},  {0.45, 0.68, 0}, {0.62, 0.41, 0},
+                           {0.7, 0.65, 0}, {0.52, 0.3, 0},  {0.38, 0.52, 0}};
+  Array<SurfacePoint> points;
+  for (const Vec3& place : places) points.push_back(nearestPoint(surface.mesh(), place));
+  for (const CurveShape& shape : shapes(6)) {
+    SCOPED_TRACE(describe(shape));
+    Curve curve(surface, {shape, 17, kExact}, points);
+    update(curve);
+    for (int j = 0; j < curve.segmentCount(); ++j) {
+      for (const CurveSample& sample : curve.samples(j)) {
+        const Array<double> weights = curve.weights(j, sample.t);
+        Vec3 expected = Vec3::Zero();
+        for (int k = 0; k < weights.count(); ++k) {
+          expected += weights[k] * places[curve.pointsOf(j)[k]];
+        }
+        EXPECT_EQ(sample.status, Status::kConverged);
+        // quad2 on the plane: 1e-10 of the bounding box.
+        EXPECT_LT((position(surface.mesh(), sample.point) - expected).norm(), 1e-10);
+      }
+    }
+  }
+}
+
+TEST(CurveKinds, SegmentsMeetOnAnyMesh) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  const Array<SurfacePoint> points = ring(mesh, 7, 1.2);
+  double worst = 0;
+  for (const FieldOptions& field : {kFast, kExact}) {
+    for (const CurveShape& shape : shapes(7)) {
+      SCOPED_TRACE(describe(shape));
+      Curve curve(surface, {shape, 24, field}, points);
+      update(curve);
+      const int count = curve.segmentCount();
+      for (int j = shape.closed ? 0 : 1; j < count; ++j) {
+        const CurveSample& before = curve.samples((j + count - 1) % count).back();
+        const CurveSample& after = curve.samples(j).front();
+        EXPECT_EQ(before.status, Status::kConverged);
+        EXPECT_EQ(after.status, Status::kConverged);
+        const double gap = (position(mesh, before.point) - position(mesh, after.point)).norm();
+        EXPECT_LE(gap, 1e-9 * surface.geometry().diagonal);
+        worst = std::max(worst, gap / surface.geometry().diagonal);
+      }
+    }
+  }
+  std::printf("largest gap at a join: %.1e of the bounding box\n", worst);
+}
+
+TEST(CurveKinds, WeightsAndBetasComputeNoField) {
+  Surface surface(bunnyMesh());
+  for (const CurveKind kind :
+       {CurveKind::kBSpline, CurveKind::kRational, CurveKind::kBarycentric}) {
+    SCOPED_TRACE(curveKindName(kind));
+    Curve curve(surface, {{kind}, 16, kFast}, ring(surface.mesh(), 6, 1));
+    update(curve);
+    EXPECT_EQ(curve.fieldsComputed(), 6);
+    for (const double value : {0.25, 4.0}) {
+      if (takesBetas(kind)) curve.setBeta(2, value);
+      if (takesWeights(kind)) curve.setWeight(2, value);
+      update(curve);
+      expectSame(curve, anew(curve));
+    }
+    EXPECT_EQ(curve.fieldsComputed(), 6);
+    curve.movePoint(2, curve.point(3));
+    update(curve);
+    EXPECT_EQ(curve.fieldsComputed(), 7);
+  }
+}
+
+TEST(CurveKinds, AfterAnyEditsAreTheCurveTracedAnew) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  for (const uint64_t seed : {1, 2, 3, 4}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<uint64_t>(n)); };
+    const auto unit = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+    const auto somewhere = [&] {
+      return nearestPoint(mesh, Vec3(-4 + 2 * unit(), 6.5 + 2 * unit(), 4));
+    };
+    CurveOptions options{{CurveKind::kBSpline}, 12, seed % 2 == 0 ? kFast : kExact};
+    if (seed == 4) options.tolerance = 1e-3;
+    Curve curve(surface, options, ring(mesh, 6, 1));
+    update(curve);
+    for (int edit = 0; edit < 60; ++edit) {
+      const int i = below(curve.pointCount());
+      try {
+        switch (below(10)) {
+          case 0:
+            curve.insertPoint(i, somewhere());
+            break;
+          case 1:
+            curve.removePoint(i);
+            break;
+          case 2:
+            curve.setKind(kCurveKinds[below(6)]);
+            break;
+          case 3:
+            curve.setClosed(!curve.shape().closed);
+            break;
+          case 4:
+            curve.reverse();
+            break;
+          case 5:
+            curve.movePointInOrder(i, below(curve.pointCount()));
+            break;
+          case 6:
+            if (takesWeights(curve.shape().kind)) curve.setWeight(i, 0.3 + 2 * unit());
+            if (takesBetas(curve.shape().kind)) curve.setBeta(i, 0.3 + 2 * unit());
+            break;
+          default:
+            curve.movePoint(i, somewhere());
+        }
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::kTooFewPoints) << error.what();
+      }
+      if (edit % 3 == 0) continue;
+      update(curve);
+      expectSame(curve, anew(curve));
+    }
+  }
+}
+
+TEST(CurveKinds, AnOwnBasisIsUsedAsItIs) {
+  Surface surface(planeGrid(12, 12));
+  CurveShape shape{CurveKind::kOwn};
+  // A quadratic through the three points, at 0, 0.5 and 1.
+  shape.basis = std::make_shared<OwnBasis>([](int, double t) {
+    return Array<double>{(2 * t - 1) * (t - 1), 4 * t * (1 - t), t * (2 * t - 1)};
+  });
+  const Array<Vec3> places{{3, 4, 0}, {6, 8, 0}, {9, 5, 0}};
+  Array<SurfacePoint> points;
+  for (const Vec3& place : places) points.push_back(nearestPoint(surface.mesh(), place));
+  Curve curve(surface, {shape, 5, kExact}, points);
+  update(curve);
+  ASSERT_EQ(curve.segmentCount(), 1);
+  EXPECT_LT((position(surface.mesh(), curve.samples(0)[2].point) - places[1]).norm(), 1e-9);
+  // The basis has no fourth weight: refused, and the curve stays.
+  EXPECT_EQ(codeOf([&] { curve.insertPoint(1, points[0]); }), ErrorCode::kBadWeights);
+  EXPECT_EQ(curve.pointCount(), 3);
+}
+
+TEST(CurveKinds, AdaptiveSamplesKeepTheirTolerance) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  const double diagonal = surface.geometry().diagonal;
+  const Array<SurfacePoint> points = ring(mesh, 7, 1.2);
+  for (const CurveShape& shape : shapes(7)) {
+    SCOPED_TRACE(describe(shape));
+    if (shape.kind == CurveKind::kPolyline) continue;
+    Curve dense(surface, {shape, 600, kFast}, points);
+    update(dense);
+    int last = 0;
+    for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+      Curve curve(surface, {shape, 2, kFast, tolerance}, points);
+      update(curve);
+      int count = 0;
+      double worst = 0;
+      for (int j = 0; j < curve.segmentCount(); ++j) {
+        count += curve.samples(j).count();
+        const Array<SurfacePoint>& path = curve.path(j).points;
+        for (const CurveSample& sample : dense.samples(j)) {
+          const Vec3 p = position(mesh, sample.point);
+          double nearest = kInfinity;
+          for (int k = 1; k < path.count(); ++k) {
+            const Vec3 a = position(mesh, path[k - 1]);
+            const Vec3 along = position(mesh, path[k]) - a;
+            const double s =
+                std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
+            nearest = std::min(nearest, (a + s * along - p).norm());
+          }
+          worst = std::max(worst, nearest);
+        }
+      }
+      EXPECT_LE(worst, tolerance * diagonal);
+      EXPECT_GE(count, last);
+      last = count;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace karcher
