@@ -39,7 +39,7 @@ export async function start(): Promise<void> {
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'));
   const remove = () => gestures.keepFocus(() => editor.removeSelected());
   const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));
-  const status = new Status({ remove, goToLost: () => lostPanel.goToNext() });
+  const status = new Status(editor, { remove, goToLost: () => lostPanel.goToNext() });
   session.onView = (view) => {
     viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);

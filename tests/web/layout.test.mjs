@@ -35,6 +35,23 @@ describe('where the page is shown', () => {
     await tab.page.close();
   });
 
+  test('the selected point has its weight in reach', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=center');
+    const { x, y } = await tab.middle();
+    await tab.page.touchscreen.tap(x - 40, y);
+    await tab.page.touchscreen.tap(x + 40, y + 10);
+    await tab.settled();
+    const slider = tab.page.locator('#notice').getByRole('slider', { name: 'Weight of point 2' });
+    await slider.fill('48');
+    await tab.settled();
+    const { points } = (await tab.state()).document;
+    assert.deepEqual(
+      points.map(({ weight = 1 }) => weight),
+      [1, 4],
+    );
+    await tab.page.close();
+  });
+
   test('a finger drags a point, and two zoom', async () => {
     const tab = await Tab.open(browser);
     const { x, y } = await tab.middle();

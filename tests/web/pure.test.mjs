@@ -25,7 +25,8 @@ describe('commands', () => {
     const commands = [
       { type: 'insert', index: 2, point: point(7) },
       { type: 'remove', index: 1, point: from },
-      { type: 'move', index: 1, from, to },
+      { type: 'change', index: 1, from, to },
+      { type: 'change', index: 1, from, to: { ...from, weight: 3 } },
       { type: 'kind', from: 'bspline', to: 'circle' },
       { type: 'circle', from: null, to: circle },
       { type: 'replace', from: document, to: module.emptyDocument },

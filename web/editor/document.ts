@@ -4,11 +4,18 @@
  */
 import type { CurveKind, SurfacePoint } from 'karcher';
 
-export type Kind = CurveKind | 'circle';
+/** `center` is no curve: the center of mass of the points. */
+export type Kind = CurveKind | 'circle' | 'center';
 export type Vector = [number, number, number];
 
 /** Where a circle ends: at a point of the surface, or a length away along a direction. */
 export type Rim = SurfacePoint | { radius: number; direction: Vector };
+
+/** A control point's number beside its place. */
+export type ParameterName = 'weight';
+
+/** A point that the user placed; what is not given is 1. */
+export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number };
 
 export interface CircleShape {
   center: SurfacePoint;
@@ -17,23 +24,46 @@ export interface CircleShape {
 
 export interface CurveDocument {
   readonly kind: Kind;
-  /** The control points of the splines; kept while a circle is shown. */
-  readonly points: readonly SurfacePoint[];
+  /** The points of all kinds but the circle; kept while a circle is shown. */
+  readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
 }
 
 export type Command =
-  | { type: 'insert'; index: number; point: SurfacePoint }
-  | { type: 'remove'; index: number; point: SurfacePoint }
-  | { type: 'move'; index: number; from: SurfacePoint; to: SurfacePoint }
+  | { type: 'insert'; index: number; point: ControlPoint }
+  | { type: 'remove'; index: number; point: ControlPoint }
+  /** A point's place, or a number of it. */
+  | { type: 'change'; index: number; from: ControlPoint; to: ControlPoint }
   | { type: 'kind'; from: Kind; to: Kind }
   | { type: 'circle'; from: CircleShape | null; to: CircleShape | null }
   | { type: 'replace'; from: CurveDocument; to: CurveDocument };
 
 export const emptyDocument: CurveDocument = { kind: 'bspline', points: [], circle: null };
 
-/** Control points a curve of this kind needs before there is a curve. */
-export const pointsNeeded: Record<CurveKind, number> = { bspline: 4, bezier: 2 };
+/** Points that a kind needs before there is anything to show. */
+export const pointsNeeded: Record<Exclude<Kind, 'circle'>, number> = {
+  bspline: 4,
+  bezier: 2,
+  center: 1,
+};
+
+/** The number that a kind's points have beside their places. */
+export function parameterOf(kind: Kind): ParameterName | null {
+  return kind === 'center' ? 'weight' : null;
+}
+
+/** What numbers of points lie between: as far from 1 one way as the other. */
+export const parameterRange = { least: 1 / 16, most: 16 };
+
+/** The point with one of its numbers changed; 1 is what is not said. */
+export function withParameter(
+  point: ControlPoint,
+  name: ParameterName,
+  value: number,
+): ControlPoint {
+  const { [name]: _, ...rest } = point;
+  return value === 1 ? rest : { ...rest, [name]: value };
+}
 
 /** The point of a face with these weights of its corners 1 and 2, of a sum of at most 1. */
 export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
@@ -47,7 +77,7 @@ export function apply(document: CurveDocument, command: Command): CurveDocument 
       return { ...document, points: points.toSpliced(command.index, 0, command.point) };
     case 'remove':
       return { ...document, points: points.toSpliced(command.index, 1) };
-    case 'move':
+    case 'change':
       return { ...document, points: points.with(command.index, command.to) };
     case 'kind':
       return { ...document, kind: command.to };
@@ -64,7 +94,7 @@ export function invert(command: Command): Command {
       return { ...command, type: 'remove' };
     case 'remove':
       return { ...command, type: 'insert' };
-    case 'move':
+    case 'change':
       return { ...command, from: command.to, to: command.from };
     case 'kind':
       return { ...command, from: command.to, to: command.from };

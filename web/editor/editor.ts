@@ -189,7 +189,7 @@ export class Editor {
   #step(command: Command): void {
     const document = apply(this.#state.document, command);
     let { selection } = this.#state;
-    if (command.type === 'insert' || command.type === 'move') selection = command.index;
+    if (command.type === 'insert' || command.type === 'change') selection = command.index;
     else if (command.type !== 'circle' || !command.to) selection = null;
     this.#change({ document, selection }, true);
   }

@@ -65,7 +65,10 @@ export class Gestures {
 
   /** Shows the handles of the editor's state. */
   show(): void {
-    this.#handles.show(this.viewer.surface ? this.#list() : []);
+    const { surface } = this.viewer;
+    this.#handles.show(surface ? this.#list() : []);
+    const center = this.session.view.center;
+    this.#handles.showCenter(surface && center ? surface.position(center.point) : null);
   }
 
   /** Turns the view to a place in the surface's coordinates, and marks it for a moment. */
@@ -91,11 +94,12 @@ export class Gestures {
     const { document, selection } = this.editor.state;
     const surface = this.viewer.surface!;
     if (document.kind !== 'circle') {
+      const name = document.kind === 'center' ? 'Point' : 'Control point';
       const count = document.points.length;
       return document.points.map((point, i) => ({
         id: idOf(i),
         position: surface.position(point),
-        label: `Control point ${i + 1} of ${count}`,
+        label: `${name} ${i + 1} of ${count}`,
         tag: `${i + 1}`,
         look: 'point',
         selected: selection === i,
@@ -225,7 +229,7 @@ export class Gestures {
     let command: Command | null = null;
     if (typeof selection === 'number') {
       const from = base.points[selection];
-      if (from) command = { type: 'move', index: selection, from, to: point };
+      if (from) command = { type: 'change', index: selection, from, to: { ...from, ...point } };
     } else if (base.circle && carried) {
       const to =
         selection === 'center' ? { ...carried, center: point } : { ...base.circle, rim: point };

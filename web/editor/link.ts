@@ -1,15 +1,19 @@
 /**
  * A document as a link's fragment:
- * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2;…&circle=face,b1,b2;radius,x,y,z`.
+ * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight;…&circle=face,b1,b2;radius,x,y,z`.
+ * A weight of 1 goes without saying.
  */
 import type { SurfacePoint } from 'karcher';
 import {
   type CircleShape,
+  type ControlPoint,
   type CurveDocument,
   type Kind,
+  parameterRange,
   type Rim,
   surfacePoint,
   type Vector,
+  withParameter,
 } from './document';
 import { isMethod, type MethodId } from './methods';
 
@@ -19,9 +23,14 @@ export interface Link {
   document: CurveDocument;
 }
 
-const kinds: readonly Kind[] = ['bspline', 'bezier', 'circle'];
+const kinds: readonly Kind[] = ['bspline', 'bezier', 'circle', 'center'];
 
 const formatPoint = ({ face, bary }: SurfacePoint) => `${face},${bary[1]},${bary[2]}`;
+
+function formatControlPoint(point: ControlPoint): string {
+  const { weight = 1 } = point;
+  return weight === 1 ? formatPoint(point) : `${formatPoint(point)},${weight}`;
+}
 
 function formatRim(rim: Rim): string {
   if ('face' in rim) return formatPoint(rim);
@@ -33,7 +42,7 @@ export function formatLink(mesh: string, method: MethodId, document: CurveDocume
     `mesh=${encodeURIComponent(mesh).replaceAll('%3A', ':')}`,
     `kind=${document.kind}`,
     `method=${method}`,
-    `points=${document.points.map(formatPoint).join(';')}`,
+    `points=${document.points.map(formatControlPoint).join(';')}`,
   ];
   const { circle } = document;
   if (circle) parts.push(`circle=${formatPoint(circle.center)};${formatRim(circle.rim)}`);
@@ -46,7 +55,7 @@ export function parseLink(fragment: string): Link | null {
   const mesh = fields.get('mesh');
   if (!mesh) return null;
   const kind = kinds.find((one) => one === fields.get('kind')) ?? 'bspline';
-  const points = (fields.get('points') ?? '').split(';').map(parsePoint);
+  const points = (fields.get('points') ?? '').split(';').map(parseControlPoint);
   const method = fields.get('method');
   return {
     mesh,
@@ -72,6 +81,15 @@ function parsePoint(text: string): SurfacePoint | null {
   const [face, u, v] = values as Vector;
   const good = Number.isInteger(face) && face >= 0 && u >= 0 && v >= 0 && u + v <= 1;
   return good ? surfacePoint(face, u, v) : null;
+}
+
+function parseControlPoint(text: string): ControlPoint | null {
+  const [face, u, v, weight = '1'] = text.split(',');
+  const point = parsePoint([face, u, v].join(','));
+  if (!point) return null;
+  const [value] = parseNumbers(weight, 1) ?? [1];
+  const { least, most } = parameterRange;
+  return withParameter(point, 'weight', Math.min(most, Math.max(least, value!)));
 }
 
 function parseCircle(text: string): CircleShape | null {

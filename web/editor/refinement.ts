@@ -1,13 +1,12 @@
 import { EngineClient } from '../worker/client';
 import { Newest } from '../worker/newest';
-import type { TracedCurve } from '../worker/protocol';
 
-/** What to compute: a trace on whatever engine it is given, and what takes the answer. */
-export interface RefinementJob {
-  trace(client: EngineClient): Promise<TracedCurve>;
+/** What to compute, on whatever engine it is given, and what takes the answer. */
+export interface RefinementJob<Result> {
+  compute(client: EngineClient): Promise<Result>;
   /** The revision that it belongs to; answers to another one are dropped. */
   revision: number;
-  done(curve: TracedCurve): void;
+  done(result: Result): void;
   failed(error: unknown): void;
 }
 
@@ -19,13 +18,13 @@ const mostRestarts = 2;
  * surface, made when it is first needed: so nothing that is computed here is ever in the way of an
  * edit, and what an edit overtakes is dropped.
  */
-export class Refinement {
+export class Refinement<Result> {
   #source: EngineClient | null = null;
   #client: EngineClient | null = null;
   #loading: AbortController | null = null;
   #restarts = 0;
   #wanted = -1;
-  readonly #newest = new Newest<RefinementJob>((job) => this.#run(job));
+  readonly #newest = new Newest<RefinementJob<Result>>((job) => this.#run(job));
 
   /** Refines curves on another surface; the engine for the one before ends. */
   use(source: EngineClient | null): void {
@@ -39,7 +38,7 @@ export class Refinement {
   }
 
   /** Computes this job next, in place of one that waits. */
-  request(job: RefinementJob): void {
+  request(job: RefinementJob<Result>): void {
     if (job.revision === this.#wanted) return;
     this.#wanted = job.revision;
     this.#newest.push(job);
@@ -56,20 +55,20 @@ export class Refinement {
     return this.#wanted !== -1;
   }
 
-  async #run(job: RefinementJob): Promise<void> {
+  async #run(job: RefinementJob<Result>): Promise<void> {
     const source = this.#source;
     try {
       const client = await this.#engine();
       if (job.revision !== this.#wanted) return;
-      const curve = await job.trace(client);
-      if (this.#settle(job, source)) job.done(curve);
+      const result = await job.compute(client);
+      if (this.#settle(job, source)) job.done(result);
     } catch (error) {
       if (this.#settle(job, source)) job.failed(error);
     }
   }
 
   /** Whether a job that has ended is still the one that is wanted; it is then no longer awaited. */
-  #settle(job: RefinementJob, source: EngineClient | null): boolean {
+  #settle(job: RefinementJob<Result>, source: EngineClient | null): boolean {
     if (job.revision !== this.#wanted || source !== this.#source) return false;
     this.#wanted = -1;
     return true;

@@ -39,6 +39,7 @@ export function jsonOf(state: State, view: View): string {
     kind,
     ...(kind === 'circle' ? { circle, radius: view.circle?.radius } : { points }),
     quality: view.quality,
+    center: view.center ?? undefined,
     length: curve?.length,
     samples: curve && samplesOf(curve),
     lost: curve?.lost,

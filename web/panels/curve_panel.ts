@@ -1,9 +1,9 @@
-import type { SurfacePoint } from 'karcher';
-import { type CurveDocument, isEmpty, type Kind } from '../editor/document';
-import type { Editor, Selection, State } from '../editor/editor';
+import { isEmpty, type Kind } from '../editor/document';
+import type { Editor, State } from '../editor/editor';
 import { type MethodId, methods } from '../editor/methods';
 import type { View } from '../editor/session';
-import { byId, formatInteger, make } from './elements';
+import { byId, make } from './elements';
+import { PointRows } from './point_rows';
 
 export interface CurveEvents {
   chooseMethod(id: MethodId): void;
@@ -12,7 +12,7 @@ export interface CurveEvents {
 /** The curve's kind, how it is computed, and the list of its control points. */
 export class CurvePanel {
   readonly #method = byId<HTMLSelectElement>('method');
-  readonly #points = byId('points');
+  readonly #rows: PointRows;
   readonly #clear = byId<HTMLButtonElement>('clear');
   readonly #kinds = [...document.querySelectorAll<HTMLInputElement>('input[name="kind"]')];
 
@@ -20,6 +20,7 @@ export class CurvePanel {
     private readonly editor: Editor,
     events: CurveEvents,
   ) {
+    this.#rows = new PointRows(editor);
     for (const input of this.#kinds) {
       input.addEventListener('change', () => editor.setKind(input.value as Kind));
     }
@@ -27,7 +28,7 @@ export class CurvePanel {
     this.#method.addEventListener('change', () => {
       events.chooseMethod(this.#method.value as MethodId);
     });
-    this.#clear.addEventListener('click', () => editor.clear());
+    this.#clear.addEventListener('click', () => this.editor.clear());
   }
 
   show(state: State, view: View): void {
@@ -35,55 +36,12 @@ export class CurvePanel {
     for (const input of this.#kinds) input.checked = input.value === kind;
     this.#method.value = state.method;
     this.#clear.hidden = isEmpty(state.document);
-    byId('points-title').textContent = kind === 'circle' ? 'Circle' : 'Control points';
-    this.#showRows(rowsOf(state.document, view), state.selection);
-  }
-
-  #showRows(rows: readonly Row[], selection: Selection): void {
-    if (rows.length === 0) {
-      this.#points.replaceChildren(make('li', 'None yet', { className: 'none' }));
-      return;
-    }
-    while (this.#points.childElementCount > rows.length) this.#points.lastElementChild!.remove();
-    this.#points.querySelector('.none')?.remove();
-    for (const [i, { which, name, value }] of rows.entries()) {
-      const row = this.#points.children[i] ?? this.#points.appendChild(this.#makeRow());
-      const button = row.firstElementChild as HTMLButtonElement;
-      button.dataset.which = `${which}`;
-      button.firstElementChild!.textContent = name;
-      button.lastElementChild!.textContent = value;
-      button.setAttribute('aria-pressed', `${which === selection}`);
-    }
-  }
-
-  #makeRow(): HTMLLIElement {
-    const row = make('li');
-    const button = make('button', '', { type: 'button' });
-    button.append(make('b'), make('span'));
-    button.addEventListener('click', () => {
-      const which = button.dataset.which!;
-      this.editor.select(which === 'center' || which === 'rim' ? which : Number(which));
-    });
-    row.append(button);
-    return row;
+    byId('points-title').textContent = pointsTitles[kind] ?? 'Control points';
+    this.#rows.show(state, view);
   }
 }
 
-interface Row {
-  which: NonNullable<Selection>;
-  name: string;
-  value: string;
-}
-
-function rowsOf({ kind, points, circle }: CurveDocument, view: View): Row[] {
-  const place = ({ face }: SurfacePoint) => `on face ${formatInteger(face)}`;
-  if (kind !== 'circle') {
-    return points.map((point, i) => ({ which: i, name: `${i + 1}`, value: place(point) }));
-  }
-  if (!circle) return [];
-  const radius = view.circle?.radius.toPrecision(4) ?? '';
-  return [
-    { which: 'center', name: 'Center', value: place(circle.center) },
-    { which: 'rim', name: 'Radius', value: radius },
-  ];
-}
+const pointsTitles: Partial<Record<Kind, string>> = {
+  circle: 'Circle',
+  center: 'Points and their weights',
+};

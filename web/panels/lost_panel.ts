@@ -3,7 +3,7 @@ import { type LostInterval, lostSamples } from '../worker/lost';
 import { byId, formatCount, make } from './elements';
 
 /** Why a search ended without a center of mass. */
-const reasons: Record<LostInterval['status'], string> = {
+export const reasons: Record<LostInterval['status'], string> = {
   indefinite: 'more than one center',
   boundary: 'the surface ends',
   noProgress: 'the search got stuck',

@@ -1,3 +1,4 @@
+import type { SurfacePoint } from 'karcher';
 import type { Editor } from '../editor/editor';
 import { meshLabel } from '../editor/meshes';
 import type { Session } from '../editor/session';
@@ -42,8 +43,7 @@ export class SaveMenu {
 
   /** Saves what is shown; without a curve, says so. */
   save(format: Format): void {
-    const { curve } = this.session.view;
-    if (!curve) {
+    if (!this.#has(format)) {
       showNote('There is no curve to save yet.');
       return;
     }
@@ -51,7 +51,7 @@ export class SaveMenu {
     const surface = meshLabel(state.mesh).replace(/\.obj$/i, '');
     const title = `${state.document.kind} on ${surface}`;
     const text = {
-      obj: () => objOf(curve, title),
+      obj: () => objOf(this.session.view.curve!, title),
       svg: () => this.#drawing(),
       json: () => jsonOf(state, this.session.view),
     }[format]();
@@ -61,11 +61,16 @@ export class SaveMenu {
     setTimeout(() => URL.revokeObjectURL(address), 60_000);
   }
 
+  /** A center of mass is no polyline. */
+  #has(format: Format): boolean {
+    const { curve, center } = this.session.view;
+    return curve !== null || (center !== null && format !== 'obj');
+  }
+
   #open(): void {
-    const none = !this.session.view.curve;
-    byId('save-none').hidden = !none;
-    for (const item of this.#items) item.disabled = none;
-    this.#items[0]!.focus();
+    byId('save-none').hidden = this.#has('json');
+    for (const item of this.#items) item.disabled = !this.#has(item.dataset.save as Format);
+    this.#items.find((item) => !item.disabled)?.focus();
   }
 
   #key(event: KeyboardEvent): void {
@@ -79,7 +84,7 @@ export class SaveMenu {
 
   #drawing(): string {
     const { viewer } = this;
-    const { curve, legs } = this.session.view;
+    const { curve, center, legs } = this.session.view;
     const colors = sceneColors();
     const lost = {
       color: colors.lost,
@@ -87,14 +92,17 @@ export class SaveMenu {
     };
     const lines: DrawnLine[] = [
       ...legs.map((leg) => ({ ...viewer.seen(leg), color: colors.polygon, width: 1.2 })),
-      { ...viewer.seen(curve!.polyline), color: colors.curve, width: 3.5, lost },
     ];
+    if (curve)
+      lines.push({ ...viewer.seen(curve.polyline), color: colors.curve, width: 3.5, lost });
     const { kind, points, circle } = this.editor.state.document;
     const handles = kind === 'circle' ? [circle!.center] : points;
-    const dots = handles.map((point) => ({
+    const dot = (point: SurfacePoint, color: string) => ({
       ...viewer.project(viewer.surface!.position(point)),
-      color: colors.curve,
-    }));
+      color,
+    });
+    const dots = handles.map((point) => dot(point, colors.curve));
+    if (center) dots.push(dot(center.point, colors.center));
     return svgOf({ ...viewer.size, lines, points: dots });
   }
 }

@@ -1,12 +1,15 @@
 import type { MeshInfo } from 'karcher';
-import { pointsNeeded } from '../editor/document';
-import type { Selection, State } from '../editor/editor';
+import type { ShownCenter } from '../editor/compute';
+import { parameterOf, pointsNeeded } from '../editor/document';
+import type { Editor, Selection, State } from '../editor/editor';
 import type { Quality } from '../editor/methods';
 import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
 import { lostSamples } from '../worker/lost';
 import { byId, formatCount } from './elements';
+import { reasons } from './lost_panel';
 import { sentenceOf } from './messages';
+import { makeSlider, showOnSlider } from './point_rows';
 
 /** Work this short goes without saying. */
 const patienceMilliseconds = 300;
@@ -22,20 +25,23 @@ export class Status {
   readonly #notice = byId('notice');
   #timer = 0;
 
-  constructor(events: StatusEvents) {
+  readonly #slider: HTMLInputElement;
+
+  constructor(editor: Editor, events: StatusEvents) {
+    // Where the list of points has no room, the selected one has its slider here.
+    this.#slider = makeSlider(editor, () => Number(editor.state.selection));
+    byId('selected-slider').append(this.#slider);
     byId('remove').addEventListener('click', events.remove);
     byId('status-lost').addEventListener('click', events.goToLost);
   }
 
   show(state: State, view: View, info: MeshInfo | null): void {
     byId('status-triangles').textContent = info ? formatCount(info.triangles, 'triangle') : '';
-    const { curve } = view;
-    const text = (id: string, value: string) => {
-      byId(id).textContent = curve ? value : '';
-    };
-    text('status-samples', formatCount(curve?.samples.count ?? 0, 'sample'));
-    text('status-length', `length ${formatLength(curve?.length ?? 0)}`);
-    text('status-time', `${formatMilliseconds(curve?.milliseconds ?? 0)} ms`);
+    const { curve, center } = view;
+    byId('status-samples').textContent = curve ? formatCount(curve.samples.count, 'sample') : '';
+    byId('status-length').textContent = measureOf(view);
+    const time = (curve ?? center)?.milliseconds;
+    byId('status-time').textContent = time === undefined ? '' : `${formatMilliseconds(time)} ms`;
     this.#showLost(view);
     this.#showQuality(view);
     const arcs = byId('status-arcs');
@@ -79,6 +85,11 @@ export class Status {
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
     byId('selected').textContent = nameOf(selection);
+    const { kind, points } = state.document;
+    const name = parameterOf(kind);
+    const point = typeof selection === 'number' ? points[selection] : undefined;
+    this.#slider.hidden = !name || !point;
+    if (name && point) showOnSlider(this.#slider, Number(selection), point, name);
     const element = byId('hint');
     if (element.textContent !== hint) element.textContent = hint;
   }
@@ -93,8 +104,11 @@ function hintOf({ mesh, document }: State, view: View): string {
   if (!mesh) return '';
   if (view.problem) return sentenceOf(view.problem);
   const { kind, points, circle } = document;
+  if (view.center) return centerHint(view.center);
   if (kind === 'circle') return circle ? '' : 'Click the surface to place the center';
-  if (points.length === 0) return 'Click the surface to place a control point';
+  if (points.length === 0) {
+    return `Click the surface to place a ${kind === 'center' ? '' : 'control '}point`;
+  }
   const missing = pointsNeeded[kind] - points.length;
   if (missing <= 0) return '';
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
@@ -115,6 +129,17 @@ function qualityText(
 }
 
 const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
+
+/** What is worth knowing about a center that is not simply the center. */
+function centerHint({ status, otherMinima }: ShownCenter): string {
+  if (status !== 'converged') return `No center was found: ${reasons[status]}`;
+  return otherMinima ? 'One of several minima: the lowest that was found' : '';
+}
+
+function measureOf({ curve, center }: View): string {
+  if (center) return `energy ${formatLength(center.energy)}`;
+  return curve ? `length ${formatLength(curve.length)}` : '';
+}
 
 const formatLength = (length: number) => length.toPrecision(4);
 

@@ -66,7 +66,8 @@ export class Tools {
   #key(event: KeyboardEvent): void {
     const covered = this.#help.open || document.querySelector(':popover-open');
     if (covered || event.defaultPrevented || event.altKey) return;
-    const typing = event.target instanceof HTMLElement && event.target.closest('select');
+    const typing =
+      event.target instanceof HTMLElement && event.target.closest('select, input[type="range"]');
     const key = event.key.toLowerCase();
     if (event.ctrlKey || event.metaKey) {
       if (key === 'z' && event.shiftKey) this.editor.redo();
@@ -94,6 +95,7 @@ export class Tools {
     1: () => this.editor.setKind('bspline'),
     2: () => this.editor.setKind('bezier'),
     3: () => this.editor.setKind('circle'),
+    4: () => this.editor.setKind('center'),
     '?': () => this.#help.showModal(),
   };
 }

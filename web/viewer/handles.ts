@@ -26,6 +26,8 @@ export class Handles {
   readonly #buttons = new Map<string, { button: HTMLButtonElement; handle: Handle }>();
   readonly #preview = document.createElement('div');
   #previewPosition: Vector3 | null = null;
+  readonly #center = document.createElement('div');
+  #centerPosition: Vector3 | null = null;
   readonly #beacon = document.createElement('div');
   #beaconPosition: Vector3 | null = null;
 
@@ -42,7 +44,9 @@ export class Handles {
       this.#beacon.hidden = true;
       this.#beaconPosition = null;
     });
-    layer.append(this.#preview, this.#beacon);
+    this.#center.className = 'mass-center';
+    this.#center.hidden = true;
+    layer.append(this.#preview, this.#center, this.#beacon);
     viewer.onFrame(() => this.#place());
   }
 
@@ -71,6 +75,13 @@ export class Handles {
     this.#previewPosition = position;
     this.#preview.hidden = position === null;
     if (position) this.viewer.requestFrame();
+  }
+
+  /** The center of mass; it follows from the points, and is not dragged. */
+  showCenter(position: Vector3 | null): void {
+    this.#centerPosition = position;
+    this.#center.hidden = position === null;
+    this.viewer.requestFrame();
   }
 
   /** Rings around a place, for a moment. */
@@ -107,13 +118,15 @@ export class Handles {
       button.classList.toggle('behind', hidden);
     }
     this.#put(this.#preview, this.#previewPosition);
+    this.#put(this.#center, this.#centerPosition);
     this.#put(this.#beacon, this.#beaconPosition);
   }
 
   #put(element: HTMLElement, position: Vector3 | null): void {
     if (!position) return;
-    const { x, y } = this.viewer.project(position);
+    const { x, y, hidden } = this.viewer.project(position);
     element.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
+    element.classList.toggle('behind', hidden);
   }
 
   #make(id: string): HTMLButtonElement {

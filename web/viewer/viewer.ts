@@ -23,6 +23,7 @@ export interface ViewerColors {
   curve: string;
   lost: string;
   polygon: string;
+  center: string;
 }
 
 const fieldOfView = 30;

@@ -16,6 +16,11 @@ export class Newest<Job> {
     if (!this.#running) void this.#loop();
   }
 
+  /** Looks for idle work again. */
+  wake(): void {
+    if (!this.#running) void this.#loop();
+  }
+
   /** Drops the request that waits; the running one goes on. */
   drop(): void {
     this.#waiting = null;

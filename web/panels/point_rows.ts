@@ -1,0 +1,136 @@
+import type { SurfacePoint } from 'karcher';
+import {
+  type ControlPoint,
+  type CurveDocument,
+  type ParameterName,
+  parameterOf,
+  parameterRange,
+  withParameter,
+} from '../editor/document';
+import type { Editor, Selection, State } from '../editor/editor';
+import type { View } from '../editor/session';
+import { byId, formatInteger, make } from './elements';
+
+const names: Record<ParameterName, string> = { weight: 'Weight' };
+/** Steps of a slider from one end to the other. */
+const steps = 64;
+
+/** Sliders run evenly over the powers of 2: from 1/16 to 16, with 1 in the middle. */
+export const toSlider = (value: number) =>
+  Math.round(((Math.log2(value) - Math.log2(parameterRange.least)) / span) * steps);
+export const fromSlider = (position: number) =>
+  Number((parameterRange.least * 2 ** ((position / steps) * span)).toPrecision(4));
+const span = Math.log2(parameterRange.most / parameterRange.least);
+
+/** The list of what was placed, each with the slider of its number. */
+export class PointRows {
+  readonly #list = byId('points');
+
+  constructor(private readonly editor: Editor) {}
+
+  show({ document, selection }: State, view: View): void {
+    const rows = rowsOf(document, view);
+    if (rows.length === 0) {
+      this.#list.replaceChildren(make('li', 'None yet', { className: 'none' }));
+      return;
+    }
+    while (this.#list.childElementCount > rows.length) this.#list.lastElementChild!.remove();
+    this.#list.querySelector('.none')?.remove();
+    for (const [i, row] of rows.entries()) {
+      const element = this.#list.children[i] ?? this.#list.appendChild(this.#makeRow(i));
+      showRow(element as HTMLElement, row, selection);
+    }
+  }
+
+  #makeRow(index: number): HTMLLIElement {
+    const row = make('li');
+    const button = make('button', '', { type: 'button' });
+    button.append(make('b'), make('span'));
+    button.addEventListener('click', () => {
+      const which = button.dataset.which!;
+      this.editor.select(which === 'center' || which === 'rim' ? which : Number(which));
+    });
+    row.append(
+      button,
+      makeSlider(this.editor, () => index),
+    );
+    return row;
+  }
+}
+
+/** A slider for the number of a control point; a double click sets it to 1. */
+export function makeSlider(editor: Editor, index: () => number): HTMLInputElement {
+  const slider = make('input', '', { type: 'range', min: '0', max: `${steps}`, step: '1' });
+  const preview = (value: number) => {
+    const name = parameterOf(editor.base.kind);
+    const from = editor.base.points[index()];
+    if (!name || !from) return;
+    const to = withParameter(from, name, value);
+    editor.preview({ type: 'change', index: index(), from, to });
+  };
+  slider.addEventListener('pointerdown', () => editor.select(index()));
+  slider.addEventListener('input', () => preview(fromSlider(slider.valueAsNumber)));
+  slider.addEventListener('change', () => editor.commitDrag());
+  slider.addEventListener('dblclick', () => {
+    preview(1);
+    editor.commitDrag();
+  });
+  return slider;
+}
+
+/** Shows a control point's number on a slider. */
+export function showOnSlider(
+  slider: HTMLInputElement,
+  index: number,
+  point: ControlPoint,
+  name: ParameterName,
+): void {
+  const value = point[name] ?? 1;
+  slider.value = `${toSlider(value)}`;
+  slider.setAttribute('aria-label', `${names[name]} of point ${index + 1}`);
+  slider.setAttribute('aria-valuetext', `${value}`);
+}
+
+interface Row {
+  which: NonNullable<Selection>;
+  name: string;
+  value: string;
+  slider: { point: ControlPoint; name: ParameterName } | null;
+}
+
+function showRow(element: HTMLElement, { which, name, value, slider }: Row, selection: Selection) {
+  const [button, input] = [...element.children] as [HTMLButtonElement, HTMLInputElement];
+  button.dataset.which = `${which}`;
+  button.firstElementChild!.textContent = name;
+  button.lastElementChild!.textContent = value;
+  button.setAttribute('aria-pressed', `${which === selection}`);
+  input.hidden = slider === null;
+  if (slider) showOnSlider(input, Number(which), slider.point, slider.name);
+}
+
+function rowsOf({ kind, points, circle }: CurveDocument, view: View): Row[] {
+  const place = ({ face }: SurfacePoint) => `on face ${formatInteger(face)}`;
+  if (kind === 'circle') {
+    if (!circle) return [];
+    const radius = view.circle?.radius.toPrecision(4) ?? '';
+    return [
+      { which: 'center', name: 'Center', value: place(circle.center), slider: null },
+      { which: 'rim', name: 'Radius', value: radius, slider: null },
+    ];
+  }
+  const name = parameterOf(kind);
+  const total = points.reduce((sum, { weight = 1 }) => sum + weight, 0);
+  return points.map((point, i) => ({
+    which: i,
+    name: `${i + 1}`,
+    value: name ? numberOf(point, name, kind === 'center' ? total : null) : place(point),
+    slider: name && { point, name },
+  }));
+}
+
+/** A point's number, or its share of all where they are divided by their sum. */
+function numberOf(point: ControlPoint, name: ParameterName, total: number | null): string {
+  const value = point[name] ?? 1;
+  if (total !== null) return `${((100 * value) / total).toFixed(1)} %`;
+  return value.toPrecision(3);
+}
