@@ -144,7 +144,7 @@ inline ApexArrival throughFront(const EdgeEnd& a, const EdgeEnd& b, const Vec2& 
   }
   const double square = value0 + s * (slope0 + s * (c2 + s * c3));
   // Distances differ by no more than the way between: the cubic may not fall below that.
-  const double radius = std::max({std::sqrt(std::max(square, 0.0)), ra - s, rb - (1 - s)});
+  const double radius = std::max(std::sqrt(std::max(square, 0.0)), std::max(ra - s, rb - (1 - s)));
   const Vec2 back(s - apex.x(), -apex.y());
   const double length = back.norm();
   return {base + radius + length, s < 0.5 ? a.base : b.base, back / length};

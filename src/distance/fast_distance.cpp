@@ -16,7 +16,17 @@ constexpr double kLateness = 0.5;
 constexpr double kWait = 0.1;
 
 /// The line from a source may miss the edge by this part of it for the edge to be looked at.
-constexpr double kFarBeside = 1;
+constexpr double kFarBeside = 0.1;
+
+/// unitVector(angle), by the power series where a few terms are all that doubles can tell.
+Vec2 unitVectorOfSmall(double angle) {
+  if (std::abs(angle) > 0.25) return unitVector(angle);
+  const double x = angle * angle;
+  const double c = 1 - x * (1. / 30) * (1 - x * (1. / 56) * (1 - x * (1. / 90)));
+  const double s = 1 - x * (1. / 42) * (1 - x * (1. / 72) * (1 - x * (1. / 110)));
+  return {1 - x / 2 * (1 - x * (1. / 12) * c),
+          angle * (1 - x * (1. / 6) * (1 - x * (1. / 20) * s))};
+}
 
 }  // namespace
 
@@ -24,7 +34,7 @@ FastDistance::FastDistance(const Geometry& geometry, std::shared_ptr<const Verte
     : geometry_(geometry),
       fans_(fans ? std::move(fans) : std::make_shared<const VertexFans>(buildVertexFans(geometry))),
       jets_(geometry.mesh->vertexCount()),
-      queue_(geometry.meanEdge / 8) {}
+      queue_(geometry.meanEdge / 32) {}
 
 void FastDistance::setSource(const SurfacePoint& source) {
   source_ = source;
@@ -40,7 +50,8 @@ void FastDistance::setSource(const SurfacePoint& source) {
     Jet start;
     start.distance = 0;
     start.corner = fans_->begin[place.vertex];
-    arrive(jets_.touch(place.vertex), place.vertex, start);
+    jets_.touch(place.vertex) = start;
+    enqueue(place.vertex, kInfinity);
     return;
   }
   placeInFace(place.face, pointInFace(geometry_, source));
@@ -63,7 +74,11 @@ void FastDistance::placeInFace(int face, const Vec2& source) {
     const Vec2 inFan = rotate(fans_->edges[start.corner].vector, rotateBack(edge, toSource));
     start.toSource = inFan.normalized();
     Jet& jet = jets_.touch(v);
-    if (start.distance < jet.distance) arrive(jet, v, start);
+    if (start.distance < jet.distance) {
+      const double before = jet.distance;
+      jet = start;
+      enqueue(v, before);
+    }
   }
 }
 
@@ -82,130 +97,143 @@ void FastDistance::grow(double radius) {
   }
 }
 
-/// Lists the edges of a vertex from the one after `corner` on, laid side by side in the plane.
-void FastDistance::gatherSpokes(int vertex, int corner) {
-  const int begin = fans_->begin[vertex];
-  const int end = fans_->end(vertex);
-  const bool closed = !fans_->onBoundary(vertex);
-  const Vec2 turn = fans_->turn[vertex];
-  const int count = end - begin;
-  const int beforeEnd = end - 1 - corner;
-  gap_ = closed ? count : beforeEnd;
-  spokes_.resize(static_cast<size_t>(count));
-  Spoke* spoke = spokes_.data();
-  for (int i = 0; i < count; ++i, ++spoke) {
-    const bool wraps = i >= beforeEnd;
-    const FanEdge& edge = fans_->edges[wraps ? begin + i - beforeEnd : corner + 1 + i];
-    spoke->vector = wraps && closed ? rotate(turn, edge.vector) : edge.vector;
-    spoke->length =
-        std::sqrt(edge.vector.x() * edge.vector.x() + edge.vector.y() * edge.vector.y());
-    spoke->jet = &jets_.touch(edge.head);
-    spoke->head = edge.head;
-    spoke->reverse = edge.reverse;
-    longest_ = std::max(longest_, spoke->length);
-    if (i > 0) {
-      Spoke& last = spoke[-1];
-      last.dot = last.vector.x() * spoke->vector.x() + last.vector.y() * spoke->vector.y();
-      last.doubleArea = cross(last.vector, spoke->vector);
-    }
-  }
-}
-
 void FastDistance::settle(int vertex) {
   Jet& own = jets_.touch(vertex);
   own.settled = true;
   front_ = std::max(front_, own.distance);
-  gatherSpokes(vertex, own.corner);
-  for (const Spoke& spoke : spokes_) goAlongEdge(own, spoke);
-  if (own.distance == 0) return;
-  crossEdges<1>(vertex, own, own.toSource);
-  const bool closed = !fans_->onBoundary(vertex);
-  crossEdges<-1>(vertex, own, closed ? rotate(fans_->turn[vertex], own.toSource) : own.toSource);
-}
-
-void FastDistance::goAlongEdge(const Jet& own, const Spoke& spoke) {
-  const double distance = own.distance + spoke.length;
-  if (!(distance < spoke.jet->distance * kShorter) || distance <= barrier_) return;
-  Jet jet;
-  jet.distance = distance;
-  jet.base = own.distance;
-  jet.toSource = fans_->edges[spoke.reverse].vector / spoke.length;
-  jet.corner = spoke.reverse;
-  jet.alongEdge = true;
-  arrive(*spoke.jet, spoke.head, jet);
-}
-
-/// Takes the edges counterclockwise (kSide = 1) or clockwise (kSide = -1) from the direction to the
-/// source, and goes over each into the triangle that follows.
-template <int kSide>
-void FastDistance::crossEdges(int vertex, const Jet& own, const Vec2& toSource) {
-  const double radius = own.distance - own.base;
-  const Spoke* const last =
-      kSide > 0 ? spokes_.data() + gap_ - 1 : spokes_.data() + (gap_ == spokes_.count() ? 0 : gap_);
-  const Spoke* spoke = kSide > 0 ? spokes_.data() : spokes_.data() + spokes_.count() - 1;
-  if (kSide > 0 ? spoke > last : spoke < last) return;
-  for (; spoke != last; spoke += kSide) {
-    const Jet& other = *spoke->jet;
-    const double sine =
-        kSide * (toSource.x() * spoke->vector.y() - toSource.y() * spoke->vector.x());
-    const bool settled = other.settled;
-    if (sine < 0 && !settled) continue;
-
-    // No path over the edge is shorter than (d_v + d_w - length) / 2 and the height above the edge.
-    // If that is no less than the distance of an end that is not settled, the end comes first.
-    const Spoke& target = spoke[kSide];
-    const Spoke& corner = kSide > 0 ? *spoke : target;
-    const double length = spoke->length;
-    double limit = target.jet->distance;
-    if (!settled) limit = std::min(limit, other.distance);
-    if (corner.doubleArea >= length * (limit - 0.5 * (own.distance + other.distance - length))) {
-      continue;
+  const int begin = fans_->begin[vertex];
+  const int count = fans_->end(vertex) - begin;
+  const FanEdge* const edges = fans_->edges.data() + begin;
+  if (ends_.count() < count) {
+    ends_.resize(static_cast<size_t>(count));
+    crossings_.resize(static_cast<size_t>(2 * count) + 1);
+  }
+  constexpr double kOpen[2] = {0, kInfinity};
+  for (int i = 0; i < count; ++i) {
+    Jet& end = jets_.touch(edges[i].head);
+    longest_ = std::max(longest_, edges[i].length);
+    const double before = end.distance;
+    goAlongEdge(own, edges[i], end);
+    ends_[i] = {&end, before, end.distance, end.distance + kOpen[end.settled ? 1 : 0]};
+  }
+  const int crossings = own.distance == 0 ? 0 : listCrossings(own, begin, count);
+  for (int i = 0; i < crossings; ++i) {
+    const int left = crossings_[i] >> 1;
+    const int right = left + 1 == count ? 0 : left + 1;
+    if ((crossings_[i] & 1) == 0) {
+      cross<1>(vertex, own, begin + left, begin + right);
+    } else {
+      cross<-1>(vertex, own, begin + right, begin + left);
     }
-    const double cosine = toSource.x() * spoke->vector.x() + toSource.y() * spoke->vector.y();
-    const double squared = length * length;
-    if (sine >= 0) {
-      const double drop = corner.doubleArea + radius * sine;
-      const double crossing = radius * (cosine * corner.doubleArea + corner.dot * sine);
-      if (crossing < -kFarBeside * squared * drop || crossing > (1 + kFarBeside) * squared * drop) {
-        continue;
-      }
-    }
-    if (!settled) {
-      // The same for straight paths from this vertex's source, by bounds without a root.
-      const double away = radius - cosine;
-      const double gain =
-          (cosine - kWait * length) * squared - corner.dot * cosine + corner.doubleArea * sine;
-      if (away > 0 && 2 * away * gain > (squared - cosine * cosine) * squared) continue;
-    }
-    if ((fans_->flags[vertex] & VertexFans::kWide) != 0 &&
-        looksTooFar(vertex, fans_->edges[spoke->reverse].reverse, kSide)) {
-      continue;
-    }
-    const double inverse = 1 / length;
-    EdgeEnd end;
-    end.cosine = cosine * inverse;
-    end.sine = sine * inverse;
-    end.seen = sine >= 0;
-    end.distance = own.distance * inverse;
-    end.base = own.base * inverse;
-    crossEdge<kSide>(*spoke, target, end,
-                     Vec2(corner.dot * inverse * inverse, corner.doubleArea * inverse * inverse));
+  }
+  for (int i = 0; i < count; ++i) {
+    if (ends_[i].jet->distance != ends_[i].before) enqueue(edges[i].head, ends_[i].before);
   }
 }
 
-/// The path to the end of the spoke `target` over the spoke beside it; the target lies on its left
-/// (kSide = 1) or on its right (kSide = -1).
+/// Lists the edges that a path may cross, and returns how many they are. No path over an edge is
+/// shorter than (d_v + d_w - length) / 2 and the height above the edge; if that is no less than the
+/// distance of an end that is not settled, the end comes first. Without branches, which would be
+/// guessed wrong half the time.
+int FastDistance::listCrossings(const Jet& own, int begin, int count) {
+  const FanEdge* const edges = fans_->edges.data() + begin;
+  const auto mayCross = [&](const FanEdge& edge, const End& end, const End& apex, double area) {
+    const double limit = std::min(apex.distance, end.open);
+    return area < edge.length * (limit - 0.5 * (own.distance + end.distance - edge.length));
+  };
+  int found = 0;
+  for (int i = 0; i < count; ++i) {
+    const int j = i + 1 == count ? 0 : i + 1;
+    const double area = edges[i].doubleArea;
+    // The boundary's last edge has no corner, and no area.
+    const bool ahead = begin + i != own.corner && area > 0;
+    crossings_[found] = 2 * i;
+    found +=
+        static_cast<int>(mayCross(edges[i], ends_[i], ends_[j], area)) & static_cast<int>(ahead);
+    crossings_[found] = 2 * i + 1;
+    found +=
+        static_cast<int>(mayCross(edges[j], ends_[j], ends_[i], area)) & static_cast<int>(ahead);
+  }
+  return found;
+}
+
+void FastDistance::goAlongEdge(const Jet& own, const FanEdge& edge, Jet& end) {
+  const double distance = own.distance + edge.length;
+  if (!(distance < end.distance * kShorter) || distance <= barrier_) return;
+  Jet jet;
+  jet.distance = distance;
+  jet.base = own.distance;
+  jet.toSource = fans_->edges[edge.reverse].vector / edge.length;
+  jet.corner = edge.reverse;
+  jet.alongEdge = true;
+  end = jet;
+}
+
+/// Goes over an edge if that can be the way to the end of the next edge on the left (kSide = 1) or
+/// on the right (kSide = -1).
 template <int kSide>
-void FastDistance::crossEdge(const Spoke& spoke, const Spoke& target, const EdgeEnd& a,
-                             const Vec2& apex) {
-  const Jet& other = *spoke.jet;
-  const double inverse = 1 / spoke.length;
+void FastDistance::cross(int vertex, const Jet& own, int edgeNumber, int targetNumber) {
+  const FanEdge& edge = fans_->edges[edgeNumber];
+  const FanEdge& target = fans_->edges[targetNumber];
+  const Jet& other = *ends_[edgeNumber - fans_->begin[vertex]].jet;
+  // The direction to the source, turned so that the angle from it to the edge is on this side.
+  Vec2 toSource = own.toSource;
+  if (kSide > 0 ? edgeNumber <= own.corner : edgeNumber > own.corner) {
+    if (fans_->onBoundary(vertex)) return;
+    const Vec2& turn = fans_->turn[vertex];
+    toSource = kSide > 0 ? rotateBack(turn, toSource) : rotate(turn, toSource);
+  }
+  Vec2 toTarget = target.vector;
+  if (kSide > 0 ? targetNumber < edgeNumber : targetNumber > edgeNumber) {
+    const Vec2& turn = fans_->turn[vertex];
+    toTarget = kSide > 0 ? rotate(turn, toTarget) : rotateBack(turn, toTarget);
+  }
+  const double radius = own.distance - own.base;
+  const double length = edge.length;
+  const double squared = length * length;
+  const double sine = kSide * karcher::cross(toSource, edge.vector);
+  const double cosine = toSource.dot(edge.vector);
+  const double area = (kSide > 0 ? edge : target).doubleArea;
+  const double dot = edge.vector.dot(toTarget);
+
+  const double drop = area + radius * sine;
+  const double place = radius * (cosine * area + dot * sine);
+  const bool faces = sine >= 0;
+  const bool beside =
+      place < -kFarBeside * squared * drop || place > (1 + kFarBeside) * squared * drop;
+  if (faces ? beside : !other.settled) return;
+  if (!other.settled) {
+    // The bound of listCrossings for straight paths from this vertex's source, without a root.
+    const double away = radius - cosine;
+    const double gain = (cosine - kWait * length) * squared - dot * cosine + area * sine;
+    if (away > 0 && 2 * away * gain > (squared - cosine * cosine) * squared) return;
+  }
+  if ((fans_->flags[vertex] & VertexFans::kWide) != 0 && looksTooFar(vertex, edgeNumber, kSide)) {
+    return;
+  }
+  const double inverse = 1 / length;
+  EdgeEnd end;
+  end.cosine = cosine * inverse;
+  end.sine = sine * inverse;
+  end.seen = faces;
+  end.distance = own.distance * inverse;
+  end.base = own.base * inverse;
+  const double inverseSquare = inverse * inverse;
+  crossEdge<kSide>(edge, target, end, Vec2(dot * inverseSquare, area * inverseSquare), inverse);
+}
+
+/// The path to the end of the edge `target`, which lies at `apex` in the crossed edge's frame.
+template <int kSide>
+void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const EdgeEnd& a,
+                             const Vec2& apex, double inverse) {
+  const Jet& other = *jets_.find(edge.head);
+  Jet& reached = jets_.touch(target.head);
   EdgeEnd b;
   b.distance = other.distance * inverse;
   b.base = other.base * inverse;
   ApexArrival best;
   if (other.settled) {
-    b.seen = look<-kSide>(spoke, inverse, b);
+    b.seen = look<-kSide>(edge, other, inverse, b);
     best = crossSettledEdge(a, b, apex);
   } else {
     if (!other.alongEdge && edge_crossing::hides(a, b)) return;
@@ -213,34 +241,34 @@ void FastDistance::crossEdge(const Spoke& spoke, const Spoke& target, const Edge
     const double wait = best.distance - a.base - kWait;
     if (wait > 0 && a.squaredRadiusAtOtherEnd() < wait * wait) return;
   }
-  const double distance = best.distance * spoke.length;
+  const double distance = best.distance * edge.length;
   const int reverse = target.reverse;
   const int arrivalCorner = kSide > 0 ? reverse : fans_->before(target.head, reverse);
-  if (!mayArrive(*target.jet, distance, arrivalCorner)) return;
+  if (!mayArrive(reached, distance, arrivalCorner)) return;
 
   // At the apex the edge to this vertex has the direction of -apex here, and of `reverse` there.
   Jet jet;
   jet.distance = distance;
-  jet.base = best.base * spoke.length;
+  jet.base = best.base * edge.length;
   const Vec2 relative = rotateBack(Vec2(-apex.x(), -kSide * apex.y()),
                                    Vec2(best.toSource.x(), kSide * best.toSource.y()));
   jet.toSource = rotate(fans_->edges[reverse].vector, relative) *
-                 (spoke.length / (target.length * target.length));
+                 (edge.length / (target.length * target.length));
   if (kSide < 0 && reverse == fans_->begin[target.head]) {
     jet.toSource = rotate(fans_->turn[target.head], jet.toSource);
   }
   jet.corner = arrivalCorner;
-  arrive(*target.jet, target.head, jet);
+  reached = jet;
 }
 
-/// Looks back from the end of a spoke along it: the angle to the end's source, on the right
+/// Looks back from the end of an edge along it: the angle to the end's source, on the right
 /// (kSide = -1) or on the left (kSide = 1). Returns false if it is more than pi.
 template <int kSide>
-bool FastDistance::look(const Spoke& spoke, double inverseLength, EdgeEnd& end) const {
-  const Jet& jet = *spoke.jet;
+bool FastDistance::look(const FanEdge& along, const Jet& jet, double inverseLength,
+                        EdgeEnd& end) const {
   if (jet.distance == 0) return true;
-  const int vertex = spoke.head;
-  const int edge = spoke.reverse;
+  const int vertex = along.head;
+  const int edge = along.reverse;
   // In the corner beside the edge on the wrong side.
   if (jet.corner == (kSide > 0 ? edge : fans_->before(vertex, edge))) return false;
   const uint8_t flags = fans_->flags[vertex];
@@ -263,7 +291,7 @@ bool FastDistance::look(const Spoke& spoke, double inverseLength, EdgeEnd& end) 
 /// Whether the angle from an edge to the vertex's source, on the right (side = 1) or on the left
 /// (side = -1), is more than 3/2 pi, though its sine is that of a smaller one.
 bool FastDistance::looksTooFar(int vertex, int edge, int side) const {
-  double angle = side * (cumulatedAngle(*fans_, geometry_, vertex, edge) - direction(vertex));
+  double angle = side * (fans_->angles[edge] - direction(vertex));
   if (angle < 0) angle += geometry_.totalAngle[vertex];
   return angle > 1.5 * kPi;
 }
@@ -275,23 +303,23 @@ bool FastDistance::mayArrive(const Jet& jet, double distance, int corner) const 
   return !jet.settled && !jet.alongEdge && jet.corner == corner && distance != jet.distance;
 }
 
-void FastDistance::arrive(Jet& jet, int vertex, const Jet& arrival) {
-  if (jet.distance == kInfinity) touched_.push_back(vertex);
-  jet = arrival;
-  queue_.push(arrival.distance, vertex);
+void FastDistance::enqueue(int vertex, double before) {
+  if (before == kInfinity) touched_.push_back(vertex);
+  queue_.push(jets_.find(vertex)->distance, vertex);
 }
 
 double FastDistance::direction(int vertex) const {
   const Jet& jet = *jets_.find(vertex);
-  const FanEdge& edge = fans_->edges[jet.corner];
-  const double inCorner =
-      std::atan2(cross(edge.vector, jet.toSource), edge.vector.dot(jet.toSource));
-  return cumulatedAngle(*fans_, geometry_, vertex, jet.corner) + inCorner;
+  const Vec2& edge = fans_->edges[jet.corner].vector;
+  const double inCorner = std::atan2(karcher::cross(edge, jet.toSource), edge.dot(jet.toSource));
+  return fans_->angles[jet.corner] + inCorner;
 }
 
 Vec2 FastDistance::logVector(int vertex) const {
   const Jet& jet = *jets_.find(vertex);
-  return -2 * jet.distance * unitVector(geometry_.angleScale[vertex] * direction(vertex));
+  // The frame's angles are the fan's, scaled: a small turn where the surface bends little.
+  const double turn = (geometry_.angleScale[vertex] - 1) * direction(vertex);
+  return -2 * jet.distance * rotate(unitVectorOfSmall(turn), jet.toSource);
 }
 
 }  // namespace karcher

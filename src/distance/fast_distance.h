@@ -69,41 +69,39 @@ class FastDistance {
     bool alongEdge = false;  ///< the path comes along an edge from the vertex at `base`
   };
 
-  /// An edge of the vertex that is being settled, and the triangle between it and the next spoke.
-  struct Spoke {
-    Vec2 vector;
-    double length;
-    double dot;         ///< of both edges' vectors
-    double doubleArea;  ///< of the triangle
-    Jet* jet;           ///< of the vertex at the end
-    int head;
-    int reverse;
+  /// The vertex at the end of an edge of the vertex that is being settled.
+  struct End {
+    Jet* jet;
+    double before;  ///< its distance until now
+    double distance;
+    double open;  ///< the distance while it is not settled, else kInfinity
   };
 
   void placeInFace(int face, const Vec2& source);
   void settle(int vertex);
-  void gatherSpokes(int vertex, int corner);
-  void goAlongEdge(const Jet& own, const Spoke& spoke);
+  void goAlongEdge(const Jet& own, const FanEdge& edge, Jet& end);
+  int listCrossings(const Jet& own, int begin, int count);
   template <int kSide>
-  void crossEdges(int vertex, const Jet& own, const Vec2& toSource);
+  void cross(int vertex, const Jet& own, int edgeNumber, int targetNumber);
   template <int kSide>
-  void crossEdge(const Spoke& spoke, const Spoke& target, const EdgeEnd& end, const Vec2& apex);
+  void crossEdge(const FanEdge& edge, const FanEdge& target, const EdgeEnd& a, const Vec2& apex,
+                 double inverse);
   template <int kSide>
-  bool look(const Spoke& spoke, double inverseLength, EdgeEnd& end) const;
+  bool look(const FanEdge& along, const Jet& jet, double inverseLength, EdgeEnd& end) const;
   bool looksTooFar(int vertex, int edge, int side) const;
   bool mayArrive(const Jet& jet, double distance, int corner) const;
-  void arrive(Jet& jet, int vertex, const Jet& arrival);
+  void enqueue(int vertex, double before);
 
   const Geometry& geometry_;
   std::shared_ptr<const VertexFans> fans_;
   SurfacePoint source_;
-  PagedArray<Jet, 8> jets_;
+  PagedArray<Jet, 6> jets_;
   Array<int> touched_;
   OrderedQueue queue_;
-  /// Of the vertex that is being settled, counterclockwise from the direction to its source; at the
-  /// boundary the spokes before `gap_` and those from there on bound no corner together.
-  Array<Spoke> spokes_;
-  int gap_ = 0;
+  /// Of the vertex that is being settled: its edges' ends, and the edges that a path may cross: to
+  /// the left of edge i as 2 i, to the right of the one after it as 2 i + 1.
+  Array<End> ends_;
+  Array<int> crossings_;
   double front_ = 0;     ///< the largest distance settled so far
   double longest_ = 0;   ///< the longest edge met so far
   double barrier_ = -1;  ///< what is as near as this does not change any more

@@ -36,6 +36,7 @@ VertexFans buildVertexFans(const Geometry& geometry) {
   VertexFans fans;
   const Array<int> number = numberEdges(mesh, fans);
   fans.edges.resize(static_cast<size_t>(fans.begin.back()));
+  fans.angles.resize(fans.edges.size());
   fans.turn.reserve(mesh.positions.size());
   fans.flags.assign(mesh.positions.size(), 0);
   for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -44,8 +45,12 @@ VertexFans buildVertexFans(const Geometry& geometry) {
     int h = first;
     for (;;) {
       narrowest = std::min(narrowest, geometry.cornerAngle[h]);
-      fans.edges[number[h]] = {geometry.edgeLength[h] * unitVector(geometry.cumulatedAngle[h]),
-                               mesh.head(h), reverseNumber(mesh, fans, number, h)};
+      const double length = geometry.edgeLength[h];
+      fans.edges[number[h]] = {
+          length * unitVector(geometry.cumulatedAngle[h]), length,
+          length * geometry.edgeLength[previous(h)] * std::sin(geometry.cornerAngle[h]),
+          mesh.head(h), reverseNumber(mesh, fans, number, h)};
+      fans.angles[number[h]] = geometry.cumulatedAngle[h];
       const int left = rotateLeft(mesh, h);
       if (left < 0 || left == first) break;
       h = left;
@@ -54,20 +59,14 @@ VertexFans buildVertexFans(const Geometry& geometry) {
     fans.turn.push_back(unitVector(total));
     if (mesh.onBoundary[v]) {
       const int last = previous(h);
-      fans.edges[fans.end(v) - 1] = {geometry.edgeLength[last] * fans.turn[v], mesh.tail(last),
-                                     number[last]};
+      fans.edges[fans.end(v) - 1] = {geometry.edgeLength[last] * fans.turn[v],
+                                     geometry.edgeLength[last], 0, mesh.tail(last), number[last]};
+      fans.angles[fans.end(v) - 1] = total;
       fans.flags[v] |= VertexFans::kBoundary;
     }
     if (total > 2 * kPi + narrowest) fans.flags[v] |= VertexFans::kWide;
   }
   return fans;
-}
-
-double cumulatedAngle(const VertexFans& fans, const Geometry& geometry, int vertex, int edge) {
-  const TriangleMesh& mesh = *geometry.mesh;
-  int h = mesh.outgoing[vertex];
-  for (int i = fans.begin[vertex]; i < edge; ++i) h = rotateLeft(mesh, h);
-  return h >= 0 ? geometry.cumulatedAngle[h] : geometry.totalAngle[vertex];
 }
 
 int fanEdge(const VertexFans& fans, int vertex, int head) {

@@ -13,9 +13,11 @@ namespace karcher {
 struct FanEdge {
   /// The edge as a vector from the vertex, at its unscaled direction (geometry.h): triangles of the
   /// fan lie flat side by side, with a gap or an overlap after the last where the surface is not.
-  Vec2 vector;
-  int head = -1;     ///< the vertex at the other end
-  int reverse = -1;  ///< number of the same edge in the fan of `head`
+  Vec2 vector = Vec2::Zero();
+  double length = 0;
+  double doubleArea = 0;  ///< twice the area of the triangle of the edge's corner; 0 without one
+  int head = -1;          ///< the vertex at the other end
+  int reverse = -1;       ///< number of the same edge in the fan of `head`
 };
 
 struct VertexFans {
@@ -26,6 +28,7 @@ struct VertexFans {
 
   Array<int> begin;      ///< per vertex its first edge; one entry more at the end
   Array<FanEdge> edges;  ///< fans one after another
+  Array<double> angles;  ///< per edge its unscaled direction (geometry.h)
   Array<Vec2> turn;      ///< per vertex, unit: the rotation by the total angle
   Array<uint8_t> flags;  ///< per vertex kBoundary, kWide
 
@@ -42,9 +45,6 @@ struct VertexFans {
 };
 
 VertexFans buildVertexFans(const Geometry& geometry);
-
-/// Unscaled direction (geometry.h) of an edge in the fan of `vertex`.
-double cumulatedAngle(const VertexFans& fans, const Geometry& geometry, int vertex, int edge);
 
 /// The number of the edge from `vertex` to `head`, which must be neighbours.
 int fanEdge(const VertexFans& fans, int vertex, int head);

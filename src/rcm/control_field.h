@@ -1,10 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <utility>
 
-#include "mesh/types.h"
+#include "distance/paged_array.h"
 
 namespace karcher {
 
@@ -15,41 +14,42 @@ struct FieldValue {
 };
 
 /// The field of one control point: a value at each vertex that is asked for, kept once it is known.
-/// Values live in pages that are made as they are first touched, so that a field takes memory and
-/// time for its neighbourhood and not for the mesh.
+/// A field takes memory and time for its neighbourhood and not for the mesh.
 class ControlField {
  public:
   /// Computes the value at a vertex. It must depend on the vertex alone, not on earlier calls.
   using Evaluate = std::function<FieldValue(int vertex)>;
 
-  explicit ControlField(int vertexCount)
-      : pages_(static_cast<size_t>(vertexCount / kPageSize) + 1) {}
+  explicit ControlField(int vertexCount) : entries_(vertexCount) {}
 
   /// Forgets all values; from now on `evaluate` computes them. Costs what was touched.
-  void reset(Evaluate evaluate);
+  void reset(Evaluate evaluate) {
+    entries_.clear();
+    knownCount_ = 0;
+    evaluate_ = std::move(evaluate);
+  }
 
   const FieldValue& at(int vertex) {
-    const std::unique_ptr<Page>& page = pages_[vertex / kPageSize];
-    const int slot = vertex % kPageSize;
-    if (page && page->known[slot]) return page->values[slot];
-    return compute(vertex);
+    Entry& entry = entries_.touch(vertex);
+    if (!entry.known) {
+      entry.value = evaluate_(vertex);
+      entry.known = true;
+      ++knownCount_;
+    }
+    return entry.value;
   }
 
   /// How many vertices were asked for since the last reset.
   int knownCount() const { return knownCount_; }
 
  private:
-  static constexpr int kPageSize = 64;
-  struct Page {
-    FieldValue values[kPageSize];
-    bool known[kPageSize] = {};
+  struct Entry {
+    FieldValue value;
+    bool known = false;
   };
 
-  const FieldValue& compute(int vertex);
-
   Evaluate evaluate_;
-  Array<std::unique_ptr<Page>> pages_;
-  Array<int> touchedPages_;
+  PagedArray<Entry, 6> entries_;
   int knownCount_ = 0;
 };
 

@@ -44,7 +44,10 @@ void checkFieldOptions(const FieldOptions& options) {
 }
 
 PointField::PointField(Surface& surface, const FieldOptions& options)
-    : surface_(surface), options_(options), field_(surface.mesh().vertexCount()) {
+    : surface_(surface),
+      options_(options),
+      field_(surface.mesh().vertexCount()),
+      logVectors_(surface.mesh().vertexCount()) {
   checkFieldOptions(options);
 }
 
@@ -86,6 +89,7 @@ void PointField::makePaperField() {
 
 void PointField::makeLogField() {
   if (!solver_) solver_ = makeSolver();
+  logVectors_.clear();
   std::visit(
       [&](auto& solver) {
         solver->setSource(point_);
@@ -94,36 +98,48 @@ void PointField::makeLogField() {
       *solver_);
 }
 
+/// Far enough for the vertex by the straight line, then in steps so small that little is done in
+/// excess.
+template <class DistanceSolver>
+void PointField::growTo(DistanceSolver& solver, int vertex) const {
+  const auto known = [&] { return solver.isFinal(vertex) && solver.distance(vertex) != kInfinity; };
+  if (known()) return;
+  constexpr double kStep = 1.01;
+  double radius = (surface_.mesh().positions[vertex] - position_).norm();
+  for (; !known(); radius = std::max(kStep * radius, radius + surface_.geometry().meanEdge / 4)) {
+    if (solver.reached() == kInfinity) {
+      throw Error(ErrorCode::kUnreachable,
+                  "a field was read on another component than its control point's");
+    }
+    solver.grow(radius);
+  }
+}
+
+template <class DistanceSolver>
+const Vec2& PointField::logVectorAt(DistanceSolver& solver, int vertex) {
+  LogEntry& entry = logVectors_.touch(vertex);
+  if (!entry.known) {
+    growTo(solver, vertex);
+    entry = {logVector(surface_.geometry(), solver, vertex), true};
+  }
+  return entry.vector;
+}
+
 template <class DistanceSolver>
 FieldValue PointField::estimate(DistanceSolver& solver, int vertex) {
-  const TriangleMesh& mesh = surface_.mesh();
-  // Far enough for the vertex by the straight line, then in steps that keep the number of calls
-  // small and the excess of work too.
-  const auto growTo = [&](int v) {
-    if (solver.isFinal(v) && solver.distance(v) != kInfinity) return;
-    double radius = (mesh.positions[v] - position_).norm();
-    while (!(solver.isFinal(v) && solver.distance(v) != kInfinity)) {
-      if (solver.reached() == kInfinity) {
-        throw Error(ErrorCode::kUnreachable,
-                    "a field was read on another component than its control point's");
-      }
-      solver.grow(radius);
-      radius *= 1.1;
-    }
-  };
   const Estimator estimator =
       options_.solver == Solver::kExact ? Estimator::kQuadratic2 : Estimator::kLinear1;
   const Stencil stencil = surface_.stencils(estimator).at(vertex);
-  growTo(vertex);
+  growTo(solver, vertex);
   const double own = solver.distance(vertex) * solver.distance(vertex);
   Vec2 gradient = Vec2::Zero();
   for (const StencilTerm* term = stencil.begin; term != stencil.end; ++term) {
-    growTo(term->vertex);
     if (stencil.ofDistances) {
+      growTo(solver, term->vertex);
       const double d = solver.distance(term->vertex);
       gradient += (d * d - own) * term->coefficient;
     } else {
-      gradient += rotate(term->coefficient, logVector(surface_.geometry(), solver, term->vertex));
+      gradient += rotate(term->coefficient, logVectorAt(solver, term->vertex));
     }
   }
   return {gradient, own};

@@ -57,14 +57,25 @@ class PointField {
   void makeLogField();
   template <class DistanceSolver>
   FieldValue estimate(DistanceSolver& solver, int vertex);
+  template <class DistanceSolver>
+  void growTo(DistanceSolver& solver, int vertex) const;
+  template <class DistanceSolver>
+  const Vec2& logVectorAt(DistanceSolver& solver, int vertex);
 
   Surface& surface_;
   FieldOptions options_;
   SurfacePoint point_;
   Vec3 position_ = Vec3::Zero();
   ControlField field_;
+  /// A solver's log vector, which the stencils of several vertices read.
+  struct LogEntry {
+    Vec2 vector = Vec2::Zero();
+    bool known = false;
+  };
+
   /// Kept for log vectors, which are made as they are read.
   std::optional<AnySolver> solver_;
+  PagedArray<LogEntry, 6> logVectors_;
   Array<double> squaredDistances_;
   Array<Vec2> gradients_;
 };

@@ -6,6 +6,8 @@ import type { FieldOptions, Solver, SurfacePoint } from '../types.js';
 import { type Command, pointsOption } from './command.js';
 
 const runs = 5;
+/** Of what takes a few milliseconds at most. */
+const quickRuns = 50;
 const rings = 6;
 const paper = (solver: Solver): FieldOptions => ({ method: 'paper', solver, rings });
 
@@ -58,7 +60,7 @@ function timeSteps(mesh: Mesh, { face, bary }: SurfacePoint) {
   const logField = (solver: Solver) => {
     const options = engineFieldOptions({ method: 'karcher', solver });
     const fieldVertices = benchmark.call((steps) => steps.chooseField(source, options, radius));
-    const fieldMs = time((steps) => steps.readField());
+    const fieldMs = time((steps) => steps.readField(), quickRuns);
     return { fieldMs, fieldVertices, fieldNsPerVertex: (1e6 * fieldMs) / fieldVertices };
   };
   // One after the other: the fields need the graph and the operator.
@@ -96,7 +98,7 @@ function timeCurve(
   const drags: number[] = [];
   const traces: number[] = [];
   const joins: number[] = [];
-  for (let i = 0; i < 2 * runs; i++) {
+  for (let i = 0; i < (field.method === 'paper' ? runs : quickRuns); i++) {
     curve.movePoint(index, places[i % 2]!);
     drags.push(curve.times.fields + curve.times.trace);
     // Once more with all fields known: the searches alone.
