@@ -196,7 +196,7 @@ describe('a comparison', () => {
     assert.match(reason, /two points/);
     assert.deepEqual([traceMs, dragMs, samples, deviation, curve], [null, null, null, null, null]);
     const long = peers.plan(points, 20_000);
-    const late = await runMethod(peers, plane, plan, { method: 'vectorHeat' }, null, {
+    const late = await runMethod(peers, plane, long, { method: 'vectorHeat' }, null, {
       budgetMs: -1,
     });
     assert.equal(late.ok, false);

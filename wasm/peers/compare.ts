@@ -1,12 +1,12 @@
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
 import { nextCorner, toSurfacePoint, wirePoint } from '../points.js';
-import type { CurveSamples, LongWorkOptions, Path } from '../types.js';
+import type { CurveSamples, LongWorkOptions } from '../types.js';
 import type { ComparedCurve } from './compared_curve.js';
-import { CurveMeter, type CurveMeasures } from './measure.js';
+import { CurveMeter, type CurveMeasures, type ReferenceSamples } from './measure.js';
 import type { Peers } from './peers.js';
 import { comparedMethods, type PreparedMethod } from './prepared_method.js';
-import type { ComparedMethod, CurvePlan, MethodOptions } from './types.js';
+import type { ComparedMethod, ComparedPath, CurvePlan, MethodOptions } from './types.js';
 
 export { comparedMethods };
 
@@ -29,7 +29,7 @@ export interface MethodResult {
 
 /** A result with the curve itself, where there is one. */
 export interface MethodRun extends MethodResult {
-  curve: { samples: CurveSamples; path: Path } | null;
+  curve: { samples: CurveSamples; path: ComparedPath } | null;
 }
 
 export interface CompareOptions extends LongWorkOptions {
@@ -55,7 +55,7 @@ export async function traceReference(
   mesh: Mesh,
   plan: CurvePlan,
   work: LongWorkOptions = {},
-): Promise<{ samples: CurveSamples; path: Path }> {
+): Promise<{ samples: CurveSamples; path: ComparedPath }> {
   const method = await peers.prepare(mesh, referenceOptions, work);
   try {
     const curve = method.curve(plan);
@@ -78,7 +78,7 @@ export async function runMethod(
   mesh: Mesh,
   plan: CurvePlan,
   options: MethodOptions,
-  reference: CurveSamples | null,
+  reference: ReferenceSamples | null,
   { progress, signal, budgetMs = Number.POSITIVE_INFINITY, once = false }: CompareOptions = {},
 ): Promise<MethodRun> {
   const run: MethodRun = { ...nothingMeasured, curve: null };
@@ -148,7 +148,7 @@ const nothingMeasured: MethodResult = {
   turningNoise: null,
 };
 
-function measures(mesh: Mesh, samples: CurveSamples, reference: CurveSamples | null) {
+function measures(mesh: Mesh, samples: CurveSamples, reference: ReferenceSamples | null) {
   if (reference !== null) return new CurveMeter(mesh).measure(samples, reference);
   const lost = samples.status.filter((status) => status !== 'converged').length;
   return { samples: samples.count, lost };

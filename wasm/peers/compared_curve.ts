@@ -4,8 +4,9 @@ import type { Mesh } from '../mesh.js';
 import { wirePoint } from '../points.js';
 import { pause, sliceTime } from '../prepare.js';
 import { toCurveSamples } from '../samples.js';
-import type { CurveSamples, LongWorkOptions, Path, PointLike } from '../types.js';
+import type { CurveSamples, LongWorkOptions, PointLike } from '../types.js';
 import type { EngineComparedCurve, EnginePreparedMethod } from './karcher-peers.mjs';
+import type { ComparedPath } from './types.js';
 
 const all = 0x7fffffff;
 
@@ -90,7 +91,7 @@ export class ComparedCurve {
   }
 
   /** The samples joined by geodesics. */
-  get path(): Path {
+  get path(): ComparedPath {
     return this.#call((curve) => curve.path());
   }
 

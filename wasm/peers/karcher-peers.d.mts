@@ -5,7 +5,7 @@ import type {
   EngineOptions,
   EngineSamples,
 } from '../karcher-engine.mjs';
-import type { Path } from '../types.js';
+import type { ComparedPath } from './types.js';
 
 /** The module of the comparison: the engine's own bindings and those of peers/bindings/*.cpp. */
 export interface PeersModule extends EngineModule {
@@ -50,7 +50,7 @@ export interface EngineComparedCurve {
   advance(samples: number): boolean;
   samplesLeft(): number;
   samples(): EngineSamples;
-  path(): Path;
+  path(): ComparedPath;
 }
 
 declare const createPeers: (options: EngineOptions) => Promise<PeersModule>;

@@ -15,6 +15,9 @@ export interface CurveMeasures {
   turningNoise: number | null;
 }
 
+/** A reference: where its samples are, and which of them converged. */
+export type ReferenceSamples = Pick<CurveSamples, 'count' | 'position' | 'status'>;
+
 type Vector = [number, number, number];
 
 const subtract = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -46,8 +49,8 @@ export class CurveMeter {
   }
 
   /** Both curves have the same segments and parameters. */
-  measure(curve: CurveSamples, reference: CurveSamples): CurveMeasures {
-    const converged = (samples: CurveSamples, i: number) => samples.status[i] === 'converged';
+  measure(curve: CurveSamples, reference: ReferenceSamples): CurveMeasures {
+    const converged = (samples: ReferenceSamples, i: number) => samples.status[i] === 'converged';
     const distances: number[] = [];
     for (let i = 0; i < curve.count; i++) {
       if (!converged(curve, i) || !converged(reference, i)) continue;
@@ -66,15 +69,16 @@ export class CurveMeter {
     };
   }
 
-  #turningNoise(curve: CurveSamples, reference: CurveSamples): number | null {
+  #turningNoise(curve: CurveSamples, reference: ReferenceSamples): number | null {
     const samplesPerNoise = 128;
     let squares = 0;
     let count = 0;
     for (const [begin, end] of segments(curve)) {
       const stride = Math.max(1, Math.round((end - begin - 1) / (samplesPerNoise - 1)));
       for (let i = begin + stride; i + stride < end; i += stride) {
-        const turn = this.#turningAngle(curve, i, stride);
-        const truth = this.#turningAngle(reference, i, stride);
+        const normal = this.#normalAt(curve, i);
+        const turn = this.#turningAngle(curve, i, stride, normal);
+        const truth = this.#turningAngle(reference, i, stride, normal);
         if (turn === null || truth === null) continue;
         // Angles on both sides of pi are near each other.
         const difference = Math.abs(turn - truth);
@@ -86,7 +90,7 @@ export class CurveMeter {
   }
 
   /** By how much the curve turns to the left at sample i; null where samples are lost or coincide. */
-  #turningAngle(samples: CurveSamples, i: number, stride: number): number | null {
+  #turningAngle(samples: ReferenceSamples, i: number, stride: number, normal: Vector) {
     for (const k of [i - stride, i, i + stride]) {
       if (samples.status[k] !== 'converged') return null;
     }
@@ -95,7 +99,6 @@ export class CurveMeter {
     const after = subtract(triple(samples.position, i + stride), here);
     const least = (1e-9 * this.#meanEdge) ** 2;
     if (dot(before, before) <= least || dot(after, after) <= least) return null;
-    const normal = this.#normalAt(samples, i);
     return Math.atan2(dot(normal, cross(before, after)), dot(before, after));
   }
 

@@ -1,4 +1,4 @@
-import type { CenterOfMass, PointLike, Solver } from '../types.js';
+import type { CenterOfMass, Path, PointLike, Solver } from '../types.js';
 
 /**
  * The methods that are compared: the vector heat method (Sharp, Soliman, Crane 2019), the affine
@@ -44,6 +44,11 @@ export interface CurvePlan {
   points: readonly PointLike[];
   first: readonly number[];
   table: WeightTable;
+}
+
+/** A curve for drawing; the status of a vertex is 1 where the sample it leads to did not converge. */
+export interface ComparedPath extends Path {
+  status: Uint8Array;
 }
 
 /** What all methods tell of a center of mass. */

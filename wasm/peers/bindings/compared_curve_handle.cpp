@@ -66,6 +66,7 @@ val ComparedCurveHandle::path() const {
   val result = val::object();
   result.set("length", line.length);
   result.set("polyline", toJs(line.positions));
+  result.set("status", toJs(line.unconverged));
   return result;
 }
 
