@@ -106,6 +106,7 @@ const stages = [
   { name: 'build of the facade', run: buildFacade },
   { name: 'build of the page', run: buildPage },
   { name: 'tests of the module and the command line', run: () => runNode('tests/wasm') },
+  { name: 'tests of the figures', run: () => runNode('tests/paper') },
   { name: 'tests of the page', run: () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath() }) },
 ];
 closeWith(await runStages(stages.filter((stage) => !long || !stage.short)));

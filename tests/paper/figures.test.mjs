@@ -1,0 +1,182 @@
+// The numbers of every figure, on small meshes.
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import { loadPeers } from 'karcher/peers';
+import { load } from './load.mjs';
+
+const samples = 17;
+let figures;
+let lab;
+before(async () => {
+  const { smallFigures } = await load('figures/index.ts');
+  const { Lab } = await load('lab/lab.ts');
+  figures = smallFigures(0.1, samples);
+  lab = new Lab(await loadPeers());
+});
+
+/** The lines of each panel of a figure: {panel id: {line id: result}}. */
+async function computed(id) {
+  const figure = figures.find((one) => one.id === id);
+  const result = {};
+  for (const panel of figure.panels) {
+    const lines = await lab.lines(panel, figure.points[panel.points]);
+    assert.deepEqual(
+      lines.map((line) => line.id),
+      panel.lines,
+    );
+    result[panel.id] = Object.fromEntries(lines.map((line) => [line.id, line]));
+  }
+  return result;
+}
+
+/** Checks what holds of any line, and returns it. */
+function good(line) {
+  assert.equal(line.reason, null, line.id);
+  assert.equal(line.ok, true, line.id);
+  for (const polyline of line.polylines) {
+    assert.ok(polyline.length >= 6 && polyline.every(Number.isFinite), line.id);
+  }
+  return line;
+}
+
+function near(line, { median = Infinity, max = Infinity, lost = 0 }) {
+  good(line);
+  assert.ok(line.lost <= lost, `${line.id}: ${line.lost} of ${line.samples} lost`);
+  assert.ok(line.deviation.median <= median, `${line.id}: median ${line.deviation.median}`);
+  assert.ok(line.deviation.max <= max, `${line.id}: max ${line.deviation.max}`);
+  assert.ok(line.traceMs >= 0, line.id);
+}
+
+// Deviations are in mean edges; the bounds leave a factor of two or so above what the methods do.
+describe('figures', () => {
+  test('means: all methods find about the same center, on the plane ours finds the average', async () => {
+    const { torus, plane } = await computed('means');
+    for (const id of ['vectorHeat', 'affineHeat', 'weightedAverages', 'paper']) {
+      near(torus[id], { max: 1 });
+      near(plane[id], { max: 1 });
+    }
+    near(torus.karcher, { max: 0.03 });
+    // Sums of rounded numbers.
+    near(plane.karcher, { max: 1e-9 });
+    assert.equal(good(torus.spokes).polylines.length, 4);
+    for (const line of Object.values(plane)) {
+      assert.equal(line.marker === null, line.id === 'spokes', line.id);
+    }
+  });
+
+  test('paths: ours follow the exact path, the coarser the mesh the more others leave it', async () => {
+    const { fine, coarse, close } = await computed('paths');
+    near(fine.karcher, { median: 0.1, max: 0.3 });
+    near(coarse.karcher, { median: 0.1, max: 0.3 });
+    for (const id of ['descent', 'weightedAverages', 'paper', 'vectorHeat', 'affineHeat']) {
+      near(fine[id], { median: 1.5 });
+      // Log maps on so few triangles lose samples.
+      near(coarse[id], { median: 2, lost: samples / 2 });
+    }
+    assert.ok(coarse.karcher.deviation.median < coarse.paper.deviation.median);
+    assert.equal(good(close.gradients).polylines.length, 2 * 500);
+    const { polylines } = good(fine.exactPath);
+    assert.equal(polylines.length, 1);
+  });
+
+  test('resolution: a B-spline on a coarse and on a fine mesh', async () => {
+    const { coarse, fine } = await computed('resolution');
+    for (const panel of [coarse, fine]) {
+      near(panel.karcher, { median: 0.05, max: 0.15 });
+      near(panel.weightedAverages, { median: 0.3 });
+      for (const id of ['vectorHeat', 'affineHeat', 'paperGraph6']) {
+        assert.equal(panel[id].samples, 4 * samples);
+        assert.ok(panel[id].deviation.median > panel.karcher.deviation.median, id);
+      }
+      good(panel.exactLogs);
+    }
+  });
+
+  test('gallery: ours lose no sample and stay nearer than the paper’s', async () => {
+    for (const [name, panel] of Object.entries(await computed('gallery'))) {
+      near(panel.karcher, { median: 0.05, max: 0.15 });
+      assert.ok(panel.paper.deviation.median > panel.karcher.deviation.median, name);
+      assert.ok(panel.paper.turningNoise > 0, name);
+    }
+  });
+
+  test('graph: k = 2 and k = 6', async () => {
+    const { rings } = await computed('graph');
+    near(rings.karcher, { max: 0.15 });
+    for (const id of ['paperGraph2', 'paperGraph6', 'paper']) near(rings[id], { max: 1, lost: 5 });
+    assert.ok(rings.paperGraph6.prepareMs > 0);
+  });
+
+  test('averages: another curve than that of log vectors', async () => {
+    const { averages } = await computed('averages');
+    near(averages.weightedAverages, { max: 0.5 });
+    near(averages.karcher, { max: 0.2 });
+    near(averages.paper, { max: 0.5, lost: 5 });
+  });
+
+  test('rational: weights pull the curve, and barycentric curves pass through their points', async () => {
+    const { equal, pulled, barycentric, loose } = await computed('rational');
+    for (const panel of [equal, pulled, barycentric, loose]) {
+      near(panel.karcher, { median: 0.1, max: 0.5 });
+      near(panel.paper, { max: 0.6, lost: 2 });
+    }
+    const figure = figures.find(({ id }) => id === 'rational');
+    for (const [line, points] of [
+      [equal.karcher, figure.points.cubic],
+      [barycentric.karcher, figure.points.quadratic],
+      [loose.karcher, figure.points.quadratic],
+    ]) {
+      const [polyline] = line.polylines;
+      const away = (place) => {
+        const distances = [];
+        for (let i = 0; i < polyline.length; i += 3) {
+          distances.push(Math.hypot(...place.map((x, c) => x - polyline[i + c])));
+        }
+        return Math.min(...distances);
+      };
+      const on = line === equal.karcher ? [points[0], points[3]] : points;
+      // The mesh is that far from the torus.
+      for (const place of on) assert.ok(away(place) < 0.01, `${line.id}: ${away(place)}`);
+    }
+    const places = ([line]) => line.slice(0, 3);
+    assert.notDeepEqual(places(equal.karcher.polylines), places(barycentric.karcher.polylines));
+  });
+
+  test('circles: arcs and isolines stay near the radius', async () => {
+    const { circle } = await computed('circles');
+    assert.equal(good(circle.circleArcs).lost, 0);
+    assert.ok(circle.circleArcs.deviation.max < 0.1);
+    assert.ok(good(circle.isolineLinear).deviation.max < 0.2);
+    // Straightest geodesics that are not the shortest leave gaps.
+    const vertices = good(circle.isolineExact).polylines.reduce(
+      (sum, one) => sum + one.length / 3,
+      0,
+    );
+    assert.ok(vertices > 600, `${vertices}`);
+  });
+
+  test('far: the curves break, and say so', async () => {
+    const { bspline, bezier } = await computed('far');
+    for (const panel of [bspline, bezier]) {
+      for (const id of ['vectorHeat', 'affineHeat', 'paper', 'karcher']) {
+        assert.ok(panel[id].lost > 0, `${id} loses samples`);
+        assert.ok(panel[id].status[0].includes(1), id);
+      }
+      assert.equal(good(panel.weightedAverages).lost, 0);
+    }
+  });
+
+  test('plane: ours is exact on every tessellation, the paper’s where rings are symmetric', async () => {
+    const { delaunay, grid, anisotropic } = await computed('plane');
+    for (const panel of [delaunay, grid, anisotropic]) {
+      // Of the bounding box with the fast solver at most 1e-9, of which an edge is a hundredth.
+      near(panel.karcher, { max: 1e-7 });
+      assert.ok(panel.karcher.turningNoise < 1e-7);
+    }
+    near(grid.paper, { max: 1e-9 });
+    near(delaunay.paper, { median: 1, lost: samples });
+    assert.ok(delaunay.paper.deviation.median > 0.1);
+    assert.ok(!anisotropic.paper.ok || anisotropic.paper.deviation.median > 0.1);
+    if (!anisotropic.paper.ok) assert.match(anisotropic.paper.reason, /no sample converged/);
+  });
+});

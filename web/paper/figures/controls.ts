@@ -1,0 +1,64 @@
+import { onSphere, onTorus } from './surfaces';
+import type { Figure, LineId, Panel, Vector } from './types';
+
+const torus = { kind: 'shape', name: 'torus', triangles: 20_000 } as const;
+const methods: LineId[] = ['paper', 'karcher', 'exactLogs'];
+
+const cubic: Vector[] = [onTorus(40, 60), onTorus(62, 128), onTorus(104, 128), onTorus(136, 50)];
+const quadratic: Vector[] = [onTorus(48, 84), onTorus(88, 12), onTorus(132, 84)];
+
+const panel = (id: string, title: string, points: string, curve: Panel['curve']): Panel => ({
+  id,
+  title,
+  mesh: torus,
+  points,
+  curve,
+  lines: methods,
+  samples: 128,
+  view: { from: [0, 0.75, 1] },
+});
+
+export const rationalFigure: Figure = {
+  id: 'rational',
+  name: 'Figure 6',
+  title: 'Rational curves',
+  caption:
+    'A rational cubic Bézier curve with all weights 1, then with the inner ones 100 times the outer ones; and a quadratic curve in barycentric form, which passes through its three points. The sliders change weights without computing a field again.',
+  points: { cubic, quadratic },
+  panels: [
+    panel('equal', 'Cubic, weights 1', 'cubic', { kind: 'rational', weights: [1, 1, 1, 1] }),
+    panel('pulled', 'Cubic, weights 0.05, 5, 5, 0.05', 'cubic', {
+      kind: 'rational',
+      weights: [0.05, 5, 5, 0.05],
+    }),
+    panel('barycentric', 'Barycentric, β = 1, 4, 1', 'quadratic', {
+      kind: 'barycentric',
+      betas: [1, 4, 1],
+    }),
+    panel('loose', 'Barycentric, β = 1, 0.5, 1', 'quadratic', {
+      kind: 'barycentric',
+      betas: [1, 0.5, 1],
+    }),
+  ],
+};
+
+export const circleFigure: Figure = {
+  id: 'circles',
+  name: 'Section 5, inset',
+  title: 'A circle on a coarse mesh',
+  caption:
+    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are of the distance from the radius.',
+  points: { circle: [onSphere(8, 12), onSphere(48, 20)] },
+  panels: [
+    {
+      id: 'circle',
+      title: 'Sphere of 500 triangles',
+      mesh: { kind: 'shape', name: 'sphere', triangles: 500 },
+      points: 'circle',
+      curve: { kind: 'circle', arcs: 7 },
+      lines: ['isolineLinear', 'circleArcs', 'isolineExact'],
+      samples: 16,
+      view: { from: [0.15, 0.2, 1], edges: true },
+    },
+  ],
+};

@@ -1,0 +1,98 @@
+import type { MethodOptions } from 'karcher/peers';
+import type { LineId } from './types';
+
+export interface LineStyle {
+  label: string;
+  /** The custom property of its color (paper.css). */
+  color: string;
+  /** In CSS pixels. */
+  width: number;
+  /** The method that traces it, if one does. */
+  options?: MethodOptions;
+}
+
+/**
+ * Colors are the paper's: descent magenta, vector heat blue, weighted averages dark green, its own
+ * method red, exact paths black.
+ */
+export const lineStyles: Record<LineId, LineStyle> = {
+  truth: { label: 'Ground truth', color: '--line-exact', width: 1.5 },
+  exactPath: { label: 'Exact shortest path', color: '--line-exact', width: 1.5 },
+  exactLogs: { label: 'Exact logarithms', color: '--line-exact', width: 1.5 },
+  spokes: { label: 'Shortest paths', color: '--line-exact', width: 1.5 },
+  gradients: { label: 'Gradients of the distance', color: '--line-descent', width: 1.2 },
+  descent: {
+    label: 'Piecewise-linear descent',
+    color: '--line-descent',
+    width: 2.5,
+    options: { method: 'descent' },
+  },
+  vectorHeat: {
+    label: 'Vector heat',
+    color: '--line-vector-heat',
+    width: 2.5,
+    options: { method: 'vectorHeat' },
+  },
+  vectorHeatDelaunay: {
+    label: 'Vector heat, intrinsic Delaunay',
+    color: '--line-vector-heat-delaunay',
+    width: 2.5,
+    options: { method: 'vectorHeat', delaunay: true },
+  },
+  affineHeat: {
+    label: 'Affine heat',
+    color: '--line-affine-heat',
+    width: 2.5,
+    options: { method: 'affineHeat' },
+  },
+  weightedAverages: {
+    label: 'Weighted averages',
+    color: '--line-weighted-averages',
+    width: 2.5,
+    options: { method: 'weightedAverages' },
+  },
+  paper: {
+    label: 'Paper',
+    color: '--line-paper',
+    width: 2.5,
+    options: { method: 'paper', solver: 'exact' },
+  },
+  paperGraph2: {
+    label: 'Paper, graph k = 2',
+    color: '--line-descent',
+    width: 2.5,
+    options: { method: 'paper', solver: 'graph', rings: 2 },
+  },
+  paperGraph6: {
+    label: 'Paper, graph k = 6',
+    color: '--line-paper',
+    width: 2.5,
+    options: { method: 'paper', solver: 'graph', rings: 6 },
+  },
+  karcher: {
+    label: 'Karcher',
+    color: '--line-karcher',
+    width: 4,
+    options: { method: 'karcher', solver: 'fast' },
+  },
+  karcherExact: {
+    label: 'Karcher, exact distances',
+    color: '--line-karcher',
+    width: 4,
+    options: { method: 'karcher', solver: 'exact' },
+  },
+  bridged: { label: 'Karcher, bridged', color: '--line-bridge', width: 3 },
+  circleArcs: { label: 'Rational arcs', color: '--line-karcher', width: 3.5 },
+  isolineLinear: { label: 'Linear isoline', color: '--line-paper', width: 2 },
+  isolineExact: { label: 'Exact isoline', color: '--line-exact', width: 2 },
+};
+
+/** Methods whose preparation or samples take long: they get a worker of their own. */
+export const slowLines: ReadonlySet<LineId> = new Set([
+  'vectorHeat',
+  'vectorHeatDelaunay',
+  'affineHeat',
+  'weightedAverages',
+  'paperGraph2',
+  'paperGraph6',
+]);

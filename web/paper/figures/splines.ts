@@ -1,0 +1,172 @@
+import { onKnot, onSphere, onTorus } from './surfaces';
+import type { Figure, LineId, Vector } from './types';
+
+const genus3 = { kind: 'shape', name: 'genus3', triangles: 50_000 } as const;
+const simplified = { kind: 'simplified', of: genus3, triangles: 1_000 } as const;
+const methods: LineId[] = [
+  'vectorHeat',
+  'affineHeat',
+  'weightedAverages',
+  'paperGraph6',
+  'karcher',
+  'exactLogs',
+];
+
+const fourSegments: Vector[] = [
+  [-1.5, 0.05, 0.3],
+  [-1.28, 0.52, 0.3],
+  [-0.95, 0.5, 0.3],
+  [-0.6, 0.2, 0.3],
+  [-0.42, -0.2, 0.3],
+  [-0.1, -0.5, 0.3],
+  [0.3, -0.5, 0.3],
+];
+
+export const resolutionFigure: Figure = {
+  id: 'resolution',
+  name: 'Figure 4',
+  title: 'A B-spline on a coarse and on a fine mesh',
+  caption:
+    'A uniform cubic B-spline of four segments on a surface of 1,000 and of 50,000 triangles, the first simplified from the second, by every method. Deviations are measured from the spline of exact logarithms on the same mesh.',
+  points: { spline: fourSegments },
+  panels: [
+    { id: 'coarse', title: 'Coarse', mesh: simplified, edges: true },
+    { id: 'fine', title: 'Fine', mesh: genus3, edges: false },
+  ].map(({ edges, ...panel }) => ({
+    ...panel,
+    points: 'spline',
+    curve: { kind: 'bspline' },
+    lines: methods,
+    samples: 128,
+    view: { from: [0, -0.35, 1], edges },
+  })),
+};
+
+const gallery: LineId[] = ['paper', 'karcher', 'exactLogs'];
+
+export const galleryFigure: Figure = {
+  id: 'gallery',
+  name: 'Figure 5',
+  title: 'A gallery',
+  caption:
+    'Uniform cubic B-splines on surfaces of different shape and topology, by the paper’s method with exact distances and by ours.',
+  points: {
+    bunny: [
+      [-3.2, 3.2, 2.4],
+      [-3.4, 5.2, 2.6],
+      [-1.8, 5.4, 3.2],
+      [-0.4, 3.2, 3.6],
+      [1.2, 1.6, 3.4],
+      [2.6, 3, 3.2],
+      [2.2, 5, 2.6],
+      [0.8, 6, 2.2],
+    ],
+    knot: [0, 18, 36, 54, 72, 90, 108].map((degrees, i) =>
+      onKnot(190 + degrees, i % 2 ? 0.1 : -0.1),
+    ),
+    sphere: [
+      onSphere(-50, -30),
+      onSphere(-42, 25),
+      onSphere(-16, 42),
+      onSphere(4, -28),
+      onSphere(24, -40),
+      onSphere(36, 18),
+      onSphere(58, 36),
+    ],
+    torus: [
+      onTorus(10, 50),
+      onTorus(40, 110),
+      onTorus(70, 40),
+      onTorus(95, 120),
+      onTorus(125, 50),
+      onTorus(155, 110),
+      onTorus(185, 50),
+    ],
+  },
+  panels: [
+    {
+      id: 'bunny',
+      title: 'Bunny',
+      mesh: { kind: 'bunny', levels: 2 },
+      points: 'bunny',
+      view: { from: [-0.25, 0.1, 1] },
+    },
+    {
+      id: 'knot',
+      title: 'Knotted tube',
+      mesh: { kind: 'shape', name: 'knot', triangles: 30_000 },
+      points: 'knot',
+      view: { from: [0.1, 0.1, 1] },
+    },
+    {
+      id: 'sphere',
+      title: 'Sphere',
+      mesh: { kind: 'shape', name: 'sphere', triangles: 20_000 },
+      points: 'sphere',
+      view: { from: [0, 0, 1] },
+    },
+    {
+      id: 'torus',
+      title: 'Torus',
+      mesh: { kind: 'shape', name: 'torus', triangles: 30_000 },
+      points: 'torus',
+      view: { from: [0, 0.55, 1] },
+    },
+  ].map((panel) => ({
+    ...(panel as Pick<Figure['panels'][number], 'id' | 'title' | 'mesh' | 'points' | 'view'>),
+    curve: { kind: 'bspline' },
+    lines: gallery,
+    samples: 128,
+  })),
+};
+
+export const graphFigure: Figure = {
+  id: 'graph',
+  name: 'Figure 5, inset',
+  title: 'Graph distances with k = 2 and k = 6',
+  caption:
+    'The paper’s method with distances on the graph that joins each vertex to its k-ring: with k = 2 the distances are too rough for a smooth curve, with k = 6 they come near exact ones.',
+  points: { spline: fourSegments.slice(0, 5) },
+  panels: [
+    {
+      id: 'rings',
+      title: 'Genus 3',
+      mesh: { kind: 'shape', name: 'genus3', triangles: 8_000 },
+      points: 'spline',
+      curve: { kind: 'bspline' },
+      lines: ['paperGraph2', 'paperGraph6', 'paper', 'karcher', 'exactLogs'],
+      samples: 128,
+      view: { from: [-0.6, 0.1, 1] },
+    },
+  ],
+};
+
+export const averagesFigure: Figure = {
+  id: 'averages',
+  name: 'Figure 5, inset',
+  title: 'Weighted averages and the paper’s curve',
+  caption:
+    'Weighted averages are taken in an embedding whose straight lines are about as long as shortest paths; where they are not, the curve is another one.',
+  points: {
+    spline: [
+      [-1.35, -0.55, 0.2],
+      [-1.55, 0.1, 0.2],
+      [-1.1, 0.62, 0.2],
+      [-0.62, 0.25, 0.2],
+      [-0.42, -0.4, 0.2],
+      [0.2, -0.55, 0.2],
+    ],
+  },
+  panels: [
+    {
+      id: 'averages',
+      title: 'Genus 3',
+      mesh: { kind: 'shape', name: 'genus3', triangles: 8_000 },
+      points: 'spline',
+      curve: { kind: 'bspline' },
+      lines: ['weightedAverages', 'paper', 'karcher', 'exactLogs'],
+      samples: 128,
+      view: { from: [-0.4, -0.1, 1] },
+    },
+  ],
+};

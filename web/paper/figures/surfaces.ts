@@ -1,0 +1,31 @@
+import type { Vector } from './types';
+
+/** Places near the built-in surfaces, by coordinates that are easy to think in. */
+
+/** On the built-in torus (radii 1 and 0.4, about the z axis): longitude, and angle round the tube
+ * from the outer equator, in degrees. */
+export function onTorus(longitude: number, around: number): Vector {
+  const [u, v] = [longitude, around].map((degrees) => (degrees * Math.PI) / 180) as [
+    number,
+    number,
+  ];
+  const ring = 1 + 0.4 * Math.cos(v);
+  return [ring * Math.cos(u), ring * Math.sin(u), 0.4 * Math.sin(v)];
+}
+
+/** On the unit sphere, by degrees from the z axis' foot point to the right and up. */
+export function onSphere(right: number, up: number): Vector {
+  const [a, b] = [right, up].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
+  return [Math.cos(b) * Math.sin(a), Math.sin(b), Math.cos(b) * Math.cos(a)];
+}
+
+/** Over the knotted tube, along the trefoil and to the right of it, in degrees and units. */
+export function onKnot(degrees: number, right: number): Vector {
+  const t = (degrees * Math.PI) / 180;
+  const x = (Math.sin(t) + 2 * Math.sin(2 * t)) / 3;
+  const y = (Math.cos(t) - 2 * Math.cos(2 * t)) / 3;
+  const [dx, dy] = [Math.cos(t) + 4 * Math.cos(2 * t), -Math.sin(t) + 4 * Math.sin(2 * t)];
+  const speed = Math.hypot(dx, dy);
+  const z = -Math.sin(3 * t) / 3 + 0.14;
+  return [x + (right * dy) / speed, y - (right * dx) / speed, z];
+}

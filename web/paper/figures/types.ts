@@ -1,0 +1,102 @@
+import type { Shape } from 'karcher';
+
+/** What a figure shows, as data: the page draws it, the report and the tests read its numbers. */
+
+export type Vector = [number, number, number];
+
+export type PlaneKind = 'delaunay' | 'grid' | 'anisotropic';
+
+/** How a mesh is made. `triangles` is about how many; a plane is the unit square in z = 0. */
+export type MeshSpec =
+  | { kind: 'shape'; name: Shape; triangles: number }
+  | { kind: 'bunny'; levels: number }
+  | { kind: 'plane'; tessellation: PlaneKind; triangles: number }
+  | { kind: 'simplified'; of: MeshSpec; triangles: number };
+
+/** What is made of a panel's points. A circle has its center and a point that it passes through. */
+export type CurveSpec =
+  | { kind: 'center'; weights: number[] }
+  | { kind: 'bspline' }
+  | { kind: 'bezier' }
+  | { kind: 'rational'; weights: number[] }
+  | { kind: 'barycentric'; betas: number[] }
+  | { kind: 'circle'; arcs: number };
+
+/** What can be drawn, each with a color and a name (lines.ts). */
+export type LineId =
+  | 'truth'
+  | 'exactPath'
+  | 'exactLogs'
+  | 'spokes'
+  | 'descent'
+  | 'gradients'
+  | 'vectorHeat'
+  | 'vectorHeatDelaunay'
+  | 'affineHeat'
+  | 'weightedAverages'
+  | 'paper'
+  | 'paperGraph2'
+  | 'paperGraph6'
+  | 'karcher'
+  | 'karcherExact'
+  | 'bridged'
+  | 'circleArcs'
+  | 'isolineLinear'
+  | 'isolineExact';
+
+export interface Panel {
+  id: string;
+  title: string;
+  mesh: MeshSpec;
+  /** The key of its points in the figure: panels may share them. */
+  points: string;
+  curve: CurveSpec;
+  /** In the order of the legend. */
+  lines: readonly LineId[];
+  /** Samples a segment. */
+  samples: number;
+  /** Lines that are not shown, nor computed, until they are asked for. */
+  off?: readonly LineId[];
+  view?: {
+    /** From where the whole is seen. */
+    from?: Vector;
+    /** The number of a point to look at from near by, and from how far, in diagonals / 2. */
+    at?: number;
+    distance?: number;
+    edges?: boolean;
+  };
+}
+
+export interface Figure {
+  id: string;
+  /** The figure of the paper that it reproduces. */
+  name: string;
+  title: string;
+  caption: string;
+  /** In space: each panel takes the nearest points of its mesh. */
+  points: Record<string, Vector[]>;
+  panels: readonly Panel[];
+}
+
+/** The numbers of a line; null is what was not measured, or has no meaning for it. */
+export interface LineNumbers {
+  id: LineId;
+  ok: boolean;
+  /** Why it failed. */
+  reason: string | null;
+  prepareMs: number | null;
+  traceMs: number | null;
+  samples: number | null;
+  lost: number | null;
+  /** From the reference, in mean edges. */
+  deviation: { median: number; max: number } | null;
+  turningNoise: number | null;
+}
+
+export interface LineResult extends LineNumbers {
+  /** x, y, z each, on the surface. */
+  polylines: Float32Array[];
+  /** Per polyline and vertex 1 where the curve is lost; empty where nothing can be. */
+  status: Uint8Array[];
+  marker: Vector | null;
+}

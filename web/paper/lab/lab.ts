@@ -1,0 +1,93 @@
+import type { LongWorkOptions } from 'karcher';
+import type { Peers, ReferenceSamples } from 'karcher/peers';
+import type { LineId, LineResult, MeshSpec, Panel, Vector } from '../figures/types';
+import { traceLine } from './lines';
+import { meshKey } from './meshes';
+import type { DrawnMesh, Placed } from './protocol';
+import { Scene } from './scene';
+import { referenceOf, type Task } from './task';
+
+/** So many meshes are kept with what was prepared on them. */
+const mostScenes = 6;
+
+/** Computes panels: the one place where the numbers of figures are made, in a page and in Node. */
+export class Lab {
+  readonly #scenes = new Map<string, Promise<Scene>>();
+
+  constructor(readonly peers: Peers) {}
+
+  /** A mesh for drawing. */
+  async mesh(spec: MeshSpec): Promise<DrawnMesh> {
+    const { mesh, positions, triangles } = await this.#scene(spec);
+    return { info: mesh.info, positions, triangles };
+  }
+
+  /** The points of a panel's mesh that are nearest to points of space. */
+  async place(spec: MeshSpec, points: readonly Vector[]): Promise<Placed> {
+    const { mesh, nearest } = await this.#scene(spec);
+    const placed = points.map((place) => nearest.point(place));
+    return { points: placed, places: placed.map((point) => mesh.position(point)) };
+  }
+
+  /**
+   * The lines of a panel, each given to `show` as soon as it is there. Rejects with the signal's
+   * reason.
+   */
+  async trace(
+    panel: Panel,
+    points: readonly Vector[],
+    lines: readonly LineId[],
+    show: (line: LineResult) => void,
+    work: LongWorkOptions = {},
+  ): Promise<void> {
+    const scene = await this.#scene(panel.mesh);
+    const { curve, samples } = panel;
+    const placed = await this.place(panel.mesh, points);
+    const task: Task = { peers: this.peers, scene, ...placed, curve, samples };
+    let reference: Promise<ReferenceSamples> | undefined;
+    for (const id of lines) {
+      work.signal?.throwIfAborted();
+      show(
+        await traceLine(
+          task,
+          id,
+          () => {
+            reference ??= referenceOf(task, work);
+            return reference;
+          },
+          work,
+        ),
+      );
+    }
+  }
+
+  /** All of a panel's lines at once. */
+  async lines(panel: Panel, points: readonly Vector[]): Promise<LineResult[]> {
+    const results: LineResult[] = [];
+    await this.trace(panel, points, panel.lines, (line) => results.push(line));
+    return results;
+  }
+
+  async #scene(spec: MeshSpec): Promise<Scene> {
+    const key = meshKey(spec);
+    const known = this.#scenes.get(key);
+    const scene = known ?? Scene.make(this.peers, spec);
+    // Put at the end: the first is the one that was not used for longest.
+    this.#scenes.delete(key);
+    this.#scenes.set(key, scene);
+    if (!known) {
+      scene.catch(() => this.#scenes.delete(key));
+      await scene;
+      await this.#forgetOldest();
+    }
+    return scene;
+  }
+
+  async #forgetOldest(): Promise<void> {
+    while (this.#scenes.size > mostScenes) {
+      const [key, oldest] = this.#scenes.entries().next().value!;
+      this.#scenes.delete(key);
+      await (await oldest).dispose();
+    }
+  }
+}

@@ -1,0 +1,137 @@
+import type { LongWorkOptions } from 'karcher';
+import { KarcherError, type MethodOptions, type ReferenceSamples } from 'karcher/peers';
+import { lineStyles } from '../figures/lines';
+import type { LineId, LineResult, Vector } from '../figures/types';
+import { circleArcs, isolineExact, isolineLinear } from './circles';
+import { affineSamples, emptyLine, planOf, type Task } from './task';
+import { add, at, cross, distance, length, scaled, subtract } from './vectors';
+
+type Maker = (
+  task: Task,
+  id: LineId,
+  reference: () => Promise<ReferenceSamples>,
+  work: LongWorkOptions,
+) => LineResult | Promise<LineResult>;
+
+/** One line of a panel. A method that fails says why in the result; rejects when it is aborted. */
+export async function traceLine(
+  task: Task,
+  id: LineId,
+  reference: () => Promise<ReferenceSamples>,
+  work: LongWorkOptions,
+): Promise<LineResult> {
+  const { options } = lineStyles[id];
+  try {
+    if (options) return await traceMethod(task, id, options, reference, work);
+    return await makers[id]!(task, id, reference, work);
+  } catch (error) {
+    work.signal?.throwIfAborted();
+    if (!(error instanceof KarcherError)) throw error;
+    return { ...emptyLine(id), ok: false, reason: error.message };
+  }
+}
+
+async function traceMethod(
+  task: Task,
+  id: LineId,
+  options: MethodOptions,
+  reference: () => Promise<ReferenceSamples>,
+  work: LongWorkOptions,
+): Promise<LineResult> {
+  const method = await task.scene.method(options, work);
+  const curve = method.curve(planOf(task));
+  try {
+    const traceMs = await curve.trace(work);
+    const { samples } = curve;
+    const measures = task.scene.meter.measure(samples, await reference());
+    const result = { ...emptyLine(id), ...measures, prepareMs: method.prepareMs, traceMs };
+    if (measures.lost === measures.samples) {
+      result.ok = false;
+      result.reason = `no sample converged: ${samples.status[0]}`;
+    }
+    if (task.curve.kind === 'center') return { ...result, marker: at(samples.position, 0) };
+    const { polyline, status } = curve.path;
+    return { ...result, polylines: [Float32Array.from(polyline)], status: [status] };
+  } finally {
+    curve.dispose();
+  }
+}
+
+const makers: Partial<Record<LineId, Maker>> = {
+  truth(task, id) {
+    const samples = affineSamples(task);
+    if (task.curve.kind === 'center') return { ...emptyLine(id), marker: at(samples.position, 0) };
+    return { ...emptyLine(id), polylines: [Float32Array.from(samples.position)] };
+  },
+
+  exactPath(task, id) {
+    const start = performance.now();
+    const { polyline } = task.scene.mesh.shortestPath(task.points[0]!, task.points[1]!);
+    const traceMs = performance.now() - start;
+    return { ...emptyLine(id), traceMs, polylines: [Float32Array.from(polyline)] };
+  },
+
+  async exactLogs(task, id, reference) {
+    const { position } = await reference();
+    if (task.curve.kind === 'center') return { ...emptyLine(id), marker: at(position, 0) };
+    return { ...emptyLine(id), polylines: [Float32Array.from(position)] };
+  },
+
+  /** From the center of mass to the points. */
+  async spokes(task, id, reference) {
+    const center = task.scene.nearest.point(at((await reference()).position, 0));
+    const polylines = task.points.map((point) =>
+      Float32Array.from(task.scene.mesh.shortestPath(center, point).polyline),
+    );
+    return { ...emptyLine(id), polylines };
+  },
+
+  /** In each face an arrow down the constant gradient of the distance from the first point. */
+  gradients({ scene, points }, id) {
+    const distances = scene.mesh.distance(points[0]!);
+    const polylines: Float32Array[] = [];
+    for (let f = 0; f < scene.triangles.length / 3; f++) {
+      const corners = [0, 1, 2].map((k) => scene.triangles[3 * f + k]!);
+      const arrow = gradientArrow(
+        corners.map((v) => at(scene.positions, v)) as [Vector, Vector, Vector],
+        corners.map((v) => distances[v]!),
+      );
+      if (arrow) polylines.push(...arrow);
+    }
+    return { ...emptyLine(id), polylines };
+  },
+
+  circleArcs,
+  isolineLinear,
+  isolineExact,
+};
+
+/** Shaft and head of an arrow against the gradient of the values, in the middle of the triangle. */
+function gradientArrow(
+  corners: [Vector, Vector, Vector],
+  values: readonly number[],
+): Float32Array[] | null {
+  const [a, b, c] = corners;
+  const normal = cross(subtract(b, a), subtract(c, a));
+  const area = length(normal);
+  let gradient: Vector = [0, 0, 0];
+  for (let k = 0; k < 3; k++) {
+    const opposite = subtract(corners[(k + 2) % 3]!, corners[(k + 1) % 3]!);
+    gradient = add(gradient, scaled(cross(normal, opposite), values[k]!));
+  }
+  const steep = length(gradient);
+  if (!(steep > 0) || !(area > 0)) return null;
+  const down = scaled(gradient, -1 / steep);
+  const aside = scaled(cross(normal, down), 1 / area);
+  const center = scaled(add(add(a, b), c), 1 / 3);
+  // As long as fits into the triangle.
+  const size = 0.3 * Math.min(...corners.map((p) => distance(p, center)));
+  const tip = add(center, scaled(down, size));
+  const wing = (side: number) =>
+    add(tip, add(scaled(down, -0.6 * size), scaled(aside, 0.35 * side * size)));
+  const lifted = (p: Vector) => add(p, scaled(normal, (0.02 * size) / area));
+  return [
+    Float32Array.from([...lifted(add(center, scaled(down, -size))), ...lifted(tip)]),
+    Float32Array.from([...lifted(wing(1)), ...lifted(tip), ...lifted(wing(-1))]),
+  ];
+}

@@ -1,0 +1,77 @@
+import Delaunator from 'delaunator';
+import type { PlaneKind } from '../figures/types';
+import { randomFrom } from './random';
+
+/** Positions and triangles, as `Karcher.meshFromArrays` takes them. */
+export interface Arrays {
+  positions: Float64Array;
+  triangles: Int32Array;
+}
+
+const seed = 8;
+
+/** The unit square in z = 0. */
+export function planeArrays(kind: PlaneKind, triangles: number): Arrays {
+  if (kind === 'delaunay') return delaunay(triangles);
+  // Squares, or bands twenty times as long as they are high.
+  const stretch = kind === 'grid' ? 1 : 20;
+  const columns = Math.max(2, Math.round(Math.sqrt(triangles / 2 / stretch)));
+  const rows = Math.max(2, Math.round(columns * stretch));
+  return kind === 'grid' ? grid(columns, rows, 0) : grid(columns, rows, 0.3);
+}
+
+/** A grid whose inner vertices are moved at random by up to `jitter` cells; with jitter the diagonals
+ * are drawn at random too. */
+function grid(columns: number, rows: number, jitter: number): Arrays {
+  const random = randomFrom(seed);
+  const positions: number[] = [];
+  for (let j = 0; j <= rows; j++) {
+    for (let i = 0; i <= columns; i++) {
+      const [dx, dy] = [random() - 0.5, random() - 0.5];
+      const x = i === 0 || i === columns ? i : i + 2 * jitter * dx;
+      const y = j === 0 || j === rows ? j : j + 2 * jitter * dy;
+      positions.push(x / columns, y / rows, 0);
+    }
+  }
+  const triangles: number[] = [];
+  for (let j = 0; j < rows; j++) {
+    for (let i = 0; i < columns; i++) {
+      const a = i + (columns + 1) * j;
+      const [b, c, d] = [a + 1, a + columns + 2, a + columns + 1];
+      if (jitter > 0 && random() < 0.5) triangles.push(a, b, d, b, c, d);
+      else triangles.push(a, b, c, a, c, d);
+    }
+  }
+  return { positions: Float64Array.from(positions), triangles: Int32Array.from(triangles) };
+}
+
+/** The Delaunay triangulation of random points; on the border they are evenly spaced. */
+function delaunay(triangles: number): Arrays {
+  const random = randomFrom(seed);
+  const count = Math.max(9, Math.round(triangles / 2));
+  const side = Math.max(2, Math.round(Math.sqrt(count)));
+  const flat: number[] = [];
+  for (let i = 0; i < side; i++) {
+    const s = i / side;
+    flat.push(s, 0, 1, s, 1 - s, 1, 0, 1 - s);
+  }
+  // Away from the border, so that no triangle there is a sliver.
+  const inset = 0.4 / side;
+  while (flat.length < 2 * count) {
+    flat.push(inset + (1 - 2 * inset) * random(), inset + (1 - 2 * inset) * random());
+  }
+  const { triangles: corners } = new Delaunator(flat);
+  const positions = new Float64Array((flat.length / 2) * 3);
+  for (let v = 0; v < flat.length / 2; v++) positions.set([flat[2 * v]!, flat[2 * v + 1]!], 3 * v);
+  const faces: number[] = [];
+  for (let f = 0; f < corners.length; f += 3) {
+    const [a, b, c] = [corners[f]!, corners[f + 1]!, corners[f + 2]!];
+    const [ux, uy] = [flat[2 * b]! - flat[2 * a]!, flat[2 * b + 1]! - flat[2 * a + 1]!];
+    const [vx, vy] = [flat[2 * c]! - flat[2 * a]!, flat[2 * c + 1]! - flat[2 * a + 1]!];
+    const area = ux * vy - uy * vx;
+    // Points of one side are collinear: rounding may make triangles of them.
+    if (Math.abs(area) < 1e-12) continue;
+    faces.push(...(area > 0 ? [a, b, c] : [a, c, b]));
+  }
+  return { positions, triangles: Int32Array.from(faces) };
+}
