@@ -20,5 +20,6 @@ export default defineConfig({
     emptyOutDir: true,
     target: 'es2022',
     chunkSizeWarningLimit: 1000,
+    rollupOptions: { input: [here('./web/index.html'), here('./web/paper.html')] },
   },
 });

@@ -32,7 +32,7 @@ export class Handles {
   #beaconPosition: Vector3 | null = null;
 
   constructor(
-    private readonly viewer: Viewer,
+    private readonly viewer: Pick<Viewer, 'onFrame' | 'requestFrame' | 'project'>,
     private readonly layer: HTMLElement,
     private readonly events: HandleEvents,
   ) {

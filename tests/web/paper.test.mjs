@@ -1,0 +1,189 @@
+// The page of the paper's comparisons, with small meshes.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser } from './browser.mjs';
+
+const ids = [
+  ...['means', 'paths', 'resolution', 'gallery', 'graph', 'averages', 'rational', 'circles'],
+  ...['far', 'plane'],
+];
+
+describe('the Paper page', () => {
+  let browser;
+  let page;
+  const logged = [];
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1000, height: 760 } });
+    page = await browser.context.newPage();
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) logged.push(message.text());
+    });
+    page.on('pageerror', (error) => logged.push(`${error}`));
+    await page.goto(`${browser.address}paper.html?antialias=off&detail=0.02`);
+  });
+  after(() => browser.close());
+
+  const settled = (id) =>
+    page.waitForFunction(
+      (wanted) => window.karcherPaper.sections.find(({ element }) => element.id === wanted).settled,
+      id,
+    );
+  async function open(id) {
+    await page.evaluate((wanted) => {
+      document.getElementById(wanted).scrollIntoView({ behavior: 'instant' });
+    }, id);
+    await settled(id);
+  }
+  /** The rows of a panel's table: {line: [cells]}. */
+  const rows = (panel) =>
+    panel
+      .locator('tbody tr')
+      .evaluateAll((all) =>
+        Object.fromEntries(
+          all.map((row) => [
+            row.dataset.line,
+            [...row.querySelectorAll('td')].map((cell) => cell.textContent),
+          ]),
+        ),
+      );
+  /** Until the panel's canvas shows something. */
+  const drawn = async (panel) =>
+    page.waitForFunction(
+      (canvas) => {
+        const small = Object.assign(document.createElement('canvas'), { width: 40, height: 30 });
+        const context = small.getContext('2d', { willReadFrequently: true });
+        context.drawImage(canvas, 0, 0, 40, 30);
+        return context.getImageData(0, 0, 40, 30).data.some((value) => value !== 0);
+      },
+      await panel.locator('canvas').elementHandle(),
+    );
+
+  test('lists its figures', async () => {
+    assert.deepEqual(
+      await page.locator('#contents a').evaluateAll((links) => links.map((link) => link.hash)),
+      ids.map((id) => `#${id}`),
+    );
+  });
+
+  for (const id of ids) {
+    test(`shows the figure '${id}' with its numbers`, async () => {
+      await open(id);
+      for (const panel of await page.locator(`#${id} .panel-card`).all()) {
+        await panel.scrollIntoViewIfNeeded();
+        const numbers = await rows(panel);
+        const shown = await panel.locator('tbody tr:has(input:checked)').count();
+        assert.ok(shown >= 3);
+        const ours = numbers.karcher ?? numbers.circleArcs;
+        assert.match(ours[0], /^(0|[0-9.]+|\d · 10⁻[⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/, JSON.stringify(numbers));
+        await drawn(panel);
+        assert.ok((await panel.locator('.handle').count()) >= 2);
+      }
+      assert.deepEqual(logged, []);
+    });
+  }
+
+  test('a point that is dragged takes the curves of all panels that share it along', async () => {
+    await open('paths');
+    const panels = page.locator('#paths .panel-card');
+    const json = () =>
+      page.evaluate(() => {
+        const section = window.karcherPaper.sections.find(({ element }) => element.id === 'paths');
+        return section.panels.map((panel) => JSON.parse(panel.json()));
+      });
+    const before = await json();
+    await panels.first().scrollIntoViewIfNeeded();
+    const handle = panels.first().getByRole('button', { name: 'Point q' });
+    const box = await handle.boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 20, y + 6, { steps: 4 });
+    await page.mouse.up();
+    await settled('paths');
+    const later = await json();
+    later.forEach((panel, i) => {
+      assert.deepEqual(panel.points[0], before[i].points[0]);
+      assert.notDeepEqual(panel.points[1], before[i].points[1]);
+      assert.equal(panel.lines.length, before[i].lines.length);
+    });
+  });
+
+  test('a method is switched off and on, and one that was off is computed when asked for', async () => {
+    await open('plane');
+    const panel = page.locator('#plane .panel-card').first();
+    await panel.scrollIntoViewIfNeeded();
+    const box = panel.locator('tr[data-line="vectorHeatDelaunay"] input');
+    assert.equal(await box.isChecked(), false);
+    assert.equal((await rows(panel)).vectorHeatDelaunay[0], '');
+    await box.check();
+    await settled('plane');
+    assert.match((await rows(panel)).vectorHeatDelaunay[0], /\d/);
+    await box.uncheck();
+    assert.equal(await box.isChecked(), false);
+  });
+
+  test('sliders change a rational curve', async () => {
+    await open('rational');
+    const panel = page.locator('#rational .panel-card').first();
+    const slider = panel.locator('input[type="range"]').nth(1);
+    await slider.fill('1');
+    await settled('rational');
+    assert.equal(await panel.locator('output').nth(1).textContent(), '10');
+    const { curve } = await page.evaluate(() => {
+      const { panels } = window.karcherPaper.sections.find(
+        ({ element }) => element.id === 'rational',
+      );
+      return JSON.parse(panels[0].json());
+    });
+    assert.deepEqual(curve.weights, [1, 10, 1, 1]);
+  });
+
+  test('a panel is saved as SVG with its numbers in it', async () => {
+    await open('paths');
+    const { svg, numbers } = await page.evaluate(() => {
+      const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === 'paths');
+      const text = panels[0].svg();
+      const document = new DOMParser().parseFromString(text, 'image/svg+xml');
+      return {
+        svg: {
+          error: document.querySelector('parsererror')?.textContent ?? null,
+          paths: document.querySelectorAll('path').length,
+          image: document.querySelector('image').getAttribute('href').slice(0, 22),
+        },
+        numbers: JSON.parse(document.querySelector('metadata').textContent),
+      };
+    });
+    assert.equal(svg.error, null);
+    assert.ok(svg.paths >= 5);
+    assert.equal(svg.image, 'data:image/png;base64,');
+    assert.equal(numbers.curve.kind, 'bezier');
+    assert.ok(numbers.lines.some(({ id, deviation }) => id === 'karcher' && deviation.max >= 0));
+  });
+
+  test('opens a curve in the editor', async () => {
+    await open('gallery');
+    const href = await page
+      .locator('#gallery .panel-card', { hasText: 'Sphere' })
+      .getByRole('link', { name: 'Open in the editor' })
+      .getAttribute('href');
+    assert.match(href, /^\.\/index\.html#mesh=sphere:500&kind=bspline&/);
+    const tab = await browser.context.newPage();
+    await tab.goto(
+      new URL(`${href}`.replace('index.html#', 'index.html?antialias=off#'), browser.address).href,
+    );
+    await tab.waitForFunction(
+      () => window.karcherPage?.settled && window.karcherPage.mesh() !== null,
+    );
+    const state = await tab.evaluate(() => window.karcherPage.state());
+    assert.equal(state.document.points.length, 7);
+    await tab.close();
+  });
+
+  test('a narrow window has no sideways scroll', async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), 390);
+    await page.emulateMedia({ colorScheme: 'dark' });
+    await page.locator('html[data-theme="dark"]').waitFor();
+    assert.deepEqual(logged, []);
+  });
+});

@@ -1,0 +1,59 @@
+import { byId, make } from '../panels/elements';
+import { applyTheme, onTheme, toggleTheme } from '../panels/theme';
+import { figures, smallFigures } from './figures';
+import { LabClient } from './lab/client';
+import { FigureSection } from './view/figure_section';
+import { GeometryMaker } from './view/geometry';
+import { SharedRenderer } from './view/shared_renderer';
+import { readColors } from './view/theme_colors';
+
+/** For tests: `?detail=0.05` has every mesh smaller, `?antialias=off` lines rougher. */
+const parameters = new URLSearchParams(location.search);
+
+declare global {
+  interface Window {
+    karcherPaper?: { sections: readonly FigureSection[] };
+  }
+}
+
+function start(): void {
+  const context = {
+    client: new LabClient(),
+    geometry: new GeometryMaker(),
+    renderer: new SharedRenderer({ antialias: parameters.get('antialias') !== 'off' }),
+  };
+  const detail = Number(parameters.get('detail') ?? 1);
+  const shown = detail < 1 ? smallFigures(detail, 17) : figures;
+  const sections = shown.map((figure) => new FigureSection(context, figure));
+  byId('figures').append(...sections.map(({ element }) => element));
+  byId('contents').append(
+    ...shown.map(({ id, name, title }) => {
+      const link = make('a', '', { href: `#${id}` });
+      link.append(make('span', name), title);
+      const item = make('li');
+      item.append(link);
+      return item;
+    }),
+  );
+  const theme = byId<HTMLButtonElement>('theme');
+  theme.addEventListener('click', toggleTheme);
+  onTheme((name) => {
+    theme.setAttribute('aria-pressed', `${name === 'dark'}`);
+    readColors();
+    for (const section of sections) section.recolor();
+  });
+  window.karcherPaper = { sections };
+}
+
+applyTheme();
+try {
+  start();
+} catch (error) {
+  const box = byId('unsupported');
+  box.replaceChildren(
+    make('h1', 'The figures can’t be drawn in this browser'),
+    make('p', error instanceof Error ? error.message : `${error}`),
+  );
+  box.hidden = false;
+  byId('paper').hidden = true;
+}

@@ -1,0 +1,22 @@
+import type { SurfacePoint } from 'karcher';
+import { formatLink } from '../../editor/link';
+import type { CurveSpec, MeshSpec } from '../figures/types';
+import { editorKey } from '../lab/meshes';
+
+/** Where the editor shows the same curve; null where it has no such mesh or curve. */
+export function editorLink(
+  mesh: MeshSpec,
+  curve: CurveSpec,
+  points: readonly SurfacePoint[],
+): string | null {
+  const key = editorKey(mesh);
+  if (!key) return null;
+  if (curve.kind === 'circle') {
+    const [center, rim] = points;
+    const circle = { center: center!, rim: rim! };
+    return `./index.html#${formatLink(key, 'karcher', { kind: 'circle', points: [], circle })}`;
+  }
+  if (curve.kind !== 'bspline' && curve.kind !== 'bezier') return null;
+  const document = { kind: curve.kind, points: [...points], circle: null };
+  return `./index.html#${formatLink(key, 'karcher', document)}`;
+}

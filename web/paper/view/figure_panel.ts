@@ -1,0 +1,331 @@
+import { Color, type Vector3 } from 'three';
+import { svgOf } from '../../export/svg';
+import { formatCount, make } from '../../panels/elements';
+import { type Handle, Handles } from '../../viewer/handles';
+import { lineStyles } from '../figures/lines';
+import type { CurveSpec, LineId, LineResult, Panel, Vector } from '../figures/types';
+import type { LabClient } from '../lab/client';
+import type { DrawnMesh, Placed } from '../lab/protocol';
+import { download } from './download';
+import { editorLink } from './editor_link';
+import type { GeometryMaker } from './geometry';
+import { NumbersTable } from './numbers_table';
+import { type LineLook, PanelView } from './panel_view';
+import type { SharedRenderer } from './shared_renderer';
+import { sliders } from './sliders';
+import { lineColor, surfaceFront } from './theme_colors';
+
+export interface PanelContext {
+  client: LabClient;
+  geometry: GeometryMaker;
+  renderer: SharedRenderer;
+}
+
+export interface PanelEvents {
+  /** A point of the panel was moved to a place in space. */
+  move(index: number, place: Vector): void;
+}
+
+/** A panel on the page: its view, its points, and the table of its numbers. */
+export class FigurePanel {
+  readonly element = make('article', '', { className: 'panel-card' });
+  /** What is computed now, for tests: true once everything that is shown is there. */
+  settled = false;
+  readonly #stage = make('div', '', { className: 'panel-stage' });
+  readonly #markers = make('div', '', { className: 'markers' });
+  readonly #note = make('p', '', { className: 'panel-note' });
+  readonly #link = make('a', 'Open in the editor', { className: 'link', hidden: true });
+  readonly #title = make('span', '', { className: 'panel-mesh' });
+  readonly #view: PanelView;
+  readonly #handles: Handles;
+  readonly #numbers: NumbersTable;
+  readonly #shown: Set<LineId>;
+  readonly #results = new Map<LineId, LineResult>();
+  #curve: CurveSpec;
+  #mesh: DrawnMesh | null = null;
+  #placed: Placed | null = null;
+  #points: readonly Vector[];
+  #stop: (() => void) | null = null;
+  #placedOnce = false;
+
+  constructor(
+    private readonly context: PanelContext,
+    private readonly panel: Panel,
+    points: readonly Vector[],
+    private readonly events: PanelEvents,
+  ) {
+    this.#points = points;
+    this.#curve = panel.curve;
+    this.#shown = new Set(panel.lines.filter((id) => !panel.off?.includes(id)));
+    const canvas = make('canvas');
+    canvas.setAttribute('aria-hidden', 'true');
+    const layer = make('div', '', { className: 'handles' });
+    this.#stage.append(canvas, this.#markers, layer);
+    this.#view = new PanelView(context.renderer, this.#stage, canvas, panel);
+    this.#handles = this.#makeHandles(layer);
+    this.#numbers = new NumbersTable(panel, this.#shown, (id, shown) => this.#toggle(id, shown));
+    this.#view.onFrame(() => this.#placeMarkers());
+    this.element.append(this.#head(), this.#stage, this.#note);
+    const controls = sliders(panel.curve, (curve) => this.#setCurve(curve));
+    if (controls) this.element.append(controls);
+    this.element.append(this.#numbers.element, this.#foot());
+    this.element.dataset.panel = panel.id;
+  }
+
+  /** Makes the mesh and computes everything for the first time. */
+  async start(): Promise<void> {
+    this.#note.textContent = 'Making the mesh…';
+    try {
+      this.#mesh = await this.context.client.mesh(this.panel.mesh);
+      this.#title.textContent = formatCount(this.#mesh.info.triangles, 'triangle');
+      const drawn = await this.context.geometry.make(this.#mesh);
+      this.#view.showSurface(drawn);
+      this.recolor();
+      this.trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+    } catch (error) {
+      this.#note.textContent = error instanceof Error ? error.message : `${error}`;
+      this.settled = true;
+    }
+  }
+
+  /** Other points in space, of this panel or of one that shares them. */
+  setPoints(points: readonly Vector[]): void {
+    this.#points = points;
+    if (this.#mesh) this.trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+  }
+
+  /** The colors of the theme. */
+  recolor(): void {
+    this.#view.surfaceColor = new Color(surfaceFront());
+    for (const id of this.#results.keys()) this.#view.recolor(id, this.#look(id));
+    this.#view.requestFrame();
+  }
+
+  trace(lines: readonly LineId[]): void {
+    this.#stop?.();
+    this.settled = false;
+    for (const id of lines) this.#numbers.wait(id);
+    const job = { panel: { ...this.panel, curve: this.#curve }, points: this.#points, lines };
+    this.#stop = this.context.client.trace(job, {
+      placed: (placed) => this.#showPlaced(placed),
+      line: (line) => this.#showLine(line),
+      progress: (done, stage) => this.#progress(done, stage),
+      failure: (message) => {
+        this.#note.textContent = message;
+      },
+      done: () => {
+        this.settled = true;
+        if (this.#note.dataset.kind === 'progress') this.#note.textContent = '';
+      },
+    });
+  }
+
+  #progress(done: number, stage: string): void {
+    const what = { graph: 'building the graph', landmarks: 'embedding' }[stage];
+    // Samples are quick, or their lines come one by one.
+    if (!what) return;
+    this.#note.dataset.kind = 'progress';
+    this.#note.textContent = `${what}: ${Math.round(100 * done)} %`;
+  }
+
+  #showPlaced(placed: Placed): void {
+    this.#placed = placed;
+    this.#note.textContent = '';
+    this.#note.dataset.kind = '';
+    if (!this.#placedOnce) this.#view.resetView(placed.places);
+    this.#placedOnce = true;
+    this.#showPoints(placed.places);
+    const href = editorLink(this.panel.mesh, this.#curve, placed.points);
+    this.#link.hidden = href === null;
+    if (href) this.#link.href = href;
+  }
+
+  #showPoints(places: readonly Vector[]): void {
+    this.#handles.show(places.map((place, i) => this.#handle(place, i)));
+  }
+
+  #handle(place: Vector, i: number): Handle {
+    const name = this.#points.length === 2 ? 'pq'[i]! : `${i + 1}`;
+    return {
+      id: `${i}`,
+      position: this.#view.toScene(place),
+      label: `Point ${name} of ${this.panel.title}`,
+      tag: name,
+      look: 'point',
+      selected: false,
+    };
+  }
+
+  #makeHandles(layer: HTMLElement): Handles {
+    const move = (id: string, clientX: number, clientY: number) => {
+      const place = this.#view.pick(clientX, clientY);
+      if (!place) return;
+      this.#showPoints((this.#placed?.places ?? []).with(Number(id), place));
+      this.events.move(Number(id), place);
+    };
+    return new Handles(this.#view, layer, {
+      grab: () => {},
+      drag: move,
+      release: () => {},
+      focus: () => {},
+      key: (id, event) => {
+        const step = {
+          ArrowLeft: [-6, 0],
+          ArrowRight: [6, 0],
+          ArrowUp: [0, -6],
+          ArrowDown: [0, 6],
+        }[event.key];
+        const at = this.#handles.place(id);
+        if (!step || !at) return;
+        event.preventDefault();
+        move(id, at.x + step[0]!, at.y + step[1]!);
+      },
+    });
+  }
+
+  #setCurve(curve: CurveSpec): void {
+    this.#curve = curve;
+    if (this.#mesh) this.trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+  }
+
+  #toggle(id: LineId, shown: boolean): void {
+    if (shown) this.#shown.add(id);
+    else this.#shown.delete(id);
+    this.#view.hideLine(id);
+    this.#placeMarkers();
+    const result = this.#results.get(id);
+    if (shown && result) this.#draw(result);
+    // What is under way is asked for again, with the one that was missing.
+    else if (shown && this.#mesh) {
+      const missing = this.panel.lines.filter((one) => this.#shown.has(one));
+      this.trace(this.settled ? [id] : missing);
+    }
+  }
+
+  #showLine(line: LineResult): void {
+    this.#results.set(line.id, line);
+    this.#numbers.set(line);
+    if (this.#shown.has(line.id)) this.#draw(line);
+  }
+
+  #draw(line: LineResult): void {
+    const order = 4 + 2 * this.panel.lines.indexOf(line.id);
+    // Ours is the widest, and lies under the others, so that it shows where they agree.
+    const wide = lineStyles[line.id].width >= 3;
+    this.#view.showLine(line.id, line, this.#look(line.id), wide ? 2 : order);
+    this.#placeMarkers();
+  }
+
+  #look(id: LineId): LineLook {
+    return { color: new Color(lineColor(id)), width: lineStyles[id].width };
+  }
+
+  /** Centers of mass, as dots. */
+  #placeMarkers(): void {
+    const dots = this.#seenMarkers().map(({ id, x, y, hidden }) => {
+      const dot = make('i', '', { className: hidden ? 'marker behind' : 'marker' });
+      dot.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+      dot.style.setProperty('--color', `var(${lineStyles[id].color})`);
+      dot.dataset.line = id;
+      return dot;
+    });
+    this.#markers.replaceChildren(...dots);
+  }
+
+  #seenMarkers() {
+    return [...this.#results.values()].flatMap(({ id, marker }) =>
+      marker && this.#shown.has(id)
+        ? [{ id, ...this.#view.project(this.#view.toScene(marker)) }]
+        : [],
+    );
+  }
+
+  #head(): HTMLElement {
+    const head = make('header', '', { className: 'panel-head' });
+    head.append(make('h3', this.panel.title), this.#title);
+    return head;
+  }
+
+  #foot(): HTMLElement {
+    const foot = make('footer', '', { className: 'panel-foot' });
+    const button = (label: string, work: () => void) => {
+      const made = make('button', label, { className: 'link', type: 'button' });
+      made.addEventListener('click', work);
+      return made;
+    };
+    const edges = button('Triangles', () => {
+      const shown = edges.getAttribute('aria-pressed') !== 'true';
+      edges.setAttribute('aria-pressed', `${shown}`);
+      this.#view.edges = shown;
+    });
+    edges.setAttribute('aria-pressed', `${this.#view.edges}`);
+    const name = `karcher-${this.panel.points}-${this.panel.id}`;
+    foot.append(
+      edges,
+      button('Reset view', () => this.#view.resetView(this.#placed?.places ?? [])),
+      button('SVG', () => download(`${name}.svg`, 'image/svg+xml', this.svg())),
+      button('JSON', () => download(`${name}.json`, 'application/json', this.json())),
+      this.#link,
+    );
+    return foot;
+  }
+
+  /** The panel's numbers. */
+  json(): string {
+    const lines = [...this.#results.values()].map(
+      ({ polylines: _, status: __, marker: ___, ...numbers }) => numbers,
+    );
+    const { mesh, curve: _, samples } = this.panel;
+    const { info } = this.#mesh ?? {};
+    const { points } = this.#placed ?? {};
+    return JSON.stringify({ mesh, info, curve: this.#curve, samples, points, lines }, null, 2);
+  }
+
+  /** The panel as it is seen, with its numbers as its metadata. */
+  svg(): string {
+    const { clientWidth: width, clientHeight: height } = this.#stage;
+    const seen = (position: Vector3) => this.#view.project(position);
+    const lines = this.panel.lines.flatMap((id) => {
+      const line = this.#results.get(id);
+      if (!line || !this.#shown.has(id)) return [];
+      return line.polylines.map((polyline, k) => {
+        const places = Array.from({ length: polyline.length / 3 }, (_, i) =>
+          seen(this.#view.toScene([...polyline.subarray(3 * i, 3 * i + 3)] as Vector)),
+        );
+        const color = lineColor(id);
+        const status = line.status[k];
+        return {
+          x: places.map(({ x }) => x),
+          y: places.map(({ y }) => y),
+          hidden: places.map(({ hidden }) => hidden),
+          color,
+          width: lineStyles[id].width,
+          lost: { color, has: (segment: number) => status?.[segment + 1] === 1 },
+        };
+      });
+    });
+    const points = [
+      ...(this.#placed?.places ?? []).map((place) => ({
+        ...seen(this.#view.toScene(place)),
+        color: lineColor('exactPath'),
+      })),
+      ...this.#seenMarkers().map(({ id, x, y }) => ({ x, y, color: lineColor(id) })),
+    ];
+    const numbers = this.json().replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+    const picture = this.#surfacePicture();
+    return svgOf({ width, height, lines, points }).replace(
+      '<g ',
+      `<metadata>${numbers}</metadata>\n<image href="${picture}" width="${width}" height="${height}"/>\n<g `,
+    );
+  }
+
+  /** The surface alone, as an image. */
+  #surfacePicture(): string {
+    for (const id of this.#results.keys()) this.#view.hideLine(id);
+    this.#view.draw();
+    const picture = this.#stage.querySelector('canvas')!.toDataURL('image/png');
+    for (const line of this.#results.values()) if (this.#shown.has(line.id)) this.#draw(line);
+    this.#view.draw();
+    return picture;
+  }
+}

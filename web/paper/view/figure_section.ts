@@ -1,0 +1,65 @@
+import { make } from '../../panels/elements';
+import type { Figure, Vector } from '../figures/types';
+import { FigurePanel, type PanelContext } from './figure_panel';
+
+/** A figure on the page. It is computed when it comes near the window. */
+export class FigureSection {
+  readonly element: HTMLElement;
+  readonly #panels: FigurePanel[];
+  readonly #points: Record<string, Vector[]>;
+  readonly #shared: { key: string; panel: FigurePanel }[] = [];
+  #started = false;
+
+  constructor(context: PanelContext, figure: Figure) {
+    this.#points = structuredClone(figure.points);
+    this.element = make('section', '', { className: 'figure', id: figure.id });
+    const head = make('header', '', { className: 'figure-head' });
+    head.append(make('p', figure.name, { className: 'figure-name' }), make('h2', figure.title));
+    const grid = make('div', '', { className: 'panels' });
+    grid.dataset.count = `${figure.panels.length}`;
+    this.#panels = figure.panels.map((panel) => {
+      const key = panel.points;
+      const made = new FigurePanel(context, panel, this.#points[key]!, {
+        move: (index, place) => this.#move(key, index, place),
+      });
+      this.#shared.push({ key, panel: made });
+      grid.append(made.element);
+      return made;
+    });
+    this.element.append(head, make('p', figure.caption, { className: 'caption' }), grid);
+    const observer = new IntersectionObserver(
+      ([entry]) => {
+        if (!entry!.isIntersecting) return;
+        observer.disconnect();
+        void this.start();
+      },
+      { rootMargin: '200px' },
+    );
+    observer.observe(this.element);
+  }
+
+  /** Whether all panels show what they should. */
+  get settled(): boolean {
+    return this.#panels.every((panel) => panel.settled);
+  }
+
+  get panels(): readonly FigurePanel[] {
+    return this.#panels;
+  }
+
+  async start(): Promise<void> {
+    if (this.#started) return;
+    this.#started = true;
+    for (const panel of this.#panels) await panel.start();
+  }
+
+  recolor(): void {
+    for (const panel of this.#panels) panel.recolor();
+  }
+
+  #move(key: string, index: number, place: Vector): void {
+    const points = this.#points[key]!.with(index, place);
+    this.#points[key] = points;
+    for (const { key: other, panel } of this.#shared) if (other === key) panel.setPoints(points);
+  }
+}

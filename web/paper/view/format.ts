@@ -1,0 +1,18 @@
+/** Numbers as people read them. */
+
+/** Three digits; what is only rounding as a power of ten. */
+export function formatDeviation(value: number | null): string {
+  if (value === null) return '–';
+  if (value === 0) return '0';
+  if (value < 1e-4) return value.toExponential(0).replace('e-', ' · 10⁻').replace(/\d+$/, raised);
+  return value < 0.1 ? value.toFixed(4) : value.toFixed(2);
+}
+
+const raised = (digits: string) => [...digits].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('');
+
+export function formatMilliseconds(value: number | null): string {
+  if (value === null) return '–';
+  if (value < 0.1) return '< 0.1';
+  if (value < 10) return value.toFixed(1);
+  return Math.round(value).toLocaleString('en');
+}

@@ -1,0 +1,25 @@
+import type { DrawnGeometry, GeometryRequest } from '../../worker/geometry';
+import type { DrawnMesh } from '../lab/protocol';
+
+/** Prepares meshes for drawing and picking in a worker, one after the other. */
+export class GeometryMaker {
+  readonly #worker = new Worker(new URL('../../worker/geometry.ts', import.meta.url), {
+    type: 'module',
+  });
+  #last: Promise<unknown> = Promise.resolve();
+
+  make({ info, positions, triangles }: DrawnMesh): Promise<DrawnGeometry> {
+    const made = this.#last.then(
+      () =>
+        new Promise<DrawnGeometry>((resolve, reject) => {
+          this.#worker.onmessage = ({ data }: MessageEvent<DrawnGeometry>) => resolve(data);
+          this.#worker.onerror = (event) => reject(new Error(event.message));
+          const closed = info.boundaryLoops === 0;
+          const request: GeometryRequest = { positions, triangles, closed };
+          this.#worker.postMessage(request);
+        }),
+    );
+    this.#last = made.catch(() => {});
+    return made;
+  }
+}

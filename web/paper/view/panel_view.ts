@@ -1,0 +1,270 @@
+import {
+  type BufferGeometry,
+  Color,
+  type Mesh,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  type ShaderMaterial,
+  Vector2,
+  Vector3,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { FatLine } from '../../viewer/fat_line';
+import { Surface } from '../../viewer/surface';
+import type { DrawnGeometry } from '../../worker/geometry';
+import type { LineResult, Panel, Vector } from '../figures/types';
+import type { SharedRenderer } from './shared_renderer';
+
+const fieldOfView = 30;
+/** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
+const margin = 0.86;
+/** The surface's color where it is lit as most of it is. */
+const surfaceShade = 0.75;
+
+export interface LineLook {
+  color: Color;
+  width: number;
+}
+
+interface ShownLine {
+  seen: FatLine;
+  lost: FatLine;
+}
+
+/** The view of one panel: a surface and its lines. Draws only what changed, and while it is seen. */
+export class PanelView {
+  readonly #scene = new Scene();
+  readonly #camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
+  readonly #controls: OrbitControls;
+  readonly #raycaster = new Raycaster();
+  readonly #lines = new Map<string, ShownLine>();
+  readonly #beforeFrame: (() => void)[] = [];
+  #surface: Surface | null = null;
+  #surfaceColor = new Color();
+  #frame = 0;
+  #seen = false;
+  #stale = true;
+
+  constructor(
+    private readonly renderer: SharedRenderer,
+    readonly stage: HTMLElement,
+    private readonly canvas: HTMLCanvasElement,
+    private readonly panel: Panel,
+  ) {
+    this.#controls = new OrbitControls(this.#camera, stage);
+    // The wheel, and a finger that moves up or down, scroll the page.
+    this.#controls.enableZoom = false;
+    this.#controls.enablePan = false;
+    stage.style.touchAction = 'pan-y';
+    stage.addEventListener('wheel', (event) => this.#zoom(event), { passive: false });
+    this.#controls.addEventListener('change', () => this.requestFrame());
+    new ResizeObserver(() => this.#resize()).observe(stage);
+    new IntersectionObserver(([entry]) => {
+      this.#seen = entry!.isIntersecting;
+      if (this.#seen && this.#stale) this.requestFrame();
+    }).observe(stage);
+  }
+
+  get surface(): Surface | null {
+    return this.#surface;
+  }
+
+  get camera(): PerspectiveCamera {
+    return this.#camera;
+  }
+
+  onFrame(listener: () => void): void {
+    this.#beforeFrame.push(listener);
+  }
+
+  requestFrame(): void {
+    this.#stale = true;
+    if (this.#seen) this.#frame ||= requestAnimationFrame(() => this.draw());
+  }
+
+  /** Draws at once. */
+  draw(): void {
+    this.#frame = 0;
+    this.#stale = false;
+    const { clientWidth, clientHeight } = this.stage;
+    if (!this.#surface || clientWidth === 0 || clientHeight === 0) return;
+    this.#camera.updateMatrixWorld();
+    for (const { seen, lost } of this.#lines.values()) {
+      seen.follow(this.#camera.position);
+      lost.follow(this.#camera.position);
+    }
+    for (const listener of this.#beforeFrame) listener();
+    this.renderer.draw(this.#scene, this.#camera, this.canvas, clientWidth, clientHeight);
+  }
+
+  showSurface(drawn: DrawnGeometry): void {
+    this.#surface = new Surface(drawn);
+    this.#surface.edges = this.panel.view?.edges ?? false;
+    ownMaterial(this.#surface);
+    this.#scene.add(this.#surface.object);
+    this.resetView([]);
+  }
+
+  get edges(): boolean {
+    return this.panel.view?.edges ?? false;
+  }
+
+  set edges(visible: boolean) {
+    if (this.#surface) this.#surface.edges = visible;
+    this.requestFrame();
+  }
+
+  /** Shows a line, or another of the same key in its place. Later orders lie over earlier ones. */
+  showLine(key: string, line: LineResult, look: LineLook, order: number): void {
+    if (!this.#surface) return;
+    let shown = this.#lines.get(key);
+    if (!shown) {
+      shown = {
+        seen: new FatLine({ width: look.width, hidden: 0.2 }, order),
+        lost: new FatLine({ width: look.width, hidden: 0.2, dashed: true }, order),
+      };
+      this.#lines.set(key, shown);
+      this.#scene.add(shown.seen.object, shown.lost.object);
+    }
+    const whole: Float32Array[] = [];
+    const broken: Float32Array[] = [];
+    line.polylines.forEach((polyline, i) => {
+      const scene = this.#surface!.toScene(polyline);
+      for (const { part, lost } of partsOf(scene, line.status[i]))
+        (lost ? broken : whole).push(part);
+    });
+    shown.seen.set(whole);
+    shown.lost.set(broken);
+    this.#color(shown, look);
+    this.requestFrame();
+  }
+
+  hideLine(key: string): void {
+    const shown = this.#lines.get(key);
+    shown?.seen.clear();
+    shown?.lost.clear();
+    this.requestFrame();
+  }
+
+  /** What the lines' hidden parts fade into. */
+  set surfaceColor(color: Color) {
+    this.#surfaceColor = color.clone().multiplyScalar(surfaceShade);
+    this.requestFrame();
+  }
+
+  recolor(key: string, look: LineLook): void {
+    const shown = this.#lines.get(key);
+    if (shown) this.#color(shown, look);
+    this.requestFrame();
+  }
+
+  toScene(place: Vector): Vector3 {
+    return new Vector3(...(this.#surface?.toScene(Float32Array.from(place)) ?? place));
+  }
+
+  /** The place in the mesh's coordinates under a place of the window; null beside the surface. */
+  pick(clientX: number, clientY: number): Vector | null {
+    if (!this.#surface) return null;
+    const box = this.canvas.getBoundingClientRect();
+    const place = new Vector2(
+      (2 * (clientX - box.left)) / box.width - 1,
+      1 - (2 * (clientY - box.top)) / box.height,
+    );
+    this.#camera.updateMatrixWorld();
+    this.#raycaster.setFromCamera(place, this.#camera);
+    const hit = this.#surface.pick(this.#raycaster.ray);
+    if (!hit) return null;
+    const { center, scale } = this.#surface.frame;
+    return hit.position.toArray().map((value, c) => value / scale + center[c]!) as Vector;
+  }
+
+  /** Where a point of the scene is on the stage, in CSS pixels, and whether the surface hides it. */
+  project(position: Vector3): { x: number; y: number; hidden: boolean } {
+    const { ray } = this.#raycaster;
+    const distance = this.#camera.position.distanceTo(position);
+    ray.origin.copy(this.#camera.position);
+    ray.direction.copy(position).sub(ray.origin).normalize();
+    const hidden = (this.#surface?.depth(ray) ?? Number.POSITIVE_INFINITY) < distance - 0.006;
+    const place = position.clone().project(this.#camera);
+    const { clientWidth, clientHeight } = this.stage;
+    const x = ((place.x + 1) / 2) * clientWidth;
+    const y = ((1 - place.y) / 2) * clientHeight;
+    return { x, y, hidden: hidden || place.z > 1 };
+  }
+
+  /** The panel's own view; `places` are its points, for a view of one of them. */
+  resetView(places: readonly Vector[]): void {
+    const { from = [0.34, 0.22, 1], at, distance = 1 } = this.panel.view ?? {};
+    const target = new Vector3();
+    let offset = new Vector3(...from).normalize().multiplyScalar(this.#wholeDistance());
+    const place = at === undefined ? undefined : places[at];
+    if (place && this.#surface) {
+      target.copy(this.toScene(place));
+      offset = this.#surface.normal(this.#surface.nearest(target)).multiplyScalar(distance);
+    }
+    this.#camera.up.set(0, 1, 0);
+    this.#camera.position.copy(target).add(offset);
+    this.#controls.target.copy(target);
+    this.#controls.update();
+    this.requestFrame();
+  }
+
+  /** With Ctrl, as a pinch on a touchpad has it, the wheel zooms. */
+  #zoom(event: WheelEvent): void {
+    if (!event.ctrlKey) return;
+    event.preventDefault();
+    const offset = this.#camera.position.clone().sub(this.#controls.target);
+    const length = Math.min(20, Math.max(0.15, offset.length() * Math.exp(event.deltaY / 200)));
+    this.#camera.position.copy(this.#controls.target).add(offset.setLength(length));
+    this.#controls.update();
+    this.requestFrame();
+  }
+
+  #color({ seen, lost }: ShownLine, { color }: LineLook): void {
+    seen.setColor(color, this.#surfaceColor);
+    lost.setColor(color, this.#surfaceColor);
+  }
+
+  #wholeDistance(): number {
+    const half = (fieldOfView * Math.PI) / 360;
+    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.#camera.aspect));
+    return margin / Math.sin(narrow);
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.stage;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.#camera.aspect = clientWidth / clientHeight;
+    this.#camera.updateProjectionMatrix();
+    this.requestFrame();
+  }
+}
+
+/**
+ * All surfaces share one material, which draws the sides that the newest of them shows: each panel
+ * takes a copy, with the colors still shared.
+ */
+function ownMaterial(surface: Surface): void {
+  const mesh = surface.object.children[0] as Mesh<BufferGeometry, ShaderMaterial>;
+  const { uniforms } = mesh.material;
+  mesh.material = mesh.material.clone();
+  mesh.material.uniforms = uniforms;
+}
+
+/** The pieces of a polyline that converged and those that are lost. */
+function partsOf(
+  line: Float32Array,
+  status: Uint8Array | undefined,
+): { part: Float32Array; lost: boolean }[] {
+  if (!status?.includes(1)) return [{ part: line, lost: false }];
+  const parts: { part: Float32Array; lost: boolean }[] = [];
+  let begin = 0;
+  for (let i = 1; i < status.length; i++) {
+    // A vertex's status is that of the sample it leads to.
+    if (i + 1 < status.length && status[i + 1] === status[i]) continue;
+    parts.push({ part: line.subarray(3 * begin, 3 * (i + 1)), lost: status[i] === 1 });
+    begin = i;
+  }
+  return parts;
+}

@@ -1,0 +1,47 @@
+import { type Camera, type Scene, WebGLRenderer } from 'three';
+
+/**
+ * One WebGL context for all panels, since a page may have only a few: each panel is drawn here and
+ * copied to its own canvas.
+ */
+export class SharedRenderer {
+  readonly #renderer: WebGLRenderer;
+  #width = 0;
+  #height = 0;
+
+  /** Throws where there is no WebGL 2. */
+  constructor({ antialias }: { antialias: boolean }) {
+    const canvas = document.createElement('canvas');
+    const context = canvas.getContext('webgl2', { alpha: true, antialias });
+    if (!context) {
+      throw new Error(
+        'WebGL 2, which draws the figures, is missing or switched off. Check that graphics acceleration is allowed in the settings.',
+      );
+    }
+    this.#renderer = new WebGLRenderer({ canvas, context });
+  }
+
+  /** Draws a scene into a canvas of that size in CSS pixels. */
+  draw(scene: Scene, camera: Camera, canvas: HTMLCanvasElement, width: number, height: number) {
+    const ratio = Math.min(2, devicePixelRatio);
+    if (width > this.#width || height > this.#height || this.#renderer.getPixelRatio() !== ratio) {
+      this.#width = Math.max(width, this.#width);
+      this.#height = Math.max(height, this.#height);
+      this.#renderer.setPixelRatio(ratio);
+      this.#renderer.setSize(this.#width, this.#height, false);
+    }
+    const [pixelWidth, pixelHeight] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (canvas.width !== pixelWidth) canvas.width = pixelWidth;
+    if (canvas.height !== pixelHeight) canvas.height = pixelHeight;
+    this.#renderer.setViewport(0, 0, width, height);
+    this.#renderer.setScissor(0, 0, width, height);
+    this.#renderer.setScissorTest(true);
+    this.#renderer.render(scene, camera);
+    const context = canvas.getContext('2d')!;
+    context.clearRect(0, 0, pixelWidth, pixelHeight);
+    const source = this.#renderer.domElement;
+    // The viewport lies in the lower left of the drawing buffer.
+    const top = source.height - pixelHeight;
+    context.drawImage(source, 0, top, pixelWidth, pixelHeight, 0, 0, pixelWidth, pixelHeight);
+  }
+}

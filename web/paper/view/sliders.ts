@@ -1,0 +1,34 @@
+import { make } from '../../panels/elements';
+import type { CurveSpec } from '../figures/types';
+
+/** Weights from 1/100 to 100, by their logarithms. */
+const [least, most] = [-2, 2];
+
+/** A slider for each weight or beta of a curve; null for curves that have none. */
+export function sliders(curve: CurveSpec, change: (curve: CurveSpec) => void): HTMLElement | null {
+  if (curve.kind !== 'rational' && curve.kind !== 'barycentric') return null;
+  const rational = curve.kind === 'rational';
+  const values = [...(rational ? curve.weights : curve.betas)];
+  const box = make('div', '', { className: 'sliders' });
+  values.forEach((value, i) => {
+    const name = `${rational ? 'w' : 'β'}${'₁₂₃₄₅₆'[i]}`;
+    const range = make('input', '', { type: 'range' });
+    Object.assign(range, { min: `${least}`, max: `${most}`, step: '0.01' });
+    range.value = `${Math.log10(value)}`;
+    range.setAttribute('aria-label', name);
+    const output = make('output', `${value}`);
+    range.addEventListener('input', () => {
+      values[i] = Number((10 ** Number(range.value)).toPrecision(3));
+      output.textContent = `${values[i]}`;
+      change(
+        rational
+          ? { kind: 'rational', weights: [...values] }
+          : { kind: 'barycentric', betas: [...values] },
+      );
+    });
+    const label = make('label');
+    label.append(make('span', name), range, output);
+    box.append(label);
+  });
+  return box;
+}
