@@ -5,6 +5,7 @@ import { engineFieldOptions } from './options.js';
 import { toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { toCurveSamples } from './samples.js';
 import type {
+  BridgedInterval,
   CurveKind,
   CurveOptions,
   CurveSamples,
@@ -68,6 +69,11 @@ export class Curve {
     );
   }
 
+  /** Where and why the curve is no center of mass. */
+  get bridged(): BridgedInterval[] {
+    return this.#handle.call((curve) => curve.bridged());
+  }
+
   /**
    * x, y, z of the curve's vertices for drawing, on the surface: the samples, joined by geodesics.
    */
@@ -80,7 +86,7 @@ export class Curve {
     return this.#handle.call((curve) => curve.path());
   }
 
-  /** A number for each vertex of the polyline: 1 where the sample it leads to is not converged. */
+  /** A number for each vertex of the polyline: 1 where the piece that leads to it is bridged. */
   get polylineStatus(): Uint8Array {
     return this.#handle.call((curve) => curve.polylineStatus());
   }

@@ -1,4 +1,12 @@
-import type { CurveKind, MeshInfo, Method, Path, Solver, Status } from './types.js';
+import type {
+  BridgedInterval,
+  CurveKind,
+  MeshInfo,
+  Method,
+  Path,
+  Solver,
+  Status,
+} from './types.js';
 
 /**
  * The WebAssembly module as the facade sees it: what bindings/*.cpp export.
@@ -65,7 +73,13 @@ export interface EngineMesh {
     arcs: number,
     samples: number,
     field: EngineFieldOptions,
-  ): { samples: EngineSamples; polyline: Float64Array; length: number; notShortest: Int32Array };
+  ): {
+    samples: EngineSamples;
+    bridged: BridgedInterval[];
+    polyline: Float64Array;
+    length: number;
+    notShortest: Int32Array;
+  };
   curve(
     points: Float64Array,
     kind: CurveKind,
@@ -106,6 +120,7 @@ export interface EngineCurve {
   join(): void;
   points(): Float64Array;
   samples(): EngineSamples;
+  bridged(): BridgedInterval[];
   path(): Path;
   polylineStatus(): Uint8Array;
   length(): number;

@@ -199,6 +199,7 @@ export class Mesh {
     const circle = this.#handle.call((mesh) => mesh.circle(center, radius, arcs, samples, field));
     return {
       samples: toCurveSamples(this.#engine, circle.samples),
+      bridged: circle.bridged,
       polyline: new Float32Array(circle.polyline),
       length: circle.length,
       path: { length: circle.length, polyline: circle.polyline },

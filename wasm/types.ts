@@ -36,7 +36,9 @@ export type Method = 'karcher' | 'paper';
  * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
  * - `noProgress`: no point along the Newton step has a smaller gradient;
  * - `limit`: the bound on iterations was reached;
- * - `unreachable`: no path leads to a control point.
+ * - `unreachable`: no path leads to a control point;
+ * - `jump`: as the reason of a bridge: the curve would go from one local minimum to another;
+ * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`.
  */
 export type Status =
   | 'converged'
@@ -44,7 +46,9 @@ export type Status =
   | 'boundary'
   | 'noProgress'
   | 'limit'
-  | 'unreachable';
+  | 'unreachable'
+  | 'jump'
+  | 'bridged';
 
 export type CurveKind = 'bspline' | 'bezier';
 
@@ -142,6 +146,19 @@ export interface CurveSamples {
   status: Status[];
 }
 
+/**
+ * Where a curve is no center of mass: over this interval of a segment's parameter it follows a
+ * subdivision curve of the segment's control points, so that it does not break. The samples inside
+ * have the status `bridged`.
+ */
+export interface BridgedInterval {
+  segment: number;
+  t0: number;
+  t1: number;
+  /** How the search ended in the interval, or `jump`. */
+  reason: Status;
+}
+
 export interface CircleOptions extends FieldOptions {
   center: PointLike;
   radius: number;
@@ -154,6 +171,8 @@ export interface CircleOptions extends FieldOptions {
 export interface Circle {
   /** `segment` is the number of the arc. */
   samples: CurveSamples;
+  /** `segment` is the number of the arc. */
+  bridged: BridgedInterval[];
   /** x, y, z of the vertices for drawing, on the surface. */
   polyline: Float32Array;
   length: number;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "curves/segment.h"
+#include "curves/joined_path.h"
 
 namespace karcher {
 
@@ -13,6 +13,7 @@ struct CircleOptions {
 struct GeodesicCircle {
   /// Per arc its samples and their joined path.
   Array<Array<CurveSample>> samples;
+  Array<Array<Bridge>> bridges;
   Array<JoinedPath> paths;
   /// The numbers of the arcs with a geodesic from the center that is not the shortest.
   Array<int> notShortest;

@@ -147,7 +147,7 @@ void Curve::join() {
     if (traced.isJoined) continue;
     // A polyline's paths were found with its samples.
     if (shape().kind != CurveKind::kPolyline) {
-      traced.path = joinSamples(surface_, traced.samples);
+      traced.path = joinSamples(surface_, traced.samples, traced.bridges);
     }
     traced.isJoined = true;
   }
@@ -294,14 +294,15 @@ void Curve::traceSegmentOf(Segment& segment) {
                                                  options_.tolerance > 0 ? 2 : options_.samples);
     traced.samples = std::move(geodesic.samples);
     traced.path = std::move(geodesic.path);
-  } else if (options_.tolerance > 0) {
-    traced.samples = traceAdaptively(
-        surface_, fieldsOf(number), [&](double t) { return weights(number, t); },
-        options_.field.method, options_.tolerance);
-  } else {
-    traced.samples =
-        traceSegment(surface_, fieldsOf(number), *segment.table, options_.field.method);
+    return;
   }
+  const Array<PointField*> fields = fieldsOf(number);
+  const Basis basis = [&](double t) { return weights(number, t); };
+  const Method method = options_.field.method;
+  traced.samples = options_.tolerance > 0
+                       ? traceAdaptively(surface_, fields, basis, method, options_.tolerance)
+                       : traceSegment(surface_, fields, *segment.table, method);
+  traced.bridges = bridgeSegment(surface_, fields, basis, method, traced.samples);
 }
 
 }  // namespace karcher

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "curves/curve_layout.h"
-#include "curves/segment.h"
+#include "curves/joined_path.h"
 
 namespace karcher {
 
@@ -62,6 +62,8 @@ class Curve {
     return segments_[segment].traced->samples;
   }
   const JoinedPath& path(int segment) const { return segments_[segment].traced->path; }
+  /// The intervals of a segment where it is no center of mass.
+  const Array<Bridge>& bridges(int segment) const { return segments_[segment].traced->bridges; }
   /// How many fields were computed since the curve was made: the work that edits should spare.
   int fieldsComputed() const { return fieldsComputed_; }
 
@@ -85,6 +87,7 @@ class Curve {
   };
   struct Traced {
     Array<CurveSample> samples;
+    Array<Bridge> bridges;
     JoinedPath path;
     bool isTraced = false;
     bool isJoined = false;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "curves/segment.h"
+#include "curves/joined_path.h"
 
 namespace karcher {
 

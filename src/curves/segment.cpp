@@ -1,9 +1,7 @@
 #include "curves/segment.h"
 
 #include <algorithm>
-
-#include "distance/shortest_path.h"
-#include "intrinsic/local_path.h"
+#include <utility>
 
 namespace karcher {
 
@@ -51,25 +49,6 @@ Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& poin
     if (center.status == Status::kConverged) start = center.point;
   }
   return samples;
-}
-
-JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples) {
-  JoinedPath path;
-  LocalPathWorkspace workspace;
-  path.points.push_back(samples.front().point);
-  path.sample.push_back(0);
-  for (int i = 1; i < samples.count(); ++i) {
-    const SurfacePoint& from = samples[i - 1].point;
-    const SurfacePoint& to = samples[i].point;
-    const Geometry& geometry = surface.geometry();
-    if (!appendLocalPath(geometry, from, to, workspace, path.points, path.length)) {
-      const ShortestPath shortest = shortestPath(geometry, from, to);
-      path.points.insert(path.points.end(), shortest.points.begin() + 1, shortest.points.end());
-      path.length += shortest.length;
-    }
-    path.sample.resize(path.points.size(), i);
-  }
-  return path;
 }
 
 }  // namespace karcher

@@ -45,15 +45,4 @@ Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& poin
 CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
                         Method method);
 
-/// A polyline on the surface through the samples: consecutive points lie in one face. Points of
-/// consecutive samples are joined by geodesics.
-struct JoinedPath {
-  Array<SurfacePoint> points;
-  /// Per point the number of the sample that its piece leads to.
-  Array<int> sample;
-  double length = 0;
-};
-
-JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples);
-
 }  // namespace karcher

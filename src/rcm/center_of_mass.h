@@ -6,13 +6,16 @@
 namespace karcher {
 
 /// How a search ended. Only kConverged is a center of mass (a local minimum of K); with the others
-/// the point is where the search stood.
+/// the point is where the search stood. The last two are no outcomes of a search but of a curve
+/// that was made whole (curves/bridge.h).
 enum class Status {
   kConverged,
   kIndefinite,  ///< the Hessian is not positive definite: the points lie too far apart
   kBoundary,    ///< the minimum lies on the boundary, where grad K does not vanish
   kNoProgress,  ///< no point along the Newton step has a smaller gradient
   kLimit,       ///< the bound on iterations was reached
+  kJump,        ///< why an interval was bridged: from one local minimum to another
+  kBridged,     ///< the sample lies on a bridge
 };
 
 /// The name of a status, as in the JavaScript API: "converged".

@@ -18,6 +18,10 @@ const char* statusName(Status status) {
       return "noProgress";
     case Status::kLimit:
       return "limit";
+    case Status::kJump:
+      return "jump";
+    case Status::kBridged:
+      return "bridged";
   }
   return "unknown";
 }

@@ -31,15 +31,27 @@ val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& 
   return result;
 }
 
-void appendSegment(const MeshHandle& mesh, const Array<CurveSample>& samples,
-                   const JoinedPath& path, CurvePolyline& result) {
+void appendSegment(const MeshHandle& mesh, const JoinedPath& path, CurvePolyline& result) {
   Array<int> kept;
   const Array<double> positions = polyline(mesh.mesh(), path.points, &kept);
   result.positions.insert(result.positions.end(), positions.begin(), positions.end());
-  for (const int i : kept) {
-    result.unconverged.push_back(samples[path.sample[i]].status != Status::kConverged);
-  }
+  for (const int i : kept) result.bridged.push_back(path.bridged[i]);
   result.length += path.length;
+}
+
+val bridgedToJs(const Array<const Array<Bridge>*>& segments) {
+  val list = val::array();
+  for (int j = 0; j < segments.count(); ++j) {
+    for (const Bridge& bridge : *segments[j]) {
+      val interval = val::object();
+      interval.set("segment", j);
+      interval.set("t0", bridge.t0);
+      interval.set("t1", bridge.t1);
+      interval.set("reason", std::string(statusName(bridge.reason)));
+      list.call<void>("push", interval);
+    }
+  }
+  return list;
 }
 
 void CurveHandle::movePoint(int i, const val& point) {
@@ -64,6 +76,12 @@ val CurveHandle::samples() const {
   return samplesToJs(mesh_, segments);
 }
 
+val CurveHandle::bridged() const {
+  Array<const Array<Bridge>*> segments;
+  for (int j = 0; j < curve_.segmentCount(); ++j) segments.push_back(&curve_.bridges(j));
+  return bridgedToJs(segments);
+}
+
 val CurveHandle::path() const {
   const CurvePolyline line = polyline();
   val result = val::object();
@@ -72,7 +90,7 @@ val CurveHandle::path() const {
   return result;
 }
 
-val CurveHandle::polylineStatus() const { return toJs(polyline().unconverged); }
+val CurveHandle::polylineStatus() const { return toJs(polyline().bridged); }
 
 double CurveHandle::length() const {
   double length = 0;
@@ -83,7 +101,7 @@ double CurveHandle::length() const {
 CurvePolyline CurveHandle::polyline() const {
   CurvePolyline line;
   for (int j = 0; j < curve_.segmentCount(); ++j) {
-    appendSegment(mesh_, curve_.samples(j), curve_.path(j), line);
+    appendSegment(mesh_, curve_.path(j), line);
   }
   return line;
 }

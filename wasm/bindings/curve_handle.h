@@ -13,11 +13,13 @@ val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& 
 /// The vertices of a curve's segments, one after another.
 struct CurvePolyline {
   Array<double> positions;
-  Array<uint8_t> unconverged;  ///< per vertex 1 where the sample it leads to is not converged
+  Array<uint8_t> bridged;  ///< per vertex 1 where the piece that leads to it lies on a bridge
   double length = 0;
 };
-void appendSegment(const MeshHandle& mesh, const Array<CurveSample>& samples,
-                   const JoinedPath& path, CurvePolyline& polyline);
+void appendSegment(const MeshHandle& mesh, const JoinedPath& path, CurvePolyline& polyline);
+
+/// A list of {segment, t0, t1, reason}.
+val bridgedToJs(const Array<const Array<Bridge>*>& segments);
 
 /// A curve as JavaScript holds it. The mesh must outlive it.
 class CurveHandle {
@@ -37,6 +39,7 @@ class CurveHandle {
 
   val points() const;
   val samples() const;
+  val bridged() const;
   val path() const;
   val polylineStatus() const;
   double length() const;

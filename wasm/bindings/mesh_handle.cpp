@@ -220,12 +220,15 @@ val MeshHandle::circle(const val& center, double radius, int arcs, int samples, 
                                             radius, {arcs, samples, fieldOptionsFromJs(field)});
   CurvePolyline line;
   Array<const Array<CurveSample>*> segments;
+  Array<const Array<Bridge>*> bridges;
   for (int j = 0; j < circle.samples.count(); ++j) {
     segments.push_back(&circle.samples[j]);
-    appendSegment(*this, circle.samples[j], circle.paths[j], line);
+    bridges.push_back(&circle.bridges[j]);
+    appendSegment(*this, circle.paths[j], line);
   }
   val result = val::object();
   result.set("samples", samplesToJs(*this, segments));
+  result.set("bridged", bridgedToJs(bridges));
   result.set("polyline", toJs(line.positions));
   result.set("length", line.length);
   result.set("notShortest", toJs(circle.notShortest));

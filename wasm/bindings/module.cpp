@@ -24,7 +24,7 @@ double allocatedBytes() { return static_cast<double>(mallinfo().uordblks); }
 /// The statuses' names by their numbers.
 val statusNames() {
   val names = val::array();
-  for (int i = 0; i <= static_cast<int>(Status::kLimit); ++i) {
+  for (int i = 0; i <= static_cast<int>(Status::kBridged); ++i) {
     names.set(i, std::string(statusName(static_cast<Status>(i))));
   }
   return names;
@@ -89,6 +89,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("points", &Guarded<&CurveHandle::points>::call)
       .function("samples", &Guarded<&CurveHandle::samples>::call)
       .function("path", &Guarded<&CurveHandle::path>::call)
+      .function("bridged", &Guarded<&CurveHandle::bridged>::call)
       .function("polylineStatus", &Guarded<&CurveHandle::polylineStatus>::call)
       .function("length", &Guarded<&CurveHandle::length>::call);
   class_<GraphBuilderHandle>("GraphBuilder")

@@ -5,7 +5,7 @@ export const circle: Command = {
   name: 'circle',
   summary: 'a geodesic circle of rational quadratic arcs',
   output:
-    '{polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], length, notShortest: [arc, …]}',
+    '{polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …]}',
   options: [
     { name: 'center', value: 'POINT', help: 'the center', required: true },
     { name: 'radius', value: 'R', help: 'the radius, in units of the mesh', required: true },
@@ -27,6 +27,7 @@ export const circle: Command = {
       json: {
         polyline: triples(polyline),
         samples: sampleRecords(result.samples),
+        bridged: result.bridged,
         length,
         notShortest: result.notShortest,
       },

@@ -7,7 +7,7 @@ export const trace: Command = {
   name: 'trace',
   summary: 'a spline with control points',
   output:
-    '{samples: [{segment, t, face, bary, position, converged, status}, …], polyline: [[x, y, z], …], length, ms: {prepare, fields, trace, join}}',
+    '{samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, fields, trace, join}}',
   options: [
     pointsOption,
     { name: 'kind', value: 'bspline|bezier', help: 'the kind of curve', default: 'bspline' },
@@ -37,6 +37,7 @@ export const trace: Command = {
     return {
       json: {
         samples: sampleRecords(curve.samples),
+        bridged: curve.bridged,
         polyline: triples(polyline),
         length,
         ms: { prepare, ...curve.times },

@@ -9,6 +9,8 @@ export const reasons: Record<LostInterval['status'], string> = {
   noProgress: 'the search got stuck',
   limit: 'the search took too long',
   unreachable: 'no path to a control point',
+  jump: 'the center jumps',
+  bridged: 'bridged, without a center',
 };
 const mostShown = 40;
 

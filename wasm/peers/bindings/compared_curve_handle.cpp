@@ -61,7 +61,7 @@ val ComparedCurveHandle::path() const {
   CurvePolyline line;
   for (int j = 0; j < curve_.segmentCount(); ++j) {
     if (curve_.samples(j).empty()) continue;
-    appendSegment(mesh_, curve_.samples(j), joinSamples(mesh_.surface(), curve_.samples(j)), line);
+    appendSegment(mesh_, joinSamples(mesh_.surface(), curve_.samples(j)), line);
   }
   val result = val::object();
   result.set("length", line.length);

@@ -1,0 +1,313 @@
+#include "curves/bridge.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "curves/along_path.h"
+
+namespace karcher {
+namespace {
+
+/// Steps longer than this, in mean edges, are divided to see whether they hide a jump.
+constexpr double kCoarseStep = 2;
+/// A step is divided at most so often: a jump takes two searches a halving, a long step more.
+constexpr int kMostDivisions = 4000;
+/// Over a shorter part of the segment the scheme's curve is as good as its chord.
+constexpr double kShortInterval = 1.0 / 32;
+constexpr int kMostPieces = 8;
+
+/// An interval that is to be bridged, by its samples. An end that is not kept is lost itself.
+struct Interval {
+  int first = 0;
+  int last = 0;
+  bool keepsFirst = true;
+  bool keepsLast = true;
+  Status reason = Status::kJump;
+};
+
+/// Whether a step differs from the one expected by more than a smooth curve's would: in length, or
+/// in direction by more than the surface bends it.
+bool isUneven(const Vec3& step, const Vec3& expected, double longest) {
+  const double length = expected.norm();
+  return std::abs(step.norm() - length) > longest + 0.1 * length ||
+         (step - expected).norm() > longest + 0.6 * length;
+}
+
+class JumpSearch {
+ public:
+  JumpSearch(Surface& surface, FieldBlend& fields, const Basis& basis, Method method)
+      : mesh_(surface.mesh()),
+        fields_(fields),
+        basis_(basis),
+        method_(method),
+        longest_(kLongestStep * surface.geometry().meanEdge) {}
+
+  /// Whether the way from one converged sample to the next breaks, and how.
+  std::optional<Status> run(const CurveSample& from, const CurveSample& to) {
+    stack_.clear();
+    stack_.push_back({{from.t, from.point}, {to.t, to.point}});
+    for (int count = 0; !stack_.empty() && count < kMostDivisions; ++count) {
+      const Step step = stack_.back();
+      stack_.pop_back();
+      const Vec3 a = position(mesh_, step.from.point);
+      const Vec3 b = position(mesh_, step.to.point);
+      if ((b - a).norm() <= longest_) continue;
+      if (step.to.t - step.from.t <= kFinestDivision) return Status::kJump;
+      const double t = (step.from.t + step.to.t) / 2;
+      const Array<double> weights = basis_(t);
+      const CenterOfMass center = findCenter(fields_, weights, step.from.point, method_);
+      if (center.status != Status::kConverged) return center.status;
+      const Vec3 middle = position(mesh_, center.point);
+      // Halves that are alike hold no jump, unless they are long.
+      const bool isLong = (b - a).norm() > kCoarseStep / kLongestStep * longest_;
+      if (!isLong && !isUneven(middle - a, b - middle, longest_)) continue;
+      stack_.push_back({step.from, {t, center.point}});
+      stack_.push_back({{t, center.point}, step.to});
+    }
+    return stack_.empty() ? std::nullopt : std::optional<Status>(Status::kJump);
+  }
+
+ private:
+  struct Place {
+    double t;
+    SurfacePoint point;
+  };
+  struct Step {
+    Place from;
+    Place to;
+  };
+
+  const TriangleMesh& mesh_;
+  FieldBlend& fields_;
+  const Basis& basis_;
+  Method method_;
+  double longest_;
+  Array<Step> stack_;
+};
+
+/// The steps from converged sample to converged sample that may hide a jump: those that are long,
+/// or differ from their neighbours, in length or direction, by more than a smooth curve's would.
+Array<int> suspiciousSteps(const Surface& surface, const Array<CurveSample>& samples) {
+  const TriangleMesh& mesh = surface.mesh();
+  const double edge = surface.geometry().meanEdge;
+  const int count = samples.count() - 1;
+  Array<Vec3> velocities(samples.size());
+  Array<uint8_t> known(samples.size(), 0);
+  Vec3 before = position(mesh, samples[0].point);
+  for (int i = 0; i < count; ++i) {
+    const Vec3 after = position(mesh, samples[i + 1].point);
+    velocities[i] = (after - before) / (samples[i + 1].t - samples[i].t);
+    known[i] =
+        samples[i].status == Status::kConverged && samples[i + 1].status == Status::kConverged;
+    before = after;
+  }
+  Array<int> suspicious;
+  for (int i = 0; i < count; ++i) {
+    if (!known[i]) continue;
+    const double duration = samples[i + 1].t - samples[i].t;
+    const bool left = i > 0 && known[i - 1];
+    const bool right = i + 1 < count && known[i + 1];
+    Vec3 expected = Vec3::Zero();
+    if (left) expected += velocities[i - 1];
+    if (right) expected += velocities[i + 1];
+    if (left && right) expected /= 2;
+    const Vec3 step = duration * velocities[i];
+    if (step.norm() > kCoarseStep * edge ||
+        isUneven(step, duration * expected, kLongestStep * edge)) {
+      suspicious.push_back(i);
+    }
+  }
+  return suspicious;
+}
+
+/// Appends an interval, as one with the last where they meet.
+void addInterval(Array<Interval>& intervals, const Interval& interval) {
+  if (!intervals.empty() && intervals.back().last >= interval.first) {
+    intervals.back().last = interval.last;
+    intervals.back().keepsLast = interval.keepsLast;
+  } else {
+    intervals.push_back(interval);
+  }
+}
+
+Array<Interval> intervalsToBridge(const Array<CurveSample>& samples,
+                                  const Array<std::pair<int, Status>>& jumps) {
+  Array<Interval> intervals;
+  const int count = samples.count();
+  auto jump = jumps.begin();
+  for (int i = 0; i < count; ++i) {
+    if (samples[i].status != Status::kConverged) {
+      int end = i;
+      while (end < count && samples[end].status != Status::kConverged) ++end;
+      addInterval(intervals, {std::max(i - 1, 0), std::min(end, count - 1), i > 0, end < count,
+                              samples[i].status});
+      i = end;
+    }
+    if (jump != jumps.end() && jump->first == i) {
+      addInterval(intervals, {i, i + 1, true, true, jump->second});
+      ++jump;
+    }
+  }
+  return intervals;
+}
+
+/// The weights of the control points of the cubic Bezier curve that interpolates a basis at four
+/// parameters of [t0, t1]: the curve itself where the basis is of degree 3 at most.
+Array<Array<double>> bezierWeights(const Basis& basis, double t0, double t1) {
+  const Array<double> at[] = {basis(t0), basis(t0 + (t1 - t0) / 3), basis(t0 + (t1 - t0) * 2 / 3),
+                              basis(t1)};
+  Array<Array<double>> weights{at[0], at[1], at[2], at[3]};
+  for (int i = 0; i < at[0].count(); ++i) {
+    weights[1][i] = (-5 * at[0][i] + 18 * at[1][i] - 9 * at[2][i] + 2 * at[3][i]) / 6;
+    weights[2][i] = (2 * at[0][i] - 9 * at[1][i] + 18 * at[2][i] - 5 * at[3][i]) / 6;
+  }
+  return weights;
+}
+
+/// Lays bridges over one segment.
+class BridgeBuilder {
+ public:
+  BridgeBuilder(const Geometry& geometry, const Array<PointField*>& points, const Basis& basis)
+      : geometry_(geometry), basis_(basis) {
+    for (const PointField* point : points) points_.push_back(point->point());
+  }
+
+  /// Null ends are the scheme's own.
+  ParametricLine build(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to) {
+    if (from != nullptr && to != nullptr && t1 - t0 <= kShortInterval) {
+      ParametricLine chord;
+      appendBezier(geometry_, {*from, *to}, t0, t1, chord);
+      return chord;
+    }
+    Array<SurfacePoint> polygon = schemePolygon(t0, t1);
+    pullEnds(polygon, from, to);
+    ParametricLine line;
+    const int pieces = (polygon.count() - 1) / 3;
+    for (int j = 0; j < pieces; ++j) {
+      const Array<SurfacePoint> piece(polygon.begin() + 3 * j, polygon.begin() + 3 * j + 4);
+      appendBezier(geometry_, piece, t0 + (t1 - t0) * j / pieces, t0 + (t1 - t0) * (j + 1) / pieces,
+                   line);
+    }
+    line.t.back() = t1;
+    return line;
+  }
+
+ private:
+  /// The control points of cubic pieces one after the other, ends shared.
+  Array<SurfacePoint> schemePolygon(double t0, double t1) {
+    const double wanted = (t1 - t0) * (points_.count() - 1) / 3;
+    const int pieces =
+        points_.count() <= 4 ? 1 : std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostPieces);
+    Array<SurfacePoint> polygon;
+    for (int j = 0; j < pieces; ++j) {
+      const Array<Array<double>> weights =
+          bezierWeights(basis_, t0 + (t1 - t0) * j / pieces, t0 + (t1 - t0) * (j + 1) / pieces);
+      for (int k = j == 0 ? 0 : 1; k < 4; ++k) {
+        polygon.push_back(repeatedAverage(geometry_, points_, weights[k]));
+      }
+    }
+    return polygon;
+  }
+
+  /// Moves the polygon's ends to the given points. The farther these are, as a part of the
+  /// polygon's length, the nearer come its other points to the path between the ends, so that a
+  /// short bridge makes no long way round.
+  void pullEnds(Array<SurfacePoint>& polygon, const SurfacePoint* from, const SurfacePoint* to) {
+    double length = 0;
+    for (int i = 1; i < polygon.count(); ++i) length += distance(polygon[i - 1], polygon[i]);
+    double pull = 0;
+    if (from != nullptr) pull += distance(polygon.front(), *from);
+    if (to != nullptr) pull += distance(polygon.back(), *to);
+    if (!(pull > 0)) return;
+    if (from != nullptr) polygon.front() = *from;
+    if (to != nullptr) polygon.back() = *to;
+    const GeodesicLine chord = shortestLine(geometry_, polygon.front(), polygon.back());
+    const double kept = length / (length + pull);
+    const int last = polygon.count() - 1;
+    for (int i = 1; i < last; ++i) {
+      const SurfacePoint onChord =
+          pointAlong(*geometry_.mesh, chord.points, chord.lengths, chord.length() * i / last);
+      polygon[i] = averageOf(geometry_, onChord, polygon[i], kept);
+    }
+  }
+
+  double distance(const SurfacePoint& a, const SurfacePoint& b) {
+    return shortestLine(geometry_, a, b).length();
+  }
+
+  const Geometry& geometry_;
+  const Basis& basis_;
+  Array<SurfacePoint> points_;
+};
+
+}  // namespace
+
+SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t) {
+  const ParametricLine& line = bridge.line;
+  const auto after = std::upper_bound(line.t.begin() + 1, line.t.end() - 1, t);
+  const int i = static_cast<int>(after - line.t.begin());
+  const double duration = line.t[i] - line.t[i - 1];
+  const double s = duration > 0 ? std::clamp((t - line.t[i - 1]) / duration, 0.0, 1.0) : 1;
+  return pointBetween(mesh, line.points[i - 1], line.points[i], s);
+}
+
+void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, double to,
+                Array<SurfacePoint>& out, double& length) {
+  const ParametricLine& line = bridge.line;
+  Vec3 last = position(mesh, pointAt(mesh, bridge, from));
+  const auto append = [&](const SurfacePoint& point) {
+    const Vec3 here = position(mesh, point);
+    length += (here - last).norm();
+    last = here;
+    out.push_back(point);
+  };
+  const auto first = std::upper_bound(line.t.begin(), line.t.end(), from) - line.t.begin();
+  for (int i = static_cast<int>(first); i < line.t.count() && line.t[i] < to; ++i) {
+    append(line.points[i]);
+  }
+  append(pointAt(mesh, bridge, to));
+}
+
+const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
+  for (const Bridge& bridge : bridges) {
+    if (bridge.t0 <= t && t <= bridge.t1) return &bridge;
+  }
+  return nullptr;
+}
+
+Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, const Basis& basis,
+                            Method method, Array<CurveSample>& samples) {
+  Array<std::pair<int, Status>> jumps;
+  const Array<int> suspicious = suspiciousSteps(surface, samples);
+  if (!suspicious.empty()) {
+    Array<ControlField*> controlFields;
+    for (PointField* point : points) controlFields.push_back(&point->field());
+    FieldBlend fields(surface.geometry(), std::move(controlFields));
+    JumpSearch search(surface, fields, basis, method);
+    for (const int i : suspicious) {
+      const std::optional<Status> reason = search.run(samples[i], samples[i + 1]);
+      if (reason) jumps.emplace_back(i, *reason);
+    }
+  }
+
+  Array<Bridge> bridges;
+  BridgeBuilder builder(surface.geometry(), points, basis);
+  for (const Interval& interval : intervalsToBridge(samples, jumps)) {
+    CurveSample& first = samples[interval.first];
+    CurveSample& last = samples[interval.last];
+    Bridge bridge{first.t, last.t, interval.reason, {}};
+    bridge.line = builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
+                                interval.keepsLast ? &last.point : nullptr);
+    for (int i = interval.first; i <= interval.last; ++i) {
+      if (i == interval.first && interval.keepsFirst) continue;
+      if (i == interval.last && interval.keepsLast) continue;
+      samples[i].point = pointAt(surface.mesh(), bridge, samples[i].t);
+      samples[i].status = Status::kBridged;
+    }
+    bridges.push_back(std::move(bridge));
+  }
+  return bridges;
+}
+
+}  // namespace karcher

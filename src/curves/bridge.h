@@ -1,0 +1,49 @@
+#pragma once
+
+#include "curves/segment.h"
+#include "curves/subdivision.h"
+
+/// Curves that do not break.
+///
+/// Where control points lie too far apart, the center of mass is not found or jumps from one local
+/// minimum to another. There the samples leave the center of mass: over the interval between the
+/// last sample before and the first one after, they follow a bridge, which is the subdivision curve
+/// of the segment's own control points (subdivision.h) with its ends pulled to those samples. So
+/// the curve is continuous everywhere, and says where and why it is no center of mass.
+namespace karcher {
+
+/// A step that does not become shorter than this, in mean edges, however finely t is divided, is a
+/// jump. Steps of a small part of it happen on all edges, where the interpolated field jumps.
+inline constexpr double kLongestStep = 0.05;
+/// The finest division of t.
+inline constexpr double kFinestDivision = 1e-9;
+
+struct Bridge {
+  double t0 = 0;
+  double t1 = 1;
+  /// kJump, or the status of the first sample in the interval.
+  Status reason = Status::kJump;
+  /// Over [t0, t1].
+  ParametricLine line;
+};
+
+/// The bridge's point at t, which is clamped to [t0, t1].
+SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t);
+
+/// Appends the bridge's points between the parameters, without the first and with the last.
+void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, double to,
+                Array<SurfacePoint>& out, double& length);
+
+/// The bridge over t, or none.
+const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
+
+/// Makes a traced segment whole: finds where its samples (two at least, ascending in t) are not
+/// converged or jump, bridges these intervals, and moves the samples inside onto the bridges with
+/// the status kBridged. Returns the bridges, ascending in t.
+///
+/// A segment without jumps costs a few operations a sample. A step is divided only where it differs
+/// from its neighbours or is longer than two edges.
+Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, const Basis& basis,
+                            Method method, Array<CurveSample>& samples);
+
+}  // namespace karcher

@@ -1,0 +1,35 @@
+#include "curves/joined_path.h"
+
+#include "distance/shortest_path.h"
+#include "intrinsic/local_path.h"
+
+namespace karcher {
+
+JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
+                       const Array<Bridge>& bridges) {
+  JoinedPath path;
+  LocalPathWorkspace workspace;
+  path.points.push_back(samples.front().point);
+  path.sample.push_back(0);
+  path.bridged.push_back(samples.front().status == Status::kBridged);
+  auto bridge = bridges.begin();
+  for (int i = 1; i < samples.count(); ++i) {
+    const SurfacePoint& from = samples[i - 1].point;
+    const SurfacePoint& to = samples[i].point;
+    const Geometry& geometry = surface.geometry();
+    while (bridge != bridges.end() && bridge->t1 <= samples[i - 1].t) ++bridge;
+    const bool isBridged = bridge != bridges.end() && bridge->t0 <= samples[i - 1].t;
+    if (isBridged) {
+      appendPart(surface.mesh(), *bridge, samples[i - 1].t, samples[i].t, path.points, path.length);
+    } else if (!appendLocalPath(geometry, from, to, workspace, path.points, path.length)) {
+      const ShortestPath shortest = shortestPath(geometry, from, to);
+      path.points.insert(path.points.end(), shortest.points.begin() + 1, shortest.points.end());
+      path.length += shortest.length;
+    }
+    path.sample.resize(path.points.size(), i);
+    path.bridged.resize(path.points.size(), isBridged);
+  }
+  return path;
+}
+
+}  // namespace karcher

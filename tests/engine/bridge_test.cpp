@@ -1,0 +1,148 @@
+#include "curves/bridge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "curves/bases.h"
+#include "curves/curve.h"
+#include "intrinsic/strip_path.h"
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
+
+Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& positions) {
+  Array<SurfacePoint> points;
+  for (const Vec3& p : positions) points.push_back(nearestPoint(mesh, p));
+  return points;
+}
+
+void update(Curve& curve) {
+  curve.updateFields();
+  curve.trace();
+  curve.join();
+}
+
+/// Bridges are where they say, their lines hold together, and bridged samples lie on them.
+void expectWhole(const Curve& curve, const Surface& surface) {
+  const TriangleMesh& mesh = surface.mesh();
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    for (const Bridge& bridge : curve.bridges(j)) {
+      EXPECT_LT(bridge.t0, bridge.t1);
+      EXPECT_EQ(bridge.line.t.front(), bridge.t0);
+      EXPECT_EQ(bridge.line.t.back(), bridge.t1);
+      EXPECT_TRUE(std::is_sorted(bridge.line.t.begin(), bridge.line.t.end()));
+      for (int i = 1; i < bridge.line.points.count(); ++i) {
+        EXPECT_TRUE(haveCommonFace(mesh, bridge.line.points[i - 1], bridge.line.points[i]));
+      }
+    }
+    const Array<CurveSample>& samples = curve.samples(j);
+    for (const CurveSample& sample : samples) {
+      const Bridge* bridge = bridgeOver(curve.bridges(j), sample.t);
+      if (sample.status == Status::kBridged) {
+        ASSERT_NE(bridge, nullptr);
+      } else {
+        EXPECT_EQ(sample.status, Status::kConverged);
+      }
+      if (bridge == nullptr) continue;
+      const Vec3 onBridge = position(mesh, pointAt(mesh, *bridge, sample.t));
+      EXPECT_LT((position(mesh, sample.point) - onBridge).norm(),
+                1e-12 * surface.geometry().diagonal);
+    }
+    const JoinedPath& path = curve.path(j);
+    for (int i = 1; i < path.points.count(); ++i) {
+      EXPECT_TRUE(haveCommonFace(mesh, path.points[i - 1], path.points[i]));
+    }
+    if (j == 0) continue;
+    const Vec3 before = position(mesh, curve.samples(j - 1).back().point);
+    const Vec3 after = position(mesh, samples.front().point);
+    EXPECT_LT((before - after).norm(), 1e-9 * surface.geometry().diagonal);
+  }
+}
+
+TEST(Bridge, OnThePlaneTheSchemeIsTheBezierCurve) {
+  // The last polygons of de Casteljau's subdivision, cut in 64, lie within 1/64^2 of the second
+  // differences of the first one; on a plane every geodesic is a straight line.
+  const TriangleMesh mesh = planeGrid(20, 14);
+  const Geometry geometry = buildGeometry(mesh);
+  const Array<Vec3> corners{{3.2, 3.1, 0}, {6.7, 9.3, 0}, {10.4, 4.6, 0}, {14.1, 9.8, 0}};
+  Bridge bridge;
+  appendBezier(geometry, pointsNear(mesh, corners), 0, 1, bridge.line);
+  for (int i = 0; i <= 50; ++i) {
+    const double t = i / 50.0;
+    const Array<double> weights = bernsteinBasis(3, t);
+    Vec3 expected = Vec3::Zero();
+    for (int k = 0; k < 4; ++k) expected += weights[k] * corners[k];
+    EXPECT_LT((position(mesh, pointAt(mesh, bridge, t)) - expected).norm(), 20.0 / (64 * 64));
+  }
+}
+
+TEST(Bridge, RepeatedAveragesOnThePlaneAreAverages) {
+  const TriangleMesh mesh = planeGrid(20, 14);
+  const Geometry geometry = buildGeometry(mesh);
+  const Array<Vec3> corners{{3.2, 3.1, 0}, {6.7, 9.3, 0}, {10.4, 4.6, 0}, {14.1, 9.8, 0}};
+  for (const Array<double>& weights :
+       {Array<double>{1.0 / 6, 4.0 / 6, 1.0 / 6, 0}, Array<double>{0.1, 0.2, 0.3, 0.4},
+        Array<double>{-0.1, 0.7, 0.6, -0.2}, Array<double>{0, 1, 0, 0}}) {
+    Vec3 expected = Vec3::Zero();
+    for (int k = 0; k < 4; ++k) expected += weights[k] * corners[k];
+    const SurfacePoint found = repeatedAverage(geometry, pointsNear(mesh, corners), weights);
+    EXPECT_LT((position(mesh, found) - expected).norm(), 1e-12);
+  }
+}
+
+TEST(Bridge, CloseTogetherThereIsNone) {
+  Surface surface(importMesh(makeShape(Shape::kTorus, 3000)).mesh);
+  const Array<SurfacePoint> points =
+      pointsNear(surface.mesh(),
+                 {{1.4, 0, 0}, {1.35, 0.2, 0.1}, {1.3, 0.35, 0.1}, {1.2, 0.5, 0}, {1, 0.7, 0}});
+  Curve curve(surface, {{CurveKind::kBSpline}, 40, kFast}, points);
+  update(curve);
+  for (int j = 0; j < curve.segmentCount(); ++j) EXPECT_TRUE(curve.bridges(j).empty());
+  expectWhole(curve, surface);
+}
+
+TEST(Bridge, AroundTheSphereTheCurveHoldsTogether) {
+  // Control points all round the equator: no convex ball holds them.
+  Surface surface(importMesh(icosphere(12)).mesh);
+  Array<Vec3> corners;
+  for (int i = 0; i < 7; ++i) {
+    const double angle = 1.9 * i;
+    corners.emplace_back(std::cos(angle), std::sin(angle), 0.2 * (i % 3) - 0.2);
+  }
+  int bridges = 0;
+  for (const CurveKind kind : {CurveKind::kBSpline, CurveKind::kBezier}) {
+    Curve curve(surface, {{kind}, 64, kFast}, pointsNear(surface.mesh(), corners));
+    update(curve);
+    for (int j = 0; j < curve.segmentCount(); ++j) bridges += curve.bridges(j).count();
+    expectWhole(curve, surface);
+  }
+  EXPECT_GT(bridges, 0);
+}
+
+TEST(Bridge, RoundACornerOfTheBoundaryItIsMarked) {
+  // An L: the center of mass of points in both arms leaves the surface at the inner corner.
+  const TriangleMesh square = planeGrid(12, 12);
+  Array<Triangle> faces;
+  for (const Triangle& face : square.faces) {
+    Vec3 middle = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) middle += square.positions[face[k]] / 3;
+    if (middle.x() < 4 || middle.y() < 4) faces.push_back(face);
+  }
+  Surface surface(importMesh({square.positions, faces}).mesh);
+  const Array<SurfacePoint> points =
+      pointsNear(surface.mesh(), {{2.1, 11.3, 0}, {3.6, 8.2, 0}, {8.2, 3.7, 0}, {11.2, 2.2, 0}});
+  Curve curve(surface, {{CurveKind::kBezier}, 64, kFast}, points);
+  update(curve);
+  ASSERT_FALSE(curve.bridges(0).empty());
+  EXPECT_EQ(curve.bridges(0)[0].reason, Status::kBoundary);
+  expectWhole(curve, surface);
+}
+
+}  // namespace
+}  // namespace karcher
