@@ -11,7 +11,7 @@ JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
   LocalPathWorkspace workspace;
   path.points.push_back(samples.front().point);
   path.sample.push_back(0);
-  path.bridged.push_back(samples.front().status == Status::kBridged);
+  path.unconverged.push_back(samples.front().status != Status::kConverged);
   auto bridge = bridges.begin();
   for (int i = 1; i < samples.count(); ++i) {
     const SurfacePoint& from = samples[i - 1].point;
@@ -27,7 +27,8 @@ JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
       path.length += shortest.length;
     }
     path.sample.resize(path.points.size(), i);
-    path.bridged.resize(path.points.size(), isBridged);
+    path.unconverged.resize(path.points.size(),
+                            isBridged || samples[i].status != Status::kConverged);
   }
   return path;
 }

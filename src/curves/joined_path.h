@@ -10,8 +10,8 @@ struct JoinedPath {
   Array<SurfacePoint> points;
   /// Per point the number of the sample that its piece leads to.
   Array<int> sample;
-  /// Per point whether its piece lies on a bridge.
-  Array<uint8_t> bridged;
+  /// Per point whether its piece lies on a bridge or leads to a sample that is not converged.
+  Array<uint8_t> unconverged;
   double length = 0;
 };
 

@@ -28,7 +28,7 @@ PolylineSegment traceShortestPath(Surface& surface, const SurfacePoint& from,
     path.points.push_back(point);
     path.sample.push_back(i);
   }
-  path.bridged.assign(path.points.size(), 0);
+  path.unconverged.assign(path.points.size(), 0);
   return segment;
 }
 

@@ -35,7 +35,7 @@ void appendSegment(const MeshHandle& mesh, const JoinedPath& path, CurvePolyline
   Array<int> kept;
   const Array<double> positions = polyline(mesh.mesh(), path.points, &kept);
   result.positions.insert(result.positions.end(), positions.begin(), positions.end());
-  for (const int i : kept) result.bridged.push_back(path.bridged[i]);
+  for (const int i : kept) result.unconverged.push_back(path.unconverged[i]);
   result.length += path.length;
 }
 
@@ -90,7 +90,7 @@ val CurveHandle::path() const {
   return result;
 }
 
-val CurveHandle::polylineStatus() const { return toJs(polyline().bridged); }
+val CurveHandle::polylineStatus() const { return toJs(polyline().unconverged); }
 
 double CurveHandle::length() const {
   double length = 0;

@@ -13,7 +13,7 @@ val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& 
 /// The vertices of a curve's segments, one after another.
 struct CurvePolyline {
   Array<double> positions;
-  Array<uint8_t> bridged;  ///< per vertex 1 where the piece that leads to it lies on a bridge
+  Array<uint8_t> unconverged;  ///< per vertex, as in JoinedPath
   double length = 0;
 };
 void appendSegment(const MeshHandle& mesh, const JoinedPath& path, CurvePolyline& polyline);
