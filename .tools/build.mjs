@@ -2,7 +2,7 @@
 // facade, and the page.
 //
 //   node .tools/build.mjs [wasm] [facade] [page] [native]    (the first three without arguments)
-import { chmodSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { setUp } from './setup.mjs';
@@ -36,6 +36,17 @@ export async function buildWasm() {
   const env = existsSync(debianNodeModules) ? { NODE_PATH: debianNodeModules } : {};
   await run('emcmake', ['cmake', '--preset', 'wasm', ...shortcuts('wasm')], { env });
   await run('cmake', ['--build', '--preset', 'wasm', '--parallel', `${cores}`], { env });
+  await minify('dist/karcher-engine.mjs', 'dist/peers/karcher-peers.mjs');
+}
+
+/** Emscripten writes its own JavaScript out in full. */
+async function minify(...names) {
+  const { minifySync } = await import('rolldown/utils');
+  for (const name of names) {
+    const { code, errors } = minifySync(name, readFileSync(inRoot(name), 'utf8'), { module: true });
+    if (errors.length > 0) throw new Error(`${name}: ${errors[0].message}`);
+    writeFileSync(inRoot(name), code);
+  }
 }
 
 /** The facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. */
