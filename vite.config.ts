@@ -1,7 +1,19 @@
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/** The version, and the commit where there is one. */
+function buildName(): string {
+  const { version } = JSON.parse(readFileSync(here('./package.json'), 'utf8'));
+  const git = spawnSync('git', ['rev-parse', '--short', 'HEAD'], {
+    cwd: here('.'),
+    encoding: 'utf8',
+  });
+  return git.status === 0 ? `${version} ${git.stdout.trim()}` : version;
+}
 
 export default defineConfig({
   root: here('./web'),
@@ -13,6 +25,7 @@ export default defineConfig({
       { find: /^karcher\/peers$/, replacement: here('./dist/peers/index.js') },
     ],
   },
+  define: { __KARCHER_BUILD__: JSON.stringify(buildName()) },
   worker: { format: 'es' },
   server: { fs: { allow: [here('.')] } },
   build: {

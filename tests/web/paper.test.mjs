@@ -61,7 +61,7 @@ describe('the Paper page', () => {
   test('lists its figures', async () => {
     assert.deepEqual(
       await page.locator('#contents a').evaluateAll((links) => links.map((link) => link.hash)),
-      ids.map((id) => `#${id}`),
+      [...ids, 'table'].map((id) => `#${id}`),
     );
   });
 
@@ -177,6 +177,37 @@ describe('the Paper page', () => {
     const state = await tab.evaluate(() => window.karcherPage.state());
     assert.equal(state.document.points.length, 7);
     await tab.close();
+  });
+
+  test('Table 1 is measured, saved and cancelled', async () => {
+    const section = page.locator('#table');
+    await section.scrollIntoViewIfNeeded();
+    await section.getByLabel('Samples a segment').selectOption('128');
+    const idle = () => page.waitForFunction(() => window.karcherPaper.table.settled);
+    const cells = () => page.evaluate(() => window.karcherPaper.table.cells);
+    await section.getByRole('button', { name: 'Run' }).click();
+    await page.waitForFunction(() => window.karcherPaper.table.cells.length >= 2);
+    await section.getByRole('button', { name: 'Cancel' }).click();
+    assert.equal(await section.getByRole('status').textContent(), 'Cancelled.');
+    const before = (await cells()).length;
+    assert.ok(before < 36);
+    await section.getByRole('button', { name: 'Run' }).click();
+    await idle();
+    assert.equal(await section.getByRole('status').textContent(), 'Done.');
+    const all = await cells();
+    assert.equal(all.length % 4, 0);
+    for (const { row, method, result } of all) {
+      const shown = await section
+        .locator(`tr[data-row="${row}"] td[data-method="${method}"]`)
+        .allTextContents();
+      assert.equal(/\d/.test(shown[1]), result.traceMs !== null, `${row}, ${method}: ${shown}`);
+    }
+    assert.equal(await section.locator('.uplot canvas').count(), 1);
+    await section.getByText('Update', { exact: true }).click();
+    const csv = await page.evaluate(() => window.karcherPaper.table.csv());
+    assert.equal(csv.trim().split('\n').length, 1 + all.length);
+    assert.match(csv, /Chrome/);
+    assert.deepEqual(logged, []);
   });
 
   test('a narrow window has no sideways scroll', async () => {

@@ -2,6 +2,8 @@ import { byId, make } from '../panels/elements';
 import { applyTheme, onTheme, toggleTheme } from '../panels/theme';
 import { figures, smallFigures } from './figures';
 import { LabClient } from './lab/client';
+import { smallRows, tableRows } from './table/rows';
+import { TableSection } from './table/table_section';
 import { FigureSection } from './view/figure_section';
 import { GeometryMaker } from './view/geometry';
 import { SharedRenderer } from './view/shared_renderer';
@@ -10,9 +12,12 @@ import { readColors } from './view/theme_colors';
 /** For tests: `?detail=0.05` has every mesh smaller, `?antialias=off` lines rougher. */
 const parameters = new URLSearchParams(location.search);
 
+/** The version and the commit (vite.config.ts). */
+declare const __KARCHER_BUILD__: string;
+
 declare global {
   interface Window {
-    karcherPaper?: { sections: readonly FigureSection[] };
+    karcherPaper?: { sections: readonly FigureSection[]; table: TableSection };
   }
 }
 
@@ -25,9 +30,10 @@ function start(): void {
   const detail = Number(parameters.get('detail') ?? 1);
   const shown = detail < 1 ? smallFigures(detail, 17) : figures;
   const sections = shown.map((figure) => new FigureSection(context, figure));
-  byId('figures').append(...sections.map(({ element }) => element));
+  const table = new TableSection(detail < 1 ? smallRows(detail) : tableRows, __KARCHER_BUILD__);
+  byId('figures').append(...[...sections, table].map(({ element }) => element));
   byId('contents').append(
-    ...shown.map(({ id, name, title }) => {
+    ...[...shown, { id: 'table', name: 'Table 1', title: 'Times' }].map(({ id, name, title }) => {
       const link = make('a', '', { href: `#${id}` });
       link.append(make('span', name), title);
       const item = make('li');
@@ -40,9 +46,9 @@ function start(): void {
   onTheme((name) => {
     theme.setAttribute('aria-pressed', `${name === 'dark'}`);
     readColors();
-    for (const section of sections) section.recolor();
+    for (const section of [...sections, table]) section.recolor();
   });
-  window.karcherPaper = { sections };
+  window.karcherPaper = { sections, table };
 }
 
 applyTheme();

@@ -2,6 +2,8 @@ import { loadPeers } from 'karcher/peers';
 import { lineStyles } from './figures/lines';
 import type { Figure, LineResult } from './figures/types';
 import { Lab } from './lab/lab';
+import { type TableRow, tableMethodNames } from './table/rows';
+import { runTable } from './table/run';
 
 const figure = (value: number | null, digits: number) =>
   value === null ? '–' : value === 0 ? '0' : value.toPrecision(digits);
@@ -19,6 +21,11 @@ export function cells(line: LineResult): string[] {
   ];
 }
 
+const markdownTable = (rows: readonly string[][]) =>
+  [rows[0]!, rows[0]!.map(() => '---'), ...rows.slice(1)]
+    .map((row) => `| ${row.join(' | ')} |`)
+    .join('\n');
+
 const heads = ['', 'median h', 'max h', 'turning noise', 'lost', 'prepare ms', 'trace ms'];
 
 /** Computes every figure and writes its numbers as Markdown. */
@@ -34,16 +41,38 @@ export async function report(
       tell(`${name}, ${panel.title}`);
       const { info } = await lab.mesh(panel.mesh);
       const lines = await lab.lines(panel, points[panel.points]!);
-      const rows = [
-        heads,
-        heads.map(() => '---'),
-        ...lines.map((line) => [lineStyles[line.id].label, ...cells(line)]),
-      ];
+      const rows = [heads, ...lines.map((line) => [lineStyles[line.id].label, ...cells(line)])];
       parts.push(
         `### ${panel.title}, ${info.triangles.toLocaleString('en')} triangles`,
-        rows.map((row) => `| ${row.join(' | ')} |`).join('\n'),
+        markdownTable(rows),
       );
     }
   }
   return `${parts.join('\n\n')}\n`;
+}
+
+/** Measures Table 1 in these rows and writes it as Markdown. */
+export async function tableReport(
+  options: { rows: readonly TableRow[]; samples: number; budgetMs: number },
+  tell: (what: string) => void = () => {},
+): Promise<string> {
+  const rows: string[][] = [
+    ['curve', 'triangles', 'segments', 'method', 'prepare ms', 'trace ms', 'update ms', 'lost'],
+  ];
+  await runTable(await loadPeers(), options, {
+    row: () => {},
+    progress: () => {},
+    method: ({ row, method }) => tell(`Table 1, ${row}: ${tableMethodNames[method]}`),
+    cell: ({ row, method, triangles, segments, result }) => {
+      const { name } = options.rows.find(({ id }) => id === row)!;
+      const times = [result.prepareMs, result.traceMs, result.dragMs];
+      rows.push([
+        ...[name, triangles.toLocaleString('en'), `${segments}`, tableMethodNames[method]],
+        ...times.map((time) => figure(time, 3)),
+        result.reason ?? `${result.lost} of ${result.samples}`,
+      ]);
+    },
+  });
+  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s.`;
+  return `## Table 1\n\n${about}\n\n${markdownTable(rows)}\n`;
 }

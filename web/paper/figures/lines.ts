@@ -7,6 +7,8 @@ export interface LineStyle {
   color: string;
   /** In CSS pixels. */
   width: number;
+  /** Where the surface hides it, it is not drawn at all. */
+  opaque?: boolean;
   /** The method that traces it, if one does. */
   options?: MethodOptions;
 }
@@ -20,7 +22,12 @@ export const lineStyles: Record<LineId, LineStyle> = {
   exactPath: { label: 'Exact shortest path', color: '--line-exact', width: 1.5 },
   exactLogs: { label: 'Exact logarithms', color: '--line-exact', width: 1.5 },
   spokes: { label: 'Shortest paths', color: '--line-exact', width: 1.5 },
-  gradients: { label: 'Gradients of the distance', color: '--line-descent', width: 1.2 },
+  gradients: {
+    label: 'Gradients of the distance',
+    color: '--line-descent',
+    width: 1.2,
+    opaque: true,
+  },
   descent: {
     label: 'Piecewise-linear descent',
     color: '--line-descent',
@@ -34,7 +41,7 @@ export const lineStyles: Record<LineId, LineStyle> = {
     options: { method: 'vectorHeat' },
   },
   vectorHeatDelaunay: {
-    label: 'Vector heat, intrinsic Delaunay',
+    label: 'Vector heat, Delaunay',
     color: '--line-vector-heat-delaunay',
     width: 2.5,
     options: { method: 'vectorHeat', delaunay: true },

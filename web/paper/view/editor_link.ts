@@ -16,6 +16,11 @@ export function editorLink(
     const circle = { center: center!, rim: rim! };
     return `./index.html#${formatLink(key, 'karcher', { kind: 'circle', points: [], circle })}`;
   }
+  if (curve.kind === 'center') {
+    const weighted = points.map((point, i) => ({ ...point, weight: curve.weights[i]! }));
+    const document = { kind: 'center' as const, points: weighted, circle: null };
+    return `./index.html#${formatLink(key, 'karcher', document)}`;
+  }
   if (curve.kind !== 'bspline' && curve.kind !== 'bezier') return null;
   const document = { kind: curve.kind, points: [...points], circle: null };
   return `./index.html#${formatLink(key, 'karcher', document)}`;

@@ -1,0 +1,30 @@
+import { meshName } from '../lab/meshes';
+import { type TableCell, type TableRow, tableMethodNames } from './rows';
+
+const heads = [
+  ...['browser', 'build', 'row', 'mesh', 'triangles', 'segments', 'samples per segment', 'method'],
+  ...['ok', 'reason', 'prepare ms', 'trace ms', 'update ms', 'samples', 'lost'],
+];
+
+/** A field is quoted where it has to be. */
+const field = (value: string | number | boolean | null) => {
+  const text = value === null ? '' : `${value}`;
+  return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+};
+
+/** The table as CSV, a line a cell; what was not measured is empty. */
+export function tableCsv(
+  rows: readonly TableRow[],
+  cells: readonly TableCell[],
+  { browser, build, samples }: { browser: string; build: string; samples: number },
+): string {
+  const lines = cells.map(({ row: id, method, triangles, segments, result }) => {
+    const row = rows.find((one) => one.id === id)!;
+    return [
+      ...[browser, build, row.name, meshName(row.mesh), triangles, segments, samples],
+      ...[tableMethodNames[method], result.ok, result.reason, result.prepareMs, result.traceMs],
+      ...[result.dragMs, result.samples, result.lost],
+    ];
+  });
+  return [heads, ...lines].map((line) => `${line.map(field).join(',')}\n`).join('');
+}

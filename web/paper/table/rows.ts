@@ -1,0 +1,86 @@
+import type { ComparedMethod, MethodResult } from 'karcher/peers';
+import { galleryFigure, resolutionFigure } from '../figures/splines';
+import { pathFigure } from '../figures/means';
+import { smallerMesh } from '../figures/small';
+import type { MeshSpec, Vector } from '../figures/types';
+
+/** Table 1: a curve on a mesh, with its control points at vertices for all methods, as in the paper. */
+export interface TableRow {
+  id: string;
+  name: string;
+  mesh: MeshSpec;
+  /** Two are joined by a shortest path with exact distances, more make a B-spline with k = 6. */
+  points: readonly Vector[];
+}
+
+/** The methods of the paper's table, and ours. */
+export const tableMethods = [
+  'vectorHeat',
+  'weightedAverages',
+  'paper',
+  'karcher',
+] as const satisfies ComparedMethod[];
+
+export type TableMethod = (typeof tableMethods)[number];
+
+export const tableMethodNames: Record<TableMethod, string> = {
+  vectorHeat: 'Vector heat',
+  weightedAverages: 'Weighted averages',
+  paper: 'Paper',
+  karcher: 'Karcher',
+};
+
+const pair = pathFigure.points.pair!;
+const { bunny, knot, torus } = galleryFigure.points as Record<string, Vector[]>;
+const genus3 = resolutionFigure.points.spline!;
+
+const shape = (name: 'torus' | 'knot' | 'genus3', triangles: number): MeshSpec => ({
+  kind: 'shape',
+  name,
+  triangles,
+});
+const simplified = (of: MeshSpec, triangles: number): MeshSpec => ({
+  kind: 'simplified',
+  of,
+  triangles,
+});
+
+export const tableRows: readonly TableRow[] = [
+  {
+    id: 'path-coarse',
+    name: 'Path, simplified torus',
+    mesh: simplified(shape('torus', 50_000), 500),
+    points: pair,
+  },
+  { id: 'path-fine', name: 'Path, regular torus', mesh: shape('torus', 50_000), points: pair },
+  {
+    id: 'genus3-1k',
+    name: 'Genus 3, simplified',
+    mesh: simplified(shape('genus3', 50_000), 1_000),
+    points: genus3,
+  },
+  { id: 'bunny-4k', name: 'Bunny', mesh: { kind: 'bunny', levels: 0 }, points: bunny! },
+  { id: 'knot-10k', name: 'Knotted tube', mesh: shape('knot', 10_000), points: knot! },
+  { id: 'bunny-59k', name: 'Bunny', mesh: { kind: 'bunny', levels: 2 }, points: bunny! },
+  { id: 'torus-100k', name: 'Torus', mesh: shape('torus', 100_000), points: torus! },
+  { id: 'genus3-250k', name: 'Genus 3', mesh: shape('genus3', 250_000), points: genus3 },
+  { id: 'knot-500k', name: 'Knotted tube', mesh: shape('knot', 500_000), points: knot! },
+];
+
+/** The rows on meshes of a part of the triangles, for quick tests. */
+export const smallRows = (part: number): TableRow[] =>
+  tableRows.map((row) => ({ ...row, mesh: smallerMesh(row.mesh, part) }));
+
+/** About how many triangles a row has, before its mesh is made. */
+export function expectedTriangles(mesh: MeshSpec): number {
+  return mesh.kind === 'bunny' ? 3_674 * 4 ** mesh.levels : mesh.triangles;
+}
+
+/** A cell: what a method did in a row. */
+export interface TableCell {
+  row: string;
+  method: TableMethod;
+  triangles: number;
+  segments: number;
+  result: MethodResult;
+}

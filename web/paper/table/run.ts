@@ -1,0 +1,55 @@
+import type { LongWorkOptions } from 'karcher';
+import { type CompareOptions, type Peers, runMethod, standardOptions } from 'karcher/peers';
+import { makeMesh } from '../lab/meshes';
+import { NearestPoints } from '../lab/nearest';
+import { type TableCell, type TableRow, tableMethods } from './rows';
+
+export interface TableOptions {
+  rows: readonly TableRow[];
+  /** A segment. */
+  samples: number;
+  /** A method gives up a row after so many milliseconds. */
+  budgetMs: number;
+}
+
+export interface TableEvents {
+  /** A row begins: a mesh is made. */
+  row(row: TableRow): void;
+  /** A method begins. */
+  method(cell: Pick<TableCell, 'row' | 'method' | 'triangles' | 'segments'>): void;
+  progress(done: number, stage: string): void;
+  cell(cell: TableCell): void;
+}
+
+/**
+ * Measures all methods in all rows, one after the other, each on a mesh of its own. Rejects with the
+ * signal's reason.
+ */
+export async function runTable(
+  peers: Peers,
+  { rows, samples, budgetMs }: TableOptions,
+  events: TableEvents,
+  signal?: AbortSignal,
+): Promise<void> {
+  const work: CompareOptions & LongWorkOptions = { signal, budgetMs, progress: events.progress };
+  for (const row of rows) {
+    events.row(row);
+    const mesh = await makeMesh(peers.karcher, row.mesh);
+    try {
+      const nearest = new NearestPoints(mesh.positions(), mesh.triangles());
+      const points = row.points.map((place) => ({ vertex: nearest.vertex(place) }));
+      const plan = peers.plan(points, samples);
+      const { triangles } = mesh.info;
+      for (const method of tableMethods) {
+        signal?.throwIfAborted();
+        const cell = { row: row.id, method, triangles, segments: plan.first.length };
+        events.method(cell);
+        const options = standardOptions(method, plan);
+        const { curve: _, ...result } = await runMethod(peers, mesh, plan, options, null, work);
+        events.cell({ ...cell, result });
+      }
+    } finally {
+      mesh.dispose();
+    }
+  }
+}

@@ -1,0 +1,216 @@
+import { make } from '../../panels/elements';
+import { download } from '../view/download';
+import { type Measure, measureNames, TableChart } from './chart';
+import { tableCsv } from './csv';
+import { expectedTriangles, type TableCell, type TableRow, tableMethodNames } from './rows';
+import type { TableOptions } from './run';
+import { TableView } from './table_view';
+import type { TableMessage } from './worker';
+
+const sampleChoices = [128, 1024, 4096];
+const budgetChoices = [30, 120, 600];
+const stages: Record<string, string> = {
+  graph: 'building the graph',
+  landmarks: 'embedding',
+  samples: 'tracing',
+};
+
+function select(label: string, choices: readonly [number, string][], chosen: number) {
+  const element = make('select');
+  for (const [value, text] of choices) {
+    element.append(make('option', text, { value: `${value}`, selected: value === chosen }));
+  }
+  const box = make('label', '', { className: 'choice' });
+  box.append(make('span', label), element);
+  return { box, value: () => Number(element.value) };
+}
+
+/** Table 1 on the page: measured by a worker of its own when it is asked for. */
+export class TableSection {
+  readonly element = make('section', '', { className: 'figure', id: 'table' });
+  cells: TableCell[] = [];
+  readonly #rows: readonly TableRow[];
+  readonly #build: string;
+  readonly #view: TableView;
+  readonly #chart = new TableChart();
+  readonly #samples = select(
+    'Samples a segment',
+    sampleChoices.map((count) => [count, count.toLocaleString('en')]),
+    4096,
+  );
+  readonly #budget = select(
+    'A method gives up after',
+    budgetChoices.map((seconds) => [seconds, `${seconds} s`]),
+    120,
+  );
+  readonly #most: { box: HTMLElement; value(): number };
+  readonly #run = make('button', 'Run', { type: 'button', className: 'button primary' });
+  readonly #save = make('button', 'CSV', { type: 'button', className: 'button', disabled: true });
+  readonly #bar = make('progress', '', { max: 1, value: 0, hidden: true });
+  readonly #status = make('p', '', { className: 'panel-note' });
+  #measure: Measure = 'traceMs';
+  /** The cell that is being measured, in words. */
+  #what = '';
+  #worker: Worker | null = null;
+  #options: TableOptions | null = null;
+
+  constructor(rows: readonly TableRow[], build: string) {
+    this.#rows = rows;
+    this.#build = build;
+    this.#view = new TableView(rows);
+    const sizes = [...new Set(rows.map(({ mesh }) => expectedTriangles(mesh)))].toSorted(
+      (a, b) => a - b,
+    );
+    const upTo = sizes.filter((size) => size >= Math.min(10_000, sizes.at(-1)!));
+    this.#most = select(
+      'Up to',
+      upTo.map((size) => [size, `${size.toLocaleString('en')} triangles`]),
+      upTo.find((size) => size > 10_000) ?? upTo.at(-1)!,
+    );
+    this.#status.setAttribute('role', 'status');
+    this.#run.addEventListener('click', () => (this.#worker ? this.cancel() : this.start()));
+    this.#save.addEventListener('click', () => {
+      download('karcher-table-1.csv', 'text/csv', this.csv());
+    });
+    this.element.append(this.#head(), this.#controls(), this.#card());
+  }
+
+  /** Whether nothing is being measured. */
+  get settled(): boolean {
+    return this.#worker === null;
+  }
+
+  recolor(): void {
+    this.#chart.redraw();
+  }
+
+  csv(): string {
+    const { samples } = this.#options!;
+    const about = { browser: navigator.userAgent, build: this.#build, samples };
+    return tableCsv(this.#rows, this.cells, about);
+  }
+
+  start(): void {
+    this.cells = [];
+    this.#view.clear();
+    const most = this.#most.value();
+    this.#options = {
+      rows: this.#rows.filter(({ mesh }) => expectedTriangles(mesh) <= most),
+      samples: this.#samples.value(),
+      budgetMs: 1000 * this.#budget.value(),
+    };
+    this.#run.textContent = 'Cancel';
+    this.#bar.hidden = false;
+    this.#bar.value = 0;
+    this.#say('Starting…');
+    this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+    this.#worker.onmessage = ({ data }: MessageEvent<TableMessage>) => this.#receive(data);
+    this.#worker.onerror = (event) => {
+      event.preventDefault();
+      this.#stop(`Stopped: ${event.message || 'the engine could not go on'}`);
+    };
+    this.#worker.postMessage(this.#options);
+  }
+
+  cancel(): void {
+    this.#stop('Cancelled.');
+  }
+
+  #receive(message: TableMessage): void {
+    const total = this.#options!.rows.length * 4;
+    switch (message.event) {
+      case 'row':
+        this.#say(`${message.args[0].name}: making the mesh`);
+        break;
+      case 'method': {
+        const [cell] = message.args;
+        this.#view.mark(cell);
+        this.#what = this.#doing(cell);
+        this.#say(`${this.#what}, preparing`);
+        break;
+      }
+      case 'progress': {
+        const [done, stage] = message.args;
+        this.#bar.value = (this.cells.length + done) / total;
+        this.#say(`${this.#what}, ${stages[stage] ?? stage} (${Math.round(100 * done)} %)`);
+        break;
+      }
+      case 'cell':
+        this.cells.push(message.args[0]);
+        this.#view.set(message.args[0]);
+        this.#bar.value = this.cells.length / total;
+        this.#chart.show(this.cells, this.#measure);
+        this.#save.disabled = false;
+        break;
+      case 'done':
+        this.#stop('Done.');
+        break;
+      case 'failure':
+        this.#stop(`Stopped: ${message.message}`);
+        break;
+    }
+  }
+
+  #doing({ row, method, triangles }: Omit<TableCell, 'result' | 'segments'>): string {
+    const { name } = this.#rows.find(({ id }) => id === row)!;
+    const size = triangles.toLocaleString('en');
+    return `${name}, ${size} triangles: ${tableMethodNames[method]}`;
+  }
+
+  #stop(message: string): void {
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#view.mark(null);
+    this.#run.textContent = 'Run';
+    this.#bar.hidden = true;
+    this.#say(message);
+  }
+
+  #say(text: string): void {
+    this.#status.textContent = text;
+  }
+
+  #head(): HTMLElement {
+    const head = make('header', '', { className: 'figure-head' });
+    head.append(
+      make('p', 'Table 1', { className: 'figure-name' }),
+      make('h2', 'Times on your machine'),
+      make(
+        'p',
+        'Two-point paths with exact distances on two tori, then B-splines with k = 6 graph distances for the paper’s method, with control points at vertices. Preprocessing is what a method does once for the mesh, tracing includes the fields, and an update follows a drag of one point by an edge. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; what was not measured is empty.',
+        { className: 'caption' },
+      ),
+    );
+    return head;
+  }
+
+  #controls(): HTMLElement {
+    const controls = make('div', '', { className: 'table-controls' });
+    controls.append(this.#samples.box, this.#most.box, this.#budget.box, this.#run, this.#save);
+    const status = make('div', '', { className: 'table-status' });
+    status.append(this.#bar, this.#status);
+    const box = make('div');
+    box.append(controls, status);
+    return box;
+  }
+
+  #card(): HTMLElement {
+    const card = make('div', '', { className: 'panel-card' });
+    const choices = make('div', '', { className: 'segments chart-choice' });
+    choices.setAttribute('role', 'radiogroup');
+    choices.setAttribute('aria-label', 'What the chart shows');
+    for (const [measure, name] of Object.entries(measureNames) as [Measure, string][]) {
+      const input = make('input', '', { type: 'radio', name: 'measure' });
+      input.checked = measure === this.#measure;
+      input.addEventListener('change', () => {
+        this.#measure = measure;
+        this.#chart.show(this.cells, measure);
+      });
+      const label = make('label');
+      label.append(input, make('span', name));
+      choices.append(label);
+    }
+    card.append(this.#view.element, choices, this.#chart.element);
+    return card;
+  }
+}

@@ -1,0 +1,100 @@
+import { make } from '../../panels/elements';
+import { formatMilliseconds } from '../view/format';
+import { lineStyles } from '../figures/lines';
+import {
+  expectedTriangles,
+  type TableCell,
+  type TableMethod,
+  type TableRow,
+  tableMethodNames,
+  tableMethods,
+} from './rows';
+
+const parts = ['prepareMs', 'traceMs', 'dragMs'] as const;
+const partNames = ['prepare', 'trace', 'update'];
+
+/** The table itself: three times a method, milliseconds. */
+export class TableView {
+  readonly element = make('div', '', { className: 'timings' });
+  readonly #body: HTMLTableSectionElement;
+  readonly #rows = new Map<string, HTMLTableRowElement>();
+
+  constructor(rows: readonly TableRow[]) {
+    const table = make('table');
+    const head = table.createTHead();
+    const methods = head.insertRow();
+    methods.append(make('th'), make('th'), make('th'));
+    const heads = head.insertRow();
+    heads.append(make('th', 'Curve', { scope: 'col' }));
+    for (const text of ['triangles', 'segments']) heads.append(make('th', text));
+    for (const method of tableMethods) {
+      const name = make('th', tableMethodNames[method], { colSpan: parts.length });
+      name.style.setProperty('--color', `var(${lineStyles[method].color})`);
+      methods.append(name);
+      for (const text of partNames) heads.append(make('th', text));
+    }
+    this.#body = table.createTBody();
+    for (const row of rows) this.#body.append(this.#row(row));
+    this.element.append(table);
+  }
+
+  #row(row: TableRow): HTMLTableRowElement {
+    const element = make('tr');
+    element.dataset.row = row.id;
+    const about = expectedTriangles(row.mesh).toLocaleString('en');
+    const segments = row.points.length === 2 ? 1 : row.points.length - 3;
+    element.append(make('th', row.name, { scope: 'row' }), make('td', about));
+    element.append(make('td', `${segments}`));
+    for (const method of tableMethods) {
+      for (const part of parts) {
+        const cell = make('td', '', { className: part === parts[0] ? 'first' : '' });
+        cell.dataset.method = method;
+        element.append(cell);
+      }
+    }
+    this.#rows.set(row.id, element);
+    return element;
+  }
+
+  #cells(row: string, method: TableMethod): HTMLTableCellElement[] {
+    return [...this.#rows.get(row)!.querySelectorAll<HTMLTableCellElement>('td')].filter(
+      (cell) => cell.dataset.method === method,
+    );
+  }
+
+  clear(): void {
+    for (const id of this.#rows.keys()) {
+      for (const method of tableMethods) this.#fill(id, method, ['', '', '']);
+    }
+  }
+
+  /** The cell that is being measured. */
+  mark(cell: Pick<TableCell, 'row' | 'method' | 'triangles'> | null): void {
+    for (const one of this.#body.querySelectorAll('.now')) one.classList.remove('now');
+    if (!cell) return;
+    const row = this.#rows.get(cell.row)!;
+    row.cells[1]!.textContent = cell.triangles.toLocaleString('en');
+    for (const one of this.#cells(cell.row, cell.method)) one.classList.add('now');
+  }
+
+  set({ row, method, result }: TableCell): void {
+    const texts = parts.map((part) => formatMilliseconds(result[part]));
+    this.#fill(row, method, texts);
+    const { lost, samples, reason } = result;
+    const notes = [reason, lost ? `${lost} of ${samples} lost` : null].filter(Boolean);
+    const cells = this.#cells(row, method);
+    if (notes.length === 0) return;
+    const note = make('small', notes.join('; '), { className: result.ok ? 'note' : 'reason' });
+    note.title = notes.join('; ');
+    // Beside what was measured before it failed.
+    const at = result.traceMs === null ? cells[result.prepareMs === null ? 0 : 1]! : cells[2]!;
+    if (result.traceMs === null) at.replaceChildren(note);
+    else at.append(note);
+  }
+
+  #fill(row: string, method: TableMethod, texts: readonly string[]): void {
+    this.#cells(row, method).forEach((cell, i) => {
+      cell.textContent = texts[i]!;
+    });
+  }
+}
