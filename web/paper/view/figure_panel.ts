@@ -217,7 +217,8 @@ export class FigurePanel {
   }
 
   #look(id: LineId): LineLook {
-    return { color: new Color(lineColor(id)), width: lineStyles[id].width };
+    const { width, opaque = false } = lineStyles[id];
+    return { color: new Color(lineColor(id)), width, opaque };
   }
 
   /** Centers of mass, as dots. */

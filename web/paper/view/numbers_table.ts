@@ -10,19 +10,19 @@ interface Column {
 }
 
 const deviation: Column = {
-  head: 'median h',
+  head: 'median\nh',
   title: 'Median deviation from the reference, in mean edges h',
   text: (line) => formatDeviation(line.deviation?.median ?? null),
 };
 
 const times: Column[] = [
   {
-    head: 'prepare ms',
+    head: 'prepare\nms',
     title: 'Milliseconds for the mesh, once',
     text: ({ prepareMs }) => formatMilliseconds(prepareMs),
   },
   {
-    head: 'trace ms',
+    head: 'trace\nms',
     title: 'Milliseconds for the curve, with its fields',
     text: ({ traceMs }) => formatMilliseconds(traceMs),
   },
@@ -31,17 +31,17 @@ const times: Column[] = [
 const curveColumns: Column[] = [
   deviation,
   {
-    head: 'max h',
+    head: 'max\nh',
     title: 'Largest deviation from the reference, in mean edges h',
     text: (line) => formatDeviation(line.deviation?.max ?? null),
   },
   {
-    head: 'turning',
+    head: 'turning\nrad',
     title: 'Turning noise: RMS of turning angle minus the reference’s, in radians',
     text: ({ turningNoise }) => formatDeviation(turningNoise),
   },
   {
-    head: 'lost',
+    head: 'lost\n',
     title: 'Samples that did not converge',
     text: ({ lost, samples }) => (lost ? `${lost} of ${samples}` : lost === 0 ? '0' : '–'),
   },
@@ -49,7 +49,7 @@ const curveColumns: Column[] = [
 ];
 
 const centerColumns: Column[] = [
-  { ...deviation, head: 'deviation h', title: 'Distance from the reference, in mean edges h' },
+  { ...deviation, head: 'deviation\nh', title: 'Distance from the reference, in mean edges h' },
   ...times,
 ];
 

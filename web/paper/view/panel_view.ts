@@ -25,6 +25,8 @@ const surfaceShade = 0.75;
 export interface LineLook {
   color: Color;
   width: number;
+  /** Not drawn where the surface hides it. */
+  opaque: boolean;
 }
 
 interface ShownLine {
@@ -124,6 +126,8 @@ export class PanelView {
         seen: new FatLine({ width: look.width, hidden: 0.2 }, order),
         lost: new FatLine({ width: look.width, hidden: 0.2, dashed: true }, order),
       };
+      // The part of a line that the surface hides is its first.
+      shown.seen.object.children[0]!.visible = !look.opaque;
       this.#lines.set(key, shown);
       this.#scene.add(shown.seen.object, shown.lost.object);
     }
