@@ -64,7 +64,12 @@ Eigen::Matrix2d whitening(const Array<Neighbour>& ring) {
   return lower.inverse();
 }
 
-double gaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 2); }
+/// The linear fit averages noise away with all of its ring.
+double wideGaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 2); }
+
+/// The quadratic fit takes its second ring for what the first leaves open: near the vertex it stays
+/// closer to the polyhedron's own distances.
+double narrowGaussian(const Vec2& white) { return std::exp(-2 * white.squaredNorm()); }
 
 /// Terms over log vectors; the vertex's own vector alone where the fit is not determined.
 void linearTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
@@ -73,7 +78,7 @@ void linearTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
   for (const Neighbour& n : ring) {
     const Vec2 z = toWhite * n.place;
     const Eigen::Vector3d row(1, z.x(), z.y());
-    normal += gaussian(z) * row * row.transpose();
+    normal += wideGaussian(z) * row * row.transpose();
   }
   const Eigen::Vector3d c = normal.ldlt().solve(Eigen::Vector3d(1, 0, 0));
   if (!c.allFinite()) {
@@ -82,7 +87,7 @@ void linearTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
   }
   for (const Neighbour& n : ring) {
     const Vec2 z = toWhite * n.place;
-    const double weight = gaussian(z) * (c[0] + c[1] * z.x() + c[2] * z.y());
+    const double weight = wideGaussian(z) * (c[0] + c[1] * z.x() + c[2] * z.y());
     terms.push_back({n.vertex, weight * n.rotation});
   }
 }
@@ -100,7 +105,7 @@ bool quadraticTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
   Matrix5 normal = Matrix5::Zero();
   for (int i = 1; i < ring.count(); ++i) {
     const Vec2 z = toWhite * ring[i].place;
-    normal += gaussian(z) * row(z) * row(z).transpose();
+    normal += narrowGaussian(z) * row(z) * row(z).transpose();
   }
   const Eigen::LDLT<Matrix5> factor(normal);
   const Vector5 pivots = factor.vectorD();
@@ -108,7 +113,7 @@ bool quadraticTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
   if (!(pivots.minCoeff() > kWorstCondition * pivots.maxCoeff())) return false;
   for (int i = 1; i < ring.count(); ++i) {
     const Vec2 z = toWhite * ring[i].place;
-    const Vector5 fit = factor.solve(gaussian(z) * row(z));
+    const Vector5 fit = factor.solve(narrowGaussian(z) * row(z));
     terms.push_back({ring[i].vertex, toWhite.transpose() * fit.head<2>()});
   }
   return true;
