@@ -1,78 +1,16 @@
-#include <sys/resource.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <string>
 
 #include "bench_support.h"
-#include "curves/curve.h"
+#include "curve_times.h"
 #include "distance/edge_dijkstra.h"
 
 /// The timings of a mesh and a B-spline on it, as one JSON object: the native twin of
 /// `karcher bench MESH.obj --points FILE --samples N`. Medians of several runs.
 namespace karcher {
 namespace {
-
-constexpr int kRuns = 5;
-/// Of what takes a few milliseconds at most.
-constexpr int kQuickRuns = 50;
-
-template <class Work>
-double medianTime(const Work& work, int runs = kRuns) {
-  Array<double> times;
-  for (int i = 0; i < runs; ++i) times.push_back(timed(work));
-  return median(times);
-}
-
-/// The next corner of the point's face: a drag by about an edge.
-SurfacePoint neighbour(const SurfacePoint& p) {
-  const int heaviest =
-      p.bary[0] > p.bary[1] ? (p.bary[0] > p.bary[2] ? 0 : 2) : (p.bary[1] > p.bary[2] ? 1 : 2);
-  return edgePoint(3 * p.face + (heaviest + 1) % 3, 0);
-}
-
-struct CurveTimes {
-  double sampleUs = 0;
-  double dragMs = 0;
-  double joinMs = 0;
-  int samples = 0;
-  int lost = 0;
-};
-
-CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int samples,
-                     const FieldOptions& field) {
-  CurveTimes result;
-  Curve curve(surface, {{CurveKind::kBSpline}, samples, field}, points);
-  curve.updateFields();
-  curve.trace();
-  curve.join();
-  for (int j = 0; j < curve.segmentCount(); ++j) {
-    for (const CurveSample& sample : curve.samples(j)) {
-      ++result.samples;
-      result.lost += sample.status != Status::kConverged;
-    }
-  }
-  const int moved = curve.pointCount() / 2;
-  const SurfacePoint places[2] = {neighbour(curve.point(moved)), curve.point(moved)};
-  Array<double> traces;
-  Array<double> drags;
-  Array<double> joins;
-  for (int i = 0; i < (field.method == Method::kPaper ? kRuns : kQuickRuns); ++i) {
-    curve.movePoint(moved, places[i % 2]);
-    const double fieldMs = timed([&] { curve.updateFields(); });
-    const double traceMs = timed([&] { curve.trace(); });
-    drags.push_back(fieldMs + traceMs);
-    // Once more with all fields known: the searches alone.
-    curve.retrace();
-    traces.push_back(timed([&] { curve.trace(); }));
-    joins.push_back(timed([&] { curve.join(); }));
-  }
-  result.sampleUs = 1000 * median(traces) / (curve.segmentCount() * samples);
-  result.dragMs = median(drags);
-  result.joinMs = median(joins);
-  return result;
-}
 
 /// A whole field within a radius, as a curve reads it: distances, then the estimate at each vertex.
 struct FieldTimes {
@@ -91,12 +29,6 @@ FieldTimes timeField(Surface& surface, const SurfacePoint& point, Solver solver,
       },
       kQuickRuns);
   return {ms, within.count()};
-}
-
-double peakMemoryMB() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 void run(const std::string& meshPath, const std::string& pointsPath, int samples) {

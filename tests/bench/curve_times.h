@@ -1,0 +1,34 @@
+#pragma once
+
+#include "bench_support.h"
+#include "curves/curve.h"
+
+/// Times of a B-spline's steps, for the benchmarks. Medians of several runs.
+namespace karcher {
+
+constexpr int kRuns = 5;
+/// Of what takes a few milliseconds at most.
+constexpr int kQuickRuns = 50;
+
+template <class Work>
+double medianTime(const Work& work, int runs = kRuns) {
+  Array<double> times;
+  for (int i = 0; i < runs; ++i) times.push_back(timed(work));
+  return median(times);
+}
+
+struct CurveTimes {
+  double sampleUs = 0;  ///< with all fields known
+  double dragMs = 0;    ///< the middle point moved by an edge: its field, its segments
+  double joinMs = 0;    ///< the joining paths of all segments
+  int samples = 0;
+  int lost = 0;
+};
+
+CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int samples,
+                     const FieldOptions& field);
+
+/// The largest memory that the program has used so far.
+double peakMemoryMB();
+
+}  // namespace karcher
