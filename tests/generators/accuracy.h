@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "generators/smooth_surface.h"
+#include "mesh/triangle_soup.h"
+#include "rcm/point_field.h"
+
+/// How far a B-spline on a mesh of a smooth surface is from the true one on the surface.
+namespace karcher {
+
+/// A family of meshes of one smooth surface, and control points on it.
+struct AccuracyFamily {
+  std::string name;
+  std::function<TriangleSoup(int triangles)> mesh;
+  SmoothSurface surface;
+  Array<Vec3> points;
+};
+
+/// Six tessellations of the plane, three of the sphere and two of the torus. Meshes are the same in
+/// every run.
+Array<AccuracyFamily> accuracyFamilies();
+
+/// A mesh of a family with about so many triangles, and the true curve: 128 samples a segment.
+struct AccuracyCase {
+  AccuracyCase(const AccuracyFamily& family, int triangles);
+
+  SmoothSurface smooth;
+  Surface surface;
+  Array<SurfacePoint> points;
+  Array<Vec3> truth;
+};
+
+/// Distances on the smooth surface, from the samples' closest points there to the true centers.
+struct Accuracy {
+  double rms = 0;
+  double maximum = 0;
+  double turningNoise = 0;  ///< RMS of the turning angle less the true curve's, rad a sample
+  int lost = 0;
+  double meanEdge = 0;
+  double diagonal = 0;
+};
+
+Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options);
+
+}  // namespace karcher
