@@ -40,11 +40,21 @@ try {
   await buildNative('native', 'karcher_bench');
   await buildWasm();
   await buildFacade();
-  console.log('\nnative');
-  await run(inRoot('build/native/tests/bench/karcher_bench'), [mesh, points, named.samples]);
-  console.log('WebAssembly');
   const cli = [inRoot('dist/cli.js'), 'bench', mesh, '--points', points];
-  await run(process.execPath, [...cli, '--samples', named.samples]);
+  const programs = {
+    native: [inRoot('build/native/tests/bench/karcher_bench'), [mesh, points, named.samples]],
+    WebAssembly: [process.execPath, [...cli, '--samples', named.samples]],
+  };
+  const times = [];
+  for (const [name, [program, args]] of Object.entries(programs)) {
+    const output = await run(program, args, { quiet: true });
+    console.log(`\n${name}\n${output.trim()}`);
+    times.push(JSON.parse(output).karcher);
+  }
+  const ratio = (key) => (times[1][key] / times[0][key]).toFixed(2);
+  console.log(
+    `\nWebAssembly against native: field ${ratio('fieldMs')}, sample ${ratio('sampleNs')}, drag ${ratio('dragMs')}`,
+  );
 } catch (error) {
   console.error(error.message);
   process.exit(1);

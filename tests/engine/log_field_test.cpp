@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
 
 #include "curves/bases.h"
@@ -71,6 +72,36 @@ TEST_P(LogFields, LeaveAnEditedCurveAsTracedAnew) {
           (position(mesh, edited.samples(j)[i].point) - position(mesh, anew.samples(j)[i].point))
               .norm(),
           1e-9 * surface.geometry().diagonal);
+    }
+  }
+}
+
+/// On 3,674 triangles, so that the points' neighbourhoods bend: 8 curves of 4 segments.
+TEST_P(LogFields, LoseNoSampleOnTheBunny) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  const uint64_t seed = 21;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int curveNumber = 0; curveNumber < 8; ++curveNumber) {
+    Array<SurfacePoint> points;
+    Vec3 place = mesh.positions[static_cast<int>(random() % mesh.positions.size())];
+    const Vec3 step = 0.04 * surface.geometry().diagonal * Vec3(unit(random), unit(random), 0.5);
+    for (int i = 0; i < 7; ++i) {
+      points.push_back(nearestPoint(mesh, place));
+      if (curveNumber % 2 == 1) {
+        points.back() = vertexPoint(mesh, mesh.corner(points.back().face, 0));
+      }
+      place = position(mesh, points.back()) + step;
+    }
+    Curve curve(surface, {{CurveKind::kBSpline}, 256, options()}, points);
+    curve.updateFields();
+    curve.trace();
+    for (int j = 0; j < curve.segmentCount(); ++j) {
+      for (const CurveSample& sample : curve.samples(j)) {
+        EXPECT_EQ(sample.status, Status::kConverged) << curveNumber << " at " << j + sample.t;
+      }
     }
   }
 }

@@ -4,7 +4,10 @@
 
 #include <functional>
 
+#include "generators/smooth_surface.h"
 #include "mesh/error.h"
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
 #include "support.h"
 
 namespace karcher {
@@ -22,6 +25,42 @@ TEST(Mean, OnARegularGridIsTheAverageWithItsEnergy) {
   const Vec3 expected(5.5, 6, 0);
   EXPECT_LT((position(surface.mesh(), mean.point) - expected).norm(), 1e-12);
   EXPECT_GT(mean.iterations, 0);
+}
+
+TEST(Mean, OfACapOfTheSphereComesNearerTheTruthUnderRefinement) {
+  const SmoothSurface sphere = smoothSphere();
+  const Array<double> weights{0.4, 0.15, 0.25, 0.2};
+  // The largest error on the finest mesh, in mean edges.
+  const struct {
+    FieldOptions field;
+    double bound;
+  } methods[] = {{{Method::kPaper, Solver::kExact, 6}, 0.1},
+                 {{Method::kPaper, Solver::kGraph, 6}, 0.2},
+                 {{Method::kKarcher, Solver::kFast, 6}, 0.006},
+                 {{Method::kKarcher, Solver::kExact, 6}, 0.003}};
+  for (const auto& [field, bound] : methods) {
+    double coarser = kInfinity;
+    double error = 0;
+    double meanEdge = 0;
+    for (const int frequency : {6, 12, 24}) {
+      Surface surface(importMesh(icosphere(frequency)).mesh);
+      Array<SurfacePoint> points;
+      Array<Vec3> onSphere;
+      for (const Vec3& p :
+           {Vec3(0.5, 0.2, 0.8), Vec3(-0.3, 0.5, 0.8), Vec3(-0.1, -0.6, 0.7), Vec3(0.1, 0.1, 1)}) {
+        points.push_back(nearestPoint(surface.mesh(), sphere.project(p)));
+        onSphere.push_back(sphere.project(position(surface.mesh(), points.back())));
+      }
+      const Mean mean = centerOfMass(surface, points, weights, {field, std::nullopt, false});
+      EXPECT_EQ(mean.status, Status::kConverged);
+      const Vec3 truth = smoothCenter(sphere, onSphere, weights, onSphere[3]);
+      error = (sphere.project(position(surface.mesh(), mean.point)) - truth).norm();
+      meanEdge = surface.geometry().meanEdge;
+      EXPECT_LT(error, coarser);
+      coarser = error;
+    }
+    EXPECT_LT(error / meanEdge, bound);
+  }
 }
 
 TEST(Mean, TakesACallersOwnDistances) {
