@@ -139,24 +139,28 @@ describe('the newest request', () => {
   });
 });
 
-describe('samples that are not converged', () => {
-  test('are joined to intervals of one segment and one status', async () => {
+describe('parts of a curve without a center', () => {
+  test('are what is bridged, and runs of samples that are not converged', async () => {
     const { lostIntervals, lostSamples } = await load('worker/lost.ts');
-    const [c, i, n] = ['converged', 'indefinite', 'noProgress'];
-    const status = [c, i, i, i, i, n, c, i];
-    const segment = [0, 0, 0, 1, 1, 1, 1, 1];
-    const t = [0, 0.5, 1, 0, 0.25, 0.5, 0.75, 1];
-    const position = Float64Array.from({ length: 24 }, (_, at) => at);
-    const lost = lostIntervals({ segment, t, status, position });
+    const [c, b, i, n] = ['converged', 'bridged', 'indefinite', 'noProgress'];
+    const status = [c, b, b, c, i, i, n, c, c];
+    const segment = [0, 0, 0, 0, 1, 1, 1, 1, 1];
+    const t = [0, 0.3, 0.6, 1, 0, 0.25, 0.5, 0.75, 1];
+    const position = Float64Array.from({ length: 27 }, (_, at) => at);
+    const bridged = [
+      { segment: 1, t0: 0.8, t1: 0.85, reason: 'jump' },
+      { segment: 0, t0: 0.1, t1: 0.7, reason: i },
+    ];
+    const lost = lostIntervals({ segment, t, status, position }, bridged);
     const at = (sample) => [3 * sample, 3 * sample + 1, 3 * sample + 2];
     assert.deepEqual(lost, [
-      { segment: 0, from: 0.5, to: 1, status: i, samples: 2, position: at(1) },
-      { segment: 1, from: 0, to: 0.25, status: i, samples: 2, position: at(3) },
-      { segment: 1, from: 0.5, to: 0.5, status: n, samples: 1, position: at(5) },
-      { segment: 1, from: 1, to: 1, status: i, samples: 1, position: at(7) },
+      { segment: 0, from: 0.1, to: 0.7, reason: i, samples: 2, position: at(1) },
+      { segment: 1, from: 0, to: 0.25, reason: i, samples: 2, position: at(4) },
+      { segment: 1, from: 0.5, to: 0.5, reason: n, samples: 1, position: at(6) },
+      { segment: 1, from: 0.8, to: 0.85, reason: 'jump', samples: 0, position: at(7) },
     ]);
-    assert.equal(lostSamples(lost), 6);
-    assert.deepEqual(lostIntervals({ segment: [], t: [], status: [], position: [] }), []);
+    assert.equal(lostSamples(lost), 5);
+    assert.deepEqual(lostIntervals({ segment: [], t: [], status: [], position: [] }, []), []);
   });
 });
 

@@ -56,9 +56,7 @@ function samplesOf({ samples, lost }: TracedCurve) {
     face: face[i]!,
     bary: three(bary, i),
     position: three(position, i),
-    status:
-      lost.find((one) => one.segment === segment[i] && one.from <= t[i]! && t[i]! <= one.to)
-        ?.status ?? 'converged',
+    center: !lost.some((one) => one.segment === segment[i] && one.from <= t[i]! && t[i]! <= one.to),
   }));
 }
 

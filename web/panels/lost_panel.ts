@@ -1,20 +1,19 @@
 import type { View } from '../editor/session';
-import { type LostInterval, lostSamples } from '../worker/lost';
+import { type LostInterval, type LostReason, lostSamples } from '../worker/lost';
 import { byId, formatCount, make } from './elements';
 
-/** Why a search ended without a center of mass. */
-export const reasons: Record<LostInterval['status'], string> = {
+/** Why a part of a curve is no center of mass. */
+export const reasons: Record<LostReason, string> = {
   indefinite: 'more than one center',
+  jump: 'a jump between two centers',
   boundary: 'the surface ends',
   noProgress: 'the search got stuck',
   limit: 'the search took too long',
   unreachable: 'no path to a control point',
-  jump: 'the center jumps',
-  bridged: 'bridged, without a center',
 };
 const mostShown = 40;
 
-/** The list of the places where samples are not converged: a click goes there. */
+/** The list of the places where the curve is no center of mass: a click goes there. */
 export class LostPanel {
   readonly #group = byId('lost');
   readonly #kinds = byId('lost-kinds');
@@ -33,8 +32,8 @@ export class LostPanel {
     this.#group.hidden = this.#intervals.length === 0;
     byId('lost-count').textContent = formatCount(lostSamples(this.#intervals), 'sample');
     const shown = this.#intervals.slice(0, mostShown);
-    const statuses = [...new Set(shown.map(({ status }) => status))];
-    this.#kinds.replaceChildren(...statuses.flatMap((status) => this.#list(status, shown)));
+    const all = [...new Set(shown.map(({ reason }) => reason))];
+    this.#kinds.replaceChildren(...all.flatMap((reason) => this.#list(reason, shown)));
     const left = this.#intervals.length - shown.length;
     if (left > 0) this.#kinds.append(make('p', `and ${formatCount(left, 'more place')}`));
   }
@@ -47,12 +46,12 @@ export class LostPanel {
     this.goTo(interval);
   }
 
-  #list(status: LostInterval['status'], shown: readonly LostInterval[]): HTMLElement[] {
-    const all = this.#intervals.filter((interval) => interval.status === status);
-    const title = make('h3', reasons[status]);
+  #list(reason: LostReason, shown: readonly LostInterval[]): HTMLElement[] {
+    const all = this.#intervals.filter((interval) => interval.reason === reason);
+    const title = make('h3', reasons[reason]);
     title.append(make('span', `${lostSamples(all)}`));
     const list = make('ol', '', { className: 'points' });
-    for (const interval of shown.filter((one) => one.status === status)) {
+    for (const interval of shown.filter((one) => one.reason === reason)) {
       const button = make('button', '', { type: 'button' });
       button.append(make('b', `Segment ${interval.segment + 1}`), make('span', rangeOf(interval)));
       button.title = formatCount(interval.samples, 'sample');

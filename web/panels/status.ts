@@ -5,7 +5,7 @@ import type { Editor, Selection, State } from '../editor/editor';
 import type { Quality } from '../editor/methods';
 import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
-import { lostSamples } from '../worker/lost';
+import { type LostReason, lostSamples } from '../worker/lost';
 import { byId, formatCount } from './elements';
 import { reasons } from './lost_panel';
 import { sentenceOf } from './messages';
@@ -16,7 +16,7 @@ const patienceMilliseconds = 300;
 
 export interface StatusEvents {
   remove(): void;
-  /** Shows the next place where samples are not converged. */
+  /** Shows the next place where the curve is no center of mass. */
   goToLost(): void;
 }
 
@@ -62,8 +62,8 @@ export class Status {
   #showLost({ curve }: View): void {
     const badge = byId('status-lost');
     const count = lostSamples(curve?.lost ?? []);
-    badge.hidden = count === 0;
-    badge.textContent = `${formatCount(count, 'sample')} not converged`;
+    badge.hidden = (curve?.lost.length ?? 0) === 0;
+    badge.textContent = `${formatCount(count, 'sample')} without a center`;
     badge.title = 'Show the next place';
   }
 
@@ -132,7 +132,7 @@ const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 
 /** What is worth knowing about a center that is not simply the center. */
 function centerHint({ status, otherMinima }: ShownCenter): string {
-  if (status !== 'converged') return `No center was found: ${reasons[status]}`;
+  if (status !== 'converged') return `No center was found: ${reasons[status as LostReason]}`;
   return otherMinima ? 'One of several minima: the lowest that was found' : '';
 }
 

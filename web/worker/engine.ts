@@ -51,7 +51,7 @@ const handlers: Handlers = {
     const result: TracedCurve = {
       polyline,
       polylineStatus,
-      ...drawnSamples(traced.samples),
+      ...drawnSamples(traced),
       arcsNotShortest: 0,
       length: traced.length,
       milliseconds: performance.now() - started,
@@ -61,11 +61,12 @@ const handlers: Handlers = {
 
   circle(_, options) {
     const started = performance.now();
-    const { polyline, path, length, samples, notShortest } = theMesh().circle(options);
+    const circle = theMesh().circle(options);
+    const { polyline, path, length, samples, notShortest } = circle;
     const result: TracedCurve = {
       polyline: polyline.slice(),
       polylineStatus: statusAlong(path.polyline, samples),
-      ...drawnSamples(samples),
+      ...drawnSamples(circle),
       arcsNotShortest: notShortest.length,
       length,
       milliseconds: performance.now() - started,
@@ -158,10 +159,13 @@ function statusAlong(polyline: Float64Array, samples: CurveSamples): Uint8Array 
   return statuses;
 }
 
-function drawnSamples(traced: CurveSamples): Pick<TracedCurve, 'samples' | 'lost'> {
+function drawnSamples(
+  traced: Pick<Curve, 'samples' | 'bridged'>,
+): Pick<TracedCurve, 'samples' | 'lost'> {
+  const all = traced.samples;
   // Statuses by name would be copied one by one, with each step of a drag.
-  const { status, ...samples } = traced;
-  return { samples, lost: lostIntervals(traced) };
+  const { status, ...samples } = all;
+  return { samples, lost: lostIntervals(all, traced.bridged) };
 }
 
 function failure(error: unknown): Failure {

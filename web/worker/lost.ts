@@ -1,39 +1,69 @@
-import type { CurveSamples, Status } from 'karcher';
+import type { BridgedInterval, CurveSamples, Status } from 'karcher';
 
-/** Neighbouring samples of one segment whose searches ended alike, and not at a center of mass. */
+/** Why a part of a curve is no center of mass. */
+export type LostReason = Exclude<Status, 'converged' | 'bridged'>;
+
+/** A part of a segment that is no center of mass. */
 export interface LostInterval {
   segment: number;
-  /** The parameters of the first and the last of them. */
+  /** Parameters of the segment. */
   from: number;
   to: number;
-  status: Exclude<Status, 'converged'>;
+  reason: LostReason;
+  /** How many samples of it are not converged. */
   samples: number;
-  /** Where the middle one is. */
+  /** Where the sample nearest to its middle is. */
   position: [number, number, number];
 }
 
-/** The intervals of a curve without centers of mass, in the curve's order. */
-export function lostIntervals({ segment, t, position, status }: CurveSamples): LostInterval[] {
-  const intervals: LostInterval[] = [];
+type Samples = Pick<CurveSamples, 'segment' | 't' | 'position' | 'status'>;
+
+/** The parts of a curve without centers of mass, bridged or not, in the curve's order. */
+export function lostIntervals(
+  samples: Samples,
+  bridged: readonly BridgedInterval[],
+): LostInterval[] {
+  const intervals = bridged.map(({ segment, t0, t1, reason }) =>
+    describe(samples, segment, t0, t1, reason as LostReason),
+  );
+  const { segment, t, status } = samples;
   let first = 0;
   for (let next = 1; next <= status.length; next++) {
     const same = status[next] === status[first] && segment[next] === segment[first];
     if (next < status.length && same) continue;
     const ended = status[first]!;
-    if (ended !== 'converged') {
-      const middle = 3 * ((first + next - 1) >> 1);
-      intervals.push({
-        segment: segment[first]!,
-        from: t[first]!,
-        to: t[next - 1]!,
-        status: ended,
-        samples: next - first,
-        position: [position[middle]!, position[middle + 1]!, position[middle + 2]!],
-      });
+    if (ended !== 'converged' && ended !== 'bridged') {
+      intervals.push(describe(samples, segment[first]!, t[first]!, t[next - 1]!, ended));
     }
     first = next;
   }
-  return intervals;
+  return intervals.sort((a, b) => a.segment - b.segment || a.from - b.from);
+}
+
+function describe(
+  { segment, t, position, status }: Samples,
+  number: number,
+  from: number,
+  to: number,
+  reason: LostReason,
+): LostInterval {
+  const middle = (from + to) / 2;
+  let samples = 0;
+  let nearest = -1;
+  for (let i = 0; i < t.length; i++) {
+    if (segment[i] !== number) continue;
+    if (from <= t[i]! && t[i]! <= to && status[i] !== 'converged') samples++;
+    if (nearest < 0 || Math.abs(t[i]! - middle) < Math.abs(t[nearest]! - middle)) nearest = i;
+  }
+  const place = [0, 1, 2].map((axis) => position[3 * nearest + axis]!);
+  return {
+    segment: number,
+    from,
+    to,
+    reason,
+    samples,
+    position: place as [number, number, number],
+  };
 }
 
 /** How many samples the intervals hold. */

@@ -28,7 +28,7 @@ export interface TracedCurve {
   polylineStatus: Uint8Array;
   /** Without the statuses: `lost` has those. */
   samples: Omit<CurveSamples, 'status'>;
-  /** Where samples are not converged. */
+  /** Where the curve is no center of mass: it is bridged there, by subdivision. */
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */
   arcsNotShortest: number;
