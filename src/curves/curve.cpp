@@ -1,6 +1,7 @@
 #include "curves/curve.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "curves/bases.h"
@@ -142,12 +143,18 @@ void Curve::trace() {
 }
 
 void Curve::join() {
-  for (const Segment& segment : segments_) {
-    Traced& traced = *segment.traced;
+  for (int j = 0; j < segmentCount(); ++j) {
+    Traced& traced = *segments_[j].traced;
     if (traced.isJoined) continue;
     // A polyline's paths were found with its samples.
     if (shape().kind != CurveKind::kPolyline) {
-      traced.path = joinSamples(surface_, traced.samples, traced.bridges);
+      const Basis basis = [&](double t) { return weights(j, t); };
+      std::optional<EdgeCrossings> crossings;
+      if (options_.geometry == CurveGeometry::kExact) {
+        crossings.emplace(surface_, fieldsOf(j), basis, options_.field.method);
+      }
+      traced.path =
+          joinSamples(surface_, traced.samples, traced.bridges, crossings ? &*crossings : nullptr);
     }
     traced.isJoined = true;
   }

@@ -15,6 +15,7 @@ struct CurveOptions {
   /// If positive, segments get as many samples as it needs instead: the curve's largest distance
   /// from the geodesics between samples, as a part of the bounding box's diagonal (sampling.h).
   double tolerance = 0;
+  CurveGeometry geometry = CurveGeometry::kGeodesic;
 };
 
 /// A curve that is edited. A change is made by one of the editing functions and carried out by

@@ -6,7 +6,7 @@
 namespace karcher {
 
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
-                       const Array<Bridge>& bridges) {
+                       const Array<Bridge>& bridges, EdgeCrossings* crossings) {
   JoinedPath path;
   LocalPathWorkspace workspace;
   path.points.push_back(samples.front().point);
@@ -21,6 +21,10 @@ JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
     const bool isBridged = bridge != bridges.end() && bridge->t0 <= samples[i - 1].t;
     if (isBridged) {
       appendPart(surface.mesh(), *bridge, samples[i - 1].t, samples[i].t, path.points, path.length);
+    } else if (crossings && samples[i - 1].status == Status::kConverged &&
+               samples[i].status == Status::kConverged &&
+               crossings->append(samples[i - 1], samples[i], path.points, path.length)) {
+      // The curve itself.
     } else if (!appendLocalPath(geometry, from, to, workspace, path.points, path.length)) {
       const ShortestPath shortest = shortestPath(geometry, from, to);
       path.points.insert(path.points.end(), shortest.points.begin() + 1, shortest.points.end());

@@ -1,11 +1,19 @@
 #pragma once
 
 #include "curves/bridge.h"
+#include "curves/edge_crossings.h"
 
 namespace karcher {
 
+/// What lies between consecutive samples.
+enum class CurveGeometry {
+  kGeodesic,  ///< the locally shortest path
+  kExact,     ///< the curve's own crossings of edges (edge_crossings.h)
+};
+
 /// A polyline on the surface through the samples: consecutive points lie in one face. Points of
-/// consecutive samples are joined by geodesics, and along the bridges where there are any.
+/// consecutive samples are joined by geodesics or by the curve's crossings, and along the bridges
+/// where there are any.
 struct JoinedPath {
   Array<SurfacePoint> points;
   /// Per point the number of the sample that its piece leads to.
@@ -15,7 +23,8 @@ struct JoinedPath {
   double length = 0;
 };
 
+/// With `crossings` exact; geodesics join what those leave open.
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
-                       const Array<Bridge>& bridges = {});
+                       const Array<Bridge>& bridges = {}, EdgeCrossings* crossings = nullptr);
 
 }  // namespace karcher

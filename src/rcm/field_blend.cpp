@@ -8,6 +8,14 @@ namespace {
 
 size_t hashOf(int face) { return static_cast<size_t>(static_cast<uint32_t>(face) * 2654435761u); }
 
+/// The direction of half-edge h, in the frames of its ends; at the head the way on.
+EdgeValues directionOfEdge(const Geometry& geometry, int h) {
+  const int onward = next(h);
+  const double back = geometry.cumulatedAngle[onward] + geometry.cornerAngle[onward];
+  return {unitVector(geometry.angleScale[geometry.mesh->tail(h)] * geometry.cumulatedAngle[h]),
+          unitVector(geometry.angleScale[geometry.mesh->head(h)] * back + kPi)};
+}
+
 }  // namespace
 
 Hessian hessian(const Geometry& geometry, int face, const TriangleField& field) {
@@ -60,19 +68,22 @@ double FieldBlend::energy(const SurfacePoint& point, Weights weights) {
 }
 
 double FieldBlend::zeroAlongEdge(int h, Weights weights) {
-  const TriangleMesh& mesh = *geometry_.mesh;
-  const int a = mesh.tail(h);
-  const int b = mesh.head(h);
-  // The edge's direction in the frame of either end; at b it is the way on, away from a.
-  const int onward = next(h);
-  const double atA = geometry_.angleScale[a] * geometry_.cumulatedAngle[h];
-  const double atB =
-      geometry_.angleScale[b] * (geometry_.cumulatedAngle[onward] + geometry_.cornerAngle[onward]) +
-      kPi;
-  const double alongA = atVertex(a, weights).dot(unitVector(atA));
-  const double alongB = atVertex(b, weights).dot(unitVector(atB));
+  const EdgeValues direction = directionOfEdge(geometry_, h);
+  const double alongA = atVertex(geometry_.mesh->tail(h), weights).dot(direction.tail);
+  const double alongB = atVertex(geometry_.mesh->head(h), weights).dot(direction.head);
   if (alongA == alongB) return 0.5;
   return std::clamp(alongA / (alongA - alongB), 0.0, 1.0);
+}
+
+EdgeField FieldBlend::alongEdge(int h) {
+  const EdgeValues direction = directionOfEdge(geometry_, h);
+  EdgeField result;
+  for (ControlField* field : fields_) {
+    result.fields.push_back(
+        {rotateBack(direction.tail, field->at(geometry_.mesh->tail(h)).gradient),
+         rotateBack(direction.head, field->at(geometry_.mesh->head(h)).gradient)});
+  }
+  return result;
 }
 
 const double* FieldBlend::transported(int face) {

@@ -48,6 +48,26 @@ inline bool hasPositiveHessian(const Geometry& geometry, int face, const Triangl
   return alongX.x() > 0 && alongX.x() * alongY.y() > xy * xy;
 }
 
+/// Values of a field at the ends of an edge, in the edge's frame: its direction is the x axis.
+struct EdgeValues {
+  Vec2 tail = Vec2::Zero();
+  Vec2 head = Vec2::Zero();
+};
+
+/// Fields along an edge, linear between their values at the ends.
+struct EdgeField {
+  Array<EdgeValues> fields;
+
+  EdgeValues at(Weights weights) const {
+    EdgeValues sum;
+    for (int i = 0; i < fields.count(); ++i) {
+      sum.tail += weights.data()[i] * fields[i].tail;
+      sum.head += weights.data()[i] * fields[i].head;
+    }
+    return sum;
+  }
+};
+
 class FieldBlend {
  public:
   /// The geometry and the fields must outlive the blend; there must be at least one field.
@@ -70,6 +90,9 @@ class FieldBlend {
   /// vanishes, in the edge's own frame, which the faces on both sides share: the same point of the
   /// surface from either.
   double zeroAlongEdge(int h, Weights weights);
+
+  /// The fields along half-edge h.
+  EdgeField alongEdge(int h);
 
  private:
   /// The transported vectors of all fields in `face`: six numbers a field, x and y at each corner.

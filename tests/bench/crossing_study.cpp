@@ -1,0 +1,86 @@
+#include <cstdio>
+#include <string>
+
+#include "bench_support.h"
+#include "curves/curve.h"
+
+/// The crossings of edges of uniform cubic B-splines (128 samples a segment, the fast solver): how
+/// many, how often a geodesic had to fill in, what a crossing costs, and how far beside the edge's
+/// point the fields of the two faces end, in mean edges.
+///
+///   crossing_study MESH.obj POINTS.txt [MESH.obj POINTS.txt ...]
+namespace karcher {
+namespace {
+
+constexpr int kSamples = 128;
+constexpr FieldOptions kField{Method::kKarcher, Solver::kFast, 6};
+
+/// How far the zero of a face's own field lies from a point.
+double gap(const Geometry& geometry, FieldBlend& fields, Weights weights, int face,
+           const Vec3& point) {
+  const Vec3 direction = fields.blend(face, weights).zeroDirection();
+  const Vec3 zero = position(*geometry.mesh, {face, direction / direction.sum()});
+  return (zero - point).norm() / geometry.meanEdge;
+}
+
+void study(const std::string& meshPath, const std::string& pointsPath) {
+  BenchMesh input = loadBenchMesh(meshPath, pointsPath);
+  Surface surface(std::move(input.mesh));
+  const TriangleMesh& mesh = surface.mesh();
+  Curve curve(surface, {{CurveKind::kBSpline}, kSamples, kField}, input.points);
+  curve.updateFields();
+  curve.trace();
+  Array<double> gaps;
+  int filled = 0;
+  double ms = 0;
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    const Basis basis = [&](double t) { return curve.weights(j, t); };
+    Array<ControlField*> controlFields;
+    for (PointField* field : curve.fieldsOf(j)) controlFields.push_back(&field->field());
+    FieldBlend fields(surface.geometry(), std::move(controlFields));
+    const Array<CurveSample>& samples = curve.samples(j);
+    EdgeCrossings crossings(surface, curve.fieldsOf(j), basis, kField.method);
+    for (int i = 1; i < samples.count(); ++i) {
+      Array<SurfacePoint> path;
+      double length = 0;
+      bool whole = false;
+      ms += timed([&] { whole = crossings.append(samples[i - 1], samples[i], path, length); });
+      filled += !whole;
+      if (!whole) continue;
+      for (const CurveSample& found : crossings.found()) {
+        const PointLocation place = locate(mesh, found.point);
+        if (place.simplex != Simplex::kEdge || mesh.twin[place.halfedge] < 0) continue;
+        const Array<double> weights = basis(found.t);
+        const Vec3 point = position(mesh, found.point);
+        for (const int face : {place.face, faceOf(mesh.twin[place.halfedge])}) {
+          gaps.push_back(gap(surface.geometry(), fields, weights, face, point));
+        }
+      }
+    }
+  }
+  double squares = 0;
+  for (const double g : gaps) squares += g * g;
+  const int count = gaps.count() / 2;
+  std::printf("| %s | %d | %d | %d | %.0f | %.1e | %.1e |\n",
+              meshPath.substr(meshPath.rfind('/') + 1).c_str(), mesh.faceCount(), count, filled,
+              1e6 * ms / count, std::sqrt(squares / gaps.count()), quantile(gaps, 1));
+}
+
+}  // namespace
+}  // namespace karcher
+
+int main(int argc, char** argv) {
+  if (argc < 3 || argc % 2 == 0) {
+    std::fprintf(stderr, "usage: crossing_study MESH.obj POINTS.txt [MESH.obj POINTS.txt ...]\n");
+    return 1;
+  }
+  try {
+    std::printf(
+        "| mesh | triangles | crossings | filled | ns a crossing | gap, RMS | gap, max |\n");
+    std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
+    for (int i = 1; i + 1 < argc; i += 2) karcher::study(argv[i], argv[i + 1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,123 @@
+#include "curves/edge_crossings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "curves/curve.h"
+#include "generators/plane.h"
+#include "mesh/mesh_import.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+CurveOptions exactOptions(int samples) {
+  CurveOptions options{{CurveKind::kBSpline}, samples, {Method::kKarcher, Solver::kFast, 6}};
+  options.geometry = CurveGeometry::kExact;
+  return options;
+}
+
+Array<SurfacePoint> nearestPoints(const TriangleMesh& mesh, const Array<Vec3>& places) {
+  Array<SurfacePoint> points;
+  for (const Vec3& place : places) points.push_back(nearestPoint(mesh, place));
+  return points;
+}
+
+/// The crossings that lie inside edges, with their parameters.
+Array<CurveSample> crossingsOf(Curve& curve, int segment, int* left) {
+  const Basis basis = [&](double t) { return curve.weights(segment, t); };
+  EdgeCrossings crossings(curve.surface(), curve.fieldsOf(segment), basis, Method::kKarcher);
+  Array<CurveSample> result;
+  const Array<CurveSample>& samples = curve.samples(segment);
+  for (int i = 1; i < samples.count(); ++i) {
+    Array<SurfacePoint> path;
+    double length = 0;
+    if (!crossings.append(samples[i - 1], samples[i], path, length)) ++*left;
+    for (const CurveSample& found : crossings.found()) {
+      const Simplex simplex = locate(curve.surface().mesh(), found.point).simplex;
+      if (simplex == Simplex::kEdge && found.t != samples[i].t) result.push_back(found);
+    }
+  }
+  return result;
+}
+
+TEST(EdgeCrossings, LieOnTheTrueCurveOfThePlane) {
+  for (const PlaneTessellation tessellation : kPlaneTessellations) {
+    SCOPED_TRACE(tessellationName(tessellation));
+    const double shear = tessellation == PlaneTessellation::kStretchedSheared ? 1 : 0;
+    Surface surface(importMesh(tessellatedPlane(tessellation, 1000, 9)).mesh);
+    Array<Vec3> places;
+    for (const Vec2& p : {Vec2(0.3, 0.35), Vec2(0.42, 0.62), Vec2(0.52, 0.4), Vec2(0.7, 0.66)}) {
+      places.emplace_back(p.x() + shear * p.y(), p.y(), 0);
+    }
+    Curve curve(surface, exactOptions(16), nearestPoints(surface.mesh(), places));
+    curve.updateFields();
+    curve.trace();
+    int left = 0;
+    const Array<CurveSample> crossings = crossingsOf(curve, 0, &left);
+    EXPECT_GT(crossings.count(), 4);
+    EXPECT_EQ(left, 0);
+    for (const CurveSample& crossing : crossings) {
+      const Array<double> weights = curve.weights(0, crossing.t);
+      Vec3 expected = Vec3::Zero();
+      for (int k = 0; k < 4; ++k) {
+        expected += weights[k] * position(surface.mesh(), curve.point(k));
+      }
+      EXPECT_LT((position(surface.mesh(), crossing.point) - expected).norm(), 1e-11);
+    }
+  }
+}
+
+TEST(EdgeCrossings, DoNotDependOnTheSamples) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  Array<Vec3> places;
+  for (int i = 0; i < 6; ++i) places.emplace_back(-3 + 0.9 * i, 7.5 + (i % 2), 4);
+  const Array<SurfacePoint> points = nearestPoints(mesh, places);
+  Array<Array<CurveSample>> found;
+  Array<Array<CurveSample>> onEdges;
+  double lengths[2] = {0, 0};
+  for (int k = 0; k < 2; ++k) {
+    Curve curve(surface, exactOptions(k == 0 ? 64 : 201), points);
+    curve.updateFields();
+    curve.trace();
+    curve.join();
+    Array<CurveSample>& all = found.emplace_back();
+    int left = 0;
+    for (int j = 0; j < curve.segmentCount(); ++j) {
+      for (const CurveSample& crossing : crossingsOf(curve, j, &left)) all.push_back(crossing);
+      lengths[k] += curve.path(j).length;
+    }
+    EXPECT_EQ(left, 0);
+    Array<CurveSample>& atEdges = onEdges.emplace_back();
+    for (int j = 0; j < curve.segmentCount(); ++j) {
+      for (const CurveSample& sample : curve.samples(j)) {
+        if (locate(mesh, sample.point).simplex == Simplex::kEdge) atEdges.push_back(sample);
+      }
+    }
+  }
+  EXPECT_GT(found[0].count(), 20);
+  const auto isIn = [&](const Array<CurveSample>& others, const CurveSample& one, double within) {
+    return std::any_of(others.begin(), others.end(), [&](const CurveSample& other) {
+      return (position(mesh, one.point) - position(mesh, other.point)).norm() <= within;
+    });
+  };
+  // Next to a sample within the gap between two faces' fields the sample, or its parameter, stands
+  // for the crossing.
+  const double same = 1e-9 * surface.geometry().diagonal;
+  const double gap = 0.01 * surface.geometry().meanEdge;
+  for (int k = 0; k < 2; ++k) {
+    int equal = 0;
+    for (const CurveSample& crossing : found[k]) {
+      equal += isIn(found[1 - k], crossing, same);
+      EXPECT_TRUE(isIn(found[1 - k], crossing, gap) || isIn(onEdges[1 - k], crossing, gap));
+    }
+    EXPECT_GE(equal, 0.75 * found[k].count());
+  }
+  // Chords in faces fall short of the curve by the square of the samples' distance.
+  EXPECT_NEAR(lengths[0], lengths[1], 1e-3 * lengths[1]);
+}
+
+}  // namespace
+}  // namespace karcher
