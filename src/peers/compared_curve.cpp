@@ -191,7 +191,7 @@ bool ComparedCurve::makeNextField() {
 void ComparedCurve::traceOn(int segment, int samples) {
   Array<CurveSample>& traced = segments_[segment];
   if (traced.empty()) {
-    last_ = startOf(segment);
+    last_ = startOf(segment, 0);
     blend_.reset();
   }
   if (!fields_.empty() && !blend_) {
@@ -204,6 +204,8 @@ void ComparedCurve::traceOn(int segment, int samples) {
   const int end = static_cast<int>(
       std::min<int64_t>(plan_.table.t.count(), static_cast<int64_t>(traced.count()) + samples));
   for (int i = traced.count(); i < end; ++i) {
+    // As traceSegment does: the end of one segment is the start of the next.
+    if (i == plan_.table.t.count() - 1) last_ = startOf(segment, i);
     const CenterOfMass found = center(segment, plan_.table.row(i), last_);
     traced.push_back({plan_.table.t[i], found.point, found.status});
     if (found.status == Status::kConverged) last_ = found.point;
@@ -232,11 +234,9 @@ CenterOfMass ComparedCurve::center(int segment, Weights weights, const SurfacePo
   return {};
 }
 
-SurfacePoint ComparedCurve::startOf(int segment) const {
+SurfacePoint ComparedCurve::startOf(int segment, int sample) const {
   if (start_) return *start_;
-  const Weights weights = plan_.table.row(0);
-  const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-  return plan_.points[plan_.first[segment] + static_cast<int>(heaviest)];
+  return plan_.points[plan_.first[segment] + heaviest(plan_.table.row(sample))];
 }
 
 }  // namespace karcher

@@ -77,7 +77,8 @@ class ComparedCurve {
   /// Replaces a control point: its segments are to be traced again. Throws Error kBadIndex.
   void movePoint(int i, const SurfacePoint& point);
 
-  /// Where the searches of a segment start, instead of at the control point of the largest weight.
+  /// Where the searches for a segment's ends start, instead of at the control point of the largest
+  /// weight.
   void startAt(const SurfacePoint& start) { start_ = start; }
 
   /// The next step of what is left: the field of one point, or up to `samples` samples of a
@@ -93,7 +94,7 @@ class ComparedCurve {
   bool makeNextField();
   void traceOn(int segment, int samples);
   CenterOfMass center(int segment, Weights weights, const SurfacePoint& start);
-  SurfacePoint startOf(int segment) const;
+  SurfacePoint startOf(int segment, int sample) const;
 
   PreparedMethod& method_;
   ComparedPlan plan_;
