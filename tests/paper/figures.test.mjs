@@ -163,6 +163,8 @@ describe('figures', () => {
         assert.ok(panel[id].status[0].includes(1), id);
       }
       assert.equal(good(panel.weightedAverages).lost, 0);
+      assert.equal(good(panel.bridged).lost, 0);
+      assert.ok(panel.bridged.status[0].includes(1));
     }
   });
 

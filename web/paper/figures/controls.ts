@@ -14,6 +14,7 @@ const panel = (id: string, title: string, points: string, curve: Panel['curve'])
   points,
   curve,
   lines: methods,
+  off: ['exactLogs'],
   samples: 128,
   view: { from: [0, 0.75, 1] },
 });

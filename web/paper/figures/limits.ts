@@ -1,13 +1,20 @@
 import type { Figure, LineId, MeshSpec, PlaneKind } from './types';
 
-const farMethods: LineId[] = ['vectorHeat', 'affineHeat', 'weightedAverages', 'paper', 'karcher'];
+const farMethods: LineId[] = [
+  'vectorHeat',
+  'affineHeat',
+  'weightedAverages',
+  'paper',
+  'karcher',
+  'bridged',
+];
 
 export const farFigure: Figure = {
   id: 'far',
   name: 'Figure 7',
   title: 'Points too far apart',
   caption:
-    'Where control points lie too far apart there is no center of mass near the last, or more than one, and the curve of every method but weighted averages breaks: what is lost is dashed.',
+    'Where control points lie too far apart there is no center of mass near the last, or more than one, and the curve of every method but weighted averages breaks: what is lost is dashed. Ours is then bridged by a subdivision curve of the same points: the bridge is dashed too, and holds the curve together.',
   points: {
     far: [
       [-1.6, 0, 0.1],

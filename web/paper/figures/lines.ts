@@ -88,7 +88,7 @@ export const lineStyles: Record<LineId, LineStyle> = {
     width: 4,
     options: { method: 'karcher', solver: 'exact' },
   },
-  bridged: { label: 'Karcher, bridged', color: '--line-bridge', width: 3 },
+  bridged: { label: 'Karcher, bridged', color: '--line-bridge', width: 2.5 },
   circleArcs: { label: 'Rational arcs', color: '--line-karcher', width: 3.5 },
   isolineLinear: { label: 'Linear isoline', color: '--line-paper', width: 2 },
   isolineExact: { label: 'Exact isoline', color: '--line-exact', width: 2 },

@@ -12,6 +12,9 @@ const methods: LineId[] = [
   'exactLogs',
 ];
 
+/** It would lie over all that agree with it. */
+const reference: LineId[] = ['exactLogs'];
+
 const fourSegments: Vector[] = [
   [-1.5, 0.05, 0.3],
   [-1.28, 0.52, 0.3],
@@ -37,6 +40,7 @@ export const resolutionFigure: Figure = {
     points: 'spline',
     curve: { kind: 'bspline' },
     lines: methods,
+    off: reference,
     samples: 128,
     view: { from: [0, -0.35, 1], edges },
   })),
@@ -116,6 +120,7 @@ export const galleryFigure: Figure = {
     ...(panel as Pick<Figure['panels'][number], 'id' | 'title' | 'mesh' | 'points' | 'view'>),
     curve: { kind: 'bspline' },
     lines: gallery,
+    off: reference,
     samples: 128,
   })),
 };
@@ -135,6 +140,7 @@ export const graphFigure: Figure = {
       points: 'spline',
       curve: { kind: 'bspline' },
       lines: ['paperGraph2', 'paperGraph6', 'paper', 'karcher', 'exactLogs'],
+      off: reference,
       samples: 128,
       view: { from: [-0.6, 0.1, 1] },
     },
@@ -165,6 +171,7 @@ export const averagesFigure: Figure = {
       points: 'spline',
       curve: { kind: 'bspline' },
       lines: ['weightedAverages', 'paper', 'karcher', 'exactLogs'],
+      off: reference,
       samples: 128,
       view: { from: [-0.4, -0.1, 1] },
     },

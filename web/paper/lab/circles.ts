@@ -70,7 +70,10 @@ export function isolineLinear(task: Task, id: LineId): LineResult {
     }
     if (crossings.length !== 2) continue;
     polylines.push(Float32Array.from([...crossings[0]!.place, ...crossings[1]!.place]));
-    on.push({ face, bary: crossings[0]!.bary });
+    const [first, second] = crossings.map(({ bary }) => bary) as [Vector, Vector];
+    // Between its ends an isoline bends and its chord does not.
+    const middle = first.map((weight, k) => (weight + second[k]!) / 2) as Vector;
+    on.push({ face, bary: first }, { face, bary: middle });
   }
   const traceMs = performance.now() - start;
   if (on.length === 0) return { ...emptyLine(id), ok: false, reason: 'no face is crossed' };

@@ -71,10 +71,30 @@ const makers: Partial<Record<LineId, Maker>> = {
     return { ...emptyLine(id), traceMs, polylines: [Float32Array.from(polyline)] };
   },
 
-  async exactLogs(task, id, reference) {
-    const { position } = await reference();
-    if (task.curve.kind === 'center') return { ...emptyLine(id), marker: at(position, 0) };
-    return { ...emptyLine(id), polylines: [Float32Array.from(position)] };
+  /** The reference itself: without numbers, which would be those of its own differences. */
+  async exactLogs(task, id, reference, work) {
+    const options = { method: 'karcher', solver: 'exact' } as const;
+    const { polylines, status, marker } = await traceMethod(task, id, options, reference, work);
+    return { ...emptyLine(id), polylines, status, marker };
+  },
+
+  /** Our curve as the engine gives it, bridged where there is no center of mass. */
+  bridged({ scene, points, curve: { kind }, samples }, id) {
+    if (kind !== 'bspline' && kind !== 'bezier') {
+      throw new KarcherError('badArgument', 'only splines are bridged');
+    }
+    const curve = scene.mesh.curve({ kind, points: [...points], samples });
+    const { status } = curve.samples;
+    const result = {
+      ...emptyLine(id),
+      traceMs: curve.times.fields + curve.times.trace,
+      samples: status.length,
+      lost: status.filter((name) => name !== 'converged' && name !== 'bridged').length,
+      polylines: [curve.polyline],
+      status: [curve.polylineStatus],
+    };
+    curve.dispose();
+    return result;
   },
 
   /** From the center of mass to the points. */
