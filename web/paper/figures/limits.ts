@@ -14,7 +14,7 @@ export const farFigure: Figure = {
   name: 'Figure 7',
   title: 'Points too far apart',
   caption:
-    'Where control points lie too far apart there is no center of mass near the last, or more than one, and the curve of every method but weighted averages breaks: what is lost is dashed. Ours is then bridged by a subdivision curve of the same points: the bridge is dashed too, and holds the curve together.',
+    'Where control points lie too far apart there is no center of mass near the last, or more than one, and curves break: they jump, or samples are lost, which is dashed. Ours is then bridged by a subdivision curve of the same points: the bridge is dashed too, and holds the curve together.',
   points: {
     far: [
       [-1.6, 0, 0.1],
