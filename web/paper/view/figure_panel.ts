@@ -1,5 +1,4 @@
-import { Color, type Vector3 } from 'three';
-import { svgOf } from '../../export/svg';
+import { Color } from 'three';
 import { formatCount, make } from '../../panels/elements';
 import { type Handle, Handles } from '../../viewer/handles';
 import { lineStyles } from '../figures/lines';
@@ -10,6 +9,7 @@ import { download } from './download';
 import { editorLink } from './editor_link';
 import type { GeometryMaker } from './geometry';
 import { NumbersTable } from './numbers_table';
+import { panelSvg } from './panel_svg';
 import { type LineLook, PanelView } from './panel_view';
 import type { SharedRenderer } from './shared_renderer';
 import { sliders } from './sliders';
@@ -285,39 +285,19 @@ export class FigurePanel {
   /** The panel as it is seen, with its numbers as its metadata. */
   svg(): string {
     const { clientWidth: width, clientHeight: height } = this.#stage;
-    const seen = (position: Vector3) => this.#view.project(position);
-    const lines = this.panel.lines.flatMap((id) => {
+    const shown = this.panel.lines.flatMap((id) => {
       const line = this.#results.get(id);
-      if (!line || !this.#shown.has(id)) return [];
-      return line.polylines.map((polyline, k) => {
-        const places = Array.from({ length: polyline.length / 3 }, (_, i) =>
-          seen(this.#view.toScene([...polyline.subarray(3 * i, 3 * i + 3)] as Vector)),
-        );
-        const color = lineColor(id);
-        const status = line.status[k];
-        return {
-          x: places.map(({ x }) => x),
-          y: places.map(({ y }) => y),
-          hidden: places.map(({ hidden }) => hidden),
-          color,
-          width: lineStyles[id].width,
-          lost: { color, has: (segment: number) => status?.[segment + 1] === 1 },
-        };
-      });
+      return line && this.#shown.has(id) ? [line] : [];
     });
-    const points = [
-      ...(this.#placed?.places ?? []).map((place) => ({
-        ...seen(this.#view.toScene(place)),
-        color: lineColor('exactPath'),
-      })),
-      ...this.#seenMarkers().map(({ id, x, y }) => ({ x, y, color: lineColor(id) })),
-    ];
-    const numbers = this.json().replaceAll('&', '&amp;').replaceAll('<', '&lt;');
-    const picture = this.#surfacePicture();
-    return svgOf({ width, height, lines, points }).replace(
-      '<g ',
-      `<metadata>${numbers}</metadata>\n<image href="${picture}" width="${width}" height="${height}"/>\n<g `,
-    );
+    return panelSvg({
+      width,
+      height,
+      lines: shown,
+      places: this.#placed?.places ?? [],
+      seen: (place) => this.#view.project(this.#view.toScene(place)),
+      picture: this.#surfacePicture(),
+      numbers: this.json(),
+    });
   }
 
   /** The surface alone, as an image. */
