@@ -52,7 +52,7 @@ class Curve {
   void trace();
   void join();
 
-  Surface& surface() { return surface_; }
+  Surface& surface() const { return surface_; }
   const CurveOptions& options() const { return options_; }
   const CurveShape& shape() const { return options_.shape; }
   int pointCount() const { return points_.count(); }

@@ -13,7 +13,7 @@ PolylineSegment traceShortestPath(Surface& surface, const SurfacePoint& from,
   PolylineSegment segment;
   JoinedPath& path = segment.path;
   path.length = lengths.back();
-  int next = 0;  // of the shortest path's points
+  int next = 1;  // of the shortest path's points
   for (int i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / (samples - 1);
     const double length = t * path.length;

@@ -1,0 +1,163 @@
+#include "curves/measure.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include "curves/along_path.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// Where value lies between the numbers around it in an array that does not fall: piece and part.
+struct Place {
+  int piece = 0;
+  double s = 0;
+};
+
+Place placeOf(const Array<double>& values, double value) {
+  const int k = pieceAt(values, value);
+  const double width = values[k + 1] - values[k];
+  return {k, width > 0 ? std::clamp((value - values[k]) / width, 0.0, 1.0) : 0};
+}
+
+double between(const Array<double>& values, const Place& place) {
+  return values[place.piece] + place.s * (values[place.piece + 1] - values[place.piece]);
+}
+
+Status statusAt(const Curve& curve, double parameter) {
+  const SegmentParameter at = segmentParameter(curve, parameter);
+  for (const CurveSample& sample : curve.samples(at.segment)) {
+    if (sample.t >= at.t) return sample.status;
+  }
+  return Status::kConverged;
+}
+
+CurvePoint pointOfLine(const Curve& curve, const CurveLine& line, const Place& place) {
+  const double parameter = between(line.parameters, place);
+  const TriangleMesh& mesh = curve.surface().mesh();
+  const SurfacePoint point =
+      pointBetween(mesh, line.points[place.piece], line.points[place.piece + 1], place.s);
+  return {parameter, point, statusAt(curve, parameter)};
+}
+
+}  // namespace
+
+CurveLine lineOf(const Curve& curve) {
+  const TriangleMesh& mesh = curve.surface().mesh();
+  CurveLine line;
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    const Array<CurveSample>& samples = curve.samples(j);
+    const JoinedPath& path = curve.path(j);
+    int first = line.points.count();  // of the points that lead to a sample
+    for (int i = 0; i < path.points.count(); ++i) {
+      const Vec3 here = position(mesh, path.points[i]);
+      const double step = line.points.empty() ? 0 : (here - line.positions.back()).norm();
+      line.lengths.push_back(line.points.empty() ? 0 : line.lengths.back() + step);
+      line.points.push_back(path.points[i]);
+      line.positions.push_back(here);
+      line.parameters.push_back(j + samples[path.sample[i]].t);
+      const bool atSample = i + 1 == path.points.count() || path.sample[i + 1] != path.sample[i];
+      if (!atSample) continue;
+      const int last = line.points.count() - 1;
+      if (first > 0 && i > 0) {
+        const double start = line.lengths[first - 1];
+        const double whole = line.lengths[last] - start;
+        const double from = line.parameters[first - 1];
+        const double to = line.parameters[last];
+        for (int k = first; k < last; ++k) {
+          const double part = whole > 0 ? (line.lengths[k] - start) / whole : 1;
+          line.parameters[k] = from + part * (to - from);
+        }
+      }
+      first = last + 1;
+    }
+  }
+  return line;
+}
+
+double lengthAt(const Curve& curve, const CurveLine& line, double parameter) {
+  const SegmentParameter at = segmentParameter(curve, parameter);
+  return between(line.lengths, placeOf(line.parameters, at.segment + at.t));
+}
+
+CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length) {
+  const double whole = line.lengths.back();
+  double inside = length;
+  if (curve.shape().closed && whole > 0 && std::isfinite(length)) {
+    inside = length - whole * std::floor(length / whole);
+  }
+  if (!(inside >= 0 && inside <= whole)) {
+    std::ostringstream message;
+    message << "the curve has no point at the length " << length << ": it is " << whole << " long";
+    throw Error(ErrorCode::kBadArgument, message.str());
+  }
+  return pointOfLine(curve, line, placeOf(line.lengths, inside));
+}
+
+Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int count) {
+  constexpr int kMost = 1'000'000;
+  if (count < 2 || count > kMost) {
+    throw Error(ErrorCode::kBadArgument,
+                "a curve is divided by 2 to 1000000 points, not " + std::to_string(count));
+  }
+  const int parts = curve.shape().closed ? count : count - 1;
+  Array<CurvePoint> points;
+  for (int i = 0; i < count; ++i) {
+    const double length = line.lengths.back() * i / parts;
+    points.push_back(pointOfLine(curve, line, placeOf(line.lengths, length)));
+  }
+  return points;
+}
+
+NearestOnCurve nearestOnCurve(Curve& curve, const CurveLine& line, const Vec3& place) {
+  Place nearest;
+  double least = kInfinity;
+  for (int k = 0; k + 1 < line.points.count(); ++k) {
+    const Vec3& a = line.positions[k];
+    const Vec3 along = line.positions[k + 1] - a;
+    const double squared = along.squaredNorm();
+    const double s = squared > 0 ? std::clamp((place - a).dot(along) / squared, 0.0, 1.0) : 0;
+    const double distance = (a + s * along - place).norm();
+    if (distance < least) {
+      least = distance;
+      nearest = {k, s};
+    }
+  }
+  NearestOnCurve result{pointOfLine(curve, line, nearest), least};
+  // On the curve itself: golden sections of the parameters around it.
+  const int last = line.points.count() - 1;
+  double from = line.parameters[std::max(nearest.piece - 1, 0)];
+  double to = line.parameters[std::min(nearest.piece + 2, last)];
+  const auto look = [&](double parameter) {
+    const CurvePoint point = pointAt(curve, parameter);
+    const double distance = (position(curve.surface().mesh(), point.point) - place).norm();
+    if (distance < result.distance) result = {point, distance};
+    return distance;
+  };
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  double left = to - golden * (to - from);
+  double right = from + golden * (to - from);
+  double atLeft = look(left);
+  double atRight = look(right);
+  constexpr double kPrecision = 1e-10;
+  while (to - from > kPrecision * (1 + std::abs(to))) {
+    if (atLeft < atRight) {
+      to = right;
+      right = left;
+      atRight = atLeft;
+      left = to - golden * (to - from);
+      atLeft = look(left);
+    } else {
+      from = left;
+      left = right;
+      atLeft = atRight;
+      right = from + golden * (to - from);
+      atRight = look(right);
+    }
+  }
+  return result;
+}
+
+}  // namespace karcher

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "curves/evaluate.h"
+
+/// Lengths along a curve and the point nearest to another, by the path that joins its samples.
+namespace karcher {
+
+/// The vertices of a joined curve, each with its position, the curve's parameter there (in
+/// proportion to the length between samples) and the length from the curve's start.
+struct CurveLine {
+  Array<SurfacePoint> points;
+  Array<Vec3> positions;
+  Array<double> parameters;
+  Array<double> lengths;
+};
+
+CurveLine lineOf(const Curve& curve);
+
+/// The length from the start to a parameter, as `segmentParameter` takes it.
+double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
+
+/// The point at a length from the start, on the line. Throws Error kBadArgument outside the curve;
+/// a closed one's length may go round.
+CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length);
+
+/// `count` points with the same length between consecutive ones: the ends of an open curve
+/// included, around a closed one from its start. Throws Error kBadArgument for less than 2 or more
+/// than 1,000,000.
+Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int count);
+
+struct NearestOnCurve {
+  CurvePoint at;
+  double distance = 0;  ///< in space
+};
+
+/// The point of the curve nearest in space to a place: the nearest of the line, improved on the
+/// curve between the vertices around it.
+NearestOnCurve nearestOnCurve(Curve& curve, const CurveLine& line, const Vec3& place);
+
+}  // namespace karcher
