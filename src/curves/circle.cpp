@@ -1,7 +1,6 @@
 #include "curves/circle.h"
 
 #include <memory>
-#include <sstream>
 #include <string>
 
 #include "curves/bases.h"
@@ -61,10 +60,10 @@ void checkRadius(const TriangleMesh& mesh, const ExactDistance& distance, double
     if (d != kInfinity) farthest = std::max(farthest, d);
   }
   if (farthest >= radius) return;
-  std::ostringstream message;
-  message << "the radius " << radius << " goes beyond the farthest point of the component, at "
-          << farthest << " from the center";
-  throw Error(ErrorCode::kRadiusTooLarge, message.str());
+  throw Error(ErrorCode::kRadiusTooLarge,
+              "the radius " + inSentence(radius) +
+                  " goes beyond the farthest point of the component, at " + inSentence(farthest) +
+                  " from the center");
 }
 
 /// The distance of a point from the squared distances and log vectors at its face's corners.

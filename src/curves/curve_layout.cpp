@@ -1,7 +1,6 @@
 #include "curves/curve_layout.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 #include "curves/bases.h"
@@ -18,10 +17,10 @@ Array<double> ownWeights(const SegmentBasis& basis, double t) {
   double sum = 0;
   for (const double weight : weights) sum += weight;
   if (weights.count() == basis.points && std::abs(sum - 1) <= kSumTolerance) return weights;
-  std::ostringstream message;
-  message << "the basis gives " << weights.count() << " weights of sum " << sum << " at t = " << t
-          << "; there must be " << basis.points << ", of sum 1 within 1e-9";
-  throw Error(ErrorCode::kBadWeights, message.str());
+  throw Error(ErrorCode::kBadWeights, "the basis gives " + std::to_string(weights.count()) +
+                                          " weights of sum " + inSentence(sum) +
+                                          " at t = " + inSentence(t) + "; there must be " +
+                                          std::to_string(basis.points) + ", of sum 1 within 1e-9");
 }
 
 Array<double> unfolded(const SegmentBasis& basis, double t) {

@@ -1,7 +1,6 @@
 #include "curves/evaluate.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "curves/along_path.h"
 #include "intrinsic/strip_path.h"
@@ -93,9 +92,8 @@ SegmentParameter segmentParameter(const Curve& curve, double parameter) {
     inside = parameter - end * std::floor(parameter / end);
   }
   if (!(inside >= 0 && inside <= end)) {
-    std::ostringstream message;
-    message << "the curve has no parameter " << parameter << ": it runs from 0 to " << end;
-    throw Error(ErrorCode::kBadArgument, message.str());
+    throw Error(ErrorCode::kBadArgument, "the curve has no parameter " + inSentence(parameter) +
+                                             ": it runs from 0 to " + inSentence(end));
   }
   const int segment = std::min(static_cast<int>(inside), curve.segmentCount() - 1);
   return {segment, inside - segment};

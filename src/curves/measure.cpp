@@ -1,7 +1,6 @@
 #include "curves/measure.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
 #include "curves/along_path.h"
@@ -89,9 +88,9 @@ CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double lengt
     inside = length - whole * std::floor(length / whole);
   }
   if (!(inside >= 0 && inside <= whole)) {
-    std::ostringstream message;
-    message << "the curve has no point at the length " << length << ": it is " << whole << " long";
-    throw Error(ErrorCode::kBadArgument, message.str());
+    throw Error(ErrorCode::kBadArgument, "the curve has no point at the length " +
+                                             inSentence(length) + ": it is " + inSentence(whole) +
+                                             " long");
   }
   return pointOfLine(curve, line, placeOf(line.lengths, inside));
 }

@@ -1,7 +1,6 @@
 #include "curves/sampling.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "intrinsic/local_path.h"
 #include "mesh/error.h"
@@ -134,9 +133,9 @@ class AdaptiveTrace {
 void checkTolerance(double tolerance) {
   constexpr double kLeast = 1e-7;
   if (tolerance >= kLeast && tolerance <= 1) return;
-  std::ostringstream message;
-  message << "a tolerance is a part of the bounding box, from 1e-7 to 1, not " << tolerance;
-  throw Error(ErrorCode::kBadArgument, message.str());
+  throw Error(
+      ErrorCode::kBadArgument,
+      "a tolerance is a part of the bounding box, from 1e-7 to 1, not " + inSentence(tolerance));
 }
 
 Array<CurveSample> traceAdaptively(Surface& surface, const Array<PointField*>& points,

@@ -1,5 +1,7 @@
 #include "mesh/error.h"
 
+#include <cstdio>
+
 namespace karcher {
 
 const char* errorCodeName(ErrorCode code) {
@@ -34,6 +36,13 @@ const char* errorCodeName(ErrorCode code) {
       return "noEmbedding";
   }
   return "unknown";
+}
+
+std::string inSentence(double value, int digits) {
+  // Not by a stream, which would bring locales into the module that pages load.
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
 }
 
 }  // namespace karcher

@@ -26,6 +26,9 @@ enum class ErrorCode {
 /// The name of a code, as in `error.code` of the JavaScript API: "nonManifoldEdge".
 const char* errorCodeName(ErrorCode code);
 
+/// A number as a sentence gives it: 0.25, 1e-07.
+std::string inSentence(double value, int digits = 6);
+
 /// Every failure of the engine: a code, and a sentence that names the thing and the limit.
 class Error : public std::runtime_error {
  public:

@@ -12,17 +12,6 @@ bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
-/// Cuts the next word off the front of `line`; empty at its end.
-std::string_view takeWord(std::string_view& line) {
-  size_t begin = 0;
-  while (begin < line.size() && isSpace(line[begin])) ++begin;
-  size_t end = begin;
-  while (end < line.size() && !isSpace(line[end])) ++end;
-  const std::string_view word = line.substr(begin, end - begin);
-  line.remove_prefix(end);
-  return word;
-}
-
 size_t countDigits(std::string_view word, size_t from) {
   size_t end = from;
   while (end < word.size() && isDigit(word[end])) ++end;
@@ -76,14 +65,9 @@ std::string quoted(std::string_view word) {
 class LineCheck {
  public:
   ObjLines check(std::string_view text) {
-    size_t begin = 0;
-    while (begin < text.size()) {
-      size_t end = begin;
-      while (end < text.size() && !isLineEnd(text[end])) ++end;
+    while (!text.empty()) {
       ++line_;
-      checkLine(text.substr(begin, end - begin));
-      if (end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n') ++end;
-      begin = end + 1;
+      checkLine(takeObjLine(text));
     }
     if (found_.faces == 0) fail(ErrorCode::kBadFile, "the file has no faces");
     if (greatest_ > found_.vertices) {
@@ -95,7 +79,7 @@ class LineCheck {
 
  private:
   void checkLine(std::string_view line) {
-    const std::string_view keyword = takeWord(line);
+    const std::string_view keyword = takeObjWord(line);
     if (keyword == "v") {
       checkVertex(line);
     } else if (keyword == "f") {
@@ -105,7 +89,7 @@ class LineCheck {
 
   void checkVertex(std::string_view line) {
     for (int k = 0; k < 3; ++k) {
-      const std::string_view word = takeWord(line);
+      const std::string_view word = takeObjWord(line);
       if (isDecimal(word)) continue;
       if (word.empty()) fail(ErrorCode::kBadFile, place() + "a vertex needs three coordinates");
       if (isNotFinite(word)) {
@@ -119,7 +103,7 @@ class LineCheck {
 
   void checkFace(std::string_view line) {
     int corners = 0;
-    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+    for (std::string_view word = takeObjWord(line); !word.empty(); word = takeObjWord(line)) {
       checkCorner(word);
       ++corners;
     }
@@ -171,6 +155,25 @@ class LineCheck {
 };
 
 }  // namespace
+
+std::string_view takeObjLine(std::string_view& text) {
+  size_t end = 0;
+  while (end < text.size() && !isLineEnd(text[end])) ++end;
+  const std::string_view line = text.substr(0, end);
+  if (end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n') ++end;
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+std::string_view takeObjWord(std::string_view& line) {
+  size_t begin = 0;
+  while (begin < line.size() && isSpace(line[begin])) ++begin;
+  size_t end = begin;
+  while (end < line.size() && !isSpace(line[end])) ++end;
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
 
 ObjLines checkObjLines(std::string_view text) { return LineCheck().check(text); }
 

@@ -6,6 +6,12 @@
 
 namespace karcher {
 
+/// Cuts the next line off the front of `text`, without its end: \n, \r or both.
+std::string_view takeObjLine(std::string_view& text);
+
+/// Cuts the next word off the front of `line`; empty at its end.
+std::string_view takeObjWord(std::string_view& line);
+
 /// What a check of an OBJ file's lines learns about it.
 struct ObjLines {
   int vertices = 0;

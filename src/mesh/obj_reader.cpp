@@ -1,7 +1,5 @@
 #include "mesh/obj_reader.h"
 
-#include <istream>
-#include <streambuf>
 #include <string>
 #include <utility>
 
@@ -16,15 +14,6 @@
 namespace karcher {
 namespace {
 
-/// Lets a stream read bytes where they are.
-class ViewBuffer : public std::streambuf {
- public:
-  explicit ViewBuffer(std::string_view bytes) {
-    char* const begin = const_cast<char*>(bytes.data());
-    setg(begin, begin, begin + bytes.size());
-  }
-};
-
 [[noreturn]] void throwUncut(int line, int corners) {
   const std::string face =
       "line " + std::to_string(line) + ": the face with " + std::to_string(corners) + " corners ";
@@ -36,6 +25,17 @@ class ViewBuffer : public std::streambuf {
               face + "cannot be cut into triangles: it crosses itself or has no area");
 }
 
+/// The number before the first slash, of a corner that was checked.
+int numberOfCorner(std::string_view word) {
+  const bool negative = word[0] == '-';
+  int number = 0;
+  for (const char c : word.substr(negative || word[0] == '+' ? 1 : 0)) {
+    if (c == '/') break;
+    number = 10 * number + (c - '0');
+  }
+  return negative ? -number : number;
+}
+
 /// The faces as the file has them, in flat arrays.
 struct Faces {
   Array<Vec3> positions;
@@ -43,30 +43,33 @@ struct Faces {
   Array<int> cornerCount;  ///< per face
 };
 
-void addVertex(void* faces, double x, double y, double z, double) {
-  static_cast<Faces*>(faces)->positions.emplace_back(x, y, z);
-}
-
-void addFace(void* user, tinyobj::index_t* indices, int count) {
-  Faces& faces = *static_cast<Faces*>(user);
-  for (int k = 0; k < count; ++k) {
-    const int v = indices[k].vertex_index;
-    faces.corners.push_back(v > 0 ? v - 1 : faces.positions.count() + v);
-  }
-  faces.cornerCount.push_back(count);
-}
-
+/// Reads lines that were checked. The numbers are read by tinyobjloader's own function rather than
+/// by its reader of streams: streams would add a sixth to the module that pages load.
 Faces parse(std::string_view text, const ObjLines& lines) {
   Faces faces;
   faces.positions.reserve(static_cast<size_t>(lines.vertices));
   faces.corners.reserve(3 * static_cast<size_t>(lines.faces));
   faces.cornerCount.reserve(static_cast<size_t>(lines.faces));
-  tinyobj::callback_t callbacks;
-  callbacks.vertex_cb = addVertex;
-  callbacks.index_cb = addFace;
-  ViewBuffer buffer(text);
-  std::istream stream(&buffer);
-  tinyobj::LoadObjWithCallback(stream, callbacks, &faces);
+  while (!text.empty()) {
+    std::string_view line = takeObjLine(text);
+    const std::string_view keyword = takeObjWord(line);
+    if (keyword == "v") {
+      Vec3 position = Vec3::Zero();
+      for (double& coordinate : position) {
+        const std::string_view word = takeObjWord(line);
+        tinyobj::tryParseDouble(word.data(), word.data() + word.size(), &coordinate);
+      }
+      faces.positions.push_back(position);
+    } else if (keyword == "f") {
+      int corners = 0;
+      for (std::string_view word = takeObjWord(line); !word.empty(); word = takeObjWord(line)) {
+        const int v = numberOfCorner(word);
+        faces.corners.push_back(v > 0 ? v - 1 : faces.positions.count() + v);
+        ++corners;
+      }
+      faces.cornerCount.push_back(corners);
+    }
+  }
   return faces;
 }
 

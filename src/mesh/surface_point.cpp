@@ -1,6 +1,5 @@
 #include "mesh/surface_point.h"
 
-#include <sstream>
 #include <string>
 
 #include "mesh/error.h"
@@ -53,14 +52,14 @@ SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary) 
                                           ": the mesh has " + std::to_string(mesh.faceCount()) +
                                           " faces, numbered from 0");
   }
-  std::ostringstream name;
-  name << "the point (" << bary[0] << ", " << bary[1] << ", " << bary[2] << ") in face " << face;
+  const std::string name = "the point (" + inSentence(bary[0]) + ", " + inSentence(bary[1]) + ", " +
+                           inSentence(bary[2]) + ") in face " + std::to_string(face);
   if (!bary.allFinite()) {
-    throw Error(ErrorCode::kNotFinite, name.str() + " has a weight that is not a finite number");
+    throw Error(ErrorCode::kNotFinite, name + " has a weight that is not a finite number");
   }
   if (bary.minCoeff() < -kOutsideTolerance || std::abs(bary.sum() - 1) > kOutsideTolerance) {
     throw Error(ErrorCode::kBadPoint,
-                name.str() + " lies outside it: the weights must be at least 0 and sum to 1");
+                name + " lies outside it: the weights must be at least 0 and sum to 1");
   }
   return clampedPoint(face, bary);
 }

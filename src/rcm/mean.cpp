@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -38,10 +37,8 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
     return;
   }
   if (std::abs(sum - 1) > kSumTolerance) {
-    std::ostringstream message;
-    message.precision(12);
-    message << "the weights sum to " << sum << "; they must sum to 1 within 1e-9";
-    throw Error(ErrorCode::kBadWeights, message.str());
+    throw Error(ErrorCode::kBadWeights,
+                "the weights sum to " + inSentence(sum, 12) + "; they must sum to 1 within 1e-9");
   }
 }
 
