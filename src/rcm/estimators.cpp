@@ -1,6 +1,7 @@
 #include "rcm/estimators.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 namespace karcher {
 namespace {
@@ -12,24 +13,34 @@ struct Neighbour {
   Vec2 rotation;  ///< unit: turns vectors in the neighbour's frame into the vertex's
 };
 
-void addNeighbour(Array<Neighbour>& ring, const Neighbour& from, int vertex, double length,
-                  double directionThere, double directionBack) {
-  for (const Neighbour& known : ring) {
-    if (known.vertex == vertex) return;
+/// Adds what carrying along one edge gives to the neighbours from number `begin` on; those before
+/// lie in rings that are done. A neighbour's sums stand in `place` and `rotation`.
+void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour& from, int vertex,
+           double length, double directionThere, double directionBack) {
+  const auto known = std::find_if(ring.begin(), ring.end(),
+                                  [&](const Neighbour& n) { return n.vertex == vertex; });
+  const int number = static_cast<int>(known - ring.begin());
+  if (number < begin) return;
+  if (known == ring.end()) {
+    ring.push_back({vertex, Vec2::Zero(), Vec2::Zero()});
+    ways.push_back(0);
   }
   const Vec2 step = length * unitVector(directionThere);
   const Vec2 turn = unitVector(directionThere + kPi - directionBack);
-  ring.push_back({vertex, from.place + rotate(from.rotation, step), rotate(from.rotation, turn)});
+  ring[number].place += from.place + rotate(from.rotation, step);
+  ring[number].rotation += rotate(from.rotation, turn);
+  ++ways[number - begin];
 }
 
-/// The vertex itself, then its ring by ring neighbours, each carried along the edge by which it was
-/// first met.
+/// The vertex itself, then its ring by ring neighbours, each carried along all edges from the ring
+/// before: the mean of these ways, so that it does not depend on the numbers of vertices and faces.
 Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
   const TriangleMesh& mesh = *geometry.mesh;
   Array<Neighbour> ring{{vertex, Vec2::Zero(), Vec2(1, 0)}};
   int begin = 0;
   for (int r = 0; r < rings; ++r) {
     const int end = ring.count();
+    Array<int> ways;
     for (; begin < end; ++begin) {
       const Neighbour from = ring[begin];
       const double scale = geometry.angleScale[from.vertex];
@@ -38,18 +49,22 @@ Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
       do {
         const int to = mesh.head(h);
         const int onward = next(h);
-        addNeighbour(ring, from, to, geometry.edgeLength[h], scale * geometry.cumulatedAngle[h],
-                     geometry.angleScale[to] *
-                         (geometry.cumulatedAngle[onward] + geometry.cornerAngle[onward]));
+        carry(ring, end, ways, from, to, geometry.edgeLength[h], scale * geometry.cumulatedAngle[h],
+              geometry.angleScale[to] *
+                  (geometry.cumulatedAngle[onward] + geometry.cornerAngle[onward]));
         const int back = previous(h);
         if (mesh.twin[back] < 0) {
           const int last = mesh.tail(back);
-          addNeighbour(ring, from, last, geometry.edgeLength[back],
-                       scale * (geometry.cumulatedAngle[h] + geometry.cornerAngle[h]),
-                       geometry.angleScale[last] * geometry.cumulatedAngle[back]);
+          carry(ring, end, ways, from, last, geometry.edgeLength[back],
+                scale * (geometry.cumulatedAngle[h] + geometry.cornerAngle[h]),
+                geometry.angleScale[last] * geometry.cumulatedAngle[back]);
         }
         h = rotateLeft(mesh, h);
       } while (h >= 0 && h != first);
+    }
+    for (int i = end; i < ring.count(); ++i) {
+      ring[i].place /= ways[i - end];
+      ring[i].rotation.normalize();
     }
   }
   return ring;

@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <string>
+
+#include "curves/curve.h"
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+/// A mesh with control points, and what maps positions back to those of the first one.
+struct Scene {
+  TriangleMesh mesh;
+  Array<SurfacePoint> points;
+  Eigen::Affine3d back = Eigen::Affine3d::Identity();
+};
+
+Scene moved(const Scene& scene, const Eigen::Affine3d& motion) {
+  Array<Vec3> positions;
+  for (const Vec3& p : scene.mesh.positions) positions.push_back(motion * p);
+  return {buildMesh(positions, scene.mesh.faces), scene.points, motion.inverse()};
+}
+
+/// The same mesh with vertices and faces in another order, and each face from another corner.
+Scene renumbered(const Scene& scene, uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const int vertices = scene.mesh.vertexCount();
+  const int faces = scene.mesh.faceCount();
+  Array<int> newVertex(static_cast<size_t>(vertices));
+  Array<int> oldFace(static_cast<size_t>(faces));
+  std::iota(newVertex.begin(), newVertex.end(), 0);
+  std::iota(oldFace.begin(), oldFace.end(), 0);
+  std::shuffle(newVertex.begin(), newVertex.end(), random);
+  std::shuffle(oldFace.begin(), oldFace.end(), random);
+  Array<Vec3> positions(static_cast<size_t>(vertices));
+  for (int v = 0; v < vertices; ++v) positions[newVertex[v]] = scene.mesh.positions[v];
+  Array<Triangle> triangles;
+  Array<int> newFace(static_cast<size_t>(faces));
+  Array<int> shift;
+  for (int f = 0; f < faces; ++f) {
+    shift.push_back(static_cast<int>(random() % 3));
+    newFace[oldFace[f]] = f;
+    Triangle triangle;
+    for (int k = 0; k < 3; ++k) {
+      triangle[k] = newVertex[scene.mesh.corner(oldFace[f], (k + shift[f]) % 3)];
+    }
+    triangles.push_back(triangle);
+  }
+  Scene result{buildMesh(positions, triangles), {}, scene.back};
+  for (const SurfacePoint& p : scene.points) {
+    const int f = newFace[p.face];
+    Vec3 bary;
+    for (int k = 0; k < 3; ++k) bary[k] = p.bary[(k + shift[f]) % 3];
+    result.points.push_back({f, bary});
+  }
+  return result;
+}
+
+Array<CurveShape> shapes(int points) {
+  Array<CurveShape> all;
+  for (const bool closed : {false, true}) {
+    for (const CurveKind kind : kCurveKinds) {
+      if (kind == CurveKind::kOwn) continue;
+      all.push_back({kind, closed});
+      Array<double> values;
+      for (int i = 0; i < points; ++i) values.push_back(0.5 + i % 3);
+      if (takesWeights(kind)) all.back().weights = values;
+      if (takesBetas(kind)) all.back().betas = values;
+    }
+    all.push_back({CurveKind::kBSpline, closed, 2});
+  }
+  return all;
+}
+
+Array<Vec3> samplePositions(const Scene& scene, const CurveShape& shape, Solver solver) {
+  Surface surface{TriangleMesh(scene.mesh)};
+  Curve curve(surface, {shape, 17, {Method::kKarcher, solver, 6}}, scene.points);
+  curve.updateFields();
+  curve.trace();
+  Array<Vec3> places;
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    for (const CurveSample& sample : curve.samples(j)) {
+      EXPECT_EQ(sample.status, Status::kConverged);
+      places.push_back(scene.back * position(surface.mesh(), sample.point));
+    }
+  }
+  return places;
+}
+
+double largestDistance(const Array<Vec3>& a, const Array<Vec3>& b) {
+  EXPECT_EQ(a.count(), b.count());
+  double worst = 0;
+  for (int i = 0; i < std::min(a.count(), b.count()); ++i) {
+    worst = std::max(worst, (a[i] - b[i]).norm());
+  }
+  return worst;
+}
+
+Array<SurfacePoint> ring(const TriangleMesh& mesh, const Vec3& center, double radius) {
+  Array<SurfacePoint> points;
+  for (int i = 0; i < 7; ++i) {
+    const Vec2 around = radius * (1 + 0.3 * (i % 2)) * unitVector(2 * kPi * i / 7 + 0.2);
+    points.push_back(nearestPoint(mesh, center + Vec3(around.x(), around.y(), 0)));
+  }
+  return points;
+}
+
+/// Largest changes, as parts of the bounding box.
+struct Changes {
+  double motion = 0;
+  double scale = 0;
+  double renumbering = 0;
+  double reversal = 0;
+};
+
+Changes changesOf(const Scene& scene, Solver solver) {
+  const double diagonal = Surface(TriangleMesh(scene.mesh)).geometry().diagonal;
+  Eigen::Affine3d rigid =
+      Eigen::Translation3d(3, -2, 0.7) * Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized());
+  const Scene turned = moved(scene, rigid);
+  const Scene scaled = moved(scene, Eigen::Affine3d(Eigen::Scaling(37.0)));
+  const Scene shuffled = renumbered(scene, 5);
+  Changes worst;
+  for (const CurveShape& shape : shapes(scene.points.count())) {
+    SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
+    const Array<Vec3> places = samplePositions(scene, shape, solver);
+    const auto compare = [&](const Scene& other, double& change) {
+      const double moving = largestDistance(places, samplePositions(other, shape, solver));
+      change = std::max(change, moving / diagonal);
+    };
+    compare(turned, worst.motion);
+    compare(scaled, worst.scale);
+    compare(shuffled, worst.renumbering);
+
+    Scene backwards = scene;
+    reverseEntries(backwards.points, shape.closed);
+    Array<Vec3> reverse = samplePositions(backwards, reversed(shape), solver);
+    std::reverse(reverse.begin(), reverse.end());
+    // A closed B-spline of degree p starts p - 1 segments later.
+    if (shape.closed && shape.kind == CurveKind::kBSpline) {
+      std::rotate(reverse.begin(), reverse.begin() + 17 * (shape.degree - 1), reverse.end());
+    }
+    worst.reversal = std::max(worst.reversal, largestDistance(places, reverse) / diagonal);
+  }
+  std::printf("largest change: rigid motion %.1e, scale %.1e, renumbering %.1e, reversal %.1e\n",
+              worst.motion, worst.scale, worst.renumbering, worst.reversal);
+  return worst;
+}
+
+TEST(CurveInvariance, WithExactDistancesToRounding) {
+  Scene bunny{bunnyMesh(), {}};
+  bunny.points = ring(bunny.mesh, Vec3(-3, 7.5, 4), 1.1);
+  const Changes changes = changesOf(bunny, Solver::kExact);
+  EXPECT_LE(changes.motion, 1e-9);
+  EXPECT_LE(changes.scale, 1e-9);
+  EXPECT_LE(changes.renumbering, 1e-9);
+  EXPECT_LE(changes.reversal, 1e-9);
+}
+
+TEST(CurveInvariance, WithTheFastSolverAndTiesWithinAPartOfAnEdge) {
+  // An icosphere is full of equal edges, and paths that tie.
+  Scene sphere{importMesh(icosphere(12)).mesh, {}};
+  sphere.points = ring(sphere.mesh, Vec3(0.1, 0.05, 0.9), 0.3);
+  const Geometry geometry = buildGeometry(sphere.mesh);
+  const double most = 0.05 * geometry.meanEdge / geometry.diagonal;
+  const Changes changes = changesOf(sphere, Solver::kFast);
+  EXPECT_LE(changes.motion, most);
+  EXPECT_LE(changes.scale, most);
+  EXPECT_LE(changes.renumbering, most);
+  EXPECT_LE(changes.reversal, most);
+}
+
+}  // namespace
+}  // namespace karcher
