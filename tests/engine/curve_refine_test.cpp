@@ -1,0 +1,317 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "curves/evaluate.h"
+#include "curves/knots.h"
+#include "curves/refine.h"
+#include "generators/plane.h"
+#include "mesh/mesh_import.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
+/// quad2 on the plane, and averages along exact shortest paths.
+constexpr double kPlane = 1e-9;
+
+void update(Curve& curve) {
+  curve.updateFields();
+  curve.trace();
+  curve.join();
+}
+
+const Array<Vec3> kPlaces{{0.3, 0.3, 0},  {0.45, 0.68, 0}, {0.62, 0.41, 0},
+                          {0.7, 0.65, 0}, {0.52, 0.3, 0},  {0.38, 0.52, 0}};
+
+class CurveRefine : public testing::Test {
+ protected:
+  Surface surface{importMesh(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 600, 4)).mesh};
+
+  Array<SurfacePoint> points(int count = 6) const {
+    Array<SurfacePoint> result;
+    for (int i = 0; i < count; ++i) {
+      result.push_back(nearestPoint(surface.mesh(), kPlaces[i]));
+    }
+    return result;
+  }
+
+  Curve curveOf(const CurveShape& shape, const Array<SurfacePoint>& where) {
+    Curve curve(surface, {shape, 5, kExact}, where);
+    update(curve);
+    return curve;
+  }
+
+  Vec3 at(Curve& curve, double parameter) const {
+    return position(surface.mesh(), pointAt(curve, parameter).point);
+  }
+
+  /// Looks for the same point at the same part of a span between knots or of the one segment.
+  void expectPart(Curve& whole, double from, double to, Curve& part) const {
+    for (int i = 0; i <= 12; ++i) {
+      const double s = i / 12.0;
+      EXPECT_LT((at(whole, from + s * (to - from)) - at(part, s * part.segmentCount())).norm(),
+                kPlane);
+    }
+  }
+};
+
+/// The parameter of a point after its curve got a knot.
+double afterCut(const SegmentParameter& at, const SegmentParameter& cut) {
+  if (cut.t == 0 || cut.t == 1 || at.segment < cut.segment) return at.segment + at.t;
+  if (at.segment > cut.segment) return at.segment + 1 + at.t;
+  return at.t < cut.t ? at.segment + at.t / cut.t : at.segment + 1 + (at.t - cut.t) / (1 - cut.t);
+}
+
+Array<CurveShape> bsplines() {
+  Array<CurveShape> all;
+  for (const bool closed : {false, true}) {
+    for (int degree = 1; degree <= 5; ++degree) {
+      all.push_back({CurveKind::kBSpline, closed, degree});
+      all.back().weights = {1, 2, 0.5, 1, 3, 1};
+    }
+    all.push_back({CurveKind::kBSpline, closed});
+  }
+  all.push_back({CurveKind::kBSpline, false, 3, KnotRule::kClamped});
+  all.push_back({CurveKind::kBSpline, false, 3, KnotRule::kOwn, {0, 0, 0, 0, 1, 1, 3, 3, 3, 4}});
+  all.push_back({CurveKind::kBSpline, true, 2, KnotRule::kOwn, {0, 1, 1.5, 1.5, 4, 5, 6}});
+  return all;
+}
+
+std::string describe(const CurveShape& shape) {
+  return std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : "") + " degree " +
+         std::to_string(shape.degree) + " rule " + std::to_string(static_cast<int>(shape.knotRule));
+}
+
+TEST_F(CurveRefine, InsertingAKnotLeavesABSplineAsItIs) {
+  for (const CurveShape& shape : bsplines()) {
+    Curve curve = curveOf(shape, points());
+    for (const double part : {0.0, 0.13, 0.5, 0.8}) {
+      SCOPED_TRACE(describe(shape) + " at " + std::to_string(part));
+      const double parameter = part * curve.segmentCount();
+      RefinedCurve refined;
+      try {
+        refined = withPointOnCurve(curve, parameter);
+      } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("repeated"), std::string::npos);
+        continue;
+      }
+      ASSERT_EQ(refined.curve.points.count(), 7);
+      EXPECT_GE(refined.point, 0);
+      EXPECT_LT(refined.point, 7);
+      Curve more = curveOf(refined.curve.shape, refined.curve.points);
+      const SegmentParameter cut = segmentParameter(curve, parameter);
+      const int added = cut.t > 0 && cut.t < 1 ? 1 : 0;
+      ASSERT_EQ(more.segmentCount(), curve.segmentCount() + added);
+      for (int j = 0; j < curve.segmentCount(); ++j) {
+        for (const double t : {0.0, 0.25, 0.6, 1.0}) {
+          EXPECT_LT((at(curve, j + t) - at(more, afterCut({j, t}, cut))).norm(), kPlane)
+              << j << " + " << t;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(CurveRefine, RaisingTheDegreeLeavesCurvesOfOneSegmentAsTheyAre) {
+  for (const bool closed : {false, true}) {
+    CurveShape rational{CurveKind::kRational, closed};
+    rational.weights = {1, 2, 0.5, 1, 3, 1};
+    CurveShape barycentric{CurveKind::kBarycentric, closed};
+    barycentric.betas = {1, 2, 4, 3, 1.5, 0.7};
+    for (const CurveShape& shape : {CurveShape{CurveKind::kBezier, closed}, rational, barycentric,
+                                    CurveShape{CurveKind::kBarycentric, closed}}) {
+      SCOPED_TRACE(describe(shape));
+      Curve curve = curveOf(shape, points());
+      const RefinedCurve refined = withPointOnCurve(curve, 0.4);
+      ASSERT_EQ(refined.curve.points.count(), 7);
+      Curve more = curveOf(refined.curve.shape, refined.curve.points);
+      expectPart(curve, 0, 1, more);
+    }
+  }
+}
+
+TEST_F(CurveRefine, CurvesThroughPointsTakeOneOfTheirOwn) {
+  for (const CurveKind kind : {CurveKind::kCatmullRom, CurveKind::kPolyline}) {
+    for (const bool closed : {false, true}) {
+      Curve curve = curveOf({kind, closed}, points());
+      const double parameter = curve.segmentCount() - 0.3;
+      const Vec3 place = at(curve, parameter);
+      const RefinedCurve refined = withPointOnCurve(curve, parameter);
+      EXPECT_EQ(refined.point, curve.segmentCount());
+      Curve more = curveOf(refined.curve.shape, refined.curve.points);
+      EXPECT_LT((at(more, curve.segmentCount()) - place).norm(), kPlane);
+      EXPECT_EQ(codeOf([&] { withPointOnCurve(curve, 1); }), ErrorCode::kBadArgument);
+    }
+  }
+}
+
+TEST_F(CurveRefine, TheHalvesOfABSplineRunAlongIt) {
+  for (const CurveShape& shape : bsplines()) {
+    Curve curve = curveOf(shape, points());
+    const int segments = curve.segmentCount();
+    for (const double part : {0.0, 0.3, 0.5, 0.77}) {
+      if (part == 0 && !shape.closed) continue;
+      SCOPED_TRACE(describe(shape) + " at " + std::to_string(part));
+      const double parameter = part * segments;
+      const SegmentParameter cut = segmentParameter(curve, parameter);
+      const Array<CurveParts> parts = splitAt(curve, parameter);
+      ASSERT_EQ(parts.count(), shape.closed ? 1 : 2);
+      Curve after = curveOf(parts[parts.count() - 1].shape, parts[parts.count() - 1].points);
+      // What is left of the cut segment, then the others.
+      for (int i = 0; i <= 6; ++i) {
+        const double s = i / 6.0;
+        EXPECT_LT((at(after, s) - at(curve, cut.segment + cut.t + s * (1 - cut.t))).norm(), kPlane);
+        if (cut.segment + 1 < segments) {
+          EXPECT_LT((at(after, 1 + s) - at(curve, cut.segment + 1 + s)).norm(), kPlane);
+        }
+      }
+      EXPECT_LT(
+          (at(after, after.segmentCount()) - at(curve, shape.closed ? parameter : segments)).norm(),
+          kPlane);
+      if (shape.closed) continue;
+      Curve before = curveOf(parts[0].shape, parts[0].points);
+      for (int i = 0; i <= 6 && cut.t > 0; ++i) {
+        EXPECT_LT(
+            (at(before, cut.segment + i / 6.0) - at(curve, cut.segment + cut.t * i / 6)).norm(),
+            kPlane);
+      }
+      EXPECT_LT((at(before, 0) - at(curve, 0)).norm(), kPlane);
+    }
+  }
+}
+
+TEST_F(CurveRefine, TheHalvesOfOneSegmentRunAlongIt) {
+  for (const bool closed : {false, true}) {
+    CurveShape rational{CurveKind::kRational, closed};
+    rational.weights = {1, 2, 0.5, 1, 3, 1};
+    CurveShape barycentric{CurveKind::kBarycentric, closed};
+    barycentric.betas = {1, 2, 4, 3, 1.5, 0.7};
+    for (const CurveShape& shape :
+         {CurveShape{CurveKind::kBezier, closed}, rational, barycentric}) {
+      SCOPED_TRACE(describe(shape));
+      Curve curve = curveOf(shape, points());
+      const Array<CurveParts> parts = splitAt(curve, 0.35);
+      ASSERT_EQ(parts.count(), 2);
+      Curve before = curveOf(parts[0].shape, parts[0].points);
+      Curve after = curveOf(parts[1].shape, parts[1].points);
+      expectPart(curve, 0, 0.35, before);
+      expectPart(curve, 0.35, 1, after);
+      EXPECT_EQ(codeOf([&] { splitAt(curve, 0); }), ErrorCode::kBadArgument);
+    }
+  }
+}
+
+TEST_F(CurveRefine, CurvesThroughPointsAreCutAtOne) {
+  for (const CurveKind kind : {CurveKind::kCatmullRom, CurveKind::kPolyline}) {
+    Curve open = curveOf({kind}, points());
+    for (const double parameter : {2.0, 2.4}) {
+      const Array<CurveParts> parts = splitAt(open, parameter);
+      ASSERT_EQ(parts.count(), 2);
+      EXPECT_EQ(parts[0].points.count(), parameter > 2 ? 4 : 3);
+      EXPECT_EQ(parts[1].points.count(), parameter > 2 ? 4 : 4);
+      Curve before = curveOf(parts[0].shape, parts[0].points);
+      EXPECT_LT((at(before, before.segmentCount()) - at(open, parameter)).norm(), kPlane);
+    }
+    Curve closed = curveOf({kind, true}, points());
+    for (const double parameter : {0.0, 2.0, 2.4, 5.9}) {
+      const Array<CurveParts> parts = splitAt(closed, parameter);
+      ASSERT_EQ(parts.count(), 1);
+      Curve around = curveOf(parts[0].shape, parts[0].points);
+      EXPECT_LT((at(around, 0) - at(closed, parameter)).norm(), kPlane);
+      EXPECT_LT((at(around, around.segmentCount()) - at(closed, parameter)).norm(), kPlane);
+    }
+  }
+}
+
+TEST_F(CurveRefine, JoiningWhatWasSplitIsTheCurveAgain) {
+  for (const CurveShape& shape : bsplines()) {
+    if (shape.closed) continue;
+    SCOPED_TRACE(describe(shape));
+    Curve curve = curveOf(shape, points());
+    const double parameter = 0.4 * curve.segmentCount();
+    const Array<CurveParts> parts = splitAt(curve, parameter);
+    const Curve before = curveOf(parts[0].shape, parts[0].points);
+    const Curve after = curveOf(parts[1].shape, parts[1].points);
+    const CurveParts whole = joined(before, after);
+    Curve again = curveOf(whole.shape, whole.points);
+    const SegmentParameter cut = segmentParameter(curve, parameter);
+    ASSERT_EQ(again.segmentCount(), curve.segmentCount() + (cut.t > 0 ? 1 : 0));
+    for (int j = 0; j < curve.segmentCount(); ++j) {
+      for (const double t : {0.0, 0.25, 0.6, 1.0}) {
+        EXPECT_LT((at(curve, j + t) - at(again, afterCut({j, t}, cut))).norm(), kPlane);
+      }
+    }
+    EXPECT_LT((at(again, again.segmentCount()) - at(curve, curve.segmentCount())).norm(), kPlane);
+  }
+}
+
+TEST_F(CurveRefine, JoinsCurvesThatMeetAndThatDoNot) {
+  const Array<SurfacePoint> all = points();
+  const Array<SurfacePoint> front(all.begin(), all.begin() + 3);
+  const Array<SurfacePoint> back(all.begin() + 3, all.end());
+  Array<SurfacePoint> touching = back;
+  touching[0] = front[2];
+  for (const CurveKind kind : {CurveKind::kBezier, CurveKind::kRational, CurveKind::kBarycentric,
+                               CurveKind::kCatmullRom, CurveKind::kPolyline}) {
+    SCOPED_TRACE(curveKindName(kind));
+    Curve first = curveOf({kind}, front);
+    for (const bool meet : {true, false}) {
+      Curve second = curveOf({kind}, meet ? touching : back);
+      const CurveParts parts = joined(first, second);
+      Curve whole = curveOf(parts.shape, parts.points);
+      EXPECT_LT((at(whole, 0) - at(first, 0)).norm(), kPlane);
+      EXPECT_LT((at(whole, whole.segmentCount()) - at(second, second.segmentCount())).norm(),
+                kPlane);
+      if (kind != CurveKind::kBezier && kind != CurveKind::kRational) continue;
+      EXPECT_EQ(parts.shape.kind, CurveKind::kBSpline);
+      EXPECT_EQ(whole.segmentCount(), meet ? 2 : 3);
+      for (int i = 0; i <= 6; ++i) {
+        EXPECT_LT((at(whole, i / 6.0) - at(first, i / 6.0)).norm(), kPlane);
+        EXPECT_LT((at(whole, whole.segmentCount() - 1 + i / 6.0) - at(second, i / 6.0)).norm(),
+                  kPlane);
+      }
+      if (!meet) {
+        EXPECT_LT((at(whole, 1.5) - (at(first, 1) + at(second, 0)) / 2).norm(), kPlane);
+      }
+    }
+  }
+  Curve spline = curveOf({CurveKind::kBSpline, false, 2}, front);
+  Curve cubic = curveOf({CurveKind::kBSpline}, all);
+  Curve closed = curveOf({CurveKind::kBSpline, true}, all);
+  Curve polyline = curveOf({CurveKind::kPolyline}, all);
+  Curve bezier = curveOf({CurveKind::kBezier}, all);
+  EXPECT_EQ(codeOf([&] { joined(spline, cubic); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { joined(cubic, closed); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { joined(polyline, bezier); }), ErrorCode::kBadArgument);
+  EXPECT_NO_THROW(joined(bezier, bezier));
+}
+
+TEST_F(CurveRefine, OnACurvedSurfaceTheNewPointsStayNear) {
+  Surface bunny(bunnyMesh());
+  Array<SurfacePoint> where;
+  for (int i = 0; i < 6; ++i) {
+    const Vec2 around = unitVector(2 * kPi * i / 6);
+    where.push_back(nearestPoint(bunny.mesh(), Vec3(-3 + around.x(), 7.5 + around.y(), 4)));
+  }
+  Curve curve(bunny, {{CurveKind::kBSpline, true}, 9, kExact}, where);
+  update(curve);
+  const RefinedCurve refined = withPointOnCurve(curve, 2.4);
+  Curve more(bunny, {refined.curve.shape, 9, kExact}, refined.curve.points);
+  update(more);
+  double worst = 0;
+  for (int i = 0; i <= 20; ++i) {
+    const double t = i / 20.0;
+    const double other = t < 0.4 ? 2 + t / 0.4 : 3 + (t - 0.4) / 0.6;
+    worst = std::max(worst, (position(bunny.mesh(), pointAt(curve, 2 + t).point) -
+                             position(bunny.mesh(), pointAt(more, other).point))
+                                .norm());
+  }
+  std::printf("a knot in a curve on the bunny moves it by %.1e of the bounding box\n",
+              worst / bunny.geometry().diagonal);
+  EXPECT_LT(worst, 5e-3 * bunny.geometry().diagonal);
+}
+
+}  // namespace
+}  // namespace karcher
