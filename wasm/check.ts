@@ -21,6 +21,12 @@ export function checkNumber(value: unknown, what: string): number {
   return value;
 }
 
+export function checkBoolean(value: unknown, what: string): boolean {
+  if (typeof value !== 'boolean')
+    throw badArgument(`${what} must be true or false, not ${shown(value)}`);
+  return value;
+}
+
 /** A whole number that fits the engine's 32-bit integers. */
 export function checkInteger(value: unknown, what: string): number {
   if (!Number.isInteger(value) || Math.abs(value as number) > 0x7fffffff) {

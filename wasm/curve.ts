@@ -1,26 +1,32 @@
-import { checkInteger, checkOneOf } from './check.js';
+import { checkBoolean, checkInteger, checkNumber, toFloat64 } from './check.js';
+import { checkKind, engineSampling, engineShape, OwnBasis } from './curve_options.js';
 import { type Engine, Handle } from './engine.js';
-import type { EngineCurve, EngineMesh } from './karcher-engine.mjs';
+import { KarcherError } from './errors.js';
+import type { EngineCurve, EngineCurveShape, EngineMesh } from './karcher-engine.mjs';
 import { engineFieldOptions } from './options.js';
-import { toSurfacePoints, wirePoint, wirePoints } from './points.js';
+import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { toCurveSamples } from './samples.js';
 import type {
   BridgedInterval,
   CurveKind,
   CurveOptions,
+  CurvePoint,
+  CurvePoints,
   CurveSamples,
+  CurveTangent,
   CurveTimes,
+  NearestOnCurve,
   Path,
   PointLike,
   SurfacePoint,
 } from './types.js';
 
-const kinds: readonly CurveKind[] = ['bspline', 'bezier'];
-const defaultSamples = 128;
-
 /**
  * A curve on a mesh, by control points that can be edited. After each edit it is traced again, as
  * far as the edit reaches, and is then the curve that its points would give anew.
+ *
+ * Its parameter runs from 0 to `segmentCount`: the number of a segment plus t in [0, 1]. That of a
+ * closed curve may go round.
  *
  * Arrays are copies, made at each access, for the caller to keep or transfer. Every edit throws
  * `KarcherError`, and changes nothing, where the curve would be none (tooFewPoints, unreachable,
@@ -31,6 +37,7 @@ export class Curve {
   readonly #mesh: Handle<EngineMesh>;
   readonly #handle: Handle<EngineCurve>;
   readonly #forget: (curve: Curve) => void;
+  readonly #basis: OwnBasis | undefined;
   #times: CurveTimes = { fields: 0, trace: 0, join: 0 };
 
   /** @internal `Mesh.curve` makes curves. `forget` is called when the curve is disposed of. */
@@ -40,14 +47,18 @@ export class Curve {
     options: CurveOptions,
     forget: (curve: Curve) => void,
   ) {
-    const kind = checkOneOf(options.kind, kinds, 'the kind of a curve');
-    const samples = checkInteger(options.samples ?? defaultSamples, 'the number of samples');
+    const basis = options.basis === undefined ? undefined : new OwnBasis(options.basis);
+    const shape = engineShape(options, basis);
+    const { samples, tolerance } = engineSampling(options);
     const field = engineFieldOptions(options);
     const points = wirePoints(mesh, options.points);
     this.#engine = engine;
     this.#mesh = mesh;
     this.#forget = forget;
-    const target = mesh.call((engineMesh) => engineMesh.curve(points, kind, samples, field));
+    this.#basis = basis;
+    const target = this.#guard(() =>
+      mesh.call((engineMesh) => engineMesh.curve(points, shape, samples, tolerance, field)),
+    );
     this.#handle = new Handle(engine, 'the curve', target);
     try {
       this.#update();
@@ -95,6 +106,43 @@ export class Curve {
     return this.#handle.call((curve) => curve.length());
   }
 
+  get kind(): CurveKind {
+    return this.#shape.kind;
+  }
+
+  get closed(): boolean {
+    return this.#shape.closed;
+  }
+
+  /** Of a B-spline. */
+  get degree(): number {
+    return this.#shape.degree;
+  }
+
+  /** A B-spline's knots; of other kinds none. */
+  get knots(): Float64Array {
+    return this.#shape.knots;
+  }
+
+  /** A weight a point, whether or not the kind has a use for them. */
+  get weights(): Float64Array {
+    return this.#shape.weights;
+  }
+
+  /** A beta a point, whether or not the kind has a use for them. */
+  get betas(): Float64Array {
+    return this.#shape.betas;
+  }
+
+  get segmentCount(): number {
+    return this.#handle.call((curve) => curve.segmentCount());
+  }
+
+  /** How many fields were computed since the curve was made: what edits should spare. */
+  get fieldsComputed(): number {
+    return this.#handle.call((curve) => curve.fieldsComputed());
+  }
+
   /** How long the last edit took, or the making of the curve. */
   get times(): CurveTimes {
     this.#handle.check();
@@ -126,9 +174,84 @@ export class Curve {
     this.#edit((curve) => curve.removePoint(index));
   }
 
+  /** Makes point `from` the one of number `to`, with its weight and beta. */
+  movePointInOrder(from: number, to: number): void {
+    const old = checkInteger(from, 'the number of the control point');
+    const index = checkInteger(to, 'the new number of the control point');
+    this.#edit((curve) => curve.movePointInOrder(old, index));
+  }
+
+  /** Runs the curve backwards. A closed one keeps its first point. */
+  reverse(): void {
+    this.#edit((curve) => curve.reverse());
+  }
+
+  /** Weights and betas are kept for kinds that have them; knots of your own are dropped. */
   setKind(kind: CurveKind): void {
-    checkOneOf(kind, kinds, 'the kind of a curve');
+    checkKind(kind);
     this.#edit((curve) => curve.setKind(kind));
+  }
+
+  setClosed(closed: boolean): void {
+    checkBoolean(closed, 'closed');
+    this.#edit((curve) => curve.setClosed(closed));
+  }
+
+  /** Sets the weight of point `i`, for the kinds `bspline` and `rational`. No field is computed. */
+  setWeight(i: number, weight: number): void {
+    const index = checkInteger(i, 'the number of the control point');
+    checkNumber(weight, 'the weight');
+    this.#edit((curve) => curve.setWeight(index, weight));
+  }
+
+  /** Sets the beta of point `i`, for the kind `barycentric`. No field is computed. */
+  setBeta(i: number, beta: number): void {
+    const index = checkInteger(i, 'the number of the control point');
+    checkNumber(beta, 'the beta');
+    this.#edit((curve) => curve.setBeta(index, beta));
+  }
+
+  /** The curve's point at a parameter. Throws `KarcherError` badArgument outside the curve. */
+  pointAt(parameter: number): CurvePoint {
+    checkNumber(parameter, 'the parameter');
+    return withPoint(this.#call((curve) => curve.pointAt(parameter)));
+  }
+
+  /** The derivative at a parameter; at a joint that of the segment that starts there. */
+  tangentAt(parameter: number): CurveTangent {
+    checkNumber(parameter, 'the parameter');
+    return withPoint(this.#call((curve) => curve.tangentAt(parameter)));
+  }
+
+  /** The curve's point nearest in space to a place: x, y, z. */
+  nearest(place: ArrayLike<number>): NearestOnCurve {
+    const numbers = toFloat64(place, 'the place');
+    if (numbers.length !== 3) {
+      throw new KarcherError('badArgument', `the place must be 3 numbers, not ${numbers.length}`);
+    }
+    for (const number of numbers) checkNumber(number, 'a coordinate of the place');
+    return withPoint(this.#call((curve) => curve.nearest(numbers)));
+  }
+
+  /** The length from the start to a parameter. */
+  lengthAt(parameter: number): number {
+    checkNumber(parameter, 'the parameter');
+    return this.#call((curve) => curve.lengthAt(parameter));
+  }
+
+  /** The point at a length from the start, on the polyline. */
+  pointAtLength(length: number): CurvePoint {
+    checkNumber(length, 'the length');
+    return withPoint(this.#call((curve) => curve.pointAtLength(length)));
+  }
+
+  /**
+   * `count` points with the same length of curve between them, on the polyline: an open curve's ends
+   * included, around a closed one from its start.
+   */
+  equallySpaced(count: number): CurvePoints {
+    checkInteger(count, 'the number of points');
+    return this.#call((curve) => curve.equallySpaced(count));
   }
 
   /**
@@ -145,22 +268,41 @@ export class Curve {
     this.#forget(this);
   }
 
+  get #shape(): EngineCurveShape {
+    return this.#handle.call((curve) => curve.shape());
+  }
+
+  #guard<Result>(work: () => Result): Result {
+    return this.#basis ? this.#basis.guard(work) : work();
+  }
+
+  #call<Result>(work: (curve: EngineCurve) => Result): Result {
+    return this.#guard(() => this.#handle.call(work));
+  }
+
   #edit(change: (curve: EngineCurve) => void): void {
-    this.#handle.call(change);
+    this.#call(change);
     this.#update();
   }
 
   #update(): void {
     const start = performance.now();
-    this.#handle.call((curve) => curve.updateFields());
+    this.#call((curve) => curve.updateFields());
     const fieldsDone = performance.now();
-    this.#handle.call((curve) => curve.trace());
+    this.#call((curve) => curve.trace());
     const traceDone = performance.now();
-    this.#handle.call((curve) => curve.join());
+    this.#call((curve) => curve.join());
     this.#times = {
       fields: fieldsDone - start,
       trace: traceDone - fieldsDone,
       join: performance.now() - traceDone,
     };
   }
+}
+
+/** With the point as callers see it. */
+function withPoint<At extends { point: Float64Array }>(
+  at: At,
+): Omit<At, 'point'> & { point: SurfacePoint } {
+  return { ...at, point: toSurfacePoint(at.point) };
 }

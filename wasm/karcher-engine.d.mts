@@ -1,6 +1,7 @@
 import type {
   BridgedInterval,
   CurveKind,
+  CurvePoints,
   MeshInfo,
   Method,
   Path,
@@ -82,10 +83,31 @@ export interface EngineMesh {
   };
   curve(
     points: Float64Array,
-    kind: CurveKind,
+    shape: EngineCurveShape,
     samples: number,
+    tolerance: number,
     field: EngineFieldOptions,
   ): EngineCurve;
+}
+
+/** Arrays are empty where there are none. */
+export interface EngineCurveShape {
+  kind: CurveKind;
+  closed: boolean;
+  degree: number;
+  clamped: boolean;
+  knots: Float64Array;
+  weights: Float64Array;
+  betas: Float64Array;
+  centripetal: boolean;
+  basis?: ((points: number, t: number) => Float64Array) | undefined;
+}
+
+export interface EngineCurvePoint {
+  parameter: number;
+  point: Float64Array;
+  position: [number, number, number];
+  status: Status;
 }
 
 export interface EngineSamples {
@@ -113,11 +135,29 @@ export interface EngineCurve {
   movePoint(i: number, point: Float64Array): void;
   insertPoint(i: number, point: Float64Array): void;
   removePoint(i: number): void;
+  movePointInOrder(from: number, to: number): void;
+  reverse(): void;
   setKind(kind: CurveKind): void;
+  setClosed(closed: boolean): void;
+  setWeight(i: number, weight: number): void;
+  setBeta(i: number, beta: number): void;
   retrace(): void;
   updateFields(): void;
   trace(): void;
   join(): void;
+  /** Weights, betas and a B-spline's knots in full; without the basis. */
+  shape(): EngineCurveShape;
+  segmentCount(): number;
+  fieldsComputed(): number;
+  pointAt(parameter: number): EngineCurvePoint;
+  tangentAt(parameter: number): EngineCurvePoint & {
+    inFace: [number, number, number];
+    inSpace: [number, number, number];
+  };
+  nearest(place: Float64Array): EngineCurvePoint & { distance: number };
+  lengthAt(parameter: number): number;
+  pointAtLength(length: number): EngineCurvePoint;
+  equallySpaced(count: number): CurvePoints;
   points(): Float64Array;
   samples(): EngineSamples;
   bridged(): BridgedInterval[];

@@ -168,11 +168,12 @@ export class Mesh {
   }
 
   /**
-   * A curve with control points: a uniform cubic B-spline (at least 4 points, a segment for each
-   * four consecutive ones) or a Bezier curve (at least 2; one segment). It is disposed of with the
-   * mesh at the latest.
+   * A curve with control points, of one of the kinds of `CurveKind`. It is disposed of with the mesh
+   * at the latest.
    *
-   * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components).
+   * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components),
+   * badArgument or notFinite (degree, knots, weights, betas), badWeights (a basis whose weights do
+   * not sum to 1).
    */
   curve(options: CurveOptions): Curve {
     checkOptions(options, 'the options');

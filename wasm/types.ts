@@ -50,7 +50,37 @@ export type Status =
   | 'jump'
   | 'bridged';
 
-export type CurveKind = 'bspline' | 'bezier';
+/**
+ * What a curve is, by its control points:
+ *
+ * - `bspline`: a B-spline of degree 1 to 5, with weights a NURBS curve; uniform by default, so that
+ *   it starts and ends near the middle of its first and last points;
+ * - `bezier`: one segment of degree (points - 1);
+ * - `rational`: the same with a weight per point;
+ * - `barycentric`: one rational segment through all points, shaped by a beta per point
+ *   (Ramanantoanina, Hormann 2021); all betas equal is Berrut's interpolant, binomial coefficients
+ *   give the polynomial;
+ * - `catmullrom`: through all points, with continuous tangents;
+ * - `polyline`: exact shortest paths from point to point;
+ * - `custom`: one segment with a basis of your own.
+ */
+export type CurveKind =
+  | 'bspline'
+  | 'bezier'
+  | 'rational'
+  | 'barycentric'
+  | 'catmullrom'
+  | 'polyline'
+  | 'custom';
+
+/** Knots of a Catmull-Rom curve: by the root of the distance between points, or even. */
+export type Parametrization = 'centripetal' | 'uniform';
+
+/**
+ * From t in [0, 1] to the weights of the control points, one each, of sum 1 within 1e-9. They may be
+ * negative.
+ */
+export type CurveBasis = (t: number, points: number) => ArrayLike<number>;
 
 /** The codes of `KarcherError`. */
 export type ErrorCode =
@@ -129,8 +159,66 @@ export interface CenterOptions extends FieldOptions {
 export interface CurveOptions extends FieldOptions {
   kind: CurveKind;
   points: PointLike[];
-  /** Samples a segment at t = i / (samples - 1), both ends included; 2 to 100,000. 128 by default. */
-  samples?: number;
+  /**
+   * Samples a segment at t = i / (samples - 1), both ends included; 2 to 100,000. 128 by default.
+   * `adaptive`: as many as the tolerance needs.
+   */
+  samples?: number | 'adaptive';
+  /**
+   * Of adaptive samples: the largest distance of the curve from the geodesics between them, as a
+   * part of the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default.
+   */
+  tolerance?: number;
+  /** Whether the curve ends where it starts, as smoothly as elsewhere; of at least 3 points. */
+  closed?: boolean;
+  /** Of a B-spline, 1 to 5; 3 by default. */
+  degree?: number;
+  /**
+   * Of a B-spline of n points and degree p: evenly spaced, `clamped` (repeated at the ends, so that
+   * the curve runs from its first to its last point), or numbers that do not fall: n + p + 1, of a
+   * closed curve n + 1 for its n spans. `uniform` by default.
+   */
+  knots?: 'uniform' | 'clamped' | ArrayLike<number>;
+  /** One positive weight a point: `bspline`, `rational`. All 1 by default. */
+  weights?: ArrayLike<number>;
+  /** One positive number a point: `barycentric`. All 1 by default. */
+  betas?: ArrayLike<number>;
+  /** Of Catmull-Rom curves; `centripetal` by default. */
+  parametrization?: Parametrization;
+  /** Of the kind `custom`. */
+  basis?: CurveBasis;
+}
+
+/** A place on a curve. */
+export interface CurvePoint {
+  /** The number of the segment plus t in [0, 1]. */
+  parameter: number;
+  point: SurfacePoint;
+  position: [number, number, number];
+  /** Where it is not `converged`, the point lies on the path that joins the samples around it. */
+  status: Status;
+}
+
+/** The derivative of a curve by its parameter. */
+export interface CurveTangent extends CurvePoint {
+  /** As changes of the weights of the face's corners; they sum to 0. */
+  inFace: [number, number, number];
+  inSpace: [number, number, number];
+}
+
+export interface NearestOnCurve extends CurvePoint {
+  /** In space. */
+  distance: number;
+}
+
+/** Points of a curve as flat arrays of one entry (or three) a point. */
+export interface CurvePoints {
+  parameter: Float64Array;
+  face: Int32Array;
+  /** Three a point. */
+  bary: Float64Array;
+  /** Three a point. */
+  position: Float64Array;
 }
 
 /** The samples of a curve, segment by segment, as flat arrays of one entry (or three) a sample. */

@@ -126,6 +126,42 @@ test('trace prints the samples of a curve', () => {
   }
 });
 
+test('trace knows every kind of curve', () => {
+  const curves = [
+    [['--closed', '--degree', '2'], { kind: 'bspline', closed: true, degree: 2 }],
+    [['--clamped'], { kind: 'bspline', knots: 'clamped' }],
+    [
+      ['--degree', '2', '--knots', '0,0,0,1,3,4,4,4', '--weights', '1,2,1,1,1'],
+      { kind: 'bspline', degree: 2, knots: [0, 0, 0, 1, 3, 4, 4, 4], weights: [1, 2, 1, 1, 1] },
+    ],
+    [
+      ['--kind', 'rational', '--weights', '1,2,3,2,1'],
+      { kind: 'rational', weights: [1, 2, 3, 2, 1] },
+    ],
+    [
+      ['--kind', 'barycentric', '--betas', '1,4,6,4,1'],
+      { kind: 'barycentric', betas: [1, 4, 6, 4, 1] },
+    ],
+    [['--kind', 'catmullrom'], { kind: 'catmullrom' }],
+    [
+      ['--kind', 'catmullrom', '--parametrization', 'uniform', '--closed'],
+      { kind: 'catmullrom', parametrization: 'uniform', closed: true },
+    ],
+    [['--kind', 'polyline'], { kind: 'polyline' }],
+  ];
+  for (const [args, options] of curves) {
+    const { length, samples } = printed('trace', gridFile, '--points', pointsFile, ...args);
+    const curve = mesh.curve({ points, ...options });
+    assert.equal(length, curve.length);
+    assert.equal(samples.length, curve.samples.count);
+  }
+  const adaptive = printed('trace', gridFile, '--points', pointsFile, '--tolerance', '1e-3');
+  const curve = mesh.curve({ kind: 'bspline', points, samples: 'adaptive', tolerance: 1e-3 });
+  assert.equal(adaptive.samples.length, curve.samples.count);
+  const byDefault = printed('trace', gridFile, '--points', pointsFile, '--samples', 'adaptive');
+  assert.ok(byDefault.samples.length > adaptive.samples.length);
+});
+
 test('what trace prints, read back as points, is where it was', () => {
   const { samples } = printed('trace', gridFile, '--points', pointsFile, '--samples', '5');
   const text = samples.map(({ face, bary }) => `${face} ${bary[1]} ${bary[2]}\n`).join('');
@@ -225,9 +261,18 @@ test('bad points, weights and radii: a sentence and status 1', () => {
     [mean('0 0.9 0.9\n', '1'), /in face 0 lies outside/],
     [['mean', gridFile, '--points', `${folder.path}/none`, '--weights', '1'], /no such file/],
     [trace(three), /at least 4 control points, not 3/],
-    [trace(three, '--kind', 'line'), /--kind must be one of bspline, bezier, not 'line'/],
+    [trace(three, '--kind', 'line'), /--kind must be one of bspline, bezier, .*, not 'line'/],
     [trace(three, '--kind', 'bezier', '--samples', '1'), /2 to 100000 samples/],
     [trace(three, '--samples', 'many'), /--samples must be a number/],
+    [trace(three, '--samples', '9', '--tolerance', '1e-3'), /--samples or --tolerance, not both/],
+    [trace(three, '--tolerance', '0'), /tolerance must be positive/],
+    [trace(three, '--clamped', '--knots', '0,1'), /--knots or --clamped, not both/],
+    [trace(three, '--degree', '2', '--knots', '0,1,2'), /takes 6 knots, not 3/],
+    [trace(three, '--degree', '9'), /degree 1 to 5, not 9/],
+    [trace(three, '--kind', 'rational', '--weights', '1,2'), /3 control points but 2 weights/],
+    [trace(three, '--kind', 'bezier', '--weights', '1,2,1'), /has no weights/],
+    [trace(three, '--kind', 'barycentric', '--betas', '1,x,1'), /number 2 of --betas/],
+    [trace(three, '--closed', '--clamped', '--degree', '2'), /no ends to clamp/],
     [trace(three, '--method', 'other'), /--method must be one of/],
     [circle('100'), /goes beyond the farthest point/],
     [circle('5.99'), /meets the boundary/],

@@ -1,7 +1,5 @@
 #include "bindings/curve_handle.h"
 
-#include "mesh/error.h"
-
 namespace karcher::bindings {
 
 val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& segments) {
@@ -62,7 +60,10 @@ void CurveHandle::insertPoint(int i, const val& point) {
   curve_.insertPoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
 }
 
-void CurveHandle::setKind(const std::string& kind) { curve_.setKind(curveKind(kind)); }
+void CurveHandle::trace() {
+  line_.reset();
+  curve_.trace();
+}
 
 val CurveHandle::points() const {
   Array<SurfacePoint> points;
@@ -106,11 +107,71 @@ CurvePolyline CurveHandle::polyline() const {
   return line;
 }
 
-CurveKind curveKind(const std::string& name) {
-  for (const CurveKind kind : kCurveKinds) {
-    if (name == curveKindName(kind)) return kind;
+val CurveHandle::pointAt(double parameter) {
+  return curvePointToJs(karcher::pointAt(curve_, parameter));
+}
+
+val CurveHandle::tangentAt(double parameter) {
+  const CurveTangent tangent = karcher::tangentAt(curve_, parameter);
+  const SurfacePoint& point = tangent.at.point;
+  const Geometry& geometry = mesh_.surface().geometry();
+  val result = curvePointToJs(tangent.at);
+  // In the face's own corners, since its frame is the engine's: changes of barycentric weights.
+  const Vec3 weights = barycentric(geometry, point.face, tangent.inFace) -
+                       barycentric(geometry, point.face, Vec2::Zero());
+  result.set("inFace", toJs(weights));
+  result.set("inSpace", toJs(tangent.inSpace));
+  return result;
+}
+
+val CurveHandle::nearest(const val& place) {
+  const Array<double> numbers = fromJs<double>(place);
+  const NearestOnCurve nearest =
+      nearestOnCurve(curve_, line(), {numbers[0], numbers[1], numbers[2]});
+  val result = curvePointToJs(nearest.at);
+  result.set("distance", nearest.distance);
+  return result;
+}
+
+double CurveHandle::lengthAt(double parameter) {
+  return karcher::lengthAt(curve_, line(), parameter);
+}
+
+val CurveHandle::pointAtLength(double length) {
+  return curvePointToJs(karcher::pointAtLength(curve_, line(), length));
+}
+
+val CurveHandle::equallySpaced(int count) {
+  Array<double> parameters;
+  Array<int> faces;
+  Array<double> bary;
+  Array<double> places;
+  for (const CurvePoint& at : karcher::equallySpaced(curve_, line(), count)) {
+    parameters.push_back(at.parameter);
+    faces.push_back(mesh_.numbering().inputFace[at.point.face]);
+    append(bary, at.point.bary);
+    append(places, position(mesh_.mesh(), at.point));
   }
-  throw Error(ErrorCode::kBadArgument, "there is no kind of curve '" + name + "'");
+  val result = val::object();
+  result.set("parameter", toJs(parameters));
+  result.set("face", toJs(faces));
+  result.set("bary", toJs(bary));
+  result.set("position", toJs(places));
+  return result;
+}
+
+const CurveLine& CurveHandle::line() {
+  if (!line_) line_ = lineOf(curve_);
+  return *line_;
+}
+
+val CurveHandle::curvePointToJs(const CurvePoint& at) const {
+  val result = val::object();
+  result.set("parameter", at.parameter);
+  result.set("point", toJs(mesh_.numbering(), at.point));
+  result.set("position", toJs(position(mesh_.mesh(), at.point)));
+  result.set("status", std::string(statusName(at.status)));
+  return result;
 }
 
 }  // namespace karcher::bindings

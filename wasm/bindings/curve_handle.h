@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "bindings/curve_shape.h"
 #include "bindings/mesh_handle.h"
-#include "curves/curve.h"
+#include "curves/measure.h"
 
 namespace karcher::bindings {
 
@@ -31,12 +33,20 @@ class CurveHandle {
   void movePoint(int i, const val& point);
   void insertPoint(int i, const val& point);
   void removePoint(int i) { curve_.removePoint(i); }
-  void setKind(const std::string& kind);
+  void movePointInOrder(int from, int to) { curve_.movePointInOrder(from, to); }
+  void reverse() { curve_.reverse(); }
+  void setKind(const std::string& kind) { curve_.setKind(curveKind(kind)); }
+  void setClosed(bool closed) { curve_.setClosed(closed); }
+  void setWeight(int i, double weight) { curve_.setWeight(i, weight); }
+  void setBeta(int i, double beta) { curve_.setBeta(i, beta); }
   void retrace() { curve_.retrace(); }
   void updateFields() { curve_.updateFields(); }
-  void trace() { curve_.trace(); }
+  void trace();
   void join() { curve_.join(); }
 
+  val shape() const { return toJs(curve_.shape(), curve_.pointCount()); }
+  int segmentCount() const { return curve_.segmentCount(); }
+  int fieldsComputed() const { return curve_.fieldsComputed(); }
   val points() const;
   val samples() const;
   val bridged() const;
@@ -44,13 +54,25 @@ class CurveHandle {
   val polylineStatus() const;
   double length() const;
 
+  /// {parameter, point, position, status}
+  val pointAt(double parameter);
+  /// The same with {inFace, inSpace}, the derivative.
+  val tangentAt(double parameter);
+  /// `place` is a Float64Array of three numbers. The same as `pointAt` with {distance}.
+  val nearest(const val& place);
+  double lengthAt(double parameter);
+  val pointAtLength(double length);
+  /// {parameter, face, bary, position}: arrays over the points.
+  val equallySpaced(int count);
+
  private:
   CurvePolyline polyline() const;
+  const CurveLine& line();
+  val curvePointToJs(const CurvePoint& at) const;
 
   MeshHandle& mesh_;
   Curve curve_;
+  std::optional<CurveLine> line_;
 };
-
-CurveKind curveKind(const std::string& name);
 
 }  // namespace karcher::bindings

@@ -30,10 +30,10 @@ val statusNames() {
   return names;
 }
 
-std::unique_ptr<CurveHandle> makeCurve(MeshHandle& mesh, const val& points, const std::string& kind,
-                                       int samples, const val& field) {
+std::unique_ptr<CurveHandle> makeCurve(MeshHandle& mesh, const val& points, const val& shape,
+                                       int samples, double tolerance, const val& field) {
   return std::make_unique<CurveHandle>(
-      mesh, CurveOptions{{curveKind(kind)}, samples, fieldOptionsFromJs(field)},
+      mesh, CurveOptions{curveShapeFromJs(shape), samples, fieldOptionsFromJs(field), tolerance},
       pointsFromJs(mesh.numbering(), mesh.mesh(), points));
 }
 
@@ -81,11 +81,25 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("movePoint", &Guarded<&CurveHandle::movePoint>::call)
       .function("insertPoint", &Guarded<&CurveHandle::insertPoint>::call)
       .function("removePoint", &Guarded<&CurveHandle::removePoint>::call)
+      .function("movePointInOrder", &Guarded<&CurveHandle::movePointInOrder>::call)
+      .function("reverse", &Guarded<&CurveHandle::reverse>::call)
       .function("setKind", &Guarded<&CurveHandle::setKind>::call)
+      .function("setClosed", &Guarded<&CurveHandle::setClosed>::call)
+      .function("setWeight", &Guarded<&CurveHandle::setWeight>::call)
+      .function("setBeta", &Guarded<&CurveHandle::setBeta>::call)
       .function("retrace", &Guarded<&CurveHandle::retrace>::call)
       .function("updateFields", &Guarded<&CurveHandle::updateFields>::call)
       .function("trace", &Guarded<&CurveHandle::trace>::call)
       .function("join", &Guarded<&CurveHandle::join>::call)
+      .function("shape", &Guarded<&CurveHandle::shape>::call)
+      .function("segmentCount", &Guarded<&CurveHandle::segmentCount>::call)
+      .function("fieldsComputed", &Guarded<&CurveHandle::fieldsComputed>::call)
+      .function("pointAt", &Guarded<&CurveHandle::pointAt>::call)
+      .function("tangentAt", &Guarded<&CurveHandle::tangentAt>::call)
+      .function("nearest", &Guarded<&CurveHandle::nearest>::call)
+      .function("lengthAt", &Guarded<&CurveHandle::lengthAt>::call)
+      .function("pointAtLength", &Guarded<&CurveHandle::pointAtLength>::call)
+      .function("equallySpaced", &Guarded<&CurveHandle::equallySpaced>::call)
       .function("points", &Guarded<&CurveHandle::points>::call)
       .function("samples", &Guarded<&CurveHandle::samples>::call)
       .function("path", &Guarded<&CurveHandle::path>::call)

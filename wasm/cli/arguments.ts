@@ -32,7 +32,8 @@ export class Arguments {
     this.#values = values;
   }
 
-  flag(name: string): boolean {
+  /** Whether a flag, or an option rather than its default, was given. */
+  given(name: string): boolean {
     return this.#values.has(name);
   }
 

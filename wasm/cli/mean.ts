@@ -22,7 +22,7 @@ export const mean: Command = {
     const mesh = await args.mesh();
     const center = mesh.centerOfMass(points, weights, {
       ...field,
-      normalize: args.flag('normalize'),
+      normalize: args.given('normalize'),
     });
     return { json: center };
   },

@@ -1,0 +1,247 @@
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { load } from 'karcher';
+import { grid } from './meshes.mjs';
+
+let karcher;
+let mesh;
+before(async () => {
+  karcher = await load();
+  mesh = karcher.meshFromObj(grid(cells));
+});
+
+const cells = 14;
+const vertex = (i, j) => ({ vertex: i + (cells + 1) * j });
+const places = [
+  [4, 4],
+  [6, 9],
+  [9, 10],
+  [10, 6],
+  [7, 4],
+];
+const points = places.map(([i, j]) => vertex(i, j));
+const exact = { solver: 'exact', samples: 9 };
+
+const near = (actual, expected, tolerance, what) =>
+  expected.forEach((value, k) => {
+    assert.ok(Math.abs(actual[k] - value) < tolerance, `${what}: ${actual} not ${expected}`);
+  });
+
+/** The positions of a curve's samples, with the segment and t of each. */
+function samplesOf(curve) {
+  const { samples } = curve;
+  return Array.from(samples.t, (t, i) => ({
+    t,
+    segment: samples.segment[i],
+    status: samples.status[i],
+    place: samples.position.slice(3 * i, 3 * i + 2),
+  }));
+}
+
+const blended = (weights, of = places) =>
+  [0, 1].map((k) => weights.reduce((sum, weight, i) => sum + weight * of[i][k], 0));
+
+function expectPlane(options, weightsAt) {
+  const curve = mesh.curve({ points, ...exact, ...options });
+  for (const { segment, t, status, place } of samplesOf(curve)) {
+    assert.equal(status, 'converged');
+    near(place, blended(weightsAt(segment, t)), 1e-9, `${options.kind} ${segment} + ${t}`);
+  }
+  return curve;
+}
+
+const normalised = (weights) => {
+  const sum = weights.reduce((a, b) => a + b, 0);
+  return weights.map((weight) => weight / sum);
+};
+
+const bernstein = (t) => {
+  const s = 1 - t;
+  return [s ** 4, 4 * s ** 3 * t, 6 * s * s * t * t, 4 * s * t ** 3, t ** 4];
+};
+
+const cubic = (t) => [
+  (1 - t) ** 3 / 6,
+  (3 * t ** 3 - 6 * t ** 2 + 4) / 6,
+  (-3 * t ** 3 + 3 * t ** 2 + 3 * t + 1) / 6,
+  t ** 3 / 6,
+];
+
+/** Weights for consecutive points, from number `first` on, around the five. */
+const around = (first, weights) => {
+  const all = [0, 0, 0, 0, 0];
+  weights.forEach((weight, k) => {
+    all[(first + k) % 5] += weight;
+  });
+  return all;
+};
+
+test('every kind on a plane is the affine average of its points', () => {
+  const weights = [1, 3, 0.5, 2, 1];
+  expectPlane({ kind: 'bspline', closed: true }, (j, t) => around(j, cubic(t)));
+  expectPlane({ kind: 'bspline', degree: 1 }, (j, t) => around(j, [1 - t, t]));
+  expectPlane({ kind: 'bspline', weights }, (j, t) => {
+    const local = cubic(t).map((value, k) => value * weights[j + k]);
+    return around(j, normalised(local));
+  });
+  const bezierKnots = [0, 0, 0, 0, 0, 1, 1, 1, 1, 1];
+  expectPlane({ kind: 'bspline', degree: 4, knots: bezierKnots }, (_, t) => bernstein(t));
+  expectPlane({ kind: 'bspline', degree: 4, knots: 'clamped' }, (_, t) => bernstein(t));
+  expectPlane({ kind: 'rational', weights }, (_, t) =>
+    normalised(bernstein(t).map((value, i) => value * weights[i])),
+  );
+  expectPlane({ kind: 'barycentric', betas: weights }, (_, t) => {
+    const at = weights.findIndex((_, i) => t === i / 4);
+    if (at >= 0) return weights.map((_, i) => (i === at ? 1 : 0));
+    return normalised(weights.map((beta, i) => ((-1) ** i * beta) / (t - i / 4)));
+  });
+  expectPlane({ kind: 'catmullrom', closed: true, parametrization: 'uniform' }, (j, t) =>
+    around(j + 4, [
+      (-(t ** 3) + 2 * t ** 2 - t) / 2,
+      (3 * t ** 3 - 5 * t ** 2 + 2) / 2,
+      (-3 * t ** 3 + 4 * t ** 2 + t) / 2,
+      (t ** 3 - t ** 2) / 2,
+    ]),
+  );
+  expectPlane({ kind: 'polyline', closed: true }, (j, t) => around(j, [1 - t, t]));
+  expectPlane({ kind: 'custom', basis: bernstein }, (_, t) => bernstein(t));
+});
+
+test('what a curve is can be read and changed', () => {
+  const curve = mesh.curve({ kind: 'bspline', points, ...exact });
+  assert.deepEqual(Array.from(curve.knots), [-3, -2, -1, 0, 1, 2, 3, 4, 5]);
+  assert.deepEqual(Array.from(curve.weights), [1, 1, 1, 1, 1]);
+  assert.equal(curve.segmentCount, 2);
+  curve.setClosed(true);
+  assert.equal(curve.closed, true);
+  assert.equal(curve.segmentCount, 5);
+  curve.setWeight(1, 3);
+  assert.deepEqual(Array.from(curve.weights), [1, 3, 1, 1, 1]);
+  assert.equal(curve.fieldsComputed, 5);
+  curve.movePointInOrder(1, 3);
+  assert.deepEqual(Array.from(curve.weights), [1, 1, 1, 3, 1]);
+  near(mesh.position(curve.points[3]), [6, 9, 0], 1e-12, 'the moved point');
+  curve.reverse();
+  assert.deepEqual(Array.from(curve.weights), [1, 1, 3, 1, 1]);
+  near(mesh.position(curve.points[0]), [4, 4, 0], 1e-12, 'the first point');
+  curve.setKind('barycentric');
+  curve.setBeta(0, 2);
+  assert.deepEqual(Array.from(curve.betas), [2, 1, 1, 1, 1]);
+  assert.equal(curve.kind, 'barycentric');
+  assert.equal(curve.knots.length, 0);
+  assert.equal(curve.fieldsComputed, 5);
+});
+
+test('curves that cannot be say why', () => {
+  const good = { points, ...exact };
+  const wrong = [
+    [{ kind: 'bspline', degree: 6 }, 'badArgument', /degree 1 to 5, not 6/],
+    [{ kind: 'bspline', degree: 2.5 }, 'badArgument', /the degree must be a whole number/],
+    [{ kind: 'bspline', degree: 5 }, 'tooFewPoints', /quintic B-spline needs at least 6/],
+    [{ kind: 'bspline', knots: [0, 1, 2] }, 'badArgument', /takes 9 knots, not 3/],
+    [{ kind: 'bspline', knots: 'even' }, 'badArgument', /knots must be one of uniform, clamped/],
+    [{ kind: 'bspline', knots: [] }, 'badArgument', /empty/],
+    [
+      { kind: 'bspline', knots: [0, 1, 2, 3, 2, 5, 6, 7, 8] },
+      'badArgument',
+      /knot 4 is less than the one before/,
+    ],
+    [{ kind: 'bspline', knots: 'clamped', closed: true }, 'badArgument', /no ends to clamp/],
+    [{ kind: 'bspline', closed: 'yes' }, 'badArgument', /closed must be true or false/],
+    [{ kind: 'bspline', weights: [1, 2] }, 'badArgument', /5 control points but 2 weights/],
+    [{ kind: 'bspline', weights: [1, 2, -1, 1, 1] }, 'badArgument', /weight 2 must be positive/],
+    [{ kind: 'bspline', weights: [1, Number.NaN, 1, 1, 1] }, 'notFinite', /weight 1/],
+    [{ kind: 'bezier', weights: [1, 1, 1, 1, 1] }, 'badArgument', /Bezier curve has no weights/],
+    [{ kind: 'bezier', betas: [1, 1, 1, 1, 1] }, 'badArgument', /has no betas/],
+    [{ kind: 'bezier', knots: 'clamped' }, 'badArgument', /has no knots/],
+    [{ kind: 'catmullrom', parametrization: 'chord' }, 'badArgument', /parametrization/],
+    [{ kind: 'polyline', points: points.slice(0, 2), closed: true }, 'tooFewPoints', /at least 3/],
+    [{ kind: 'custom' }, 'badArgument', /needs a basis/],
+    [{ kind: 'custom', basis: () => [1, 2] }, 'badWeights', /gives 2 weights of sum 3/],
+    [{ kind: 'custom', basis: () => 'no' }, 'badArgument', /weights of the basis/],
+    [{ kind: 'bspline', tolerance: 0.1 }, 'badArgument', /not both/],
+    [{ kind: 'bspline', samples: 'adaptive', tolerance: 0 }, 'badArgument', /positive/],
+    [{ kind: 'bspline', samples: 'adaptive', tolerance: 2 }, 'badArgument', /1e-7 to 1, not 2/],
+  ];
+  const bytes = karcher.allocatedBytes();
+  for (const [change, code, message] of wrong) {
+    const make = () => mesh.curve({ ...good, ...change });
+    assert.throws(make, { name: 'KarcherError', code, message });
+    assert.equal(karcher.allocatedBytes(), bytes);
+  }
+  const thrown = new Error('mine');
+  const basis = () => {
+    throw thrown;
+  };
+  assert.throws(() => mesh.curve({ ...good, kind: 'custom', basis }), thrown);
+
+  const curve = mesh.curve({ kind: 'bezier', ...good });
+  assert.throws(() => curve.setWeight(0, 2), { code: 'badArgument', message: /no weights/ });
+  assert.throws(() => curve.setBeta(0, 2), { code: 'badArgument', message: /no betas/ });
+  assert.throws(() => curve.setKind('custom'), { code: 'badArgument', message: /basis/ });
+  assert.throws(() => curve.setClosed(1), { code: 'badArgument', message: /true or false/ });
+  assert.throws(() => curve.movePointInOrder(0, 5), { code: 'badIndex' });
+  curve.setKind('rational');
+  assert.throws(() => curve.setWeight(5, 2), { code: 'badIndex' });
+  assert.throws(() => curve.setWeight(0, 0), { code: 'badArgument', message: /positive/ });
+});
+
+test('adaptive samples keep their tolerance', () => {
+  const plane = { kind: 'bezier', points, solver: 'exact', samples: 'adaptive' };
+  const diagonal = cells * Math.SQRT2;
+  let last = 0;
+  for (const tolerance of [1e-2, 1e-3, undefined]) {
+    const curve = mesh.curve({ ...plane, ...(tolerance ? { tolerance } : {}) });
+    const { polyline } = curve.path;
+    let worst = 0;
+    for (let i = 0; i <= 500; i++) {
+      const [x, y] = blended(bernstein(i / 500));
+      let nearest = Number.POSITIVE_INFINITY;
+      for (let k = 3; k < polyline.length; k += 3) {
+        const [ax, ay, , bx, by] = polyline.slice(k - 3, k + 2);
+        const squared = (bx - ax) ** 2 + (by - ay) ** 2;
+        const s = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / squared;
+        const at = Math.min(Math.max(s, 0), 1);
+        nearest = Math.min(nearest, Math.hypot(ax + at * (bx - ax) - x, ay + at * (by - ay) - y));
+      }
+      worst = Math.max(worst, nearest);
+    }
+    assert.ok(worst <= (tolerance ?? 1e-4) * diagonal);
+    assert.ok(curve.samples.count >= last);
+    last = curve.samples.count;
+  }
+});
+
+test('a curve at a parameter, by length, and next to a place', () => {
+  const curve = mesh.curve({ kind: 'bezier', points, solver: 'exact' });
+  const at = curve.pointAt(0.3);
+  near(at.position, blended(bernstein(0.3)), 1e-9, 'the point');
+  near(mesh.position(at.point), at.position, 1e-12, 'the surface point');
+  assert.equal(at.status, 'converged');
+  const tangent = curve.tangentAt(0.3);
+  const step = blended(bernstein(0.301)).map((x, k) => x - blended(bernstein(0.299))[k]);
+  near(tangent.inSpace, [step[0] / 0.002, step[1] / 0.002, 0], 1e-3, 'the tangent');
+  assert.ok(Math.abs(tangent.inFace.reduce((a, b) => a + b)) < 1e-12);
+
+  const nearest = curve.nearest([at.position[0], at.position[1], 2]);
+  assert.ok(Math.abs(nearest.parameter - 0.3) < 1e-6 && Math.abs(nearest.distance - 2) < 1e-9);
+
+  const { parameter, position, face, bary } = curve.equallySpaced(5);
+  assert.deepEqual([parameter.length, position.length, face.length, bary.length], [5, 15, 5, 15]);
+  for (let i = 0; i < 5; i++) {
+    assert.ok(Math.abs(curve.lengthAt(parameter[i]) - (i * curve.length) / 4) < 1e-9);
+    const same = curve.pointAtLength(Math.min((i * curve.length) / 4, curve.length));
+    near(same.position, Array.from(position.slice(3 * i, 3 * i + 3)), 1e-9, `point ${i}`);
+  }
+  const wrong = [
+    [() => curve.pointAt(1.1), 'badArgument', /no parameter 1\.1/],
+    [() => curve.pointAt(Number.NaN), 'notFinite', /parameter/],
+    [() => curve.tangentAt(-1), 'badArgument', /no parameter/],
+    [() => curve.lengthAt(2), 'badArgument', /no parameter/],
+    [() => curve.pointAtLength(-1), 'badArgument', /no point at the length/],
+    [() => curve.equallySpaced(1), 'badArgument', /2 to 1000000/],
+    [() => curve.nearest([1, 2]), 'badArgument', /3 numbers/],
+    [() => curve.nearest([1, 2, Number.NaN]), 'notFinite', /coordinate/],
+  ];
+  for (const [use, code, message] of wrong) assert.throws(use, { code, message });
+});

@@ -1,0 +1,52 @@
+#include "bindings/curve_shape.h"
+
+#include "mesh/error.h"
+
+namespace karcher::bindings {
+
+CurveKind curveKind(const std::string& name) {
+  for (const CurveKind kind : kCurveKinds) {
+    if (name == curveKindName(kind)) return kind;
+  }
+  throw Error(ErrorCode::kBadArgument, "there is no kind of curve '" + name + "'");
+}
+
+CurveShape curveShapeFromJs(const val& shape) {
+  CurveShape result;
+  result.kind = curveKind(shape["kind"].as<std::string>());
+  result.closed = shape["closed"].as<bool>();
+  result.degree = shape["degree"].as<int>();
+  result.knots = fromJs<double>(shape["knots"]);
+  result.knotRule = shape["clamped"].as<bool>() ? KnotRule::kClamped
+                    : result.knots.empty()      ? KnotRule::kUniform
+                                                : KnotRule::kOwn;
+  result.centripetal = shape["centripetal"].as<bool>();
+  result.weights = fromJs<double>(shape["weights"]);
+  result.betas = fromJs<double>(shape["betas"]);
+  const val basis = shape["basis"];
+  if (!basis.isUndefined()) {
+    result.basis = std::make_shared<const OwnBasis>(
+        [basis](int points, double t) { return fromJs<double>(basis(points, t)); });
+  }
+  return result;
+}
+
+val toJs(const CurveShape& shape, int points) {
+  const auto filled = [&](Array<double> values) {
+    values.resize(static_cast<size_t>(points), 1);
+    return toJs(values);
+  };
+  val result = val::object();
+  result.set("kind", std::string(curveKindName(shape.kind)));
+  result.set("closed", shape.closed);
+  result.set("degree", shape.degree);
+  result.set("clamped", shape.knotRule == KnotRule::kClamped);
+  result.set("knots",
+             toJs(shape.kind == CurveKind::kBSpline ? knotsOf(shape, points) : Array<double>()));
+  result.set("weights", filled(shape.weights));
+  result.set("betas", filled(shape.betas));
+  result.set("centripetal", shape.centripetal);
+  return result;
+}
+
+}  // namespace karcher::bindings

@@ -1,0 +1,108 @@
+import {
+  checkBoolean,
+  checkInteger,
+  checkNumber,
+  checkOneOf,
+  checkOptions,
+  toFloat64,
+} from './check.js';
+import { KarcherError } from './errors.js';
+import type { EngineCurveShape } from './karcher-engine.mjs';
+import type { CurveBasis, CurveKind, CurveOptions, Parametrization } from './types.js';
+
+export const curveKinds: readonly CurveKind[] = [
+  'bspline',
+  'bezier',
+  'rational',
+  'barycentric',
+  'catmullrom',
+  'polyline',
+  'custom',
+];
+const defaultSamples = 128;
+const defaultTolerance = 1e-4;
+
+export const parametrizations: readonly Parametrization[] = ['centripetal', 'uniform'];
+
+export const checkKind = (kind: unknown) => checkOneOf(kind, curveKinds, 'the kind of a curve');
+
+/**
+ * A caller's basis as the engine calls it. Nothing is thrown through the engine: what the basis
+ * throws is kept, and the engine refuses the empty answer.
+ */
+export class OwnBasis {
+  readonly #basis: CurveBasis;
+  #failure: unknown;
+
+  constructor(basis: CurveBasis) {
+    this.#basis = basis;
+  }
+
+  readonly call = (points: number, t: number): Float64Array => {
+    try {
+      return toFloat64(this.#basis(t, points), 'the weights of the basis');
+    } catch (cause) {
+      this.#failure ??= { cause };
+      return new Float64Array();
+    }
+  };
+
+  /** Returns what `work` returns; throws what the basis threw, rather than what came of it. */
+  guard<Result>(work: () => Result): Result {
+    try {
+      return work();
+    } catch (error) {
+      const failure = this.#failure as { cause: unknown } | undefined;
+      this.#failure = undefined;
+      throw failure ? failure.cause : error;
+    }
+  }
+}
+
+/** How a curve is sampled, as the engine takes it: a tolerance of 0 for a fixed number. */
+export function engineSampling(options: CurveOptions): { samples: number; tolerance: number } {
+  const { samples, tolerance } = options;
+  if (samples !== 'adaptive' && tolerance === undefined) {
+    return {
+      samples: checkInteger(samples ?? defaultSamples, 'the number of samples'),
+      tolerance: 0,
+    };
+  }
+  if (samples !== 'adaptive' && samples !== undefined) {
+    throw new KarcherError(
+      'badArgument',
+      'a curve takes a number of samples or a tolerance, not both',
+    );
+  }
+  const part = checkNumber(tolerance ?? defaultTolerance, 'the tolerance');
+  if (part <= 0) {
+    throw new KarcherError('badArgument', `the tolerance must be positive, not ${part}`);
+  }
+  return { samples: defaultSamples, tolerance: part };
+}
+
+/** The shape of a curve as the engine takes it. */
+export function engineShape(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveShape {
+  checkOptions(options, 'the options');
+  const { knots = 'uniform', parametrization = 'centripetal' } = options;
+  const named = typeof knots === 'string';
+  if (named) checkOneOf(knots, ['uniform', 'clamped'], 'the knots');
+  checkOneOf(parametrization, parametrizations, 'the parametrization');
+  const numbers = (values: ArrayLike<number> | undefined, what: string) =>
+    values === undefined ? new Float64Array() : toFloat64(values, what);
+  const own = named ? new Float64Array() : toFloat64(knots, 'the knots');
+  if (!named && own.length === 0) {
+    throw new KarcherError('badArgument', 'the knots must not be an empty array');
+  }
+  return {
+    kind: checkKind(options.kind),
+    closed: checkBoolean(options.closed ?? false, 'closed'),
+    degree: checkInteger(options.degree ?? 3, 'the degree'),
+    clamped: knots === 'clamped',
+    knots: own,
+    weights: numbers(options.weights, 'the weights'),
+    betas: numbers(options.betas, 'the betas'),
+    centripetal: parametrization === 'centripetal',
+    basis: basis?.call,
+  };
+}
