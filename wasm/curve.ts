@@ -1,8 +1,19 @@
 import { checkBoolean, checkInteger, checkNumber, toFloat64 } from './check.js';
-import { checkKind, engineSampling, engineShape, OwnBasis } from './curve_options.js';
+import {
+  checkKind,
+  engineSampling,
+  engineShape,
+  OwnBasis,
+  optionsOfParts,
+} from './curve_options.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
-import type { EngineCurve, EngineCurveShape, EngineMesh } from './karcher-engine.mjs';
+import type {
+  EngineCurve,
+  EngineCurveParts,
+  EngineCurveShape,
+  EngineMesh,
+} from './karcher-engine.mjs';
 import { engineFieldOptions } from './options.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { toCurveSamples } from './samples.js';
@@ -21,6 +32,13 @@ import type {
   SurfacePoint,
 } from './types.js';
 
+/** The mesh's part in the life of its curves. */
+export interface CurveOwner {
+  make(options: CurveOptions): Curve;
+  /** Called when a curve is disposed of. */
+  forget(curve: Curve): void;
+}
+
 /**
  * A curve on a mesh, by control points that can be edited. After each edit it is traced again, as
  * far as the edit reaches, and is then the curve that its points would give anew.
@@ -36,17 +54,13 @@ export class Curve {
   readonly #engine: Engine;
   readonly #mesh: Handle<EngineMesh>;
   readonly #handle: Handle<EngineCurve>;
-  readonly #forget: (curve: Curve) => void;
+  readonly #owner: CurveOwner;
+  readonly #options: CurveOptions;
   readonly #basis: OwnBasis | undefined;
   #times: CurveTimes = { fields: 0, trace: 0, join: 0 };
 
-  /** @internal `Mesh.curve` makes curves. `forget` is called when the curve is disposed of. */
-  constructor(
-    engine: Engine,
-    mesh: Handle<EngineMesh>,
-    options: CurveOptions,
-    forget: (curve: Curve) => void,
-  ) {
+  /** @internal `Mesh.curve` makes curves. */
+  constructor(engine: Engine, mesh: Handle<EngineMesh>, options: CurveOptions, owner: CurveOwner) {
     const basis = options.basis === undefined ? undefined : new OwnBasis(options.basis);
     const shape = engineShape(options, basis);
     const { samples, tolerance } = engineSampling(options);
@@ -54,7 +68,8 @@ export class Curve {
     const points = wirePoints(mesh, options.points);
     this.#engine = engine;
     this.#mesh = mesh;
-    this.#forget = forget;
+    this.#owner = owner;
+    this.#options = options;
     this.#basis = basis;
     const target = this.#guard(() =>
       mesh.call((engineMesh) => engineMesh.curve(points, shape, samples, tolerance, field)),
@@ -174,6 +189,47 @@ export class Curve {
     this.#edit((curve) => curve.removePoint(index));
   }
 
+  /**
+   * Puts a control point in on the curve at a parameter, and returns its number; the curve stays as
+   * it is on a plane, and nearly elsewhere. A B-spline gets a knot there, and keeps its knots from
+   * then on; of curves of one segment the degree is raised, so that all inner points are new; curves
+   * through their points get one more, which changes a Catmull-Rom curve a little.
+   *
+   * Throws `KarcherError` badArgument where none can be put in.
+   */
+  insertOnCurve(parameter: number): number {
+    checkNumber(parameter, 'the parameter');
+    const index = this.#call((curve) => curve.insertOnCurve(parameter));
+    this.#update();
+    return index;
+  }
+
+  /**
+   * New curves that run along this one before and after a parameter; of a closed B-spline,
+   * Catmull-Rom curve or polyline one, opened there. This curve stays.
+   *
+   * Throws `KarcherError` badArgument at the ends of an open curve.
+   */
+  split(parameter: number): Curve[] {
+    checkNumber(parameter, 'the parameter');
+    return this.#call((curve) => curve.splitAt(parameter)).map((parts) => this.#alike(parts));
+  }
+
+  /**
+   * A new curve that runs along this one and on along another of its kind, with a geodesic between
+   * them where they do not meet. Bezier curves become a B-spline; curves through their points, and
+   * barycentric ones, the curve through the points of both. Both curves stay.
+   *
+   * Throws `KarcherError` badArgument where the kinds or degrees differ, or one is closed.
+   */
+  join(other: Curve): Curve {
+    if (!(other instanceof Curve) || other.#mesh !== this.#mesh) {
+      throw new KarcherError('badArgument', 'a curve can be joined to a curve of the same mesh');
+    }
+    const second = other.#handle.call((target) => target);
+    return this.#alike(this.#call((curve) => curve.joined(second)));
+  }
+
   /** Makes point `from` the one of number `to`, with its weight and beta. */
   movePointInOrder(from: number, to: number): void {
     const old = checkInteger(from, 'the number of the control point');
@@ -265,7 +321,18 @@ export class Curve {
   /** Gives the memory back. Safe to repeat. */
   dispose(): void {
     this.#handle.dispose();
-    this.#forget(this);
+    this.#owner.forget(this);
+  }
+
+  /** A curve of other parts, with the samples and fields of this one. */
+  #alike(parts: EngineCurveParts): Curve {
+    const { method, solver, rings, samples, tolerance } = this.#options;
+    const shared = Object.fromEntries(
+      Object.entries({ method, solver, rings, samples, tolerance }).filter(
+        ([, value]) => value !== undefined,
+      ),
+    );
+    return this.#owner.make({ ...optionsOfParts(parts), ...shared });
   }
 
   get #shape(): EngineCurveShape {

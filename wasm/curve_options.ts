@@ -7,7 +7,8 @@ import {
   toFloat64,
 } from './check.js';
 import { KarcherError } from './errors.js';
-import type { EngineCurveShape } from './karcher-engine.mjs';
+import type { EngineCurveParts, EngineCurveShape } from './karcher-engine.mjs';
+import { toSurfacePoints } from './points.js';
 import type { CurveBasis, CurveKind, CurveOptions, Parametrization } from './types.js';
 
 export const curveKinds: readonly CurveKind[] = [
@@ -79,6 +80,22 @@ export function engineSampling(options: CurveOptions): { samples: number; tolera
     throw new KarcherError('badArgument', `the tolerance must be positive, not ${part}`);
   }
   return { samples: defaultSamples, tolerance: part };
+}
+
+/** The options that make a curve of the engine's parts. */
+export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
+  const given = <Name extends string>(name: Name, values: Float64Array) =>
+    (values.length > 0 ? { [name]: values } : {}) as { [key in Name]?: Float64Array };
+  return {
+    kind: parts.kind,
+    closed: parts.closed,
+    degree: parts.degree,
+    parametrization: parts.centripetal ? 'centripetal' : 'uniform',
+    ...(parts.clamped ? { knots: 'clamped' as const } : given('knots', parts.knots)),
+    ...given('weights', parts.weights),
+    ...given('betas', parts.betas),
+    points: toSurfacePoints(parts.points),
+  };
 }
 
 /** The shape of a curve as the engine takes it. */

@@ -103,6 +103,11 @@ export interface EngineCurveShape {
   basis?: ((points: number, t: number) => Float64Array) | undefined;
 }
 
+/** A curve as data. */
+export interface EngineCurveParts extends EngineCurveShape {
+  points: Float64Array;
+}
+
 export interface EngineCurvePoint {
   parameter: number;
   point: Float64Array;
@@ -135,6 +140,10 @@ export interface EngineCurve {
   movePoint(i: number, point: Float64Array): void;
   insertPoint(i: number, point: Float64Array): void;
   removePoint(i: number): void;
+  /** Returns the number of the new control point. */
+  insertOnCurve(parameter: number): number;
+  splitAt(parameter: number): EngineCurveParts[];
+  joined(other: EngineCurve): EngineCurveParts;
   movePointInOrder(from: number, to: number): void;
   reverse(): void;
   setKind(kind: CurveKind): void;

@@ -177,8 +177,9 @@ export class Mesh {
    */
   curve(options: CurveOptions): Curve {
     checkOptions(options, 'the options');
-    const curve = new Curve(this.#engine, this.#handle, options, (disposed) => {
-      this.#curves.delete(disposed);
+    const curve = new Curve(this.#engine, this.#handle, options, {
+      make: (others) => this.curve(others),
+      forget: (disposed) => this.#curves.delete(disposed),
     });
     this.#curves.add(curve);
     return curve;

@@ -106,6 +106,9 @@ CurvePoint pointAt(Curve& curve, const SegmentParameter& at) {
   for (const CurveSample& sample : {samples[i - 1], samples[i]}) {
     if (sample.t == at.t) return {parameter, sample.point, sample.status};
   }
+  if (const Bridge* bridge = bridgeOver(curve.bridges(at.segment), at.t)) {
+    return {parameter, pointAt(curve.surface().mesh(), *bridge, at.t), Status::kBridged};
+  }
   Status status = Status::kConverged;
   if (curve.shape().kind != CurveKind::kPolyline) {
     status = samples[i].status;

@@ -8,7 +8,8 @@ namespace karcher {
 struct CurvePoint {
   double parameter = 0;
   SurfacePoint point;
-  /// Where it is not kConverged, the point lies on the path that joins the samples around it.
+  /// Where it is not kConverged, the point lies on a bridge (bridge.h) or, next to one, on the path
+  /// that joins the samples around it.
   Status status = Status::kConverged;
 };
 

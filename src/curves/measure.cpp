@@ -87,7 +87,9 @@ CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double lengt
   if (curve.shape().closed && whole > 0 && std::isfinite(length)) {
     inside = length - whole * std::floor(length / whole);
   }
-  if (!(inside >= 0 && inside <= whole)) {
+  // The sum of the segments' own lengths may differ by rounding.
+  constexpr double kRounding = 1e-9;
+  if (!(inside >= 0 && inside <= (1 + kRounding) * whole)) {
     throw Error(ErrorCode::kBadArgument, "the curve has no point at the length " +
                                              inSentence(length) + ": it is " + inSentence(whole) +
                                              " long");

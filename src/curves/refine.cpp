@@ -131,8 +131,8 @@ Array<SurfacePoint> pointsFrom(const Curve& curve, int from, int to) {
 
 /// The parts of a Catmull-Rom curve or polyline.
 Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
-  CurveShape shape = curve.shape();
-  shape.closed = false;
+  CurveShape shape{curve.shape().kind};
+  shape.centripetal = curve.shape().centripetal;
   const SurfacePoint cut = pointAt(curve, at).point;
   const int before = at.segment + (at.t == 1 ? 1 : 0);
   const bool atPoint = at.t == 0 || at.t == 1;
@@ -207,7 +207,7 @@ RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
     RefinedCurve refined;
     const int points = bezierPoints(curve).count() + 1;
     if (isBezier(shape.kind)) {
-      refined.curve.shape = shape;
+      refined.curve.shape = {shape.kind, shape.closed};
       setPoints(refined.curve, elevated(geometry, bezierPoints(curve)));
     } else {
       refined.curve = barycentricPart(curve, 0, 1, points);

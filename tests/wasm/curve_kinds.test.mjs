@@ -245,3 +245,52 @@ test('a curve at a parameter, by length, and next to a place', () => {
   ];
   for (const [use, code, message] of wrong) assert.throws(use, { code, message });
 });
+
+test('points put in on a curve, curves split and joined', () => {
+  const options = { kind: 'bspline', points, solver: 'exact', samples: 9 };
+  const curve = mesh.curve(options);
+  const whole = [0, 0.3, 1, 1.5, 2].map((at) => curve.pointAt(at).position);
+
+  const refined = mesh.curve(options);
+  const index = refined.insertOnCurve(0.3);
+  assert.equal(refined.points.length, 6);
+  assert.ok(index > 0 && index < 5);
+  assert.equal(refined.segmentCount, 3);
+  [0, 1, 2, 2.5, 3].forEach((at, i) => {
+    near(refined.pointAt(at).position, whole[i], 1e-9, `with a knot, ${at}`);
+  });
+
+  const parts = curve.split(1.5);
+  assert.equal(parts.length, 2);
+  near(parts[0].pointAt(0).position, whole[0], 1e-9, 'the start');
+  near(parts[0].pointAt(parts[0].segmentCount).position, whole[3], 1e-9, 'the cut');
+  near(parts[1].pointAt(0).position, whole[3], 1e-9, 'the cut');
+  const joined = parts[0].join(parts[1]);
+  assert.equal(joined.segmentCount, 3);
+  near(joined.pointAt(0.3).position, whole[1], 1e-9, 'joined');
+  near(joined.pointAt(3).position, whole[4], 1e-9, 'the end');
+  assert.equal(joined.samples.count, 27);
+
+  const closed = mesh.curve({ kind: 'rational', closed: true, points, weights: [1, 2, 1, 2, 1] });
+  closed.insertOnCurve(0.5);
+  assert.equal(closed.points.length, 6);
+  assert.equal(closed.closed, true);
+  const elsewhere = karcher.meshFromObj(grid(cells));
+  const other = elsewhere.curve(options);
+  const custom = mesh.curve({ kind: 'custom', points, basis: bernstein });
+  const polyline = mesh.curve({ kind: 'polyline', points });
+  const wrong = [
+    [() => curve.split(0), /between its ends/],
+    [() => curve.split(3), /no parameter 3/],
+    [() => curve.join(other), /same mesh/],
+    [() => curve.join(null), /same mesh/],
+    [() => curve.join(polyline), /bspline and polyline/],
+    [() => curve.join(closed), /closed/],
+    [() => polyline.insertOnCurve(1), /control point there/],
+    [() => custom.insertOnCurve(0.5), /its own basis/],
+  ];
+  for (const [use, message] of wrong) assert.throws(use, { code: 'badArgument', message });
+  const before = curve.samples;
+  mesh.curve(options).dispose();
+  assert.deepEqual(curve.samples, before);
+});

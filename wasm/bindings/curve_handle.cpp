@@ -107,6 +107,23 @@ CurvePolyline CurveHandle::polyline() const {
   return line;
 }
 
+int CurveHandle::insertOnCurve(double parameter) {
+  const RefinedCurve refined = withPointOnCurve(curve_, parameter);
+  curve_.change(refined.curve.shape, refined.curve.points);
+  return refined.point;
+}
+
+val CurveHandle::splitAt(double parameter) {
+  const Array<CurveParts> parts = karcher::splitAt(curve_, parameter);
+  val list = val::array();
+  for (int i = 0; i < parts.count(); ++i) list.set(i, toJs(mesh_.numbering(), parts[i]));
+  return list;
+}
+
+val CurveHandle::joined(const CurveHandle& other) {
+  return toJs(mesh_.numbering(), karcher::joined(curve_, other.curve_));
+}
+
 val CurveHandle::pointAt(double parameter) {
   return curvePointToJs(karcher::pointAt(curve_, parameter));
 }

@@ -39,6 +39,11 @@ class CurveHandle {
   void setClosed(bool closed) { curve_.setClosed(closed); }
   void setWeight(int i, double weight) { curve_.setWeight(i, weight); }
   void setBeta(int i, double beta) { curve_.setBeta(i, beta); }
+  /// Puts a control point in on the curve; returns its number.
+  int insertOnCurve(double parameter);
+  /// A list of {points} with shapes (curve_shape.h).
+  val splitAt(double parameter);
+  val joined(const CurveHandle& other);
   void retrace() { curve_.retrace(); }
   void updateFields() { curve_.updateFields(); }
   void trace();

@@ -4,6 +4,23 @@
 
 namespace karcher::bindings {
 
+namespace {
+
+val plain(const CurveShape& shape) {
+  val result = val::object();
+  result.set("kind", std::string(curveKindName(shape.kind)));
+  result.set("closed", shape.closed);
+  result.set("degree", shape.degree);
+  result.set("clamped", shape.knotRule == KnotRule::kClamped);
+  result.set("knots", toJs(shape.knots));
+  result.set("weights", toJs(shape.weights));
+  result.set("betas", toJs(shape.betas));
+  result.set("centripetal", shape.centripetal);
+  return result;
+}
+
+}  // namespace
+
 CurveKind curveKind(const std::string& name) {
   for (const CurveKind kind : kCurveKinds) {
     if (name == curveKindName(kind)) return kind;
@@ -32,20 +49,16 @@ CurveShape curveShapeFromJs(const val& shape) {
 }
 
 val toJs(const CurveShape& shape, int points) {
-  const auto filled = [&](Array<double> values) {
-    values.resize(static_cast<size_t>(points), 1);
-    return toJs(values);
-  };
-  val result = val::object();
-  result.set("kind", std::string(curveKindName(shape.kind)));
-  result.set("closed", shape.closed);
-  result.set("degree", shape.degree);
-  result.set("clamped", shape.knotRule == KnotRule::kClamped);
-  result.set("knots",
-             toJs(shape.kind == CurveKind::kBSpline ? knotsOf(shape, points) : Array<double>()));
-  result.set("weights", filled(shape.weights));
-  result.set("betas", filled(shape.betas));
-  result.set("centripetal", shape.centripetal);
+  CurveShape full = shape;
+  full.knots = shape.kind == CurveKind::kBSpline ? knotsOf(shape, points) : Array<double>();
+  full.weights.resize(static_cast<size_t>(points), 1);
+  full.betas.resize(static_cast<size_t>(points), 1);
+  return plain(full);
+}
+
+val toJs(const Numbering& numbering, const CurveParts& parts) {
+  val result = plain(parts.shape);
+  result.set("points", toJs(numbering, parts.points));
   return result;
 }
 

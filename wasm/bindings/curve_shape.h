@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bindings/wire.h"
-#include "curves/curve.h"
+#include "curves/refine.h"
 
 namespace karcher::bindings {
 
@@ -14,5 +14,8 @@ CurveShape curveShapeFromJs(const val& shape);
 
 /// The same without the basis. Weights, betas and a B-spline's knots are given in full.
 val toJs(const CurveShape& shape, int points);
+
+/// The same with {points}, and with arrays as they are: empty where there are none.
+val toJs(const Numbering& numbering, const CurveParts& parts);
 
 }  // namespace karcher::bindings
