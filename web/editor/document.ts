@@ -2,10 +2,10 @@
  * What the user makes on one surface, and the commands that change it. A document is never changed
  * in place: `apply` gives a new one, and `invert` gives the command that takes it back.
  */
-import type { CurveKind, SurfacePoint } from 'karcher';
+import type { SurfacePoint } from 'karcher';
 
 /** `center` is no curve: the center of mass of the points. */
-export type Kind = CurveKind | 'circle' | 'center';
+export type Kind = 'bspline' | 'bezier' | 'circle' | 'center';
 export type Vector = [number, number, number];
 
 /** Where a circle ends: at a point of the surface, or a length away along a direction. */
