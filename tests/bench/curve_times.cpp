@@ -42,6 +42,16 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
     traces.push_back(timed([&] { curve.trace(); }));
     joins.push_back(timed([&] { curve.join(); }));
   }
+  Array<double> weights;
+  for (int i = 0; i < (field.method == Method::kPaper ? kRuns : kQuickRuns); ++i) {
+    weights.push_back(timed([&] {
+      curve.setWeight(moved, i % 2 == 0 ? 2 : 1);
+      curve.updateFields();
+      curve.trace();
+    }));
+    curve.join();
+  }
+  result.weightMs = median(weights);
   result.sampleUs = 1000 * median(traces) / (curve.segmentCount() * samples);
   result.dragMs = median(drags);
   result.joinMs = median(joins);

@@ -21,6 +21,7 @@ struct CurveTimes {
   double sampleUs = 0;  ///< with all fields known
   double dragMs = 0;    ///< the middle point moved by an edge: its field, its segments
   double joinMs = 0;    ///< the joining paths of all segments
+  double weightMs = 0;  ///< the middle point's weight changed: its segments, without joining paths
   int samples = 0;
   int lost = 0;
 };

@@ -218,7 +218,14 @@ test('bench prints every timing', () => {
   }
   assert.equal(report.karcher.samples, 32);
   assert.equal(report.karcher.lost, 0);
-  for (const key of ['fieldMs', 'fieldVertices', 'fieldNsPerVertex', 'sampleNs', 'dragMs']) {
+  for (const key of [
+    'fieldMs',
+    'fieldVertices',
+    'fieldNsPerVertex',
+    'sampleNs',
+    'dragMs',
+    'weightMs',
+  ]) {
     assert.ok(report.karcher[key] > 0 && Number.isFinite(report.karcher[key]), key);
   }
   for (const key of ['fieldMs', 'fieldVertices', 'fieldNsPerVertex']) {

@@ -15,7 +15,7 @@ export const bench: Command = {
   name: 'bench',
   summary: "how long the steps take, for a B-spline: the default method and the paper's",
   output:
-    '{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, joinMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, joinMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians, fields reach a tenth of the diagonal',
+    '{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, joinMs, weightMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, joinMs, weightMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians, fields reach a tenth of the diagonal',
   options: [
     pointsOption,
     { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
@@ -106,6 +106,11 @@ function timeCurve(
     traces.push(curve.times.trace);
     joins.push(curve.times.join);
   }
+  // An edit is traced at once: without the joining paths it is what is left.
+  const weights = Array.from({ length: field.method === 'paper' ? runs : quickRuns }, (_, i) => {
+    const whole = elapsed(() => curve.setWeight(index, i % 2 === 0 ? 2 : 1));
+    return whole - curve.times.join;
+  });
   curve.dispose();
   return {
     sampleUs: (1000 * median(traces)) / count,
@@ -113,6 +118,7 @@ function timeCurve(
     lost,
     dragMs: median(drags),
     joinMs: median(joins),
+    weightMs: median(weights),
   };
 }
 
