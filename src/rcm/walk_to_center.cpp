@@ -97,10 +97,14 @@ class ZeroWalk {
       : fields_(fields), geometry_(fields.geometry()), mesh_(*geometry_.mesh), weights_(weights) {}
 
   CenterOfMass run(const SurfacePoint& start) {
-    SurfacePoint point = start;
-    const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, point.face);
-    if (!zero || zero->minCoeff() < kFarWeight) point = leap(point);
-    CenterOfMass result = walk(point);
+    const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, start.face);
+    // A sample's center lies in the face of the one before, most times.
+    if (zero && zero->minCoeff() >= -kInsideTolerance) {
+      return {clampedPoint(start.face, *zero), Status::kConverged, 1};
+    }
+    if (zero && zero->minCoeff() >= kFarWeight) return walk(start, zero);
+    const SurfacePoint near = leap(start);
+    CenterOfMass result = walk(near, zeroOfFace(fields_, weights_, near.face));
     result.iterations += leaps_;
     return result;
   }
@@ -122,12 +126,13 @@ class ZeroWalk {
     return point;
   }
 
-  CenterOfMass walk(const SurfacePoint& start) {
+  /// From a point near the zero, with the zero of its face.
+  CenterOfMass walk(const SurfacePoint& start, std::optional<Vec3> zero) {
     int face = start.face;
     int history[kHistory];
     std::fill(history, history + kHistory, -1);
     for (int step = 1; step <= kMaxFaces; ++step) {
-      const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, face);
+      if (step > 1) zero = zeroOfFace(fields_, weights_, face);
       if (!zero) return {face == start.face ? start : centroid(face), Status::kIndefinite, step};
       const int corner = smallestCorner(*zero);
       if ((*zero)[corner] >= -kInsideTolerance) {
