@@ -1,3 +1,4 @@
+import { CurveEdits } from './editor/curve_edits';
 import { Editor } from './editor/editor';
 import { Gestures } from './editor/gestures';
 import { formatLink, parseLink } from './editor/link';
@@ -8,6 +9,7 @@ import { Opening } from './opening';
 import { CurvePanel } from './panels/curve_panel';
 import { byId } from './panels/elements';
 import { LostPanel } from './panels/lost_panel';
+import { sentenceOf, showNote } from './panels/messages';
 import { SaveMenu } from './panels/save_menu';
 import { Status } from './panels/status';
 import { SurfacePanel } from './panels/surface_panel';
@@ -36,19 +38,25 @@ export async function start(): Promise<void> {
   const antialias = new URLSearchParams(location.search).get('antialias') !== 'off';
   const stage = byId('stage');
   const viewer = new Viewer(stage, byId<HTMLCanvasElement>('canvas'), { antialias });
-  const gestures = new Gestures(editor, session, viewer, stage, byId('handles'));
+  const edits = new CurveEdits(editor, session);
+  const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
+    curveClicked: (position) => edits.insert(viewer.surface!.fromScene(position)),
+    otherClicked: (index) => edits.activate(index),
+  });
   const remove = () => gestures.keepFocus(() => editor.removeSelected());
   const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));
   const status = new Status(editor, { remove, goToLost: () => lostPanel.goToNext() });
   session.onView = (view) => {
     viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);
+    viewer.showOthers(view.others);
     gestures.show();
     curvePanel.show(editor.state, view);
     lostPanel.show(view);
     status.show(editor.state, view, session.client?.info ?? null);
   };
 
+  session.onFailure = (error) => showNote(sentenceOf(error));
   session.onBusy = (busy) => status.setBusy(busy);
 
   const surfacePanel = new SurfacePanel({
@@ -58,7 +66,7 @@ export async function start(): Promise<void> {
   opening.onEnd = () => {
     if (session.client) surfacePanel.show(editor.state.mesh, session.client.info);
   };
-  const curvePanel = new CurvePanel(editor, {
+  const curvePanel = new CurvePanel(editor, edits, {
     async chooseMethod(id) {
       if (await opening.prepare(id)) editor.setMethod(id);
       else curvePanel.show(editor.state, session.view);
@@ -88,7 +96,7 @@ export async function start(): Promise<void> {
     const link = parseLink(location.hash);
     if (link && location.hash.slice(1) !== fragment()) void opening.link(link);
   });
-  exposeState(editor, session);
+  exposeState(editor, session, viewer);
   opening.show(viewer);
   await first;
 }

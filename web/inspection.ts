@@ -1,6 +1,8 @@
 import type { MeshInfo } from 'karcher';
+import type { Vector } from './editor/document';
 import type { Editor, State } from './editor/editor';
 import type { Session, View } from './editor/session';
+import type { Viewer } from './viewer/viewer';
 
 /** What the page shows, as copies: for tests, and for a look from the browser's console. */
 export interface Inspection {
@@ -8,6 +10,8 @@ export interface Inspection {
   readonly settled: boolean;
   state(): State;
   view(): View;
+  /** Where a place in the surface's coordinates is seen in the window; null where it is hidden. */
+  seen(position: Vector): { x: number; y: number } | null;
   mesh(): { info: MeshInfo; positions: Float64Array; triangles: Int32Array } | null;
 }
 
@@ -17,13 +21,18 @@ declare global {
   }
 }
 
-export function exposeState(editor: Editor, session: Session): void {
+export function exposeState(editor: Editor, session: Session, viewer: Viewer): void {
   const inspection: Inspection = {
     get settled() {
       return session.settled && session.view.revision === editor.state.revision;
     },
     state: () => structuredClone(editor.state),
     view: () => structuredClone(session.view),
+    seen(position) {
+      const { x, y, hidden } = viewer.seen(Float32Array.from(position));
+      const box = viewer.box;
+      return hidden[0] ? null : { x: box.left + x[0]!, y: box.top + y[0]! };
+    },
     mesh() {
       const { client } = session;
       if (!client) return null;

@@ -260,7 +260,11 @@ function carried(document: CurveDocument, from: Surface, to: Surface): CurveDocu
   const { circle } = document;
   return {
     ...document,
-    points: document.points.map(move),
+    points: document.points.map((point) => ({ ...point, ...move(point) })),
+    others: document.others.map((other) => ({
+      ...other,
+      points: other.points.map((point) => ({ ...point, ...move(point) })),
+    })),
     circle: circle && {
       center: move(circle.center),
       rim: 'face' in circle.rim ? move(circle.rim) : circle.rim,

@@ -130,6 +130,34 @@ export class Tab {
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   }
 
+  /**
+   * Where a curve is seen in the window, at about that part of its vertices, and away from handles:
+   * the edited curve, or another one by its number.
+   */
+  async onCurve(part, other = null) {
+    await this.settled();
+    return this.page.evaluate(
+      ([from, index]) => {
+        const { curve, others } = window.karcherPage.view();
+        const polyline = index === null ? curve.polyline : others[index];
+        const handles = [...document.querySelectorAll('.handle')].map((handle) => {
+          const box = handle.getBoundingClientRect();
+          return [box.left + box.width / 2, box.top + box.height / 2];
+        });
+        const count = polyline.length / 3;
+        for (let step = 0; step < count; step++) {
+          const at = 3 * ((Math.floor(from * count) + step) % count);
+          const place = window.karcherPage.seen(polyline.subarray(at, at + 3));
+          if (place && handles.every(([x, y]) => Math.hypot(x - place.x, y - place.y) > 24)) {
+            return place;
+          }
+        }
+        throw new Error('no part of the curve is free');
+      },
+      [part, other],
+    );
+  }
+
   /** Drags from one place of the window to another, in several steps. */
   async drag(from, to) {
     await this.page.mouse.move(from.x, from.y);

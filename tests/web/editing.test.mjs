@@ -190,7 +190,7 @@ describe('editing a curve', () => {
 
   test("a circle's radius and center are dragged on the surface", async () => {
     const tab = await Tab.open(browser);
-    await tab.page.keyboard.press('3');
+    await tab.page.keyboard.press('7');
     assert.equal(
       await tab.page.locator('#hint').textContent(),
       'Click the surface to place the center',

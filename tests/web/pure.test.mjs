@@ -11,7 +11,20 @@ const load = async (path) => {
 };
 
 const point = (face, u = 0.25, v = 0.5) => ({ face, bary: [1 - u - v, u, v] });
-const document = { kind: 'bspline', points: [1, 2, 3, 4].map((face) => point(face)), circle: null };
+const settings = {
+  closed: false,
+  degree: 3,
+  clamped: false,
+  knots: null,
+  parametrization: 'centripetal',
+};
+const document = {
+  kind: 'bspline',
+  settings,
+  points: [1, 2, 3, 4].map((face) => point(face)),
+  circle: null,
+  others: [],
+};
 const circle = { center: point(5), rim: { radius: 0.5, direction: [0, 0, 1] } };
 
 describe('commands', () => {
@@ -28,6 +41,7 @@ describe('commands', () => {
       { type: 'change', index: 1, from, to },
       { type: 'change', index: 1, from, to: { ...from, weight: 3 } },
       { type: 'kind', from: 'bspline', to: 'circle' },
+      { type: 'settings', from: settings, to: { ...settings, closed: true } },
       { type: 'circle', from: null, to: circle },
       { type: 'replace', from: document, to: module.emptyDocument },
     ];
@@ -63,6 +77,41 @@ describe('the smallest edit between two curves', () => {
     assert.deepEqual(changeBetween(from, { ...from, solver: 'exact' }), { type: 'new' });
   });
 
+  test('knows what a curve keeps of its shape', () => {
+    const plain = options(points);
+    const change = (from, to) => changeBetween({ ...plain, ...from }, { ...plain, ...to });
+    const weights = [1, 1, 1, 1];
+    assert.deepEqual(change({}, { weights: weights.with(2, 3) }), {
+      type: 'weight',
+      index: 2,
+      value: 3,
+    });
+    assert.deepEqual(change({ betas: weights.with(0, 2) }, {}), {
+      type: 'beta',
+      index: 0,
+      value: 1,
+    });
+    assert.deepEqual(change({}, { weights: [2, 2, 1, 1] }), { type: 'new' });
+    assert.deepEqual(
+      change({ weights: [1, 2, 1, 1] }, { points: points.toSpliced(0, 1), weights: [2, 1, 1] }),
+      { type: 'remove', index: 0 },
+      'weights go with their points',
+    );
+    assert.deepEqual(change({}, { closed: true }), { type: 'closed' });
+    assert.deepEqual(change({ knots: 'clamped' }, { closed: true }), { type: 'new' });
+    assert.deepEqual(change({}, { knots: 'uniform', degree: 3 }), { type: 'none' });
+    for (const shape of [{ degree: 2 }, { knots: 'clamped' }, { parametrization: 'uniform' }]) {
+      assert.deepEqual(change({}, shape), { type: 'new' });
+      // A curve keeps what another kind has no use for, and would show it again later.
+      assert.deepEqual(change(shape, { kind: 'bezier' }), { type: 'new' });
+      assert.deepEqual(change({ kind: 'bezier' }, shape), { type: 'new' });
+    }
+    const own = { knots: [0, 1, 2, 3, 4, 5, 6, 8] };
+    const moved = points.with(1, point(9));
+    assert.equal(change(own, { ...own, points: moved }).type, 'move');
+    assert.deepEqual(change(own, { ...own, points: [...points, point(9)] }), { type: 'new' });
+  });
+
   test('is as small among equal points', () => {
     const [p, q] = points;
     const change = changeBetween(options([p, p, q]), options([p, p, p, q]));
@@ -78,7 +127,20 @@ describe('links', () => {
   });
 
   test('say what they were made of', () => {
-    const whole = { ...document, kind: 'circle', circle };
+    const whole = {
+      kind: 'circle',
+      settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7, 9] },
+      points: [point(1), { ...point(2), weight: 4 }, { ...point(3), beta: 0.25 }],
+      circle,
+      others: [
+        { kind: 'polyline', settings: { ...settings, closed: true }, points: document.points },
+        {
+          kind: 'catmullrom',
+          settings: { ...settings, parametrization: 'uniform' },
+          points: [point(7), { ...point(8), weight: 2, beta: 3 }],
+        },
+      ],
+    };
     for (const mesh of ['bunny:1', 'file:1x-9:a b&c=#.obj']) {
       const text = link.formatLink(mesh, 'paper-exact', whole);
       const read = link.parseLink(`#${text}`);
@@ -102,7 +164,9 @@ describe('links', () => {
 
   test('keep only points of the surface', () => {
     const far = { ...document, circle: { center: point(99), rim: point(1) } };
-    const fit = link.fitting(far, 4);
+    const others = [5, 2].map((face) => ({ kind: 'bezier', settings, points: [point(face)] }));
+    const fit = link.fitting({ ...far, others }, 4);
+    assert.deepEqual(fit.others, [others[1]]);
     assert.deepEqual(fit.points, document.points.slice(0, 3));
     assert.equal(fit.circle, null);
   });

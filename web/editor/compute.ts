@@ -1,8 +1,16 @@
-import type { CenterOfMass, CurveKind, CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
+import type { CenterOfMass, CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
 import type { EngineClient } from '../worker/client';
 import type { TracedCurve } from '../worker/protocol';
-import { type CircleShape, type CurveDocument, pointsNeeded, type Vector } from './document';
+import {
+  type CircleShape,
+  type CurveDocument,
+  parameterOf,
+  pointsNeeded,
+  type Spline,
+  type Vector,
+} from './document';
 import { type Shift, shiftBetween } from './shift';
+import { splineOf } from './splines';
 
 /** What the engine makes of a document: one of the three at most. */
 export interface Shown {
@@ -34,21 +42,34 @@ export function compute(
   document: CurveDocument,
   options: FieldOptions,
 ): Promise<Shown> {
-  const { kind } = document;
-  if (kind === 'circle') return computeCircle(client, document.circle, options);
-  if (document.points.length < pointsNeeded[kind]) return Promise.resolve(nothing);
-  if (kind === 'center') return computeCenter(client, document, options);
-  return client
-    .curve(curveOptions(document, kind, options))
-    .then((curve) => ({ ...nothing, curve }));
+  if (document.kind === 'circle') return computeCircle(client, document.circle, options);
+  if (document.points.length < pointsNeeded(document)) return Promise.resolve(nothing);
+  const spline = splineOf(document);
+  if (!spline) return computeCenter(client, document, options);
+  return client.curve(curveOptions(spline, options)).then((curve) => ({ ...nothing, curve }));
 }
 
-function curveOptions(
-  { points }: CurveDocument,
-  kind: CurveKind,
+/** A spline as the engine takes it: with what its kind has a use for. */
+export function curveOptions(
+  { kind, points, settings }: Spline,
   options: FieldOptions,
 ): CurveOptions {
-  return { ...options, kind, points: [...points], samples: samplesPerSegment };
+  const { closed, degree, clamped, knots, parametrization } = settings;
+  const rule = clamped && !closed ? 'clamped' : 'uniform';
+  const parameter = parameterOf(kind);
+  const numbers = points.map((point) => (parameter && point[parameter]) ?? 1);
+  const plain = numbers.every((number) => number === 1);
+  return {
+    ...options,
+    kind,
+    points: points.map(({ face, bary }) => ({ face, bary })),
+    samples: samplesPerSegment,
+    closed,
+    ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
+    ...(kind === 'catmullrom' && { parametrization }),
+    ...(parameter === 'weight' && !plain && { weights: numbers }),
+    ...(parameter === 'beta' && !plain && { betas: numbers }),
+  };
 }
 
 async function computeCenter(

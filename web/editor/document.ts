@@ -2,17 +2,19 @@
  * What the user makes on one surface, and the commands that change it. A document is never changed
  * in place: `apply` gives a new one, and `invert` gives the command that takes it back.
  */
-import type { SurfacePoint } from 'karcher';
+import type { CurveKind, Parametrization, SurfacePoint } from 'karcher';
 
+/** A curve with control points; a basis of one's own is for programs. */
+export type SplineKind = Exclude<CurveKind, 'custom'>;
 /** `center` is no curve: the center of mass of the points. */
-export type Kind = 'bspline' | 'bezier' | 'circle' | 'center';
+export type Kind = SplineKind | 'circle' | 'center';
 export type Vector = [number, number, number];
 
 /** Where a circle ends: at a point of the surface, or a length away along a direction. */
 export type Rim = SurfacePoint | { radius: number; direction: Vector };
 
 /** A control point's number beside its place. */
-export type ParameterName = 'weight';
+export type ParameterName = 'weight' | 'beta';
 
 /** A point that the user placed; what is not given is 1. */
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number };
@@ -22,11 +24,34 @@ export interface CircleShape {
   rim: Rim;
 }
 
+/** What makes a spline of a kind, beside its points; kept while another kind is shown. */
+export interface CurveSettings {
+  readonly closed: boolean;
+  /** Of a B-spline, 1 to 5. */
+  readonly degree: number;
+  /** Whether an open B-spline's knots are repeated at its ends, which the curve then reaches. */
+  readonly clamped: boolean;
+  /** A B-spline's knots, where they are neither even nor clamped. */
+  readonly knots: readonly number[] | null;
+  /** Of a Catmull-Rom curve. */
+  readonly parametrization: Parametrization;
+}
+
+/** A curve with control points. */
+export interface Spline {
+  readonly kind: SplineKind;
+  readonly settings: CurveSettings;
+  readonly points: readonly ControlPoint[];
+}
+
 export interface CurveDocument {
   readonly kind: Kind;
+  readonly settings: CurveSettings;
   /** The points of all kinds but the circle; kept while a circle is shown. */
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
+  /** Curves that lie beside the one that is edited. */
+  readonly others: readonly Spline[];
 }
 
 export type Command =
@@ -35,21 +60,54 @@ export type Command =
   /** A point's place, or a number of it. */
   | { type: 'change'; index: number; from: ControlPoint; to: ControlPoint }
   | { type: 'kind'; from: Kind; to: Kind }
+  | { type: 'settings'; from: CurveSettings; to: CurveSettings }
   | { type: 'circle'; from: CircleShape | null; to: CircleShape | null }
   | { type: 'replace'; from: CurveDocument; to: CurveDocument };
 
-export const emptyDocument: CurveDocument = { kind: 'bspline', points: [], circle: null };
-
-/** Points that a kind needs before there is anything to show. */
-export const pointsNeeded: Record<Exclude<Kind, 'circle'>, number> = {
-  bspline: 4,
-  bezier: 2,
-  center: 1,
+export const defaultSettings: CurveSettings = {
+  closed: false,
+  degree: 3,
+  clamped: false,
+  knots: null,
+  parametrization: 'centripetal',
 };
+
+export const emptyDocument: CurveDocument = {
+  kind: 'bspline',
+  settings: defaultSettings,
+  points: [],
+  circle: null,
+  others: [],
+};
+
+/** The kinds in the menu's order. */
+export const kinds: readonly Kind[] = [
+  'bspline',
+  'bezier',
+  'catmullrom',
+  'rational',
+  'barycentric',
+  'polyline',
+  'circle',
+  'center',
+];
+
+/** Whether a kind is a curve with control points. */
+export function isSpline(kind: Kind): kind is SplineKind {
+  return kind !== 'circle' && kind !== 'center';
+}
+
+/** Points that are needed before there is anything to show. */
+export function pointsNeeded({ kind, settings }: CurveDocument): number {
+  if (kind === 'center') return 1;
+  if (settings.closed) return 3;
+  return kind === 'bspline' ? settings.degree + 1 : 2;
+}
 
 /** The number that a kind's points have beside their places. */
 export function parameterOf(kind: Kind): ParameterName | null {
-  return kind === 'center' ? 'weight' : null;
+  if (kind === 'barycentric') return 'beta';
+  return kind === 'center' || kind === 'rational' || kind === 'bspline' ? 'weight' : null;
 }
 
 /** What numbers of points lie between: as far from 1 one way as the other. */
@@ -81,6 +139,8 @@ export function apply(document: CurveDocument, command: Command): CurveDocument 
       return { ...document, points: points.with(command.index, command.to) };
     case 'kind':
       return { ...document, kind: command.to };
+    case 'settings':
+      return { ...document, settings: command.to };
     case 'circle':
       return { ...document, circle: command.to };
     case 'replace':
@@ -98,6 +158,8 @@ export function invert(command: Command): Command {
       return { ...command, from: command.to, to: command.from };
     case 'kind':
       return { ...command, from: command.to, to: command.from };
+    case 'settings':
+      return { ...command, from: command.to, to: command.from };
     case 'circle':
       return { ...command, from: command.to, to: command.from };
     case 'replace':
@@ -106,11 +168,12 @@ export function invert(command: Command): Command {
 }
 
 /** Whether the user has put nothing on the surface yet, for the kind that is shown. */
-export function isEmpty({ kind, points, circle }: CurveDocument): boolean {
-  return kind === 'circle' ? circle === null : points.length === 0;
+export function isEmpty({ kind, points, circle, others }: CurveDocument): boolean {
+  return kind === 'circle' ? circle === null : points.length + others.length === 0;
 }
 
 /** Removes everything of the kind that is shown. */
 export function cleared(document: CurveDocument): CurveDocument {
-  return document.kind === 'circle' ? { ...document, circle: null } : { ...document, points: [] };
+  if (document.kind === 'circle') return { ...document, circle: null };
+  return { ...document, points: [], others: [] };
 }

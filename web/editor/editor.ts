@@ -2,6 +2,7 @@ import {
   apply,
   type Command,
   type CurveDocument,
+  type CurveSettings,
   cleared,
   emptyDocument,
   invert,
@@ -143,6 +144,12 @@ export class Editor {
     if (kind !== document.kind) this.run({ type: 'kind', from: document.kind, to: kind }, null);
   }
 
+  setSettings(part: Partial<CurveSettings>): void {
+    const from = this.#state.document.settings;
+    const to = { ...from, ...part };
+    if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'settings', from, to });
+  }
+
   setMethod(method: MethodId): void {
     if (method !== this.#state.method) this.#change({ method }, true);
   }
@@ -162,10 +169,15 @@ export class Editor {
     this.run({ type: 'remove', index: selection, point }, next);
   }
 
+  /** Shows another document of the surface, as one step of the history. */
+  replace(to: CurveDocument, selection: Selection = null): void {
+    const from = this.#state.document;
+    if (to !== from) this.run({ type: 'replace', from, to }, selection);
+  }
+
   clear(): void {
     const { document } = this.#state;
-    if (isEmpty(document)) return;
-    this.run({ type: 'replace', from: document, to: cleared(document) }, null);
+    if (!isEmpty(document)) this.replace(cleared(document));
   }
 
   get #history(): History {

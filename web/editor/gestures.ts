@@ -5,6 +5,7 @@ import type { Viewer } from '../viewer/viewer';
 import type { CircleShape, Command, Vector } from './document';
 import type { Editor, Selection } from './editor';
 import type { Session } from './session';
+import { type Target, targetAt } from './targets';
 
 /** A press that moves less, in CSS pixels, is a click. */
 const clickSlop = 4;
@@ -17,6 +18,12 @@ const arrows: Record<string, [number, number]> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
+
+/** Clicks that ask for an edit of the curve as a whole. */
+export interface CurveClicks {
+  curveClicked(position: Vector3): void;
+  otherClicked(index: number): void;
+}
 
 /** Turns what the pointer and the keys do on the stage into commands. */
 export class Gestures {
@@ -34,9 +41,10 @@ export class Gestures {
     private readonly viewer: Viewer,
     private readonly stage: HTMLElement,
     layer: HTMLElement,
+    private readonly events: CurveClicks,
   ) {
     this.#handles = new Handles(viewer, layer, {
-      grab: (id) => this.#grab(id),
+      grab: (id, x, y) => this.#grab(id, { x, y }),
       drag: (id, x, y) => {
         this.#drag = { id, x, y };
         this.#schedule();
@@ -154,7 +162,8 @@ export class Gestures {
   #up(event: PointerEvent): void {
     const press = this.#press;
     this.#lift();
-    if (press?.id === event.pointerId) this.#click(event.clientX, event.clientY);
+    const touch = event.pointerType === 'touch';
+    if (press?.id === event.pointerId) this.#click({ x: press.x, y: press.y, touch });
   }
 
   #lift(): void {
@@ -171,17 +180,26 @@ export class Gestures {
   #schedule(): void {
     this.#frame ||= requestAnimationFrame(() => {
       this.#frame = 0;
-      const pick = this.#hover && this.viewer.pick(this.#hover.x, this.#hover.y);
-      this.stage.classList.toggle('aiming', pick !== null);
-      this.#handles.showPreview(pick?.position ?? null);
+      const target = this.#hover && this.#target({ ...this.#hover, touch: false });
+      this.stage.classList.toggle('aiming', target?.type === 'surface');
+      this.stage.classList.toggle('choosing', target?.type === 'other');
+      if (target?.type === 'surface') this.#handles.showPreview(target.pick.position, 'surface');
+      else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
+      else this.#handles.showPreview(null, 'surface');
       this.#dragNow();
     });
   }
 
-  #click(x: number, y: number): void {
-    const pick = this.viewer.pick(x, y);
-    if (pick) this.#put(pick);
-    else this.editor.select(null);
+  #target(place: { x: number; y: number; touch: boolean }): Target | null {
+    return targetAt(this.viewer, this.editor.state.document, place);
+  }
+
+  #click(place: { x: number; y: number; touch: boolean }): void {
+    const target = this.#target(place);
+    if (!target) this.editor.select(null);
+    else if (target.type === 'surface') this.#put(target.pick);
+    else if (target.type === 'curve') this.events.curveClicked(target.position);
+    else this.events.otherClicked(target.index);
   }
 
   /** Adds what a click adds: a control point, a circle, or the circle's radius. */
@@ -200,13 +218,13 @@ export class Gestures {
     this.editor.run({ type: 'circle', from, to }, 'rim');
   }
 
-  #grab(id: string): void {
+  #grab(id: string, place: { x: number; y: number }): void {
     this.editor.select(selectionOf(id));
     const { circle } = this.editor.state.document;
     const drawn = this.session.view.circle;
     // A circle whose center is dragged keeps its radius, as it is drawn.
     const carried = drawn && { radius: drawn.radius, direction: drawn.direction };
-    this.#grabbed = { x: NaN, y: NaN, circle: circle && { ...circle, rim: carried ?? circle.rim } };
+    this.#grabbed = { ...place, circle: circle && { ...circle, rim: carried ?? circle.rim } };
   }
 
   #dragNow(): void {
@@ -214,7 +232,6 @@ export class Gestures {
     const grabbed = this.#grabbed;
     this.#drag = null;
     if (!drag || !grabbed) return;
-    if (Number.isNaN(grabbed.x)) [grabbed.x, grabbed.y] = [drag.x, drag.y];
     const moved = Math.hypot(drag.x - grabbed.x, drag.y - grabbed.y);
     if (!this.editor.dragging && moved <= clickSlop / 2) return;
     this.#moveTo(drag.id, drag.x, drag.y, grabbed.circle);
@@ -253,7 +270,7 @@ export class Gestures {
     const step = event.shiftKey ? 16 : 4;
     const place = this.#handles.place(id);
     if (!place) return;
-    if (!this.editor.dragging) this.#grab(id);
+    if (!this.editor.dragging) this.#grab(id, place);
     const circle = this.#grabbed?.circle ?? null;
     this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], circle);
   }
@@ -266,7 +283,7 @@ export class Gestures {
     if (arrow) this.viewer.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
     else if (event.key === '+' || event.key === '=') this.viewer.zoom(1 / 1.15);
     else if (event.key === '-') this.viewer.zoom(1.15);
-    else if (event.key === 'Enter') this.#click(middle.x, middle.y);
+    else if (event.key === 'Enter') this.#click({ ...middle, touch: false });
     else return;
     event.preventDefault();
     this.stage.classList.remove('pointed');

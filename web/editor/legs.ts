@@ -5,10 +5,13 @@ import type { CurveDocument } from './document';
 export type Ends = readonly [SurfacePoint, SurfacePoint];
 
 /** What geodesics join beside a curve: neighbouring points, or a center of mass and its points. */
-export function endsOf({ kind, points }: CurveDocument, center: SurfacePoint | null): Ends[] {
+export function endsOf(document: CurveDocument, center: SurfacePoint | null): Ends[] {
+  const { kind, points, settings } = document;
   if (kind === 'circle') return [];
   if (kind === 'center') return center ? points.map((point) => [center, point]) : [];
-  return points.slice(1).map((point, i) => [points[i]!, point]);
+  const ends = points.slice(1).map((point, i): Ends => [points[i]!, point]);
+  if (settings.closed && points.length > 2) ends.push([points.at(-1)!, points[0]!]);
+  return ends;
 }
 
 const keyOf = (ends: Ends) =>

@@ -1,14 +1,17 @@
 /**
  * A document as a link's fragment:
- * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight;…&circle=face,b1,b2;radius,x,y,z`.
- * A weight of 1 goes without saying.
+ * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
+ * `&circle=face,b1,b2;radius,x,y,z`. Weights and betas of 1 and other defaults go without saying.
  */
 import type { SurfacePoint } from 'karcher';
 import {
   type CircleShape,
   type ControlPoint,
   type CurveDocument,
-  type Kind,
+  type CurveSettings,
+  defaultSettings,
+  emptyDocument,
+  kinds,
   parameterRange,
   type Rim,
   surfacePoint,
@@ -16,6 +19,7 @@ import {
   withParameter,
 } from './document';
 import { isMethod, type MethodId } from './methods';
+import { splineOf } from './splines';
 
 export interface Link {
   mesh: string;
@@ -23,13 +27,12 @@ export interface Link {
   document: CurveDocument;
 }
 
-const kinds: readonly Kind[] = ['bspline', 'bezier', 'circle', 'center'];
-
 const formatPoint = ({ face, bary }: SurfacePoint) => `${face},${bary[1]},${bary[2]}`;
 
 function formatControlPoint(point: ControlPoint): string {
-  const { weight = 1 } = point;
-  return weight === 1 ? formatPoint(point) : `${formatPoint(point)},${weight}`;
+  const { weight = 1, beta = 1 } = point;
+  const numbers = beta !== 1 ? [weight, beta] : weight !== 1 ? [weight] : [];
+  return [formatPoint(point), ...numbers].join(',');
 }
 
 function formatRim(rim: Rim): string {
@@ -45,8 +48,29 @@ export function formatLink(mesh: string, method: MethodId, document: CurveDocume
     `points=${document.points.map(formatControlPoint).join(';')}`,
   ];
   const { circle } = document;
+  parts.push(...settingsFields(document.settings));
   if (circle) parts.push(`circle=${formatPoint(circle.center)};${formatRim(circle.rim)}`);
+  for (const { kind, points, settings } of document.others) {
+    const other = [
+      `kind=${kind}`,
+      `points=${points.map(formatControlPoint).join(';')}`,
+      ...settingsFields(settings),
+    ];
+    parts.push(`other=${encodeURIComponent(other.join('&'))}`);
+  }
   return parts.join('&');
+}
+
+function settingsFields(settings: CurveSettings): string[] {
+  const parts: string[] = [];
+  if (settings.closed) parts.push('closed=1');
+  if (settings.degree !== defaultSettings.degree) parts.push(`degree=${settings.degree}`);
+  if (settings.clamped) parts.push('clamped=1');
+  if (settings.knots) parts.push(`knots=${settings.knots}`);
+  if (settings.parametrization !== defaultSettings.parametrization) {
+    parts.push(`parametrization=${settings.parametrization}`);
+  }
+  return parts;
 }
 
 /** Null unless the fragment names a surface; what else it says wrongly is left out. */
@@ -54,17 +78,28 @@ export function parseLink(fragment: string): Link | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const mesh = fields.get('mesh');
   if (!mesh) return null;
-  const kind = kinds.find((one) => one === fields.get('kind')) ?? 'bspline';
-  const points = (fields.get('points') ?? '').split(';').map(parseControlPoint);
   const method = fields.get('method');
+  const others = fields.getAll('other').map((text) => splineOf(parseSpline(text)));
   return {
     mesh,
     method: isMethod(method) ? method : null,
     document: {
-      kind,
-      points: points.filter((point) => point !== null),
+      ...parseSpline(fragment),
       circle: parseCircle(fields.get('circle') ?? ''),
+      others: others.filter((spline) => spline !== null),
     },
+  };
+}
+
+/** The kind, settings and points that a fragment says. */
+function parseSpline(fragment: string): CurveDocument {
+  const fields = new URLSearchParams(fragment.replace(/^#/, ''));
+  const points = (fields.get('points') ?? '').split(';').map(parseControlPoint);
+  return {
+    ...emptyDocument,
+    kind: kinds.find((one) => one === fields.get('kind')) ?? 'bspline',
+    settings: parseSettings(fields),
+    points: points.filter((point) => point !== null),
   };
 }
 
@@ -84,12 +119,28 @@ function parsePoint(text: string): SurfacePoint | null {
 }
 
 function parseControlPoint(text: string): ControlPoint | null {
-  const [face, u, v, weight = '1'] = text.split(',');
+  const [face, u, v, weight = '1', beta = '1'] = text.split(',');
   const point = parsePoint([face, u, v].join(','));
-  if (!point) return null;
-  const [value] = parseNumbers(weight, 1) ?? [1];
-  const { least, most } = parameterRange;
-  return withParameter(point, 'weight', Math.min(most, Math.max(least, value!)));
+  const weighted = point && withParameter(point, 'weight', parseParameter(weight));
+  return weighted && withParameter(weighted, 'beta', parseParameter(beta));
+}
+
+function parseParameter(text: string): number {
+  const [value] = parseNumbers(text, 1) ?? [1];
+  return Math.min(parameterRange.most, Math.max(parameterRange.least, value!));
+}
+
+function parseSettings(fields: URLSearchParams): CurveSettings {
+  const degree = Number(fields.get('degree'));
+  const knots = fields.get('knots') ?? '';
+  return {
+    closed: fields.get('closed') === '1',
+    degree: [1, 2, 3, 4, 5].includes(degree) ? degree : defaultSettings.degree,
+    clamped: fields.get('clamped') === '1',
+    knots: parseNumbers(knots, knots.split(',').length),
+    parametrization:
+      fields.get('parametrization') === 'uniform' ? 'uniform' : defaultSettings.parametrization,
+  };
 }
 
 function parseCircle(text: string): CircleShape | null {
@@ -113,5 +164,8 @@ export function fitting(document: CurveDocument, triangles: number): CurveDocume
     ...document,
     points: document.points.filter(fits),
     circle: circleFits ? circle : null,
+    others: document.others
+      .map((other) => ({ ...other, points: other.points.filter(fits) }))
+      .filter(({ points }) => points.length > 0),
   };
 }

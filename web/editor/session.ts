@@ -1,12 +1,16 @@
+import type { CurveOptions } from 'karcher';
 import type { EngineClient } from '../worker/client';
 import { Newest } from '../worker/newest';
-import { compute, messageOf, nothing, type Shown, shiftOf } from './compute';
-import { pointsNeeded } from './document';
+import type { Reshape } from '../worker/reshape';
+import { compute, curveOptions, messageOf, nothing, type Shown, shiftOf } from './compute';
+import { pointsNeeded, type Spline } from './document';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { methodOptions, type Quality, qualityOf, refinedOptions } from './methods';
+import { Others } from './others';
 import { Refinement } from './refinement';
 import type { Shift } from './shift';
+import { splineFrom, splineOf } from './splines';
 
 /** What the engine made of a state of the editor. */
 export interface View extends Shown {
@@ -22,6 +26,8 @@ export interface View extends Shown {
   notRefined: string | null;
   /** Geodesics between neighbouring points, from a center of mass to its points, or a radius. */
   legs: readonly Float32Array[];
+  /** Polylines of the document's other curves; null while they are not traced. */
+  others: readonly (Float32Array | null)[];
   /** The polygon stands for the curve, which has too few points yet. */
   polygonOnly: boolean;
 }
@@ -34,6 +40,7 @@ const emptyView: View = {
   shift: null,
   notRefined: null,
   legs: [],
+  others: [],
   polygonOnly: false,
 };
 
@@ -48,16 +55,19 @@ export class Session {
   /** The newest state that was given to the engine. */
   #asked: State | null = null;
   readonly #legs = new Legs();
+  readonly #others = new Others();
   readonly #refinement = new Refinement<Shown>();
   readonly #newest = new Newest<State>(
     (state) => this.#trace(state),
-    async () => (await this.#traceLeg()) || this.#refine(),
+    async () => (await this.#traceLeg()) || (await this.#traceOther()) || this.#refine(),
   );
 
   /** Called with every change of the view. */
   onView: (view: View) => void = () => {};
   /** Called when the engine begins with a state, and when it has ended. */
   onBusy: (busy: boolean) => void = () => {};
+  /** Called when an edit that was asked for can't be made. */
+  onFailure: (error: unknown) => void = () => {};
 
   get view(): View {
     return this.#view;
@@ -74,6 +84,7 @@ export class Session {
     this.#client = client;
     this.#refinement.use(client);
     this.#legs.clear();
+    this.#others.clear();
     this.#state = null;
     this.#asked = null;
     this.#newest.drop();
@@ -97,6 +108,23 @@ export class Session {
     }
   }
 
+  /**
+   * The document's curve after an edit that the engine works out; null where it can't be made, or
+   * the document has changed in the meantime.
+   */
+  async reshaped(edit: Reshape): Promise<Spline | null> {
+    const [client, state] = [this.#client, this.#state];
+    const spline = state && splineOf(state.document);
+    if (!client || !spline) return null;
+    const options = curveOptions(spline, methodOptions(state.method));
+    const curve = await client.reshape(options, edit).catch((error) => {
+      if (!client.closed) this.onFailure(error);
+      return null;
+    });
+    if (this.#state?.revision !== state.revision || client !== this.#client) return null;
+    return curve && splineFrom(curve, spline);
+  }
+
   #show(part: Partial<View>): void {
     this.#view = { ...this.#view, ...part };
     this.onView(this.#view);
@@ -118,6 +146,10 @@ export class Session {
         return { ...nothing, problem: messageOf(error) };
       });
       if (!this.#current(client, state)) return;
+      const spline = splineOf(document);
+      if (spline && shown.curve) {
+        this.#others.keep(curveOptions(spline, methodOptions(method)), shown.curve.polyline);
+      }
       const quality = shown.curve || shown.center ? qualityOf(method) : null;
       const fresh = { quality, refining: false, shift: null, notRefined: null };
       this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
@@ -160,14 +192,31 @@ export class Session {
     const state = this.#state;
     if (!state) return {};
     const { kind, points } = state.document;
+    const others = this.#others.of(this.#otherOptions());
     if (kind === 'circle') {
-      return { legs: shown.circle ? [shown.circle.path] : [], polygonOnly: false };
+      return { legs: shown.circle ? [shown.circle.path] : [], others, polygonOnly: false };
     }
     const ends = endsOf(state.document, shown.center?.point ?? null);
     return {
       legs: this.#legs.between(ends, state.epoch),
-      polygonOnly: points.length < pointsNeeded[kind],
+      others,
+      polygonOnly: points.length < pointsNeeded(state.document),
     };
+  }
+
+  #otherOptions(): CurveOptions[] {
+    if (!this.#state) return [];
+    const { document, method } = this.#state;
+    return document.others.map((spline) => curveOptions(spline, methodOptions(method)));
+  }
+
+  async #traceOther(): Promise<boolean> {
+    const client = this.#client;
+    if (!client || client.closed) return false;
+    const traced = await this.#others.trace(client, this.#otherOptions());
+    if (client !== this.#client) return false;
+    if (traced) this.#show(this.#beside(this.#view));
+    return traced;
   }
 
   async #traceLeg(): Promise<boolean> {

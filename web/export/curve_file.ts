@@ -15,21 +15,25 @@ export function shortest(value: number): string {
   return `${Number(value.toPrecision(9))}`;
 }
 
-/** A polyline (x, y, z each) as an OBJ file of vertices and one line element. */
-export function objOf(curve: TracedCurve, title: string): string {
-  const { polyline } = curve;
+/** Polylines (x, y, z each) as an OBJ file: vertices, and a line element for each. */
+export function objOf(polylines: readonly Float32Array[], title: string): string {
   const lines = [`# ${title}`];
-  for (let i = 0; i < polyline.length; i += 3) {
-    lines.push(`v ${[0, 1, 2].map((axis) => shortest(polyline[i + axis]!)).join(' ')}`);
+  let first = 1;
+  for (const polyline of polylines) {
+    for (let i = 0; i < polyline.length; i += 3) {
+      lines.push(`v ${[0, 1, 2].map((axis) => shortest(polyline[i + axis]!)).join(' ')}`);
+    }
+    const count = polyline.length / 3;
+    lines.push(`l ${Array.from({ length: count }, (_, i) => first + i).join(' ')}`);
+    first += count;
   }
-  const numbers = Array.from({ length: polyline.length / 3 }, (_, i) => i + 1);
-  return `${lines.join('\n')}\nl ${numbers.join(' ')}\n`;
+  return `${lines.join('\n')}\n`;
 }
 
 /** Everything about a curve: how it is made, in a link that opens it again, and its samples. */
 export function jsonOf(state: State, view: View): string {
   const { curve } = view;
-  const { kind, points, circle } = state.document;
+  const { kind, settings, points, circle, others } = state.document;
   return `${JSON.stringify({
     format,
     version: 1,
@@ -37,7 +41,8 @@ export function jsonOf(state: State, view: View): string {
     surface: state.mesh,
     method: state.method,
     kind,
-    ...(kind === 'circle' ? { circle, radius: view.circle?.radius } : { points }),
+    ...(kind === 'circle' ? { circle, radius: view.circle?.radius } : { settings, points }),
+    others,
     quality: view.quality,
     center: view.center ?? undefined,
     length: curve?.length,

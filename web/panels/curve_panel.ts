@@ -1,9 +1,11 @@
-import { isEmpty, type Kind } from '../editor/document';
+import type { CurveEdits } from '../editor/curve_edits';
+import { isEmpty, isSpline, type Kind, kinds } from '../editor/document';
 import type { Editor, State } from '../editor/editor';
 import { type MethodId, methods } from '../editor/methods';
 import type { View } from '../editor/session';
 import { byId, make } from './elements';
 import { PointRows } from './point_rows';
+import { kindNames, kindNotes, SettingsPanel } from './settings_panel';
 
 export interface CurveEvents {
   chooseMethod(id: MethodId): void;
@@ -14,13 +16,17 @@ export class CurvePanel {
   readonly #method = byId<HTMLSelectElement>('method');
   readonly #rows: PointRows;
   readonly #clear = byId<HTMLButtonElement>('clear');
-  readonly #kinds = [...document.querySelectorAll<HTMLInputElement>('input[name="kind"]')];
+  readonly #reverse = byId<HTMLButtonElement>('reverse');
+  readonly #kinds = kinds.map(makeKind);
+  readonly #settings: SettingsPanel;
 
   constructor(
     private readonly editor: Editor,
+    edits: CurveEdits,
     events: CurveEvents,
   ) {
     this.#rows = new PointRows(editor);
+    this.#settings = new SettingsPanel(editor);
     for (const input of this.#kinds) {
       input.addEventListener('change', () => editor.setKind(input.value as Kind));
     }
@@ -29,16 +35,27 @@ export class CurvePanel {
       events.chooseMethod(this.#method.value as MethodId);
     });
     this.#clear.addEventListener('click', () => this.editor.clear());
+    this.#reverse.addEventListener('click', () => edits.reverse());
   }
 
   show(state: State, view: View): void {
     const { kind } = state.document;
     for (const input of this.#kinds) input.checked = input.value === kind;
     this.#method.value = state.method;
+    byId('actions').hidden = !isSpline(kind) || !view.curve;
     this.#clear.hidden = isEmpty(state.document);
     byId('points-title').textContent = pointsTitles[kind] ?? 'Control points';
     this.#rows.show(state, view);
+    this.#settings.show(state);
   }
+}
+
+function makeKind(kind: Kind): HTMLInputElement {
+  const label = make('label', '', { title: kindNotes[kind] });
+  const input = make('input', '', { type: 'radio', name: 'kind', value: kind });
+  label.append(input, make('span', kindNames[kind]));
+  byId('kind').append(label);
+  return input;
 }
 
 const pointsTitles: Partial<Record<Kind, string>> = {

@@ -11,7 +11,7 @@ import type { Editor, Selection, State } from '../editor/editor';
 import type { View } from '../editor/session';
 import { byId, formatInteger, make } from './elements';
 
-const names: Record<ParameterName, string> = { weight: 'Weight' };
+const names: Record<ParameterName, string> = { weight: 'Weight', beta: 'Beta' };
 /** Steps of a slider from one end to the other. */
 const steps = 64;
 

@@ -33,10 +33,11 @@ export class SaveMenu {
         this.save(item.dataset.save as Format);
       });
     }
+    this.#menu.addEventListener('beforetoggle', () => this.#showWhatThereIs());
     this.#menu.addEventListener('toggle', (event) => {
       const open = (event as ToggleEvent).newState === 'open';
       byId('save').setAttribute('aria-expanded', `${open}`);
-      if (open) this.#open();
+      if (open) this.#items.find((item) => !item.disabled)?.focus();
     });
     this.#menu.addEventListener('keydown', (event) => this.#key(event));
   }
@@ -51,7 +52,7 @@ export class SaveMenu {
     const surface = meshLabel(state.mesh).replace(/\.obj$/i, '');
     const title = `${state.document.kind} on ${surface}`;
     const text = {
-      obj: () => objOf(this.session.view.curve!, title),
+      obj: () => objOf(this.#polylines, title),
       svg: () => this.#drawing(),
       json: () => jsonOf(state, this.session.view),
     }[format]();
@@ -61,16 +62,21 @@ export class SaveMenu {
     setTimeout(() => URL.revokeObjectURL(address), 60_000);
   }
 
+  /** All curves, the edited one first. */
+  get #polylines(): Float32Array[] {
+    const { curve, others } = this.session.view;
+    return [curve!.polyline, ...others.filter((line) => line !== null)];
+  }
+
   /** A center of mass is no polyline. */
   #has(format: Format): boolean {
     const { curve, center } = this.session.view;
     return curve !== null || (center !== null && format !== 'obj');
   }
 
-  #open(): void {
+  #showWhatThereIs(): void {
     byId('save-none').hidden = this.#has('json');
     for (const item of this.#items) item.disabled = !this.#has(item.dataset.save as Format);
-    this.#items.find((item) => !item.disabled)?.focus();
   }
 
   #key(event: KeyboardEvent): void {
@@ -84,13 +90,15 @@ export class SaveMenu {
 
   #drawing(): string {
     const { viewer } = this;
-    const { curve, center, legs } = this.session.view;
+    const { curve, center, legs, others } = this.session.view;
     const colors = sceneColors();
     const lost = {
       color: colors.lost,
       has: (segment: number) => curve!.polylineStatus[segment + 1] === 1,
     };
+    const beside = others.filter((line) => line !== null);
     const lines: DrawnLine[] = [
+      ...beside.map((line) => ({ ...viewer.seen(line), color: colors.curve, width: 2 })),
       ...legs.map((leg) => ({ ...viewer.seen(leg), color: colors.polygon, width: 1.2 })),
     ];
     if (curve)

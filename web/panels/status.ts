@@ -109,7 +109,7 @@ function hintOf({ mesh, document }: State, view: View): string {
   if (points.length === 0) {
     return `Click the surface to place a ${kind === 'center' ? '' : 'control '}point`;
   }
-  const missing = pointsNeeded[kind] - points.length;
+  const missing = pointsNeeded(document) - points.length;
   if (missing <= 0) return '';
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }

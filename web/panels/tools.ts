@@ -1,3 +1,4 @@
+import { isSpline, kinds } from '../editor/document';
 import type { Editor } from '../editor/editor';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
@@ -51,6 +52,11 @@ export class Tools {
     this.#edges.setAttribute('aria-pressed', `${this.viewer.edges}`);
   }
 
+  #toggleClosed(): void {
+    const { kind, settings } = this.editor.state.document;
+    if (isSpline(kind)) this.editor.setSettings({ closed: !settings.closed });
+  }
+
   async #share(): Promise<void> {
     const { address, complete } = this.events.link();
     try {
@@ -66,9 +72,9 @@ export class Tools {
   #key(event: KeyboardEvent): void {
     const covered = this.#help.open || document.querySelector(':popover-open');
     if (covered || event.defaultPrevented || event.altKey) return;
-    const typing =
-      event.target instanceof HTMLElement && event.target.closest('select, input[type="range"]');
     const key = event.key.toLowerCase();
+    const element = event.target instanceof HTMLElement ? event.target : null;
+    const typing = element?.closest('select') ?? (key === 'home' && element?.closest('input'));
     if (event.ctrlKey || event.metaKey) {
       if (key === 'z' && event.shiftKey) this.editor.redo();
       else if (key === 'z') this.editor.undo();
@@ -79,7 +85,8 @@ export class Tools {
       return;
     }
     if (typing) return;
-    const action = this.#actions[key];
+    const kind = kinds[Number(key) - 1];
+    const action = kind ? () => this.editor.setKind(kind) : this.#actions[key];
     if (!action) return;
     event.preventDefault();
     action();
@@ -92,10 +99,7 @@ export class Tools {
     r: () => this.viewer.resetView({ animated: true }),
     home: () => this.viewer.resetView({ animated: true }),
     t: () => this.#toggleEdges(),
-    1: () => this.editor.setKind('bspline'),
-    2: () => this.editor.setKind('bezier'),
-    3: () => this.editor.setKind('circle'),
-    4: () => this.editor.setKind('center'),
+    c: () => this.#toggleClosed(),
     '?': () => this.#help.showModal(),
   };
 }

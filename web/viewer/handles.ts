@@ -14,7 +14,7 @@ export interface Handle {
 
 export interface HandleEvents {
   /** A drag's start, next position (of the handle's middle, in the window's pixels) and end. */
-  grab(id: string): void;
+  grab(id: string, clientX: number, clientY: number): void;
   drag(id: string, clientX: number, clientY: number): void;
   release(id: string, cancelled: boolean): void;
   focus(id: string): void;
@@ -70,10 +70,12 @@ export class Handles {
     this.viewer.requestFrame();
   }
 
-  /** Where a click would put a point. */
-  showPreview(position: Vector3 | null): void {
+  /** Where a click would put a point: on the surface, or into the curve. */
+  showPreview(position: Vector3 | null, on: 'surface' | 'curve'): void {
+    this.#preview.dataset.on = on;
     this.#previewPosition = position;
     this.#preview.hidden = position === null;
+    this.#put(this.#preview, position);
     if (position) this.viewer.requestFrame();
   }
 
@@ -144,7 +146,7 @@ export class Handles {
         x: event.clientX - (box.left + box.width / 2),
         y: event.clientY - (box.top + box.height / 2),
       };
-      this.events.grab(id);
+      this.events.grab(id, event.clientX - offset.x, event.clientY - offset.y);
     });
     button.addEventListener('pointermove', (event) => {
       if (!offset) return;

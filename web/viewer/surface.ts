@@ -14,7 +14,7 @@ import {
   Vector3,
 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
-import { surfacePoint } from '../editor/document';
+import { surfacePoint, type Vector } from '../editor/document';
 import type { DrawnGeometry, Frame } from '../worker/geometry';
 
 /** Digits after the point that the weights of a picked point have, so that links are short. */
@@ -172,6 +172,12 @@ export class Surface {
   toScene(polyline: Float32Array): Float32Array {
     const { center, scale } = this.frame;
     return polyline.map((value, i) => (value - center[i % 3]!) * scale);
+  }
+
+  /** A place of the scene in the surface's coordinates. */
+  fromScene(position: Vector3): Vector {
+    const { center, scale } = this.frame;
+    return position.toArray().map((value, axis) => value / scale + center[axis]!) as Vector;
   }
 
   dispose(): void {

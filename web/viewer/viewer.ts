@@ -1,17 +1,9 @@
-import {
-  Color,
-  PerspectiveCamera,
-  Quaternion,
-  Raycaster,
-  Scene,
-  Vector2,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { SeenLine } from '../export/svg';
 import type { DrawnGeometry } from '../worker/geometry';
+import { nearestOnScreen } from './curve_pick';
 import { FatLine } from './fat_line';
+import { OrbitView } from './orbit_view';
 import { colorSurface, type Pick, Surface } from './surface';
 
 export interface ViewerColors {
@@ -26,41 +18,29 @@ export interface ViewerColors {
   center: string;
 }
 
-const fieldOfView = 30;
-/** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
-const margin = 0.88;
-const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 /** The surface's color where it is lit as most of it is. */
 const surfaceShade = 0.75;
-const flightMilliseconds = 260;
-/** From how far a place is looked at, unless the view is nearer already. */
-const closeDistance = 1.6;
-
-/** Where the camera is from what it looks at. */
-interface Place {
-  offset: Vector3;
-  target: Vector3;
-}
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
 export class Viewer {
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
-  readonly #camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
-  readonly #controls: OrbitControls;
+  readonly #view: OrbitView;
   readonly #raycaster = new Raycaster();
   readonly #curve = new FatLine({ width: 4, hidden: 0.26 }, 4);
   readonly #lost = new FatLine({ width: 4, dashed: true, hidden: 0.4 }, 4);
   readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
   readonly #sketch = new FatLine({ width: 2.5, dashed: true, hidden: 0.25 }, 2);
-  readonly #lines = [this.#curve, this.#lost, this.#polygon, this.#sketch];
+  readonly #beside = new FatLine({ width: 2.5, hidden: 0.2 }, 2);
+  readonly #lines = [this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
+  /** The curve that is shown, in the scene. */
+  #line: Float32Array = new Float32Array();
+  /** The curves beside it; empty while one is not traced. */
+  #others: Float32Array[] = [];
   #edges = false;
   #frame = 0;
-  /** Whether the view was not touched since it was reset; it then goes with the stage's size. */
-  #whole = true;
-  #flight: { from: Place; to: Place; started: number } | null = null;
 
   /** `stage` takes the pointer; the canvas fills it. Throws where there is no WebGL 2. */
   constructor(
@@ -76,22 +56,7 @@ export class Viewer {
     }
     this.#renderer = new WebGLRenderer({ canvas, context });
     this.#scene.add(...this.#lines.map((line) => line.object));
-    this.#controls = new OrbitControls(this.#camera, stage);
-    this.#controls.zoomToCursor = true;
-    this.#controls.minDistance = 0.15;
-    this.#controls.maxDistance = 20;
-    let touched = false;
-    this.#controls.addEventListener('start', () => {
-      touched = true;
-      this.#flight = null;
-    });
-    this.#controls.addEventListener('end', () => {
-      touched = false;
-    });
-    this.#controls.addEventListener('change', () => {
-      if (touched) this.#whole = false;
-      this.requestFrame();
-    });
+    this.#view = new OrbitView(stage, () => this.requestFrame());
     new ResizeObserver(() => this.#resize()).observe(stage);
     this.#resize();
   }
@@ -104,11 +69,11 @@ export class Viewer {
   requestFrame(): void {
     this.#frame ||= requestAnimationFrame((now) => {
       this.#frame = 0;
-      this.#fly(now);
-      this.#camera.updateMatrixWorld();
-      for (const line of this.#lines) line.follow(this.#camera.position);
+      this.#view.advance(now);
+      this.#view.camera.updateMatrixWorld();
+      for (const line of this.#lines) line.follow(this.#view.camera.position);
       for (const listener of this.#beforeFrame) listener();
-      this.#renderer.render(this.#scene, this.#camera);
+      this.#renderer.render(this.#scene, this.#view.camera);
     });
   }
 
@@ -127,6 +92,7 @@ export class Viewer {
     this.#scene.add(this.#surface.object);
     this.showCurve(null);
     this.showPolygon([], false);
+    this.showOthers([]);
     return this.#surface;
   }
 
@@ -137,6 +103,7 @@ export class Viewer {
     this.#lost.setColor(new Color(colors.lost), surface);
     this.#polygon.setColor(new Color(colors.polygon), surface);
     this.#sketch.setColor(new Color(colors.curve), surface);
+    this.#beside.setColor(new Color(colors.curve).lerp(surface, 0.35), surface);
     this.requestFrame();
   }
 
@@ -154,14 +121,24 @@ export class Viewer {
   showCurve(curve: { polyline: Float32Array; polylineStatus: Uint8Array } | null): void {
     if (curve && this.#surface) {
       const line = this.#surface.toScene(curve.polyline);
+      this.#line = line;
       // A vertex's status is that of the sample it leads to.
       const lost = (segment: number) => curve.polylineStatus[segment + 1] === 1;
       this.#curve.setChosen(line, (segment) => !lost(segment));
       this.#lost.setChosen(line, lost);
     } else {
+      this.#line = new Float32Array();
       this.#curve.clear();
       this.#lost.clear();
     }
+    this.requestFrame();
+  }
+
+  /** Curves beside the one that is edited; null where one is not traced yet. */
+  showOthers(others: readonly (Float32Array | null)[]): void {
+    const surface = this.#surface;
+    this.#others = others.map((line) => (line && surface?.toScene(line)) ?? new Float32Array());
+    this.#beside.set(this.#others);
     this.requestFrame();
   }
 
@@ -182,19 +159,38 @@ export class Viewer {
       (2 * (clientX - box.left)) / box.width - 1,
       1 - (2 * (clientY - box.top)) / box.height,
     );
-    this.#camera.updateMatrixWorld();
-    this.#raycaster.setFromCamera(place, this.#camera);
+    this.#view.camera.updateMatrixWorld();
+    this.#raycaster.setFromCamera(place, this.#view.camera);
     return this.#surface.pick(this.#raycaster.ray);
+  }
+
+  /** The curve's point there, in the scene, if one is seen within so many CSS pixels. */
+  pickCurve(clientX: number, clientY: number, within: number): Vector3 | null {
+    return this.#pickLine(this.#line, clientX, clientY, within);
+  }
+
+  /** The number of the other curve that is seen there; -1 without one. */
+  pickOther(clientX: number, clientY: number, within: number): number {
+    return this.#others.findIndex((line) => this.#pickLine(line, clientX, clientY, within));
+  }
+
+  #pickLine(line: Float32Array, clientX: number, clientY: number, within: number): Vector3 | null {
+    const box = this.canvas.getBoundingClientRect();
+    const place = { x: clientX - box.left, y: clientY - box.top };
+    this.#view.camera.updateMatrixWorld();
+    const nearest = nearestOnScreen(line, this.#view.camera, this.size, place);
+    if (!nearest || nearest.distance > within) return null;
+    return this.project(nearest.position).hidden ? null : nearest.position;
   }
 
   /** Where a point of the scene is on the stage, in CSS pixels, and whether the surface hides it. */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
     const { ray } = this.#raycaster;
-    const distance = this.#camera.position.distanceTo(position);
-    ray.origin.copy(this.#camera.position);
+    const distance = this.#view.camera.position.distanceTo(position);
+    ray.origin.copy(this.#view.camera.position);
     ray.direction.copy(position).sub(ray.origin).normalize();
     const hidden = (this.#surface?.depth(ray) ?? Infinity) < distance - 0.004;
-    const place = position.clone().project(this.#camera);
+    const place = position.clone().project(this.#view.camera);
     const { clientWidth, clientHeight } = this.stage;
     const x = ((place.x + 1) / 2) * clientWidth;
     const y = ((1 - place.y) / 2) * clientHeight;
@@ -204,6 +200,11 @@ export class Viewer {
   /** The stage's size, in CSS pixels. */
   get size(): { width: number; height: number } {
     return { width: this.stage.clientWidth, height: this.stage.clientHeight };
+  }
+
+  /** Where the stage is in the window. */
+  get box(): DOMRect {
+    return this.stage.getBoundingClientRect();
   }
 
   /** A polyline in the surface's coordinates as it is seen on the stage. */
@@ -221,89 +222,27 @@ export class Viewer {
 
   /** The camera's direction to the right, in the surface's coordinates. */
   get right(): [number, number, number] {
-    return new Vector3().setFromMatrixColumn(this.#camera.matrixWorld, 0).toArray();
+    return new Vector3().setFromMatrixColumn(this.#view.camera.matrixWorld, 0).toArray();
   }
 
   /** Turns the view about its target, by angles in radians. */
   orbit(aside: number, up: number): void {
-    this.#whole = false;
-    const offset = this.#camera.position.clone().sub(this.#controls.target);
-    const polar = Math.min(
-      Math.PI - 0.02,
-      Math.max(0.02, offset.angleTo(new Vector3(0, 1, 0)) - up),
-    );
-    const azimuth = Math.atan2(offset.x, offset.z) + aside;
-    offset.setFromSphericalCoords(offset.length(), polar, azimuth);
-    this.#camera.position.copy(this.#controls.target).add(offset);
-    this.#controls.update();
+    this.#view.orbit(aside, up);
   }
 
   zoom(factor: number): void {
-    this.#whole = false;
-    const offset = this.#camera.position.clone().sub(this.#controls.target);
-    const length = Math.min(20, Math.max(0.15, offset.length() * factor));
-    this.#camera.position.copy(this.#controls.target).add(offset.setLength(length));
-    this.#controls.update();
+    this.#view.zoom(factor);
   }
 
   /** The whole surface, from the front; at once where motion is not wanted. */
   resetView(options: { animated: boolean }): void {
-    this.#whole = true;
-    this.#go({
-      offset: startDirection.clone().multiplyScalar(this.#wholeDistance()),
-      target: new Vector3(),
-      animated: options.animated,
-    });
+    this.#view.reset(options);
   }
 
   /** Puts a point of the scene in the middle, seen from straight above the surface there. */
   lookAt(position: Vector3): void {
-    if (!this.#surface) return;
-    this.#whole = false;
-    const far = this.#camera.position.distanceTo(this.#controls.target);
-    const offset = this.#surface.normal(this.#surface.nearest(position));
-    offset.multiplyScalar(Math.min(far, closeDistance));
-    this.#go({ offset, target: position.clone(), animated: true });
-  }
-
-  #go({ animated, ...to }: Place & { animated: boolean }): void {
-    const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (animated && !still) {
-      const target = this.#controls.target.clone();
-      const from = { offset: this.#camera.position.clone().sub(target), target };
-      this.#flight = { from, to, started: performance.now() };
-    } else {
-      this.#flight = null;
-      this.#aim(to);
-    }
-    this.requestFrame();
-  }
-
-  #aim({ offset, target }: Place): void {
-    this.#camera.position.copy(target).add(offset);
-    this.#controls.target.copy(target);
-    this.#controls.update();
-  }
-
-  #fly(now: number): void {
-    if (!this.#flight) return;
-    const { from, to, started } = this.#flight;
-    const part = Math.min(1, Math.max(0, (now - started) / flightMilliseconds));
-    const eased = 1 - (1 - part) ** 3;
-    const [a, b] = [from.offset.clone().normalize(), to.offset.clone().normalize()];
-    const turn = new Quaternion().slerp(new Quaternion().setFromUnitVectors(a, b), eased);
-    const [near, far] = [from.offset.length(), to.offset.length()];
-    const offset = a.applyQuaternion(turn).multiplyScalar(near + (far - near) * eased);
-    this.#aim({ offset, target: from.target.clone().lerp(to.target, eased) });
-    if (part < 1) this.requestFrame();
-    else this.#flight = null;
-  }
-
-  /** From how far the bounding sphere, of radius 1, fills the stage. */
-  #wholeDistance(): number {
-    const half = (fieldOfView * Math.PI) / 360;
-    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.#camera.aspect));
-    return margin / Math.sin(narrow);
+    const surface = this.#surface;
+    if (surface) this.#view.lookAt(position, surface.normal(surface.nearest(position)));
   }
 
   #resize(): void {
@@ -311,9 +250,7 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.#renderer.setSize(clientWidth, clientHeight, false);
-    this.#camera.aspect = clientWidth / clientHeight;
-    this.#camera.updateProjectionMatrix();
-    if (this.#whole) this.resetView({ animated: false });
+    this.#view.resize(clientWidth, clientHeight);
     this.requestFrame();
   }
 }

@@ -7,27 +7,75 @@ export type Change =
   | { type: 'insert'; index: number; point: PointLike }
   | { type: 'remove'; index: number }
   | { type: 'kind' }
+  | { type: 'closed' }
+  | { type: 'weight' | 'beta'; index: number; value: number }
   | { type: 'new' };
 
-const settings = ['method', 'solver', 'rings', 'samples'] as const;
+/** With another value of these there is nothing to keep. */
+const settings = ['method', 'solver', 'rings', 'samples', 'tolerance'] as const;
 
 /** The smallest edit that makes `from` into `to`. */
 export function changeBetween(from: CurveOptions, to: CurveOptions): Change {
   if (settings.some((name) => from[name] !== to[name])) return { type: 'new' };
-  const [a, b] = [from.points, to.points];
+  const kind = from.kind !== to.kind;
+  // A curve keeps what another kind has no use for: only what is as always is known to be there.
+  if (kind ? !isPlain(from) || !isPlain(to) : shapeOf(from) !== shapeOf(to)) return { type: 'new' };
+  const points = pointChange(from.points, to.points);
+  const closed = (from.closed ?? false) !== (to.closed ?? false);
+  // Of knots of one's own a curve keeps what it can when points come and go: that is not known here.
+  const keepsKnots = !closed && (points.type === 'none' || points.type === 'move');
+  if (hasOwnKnots(from) && !keepsKnots) return { type: 'new' };
+  const changes = [points, numberChange(from, to, points)].filter(({ type }) => type !== 'none');
+  if (changes.length + Number(kind) + Number(closed) > 1) return { type: 'new' };
+  if (closed) return hasClampedKnots(from) ? { type: 'new' } : { type: 'closed' };
+  return kind ? { type: 'kind' } : (changes[0] ?? { type: 'none' });
+}
+
+const hasOwnKnots = ({ knots }: CurveOptions) => knots !== undefined && typeof knots !== 'string';
+const hasClampedKnots = ({ knots }: CurveOptions) => knots === 'clamped';
+
+const shapeOf = ({
+  degree = 3,
+  knots = 'uniform',
+  parametrization = 'centripetal',
+}: CurveOptions) =>
+  `${degree} ${typeof knots === 'string' ? knots : Array.from(knots)} ${parametrization}`;
+
+const isPlain = (options: CurveOptions) =>
+  !options.weights && !options.betas && shapeOf(options) === '3 uniform centripetal';
+
+function pointChange(a: readonly PointLike[], b: readonly PointLike[]): Change {
   const shortest = Math.min(a.length, b.length);
   let first = 0;
   while (first < shortest && same(a[first]!, b[first]!)) first++;
   let last = 0;
   while (last < shortest - first && same(a.at(-1 - last)!, b.at(-1 - last)!)) last++;
   const [removed, added] = [a.length - first - last, b.length - first - last];
-  if (from.kind !== to.kind) return { type: removed + added === 0 ? 'kind' : 'new' };
   if (removed === 0 && added === 0) return { type: 'none' };
   if (removed === 1 && added === 1) return { type: 'move', index: first, point: b[first]! };
   if (removed === 0 && added === 1) return { type: 'insert', index: first, point: b[first]! };
   if (removed === 1 && added === 0) return { type: 'remove', index: first };
   return { type: 'new' };
 }
+
+/** How the weights and betas change beside a change of the points, which they go along with. */
+function numberChange(from: CurveOptions, to: CurveOptions, points: Change): Change {
+  const changes = (['weights', 'betas'] as const).flatMap((name): Change[] => {
+    const before = filled(from[name], from.points.length);
+    if (points.type === 'insert') before.splice(points.index, 0, 1);
+    if (points.type === 'remove') before.splice(points.index, 1);
+    const after = filled(to[name], to.points.length);
+    if (before.length !== after.length) return [];
+    const type = name === 'weights' ? 'weight' : 'beta';
+    return after.flatMap((value, index) =>
+      value === before[index] ? [] : [{ type, index, value } as const],
+    );
+  });
+  return changes.length > 1 ? { type: 'new' } : (changes[0] ?? { type: 'none' });
+}
+
+const filled = (numbers: ArrayLike<number> | undefined, count: number) =>
+  numbers ? Array.from(numbers) : new Array<number>(count).fill(1);
 
 function same(a: PointLike, b: PointLike): boolean {
   if ('vertex' in a || 'vertex' in b) {

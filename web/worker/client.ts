@@ -21,6 +21,7 @@ import type {
   TracedPath,
   TracedStraightestPath,
 } from './protocol';
+import type { Reshape } from './reshape';
 
 /** A failure that the engine names, or `stopped` where its worker ended. */
 export class EngineError extends Error {
@@ -95,8 +96,12 @@ export class EngineClient {
     return this.#call('prepare', [options], work);
   }
 
-  curve(options: CurveOptions): Promise<TracedCurve> {
-    return this.#call('curve', [options]);
+  curve(options: CurveOptions, work?: { keep: boolean }): Promise<TracedCurve> {
+    return this.#call('curve', [options, work]);
+  }
+
+  reshape(options: CurveOptions, edit: Reshape): Promise<CurveOptions> {
+    return this.#call('reshape', [options, edit]);
   }
 
   circle(options: CircleOptions): Promise<TracedCurve> {

@@ -13,6 +13,7 @@ import type { MeshSource } from '../editor/meshes';
 import { changeBetween } from './change';
 import { lostIntervals } from './lost';
 import type { Calls, Failure, Reply, Request, TracedCurve } from './protocol';
+import { reshaped } from './reshape';
 
 let mesh: Mesh | null = null;
 let curve: { options: CurveOptions; traced: Curve } | null = null;
@@ -43,9 +44,9 @@ const handlers: Handlers = {
     return { result: undefined };
   },
 
-  curve(_, options) {
+  curve(_, options, { keep } = { keep: true }) {
     const started = performance.now();
-    const traced = retrace(options);
+    const traced = keep ? retrace(options) : theMesh().curve(options);
     const polyline = traced.polyline.slice();
     const polylineStatus = traced.polylineStatus.slice();
     const result: TracedCurve = {
@@ -56,7 +57,12 @@ const handlers: Handlers = {
       length: traced.length,
       milliseconds: performance.now() - started,
     };
+    if (!keep) traced.dispose();
     return { result, transfer: buffersOf(result) };
+  },
+
+  reshape(_, options, edit) {
+    return { result: reshaped(theMesh(), retrace(options), options, edit) };
   },
 
   circle(_, options) {
@@ -137,6 +143,9 @@ function retrace(options: CurveOptions): Curve {
   else if (change.type === 'insert') traced.insertPoint(change.index, change.point);
   else if (change.type === 'remove') traced.removePoint(change.index);
   else if (change.type === 'kind') traced.setKind(options.kind);
+  else if (change.type === 'closed') traced.setClosed(options.closed ?? false);
+  else if (change.type === 'weight') traced.setWeight(change.index, change.value);
+  else if (change.type === 'beta') traced.setBeta(change.index, change.value);
   curve = { options, traced };
   return traced;
 }

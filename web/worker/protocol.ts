@@ -14,6 +14,7 @@ import type {
 } from 'karcher';
 import type { MeshSource } from '../editor/meshes';
 import type { LostInterval } from './lost';
+import type { Reshape } from './reshape';
 
 export interface LoadedMesh {
   info: MeshInfo;
@@ -53,7 +54,10 @@ type Vector = [number, number, number];
 export interface Calls {
   load(source: MeshSource): LoadedMesh;
   prepare(options: FieldOptions): void;
-  curve(options: CurveOptions): TracedCurve;
+  /** The curve that is edited, by its smallest change; or one that is traced and not kept. */
+  curve(options: CurveOptions, work?: { keep: boolean }): TracedCurve;
+  /** The curve that an edit makes of one. */
+  reshape(options: CurveOptions, edit: Reshape): CurveOptions;
   circle(options: CircleOptions): TracedCurve;
   centerOfMass(points: PointLike[], weights: number[], options?: CenterOptions): CenterOfMass;
   distance(point: PointLike, options?: { solver?: Solver; rings?: number }): Float64Array;

@@ -1,4 +1,5 @@
 import type { SurfacePoint } from 'karcher';
+import { emptyDocument } from '../../editor/document';
 import { formatLink } from '../../editor/link';
 import type { CurveSpec, MeshSpec } from '../figures/types';
 import { editorKey } from '../lab/meshes';
@@ -14,14 +15,14 @@ export function editorLink(
   if (curve.kind === 'circle') {
     const [center, rim] = points;
     const circle = { center: center!, rim: rim! };
-    return `./index.html#${formatLink(key, 'karcher', { kind: 'circle', points: [], circle })}`;
+    return `./index.html#${formatLink(key, 'karcher', { ...emptyDocument, kind: 'circle', circle })}`;
   }
   if (curve.kind === 'center') {
     const weighted = points.map((point, i) => ({ ...point, weight: curve.weights[i]! }));
-    const document = { kind: 'center' as const, points: weighted, circle: null };
+    const document = { ...emptyDocument, kind: 'center' as const, points: weighted };
     return `./index.html#${formatLink(key, 'karcher', document)}`;
   }
   if (curve.kind !== 'bspline' && curve.kind !== 'bezier') return null;
-  const document = { kind: curve.kind, points: [...points], circle: null };
+  const document = { ...emptyDocument, kind: curve.kind, points: [...points] };
   return `./index.html#${formatLink(key, 'karcher', document)}`;
 }

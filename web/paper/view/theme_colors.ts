@@ -1,5 +1,5 @@
-import { colorSurface } from '../../viewer/surface';
 import { sceneColors } from '../../panels/theme';
+import { colorSurface } from '../../viewer/surface';
 import { lineStyles } from '../figures/lines';
 import type { LineId } from '../figures/types';
 

@@ -1,0 +1,256 @@
+// Every kind of curve on the page, and the edits that are theirs.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+import { farthestFromSurface } from './on_surface.mjs';
+
+const places = [
+  [-110, 40],
+  [-60, -30],
+  [10, 40],
+  [60, -50],
+  [120, 10],
+];
+const splines = ['bspline', 'bezier', 'catmullrom', 'rational', 'barycentric', 'polyline'];
+const through = ['catmullrom', 'barycentric', 'polyline'];
+const names = {
+  bspline: 'B-spline',
+  bezier: 'Bézier',
+  catmullrom: 'Catmull-Rom',
+  rational: 'Rational',
+  barycentric: 'Barycentric',
+  polyline: 'Polyline',
+};
+
+/** Where surface points are. */
+function placesOf(points, { positions, triangles }) {
+  return points.map(({ face, bary }) =>
+    [0, 1, 2].map((axis) =>
+      bary.reduce(
+        (sum, weight, i) => sum + weight * positions[3 * triangles[3 * face + i] + axis],
+        0,
+      ),
+    ),
+  );
+}
+
+/** The distance of a place from a polyline's vertices. */
+function distanceTo(polyline, [x, y, z]) {
+  let least = Number.POSITIVE_INFINITY;
+  for (let i = 0; i < polyline.length; i += 3) {
+    least = Math.min(least, Math.hypot(polyline[i] - x, polyline[i + 1] - y, polyline[i + 2] - z));
+  }
+  return least;
+}
+
+const ends = (polyline) => [polyline.slice(0, 3), polyline.slice(-3)];
+const far = (a, b) => Math.hypot(...a.map((value, axis) => value - b[axis]));
+
+const choose = (tab, kind) =>
+  tab.page.getByLabel(names[kind], { exact: true }).check({ force: true });
+
+describe('kinds of curves', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  test('lie on the surface, go where they say, and come back with the link', async () => {
+    const tab = await Tab.open(browser, 'mesh=bunny:0');
+    await tab.click(...places);
+    const surface = await tab.mesh();
+    const { diagonal, meanEdge } = surface.info;
+    // Centers are read from fields at vertices: a curve meets its points to a part of an edge.
+    const meets = 0.05 * meanEdge;
+    for (const kind of splines) {
+      await choose(tab, kind);
+      const { curve, polyline, problem } = await tab.view();
+      assert.equal(problem, null, kind);
+      assert.equal(await tab.page.locator('#hint').textContent(), '', kind);
+      assert.ok(farthestFromSurface(polyline, surface) <= 2e-6 * diagonal, kind);
+      const points = placesOf((await tab.state()).document.points, surface);
+      const [start, end] = ends(polyline);
+      if (kind !== 'bspline') {
+        assert.ok(far(start, points[0]) <= meets, `${kind} starts at its first point`);
+        assert.ok(far(end, points.at(-1)) <= meets, `${kind} ends at its last point`);
+      }
+      if (through.includes(kind)) {
+        // Of a barycentric curve's one segment no sample need lie at a point between the ends.
+        const near = kind === 'barycentric' ? curve.length / 100 : meets;
+        for (const point of points) assert.ok(distanceTo(polyline, point) <= near, kind);
+      }
+      await tab.page.waitForFunction((name) => location.hash.includes(`kind=${name}&`), kind);
+    }
+    const { polyline } = await tab.view();
+    await tab.page.reload();
+    assert.deepEqual((await tab.view()).polyline, polyline);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('are closed and opened', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places.slice(0, 3));
+    const { diagonal } = (await tab.mesh()).info;
+    await tab.page.getByLabel('Closed').check();
+    for (const kind of splines) {
+      await choose(tab, kind);
+      const { polyline, problem } = await tab.view();
+      assert.equal(problem, null, kind);
+      assert.ok(far(...ends(polyline)) <= 1e-6 * diagonal, `a closed ${kind}`);
+    }
+    await tab.page.keyboard.press('c');
+    assert.ok(far(...ends((await tab.view()).polyline)) > 0.01 * diagonal);
+    await tab.page.keyboard.press('Control+z');
+    assert.ok(far(...ends((await tab.view()).polyline)) <= 1e-6 * diagonal);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('have the degree and the ends that are asked for', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const surface = await tab.mesh();
+    for (const degree of [1, 2, 3, 4]) {
+      await tab.page.locator('#degree').selectOption(`${degree}`);
+      const { curve } = await tab.view();
+      assert.equal(new Set(Object.values(curve.samples.segment)).size, 5 - degree);
+    }
+    await tab.page.locator('#degree').selectOption('5');
+    assert.equal((await tab.view()).curve, null);
+    assert.equal(await tab.page.locator('#hint').textContent(), '1 more point makes a curve');
+    await tab.page.locator('#degree').selectOption('3');
+    await tab.page.getByLabel('Reaches its ends').check();
+    const { polyline } = await tab.view();
+    const points = placesOf((await tab.state()).document.points, surface);
+    const meets = 0.05 * surface.info.meanEdge;
+    assert.ok(far(ends(polyline)[0], points[0]) <= meets);
+    assert.ok(far(ends(polyline)[1], points.at(-1)) <= meets);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  for (const [kind, name] of Object.entries({
+    bspline: 'Weight',
+    rational: 'Weight',
+    barycentric: 'Beta',
+  })) {
+    test(`a ${kind} curve's ${name.toLowerCase()} slider works live, as one step`, async () => {
+      const tab = await Tab.open(browser);
+      await tab.click(...places);
+      await choose(tab, kind);
+      const before = await tab.view();
+      const surface = await tab.mesh();
+      const [point] = placesOf([(await tab.state()).document.points[2]], surface);
+      const slider = tab.page.getByRole('slider', { name: `${name} of point 3` });
+      for (const value of [40, 48, 56]) {
+        await slider.evaluate((input, to) => {
+          input.value = `${to}`;
+          input.dispatchEvent(new Event('input', { bubbles: true }));
+        }, value);
+        await tab.page.waitForFunction(
+          () => window.karcherPage.state().revision === window.karcherPage.view().revision,
+        );
+        const { quality, curve } = await tab.page.evaluate(() => window.karcherPage.view());
+        assert.ok(curve && quality === 'draft', 'while the slider is held');
+      }
+      await slider.evaluate((input) => input.dispatchEvent(new Event('change', { bubbles: true })));
+      const weighted = await tab.view();
+      assert.equal(weighted.quality, 'exact');
+      assert.notDeepEqual(weighted.polyline, before.polyline);
+      if (kind !== 'barycentric') {
+        const [near, was] = [weighted, before].map(({ polyline }) => distanceTo(polyline, point));
+        assert.ok(near < 0.6 * was, 'a weight pulls the curve');
+      }
+      await tab.page.locator('#stage').focus();
+      await tab.page.keyboard.press('Control+z');
+      assert.deepEqual((await tab.view()).polyline, before.polyline);
+      await tab.page.keyboard.press('Control+Shift+z');
+      assert.deepEqual((await tab.view()).polyline, weighted.polyline);
+      assert.deepEqual(tab.logged, []);
+      await tab.page.close();
+    });
+  }
+
+  for (const kind of splines) {
+    test(`a click on a ${kind} curve puts a point into it`, async () => {
+      const tab = await Tab.open(browser);
+      await tab.click(...places);
+      await choose(tab, kind);
+      const before = await tab.view();
+      const { points } = (await tab.state()).document;
+      // Where a sample is seen, away from all handles.
+      const at = await tab.onCurve(0.5);
+      await tab.page.mouse.move(at.x, at.y);
+      await tab.page.locator('.preview[data-on="curve"]').waitFor();
+      await tab.page.mouse.click(at.x, at.y);
+      await tab.page.waitForFunction(
+        (count) => window.karcherPage.state().document.points.length === count,
+        points.length + 1,
+      );
+      const { document, selection } = await tab.state();
+      const added = document.points[selection];
+      const surface = await tab.mesh();
+      const [place] = placesOf([added], surface);
+      const old = document.points.toSpliced(selection, 1);
+      if (kind !== 'bspline') assert.deepEqual(old, points, 'the others stay');
+      assert.ok(selection > 0 && selection < points.length);
+      const after = await tab.view();
+      assert.ok(after.curve, 'still a curve');
+      if (kind !== 'bspline') {
+        assert.ok(distanceTo(before.polyline, place) <= before.curve.length / 50, 'on the curve');
+      }
+      if (through.includes(kind)) {
+        assert.ok(distanceTo(after.polyline, place) <= before.curve.length / 50, 'through it');
+      }
+      await tab.page.keyboard.press('Control+z');
+      assert.deepEqual((await tab.view()).polyline, before.polyline);
+      assert.deepEqual(tab.logged, []);
+      await tab.page.close();
+    });
+  }
+
+  test('are run backwards', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    for (const kind of ['bspline', 'catmullrom']) {
+      await choose(tab, kind);
+      const before = await tab.view();
+      await tab.page.getByRole('button', { name: 'Reverse' }).click();
+      await tab.page.waitForFunction(
+        (revision) => window.karcherPage.state().revision > revision,
+        before.revision,
+      );
+      const { polyline } = await tab.view();
+      const { diagonal } = (await tab.mesh()).info;
+      assert.ok(far(ends(polyline)[0], ends(before.polyline)[1]) <= 1e-6 * diagonal);
+      assert.ok(far(ends(polyline)[1], ends(before.polyline)[0]) <= 1e-6 * diagonal);
+    }
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('lie beside each other, and a click takes up another one', async () => {
+    const other = encodeURIComponent('kind=catmullrom&points=30,0.3,0.3;200,0.3,0.3;400,0.3,0.3');
+    const tab = await Tab.open(browser, `mesh=openSheet:1500&kind=bspline&points=&other=${other}`);
+    await tab.click([-110, 90], [-60, 40], [10, 90], [60, 40]);
+    const first = await tab.view();
+    assert.ok(first.others[0], 'the other curve is drawn');
+    const at = await tab.onCurve(0.4, 0);
+    await tab.page.mouse.click(at.x, at.y);
+    await tab.settled();
+    const { document } = await tab.state();
+    assert.equal(document.kind, 'catmullrom');
+    assert.equal(document.points.length, 3);
+    assert.deepEqual(
+      document.others.map(({ kind, points }) => [kind, points.length]),
+      [['bspline', 4]],
+    );
+    assert.ok((await tab.view()).others[0]);
+    await tab.page.keyboard.press('Control+z');
+    assert.equal((await tab.state()).document.kind, 'bspline');
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});

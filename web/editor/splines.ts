@@ -1,0 +1,57 @@
+/** Documents with several splines: one is edited, the others lie beside it. */
+import type { CurveOptions, SurfacePoint } from 'karcher';
+import {
+  type ControlPoint,
+  type CurveDocument,
+  defaultSettings,
+  isSpline,
+  parameterOf,
+  type Spline,
+  withParameter,
+} from './document';
+
+/** The spline that is edited; null where there is none. */
+export function splineOf({ kind, settings, points }: CurveDocument): Spline | null {
+  return isSpline(kind) && points.length > 0 ? { kind, settings, points } : null;
+}
+
+export const samePlace = (a: SurfacePoint | undefined, b: SurfacePoint | undefined) =>
+  a?.face === b?.face && `${a?.bary}` === `${b?.bary}`;
+
+/** The document with another spline in place of the edited one. */
+export const withSpline = (document: CurveDocument, spline: Spline): CurveDocument => ({
+  ...document,
+  ...spline,
+});
+
+/** Edits another spline of the document; the one before takes its place. */
+export function activated(document: CurveDocument, index: number): CurveDocument {
+  const spline = document.others[index];
+  if (!spline) return document;
+  const before = splineOf(document);
+  const others = document.others.toSpliced(index, 1, ...(before ? [before] : []));
+  return { ...withSpline(document, spline), others };
+}
+
+/** What the engine made of a spline, as one; settings that its kind has no use for are kept. */
+export function splineFrom(options: CurveOptions, before: Spline): Spline {
+  const { kind, closed = false, degree, knots, parametrization } = options;
+  if (kind === 'custom') throw new Error('the page has no curves with a basis of their own');
+  const parameter = parameterOf(kind);
+  const numbers = parameter === 'beta' ? options.betas : options.weights;
+  const points = options.points.map((point, i): ControlPoint => {
+    if ('vertex' in point) throw new Error('the engine gives points of faces');
+    const { face, bary } = point;
+    const plain = { face, bary };
+    return parameter ? withParameter(plain, parameter, numbers?.[i] ?? 1) : plain;
+  });
+  const settings = {
+    ...(before.settings ?? defaultSettings),
+    closed,
+    ...(degree !== undefined && { degree }),
+    ...(parametrization !== undefined && { parametrization }),
+    clamped: knots === 'clamped',
+    knots: knots === undefined || typeof knots === 'string' ? null : Array.from(knots),
+  };
+  return { kind, settings, points };
+}

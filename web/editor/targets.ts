@@ -1,0 +1,31 @@
+import type { Vector3 } from 'three';
+import type { Pick } from '../viewer/surface';
+import type { Viewer } from '../viewer/viewer';
+import { type CurveDocument, isSpline } from './document';
+
+/** What a click at a place of the window would act on. */
+export type Target =
+  /** The curve that is edited: a point is put on it there. */
+  | { type: 'curve'; position: Vector3 }
+  /** A curve beside it: that one is edited next. */
+  | { type: 'other'; index: number }
+  | { type: 'surface'; pick: Pick };
+
+/** How near to a curve, in CSS pixels, its clicks are. */
+const reach = { mouse: 7, touch: 16 };
+
+export function targetAt(
+  viewer: Viewer,
+  { kind }: CurveDocument,
+  place: { x: number; y: number; touch: boolean },
+): Target | null {
+  const pick = viewer.pick(place.x, place.y);
+  if (isSpline(kind)) {
+    const within = place.touch ? reach.touch : reach.mouse;
+    const position = viewer.pickCurve(place.x, place.y, within);
+    if (position) return { type: 'curve', position };
+    const index = viewer.pickOther(place.x, place.y, within);
+    if (index >= 0) return { type: 'other', index };
+  }
+  return pick && { type: 'surface', pick };
+}

@@ -1,0 +1,134 @@
+import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+const fieldOfView = 30;
+/** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
+const margin = 0.88;
+const startDirection = new Vector3(0.34, 0.22, 1).normalize();
+const flightMilliseconds = 260;
+/** From how far a place is looked at, unless the view is nearer already. */
+const closeDistance = 1.6;
+const [nearest, farthest] = [0.15, 20];
+
+/** Where the camera is from what it looks at. */
+interface Place {
+  offset: Vector3;
+  target: Vector3;
+}
+
+/** The camera, and how the pointer, keys and flights move it. */
+export class OrbitView {
+  readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
+  readonly #controls: OrbitControls;
+  /** Whether the view was not touched since it was reset; it then goes with the stage's size. */
+  #whole = true;
+  #flight: { from: Place; to: Place; started: number } | null = null;
+
+  /** `moved` is called when a frame is to be drawn. */
+  constructor(
+    stage: HTMLElement,
+    private readonly moved: () => void,
+  ) {
+    this.#controls = new OrbitControls(this.camera, stage);
+    this.#controls.zoomToCursor = true;
+    this.#controls.minDistance = nearest;
+    this.#controls.maxDistance = farthest;
+    let touched = false;
+    this.#controls.addEventListener('start', () => {
+      touched = true;
+      this.#flight = null;
+    });
+    this.#controls.addEventListener('end', () => {
+      touched = false;
+    });
+    this.#controls.addEventListener('change', () => {
+      if (touched) this.#whole = false;
+      moved();
+    });
+  }
+
+  /** The stage has another size. */
+  resize(width: number, height: number): void {
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (this.#whole) this.reset({ animated: false });
+  }
+
+  /** Turns the view about its target, by angles in radians. */
+  orbit(aside: number, up: number): void {
+    this.#whole = false;
+    const offset = this.camera.position.clone().sub(this.#controls.target);
+    const polar = Math.min(
+      Math.PI - 0.02,
+      Math.max(0.02, offset.angleTo(new Vector3(0, 1, 0)) - up),
+    );
+    const azimuth = Math.atan2(offset.x, offset.z) + aside;
+    offset.setFromSphericalCoords(offset.length(), polar, azimuth);
+    this.camera.position.copy(this.#controls.target).add(offset);
+    this.#controls.update();
+  }
+
+  zoom(factor: number): void {
+    this.#whole = false;
+    const offset = this.camera.position.clone().sub(this.#controls.target);
+    const length = Math.min(farthest, Math.max(nearest, offset.length() * factor));
+    this.camera.position.copy(this.#controls.target).add(offset.setLength(length));
+    this.#controls.update();
+  }
+
+  /** The whole scene, from the front; at once where motion is not wanted. */
+  reset({ animated }: { animated: boolean }): void {
+    this.#whole = true;
+    const offset = startDirection.clone().multiplyScalar(this.#wholeDistance());
+    this.#go({ offset, target: new Vector3() }, animated);
+  }
+
+  /** Puts a point in the middle, seen from a direction. */
+  lookAt(target: Vector3, direction: Vector3): void {
+    this.#whole = false;
+    const far = this.camera.position.distanceTo(this.#controls.target);
+    const offset = direction.clone().setLength(Math.min(far, closeDistance));
+    this.#go({ offset, target: target.clone() }, true);
+  }
+
+  /** Goes on with a flight, for a frame that is about to be drawn. */
+  advance(now: number): void {
+    if (!this.#flight) return;
+    const { from, to, started } = this.#flight;
+    const part = Math.min(1, Math.max(0, (now - started) / flightMilliseconds));
+    const eased = 1 - (1 - part) ** 3;
+    const [a, b] = [from.offset.clone().normalize(), to.offset.clone().normalize()];
+    const turn = new Quaternion().slerp(new Quaternion().setFromUnitVectors(a, b), eased);
+    const [near, far] = [from.offset.length(), to.offset.length()];
+    const offset = a.applyQuaternion(turn).multiplyScalar(near + (far - near) * eased);
+    this.#aim({ offset, target: from.target.clone().lerp(to.target, eased) });
+    if (part < 1) this.moved();
+    else this.#flight = null;
+  }
+
+  #go(to: Place, animated: boolean): void {
+    const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    if (animated && !still) {
+      const target = this.#controls.target.clone();
+      const from = { offset: this.camera.position.clone().sub(target), target };
+      this.#flight = { from, to, started: performance.now() };
+    } else {
+      this.#flight = null;
+      this.#aim(to);
+    }
+    this.moved();
+  }
+
+  #aim({ offset, target }: Place): void {
+    this.camera.position.copy(target).add(offset);
+    this.#controls.target.copy(target);
+    this.#controls.update();
+  }
+
+  /** From how far the bounding sphere, of radius 1, fills the stage. */
+  #wholeDistance(): number {
+    const half = (fieldOfView * Math.PI) / 360;
+    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
+    return margin / Math.sin(narrow);
+  }
+}
