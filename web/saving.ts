@@ -17,7 +17,11 @@ export function saveChanges(editor: Editor): void {
     remember('last', text);
     remember(`document.${state.mesh}`, text);
     remember('method', state.method);
-    if (location.hash.slice(1) !== text) history.replaceState(null, '', `#${text}`);
+    const before = location.hash.slice(1);
+    if (before === text) return;
+    history.replaceState(null, '', `#${text}`);
+    // A reload that is under way may still go to the address as it was.
+    rememberInTab('overtaken', `${before} ${location.hash.slice(1)}`);
   };
   const saveSoon = () => {
     clearTimeout(timer);
@@ -34,10 +38,7 @@ export function saveChanges(editor: Editor): void {
   const flush = () => {
     if (!timer) return;
     editor.cancelDrag();
-    // A reload that is under way may still go to the address as it was.
-    const before = location.hash.slice(1);
     save(editor.state);
-    rememberInTab('overtaken', `${before} ${location.hash.slice(1)}`);
   };
   window.addEventListener('pagehide', flush);
   document.addEventListener('visibilitychange', () => {
@@ -49,6 +50,9 @@ export function saveChanges(editor: Editor): void {
 export function startingLink(): Link | null {
   const fragment = location.hash.slice(1);
   const [before, after] = (recallInTab('overtaken') ?? '').split(' ');
-  const newest = after && before === fragment ? after : fragment;
+  const reloaded = performance
+    .getEntriesByType('navigation')
+    .some((entry) => (entry as PerformanceNavigationTiming).type === 'reload');
+  const newest = reloaded && after && before === fragment ? after : fragment;
   return parseLink(newest) ?? parseLink(recall('last') ?? '');
 }
