@@ -40,8 +40,8 @@ export async function start(): Promise<void> {
   const viewer = new Viewer(stage, byId<HTMLCanvasElement>('canvas'), { antialias });
   const edits = new CurveEdits(editor, session);
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
-    curveClicked: (position) => edits.insert(viewer.surface!.fromScene(position)),
-    otherClicked: (index) => edits.activate(index),
+    curveClicked: (tool, position) => edits.atCurve(tool, viewer.surface!.fromScene(position)),
+    otherClicked: (tool, index) => edits.atOther(tool, index),
   });
   const remove = () => gestures.keepFocus(() => editor.removeSelected());
   const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));
@@ -74,7 +74,7 @@ export async function start(): Promise<void> {
   });
   const fragment = () => formatLink(editor.state.mesh, editor.state.method, editor.state.document);
   const saveMenu = new SaveMenu(editor, session, viewer);
-  new Tools(editor, viewer, {
+  new Tools(editor, viewer, edits, {
     saveJson: () => saveMenu.save('json'),
     removeSelected: remove,
     link: () => ({

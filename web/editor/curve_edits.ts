@@ -1,37 +1,63 @@
-import type { Reshape } from '../worker/reshape';
-import type { Spline, Vector } from './document';
-import type { Editor } from './editor';
+import type { Vector } from './document';
+import type { CurveTool, Editor } from './editor';
 import type { Session } from './session';
-import { activated, samePlace, withSpline } from './splines';
+import { activated, inPieces, joined, withSpline } from './splines';
 
-/** Edits of the curve as a whole: each is one step of the history. */
+/** Edits of the curve as a whole, which the engine works out: each is one step of the history. */
 export class CurveEdits {
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
   ) {}
 
-  /** Puts a control point into the curve, near a place in the surface's coordinates. */
-  async insert(near: Vector): Promise<void> {
-    const { points } = this.editor.state.document;
-    const spline = await this.#reshape({ type: 'insert', near });
-    if (!spline) return;
-    const added = spline.points.findIndex((point, i) => !samePlace(point, points[i]));
-    this.editor.select(added < 0 ? null : added);
+  /** What a click on the edited curve does, at a place in the surface's coordinates. */
+  async atCurve(tool: CurveTool, near: Vector): Promise<void> {
+    const { document } = this.editor.state;
+    if (tool === 'split') {
+      const made = await this.session.reshaped({ type: 'split', near });
+      if (made) this.editor.replace(inPieces(document, made.splines));
+      else this.editor.setTool('insert');
+      return;
+    }
+    const made = await this.session.reshaped({ type: 'insert', near });
+    const spline = made?.splines[0];
+    if (spline) this.editor.replace(withSpline(document, spline), made.point);
+  }
+
+  /** What a click on another curve does. */
+  async atOther(tool: CurveTool, index: number): Promise<void> {
+    if (tool === 'join') await this.join(index);
+    else this.editor.replace(activated(this.editor.state.document, index));
+  }
+
+  /** Makes one curve of the edited one and another. */
+  async join(index: number): Promise<void> {
+    const { document } = this.editor.state;
+    const other = document.others[index];
+    const made = other && (await this.session.reshaped({ type: 'join', other }));
+    const whole = made?.splines[0];
+    if (whole) this.editor.replace(joined(document, index, whole));
+    else this.editor.setTool('insert');
   }
 
   async reverse(): Promise<void> {
-    await this.#reshape({ type: 'reverse' });
+    const { document } = this.editor.state;
+    const made = await this.session.reshaped({ type: 'reverse' });
+    const spline = made?.splines[0];
+    if (spline) this.editor.replace(withSpline(document, spline));
   }
 
-  /** Edits another one of the document's curves. */
-  activate(index: number): void {
-    this.editor.replace(activated(this.editor.state.document, index));
+  /** Makes ready for a click on the curve to cut. */
+  chooseSplit(): void {
+    const { tool } = this.editor.state;
+    if (this.session.view.curve) this.editor.setTool(tool === 'split' ? 'insert' : 'split');
   }
 
-  async #reshape(edit: Reshape): Promise<Spline | null> {
-    const spline = await this.session.reshaped(edit);
-    if (spline) this.editor.replace(withSpline(this.editor.state.document, spline));
-    return spline;
+  /** Joins the only other curve, or makes ready for a click on one of them. */
+  chooseJoin(): void {
+    const { tool, document } = this.editor.state;
+    if (!this.session.view.curve || document.others.length === 0) return;
+    if (document.others.length === 1) void this.join(0);
+    else this.editor.setTool(tool === 'join' ? 'insert' : 'join');
   }
 }

@@ -22,11 +22,16 @@ export interface State {
   readonly method: MethodId;
   /** Whether the document is a drag's, which may go on. */
   readonly dragging: boolean;
+  /** What a click on a curve does; it is for one click. */
+  readonly tool: CurveTool;
   /** Grows with every change of the document or the method. */
   readonly revision: number;
   /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
   readonly epoch: number;
 }
+
+/** Puts a point into the edited curve, cuts it there, or joins another one to it. */
+export type CurveTool = 'insert' | 'split' | 'join';
 
 interface History {
   done: Command[];
@@ -43,6 +48,7 @@ export class Editor {
     selection: null,
     method: defaultMethod,
     dragging: false,
+    tool: 'insert',
     revision: 0,
     epoch: 0,
   };
@@ -69,13 +75,16 @@ export class Editor {
     this.cancelDrag();
     this.#documents.set(this.#state.mesh, this.#state.document);
     const kept = this.#documents.get(mesh) ?? document;
-    this.#change({ mesh, document: kept, selection: null }, true);
+    this.#change({ mesh, document: kept, selection: null, tool: 'insert' }, true);
   }
 
   run(command: Command, selection: Selection = this.#state.selection): void {
     this.cancelDrag();
     this.#record(command);
-    this.#change({ document: apply(this.#state.document, command), selection }, true);
+    this.#change(
+      { document: apply(this.#state.document, command), selection, tool: 'insert' },
+      true,
+    );
   }
 
   /** Shows the document as it is after a command that is not yet done: a drag's next position. */
@@ -133,6 +142,10 @@ export class Editor {
     if (!command) return;
     this.#history.done.push(command);
     this.#step(command);
+  }
+
+  setTool(tool: CurveTool): void {
+    if (tool !== this.#state.tool) this.#change({ tool }, false);
   }
 
   select(selection: Selection): void {

@@ -3,7 +3,7 @@ import { type Handle, Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
 import type { CircleShape, Command, Vector } from './document';
-import type { Editor, Selection } from './editor';
+import type { CurveTool, Editor, Selection } from './editor';
 import type { Session } from './session';
 import { type Target, targetAt } from './targets';
 
@@ -21,8 +21,8 @@ const arrows: Record<string, [number, number]> = {
 
 /** Clicks that ask for an edit of the curve as a whole. */
 export interface CurveClicks {
-  curveClicked(position: Vector3): void;
-  otherClicked(index: number): void;
+  curveClicked(tool: CurveTool, position: Vector3): void;
+  otherClicked(tool: CurveTool, index: number): void;
 }
 
 /** Turns what the pointer and the keys do on the stage into commands. */
@@ -191,15 +191,18 @@ export class Gestures {
   }
 
   #target(place: { x: number; y: number; touch: boolean }): Target | null {
-    return targetAt(this.viewer, this.editor.state.document, place);
+    return targetAt(this.viewer, this.editor.state, place);
   }
 
   #click(place: { x: number; y: number; touch: boolean }): void {
     const target = this.#target(place);
-    if (!target) this.editor.select(null);
-    else if (target.type === 'surface') this.#put(target.pick);
-    else if (target.type === 'curve') this.events.curveClicked(target.position);
-    else this.events.otherClicked(target.index);
+    const { tool } = this.editor.state;
+    if (!target) {
+      this.editor.select(null);
+      this.editor.setTool('insert');
+    } else if (target.type === 'surface') this.#put(target.pick);
+    else if (target.type === 'curve') this.events.curveClicked(tool, target.position);
+    else this.events.otherClicked(tool, target.index);
   }
 
   /** Adds what a click adds: a control point, a circle, or the circle's radius. */

@@ -109,20 +109,26 @@ export class Session {
   }
 
   /**
-   * The document's curve after an edit that the engine works out; null where it can't be made, or
-   * the document has changed in the meantime.
+   * The curves that an edit makes of the document's curve, and the number of a point that it put in;
+   * null where it can't be made, or the document has changed in the meantime.
    */
-  async reshaped(edit: Reshape): Promise<Spline | null> {
+  async reshaped(
+    edit: Reshape | { type: 'join'; other: Spline },
+  ): Promise<{ splines: Spline[]; point: number | null } | null> {
     const [client, state] = [this.#client, this.#state];
     const spline = state && splineOf(state.document);
     if (!client || !spline) return null;
-    const options = curveOptions(spline, methodOptions(state.method));
-    const curve = await client.reshape(options, edit).catch((error) => {
+    const options = (one: Spline) => curveOptions(one, methodOptions(state.method));
+    const wanted =
+      edit.type === 'join' && 'settings' in edit.other
+        ? { type: edit.type, other: options(edit.other) }
+        : (edit as Reshape);
+    const made = await client.reshape(options(spline), wanted).catch((error) => {
       if (!client.closed) this.onFailure(error);
       return null;
     });
     if (this.#state?.revision !== state.revision || client !== this.#client) return null;
-    return curve && splineFrom(curve, spline);
+    return made && { ...made, splines: made.curves.map((curve) => splineFrom(curve, spline)) };
   }
 
   #show(part: Partial<View>): void {

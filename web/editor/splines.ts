@@ -1,5 +1,5 @@
 /** Documents with several splines: one is edited, the others lie beside it. */
-import type { CurveOptions, SurfacePoint } from 'karcher';
+import type { CurveOptions } from 'karcher';
 import {
   type ControlPoint,
   type CurveDocument,
@@ -15,9 +15,6 @@ export function splineOf({ kind, settings, points }: CurveDocument): Spline | nu
   return isSpline(kind) && points.length > 0 ? { kind, settings, points } : null;
 }
 
-export const samePlace = (a: SurfacePoint | undefined, b: SurfacePoint | undefined) =>
-  a?.face === b?.face && `${a?.bary}` === `${b?.bary}`;
-
 /** The document with another spline in place of the edited one. */
 export const withSpline = (document: CurveDocument, spline: Spline): CurveDocument => ({
   ...document,
@@ -31,6 +28,18 @@ export function activated(document: CurveDocument, index: number): CurveDocument
   const before = splineOf(document);
   const others = document.others.toSpliced(index, 1, ...(before ? [before] : []));
   return { ...withSpline(document, spline), others };
+}
+
+/** The edited spline in several pieces: the first is edited, the others lie beside it. */
+export function inPieces(document: CurveDocument, pieces: readonly Spline[]): CurveDocument {
+  const [first, ...rest] = pieces;
+  if (!first) return document;
+  return { ...withSpline(document, first), others: [...document.others, ...rest] };
+}
+
+/** The document with the edited spline and another one joined. */
+export function joined(document: CurveDocument, index: number, whole: Spline): CurveDocument {
+  return { ...withSpline(document, whole), others: document.others.toSpliced(index, 1) };
 }
 
 /** What the engine made of a spline, as one; settings that its kind has no use for are kept. */

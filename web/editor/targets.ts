@@ -1,7 +1,8 @@
 import type { Vector3 } from 'three';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
-import { type CurveDocument, isSpline } from './document';
+import { isSpline } from './document';
+import type { State } from './editor';
 
 /** What a click at a place of the window would act on. */
 export type Target =
@@ -16,16 +17,17 @@ const reach = { mouse: 7, touch: 16 };
 
 export function targetAt(
   viewer: Viewer,
-  { kind }: CurveDocument,
+  { document: { kind }, tool }: State,
   place: { x: number; y: number; touch: boolean },
 ): Target | null {
   const pick = viewer.pick(place.x, place.y);
   if (isSpline(kind)) {
     const within = place.touch ? reach.touch : reach.mouse;
-    const position = viewer.pickCurve(place.x, place.y, within);
+    const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);
     if (position) return { type: 'curve', position };
-    const index = viewer.pickOther(place.x, place.y, within);
+    const index = tool !== 'split' ? viewer.pickOther(place.x, place.y, within) : -1;
     if (index >= 0) return { type: 'other', index };
+    if (tool !== 'insert') return null;
   }
   return pick && { type: 'surface', pick };
 }

@@ -16,6 +16,8 @@ export class CurvePanel {
   readonly #method = byId<HTMLSelectElement>('method');
   readonly #rows: PointRows;
   readonly #clear = byId<HTMLButtonElement>('clear');
+  readonly #split = byId<HTMLButtonElement>('split');
+  readonly #join = byId<HTMLButtonElement>('join');
   readonly #reverse = byId<HTMLButtonElement>('reverse');
   readonly #kinds = kinds.map(makeKind);
   readonly #settings: SettingsPanel;
@@ -36,6 +38,8 @@ export class CurvePanel {
     });
     this.#clear.addEventListener('click', () => this.editor.clear());
     this.#reverse.addEventListener('click', () => edits.reverse());
+    this.#split.addEventListener('click', () => edits.chooseSplit());
+    this.#join.addEventListener('click', () => edits.chooseJoin());
   }
 
   show(state: State, view: View): void {
@@ -43,6 +47,9 @@ export class CurvePanel {
     for (const input of this.#kinds) input.checked = input.value === kind;
     this.#method.value = state.method;
     byId('actions').hidden = !isSpline(kind) || !view.curve;
+    this.#split.setAttribute('aria-pressed', `${state.tool === 'split'}`);
+    this.#join.setAttribute('aria-pressed', `${state.tool === 'join'}`);
+    this.#join.hidden = state.document.others.length === 0;
     this.#clear.hidden = isEmpty(state.document);
     byId('points-title').textContent = pointsTitles[kind] ?? 'Control points';
     this.#rows.show(state, view);

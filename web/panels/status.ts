@@ -100,8 +100,10 @@ function nameOf(selection: Selection): string {
   return typeof selection === 'number' ? `Point ${selection + 1}` : 'Circle';
 }
 
-function hintOf({ mesh, document }: State, view: View): string {
+function hintOf({ mesh, document, tool }: State, view: View): string {
   if (!mesh) return '';
+  if (tool === 'split') return 'Click the curve where it is to be cut';
+  if (tool === 'join') return 'Click the curve that is to be joined';
   if (view.problem) return sentenceOf(view.problem);
   const { kind, points, circle } = document;
   if (view.center) return centerHint(view.center);

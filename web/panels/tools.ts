@@ -1,3 +1,4 @@
+import type { CurveEdits } from '../editor/curve_edits';
 import { isSpline, kinds } from '../editor/document';
 import type { Editor } from '../editor/editor';
 import type { Viewer } from '../viewer/viewer';
@@ -21,6 +22,7 @@ export class Tools {
   constructor(
     private readonly editor: Editor,
     private readonly viewer: Viewer,
+    private readonly edits: CurveEdits,
     private readonly events: ToolEvents,
   ) {
     this.#undo.addEventListener('click', () => editor.undo());
@@ -50,6 +52,13 @@ export class Tools {
   #toggleEdges(): void {
     this.viewer.edges = !this.viewer.edges;
     this.#edges.setAttribute('aria-pressed', `${this.viewer.edges}`);
+  }
+
+  #escape(): void {
+    const { editor } = this;
+    if (editor.dragging) editor.cancelDrag();
+    else if (editor.state.tool !== 'insert') editor.setTool('insert');
+    else editor.select(null);
   }
 
   #toggleClosed(): void {
@@ -95,11 +104,13 @@ export class Tools {
   readonly #actions: Record<string, () => void> = {
     delete: () => this.events.removeSelected(),
     backspace: () => this.events.removeSelected(),
-    escape: () => (this.editor.dragging ? this.editor.cancelDrag() : this.editor.select(null)),
+    escape: () => this.#escape(),
     r: () => this.viewer.resetView({ animated: true }),
     home: () => this.viewer.resetView({ animated: true }),
     t: () => this.#toggleEdges(),
     c: () => this.#toggleClosed(),
+    s: () => this.edits.chooseSplit(),
+    j: () => this.edits.chooseJoin(),
     '?': () => this.#help.showModal(),
   };
 }

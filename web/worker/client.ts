@@ -21,7 +21,7 @@ import type {
   TracedPath,
   TracedStraightestPath,
 } from './protocol';
-import type { Reshape } from './reshape';
+import type { Reshape, Reshaped } from './reshape';
 
 /** A failure that the engine names, or `stopped` where its worker ended. */
 export class EngineError extends Error {
@@ -100,7 +100,7 @@ export class EngineClient {
     return this.#call('curve', [options, work]);
   }
 
-  reshape(options: CurveOptions, edit: Reshape): Promise<CurveOptions> {
+  reshape(options: CurveOptions, edit: Reshape): Promise<Reshaped> {
     return this.#call('reshape', [options, edit]);
   }
 

@@ -14,7 +14,7 @@ import type {
 } from 'karcher';
 import type { MeshSource } from '../editor/meshes';
 import type { LostInterval } from './lost';
-import type { Reshape } from './reshape';
+import type { Reshape, Reshaped } from './reshape';
 
 export interface LoadedMesh {
   info: MeshInfo;
@@ -56,8 +56,8 @@ export interface Calls {
   prepare(options: FieldOptions): void;
   /** The curve that is edited, by its smallest change; or one that is traced and not kept. */
   curve(options: CurveOptions, work?: { keep: boolean }): TracedCurve;
-  /** The curve that an edit makes of one. */
-  reshape(options: CurveOptions, edit: Reshape): CurveOptions;
+  /** The curves that an edit makes of the one with these options. */
+  reshape(options: CurveOptions, edit: Reshape): Reshaped;
   circle(options: CircleOptions): TracedCurve;
   centerOfMass(points: PointLike[], weights: number[], options?: CenterOptions): CenterOfMass;
   distance(point: PointLike, options?: { solver?: Solver; rings?: number }): Float64Array;

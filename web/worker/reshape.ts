@@ -1,69 +1,86 @@
-/** Edits of a curve that need its mathematics: what the curve is afterwards, as data. */
-import type { Curve, CurveOptions, Mesh, PointLike } from 'karcher';
+/** Edits of a curve that need its mathematics: what comes of them, as data. */
+import type { Curve, CurveOptions, Mesh } from 'karcher';
+
+type Place = [number, number, number];
 
 export type Reshape =
-  /** Puts a control point where the curve is nearest to a place. */
-  { type: 'insert'; near: [number, number, number] } | { type: 'reverse' };
+  /** Puts a control point in where the curve is nearest to a place. */
+  | { type: 'insert'; near: Place }
+  /** Cuts the curve where it is nearest to a place. */
+  | { type: 'split'; near: Place }
+  /** Makes one curve of this and another one, at the ends that are nearest to each other. */
+  | { type: 'join'; other: CurveOptions }
+  | { type: 'reverse' };
 
-/** The options of the curve that an edit makes; the curve itself is left as it was. */
-export function reshaped(
-  mesh: Mesh,
-  curve: Curve,
-  options: CurveOptions,
-  edit: Reshape,
-): CurveOptions {
-  if (edit.type === 'insert') return withPointOn(curve, options, edit.near);
-  const copy = mesh.curve(options);
+export interface Reshaped {
+  curves: CurveOptions[];
+  /** The number of the control point that was put in. */
+  point: number | null;
+}
+
+/** What an edit makes of the curve with these options; that curve itself stays as it is. */
+export function reshaped(mesh: Mesh, curve: Curve, options: CurveOptions, edit: Reshape): Reshaped {
+  const made: Curve[] = [];
+  const make = (of: CurveOptions) => {
+    const copy = mesh.curve(of);
+    made.push(copy);
+    return copy;
+  };
   try {
-    copy.reverse();
-    return optionsOf(copy, options);
+    if (edit.type === 'reverse') {
+      const copy = make(options);
+      copy.reverse();
+      return { curves: [optionsOf(copy, options)], point: null };
+    }
+    if (edit.type === 'insert') {
+      const copy = make(options);
+      const point = copy.insertOnCurve(copy.nearest(edit.near).parameter);
+      return { curves: [refinedOptions(copy, options)], point };
+    }
+    if (edit.type === 'split') made.push(...curve.split(curve.nearest(edit.near).parameter));
+    else made.push(joinedAtEnds(make(options), make(edit.other)));
+    const parts = edit.type === 'split' ? made : made.slice(-1);
+    return { curves: parts.map((part) => refinedOptions(part, options)), point: null };
   } finally {
-    copy.dispose();
+    for (const copy of made) copy.dispose();
   }
 }
 
-/** What a curve is, where its knots follow the same rule as before. */
+/** What a curve is; what it has no word for is as it was before. */
 function optionsOf(curve: Curve, before: CurveOptions): CurveOptions {
+  const { method, solver, rings, samples, parametrization } = before;
+  const { kind, closed, points } = curve;
   const own = before.knots !== undefined && typeof before.knots !== 'string';
+  const numbers = (values: Float64Array) =>
+    values.some((value) => value !== 1) ? Array.from(values) : undefined;
+  const weights = kind === 'bspline' || kind === 'rational' ? numbers(curve.weights) : undefined;
+  const betas = kind === 'barycentric' ? numbers(curve.betas) : undefined;
   return {
-    ...before,
-    points: curve.points,
-    ...(own && { knots: curve.knots }),
-    ...(before.weights && { weights: curve.weights }),
-    ...(before.betas && { betas: curve.betas }),
+    ...{ method, solver, rings, samples, kind, closed, points },
+    ...(kind === 'bspline' && { degree: curve.degree }),
+    ...(kind === 'bspline' && { knots: own ? Array.from(curve.knots) : before.knots }),
+    ...(kind === 'catmullrom' && { parametrization }),
+    ...(weights && { weights }),
+    ...(betas && { betas }),
   };
 }
 
-/** With a new control point where the curve passes, between those it is between. */
-function withPointOn(
-  curve: Curve,
-  options: CurveOptions,
-  near: [number, number, number],
-): CurveOptions {
-  const { parameter, point } = curve.nearest(near);
-  const { points, weights, betas, knots, ...rest } = options;
-  const index = indexAt(options, curve.segmentCount, parameter);
-  return {
-    ...rest,
-    points: (points as PointLike[]).toSpliced(index, 0, point),
-    ...(typeof knots === 'string' && { knots }),
-    ...(weights && { weights: Array.from(weights).toSpliced(index, 0, 1) }),
-    ...(betas && { betas: Array.from(betas).toSpliced(index, 0, 1) }),
-  };
+/** The same of a curve whose knots follow no rule any more. */
+function refinedOptions(curve: Curve, before: CurveOptions): CurveOptions {
+  const knots = Array.from(curve.knots);
+  return optionsOf(curve, { ...before, knots });
 }
 
-/** The number that a new point between the points around a parameter has. */
-function indexAt(options: CurveOptions, segments: number, parameter: number): number {
-  const { kind, degree = 3, points, closed } = options;
-  const passes = kind === 'catmullrom' || kind === 'polyline';
-  // Of a curve of one segment, the points are spread over it; a closed one ends at its first.
-  if (segments === 1 && !passes && kind !== 'bspline') {
-    const gaps = closed ? points.length : points.length - 1;
-    return Math.min(gaps, Math.floor(parameter * gaps) + 1);
-  }
-  const segment = Math.min(segments - 1, Math.floor(parameter));
-  if (passes) return segment + 1;
-  // A B-spline's segment lies over the middle of the degree + 1 points that it blends.
-  const before = segment + Math.floor((degree + parameter - segment) / 2) + 1;
-  return closed ? before % points.length || points.length : Math.min(points.length - 1, before);
+/** Runs along both, which may be turned around for it. */
+function joinedAtEnds(a: Curve, b: Curve): Curve {
+  const ends = (curve: Curve) =>
+    [0, curve.segmentCount].map((parameter) => curve.pointAt(parameter).position);
+  const [startA, endA] = ends(a) as [Place, Place];
+  const [startB, endB] = ends(b) as [Place, Place];
+  const far = (p: Place, q: Place) => Math.hypot(...p.map((value, axis) => value - q[axis]!));
+  const ways = [far(endA, startB), far(endA, endB), far(startA, endB), far(startA, startB)];
+  const way = ways.indexOf(Math.min(...ways));
+  if (way === 1) b.reverse();
+  if (way === 3) a.reverse();
+  return way === 2 ? b.join(a) : a.join(b);
 }
