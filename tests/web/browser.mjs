@@ -75,7 +75,11 @@ export class Tab {
       if (['error', 'warning'].includes(message.type())) this.logged.push(message.text());
     });
     page.on('pageerror', (error) => this.logged.push(`${error}`));
-    page.on('requestfailed', (request) => this.logged.push(`failed: ${request.url()}`));
+    page.on('requestfailed', (request) => {
+      // A reload ends what is still on its way.
+      if (request.failure()?.errorText === 'net::ERR_ABORTED') return;
+      this.logged.push(`failed: ${request.url()}`);
+    });
   }
 
   /** Opens the page with a fragment such as `mesh=sphere:1500`, and waits until it can be used. */
@@ -95,14 +99,16 @@ export class Tab {
 
   state = () => this.page.evaluate(() => window.karcherPage.state());
 
+  /** What is shown once the engine has answered the newest state: seen as settled, and taken, at once. */
   async view() {
-    await this.settled();
-    const view = await this.page.evaluate(() => {
-      const { curve, ...rest } = window.karcherPage.view();
+    const view = await this.page.waitForFunction(() => {
+      const page = window.karcherPage;
+      if (!page?.settled || page.mesh() === null) return null;
+      const { curve, legs, ...rest } = page.view();
       const polyline = curve && Array.from(curve.polyline);
-      return { ...rest, legs: rest.legs.map((leg) => Array.from(leg)), curve, polyline };
+      return { ...rest, legs: legs.map((leg) => Array.from(leg)), curve, polyline };
     });
-    return view;
+    return view.jsonValue();
   }
 
   mesh = () =>

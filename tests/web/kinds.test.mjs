@@ -152,7 +152,7 @@ describe('kinds of curves', () => {
       const surface = await tab.mesh();
       const [point] = placesOf([(await tab.state()).document.points[2]], surface);
       const slider = tab.page.getByRole('slider', { name: `${name} of point 3` });
-      for (const value of [40, 48, 56]) {
+      for (const value of [36, 42, 48]) {
         await slider.evaluate((input, to) => {
           input.value = `${to}`;
           input.dispatchEvent(new Event('input', { bubbles: true }));
