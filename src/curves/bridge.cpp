@@ -9,10 +9,8 @@
 namespace karcher {
 namespace {
 
-/// Steps longer than this, in mean edges, are divided to see whether they hide a jump.
-constexpr double kCoarseStep = 2;
-/// A step is divided at most so often: a jump takes two searches a halving, a long step more.
-constexpr int kMostDivisions = 4000;
+/// A step is divided at most so often: enough for one over the whole of a large surface.
+constexpr int kMostDivisions = 200'000;
 /// Over a shorter part of the segment the scheme's curve is as good as its chord.
 constexpr double kShortInterval = 1.0 / 32;
 constexpr int kMostPieces = 8;
@@ -25,14 +23,6 @@ struct Interval {
   bool keepsLast = true;
   Status reason = Status::kJump;
 };
-
-/// Whether a step differs from the one expected by more than a smooth curve's would: in length, or
-/// in direction by more than the surface bends it.
-bool isUneven(const Vec3& step, const Vec3& expected, double longest) {
-  const double length = expected.norm();
-  return std::abs(step.norm() - length) > longest + 0.1 * length ||
-         (step - expected).norm() > longest + 0.6 * length;
-}
 
 class JumpSearch {
  public:
@@ -58,10 +48,6 @@ class JumpSearch {
       const Array<double> weights = basis_(t);
       const CenterOfMass center = findCenter(fields_, weights, step.from.point, method_);
       if (center.status != Status::kConverged) return center.status;
-      const Vec3 middle = position(mesh_, center.point);
-      // Halves that are alike hold no jump, unless they are long.
-      const bool isLong = (b - a).norm() > kCoarseStep / kLongestStep * longest_;
-      if (!isLong && !isUneven(middle - a, b - middle, longest_)) continue;
       stack_.push_back({step.from, {t, center.point}});
       stack_.push_back({{t, center.point}, step.to});
     }
@@ -86,39 +72,23 @@ class JumpSearch {
   Array<Step> stack_;
 };
 
-/// The steps from converged sample to converged sample that may hide a jump: those that are long,
-/// or differ from their neighbours, in length or direction, by more than a smooth curve's would.
-Array<int> suspiciousSteps(const Surface& surface, const Array<CurveSample>& samples) {
-  const TriangleMesh& mesh = surface.mesh();
-  const double edge = surface.geometry().meanEdge;
-  const int count = samples.count() - 1;
-  Array<Vec3> velocities(samples.size());
-  Array<uint8_t> known(samples.size(), 0);
-  Vec3 before = position(mesh, samples[0].point);
-  for (int i = 0; i < count; ++i) {
-    const Vec3 after = position(mesh, samples[i + 1].point);
-    velocities[i] = (after - before) / (samples[i + 1].t - samples[i].t);
-    known[i] =
+/// The steps between converged samples that break, by their first sample, and how.
+Array<std::pair<int, Status>> findJumps(Surface& surface, const Array<PointField*>& points,
+                                        const Basis& basis, Method method,
+                                        const Array<CurveSample>& samples) {
+  Array<ControlField*> controlFields;
+  for (PointField* point : points) controlFields.push_back(&point->field());
+  FieldBlend fields(surface.geometry(), std::move(controlFields));
+  JumpSearch search(surface, fields, basis, method);
+  Array<std::pair<int, Status>> jumps;
+  for (int i = 0; i + 1 < samples.count(); ++i) {
+    const bool converged =
         samples[i].status == Status::kConverged && samples[i + 1].status == Status::kConverged;
-    before = after;
+    if (!converged) continue;
+    const std::optional<Status> reason = search.run(samples[i], samples[i + 1]);
+    if (reason) jumps.emplace_back(i, *reason);
   }
-  Array<int> suspicious;
-  for (int i = 0; i < count; ++i) {
-    if (!known[i]) continue;
-    const double duration = samples[i + 1].t - samples[i].t;
-    const bool left = i > 0 && known[i - 1];
-    const bool right = i + 1 < count && known[i + 1];
-    Vec3 expected = Vec3::Zero();
-    if (left) expected += velocities[i - 1];
-    if (right) expected += velocities[i + 1];
-    if (left && right) expected /= 2;
-    const Vec3 step = duration * velocities[i];
-    if (step.norm() > kCoarseStep * edge ||
-        isUneven(step, duration * expected, kLongestStep * edge)) {
-      suspicious.push_back(i);
-    }
-  }
-  return suspicious;
+  return jumps;
 }
 
 /// Appends an interval, as one with the last where they meet.
@@ -222,18 +192,18 @@ class BridgeBuilder {
     if (!(pull > 0)) return;
     if (from != nullptr) polygon.front() = *from;
     if (to != nullptr) polygon.back() = *to;
-    const GeodesicLine chord = shortestLine(geometry_, polygon.front(), polygon.back());
+    const GeodesicLine chord = geodesicLine(geometry_, polygon.front(), polygon.back());
     const double kept = length / (length + pull);
     const int last = polygon.count() - 1;
     for (int i = 1; i < last; ++i) {
       const SurfacePoint onChord =
           pointAlong(*geometry_.mesh, chord.points, chord.lengths, chord.length() * i / last);
-      polygon[i] = averageOf(geometry_, onChord, polygon[i], kept);
+      polygon[i] = averageAlongGeodesic(geometry_, onChord, polygon[i], kept);
     }
   }
 
   double distance(const SurfacePoint& a, const SurfacePoint& b) {
-    return shortestLine(geometry_, a, b).length();
+    return geodesicLine(geometry_, a, b).length();
   }
 
   const Geometry& geometry_;
@@ -278,27 +248,20 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
 
 Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, const Basis& basis,
                             Method method, Array<CurveSample>& samples) {
-  Array<std::pair<int, Status>> jumps;
-  const Array<int> suspicious = suspiciousSteps(surface, samples);
-  if (!suspicious.empty()) {
-    Array<ControlField*> controlFields;
-    for (PointField* point : points) controlFields.push_back(&point->field());
-    FieldBlend fields(surface.geometry(), std::move(controlFields));
-    JumpSearch search(surface, fields, basis, method);
-    for (const int i : suspicious) {
-      const std::optional<Status> reason = search.run(samples[i], samples[i + 1]);
-      if (reason) jumps.emplace_back(i, *reason);
-    }
-  }
-
+  const Array<std::pair<int, Status>> jumps = findJumps(surface, points, basis, method, samples);
   Array<Bridge> bridges;
   BridgeBuilder builder(surface.geometry(), points, basis);
   for (const Interval& interval : intervalsToBridge(samples, jumps)) {
     CurveSample& first = samples[interval.first];
     CurveSample& last = samples[interval.last];
     Bridge bridge{first.t, last.t, interval.reason, {}};
-    bridge.line = builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
-                                interval.keepsLast ? &last.point : nullptr);
+    if (interval.last - interval.first == 1 && interval.keepsFirst && interval.keepsLast) {
+      appendBezier(surface.geometry(), {first.point, last.point}, first.t, last.t, bridge.line);
+    } else {
+      bridge.line =
+          builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
+                        interval.keepsLast ? &last.point : nullptr);
+    }
     for (int i = interval.first; i <= interval.last; ++i) {
       if (i == interval.first && interval.keepsFirst) continue;
       if (i == interval.last && interval.keepsLast) continue;

@@ -41,8 +41,9 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// converged or jump, bridges these intervals, and moves the samples inside onto the bridges with
 /// the status kBridged. Returns the bridges, ascending in t.
 ///
-/// A segment without jumps costs a few operations a sample. A step is divided only where it differs
-/// from its neighbours or is longer than two edges.
+/// Between two neighbouring samples a bridge is the geodesic that joins them. A step shorter than
+/// `kLongestStep` costs nothing; a longer one is divided until its parts are, which takes two
+/// searches for each `kLongestStep` of the curve.
 Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, const Basis& basis,
                             Method method, Array<CurveSample>& samples);
 

@@ -42,16 +42,21 @@ Array<double> unfolded(const SegmentBasis& basis, double t) {
 }
 
 /// A segment that blends `numbers`, one a weight of the basis; a number may come several times.
+/// Then the segment goes all round a closed curve, and its points have the order that they have in
+/// its other segments, so that these agree where they meet.
 SegmentLayout segmentOf(SegmentBasis basis, const Array<int>& numbers) {
   SegmentLayout segment;
-  Array<SegmentBasis::Fold> folds;
-  for (int k = 0; k < numbers.count(); ++k) {
-    const auto known = std::find(segment.points.begin(), segment.points.end(), numbers[k]);
-    const int to = static_cast<int>(known - segment.points.begin());
-    if (known == segment.points.end()) segment.points.push_back(numbers[k]);
-    folds.push_back({k, to, 1});
+  for (const int number : numbers) {
+    const auto end = segment.points.end();
+    if (std::find(segment.points.begin(), end, number) == end) segment.points.push_back(number);
   }
-  if (segment.points.count() < numbers.count()) basis.folds = std::move(folds);
+  if (segment.points.count() < numbers.count()) {
+    std::sort(segment.points.begin(), segment.points.end());
+    for (int k = 0; k < numbers.count(); ++k) {
+      const auto place = std::find(segment.points.begin(), segment.points.end(), numbers[k]);
+      basis.folds.push_back({k, static_cast<int>(place - segment.points.begin()), 1});
+    }
+  }
   basis.points = segment.points.count();
   segment.basis = std::move(basis);
   return segment;

@@ -1,13 +1,20 @@
 #include "curves/geodesic_line.h"
 
 #include "distance/shortest_path.h"
+#include "intrinsic/local_path.h"
 
 namespace karcher {
 
-GeodesicLine shortestLine(const Geometry& geometry, const SurfacePoint& from,
+GeodesicLine geodesicLine(const Geometry& geometry, const SurfacePoint& from,
                           const SurfacePoint& to) {
   GeodesicLine line;
-  line.points = shortestPath(geometry, from, to).points;
+  line.points.push_back(from);
+  LocalPathWorkspace workspace;
+  double length = 0;
+  const LocalPathOptions everywhere{2 * geometry.mesh->faceCount()};
+  if (!appendLocalPath(geometry, from, to, workspace, line.points, length, everywhere)) {
+    line.points = shortestPath(geometry, from, to).points;
+  }
   line.lengths = lengthsAlong(*geometry.mesh, line.points);
   return line;
 }

@@ -22,7 +22,7 @@ struct WeightedPoint {
 
 WeightedPoint merged(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b) {
   const double sum = a.weight + b.weight;
-  return {extendedAverage(geometry, a.point, b.point, b.weight / sum), sum};
+  return {averageAlongGeodesic(geometry, a.point, b.point, b.weight / sum), sum};
 }
 
 /// The average of points of positive weight, from both ends of the list.
@@ -64,7 +64,7 @@ std::pair<Polygon, Polygon> split(const Geometry& geometry, const Polygon& polyg
     Polygon inner;
     for (int i = 1; i < halves.count(); ++i) {
       inner.push_back(
-          shortestLine(geometry, halves[i - 1].second.points[0], halves[i].second.points[0]));
+          geodesicLine(geometry, halves[i - 1].second.points[0], halves[i].second.points[0]));
     }
     parts.first.push_back(std::move(halves.front().first));
     parts.second.insert(parts.second.begin(), std::move(halves.back().second));
@@ -101,12 +101,12 @@ void subdivide(const Geometry& geometry, const Polygon& polygon, double t0, doub
 
 }  // namespace
 
-SurfacePoint extendedAverage(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b,
-                             double s) {
+SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& a,
+                                  const SurfacePoint& b, double s) {
   const TriangleMesh& mesh = *geometry.mesh;
-  if (s < 0) return extendedAverage(geometry, b, a, 1 - s);
-  if (s <= 1) return averageOf(geometry, a, b, s);
-  const GeodesicLine line = shortestLine(geometry, a, b);
+  if (s < 0) return averageAlongGeodesic(geometry, b, a, 1 - s);
+  const GeodesicLine line = geodesicLine(geometry, a, b);
+  if (s <= 1) return pointAlong(*geometry.mesh, line.points, line.lengths, s * line.length());
   // On from b, in the direction of the last piece.
   for (int i = line.points.count() - 2; i >= 0; --i) {
     if (line.lengths[i] == line.length()) continue;
@@ -131,14 +131,14 @@ SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>
   const WeightedPoint average = foldedFromEnds(geometry, positive);
   if (negative.empty()) return average.point;
   const WeightedPoint away = foldedFromEnds(geometry, negative);
-  return extendedAverage(geometry, away.point, average.point, 1 + away.weight);
+  return averageAlongGeodesic(geometry, away.point, average.point, 1 + away.weight);
 }
 
 void appendBezier(const Geometry& geometry, const Array<SurfacePoint>& points, double t0, double t1,
                   ParametricLine& line) {
   Polygon polygon;
   for (int i = 1; i < points.count(); ++i) {
-    polygon.push_back(shortestLine(geometry, points[i - 1], points[i]));
+    polygon.push_back(geodesicLine(geometry, points[i - 1], points[i]));
   }
   subdivide(geometry, polygon, t0, t1, 0, line);
 }

@@ -7,10 +7,10 @@
 /// Splines on Surface Meshes" (2022).
 namespace karcher {
 
-/// `averageOf` for any s: beyond [0, 1] the path goes on straight, as far as the surface's boundary
-/// lets it.
-SurfacePoint extendedAverage(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b,
-                             double s);
+/// The point at the part s of a geodesic from a to b. Beyond [0, 1] it goes on straight, as far as
+/// the surface's boundary lets it.
+SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& a,
+                                  const SurfacePoint& b, double s);
 
 /// Weighted points as repeated averages of two: from both ends of the list towards its middle, so
 /// that neighbours meet first and the reversed list gives the same. With the weights of a knot
@@ -28,7 +28,7 @@ struct ParametricLine {
 };
 
 /// Appends the Bezier curve over [t0, t1] of the control points, at least two, by de Casteljau's
-/// subdivision in the middle along shortest paths, until it is cut in 2^6 or shorter than an edge.
+/// subdivision in the middle along geodesics, until it is cut in 2^6 or shorter than an edge.
 /// Its last control polygons stand for the curve. The first point is not repeated where `line`
 /// already ends there.
 void appendBezier(const Geometry& geometry, const Array<SurfacePoint>& points, double t0, double t1,

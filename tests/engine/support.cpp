@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -42,6 +43,11 @@ TriangleMesh bunnyMesh() {
     }
   }
   return buildMesh(positions, faces);
+}
+
+bool longRun() {
+  const char* value = std::getenv("KARCHER_LONG");
+  return value != nullptr && std::string(value) == "1";
 }
 
 ErrorCode codeOf(const std::function<void()>& action) {

@@ -16,6 +16,10 @@ TriangleMesh planeGrid(int columns, int rows);
 /// std::runtime_error if the set-up has not written it.
 TriangleMesh bunnyMesh();
 
+/// Whether the tests are to draw the large numbers of cases: with KARCHER_LONG=1 in the
+/// environment, as `npm run check:long` sets it.
+bool longRun();
+
 /// The code of the Error that the action throws; a failure of the test if it throws none.
 ErrorCode codeOf(const std::function<void()>& action);
 

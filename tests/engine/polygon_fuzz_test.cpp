@@ -1,0 +1,42 @@
+#include "fuzz/polygon_fuzz.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+void expectNoFaults(const std::string& name, TriangleMesh mesh, uint64_t firstSeed, int polygons) {
+  Surface surface(std::move(mesh));
+  FuzzTally tally;
+  for (int i = 0; i < polygons; ++i) {
+    fuzzPolygon(surface, i % kSpacingCount, firstSeed + static_cast<uint64_t>(i), tally);
+  }
+  std::printf("%s, %d polygons from seed %llu: largest jump without a mark %.3f mean edges\n",
+              name.c_str(), polygons, static_cast<unsigned long long>(firstSeed),
+              tally.largestJump);
+  for (const std::string& fault : tally.faults) ADD_FAILURE() << name << ", " << fault;
+}
+
+TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheShapes) {
+  // In the long run, with the bunny's, 2,000 polygons.
+  const int polygons = longRun() ? 350 : 5;
+  uint64_t seed = 1;
+  for (const Shape shape : kShapes) {
+    const int triangles = shape == Shape::kGenus3 ? 2000 : 1000;
+    expectNoFaults(shapeName(shape), importMesh(makeShape(shape, triangles)).mesh, seed, polygons);
+    seed += 10'000;
+  }
+}
+
+TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheBunny) {
+  expectNoFaults("bunny", bunnyMesh(), 100'000, longRun() ? 250 : 5);
+}
+
+}  // namespace
+}  // namespace karcher
