@@ -63,7 +63,7 @@ export class Curve {
   constructor(engine: Engine, mesh: Handle<EngineMesh>, options: CurveOptions, owner: CurveOwner) {
     const basis = options.basis === undefined ? undefined : new OwnBasis(options.basis);
     const shape = engineShape(options, basis);
-    const { samples, tolerance } = engineSampling(options);
+    const sampling = engineSampling(options);
     const field = engineFieldOptions(options);
     const points = wirePoints(mesh, options.points);
     this.#engine = engine;
@@ -72,7 +72,7 @@ export class Curve {
     this.#options = options;
     this.#basis = basis;
     const target = this.#guard(() =>
-      mesh.call((engineMesh) => engineMesh.curve(points, shape, samples, tolerance, field)),
+      mesh.call((engineMesh) => engineMesh.curve(points, shape, sampling, field)),
     );
     this.#handle = new Handle(engine, 'the curve', target);
     try {
@@ -101,7 +101,8 @@ export class Curve {
   }
 
   /**
-   * x, y, z of the curve's vertices for drawing, on the surface: the samples, joined by geodesics.
+   * x, y, z of the curve's vertices for drawing, on the surface: the samples, joined as
+   * `geometry` says.
    */
   get polyline(): Float32Array {
     return new Float32Array(this.path.polyline);
@@ -326,9 +327,9 @@ export class Curve {
 
   /** A curve of other parts, with the samples and fields of this one. */
   #alike(parts: EngineCurveParts): Curve {
-    const { method, solver, rings, samples, tolerance } = this.#options;
+    const { method, solver, rings, samples, tolerance, geometry } = this.#options;
     const shared = Object.fromEntries(
-      Object.entries({ method, solver, rings, samples, tolerance }).filter(
+      Object.entries({ method, solver, rings, samples, tolerance, geometry }).filter(
         ([, value]) => value !== undefined,
       ),
     );

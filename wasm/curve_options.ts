@@ -7,9 +7,15 @@ import {
   toFloat64,
 } from './check.js';
 import { KarcherError } from './errors.js';
-import type { EngineCurveParts, EngineCurveShape } from './karcher-engine.mjs';
+import type { EngineCurveParts, EngineCurveShape, EngineSampling } from './karcher-engine.mjs';
 import { toSurfacePoints } from './points.js';
-import type { CurveBasis, CurveKind, CurveOptions, Parametrization } from './types.js';
+import type {
+  CurveBasis,
+  CurveGeometry,
+  CurveKind,
+  CurveOptions,
+  Parametrization,
+} from './types.js';
 
 export const curveKinds: readonly CurveKind[] = [
   'bspline',
@@ -20,6 +26,7 @@ export const curveKinds: readonly CurveKind[] = [
   'polyline',
   'custom',
 ];
+const geometries: readonly CurveGeometry[] = ['geodesic', 'exact'];
 const defaultSamples = 128;
 const defaultTolerance = 1e-4;
 
@@ -60,13 +67,16 @@ export class OwnBasis {
   }
 }
 
-/** How a curve is sampled, as the engine takes it: a tolerance of 0 for a fixed number. */
-export function engineSampling(options: CurveOptions): { samples: number; tolerance: number } {
+/** How a curve is sampled and drawn, as the engine takes it. */
+export function engineSampling(options: CurveOptions): EngineSampling {
   const { samples, tolerance } = options;
+  const geometry = options.geometry ?? 'geodesic';
+  const exact = checkOneOf(geometry, geometries, 'the geometry of a curve') === 'exact';
   if (samples !== 'adaptive' && tolerance === undefined) {
     return {
       samples: checkInteger(samples ?? defaultSamples, 'the number of samples'),
       tolerance: 0,
+      exact,
     };
   }
   if (samples !== 'adaptive' && samples !== undefined) {
@@ -79,7 +89,7 @@ export function engineSampling(options: CurveOptions): { samples: number; tolera
   if (part <= 0) {
     throw new KarcherError('badArgument', `the tolerance must be positive, not ${part}`);
   }
-  return { samples: defaultSamples, tolerance: part };
+  return { samples: defaultSamples, tolerance: part, exact };
 }
 
 /** The options that make a curve of the engine's parts. */

@@ -84,10 +84,18 @@ export interface EngineMesh {
   curve(
     points: Float64Array,
     shape: EngineCurveShape,
-    samples: number,
-    tolerance: number,
+    sampling: EngineSampling,
     field: EngineFieldOptions,
   ): EngineCurve;
+}
+
+/** How a curve is sampled and drawn. */
+export interface EngineSampling {
+  samples: number;
+  /** 0 for a fixed number of samples. */
+  tolerance: number;
+  /** Whether crossings of edges lie between the samples, not geodesics. */
+  exact: boolean;
 }
 
 /** Arrays are empty where there are none. */

@@ -156,6 +156,8 @@ export interface CenterOptions extends FieldOptions {
   normalize?: boolean;
 }
 
+export type CurveGeometry = 'geodesic' | 'exact';
+
 export interface CurveOptions extends FieldOptions {
   kind: CurveKind;
   points: PointLike[];
@@ -169,6 +171,11 @@ export interface CurveOptions extends FieldOptions {
    * part of the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default.
    */
   tolerance?: number;
+  /**
+   * What lies between the samples: the `geodesic` that joins them, or `exact`, the curve's own
+   * crossings of the mesh's edges. `geodesic` by default.
+   */
+  geometry?: CurveGeometry;
   /** Whether the curve ends where it starts, as smoothly as elsewhere; of at least 3 points. */
   closed?: boolean;
   /** Of a B-spline, 1 to 5; 3 by default. */

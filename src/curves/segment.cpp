@@ -44,7 +44,10 @@ Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& poin
     // there.
     const bool isEnd = i == 0 || i == samples.count() - 1;
     if (isEnd) start = points[heaviest(table.row(i))]->point();
-    const CenterOfMass center = findCenter(fields, table.row(i), start, method);
+    CenterOfMass center = findCenter(fields, table.row(i), start, method);
+    if (center.status != Status::kConverged && !isEnd && method == Method::kKarcher) {
+      center = findCenter(fields, table.row(i), points[heaviest(table.row(i))]->point(), method);
+    }
     samples[i] = {table.t[i], center.point, center.status};
     if (center.status == Status::kConverged) start = center.point;
   }

@@ -36,8 +36,9 @@ WeightTable tabulate(const Basis& basis, int count);
 int heaviest(Weights weights);
 
 /// One sample a row of the table. The search for the first and the last starts at the control point
-/// of the largest weight, for each other where the last converged sample lies: the result depends
-/// on the fields and the weights alone, and the end of one segment is the start of the next.
+/// of the largest weight, for each other where the last converged sample lies, and once more at
+/// that control point where this fails: the result depends on the fields and the weights alone, and
+/// the end of one segment is the start of the next.
 Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& points,
                                 const WeightTable& table, Method method);
 

@@ -212,6 +212,38 @@ test('adaptive samples keep their tolerance', () => {
   }
 });
 
+test('with exact geometry the polyline bends on the curve alone, however few the samples', () => {
+  const away = ([x, y]) => {
+    const distance = (t) => {
+      const [cx, cy] = blended(bernstein(t));
+      return Math.hypot(cx - x, cy - y);
+    };
+    const ts = Array.from({ length: 401 }, (_, i) => i / 400);
+    const nearest = ts.reduce((best, t) => (distance(t) < distance(best) ? t : best));
+    let [from, to] = [Math.max(nearest - 1 / 400, 0), Math.min(nearest + 1 / 400, 1)];
+    for (let step = 0; step < 100; step++) {
+      const third = (to - from) / 3;
+      if (distance(from + third) < distance(to - third)) to -= third;
+      else from += third;
+    }
+    return distance((from + to) / 2);
+  };
+  const worst = (geometry) => {
+    const { path } = mesh.curve({ kind: 'bezier', points, solver: 'exact', samples: 5, geometry });
+    const vertices = Array.from({ length: path.polyline.length / 3 }, (_, i) =>
+      path.polyline.slice(3 * i, 3 * i + 2),
+    );
+    assert.ok(vertices.length > 8);
+    return Math.max(...vertices.map(away));
+  };
+  assert.ok(worst('exact') < 1e-7);
+  assert.ok(worst('geodesic') > 1e-3);
+  assert.throws(() => mesh.curve({ kind: 'bezier', points, geometry: 'straight' }), {
+    code: 'badArgument',
+    message: /geodesic, exact, not 'straight'/,
+  });
+});
+
 test('a curve at a parameter, by length, and next to a place', () => {
   const curve = mesh.curve({ kind: 'bezier', points, solver: 'exact' });
   const at = curve.pointAt(0.3);

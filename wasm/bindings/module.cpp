@@ -31,10 +31,13 @@ val statusNames() {
 }
 
 std::unique_ptr<CurveHandle> makeCurve(MeshHandle& mesh, const val& points, const val& shape,
-                                       int samples, double tolerance, const val& field) {
-  return std::make_unique<CurveHandle>(
-      mesh, CurveOptions{curveShapeFromJs(shape), samples, fieldOptionsFromJs(field), tolerance},
-      pointsFromJs(mesh.numbering(), mesh.mesh(), points));
+                                       const val& sampling, const val& field) {
+  const CurveOptions options{
+      curveShapeFromJs(shape), sampling["samples"].as<int>(), fieldOptionsFromJs(field),
+      sampling["tolerance"].as<double>(),
+      sampling["exact"].as<bool>() ? CurveGeometry::kExact : CurveGeometry::kGeodesic};
+  return std::make_unique<CurveHandle>(mesh, options,
+                                       pointsFromJs(mesh.numbering(), mesh.mesh(), points));
 }
 
 std::unique_ptr<GraphBuilderHandle> makeGraphBuilder(MeshHandle& mesh, int rings) {

@@ -1,5 +1,5 @@
 import { load } from '../load.js';
-import type { CurveKind, CurveOptions, Parametrization } from '../types.js';
+import type { CurveGeometry, CurveKind, CurveOptions, Parametrization } from '../types.js';
 import type { Arguments } from './arguments.js';
 import { type Command, fieldOptions, formatOption, pointsOption } from './command.js';
 import { UsageError } from './errors.js';
@@ -45,6 +45,12 @@ export const trace: Command = {
       value: 'T',
       help: "of adaptive samples: the curve's distance from the geodesics between them, as a part of the diagonal",
       default: '1e-4',
+    },
+    {
+      name: 'geometry',
+      value: 'geodesic|exact',
+      help: "what lies between the samples: geodesics, or the curve's own crossings of edges",
+      default: 'geodesic',
     },
     ...fieldOptions,
     formatOption,
@@ -93,6 +99,7 @@ function curveOptions(args: Arguments): Omit<CurveOptions, 'points'> {
     ...numbers('weights'),
     ...numbers('betas'),
     parametrization: args.choice<Parametrization>('parametrization'),
+    geometry: args.choice<CurveGeometry>('geometry'),
     ...(adaptive
       ? { samples: 'adaptive' as const, tolerance: args.number('tolerance') }
       : { samples: args.integer('samples') }),

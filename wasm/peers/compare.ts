@@ -3,7 +3,7 @@ import type { Mesh } from '../mesh.js';
 import { nextCorner, toSurfacePoint, wirePoint } from '../points.js';
 import type { CurveSamples, LongWorkOptions } from '../types.js';
 import type { ComparedCurve } from './compared_curve.js';
-import { CurveMeter, type CurveMeasures, type ReferenceSamples } from './measure.js';
+import { type CurveMeasures, CurveMeter, type ReferenceSamples } from './measure.js';
 import type { Peers } from './peers.js';
 import { comparedMethods, type PreparedMethod } from './prepared_method.js';
 import type { ComparedMethod, ComparedPath, CurvePlan, MethodOptions } from './types.js';

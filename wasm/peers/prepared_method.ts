@@ -1,7 +1,7 @@
 import { checkInteger, checkOneOf, toFloat64, toInt32 } from '../check.js';
 import { type Engine, Handle } from '../engine.js';
-import { engineFieldOptions } from '../options.js';
 import type { Mesh } from '../mesh.js';
+import { engineFieldOptions } from '../options.js';
 import { toSurfacePoint, wirePoints } from '../points.js';
 import { prepareGraph } from '../prepare.js';
 import type { LongWorkOptions, PointLike } from '../types.js';
