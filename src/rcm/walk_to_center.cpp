@@ -30,6 +30,7 @@ namespace {
 
 constexpr int kMaxFaces = 400;
 constexpr int kMaxLeaps = 60;
+constexpr double kLongestLeap = 0.5;  ///< of the bounding box's diagonal
 constexpr double kInsideTolerance = 1e-10;
 /// A zero whose weights in a face go below this is far away: leap instead of walking there.
 constexpr double kFarWeight = -6;
@@ -116,7 +117,9 @@ class ZeroWalk {
     while (leaps_ < kMaxLeaps) {
       ++leaps_;
       const TriangleField field = fields_.blend(point.face, weights_);
-      const Vec2 step = -field.at(point.bary) / 2;
+      // Weights far from 0 and 1 ask for steps that would wind round the surface again and again.
+      const Vec2 wanted = -field.at(point.bary) / 2;
+      const Vec2 step = wanted * std::min(1.0, kLongestLeap * geometry_.diagonal / wanted.norm());
       const StraightestPath path = traceStraightest(geometry_, point, step);
       point = path.points.back();
       const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, point.face);
