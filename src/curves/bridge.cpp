@@ -14,6 +14,8 @@ constexpr int kMostDivisions = 200'000;
 /// Over a shorter part of the segment the scheme's curve is as good as its chord.
 constexpr double kShortInterval = 1.0 / 32;
 constexpr int kMostPieces = 8;
+/// A step in a face that comes nearer to an edge than this part of its length may bend across it.
+constexpr double kMargin = 0.25;
 
 /// An interval that is to be bridged, by its samples. An end that is not kept is lost itself.
 struct Interval {
@@ -27,7 +29,8 @@ struct Interval {
 class JumpSearch {
  public:
   JumpSearch(Surface& surface, FieldBlend& fields, const Basis& basis, Method method)
-      : mesh_(surface.mesh()),
+      : geometry_(surface.geometry()),
+        mesh_(surface.mesh()),
         fields_(fields),
         basis_(basis),
         method_(method),
@@ -44,6 +47,7 @@ class JumpSearch {
       const Vec3 b = position(mesh_, step.to.point);
       if ((b - a).norm() <= longest_) continue;
       if (step.to.t - step.from.t <= kFinestDivision) return Status::kJump;
+      if (staysInFace(step)) continue;
       const double t = (step.from.t + step.to.t) / 2;
       const Array<double> weights = basis_(t);
       const CenterOfMass center = findCenter(fields_, weights, step.from.point, method_);
@@ -64,6 +68,23 @@ class JumpSearch {
     Place to;
   };
 
+  /// In one face the zero of the field moves continuously, and stays there if the step keeps away
+  /// from the edges.
+  bool staysInFace(const Step& step) const {
+    const SurfacePoint& from = step.from.point;
+    const SurfacePoint& to = step.to.point;
+    if (from.face != to.face) return false;
+    const double margin = kMargin * (position(mesh_, to) - position(mesh_, from)).norm();
+    const Vec3 least = from.bary.cwiseMin(to.bary);
+    const double area = doubleArea(geometry_, from.face);
+    for (int k = 0; k < 3; ++k) {
+      const double height = area / geometry_.edgeLength[3 * from.face + (k + 1) % 3];
+      if (least[k] * height < margin) return false;
+    }
+    return true;
+  }
+
+  const Geometry& geometry_;
   const TriangleMesh& mesh_;
   FieldBlend& fields_;
   const Basis& basis_;

@@ -41,9 +41,9 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// converged or jump, bridges these intervals, and moves the samples inside onto the bridges with
 /// the status kBridged. Returns the bridges, ascending in t.
 ///
-/// Between two neighbouring samples a bridge is the geodesic that joins them. A step shorter than
-/// `kLongestStep` costs nothing; a longer one is divided until its parts are, which takes two
-/// searches for each `kLongestStep` of the curve.
+/// Between two neighbouring samples a bridge is the geodesic that joins them. A step well inside a
+/// face costs nothing, nor one shorter than `kLongestStep`; others are divided until their parts are
+/// one or the other.
 Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, const Basis& basis,
                             Method method, Array<CurveSample>& samples);
 
