@@ -57,7 +57,7 @@ export class Curve {
   readonly #owner: CurveOwner;
   readonly #options: CurveOptions;
   readonly #basis: OwnBasis | undefined;
-  #times: CurveTimes = { fields: 0, trace: 0, join: 0 };
+  #times: CurveTimes = { fields: 0, trace: 0, bridge: 0, join: 0 };
 
   /** @internal `Mesh.curve` makes curves. */
   constructor(engine: Engine, mesh: Handle<EngineMesh>, options: CurveOptions, owner: CurveOwner) {
@@ -357,13 +357,16 @@ export class Curve {
     const start = performance.now();
     this.#call((curve) => curve.updateFields());
     const fieldsDone = performance.now();
-    this.#call((curve) => curve.trace());
+    this.#call((curve) => curve.findSamples());
     const traceDone = performance.now();
+    this.#call((curve) => curve.bridge());
+    const bridgeDone = performance.now();
     this.#call((curve) => curve.join());
     this.#times = {
       fields: fieldsDone - start,
       trace: traceDone - fieldsDone,
-      join: performance.now() - traceDone,
+      bridge: bridgeDone - traceDone,
+      join: performance.now() - bridgeDone,
     };
   }
 }

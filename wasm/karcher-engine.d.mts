@@ -160,7 +160,8 @@ export interface EngineCurve {
   setBeta(i: number, beta: number): void;
   retrace(): void;
   updateFields(): void;
-  trace(): void;
+  findSamples(): void;
+  bridge(): void;
   join(): void;
   /** Weights, betas and a B-spline's knots in full; without the basis. */
   shape(): EngineCurveShape;

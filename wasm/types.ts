@@ -293,7 +293,11 @@ export interface StraightestPath {
 /** Milliseconds of a curve's last update. */
 export interface CurveTimes {
   fields: number;
+  /** The searches for the samples. */
   trace: number;
+  /** The search for jumps between them, and the bridges over these and over what was not found. */
+  bridge: number;
+  /** The paths between samples. */
   join: number;
 }
 

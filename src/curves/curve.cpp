@@ -115,7 +115,9 @@ void Curve::change(const CurveShape& shape, const Array<SurfacePoint>& positions
 }
 
 void Curve::retrace() {
-  for (Segment& segment : segments_) segment.traced->isTraced = segment.traced->isJoined = false;
+  for (Segment& segment : segments_) {
+    segment.traced->isSampled = segment.traced->isBridged = segment.traced->isJoined = false;
+  }
 }
 
 void Curve::updateFields() {
@@ -129,16 +131,32 @@ void Curve::updateFields() {
   }
 }
 
-void Curve::trace() {
+void Curve::findSamples() {
   if (stale_) {
     updateGaps();
     segments_ = makeSegments(shape(), points_);
     stale_ = false;
   }
-  for (Segment& segment : segments_) {
-    if (segment.traced->isTraced) continue;
-    traceSegmentOf(segment);
-    segment.traced->isTraced = true;
+  for (int j = 0; j < segmentCount(); ++j) {
+    Traced& traced = *segments_[j].traced;
+    if (traced.isSampled) continue;
+    findSamplesOf(j);
+    traced.isSampled = true;
+    traced.isBridged = traced.isJoined = false;
+  }
+}
+
+void Curve::bridge() {
+  for (int j = 0; j < segmentCount(); ++j) {
+    Traced& traced = *segments_[j].traced;
+    if (traced.isBridged) continue;
+    // Shortest paths are whole.
+    if (shape().kind != CurveKind::kPolyline) {
+      const Basis basis = [&](double t) { return weights(j, t); };
+      traced.bridges =
+          bridgeSegment(surface_, fieldsOf(j), basis, options_.field.method, traced.samples);
+    }
+    traced.isBridged = true;
   }
 }
 
@@ -291,25 +309,22 @@ void Curve::updateGaps() {
   }
 }
 
-void Curve::traceSegmentOf(Segment& segment) {
-  Traced& traced = *segment.traced;
-  const int number = static_cast<int>(&segment - segments_.data());
-  traced.isJoined = false;
+void Curve::findSamplesOf(int segment) {
+  Traced& traced = *segments_[segment].traced;
   if (shape().kind == CurveKind::kPolyline) {
-    const Array<int>& ends = segment.layout.points;
+    const Array<int>& ends = pointsOf(segment);
     PolylineSegment geodesic = traceShortestPath(surface_, point(ends[0]), point(ends[1]),
                                                  options_.tolerance > 0 ? 2 : options_.samples);
     traced.samples = std::move(geodesic.samples);
     traced.path = std::move(geodesic.path);
     return;
   }
-  const Array<PointField*> fields = fieldsOf(number);
-  const Basis basis = [&](double t) { return weights(number, t); };
+  const Array<PointField*> fields = fieldsOf(segment);
+  const Basis basis = [&](double t) { return weights(segment, t); };
   const Method method = options_.field.method;
   traced.samples = options_.tolerance > 0
                        ? traceAdaptively(surface_, fields, basis, method, options_.tolerance)
-                       : traceSegment(surface_, fields, *segment.table, method);
-  traced.bridges = bridgeSegment(surface_, fields, basis, method, traced.samples);
+                       : traceSegment(surface_, fields, *segments_[segment].table, method);
 }
 
 }  // namespace karcher

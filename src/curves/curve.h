@@ -49,8 +49,16 @@ class Curve {
   void retrace();
 
   void updateFields();
-  void trace();
+  void trace() {
+    findSamples();
+    bridge();
+  }
   void join();
+
+  /// The two parts of `trace`: the searches for the samples, then what makes the curve whole where
+  /// they fail or jump (bridge.h).
+  void findSamples();
+  void bridge();
 
   Surface& surface() const { return surface_; }
   const CurveOptions& options() const { return options_; }
@@ -90,7 +98,8 @@ class Curve {
     Array<CurveSample> samples;
     Array<Bridge> bridges;
     JoinedPath path;
-    bool isTraced = false;
+    bool isSampled = false;
+    bool isBridged = false;
     bool isJoined = false;
   };
   struct Segment {
@@ -114,7 +123,7 @@ class Curve {
   Array<Segment> makeSegments(const CurveShape& shape, const Array<ControlPoint>& points) const;
   void makeTables(Segment& segment) const;
   void updateGaps();
-  void traceSegmentOf(Segment& segment);
+  void findSamplesOf(int segment);
 
   Surface& surface_;
   CurveOptions options_;

@@ -31,6 +31,7 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   const SurfacePoint places[2] = {neighbour(curve.point(moved)), curve.point(moved)};
   Array<double> traces;
   Array<double> drags;
+  Array<double> bridges;
   Array<double> joins;
   for (int i = 0; i < (field.method == Method::kPaper ? kRuns : kQuickRuns); ++i) {
     curve.movePoint(moved, places[i % 2]);
@@ -39,7 +40,8 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
     drags.push_back(fieldMs + traceMs);
     // Once more with all fields known: the searches alone.
     curve.retrace();
-    traces.push_back(timed([&] { curve.trace(); }));
+    traces.push_back(timed([&] { curve.findSamples(); }));
+    bridges.push_back(timed([&] { curve.bridge(); }));
     joins.push_back(timed([&] { curve.join(); }));
   }
   Array<double> weights;
@@ -54,6 +56,7 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   result.weightMs = median(weights);
   result.sampleUs = 1000 * median(traces) / (curve.segmentCount() * samples);
   result.dragMs = median(drags);
+  result.bridgeMs = median(bridges);
   result.joinMs = median(joins);
   return result;
 }

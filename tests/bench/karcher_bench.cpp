@@ -64,17 +64,19 @@ void run(const std::string& meshPath, const std::string& pointsPath, int samples
       "{\"mesh\":{\"vertices\":%d,\"triangles\":%d},\"prepareMs\":%.3f,"
       "\"paper\":{\"graphMs\":%.1f,\"fieldGraphMs\":%.3f,\"fieldExactMs\":%.3f,"
       "\"gradientMs\":%.3f,\"sampleUs\":%.4f,\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,"
-      "\"joinMs\":%.3f,\"weightMs\":%.3f},"
+      "\"bridgeMs\":%.3f,\"joinMs\":%.3f,\"weightMs\":%.3f},"
       "\"karcher\":{\"fieldMs\":%.3f,\"fieldVertices\":%d,\"fieldNsPerVertex\":%.1f,"
-      "\"sampleNs\":%.1f,\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,\"joinMs\":%.3f,"
+      "\"sampleNs\":%.1f,\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,\"bridgeMs\":%.3f,\"joinMs\":%."
+      "3f,"
       "\"weightMs\":%.3f},"
       "\"exact\":{\"fieldMs\":%.3f,\"fieldVertices\":%d,\"fieldNsPerVertex\":%.1f},"
       "\"calibrationNs\":%.1f,\"peakMemoryMB\":%.1f}\n",
       vertices, triangles, prepareMs, graphMs, fieldGraphMs, fieldExactMs, gradientMs,
-      paper.sampleUs, paper.samples, paper.lost, paper.dragMs, paper.joinMs, paper.weightMs,
-      fast.ms, fast.vertices, 1e6 * fast.ms / fast.vertices, 1000 * karcher.sampleUs,
-      karcher.samples, karcher.lost, karcher.dragMs, karcher.joinMs, karcher.weightMs, windows.ms,
-      windows.vertices, 1e6 * windows.ms / windows.vertices, calibration, peakMemoryMB());
+      paper.sampleUs, paper.samples, paper.lost, paper.dragMs, paper.bridgeMs, paper.joinMs,
+      paper.weightMs, fast.ms, fast.vertices, 1e6 * fast.ms / fast.vertices,
+      1000 * karcher.sampleUs, karcher.samples, karcher.lost, karcher.dragMs, karcher.bridgeMs,
+      karcher.joinMs, karcher.weightMs, windows.ms, windows.vertices,
+      1e6 * windows.ms / windows.vertices, calibration, peakMemoryMB());
 }
 
 }  // namespace

@@ -80,9 +80,10 @@ Measured measure(TriangleSoup soup, double spacing) {
 void print(const char* name, const Measured& m) {
   std::printf(
       "\"%s\":{\"triangles\":%d,\"prepareMs\":%.0f,\"fieldVertices\":%d,\"sampleNs\":%.1f,"
-      "\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,\"joinMs\":%.3f,\"calibrationNs\":%.1f}",
+      "\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,\"bridgeMs\":%.3f,\"joinMs\":%.3f,"
+      "\"calibrationNs\":%.1f}",
       name, m.triangles, m.prepareMs, m.fieldVertices, 1000 * m.curve.sampleUs, m.curve.samples,
-      m.curve.lost, m.curve.dragMs, m.curve.joinMs, m.calibrationNs);
+      m.curve.lost, m.curve.dragMs, m.curve.bridgeMs, m.curve.joinMs, m.calibrationNs);
 }
 
 void run(const std::string& path, int levels) {

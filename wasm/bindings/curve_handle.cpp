@@ -60,9 +60,9 @@ void CurveHandle::insertPoint(int i, const val& point) {
   curve_.insertPoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
 }
 
-void CurveHandle::trace() {
+void CurveHandle::findSamples() {
   line_.reset();
-  curve_.trace();
+  curve_.findSamples();
 }
 
 val CurveHandle::points() const {

@@ -46,7 +46,8 @@ class CurveHandle {
   val joined(const CurveHandle& other);
   void retrace() { curve_.retrace(); }
   void updateFields() { curve_.updateFields(); }
-  void trace();
+  void findSamples();
+  void bridge() { curve_.bridge(); }
   void join() { curve_.join(); }
 
   val shape() const { return toJs(curve_.shape(), curve_.pointCount()); }

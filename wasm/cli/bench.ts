@@ -15,7 +15,7 @@ export const bench: Command = {
   name: 'bench',
   summary: "how long the steps take, for a B-spline: the default method and the paper's",
   output:
-    '{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, joinMs, weightMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, joinMs, weightMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians, fields reach a tenth of the diagonal',
+    '{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians, fields reach a tenth of the diagonal',
   options: [
     pointsOption,
     { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
@@ -97,13 +97,15 @@ function timeCurve(
   const places = [nextCorner(here), here];
   const drags: number[] = [];
   const traces: number[] = [];
+  const bridges: number[] = [];
   const joins: number[] = [];
   for (let i = 0; i < (field.method === 'paper' ? runs : quickRuns); i++) {
     curve.movePoint(index, places[i % 2]!);
-    drags.push(curve.times.fields + curve.times.trace);
+    drags.push(curve.times.fields + curve.times.trace + curve.times.bridge);
     // Once more with all fields known: the searches alone.
     curve.retrace();
     traces.push(curve.times.trace);
+    bridges.push(curve.times.bridge);
     joins.push(curve.times.join);
   }
   // An edit is traced at once: without the joining paths it is what is left.
@@ -117,6 +119,7 @@ function timeCurve(
     samples: count,
     lost,
     dragMs: median(drags),
+    bridgeMs: median(bridges),
     joinMs: median(joins),
     weightMs: median(weights),
   };

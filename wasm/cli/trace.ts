@@ -9,7 +9,7 @@ export const trace: Command = {
   name: 'trace',
   summary: 'a spline with control points',
   output:
-    '{samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, fields, trace, join}}',
+    '{samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, fields, trace, bridge, join}}',
   options: [
     pointsOption,
     {

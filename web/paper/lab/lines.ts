@@ -87,7 +87,7 @@ const makers: Partial<Record<LineId, Maker>> = {
     const { status } = curve.samples;
     const result = {
       ...emptyLine(id),
-      traceMs: curve.times.fields + curve.times.trace,
+      traceMs: curve.times.fields + curve.times.trace + curve.times.bridge,
       samples: status.length,
       lost: status.filter((name) => name !== 'converged' && name !== 'bridged').length,
       polylines: [curve.polyline],

@@ -1,7 +1,7 @@
 import type { ComparedMethod, MethodResult } from 'karcher/peers';
-import { galleryFigure, resolutionFigure } from '../figures/splines';
 import { pathFigure } from '../figures/means';
 import { smallerMesh } from '../figures/small';
+import { galleryFigure, resolutionFigure } from '../figures/splines';
 import type { MeshSpec, Vector } from '../figures/types';
 
 /** Table 1: a curve on a mesh, with its control points at vertices for all methods, as in the paper. */

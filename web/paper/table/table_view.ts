@@ -1,6 +1,6 @@
 import { make } from '../../panels/elements';
-import { formatMilliseconds } from '../view/format';
 import { lineStyles } from '../figures/lines';
+import { formatMilliseconds } from '../view/format';
 import {
   expectedTriangles,
   type TableCell,
