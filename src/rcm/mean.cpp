@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "rcm/summed_field.h"
 
 namespace karcher {
 namespace {
@@ -75,6 +76,30 @@ Mean lowestMinimum(FieldBlend& fields, const Array<double>& weights,
   return best;
 }
 
+/// How many values the fields of these points would hold: those of the vertices within the points'
+/// spread of each.
+double likelyValues(const Surface& surface, const Array<SurfacePoint>& points) {
+  Vec3 low = position(surface.mesh(), points[0]);
+  Vec3 high = low;
+  for (const SurfacePoint& point : points) {
+    low = low.cwiseMin(position(surface.mesh(), point));
+    high = high.cwiseMax(position(surface.mesh(), point));
+  }
+  const double spread = 2 * (high - low).norm() / surface.geometry().diagonal;
+  return static_cast<double>(points.count()) * surface.mesh().vertexCount() *
+         std::min(spread * spread, 1.0);
+}
+
+Mean search(FieldBlend& fields, const Array<double>& weights, const Array<SurfacePoint>& points,
+            int heaviestPoint, const MeanOptions& options) {
+  if (options.field.method == Method::kPaper) {
+    const SurfacePoint start = options.start ? *options.start : points[heaviestPoint];
+    return withEnergy(fields, weights, newtonCenter(fields, weights, start));
+  }
+  return lowestMinimum(fields, weights,
+                       options.start ? Array<SurfacePoint>{*options.start} : points);
+}
+
 }  // namespace
 
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
@@ -85,6 +110,11 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
   if (options.start) connected.push_back(*options.start);
   checkOneComponent(surface, connected);
 
+  if (likelyValues(surface, points) > options.mostValues) {
+    ControlField sum = sumOfFields(surface, points, weights, options.field);
+    FieldBlend field(surface.geometry(), {&sum});
+    return search(field, {1}, points, heaviest(weights), options);
+  }
   Array<std::unique_ptr<PointField>> owners;
   Array<ControlField*> pointers;
   for (const SurfacePoint& point : points) {
@@ -93,12 +123,7 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
     pointers.push_back(&owners.back()->field());
   }
   FieldBlend fields(surface.geometry(), std::move(pointers));
-  if (options.field.method == Method::kPaper) {
-    const SurfacePoint start = options.start ? *options.start : points[heaviest(weights)];
-    return withEnergy(fields, weights, newtonCenter(fields, weights, start));
-  }
-  return lowestMinimum(fields, weights,
-                       options.start ? Array<SurfacePoint>{*options.start} : points);
+  return search(fields, weights, points, heaviest(weights), options);
 }
 
 Mean centerOfMassOfDistances(Surface& surface, const Array<Array<double>>& distances,

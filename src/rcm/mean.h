@@ -24,6 +24,10 @@ struct MeanOptions {
   /// paper's method; at each control point in turn with kKarcher, which returns the lowest energy.
   std::optional<SurfacePoint> start;
   bool normalize = false;  ///< divide the weights by their sum instead of requiring 1
+  /// Fields are kept one by one, and only as far as they are read, while they are likely to hold no
+  /// more values than this; else they are summed one after the other (summed_field.h), which takes
+  /// the memory of one over the whole surface. A value takes about 150 bytes.
+  double mostValues = 2e6;
 };
 
 /// Throws Error: kBadWeights (not one a point, not summing to 1 within 1e-9, or to normalise a sum

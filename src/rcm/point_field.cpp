@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "rcm/distance_solver.h"
 
 namespace karcher {
 namespace {
@@ -21,14 +22,6 @@ Array<double> squaredDistances(const DistanceSolver& solver, int vertexCount) {
   }
   return squares;
 }
-
-/// -2 log_v(source), by the distance and the direction back to the source.
-template <class DistanceSolver>
-Vec2 logVector(const Geometry& geometry, const DistanceSolver& solver, int v) {
-  return -2 * solver.distance(v) * unitVector(geometry.angleScale[v] * solver.direction(v));
-}
-
-Vec2 logVector(const Geometry&, const FastDistance& solver, int v) { return solver.logVector(v); }
 
 }  // namespace
 
@@ -61,21 +54,21 @@ void PointField::setPoint(const SurfacePoint& point) {
   }
 }
 
-PointField::AnySolver PointField::makeSolver() const {
-  const Geometry& geometry = surface_.geometry();
-  switch (options_.solver) {
+AnyDistanceSolver makeDistanceSolver(Surface& surface, const FieldOptions& options) {
+  const Geometry& geometry = surface.geometry();
+  switch (options.solver) {
     case Solver::kExact:
       return std::make_unique<ExactDistance>(geometry);
     case Solver::kGraph:
-      return std::make_unique<GraphDistance>(geometry, surface_.ringGraph(options_.rings));
+      return std::make_unique<GraphDistance>(geometry, surface.ringGraph(options.rings));
     case Solver::kFast:
       break;
   }
-  return std::make_unique<FastDistance>(geometry, surface_.vertexFans());
+  return std::make_unique<FastDistance>(geometry, surface.vertexFans());
 }
 
 void PointField::makePaperField() {
-  AnySolver anySolver = makeSolver();
+  AnyDistanceSolver anySolver = makeDistanceSolver(surface_, options_);
   std::visit(
       [&](auto& solver) {
         solver->setSource(point_);
@@ -88,7 +81,7 @@ void PointField::makePaperField() {
 }
 
 void PointField::makeLogField() {
-  if (!solver_) solver_ = makeSolver();
+  if (!solver_) solver_ = makeDistanceSolver(surface_, options_);
   logVectors_.clear();
   std::visit(
       [&](auto& solver) {
@@ -127,9 +120,7 @@ const Vec2& PointField::logVectorAt(DistanceSolver& solver, int vertex) {
 
 template <class DistanceSolver>
 FieldValue PointField::estimate(DistanceSolver& solver, int vertex) {
-  const Estimator estimator =
-      options_.solver == Solver::kExact ? Estimator::kQuadratic2 : Estimator::kLinear1;
-  const Stencil stencil = surface_.stencils(estimator).at(vertex);
+  const Stencil stencil = surface_.stencils(estimatorOf(options_.solver)).at(vertex);
   growTo(solver, vertex);
   const double own = solver.distance(vertex) * solver.distance(vertex);
   Vec2 gradient = Vec2::Zero();

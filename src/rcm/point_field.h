@@ -34,6 +34,11 @@ struct FieldOptions {
 /// Throws Error kBadArgument for a combination that does not exist.
 void checkFieldOptions(const FieldOptions& options);
 
+/// The solver of some field options (distance_solver.h).
+using AnyDistanceSolver =
+    std::variant<std::unique_ptr<FastDistance>, std::unique_ptr<ExactDistance>,
+                 std::unique_ptr<GraphDistance>>;
+
 /// A control point with its solver and its field. The field's values depend on the surface, the
 /// options and the point alone. With log vectors they are made as they are read: the solver grows
 /// to the vertices that a search asks for, and no further.
@@ -49,10 +54,6 @@ class PointField {
   ControlField& field() { return field_; }
 
  private:
-  using AnySolver = std::variant<std::unique_ptr<FastDistance>, std::unique_ptr<ExactDistance>,
-                                 std::unique_ptr<GraphDistance>>;
-
-  AnySolver makeSolver() const;
   void makePaperField();
   void makeLogField();
   template <class DistanceSolver>
@@ -74,7 +75,7 @@ class PointField {
   };
 
   /// Kept for log vectors, which are made as they are read.
-  std::optional<AnySolver> solver_;
+  std::optional<AnyDistanceSolver> solver_;
   PagedArray<LogEntry, 6> logVectors_;
   Array<double> squaredDistances_;
   Array<Vec2> gradients_;

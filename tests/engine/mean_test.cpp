@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "generators/random.h"
 #include "generators/smooth_surface.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
@@ -101,6 +102,39 @@ TEST(Mean, RefusesBadWeights) {
   EXPECT_EQ(codeOf([&] { mean({1, -1}, true); }), ErrorCode::kBadWeights);
   EXPECT_EQ(codeOf([&] { centerOfMass(surface, {}, {}, kPaperExact); }), ErrorCode::kTooFewPoints);
   EXPECT_EQ(mean({3, 1}, true).status, Status::kConverged);
+}
+
+TEST(Mean, OfManyPointsIsTheSameInBoundedMemory) {
+  Surface surface(importMesh(makeShape(Shape::kTorus, 2000)).mesh);
+  const uint64_t seed = 5;
+  SCOPED_TRACE("seed 5");
+  Random random(seed);
+  Array<SurfacePoint> points;
+  Array<double> weights;
+  for (int i = 0; i < 40; ++i) {
+    // On one side of the torus, so that there is one center.
+    const Vec2 place(random.uniform(-0.6, 0.6), random.uniform(-1, 1));
+    points.push_back(nearestPoint(surface.mesh(), conformalTorus(place)));
+    weights.push_back(random.uniform(0.1, 1));
+  }
+  const FieldOptions fieldOptions[] = {{Method::kKarcher, Solver::kFast, 6},
+                                       {Method::kKarcher, Solver::kExact, 6},
+                                       {Method::kKarcher, Solver::kGraph, 3},
+                                       {Method::kPaper, Solver::kExact, 6}};
+  for (const FieldOptions& field : fieldOptions) {
+    MeanOptions options;
+    options.field = field;
+    options.normalize = true;
+    const Mean apart = centerOfMass(surface, points, weights, options);
+    options.mostValues = 0;
+    const Mean summed = centerOfMass(surface, points, weights, options);
+    EXPECT_EQ(apart.status, summed.status);
+    EXPECT_EQ(apart.otherMinima, summed.otherMinima);
+    const Vec3 there = position(surface.mesh(), apart.point);
+    EXPECT_LT((position(surface.mesh(), summed.point) - there).norm(),
+              1e-9 * surface.geometry().diagonal);
+    EXPECT_NEAR(apart.energy, summed.energy, 1e-9 * apart.energy);
+  }
 }
 
 }  // namespace

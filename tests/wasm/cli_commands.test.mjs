@@ -85,6 +85,18 @@ test('mean prints the center of mass', () => {
   assert.deepEqual(graph, mesh.centerOfMass(points, masses, { solver: 'graph', rings: 2 }));
 });
 
+test('mean with the shortest paths to the points', () => {
+  const args = ['mean', gridFile, '--points', pointsFile, '--weights', weights];
+  const { paths, ...mean } = printed(...args, '--paths');
+  assert.deepEqual(mean, printed(...args));
+  assert.equal(paths.length, points.length);
+  paths.forEach(({ length, polyline }, i) => {
+    const expected = mesh.shortestPath(mean.point, points[i]);
+    assert.equal(length, expected.length);
+    assert.deepEqual(polyline.flat(), Array.from(expected.polyline));
+  });
+});
+
 test('trace prints the samples of a curve', () => {
   for (const [kind, segments] of [
     ['bspline', 2],

@@ -1,9 +1,10 @@
 import { type Command, fieldOptions, pointsOption } from './command.js';
+import { triples } from './output.js';
 
 export const mean: Command = {
   name: 'mean',
   summary: 'the Riemannian center of mass of weighted points',
-  output: '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy}',
+  output: '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, otherMinima, paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
   options: [
     pointsOption,
     {
@@ -13,6 +14,7 @@ export const mean: Command = {
       required: true,
     },
     { name: 'normalize', help: 'divide the weights by their sum instead' },
+    { name: 'paths', help: 'the shortest paths from the center to the points, too' },
     ...fieldOptions,
   ],
   async run(args) {
@@ -24,6 +26,14 @@ export const mean: Command = {
       ...field,
       normalize: args.given('normalize'),
     });
-    return { json: center };
+    if (!args.flag('paths')) return { json: center };
+    const paths = points.map((point) => mesh.shortestPath(center.point, point));
+    return {
+      json: {
+        ...center,
+        paths: paths.map(({ length, polyline }) => ({ length, polyline: triples(polyline) })),
+      },
+      polylines: paths.map(({ polyline }) => polyline),
+    };
   },
 };

@@ -1,0 +1,69 @@
+#include "rcm/summed_field.h"
+
+#include <memory>
+
+#include "rcm/distance_solver.h"
+
+namespace karcher {
+namespace {
+
+/// Sums over all points, a value a vertex; 0 where no path leads.
+struct Sums {
+  Array<double> squaredDistances;
+  Array<Vec2> logVectors;  ///< of -2 log
+};
+
+template <class DistanceSolver>
+void addPoint(const Geometry& geometry, DistanceSolver& solver, const SurfacePoint& point,
+              double weight, bool withVectors, Sums& sums) {
+  solver.setSource(point);
+  solver.grow(kInfinity);
+  for (int v = 0; v < sums.squaredDistances.count(); ++v) {
+    const double d = solver.distance(v);
+    if (d == kInfinity) continue;
+    sums.squaredDistances[v] += weight * d * d;
+    if (withVectors) sums.logVectors[v] += weight * logVector(geometry, solver, v);
+  }
+}
+
+}  // namespace
+
+ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
+                         const Array<double>& weights, const FieldOptions& options) {
+  const size_t count = static_cast<size_t>(surface.mesh().vertexCount());
+  const bool paper = options.method == Method::kPaper;
+  const auto sums = std::make_shared<Sums>();
+  sums->squaredDistances.assign(count, 0);
+  if (!paper) sums->logVectors.assign(count, Vec2::Zero());
+  AnyDistanceSolver anySolver = makeDistanceSolver(surface, options);
+  std::visit(
+      [&](auto& solver) {
+        for (int i = 0; i < points.count(); ++i) {
+          addPoint(surface.geometry(), *solver, points[i], weights[i], !paper, *sums);
+        }
+      },
+      anySolver);
+
+  ControlField field(surface.mesh().vertexCount());
+  if (paper) {
+    sums->logVectors = applyGradient(surface.gradientOperator(), sums->squaredDistances);
+    field.reset([sums](int v) {
+      return FieldValue{sums->logVectors[v], sums->squaredDistances[v]};
+    });
+    return field;
+  }
+  field.reset([sums, &stencils = surface.stencils(estimatorOf(options.solver))](int v) {
+    const Stencil stencil = stencils.at(v);
+    const double own = sums->squaredDistances[v];
+    Vec2 gradient = Vec2::Zero();
+    for (const StencilTerm* term = stencil.begin; term != stencil.end; ++term) {
+      gradient += stencil.ofDistances
+                      ? Vec2((sums->squaredDistances[term->vertex] - own) * term->coefficient)
+                      : rotate(term->coefficient, sums->logVectors[term->vertex]);
+    }
+    return FieldValue{gradient, own};
+  });
+  return field;
+}
+
+}  // namespace karcher
