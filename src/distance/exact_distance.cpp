@@ -69,6 +69,7 @@ void ExactDistance::setSource(const SurfacePoint& source) {
   windowsLeft_ = static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount();
   targetFaces_[0] = targetFaces_[1] = -1;
   target_ = {};
+  beams_.clear();
   source_ = source;
   const PointLocation location = locate(mesh_, source);
   if (location.simplex == Simplex::kVertex) {
@@ -115,6 +116,7 @@ double ExactDistance::direction(int vertex) const {
 
 /// From a point of a face to its corners, and through its edges but the one the point lies on.
 void ExactDistance::leaveSourceFace(int face, const SurfacePoint& source, int ownEdge) {
+  if (beamDistance_ >= 0) keepSourceBeam(face, source);
   for (int k = 0; k < 3; ++k) {
     const int h = 3 * face + k;
     const double length = geometry_.edgeLength[h];
@@ -156,6 +158,7 @@ void ExactDistance::leaveVertex(int vertex) {
 void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
   const double angle = geometry_.cornerAngle[h];
   if (!(from <= angle && to >= 0)) return;
+  if (beamDistance_ >= 0) keepCornerBeam(vertex, h, from, to);
   const double distance = vertices_.touch(vertex).arrival.distance;
   const auto arriveAlong = [&](int neighbour, double edge, int via, double crossing) {
     arrive(neighbour, vertices_.touch(neighbour), {distance + edge, distance, vertex}, via,
@@ -247,6 +250,7 @@ void ExactDistance::carryAcross(int h) {
     rightCount += crossing < window.end;
   }
   if (!seen) arriveBent(apexVertex, top, h, apex);
+  if (beamDistance_ >= 0) keepWindowBeams(h);
   if (isTargetFace(faceOf(h))) {
     for (const Window& window : batch_) arriveAtTargetThrough(h, window);
   }
@@ -327,6 +331,45 @@ void ExactDistance::addWindow(int h, const Window& window) {
     waiting.bucket = bucket;
     queue_.push(h, bucket);
   }
+}
+
+void ExactDistance::keepSourceBeam(int face, const SurfacePoint& source) {
+  Beam beam;
+  beam.face = face;
+  beam.source = pointInFace(geometry_, source);
+  beam.isFull = true;
+  beams_.push_back(beam);
+}
+
+/// Of the batch that is carried across the face of half-edge h, if the face may have points so far.
+/// A beam may matter that has none: where it undercuts another.
+void ExactDistance::keepWindowBeams(int h) {
+  const double tail = vertices_.touch(mesh_.tail(h)).arrival.distance;
+  const double diameter = std::max(
+      {geometry_.edgeLength[h], geometry_.edgeLength[next(h)], geometry_.edgeLength[previous(h)]});
+  if (tail + diameter < beamDistance_) return;
+  const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
+  const Vec2 origin = cornerInFace(geometry_, faceOf(h), cornerOf(h));
+  for (const Window& window : batch_) {
+    if (leastDistance(window) > beamDistance_) continue;
+    const Vec2 source(window.sourceX, -window.depth);
+    const Vec2 toEnd = Vec2(window.end, 0) - source;
+    const Vec2 toBegin = Vec2(window.begin, 0) - source;
+    beams_.push_back({faceOf(h), origin + rotate(along, source), window.offset,
+                      rotate(along, toEnd.normalized()), rotate(along, toBegin.normalized()),
+                      false});
+  }
+}
+
+/// Of the wedge behind a vertex in the corner of half-edge h; angles are measured from h.
+void ExactDistance::keepCornerBeam(int vertex, int h, double from, double to) {
+  const double offset = vertices_.touch(vertex).arrival.distance;
+  const double longest = std::max(geometry_.edgeLength[h], geometry_.edgeLength[previous(h)]);
+  if (offset > beamDistance_ || offset + longest < beamDistance_) return;
+  const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
+  beams_.push_back({faceOf(h), cornerInFace(geometry_, faceOf(h), cornerOf(h)), offset,
+                    rotate(along, unitVector(std::max(from, 0.0))),
+                    rotate(along, unitVector(std::min(to, geometry_.cornerAngle[h]))), false});
 }
 
 void ExactDistance::setTarget(const SurfacePoint& target) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "distance/beam.h"
 #include "distance/bucket_queue.h"
 #include "distance/paged_array.h"
 #include "distance/window.h"
@@ -81,6 +82,11 @@ class ExactDistance {
   /// Final once `arrival.distance` <= reached().
   const TargetArrival& targetArrival() const { return target_; }
 
+  /// From the next `setSource` on keeps the beams that pass points at this distance: once all
+  /// within it is grown, the least of their lengths to such a point is its distance.
+  void keepBeams(double distance) { beamDistance_ = distance; }
+  const Array<Beam>& beams() const { return beams_; }
+
  private:
   static constexpr int kNotQueued = std::numeric_limits<int>::max();
 
@@ -116,8 +122,14 @@ class ExactDistance {
   void arriveAtTarget(int h, const Arrival& arrival, const Vec2& toSource);
   void arriveAtTargetThrough(int h, const Window& window);
 
+  void keepSourceBeam(int face, const SurfacePoint& source);
+  void keepWindowBeams(int h);
+  void keepCornerBeam(int vertex, int h, double from, double to);
+
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
+  double beamDistance_ = -1;  ///< none are kept
+  Array<Beam> beams_;
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
   PagedArray<FaceRecord, 7> faces_;

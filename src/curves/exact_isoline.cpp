@@ -1,0 +1,298 @@
+#include <algorithm>
+#include <utility>
+
+#include "curves/isoline.h"
+#include "distance/exact_distance.h"
+#include "mesh/error.h"
+
+/// In a face the points nearer than the radius are the union of the parts of discs that beams
+/// reach. Its border consists of arcs: each circle is cut where it crosses the face's edges, the
+/// rays of beams and other circles, and those parts stay that lie in the face and in their own
+/// beam, and are undercut by no other. The arcs of all faces are then put together where their ends
+/// meet.
+namespace karcher {
+namespace {
+
+/// Lengths below this part of a mean edge are rounding.
+constexpr double kRounding = 1e-9;
+/// Ends of arcs this near to each other, in mean edges, are one point.
+constexpr double kMeet = 1e-6;
+constexpr double kOnEdge = 1e-9;
+
+struct Arc {
+  int face = -1;
+  Vec2 center = Vec2::Zero();
+  double radius = 0;
+  double begin = 0;  ///< angles in the frame of the face, counterclockwise
+  double end = 0;
+  bool isCircle = false;
+
+  Vec2 at(double angle) const { return center + radius * unitVector(angle); }
+};
+
+class FaceArcs {
+ public:
+  FaceArcs(const Geometry& geometry, double distance)
+      : geometry_(geometry), distance_(distance), rounding_(kRounding * geometry.meanEdge) {}
+
+  /// Appends the arcs of one face by its beams.
+  void append(const Beam* begin, const Beam* end, Array<Arc>& arcs) {
+    begin_ = begin;
+    end_ = end;
+    for (const Beam* beam = begin; beam != end; ++beam) {
+      const double radius = distance_ - beam->offset;
+      if (radius > rounding_) appendOf(*beam, radius, arcs);
+    }
+  }
+
+ private:
+  void appendOf(const Beam& own, double radius, Array<Arc>& arcs) {
+    cuts_.clear();
+    const int face = own.face;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 corner = cornerInFace(geometry_, face, k);
+      cutByLine(own, radius, corner, cornerInFace(geometry_, face, (k + 1) % 3) - corner);
+    }
+    for (const Beam* other = begin_; other != end_; ++other) {
+      if (other != &own) cutByCircle(own, radius, *other);
+      if (other->isFull) continue;
+      cutByLine(own, radius, other->source, other->right);
+      cutByLine(own, radius, other->source, other->left);
+    }
+    Arc arc{face, own.source, radius, 0, 2 * kPi, true};
+    if (cuts_.empty()) {
+      if (isKept(own, arc.at(0))) arcs.push_back(arc);
+      return;
+    }
+    std::sort(cuts_.begin(), cuts_.end());
+    cuts_.push_back(cuts_.front() + 2 * kPi);
+    arc.isCircle = false;
+    const int first = arcs.count();
+    for (int i = 1; i < cuts_.count(); ++i) {
+      const double a = cuts_[i - 1];
+      const double b = cuts_[i];
+      if (!((b - a) * radius > rounding_) || !isKept(own, arc.at((a + b) / 2))) continue;
+      const bool goesOn = arcs.count() > first && (a - arcs.back().end) * radius <= rounding_;
+      if (goesOn) {
+        arcs.back().end = b;
+        continue;
+      }
+      arc.begin = a;
+      arc.end = b;
+      arcs.push_back(arc);
+    }
+    joinRound(first, arcs);
+  }
+
+  /// The last arc and the first, where the cut between them is none.
+  void joinRound(int first, Array<Arc>& arcs) {
+    if (arcs.count() == first) return;
+    Arc& begin = arcs[first];
+    const double gap = begin.begin + 2 * kPi - arcs.back().end;
+    if (gap * begin.radius > rounding_) return;
+    if (arcs.count() == first + 1) {
+      begin.isCircle = true;
+    } else {
+      begin.begin = arcs.back().begin - 2 * kPi;
+      arcs.pop_back();
+    }
+  }
+
+  void cutByLine(const Beam& own, double radius, const Vec2& through, const Vec2& direction) {
+    const Vec2 along = direction.normalized();
+    const Vec2 to = through - own.source;
+    const double height = cross(along, to);
+    const double squared = radius * radius - height * height;
+    if (squared < 0) return;
+    const Vec2 foot = to - to.dot(along) * along;
+    for (const double sign : {-1.0, 1.0}) addCut(foot + sign * std::sqrt(squared) * along);
+  }
+
+  void cutByCircle(const Beam& own, double radius, const Beam& other) {
+    const double otherRadius = distance_ - other.offset;
+    const Vec2 to = other.source - own.source;
+    const double apart = to.norm();
+    if (!(apart > rounding_) || !(otherRadius > 0)) return;
+    const double along =
+        (apart * apart + radius * radius - otherRadius * otherRadius) / (2 * apart);
+    const double squared = radius * radius - along * along;
+    if (squared < 0) return;
+    const Vec2 unit = to / apart;
+    const Vec2 across(-unit.y(), unit.x());
+    for (const double sign : {-1.0, 1.0}) addCut(along * unit + sign * std::sqrt(squared) * across);
+  }
+
+  void addCut(const Vec2& fromSource) {
+    const double angle = angleOf(fromSource);
+    cuts_.push_back(angle < 0 ? angle + 2 * kPi : angle);
+  }
+
+  /// Whether a point of the circle lies in the face and in its beam, and is undercut by no other
+  /// beam; of equal ones the first counts.
+  bool isKept(const Beam& own, const Vec2& x) const {
+    if (barycentric(geometry_, own.face, x).minCoeff() < 0 || !holds(own, x, 0)) return false;
+    for (const Beam* other = begin_; other != end_; ++other) {
+      if (other == &own || !holds(*other, x, rounding_)) continue;
+      const double way = other->offset + (x - other->source).norm();
+      if (way < distance_ - rounding_ || (way <= distance_ + rounding_ && other < &own))
+        return false;
+    }
+    return true;
+  }
+
+  static bool holds(const Beam& beam, const Vec2& x, double margin) {
+    if (beam.isFull) return true;
+    const Vec2 to = x - beam.source;
+    return cross(beam.right, to) >= -margin && cross(to, beam.left) >= -margin &&
+           (beam.right + beam.left).dot(to) >= 0;
+  }
+
+  const Geometry& geometry_;
+  double distance_;
+  double rounding_;
+  const Beam* begin_ = nullptr;
+  const Beam* end_ = nullptr;
+  Array<double> cuts_;
+};
+
+/// Puts arcs together where their ends meet.
+class ArcChains {
+ public:
+  ArcChains(const Geometry& geometry, const Array<Arc>& arcs, double tolerance)
+      : geometry_(geometry), arcs_(arcs), tolerance_(tolerance * geometry.meanEdge) {}
+
+  Array<Isoline> run() {
+    pairEnds();
+    Array<uint8_t> used(arcs_.size(), 0);
+    Array<Isoline> isolines;
+    const auto follow = [&](int end) {
+      Isoline line;
+      line.closed = false;
+      // From an arc's one end to its other, and on from the end that this one meets.
+      while (end >= 0 && !used[end / 2]) {
+        used[end / 2] = 1;
+        appendArc(end, line);
+        end = partner_[end ^ 1];
+      }
+      line.closed = end >= 0 || arcs_[first_ / 2].isCircle;
+      if (line.closed) line.points.push_back(line.points.front());
+      isolines.push_back(std::move(line));
+    };
+    for (first_ = 0; first_ < 2 * arcs_.count(); ++first_) {
+      if (!used[first_ / 2] && partner_[first_] < 0 && !arcs_[first_ / 2].isCircle) follow(first_);
+    }
+    for (first_ = 0; first_ < 2 * arcs_.count(); first_ += 2) {
+      if (!used[first_ / 2]) follow(first_);
+    }
+    return isolines;
+  }
+
+ private:
+  /// Ends are numbered 2 i for the begin of arc i and 2 i + 1 for its end.
+  SurfacePoint endPoint(int end) const {
+    const Arc& arc = arcs_[end / 2];
+    return pointOf(arc, end % 2 == 0 ? arc.begin : arc.end);
+  }
+
+  SurfacePoint pointOf(const Arc& arc, double angle) const {
+    Vec3 bary = barycentric(geometry_, arc.face, arc.at(angle));
+    for (int k = 0; k < 3; ++k) {
+      if (bary[k] < kOnEdge) bary[k] = 0;
+    }
+    return clampedPoint(arc.face, bary / bary.sum());
+  }
+
+  /// Each end with the nearest other one that is free, the nearest pairs first.
+  void pairEnds() {
+    const int count = 2 * arcs_.count();
+    partner_.assign(static_cast<size_t>(count), -1);
+    Array<Vec3> places;
+    Array<int> order;
+    for (int end = 0; end < count; ++end) {
+      places.push_back(position(*geometry_.mesh, endPoint(end)));
+      if (!arcs_[end / 2].isCircle) order.push_back(end);
+    }
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      return std::pair(places[a].x(), a) < std::pair(places[b].x(), b);
+    });
+    struct Pair {
+      double distance;
+      int a;
+      int b;
+    };
+    Array<Pair> pairs;
+    const double meet = kMeet * geometry_.meanEdge;
+    for (int i = 0; i < order.count(); ++i) {
+      for (int j = i + 1; j < order.count(); ++j) {
+        const Vec3 apart = places[order[j]] - places[order[i]];
+        if (apart.x() > meet) break;
+        if (apart.norm() <= meet) pairs.push_back({apart.norm(), order[i], order[j]});
+      }
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+      return a.distance != b.distance ? a.distance < b.distance
+                                      : std::pair(a.a, a.b) < std::pair(b.a, b.b);
+    });
+    for (const Pair& pair : pairs) {
+      if (partner_[pair.a] >= 0 || partner_[pair.b] >= 0) continue;
+      partner_[pair.a] = pair.b;
+      partner_[pair.b] = pair.a;
+    }
+  }
+
+  void appendArc(int fromEnd, Isoline& line) const {
+    const Arc& arc = arcs_[fromEnd / 2];
+    const double width = arc.end - arc.begin;
+    const double step = std::min(std::sqrt(8 * tolerance_ / arc.radius), kPi / 8);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(width / step)));
+    for (int i = 0; i <= pieces; ++i) {
+      const int k = fromEnd % 2 == 0 ? i : pieces - i;
+      line.points.push_back(pointOf(arc, arc.begin + width * k / pieces));
+    }
+    line.length += arc.radius * width;
+  }
+
+  const Geometry& geometry_;
+  const Array<Arc>& arcs_;
+  double tolerance_;
+  int first_ = 0;
+  Array<int> partner_;
+};
+
+}  // namespace
+
+Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& source, double radius,
+                             double tolerance) {
+  if (!(radius > 0) || !std::isfinite(radius)) {
+    throw Error(ErrorCode::kBadArgument, "an isoline's distance must be a positive number");
+  }
+  if (!(tolerance > 0) || !std::isfinite(tolerance)) {
+    throw Error(ErrorCode::kBadArgument, "an isoline's tolerance must be a positive number");
+  }
+  ExactDistance distance(geometry);
+  distance.keepBeams(radius);
+  distance.setSource(source);
+  distance.grow(radius + geometry.meanEdge);
+  Array<Beam> beams = distance.beams();
+  std::stable_sort(beams.begin(), beams.end(),
+                   [](const Beam& a, const Beam& b) { return a.face < b.face; });
+  Array<Arc> arcs;
+  FaceArcs faceArcs(geometry, radius);
+  const auto isNearer = [&](int face) {
+    const double* lengths = geometry.edgeLength.data() + 3 * static_cast<ptrdiff_t>(face);
+    const double diameter = *std::max_element(lengths, lengths + 3);
+    const auto& corners = geometry.mesh->faces[face];
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](int vertex) { return distance.distance(vertex) + diameter < radius; });
+  };
+  for (int i = 0; i < beams.count();) {
+    int end = i;
+    while (end < beams.count() && beams[end].face == beams[i].face) ++end;
+    // Of a face that has no point so far not all beams are kept.
+    if (!isNearer(beams[i].face)) faceArcs.append(beams.data() + i, beams.data() + end, arcs);
+    i = end;
+  }
+  return ArcChains(geometry, arcs, tolerance).run();
+}
+
+}  // namespace karcher

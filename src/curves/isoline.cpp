@@ -1,0 +1,81 @@
+#include "curves/isoline.h"
+
+#include <utility>
+
+namespace karcher {
+namespace {
+
+/// One isoline after another, by walking from face to face.
+class LinearIsolines {
+ public:
+  LinearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level)
+      : mesh_(mesh),
+        values_(values),
+        level_(level),
+        visited_(static_cast<size_t>(mesh.faceCount()), 0) {}
+
+  Array<Isoline> run() {
+    // Those that begin on the boundary, then the closed ones.
+    for (const bool fromBoundary : {true, false}) {
+      for (int f = 0; f < mesh_.faceCount(); ++f) {
+        if (visited_[f]) continue;
+        const int entry = crossedHalfedge(f, false);
+        if (entry >= 0 && (!fromBoundary || mesh_.twin[entry] < 0)) follow(entry);
+      }
+    }
+    return std::move(isolines_);
+  }
+
+ private:
+  bool isInside(int vertex) const { return values_[vertex] < level_; }
+
+  /// The half-edge of a face along which the values rise through the level, or fall; -1 for none.
+  int crossedHalfedge(int face, bool rising) const {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      if (isInside(mesh_.tail(h)) == rising && isInside(mesh_.head(h)) != rising) return h;
+    }
+    return -1;
+  }
+
+  SurfacePoint crossing(int h) const {
+    const double tail = values_[mesh_.tail(h)];
+    const double head = values_[mesh_.head(h)];
+    if (tail == kInfinity || head == kInfinity) return edgePoint(h, tail == kInfinity ? 1 : 0);
+    return edgePoint(h, (level_ - tail) / (head - tail));
+  }
+
+  /// Each face is left once, so the walk ends: at its first face or at the boundary.
+  void follow(int entry) {
+    Isoline line;
+    line.closed = false;
+    line.points.push_back(crossing(entry));
+    for (int h = entry; h >= 0;) {
+      const int face = faceOf(h);
+      if (visited_[face]) {
+        line.closed = true;
+        break;
+      }
+      visited_[face] = 1;
+      const int exit = crossedHalfedge(face, true);
+      const SurfacePoint point = crossing(exit);
+      line.length += (position(mesh_, point) - position(mesh_, line.points.back())).norm();
+      line.points.push_back(point);
+      h = mesh_.twin[exit];
+    }
+    isolines_.push_back(std::move(line));
+  }
+
+  const TriangleMesh& mesh_;
+  const Array<double>& values_;
+  double level_;
+  Array<uint8_t> visited_;
+  Array<Isoline> isolines_;
+};
+
+}  // namespace
+
+Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level) {
+  return LinearIsolines(mesh, values, level).run();
+}
+
+}  // namespace karcher

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "intrinsic/geometry.h"
+
+/// Lines of points at one distance from a source: what a circle is compared with.
+namespace karcher {
+
+/// A line on the surface, or one of several. Consecutive points share a face; a crossing of an edge
+/// may be given in both of its faces.
+struct Isoline {
+  Array<SurfacePoint> points;
+  bool closed = true;  ///< the last point is the first one; else both ends lie on the boundary
+  double length = 0;
+};
+
+/// The isolines of a function that is linear in each triangle, by its values at the vertices
+/// (kInfinity, or any number): straight from edge to edge, with the smaller values on their left.
+Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level);
+
+/// The points at distance `radius` from the source, exactly: in each face the arcs about the
+/// source's images (beam.h) that no other path undercuts, cut so finely that chords keep to them
+/// within `tolerance` mean edges. Lengths are those of the arcs.
+/// Throws Error: kBadArgument (radius or tolerance not positive and finite).
+Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& source, double radius,
+                             double tolerance = 1e-3);
+
+}  // namespace karcher

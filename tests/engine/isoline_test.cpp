@@ -1,0 +1,145 @@
+#include "curves/isoline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "distance/shortest_path.h"
+#include "generators/random.h"
+#include "intrinsic/strip_path.h"
+#include "mesh/error.h"
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+/// Lines whose points share faces one by one, closed where they say so.
+void expectSound(const TriangleMesh& mesh, const Array<Isoline>& lines, double meanEdge) {
+  for (const Isoline& line : lines) {
+    double length = 0;
+    for (int i = 1; i < line.points.count(); ++i) {
+      const Vec3 step = position(mesh, line.points[i]) - position(mesh, line.points[i - 1]);
+      // Where two arcs meet their ends differ by rounding and may lie in faces apart.
+      if (step.norm() > 1e-6 * meanEdge) {
+        EXPECT_TRUE(haveCommonFace(mesh, line.points[i - 1], line.points[i]));
+      }
+      length += step.norm();
+    }
+    EXPECT_NEAR(length, line.length, 0.01 * line.length);
+    const Vec3 ends = position(mesh, line.points.back()) - position(mesh, line.points.front());
+    if (line.closed) EXPECT_LT(ends.norm(), 1e-6 * meanEdge);
+  }
+}
+
+TEST(Isoline, OnThePlaneTheExactOneIsTheCircle) {
+  const TriangleMesh mesh = planeGrid(24, 20);
+  const Geometry geometry = buildGeometry(mesh);
+  // A source in a face, on an edge and at a vertex; a circle within one face, and wider ones.
+  for (const Vec3& center : {Vec3(11.3, 9.8, 0), Vec3(11.5, 9, 0), Vec3(12, 10, 0)}) {
+    for (const double radius : {0.05, 0.7, 2.6, 8.9}) {
+      const Array<Isoline> lines = exactIsolines(geometry, nearestPoint(mesh, center), radius);
+      ASSERT_EQ(lines.count(), 1);
+      EXPECT_TRUE(lines[0].closed);
+      EXPECT_NEAR(lines[0].length, 2 * kPi * radius, 1e-7);
+      for (const SurfacePoint& point : lines[0].points) {
+        // Rounding of images across at most a hundred edges.
+        EXPECT_NEAR((position(mesh, point) - center).norm(), radius, 1e-12);
+      }
+      expectSound(mesh, lines, geometry.meanEdge);
+    }
+  }
+}
+
+TEST(Isoline, EndsAtTheBoundaryAndTurnsRoundItsCorners) {
+  // An L: behind its inner corner the circle goes on about the corner.
+  const TriangleMesh square = planeGrid(12, 12);
+  Array<Triangle> faces;
+  for (const Triangle& face : square.faces) {
+    Vec3 middle = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) middle += square.positions[face[k]] / 3;
+    if (middle.x() < 4 || middle.y() < 4) faces.push_back(face);
+  }
+  const TriangleMesh mesh = importMesh({square.positions, faces}).mesh;
+  const Geometry geometry = buildGeometry(mesh);
+  const Vec3 center(2, 10, 0);
+  const double toCorner = std::sqrt(4.0 + 36);
+  const double radius = 8;
+  const Array<Isoline> lines = exactIsolines(geometry, nearestPoint(mesh, center), radius);
+  ASSERT_EQ(lines.count(), 1);
+  EXPECT_FALSE(lines[0].closed);
+  int bent = 0;
+  for (const SurfacePoint& point : lines[0].points) {
+    const Vec3 x = position(mesh, point);
+    // Behind the line from the center through the corner (4, 4).
+    const bool behind = cross(Vec2(2, -6), Vec2(x.x() - 2, x.y() - 10)) > 0;
+    bent += behind;
+    const double way = behind ? toCorner + (x - Vec3(4, 4, 0)).norm() : (x - center).norm();
+    EXPECT_NEAR(way, radius, 1e-11);
+  }
+  EXPECT_GT(bent, 2);
+}
+
+TEST(Isoline, ExactOnesLieAtTheirDistanceOnEveryShape) {
+  const uint64_t seed = 11;
+  SCOPED_TRACE("seed 11");
+  Random random(seed);
+  for (const Shape shape : kShapes) {
+    const TriangleMesh mesh = importMesh(makeShape(shape, 1000)).mesh;
+    const Geometry geometry = buildGeometry(mesh);
+    for (const double part : {0.05, 0.15, 0.3, 0.5}) {
+      const SurfacePoint source{random.index(mesh.faceCount()), Vec3(0.2, 0.3, 0.5)};
+      const double radius = part * geometry.diagonal;
+      const Array<Isoline> lines = exactIsolines(geometry, source, radius);
+      SCOPED_TRACE(std::string(shapeName(shape)) + ", " + std::to_string(part));
+      expectSound(mesh, lines, geometry.meanEdge);
+      for (const Isoline& line : lines) {
+        if (shape != Shape::kOpenSheet) EXPECT_TRUE(line.closed);
+        for (int i = 0; i < line.points.count(); i += 7) {
+          EXPECT_NEAR(shortestPath(geometry, source, line.points[i]).length, radius,
+                      1e-8 * geometry.diagonal);
+        }
+      }
+    }
+  }
+}
+
+TEST(Isoline, LinearOnesOfALinearFunctionAreStraight) {
+  const TriangleMesh mesh = planeGrid(6, 5);
+  Array<double> values;
+  for (const Vec3& p : mesh.positions) values.push_back(p.x() + 0.1 * p.y());
+  const Array<Isoline> lines = linearIsolines(mesh, values, 2.5);
+  ASSERT_EQ(lines.count(), 1);
+  EXPECT_FALSE(lines[0].closed);
+  EXPECT_NEAR(lines[0].length, 5 * std::sqrt(1.01), 1e-12);
+  for (const SurfacePoint& point : lines[0].points) {
+    const Vec3 x = position(mesh, point);
+    EXPECT_NEAR(x.x() + 0.1 * x.y(), 2.5, 1e-12);
+  }
+}
+
+TEST(Isoline, LinearOnesAreClosedOnAClosedSurface) {
+  const TriangleMesh mesh = importMesh(icosphere(8)).mesh;
+  Array<double> values;
+  for (const Vec3& p : mesh.positions) values.push_back(std::abs(p.z()));
+  const Array<Isoline> lines = linearIsolines(mesh, values, 0.55);
+  ASSERT_EQ(lines.count(), 2);
+  for (const Isoline& line : lines) EXPECT_TRUE(line.closed);
+  expectSound(mesh, lines, 0.1);
+}
+
+TEST(Isoline, RefusesWhatIsNoDistance) {
+  const TriangleMesh mesh = planeGrid(3, 3);
+  const Geometry geometry = buildGeometry(mesh);
+  for (const double radius : {0.0, -1.0, std::nan(""), kInfinity}) {
+    EXPECT_EQ(codeOf([&] {
+                exactIsolines(geometry, {0, {1, 0, 0}}, radius);
+              }),
+              ErrorCode::kBadArgument);
+  }
+}
+
+}  // namespace
+}  // namespace karcher
