@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 import { Arguments } from './cli/arguments.js';
 import { bench } from './cli/bench.js';
-import { circle } from './cli/circle.js';
+import { circle, ellipse } from './cli/circle.js';
 import type { Command } from './cli/command.js';
 import { compare } from './cli/compare.js';
 import { distance } from './cli/distance.js';
@@ -13,7 +13,17 @@ import { polylinesAsObj, print } from './cli/output.js';
 import { path } from './cli/path.js';
 import { trace } from './cli/trace.js';
 
-const commands: readonly Command[] = [info, distance, path, mean, trace, circle, bench, compare];
+const commands: readonly Command[] = [
+  info,
+  distance,
+  path,
+  mean,
+  trace,
+  circle,
+  ellipse,
+  bench,
+  compare,
+];
 
 async function run(args: string[]): Promise<void> {
   const [name, ...rest] = args;

@@ -2,6 +2,7 @@ import type {
   BridgedInterval,
   CurveKind,
   CurvePoints,
+  Isoline,
   MeshInfo,
   Method,
   Path,
@@ -74,13 +75,22 @@ export interface EngineMesh {
     arcs: number,
     samples: number,
     field: EngineFieldOptions,
-  ): {
-    samples: EngineSamples;
-    bridged: BridgedInterval[];
-    polyline: Float64Array;
-    length: number;
-    notShortest: Int32Array;
-  };
+  ): EngineCircle;
+  ellipse(
+    center: Float64Array,
+    along: number,
+    across: number,
+    direction: Float64Array,
+    arcs: number,
+    samples: number,
+    field: EngineFieldOptions,
+  ): EngineCircle;
+  isolines(
+    center: Float64Array,
+    radius: number,
+    exact: boolean,
+    field: EngineFieldOptions,
+  ): Isoline[];
   curve(
     points: Float64Array,
     shape: EngineCurveShape,
@@ -130,6 +140,14 @@ export interface EngineSamples {
   bary: Float64Array;
   position: Float64Array;
   status: Uint8Array;
+}
+
+export interface EngineCircle {
+  samples: EngineSamples;
+  bridged: BridgedInterval[];
+  polyline: Float64Array;
+  length: number;
+  notShortest: Int32Array;
 }
 
 export interface EngineMean {

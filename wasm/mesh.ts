@@ -1,8 +1,15 @@
-import { checkArray, checkInteger, checkNumber, checkOptions, toFloat64 } from './check.js';
+import {
+  checkArray,
+  checkInteger,
+  checkNumber,
+  checkOneOf,
+  checkOptions,
+  toFloat64,
+} from './check.js';
 import { Curve } from './curve.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
-import type { EngineBenchmark, EngineMean, EngineMesh } from './karcher-engine.mjs';
+import type { EngineBenchmark, EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
 import { engineFieldOptions } from './options.js';
 import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
@@ -13,7 +20,10 @@ import type {
   Circle,
   CircleOptions,
   CurveOptions,
+  EllipseOptions,
   FieldOptions,
+  Isoline,
+  IsolineOptions,
   LongWorkOptions,
   MeshInfo,
   Path,
@@ -198,15 +208,48 @@ export class Mesh {
     const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
     const samples = checkInteger(options.samples ?? 32, 'the number of samples');
     const field = engineFieldOptions(options);
-    const circle = this.#handle.call((mesh) => mesh.circle(center, radius, arcs, samples, field));
-    return {
-      samples: toCurveSamples(this.#engine, circle.samples),
-      bridged: circle.bridged,
-      polyline: new Float32Array(circle.polyline),
-      length: circle.length,
-      path: { length: circle.length, polyline: circle.polyline },
-      notShortest: Array.from(circle.notShortest),
-    };
+    return this.#toCircle(
+      this.#handle.call((mesh) => mesh.circle(center, radius, arcs, samples, field)),
+    );
+  }
+
+  /**
+   * The ellipse about a center, by rational quadratic arcs: those of the plane's ellipse, carried to
+   * the surface along geodesics from the center. Throws as `circle` does, and badArgument where the
+   * direction is perpendicular to the center's face.
+   */
+  ellipse(options: EllipseOptions): Circle {
+    checkOptions(options, 'the options');
+    const center = wirePoint(this.#handle, options.center, 'the center');
+    const [along, across] = checkArray(options.radii, 'the radii').map((radius, i) =>
+      checkNumber(radius, `radius ${i}`),
+    );
+    if (along === undefined || across === undefined) {
+      throw new KarcherError('badArgument', 'an ellipse takes two radii');
+    }
+    const direction = toVector(options.direction, 'the direction');
+    const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
+    const samples = checkInteger(options.samples ?? 32, 'the number of samples');
+    const field = engineFieldOptions(options);
+    return this.#toCircle(
+      this.#handle.call((mesh) =>
+        mesh.ellipse(center, along, across, direction, arcs, samples, field),
+      ),
+    );
+  }
+
+  /**
+   * The points at one geodesic distance from a center: lines, of which there may be none, or several
+   * beyond the center's cut locus.
+   */
+  isolines(options: IsolineOptions): Isoline[] {
+    checkOptions(options, 'the options');
+    const center = wirePoint(this.#handle, options.center, 'the center');
+    const radius = checkNumber(options.radius, 'the radius');
+    const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
+    const { solver = 'exact', rings } = options;
+    const field = engineFieldOptions(rings === undefined ? { solver } : { solver, rings });
+    return this.#handle.call((mesh) => mesh.isolines(center, radius, type === 'exact', field));
   }
 
   /**
@@ -238,16 +281,7 @@ export class Mesh {
   straightest(from: PointLike, direction: ArrayLike<number>, length: number): StraightestPath {
     const wire = wirePoint(this.#handle, from);
     checkNumber(length, 'the length');
-    const vector = toFloat64(direction, 'the direction');
-    if (vector.length !== 3) {
-      throw new KarcherError(
-        'badArgument',
-        `the direction must be 3 numbers, not ${vector.length}`,
-      );
-    }
-    vector.forEach((component, i) => {
-      checkNumber(component, `component ${i} of the direction`);
-    });
+    const vector = toVector(direction, 'the direction');
     const path = this.#handle.call((mesh) => mesh.straightest(wire, vector, length));
     return { ...path, end: toSurfacePoint(path.end) };
   }
@@ -267,6 +301,17 @@ export class Mesh {
     this.#handle.dispose();
   }
 
+  #toCircle(circle: EngineCircle): Circle {
+    return {
+      samples: toCurveSamples(this.#engine, circle.samples),
+      bridged: circle.bridged,
+      polyline: new Float32Array(circle.polyline),
+      length: circle.length,
+      path: { length: circle.length, polyline: circle.polyline },
+      notShortest: Array.from(circle.notShortest),
+    };
+  }
+
   /** The start of a search as it travels: empty for the engine's choice. */
   #wireStart({ start }: CenterOptions): Float64Array {
     return start === undefined ? new Float64Array() : wirePoint(this.#handle, start, 'the start');
@@ -275,4 +320,16 @@ export class Mesh {
 
 function toCenterOfMass(mean: EngineMean): CenterOfMass {
   return { ...mean, point: toSurfacePoint(mean.point) };
+}
+
+/** Three finite numbers. `what` names them: "the direction". */
+function toVector(numbers: ArrayLike<number>, what: string): Float64Array {
+  const vector = toFloat64(numbers, what);
+  if (vector.length !== 3) {
+    throw new KarcherError('badArgument', `${what} must be 3 numbers, not ${vector.length}`);
+  }
+  vector.forEach((component, i) => {
+    checkNumber(component, `component ${i} of ${what}`);
+  });
+  return vector;
 }

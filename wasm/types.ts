@@ -263,6 +263,30 @@ export interface CircleOptions extends FieldOptions {
   samples?: number;
 }
 
+export interface EllipseOptions extends Omit<CircleOptions, 'radius'> {
+  /** The radii along and across the direction. */
+  radii: readonly [number, number];
+  /** A direction in space, which is projected onto the center's face. */
+  direction: ArrayLike<number>;
+}
+
+export interface IsolineOptions extends Pick<FieldOptions, 'solver' | 'rings'> {
+  center: PointLike;
+  radius: number;
+  /**
+   * `exact` (the default): the circular arcs of the points at this distance in each triangle.
+   * `linear`: straight in each triangle, between the points of its edges where the distance,
+   * interpolated between the vertices' distances by the solver (`exact`), is the radius.
+   */
+  type?: 'exact' | 'linear';
+}
+
+/** A line of points at one distance. */
+export interface Isoline extends Path {
+  /** Whether the last point is the first one; else both ends lie on the boundary. */
+  closed: boolean;
+}
+
 export interface Circle {
   /** `segment` is the number of the arc. */
   samples: CurveSamples;

@@ -15,10 +15,12 @@ constexpr int kFewestArcs = 3;
 constexpr int kMostArcs = 64;
 constexpr int kMostSamples = 100'000;
 
-void checkOptions(const CircleOptions& options, double radius) {
-  if (!(radius > 0) || !std::isfinite(radius)) {
-    throw Error(ErrorCode::kBadArgument, "a circle's radius must be a positive number");
-  }
+void checkRadiusIsPositive(double radius) {
+  if (radius > 0 && std::isfinite(radius)) return;
+  throw Error(ErrorCode::kBadArgument, "a circle's radius must be a positive number");
+}
+
+void checkOptions(const CircleOptions& options) {
   if (options.arcs < kFewestArcs || options.arcs > kMostArcs) {
     throw Error(ErrorCode::kBadArgument,
                 "a circle takes 3 to 64 arcs, not " + std::to_string(options.arcs));
@@ -39,6 +41,14 @@ class Center {
   }
 
   double totalAngle() const { return total_; }
+
+  /// The direction, as `trace` takes it, of a vector in the frame of the center's face.
+  double directionOf(const Vec2& vector) const {
+    if (location_.simplex != Simplex::kVertex) return angleOf(vector);
+    int h = 3 * point_.face;
+    while (geometry_.mesh->tail(h) != location_.vertex) ++h;
+    return directionAtTail(geometry_, h, vector);
+  }
 
   StraightestPath trace(double direction, double length) const {
     return location_.simplex == Simplex::kVertex
@@ -83,32 +93,31 @@ double distanceAt(const Geometry& geometry, const ExactDistance& distance,
   return std::sqrt(std::max(squared, 0.0));
 }
 
-}  // namespace
+/// Where the arcs' control points lie: points 2 j and 2 j + 1 are arc j's start and its middle
+/// point.
+struct ArcPoint {
+  double direction = 0;
+  double distance = 0;
+};
 
-GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
-                           const CircleOptions& options) {
-  checkOptions(options, radius);
+GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double radius,
+                         const Array<ArcPoint>& arcPoints, double middleWeight,
+                         const CircleOptions& options) {
   const Geometry& geometry = surface.geometry();
   const Center from(geometry, center);
-  const double halfAngle = from.totalAngle() / (2 * options.arcs);
-  if (!(halfAngle < kPi / 2)) {
-    throw Error(ErrorCode::kBadArgument,
-                std::to_string(options.arcs) +
-                    " arcs are too few around a center with so much angle; take more");
-  }
-  const double outerRadius = radius / std::cos(halfAngle);
+  double farthest = 0;
+  for (const ArcPoint& point : arcPoints) farthest = std::max(farthest, point.distance);
   ExactDistance distance(geometry);
   distance.setSource(center);
-  distance.grow(outerRadius + geometry.meanEdge);
+  distance.grow(farthest + geometry.meanEdge);
   checkRadius(surface.mesh(), distance, radius);
 
-  // Points 2 j and 2 j + 1: an arc's start, on the circle, and its middle control point.
   const double tolerance = 0.05 * geometry.meanEdge;
   Array<std::unique_ptr<PointField>> fields;
   Array<uint8_t> shortest;
-  for (int i = 0; i < 2 * options.arcs; ++i) {
-    const double length = i % 2 == 0 ? radius : outerRadius;
-    const StraightestPath path = from.trace(i * halfAngle, length);
+  for (int i = 0; i < arcPoints.count(); ++i) {
+    const double length = arcPoints[i].distance;
+    const StraightestPath path = from.trace(arcPoints[i].direction, length);
     if (path.stop != TraceStop::kComplete) {
       throw Error(ErrorCode::kBoundary, "the geodesic to arc " + std::to_string(i / 2) +
                                             " of the circle meets the boundary");
@@ -119,7 +128,7 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
   }
 
   GeodesicCircle circle;
-  const Array<double> weights{1, std::cos(halfAngle), 1};
+  const Array<double> weights{1, middleWeight, 1};
   const Basis basis = [&](double t) { return rationalBasis(bernsteinBasis(2, t), weights); };
   const WeightTable table = tabulate(basis, options.samples);
   for (int j = 0; j < options.arcs; ++j) {
@@ -135,6 +144,48 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
     }
   }
   return circle;
+}
+
+}  // namespace
+
+GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
+                           const CircleOptions& options) {
+  checkRadiusIsPositive(radius);
+  checkOptions(options);
+  const double halfAngle = Center(surface.geometry(), center).totalAngle() / (2 * options.arcs);
+  if (!(halfAngle < kPi / 2)) {
+    throw Error(ErrorCode::kBadArgument,
+                std::to_string(options.arcs) +
+                    " arcs are too few around a center with so much angle; take more");
+  }
+  Array<ArcPoint> points;
+  for (int i = 0; i < 2 * options.arcs; ++i) {
+    points.push_back({i * halfAngle, i % 2 == 0 ? radius : radius / std::cos(halfAngle)});
+  }
+  return traceArcs(surface, center, radius, points, std::cos(halfAngle), options);
+}
+
+GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double along,
+                            double across, const Vec2& direction, const CircleOptions& options) {
+  checkRadiusIsPositive(along);
+  checkRadiusIsPositive(across);
+  checkOptions(options);
+  if (!direction.allFinite() || !(direction.norm() > 0)) {
+    throw Error(ErrorCode::kBadArgument, "an ellipse's direction must be a vector that is not 0");
+  }
+  const Center from(surface.geometry(), center);
+  const double begin = from.directionOf(direction);
+  const double halfAngle = kPi / options.arcs;
+  Array<ArcPoint> points;
+  for (int i = 0; i < 2 * options.arcs; ++i) {
+    const double reach = i % 2 == 0 ? 1 : 1 / std::cos(halfAngle);
+    const Vec2 place =
+        reach * Vec2(along * std::cos(i * halfAngle), across * std::sin(i * halfAngle));
+    // Around a vertex the plane's angles share out the vertex's.
+    const double angle = angleOf(place) * from.totalAngle() / (2 * kPi);
+    points.push_back({begin + angle, place.norm()});
+  }
+  return traceArcs(surface, center, std::max(along, across), points, std::cos(halfAngle), options);
 }
 
 }  // namespace karcher

@@ -29,4 +29,13 @@ struct GeodesicCircle {
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
                            const CircleOptions& options);
 
+/// The ellipse whose axes have these radii, along and across a direction, by the rational quadratic
+/// arcs of the plane's ellipse carried to the surface: control points along straightest geodesics,
+/// in the direction and at the distance that they have from the plane's center. With equal radii it
+/// is the circle (but about a vertex with an angle that is not flat).
+/// `direction` is a vector, not 0, in the frame of the center's face, and points into it where the
+/// center is a vertex. Throws as `traceCircle` does.
+GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double along,
+                            double across, const Vec2& direction, const CircleOptions& options);
+
 }  // namespace karcher

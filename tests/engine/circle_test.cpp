@@ -88,5 +88,47 @@ TEST(Circle, RefusesWhatIsNoCircle) {
             ErrorCode::kRadiusTooLarge);
 }
 
+TEST(Ellipse, OnThePlaneIsTheEllipse) {
+  Surface surface(planeGrid(24, 20));
+  for (const Vec3& center : {Vec3(11.3, 9.8, 0), Vec3(11.5, 9, 0), Vec3(12, 10, 0)}) {
+    const SurfacePoint point = nearestPoint(surface.mesh(), center);
+    const Vec2 axis = unitVector(0.4);
+    const Vec2 inFrame = toFace(surface.geometry(), point.face, Vec3(axis.x(), axis.y(), 0));
+    for (const int arcs : {3, 4, 7}) {
+      const GeodesicCircle ellipse =
+          traceEllipse(surface, point, 3.1, 1.4, inFrame, {arcs, 20, kPaperExact});
+      ASSERT_EQ(ellipse.samples.count(), arcs);
+      for (const Array<CurveSample>& arc : ellipse.samples) {
+        for (const CurveSample& sample : arc) {
+          const Vec3 x = position(surface.mesh(), sample.point) - center;
+          const Vec2 place(x.x(), x.y());
+          const Vec2 scaled(axis.dot(place) / 3.1, cross(axis, place) / 1.4);
+          EXPECT_EQ(sample.status, Status::kConverged);
+          EXPECT_NEAR(scaled.norm(), 1, 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(Ellipse, WithEqualRadiiIsTheCircle) {
+  Surface surface(importMesh(icosphere(10)).mesh);
+  const SurfacePoint center{7, Vec3(0.2, 0.3, 0.5)};
+  const CircleOptions options{5, 12, {Method::kKarcher, Solver::kExact, 6}};
+  const GeodesicCircle circle = traceCircle(surface, center, 0.4, options);
+  const GeodesicCircle ellipse = traceEllipse(surface, center, 0.4, 0.4, Vec2(2, 0), options);
+  for (int j = 0; j < 5; ++j) {
+    for (int i = 0; i < 12; ++i) {
+      const Vec3 there = position(surface.mesh(), circle.samples[j][i].point);
+      const Vec3 here = position(surface.mesh(), ellipse.samples[j][i].point);
+      EXPECT_LT((here - there).norm(), 1e-9);
+    }
+  }
+  EXPECT_EQ(codeOf([&] { traceEllipse(surface, center, 0.4, -1, Vec2(1, 0), options); }),
+            ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { traceEllipse(surface, center, 0.4, 0.2, Vec2(0, 0), options); }),
+            ErrorCode::kBadArgument);
+}
+
 }  // namespace
 }  // namespace karcher

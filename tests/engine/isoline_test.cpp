@@ -30,7 +30,9 @@ void expectSound(const TriangleMesh& mesh, const Array<Isoline>& lines, double m
     }
     EXPECT_NEAR(length, line.length, 0.01 * line.length);
     const Vec3 ends = position(mesh, line.points.back()) - position(mesh, line.points.front());
-    if (line.closed) EXPECT_LT(ends.norm(), 1e-6 * meanEdge);
+    if (line.closed) {
+      EXPECT_LT(ends.norm(), 1e-6 * meanEdge);
+    }
   }
 }
 
@@ -96,7 +98,7 @@ TEST(Isoline, ExactOnesLieAtTheirDistanceOnEveryShape) {
       SCOPED_TRACE(std::string(shapeName(shape)) + ", " + std::to_string(part));
       expectSound(mesh, lines, geometry.meanEdge);
       for (const Isoline& line : lines) {
-        if (shape != Shape::kOpenSheet) EXPECT_TRUE(line.closed);
+        EXPECT_TRUE(line.closed || shape == Shape::kOpenSheet);
         for (int i = 0; i < line.points.count(); i += 7) {
           EXPECT_NEAR(shortestPath(geometry, source, line.points[i]).length, radius,
                       1e-8 * geometry.diagonal);

@@ -72,3 +72,45 @@ test('an arc beyond the cut locus is marked', () => {
   assert.ok(circle.notShortest.length > 0);
   for (const arc of circle.notShortest) assert.ok(arc >= 0 && arc < 7);
 });
+
+test('on a plane an ellipse is an ellipse', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  const options = { center, radii: [4, 1.5], direction: [1, 1, 0], samples: 20, ...paper };
+  const { samples } = mesh.ellipse(options);
+  assert.equal(samples.count, 7 * 20);
+  for (let i = 0; i < samples.count; i++) {
+    const [x, y] = samples.position.slice(3 * i, 3 * i + 2).map((value) => value - 8);
+    const [along, across] = [x + y, y - x].map((value) => value / Math.SQRT2);
+    assert.ok(Math.abs(Math.hypot(along / 4, across / 1.5) - 1) < 1e-9);
+  }
+  for (const wrong of [
+    { radii: [1] },
+    { radii: [1, 0] },
+    { direction: [0, 0, 1] },
+    { direction: [1, 0] },
+  ]) {
+    assert.throws(() => mesh.ellipse({ ...options, ...wrong }), { code: 'badArgument' });
+  }
+});
+
+test('isolines: the exact one on a plane is the circle, the linear one near it', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  const [exact, ...more] = mesh.isolines({ center, radius: 4.5 });
+  assert.deepEqual(more, []);
+  assert.equal(exact.closed, true);
+  assert.ok(Math.abs(exact.length - 9 * Math.PI) < 1e-6);
+  for (let i = 0; i < exact.polyline.length; i += 3) {
+    const [x, y] = exact.polyline.slice(i, i + 2);
+    assert.ok(Math.abs(Math.hypot(x - 8, y - 8) - 4.5) < 1e-9);
+  }
+  for (const solver of ['fast', 'exact', 'graph']) {
+    const [linear] = mesh.isolines({ center, radius: 4.5, type: 'linear', solver });
+    assert.equal(linear.closed, true);
+    assert.ok(Math.abs(linear.length / (9 * Math.PI) - 1) < 0.03);
+  }
+  assert.deepEqual(mesh.isolines({ center, radius: 100 }), []);
+  assert.throws(() => mesh.isolines({ center, radius: -1 }), { code: 'badArgument' });
+  assert.throws(() => mesh.isolines({ center, radius: 1, type: 'round' }), {
+    code: 'badArgument',
+  });
+});

@@ -213,6 +213,24 @@ test('circle prints samples at the radius', () => {
   assert.deepEqual(notShortest, []);
 });
 
+test('circle --type linear and exact, and ellipse', () => {
+  const about = ['--center', 'v:84'];
+  for (const type of ['linear', 'exact']) {
+    const { lines } = printed('circle', gridFile, ...about, '--radius', '3', '--type', type);
+    const expected = mesh.isolines({ center: { vertex: 84 }, radius: 3, type });
+    assert.equal(lines.length, 1);
+    assert.equal(lines[0].closed, true);
+    assert.equal(lines[0].length, expected[0].length);
+    assert.deepEqual(lines[0].polyline.flat(), Array.from(expected[0].polyline));
+  }
+  const { samples } = printed(
+    ...['ellipse', gridFile, ...about, '--radii', '3,2', '--direction', '0,1,0'],
+  );
+  for (const { position } of samples) {
+    assert.ok(Math.abs(Math.hypot((position[0] - 6) / 2, (position[1] - 6) / 3) - 1) < 1e-9);
+  }
+});
+
 test('bench prints every timing', () => {
   const report = printed('bench', gridFile, '--points', pointsFile, '--samples', '16');
   assert.deepEqual(report.mesh, { vertices: 169, triangles: 288 });

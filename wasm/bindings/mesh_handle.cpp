@@ -108,18 +108,24 @@ val MeshHandle::position(const val& point) const {
   return toJs(karcher::position(mesh(), pointFromJs(numbering_, mesh(), point)));
 }
 
-val MeshHandle::straightest(const val& from, const val& direction, double length) const {
-  const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
+/// A vector in space as a unit vector in the frame of a face.
+Vec2 MeshHandle::directionInFace(int face, const val& direction) const {
   const Array<double> space = fromJs<double>(direction);
-  const Vec2 vector = toFace(surface_.geometry(), start.face, {space[0], space[1], space[2]});
+  const Vec2 vector = toFace(surface_.geometry(), face, {space[0], space[1], space[2]});
   constexpr double kPerpendicular = 1e-12;
   const double norm = vector.norm();
-  if (!(length >= 0)) throw Error(ErrorCode::kBadArgument, "a length must be at least 0");
   if (!(norm > kPerpendicular * std::hypot(space[0], space[1], space[2]))) {
     throw Error(ErrorCode::kBadArgument,
                 "the direction of a geodesic must not be perpendicular to its first face");
   }
-  const StraightestPath path = traceStraightest(surface_.geometry(), start, length / norm * vector);
+  return vector / norm;
+}
+
+val MeshHandle::straightest(const val& from, const val& direction, double length) const {
+  const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
+  if (!(length >= 0)) throw Error(ErrorCode::kBadArgument, "a length must be at least 0");
+  const Vec2 unit = directionInFace(start.face, direction);
+  const StraightestPath path = traceStraightest(surface_.geometry(), start, length * unit);
   val result = val::object();
   result.set("end", toJs(numbering_, path.points.back()));
   result.set("remaining", path.remaining);
@@ -212,26 +218,6 @@ Array<double> MeshHandle::engineDistances(const Array<double>& distances, size_t
     }
     result.push_back(own[v]);
   }
-  return result;
-}
-
-val MeshHandle::circle(const val& center, double radius, int arcs, int samples, const val& field) {
-  const GeodesicCircle circle = traceCircle(surface_, pointFromJs(numbering_, mesh(), center),
-                                            radius, {arcs, samples, fieldOptionsFromJs(field)});
-  CurvePolyline line;
-  Array<const Array<CurveSample>*> segments;
-  Array<const Array<Bridge>*> bridges;
-  for (int j = 0; j < circle.samples.count(); ++j) {
-    segments.push_back(&circle.samples[j]);
-    bridges.push_back(&circle.bridges[j]);
-    appendSegment(*this, circle.paths[j], line);
-  }
-  val result = val::object();
-  result.set("samples", samplesToJs(*this, segments));
-  result.set("bridged", bridgedToJs(bridges));
-  result.set("polyline", toJs(line.positions));
-  result.set("length", line.length);
-  result.set("notShortest", toJs(circle.notShortest));
   return result;
 }
 

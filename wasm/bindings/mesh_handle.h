@@ -45,8 +45,14 @@ class MeshHandle {
   val centerOfMassOfDistances(const val& distances, const val& weights, const val& start,
                               bool normalize);
   val circle(const val& center, double radius, int arcs, int samples, const val& field);
+  /// `direction` as for `straightest`.
+  val ellipse(const val& center, double along, double across, const val& direction, int arcs,
+              int samples, const val& field);
+  /// A list of {closed, length, polyline}: exact ones, or linear ones of the solver's distances.
+  val isolines(const val& center, double radius, bool exact, const val& field);
 
  private:
+  Vec2 directionInFace(int face, const val& direction) const;
   MeanOptions meanOptions(const val& start, bool normalize) const;
   val meanToJs(const Mean& mean) const;
   Array<double> engineDistances(const Array<double>& distances, size_t field) const;

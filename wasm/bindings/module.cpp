@@ -76,6 +76,8 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("centerOfMass", &Guarded<&MeshHandle::centerOfMass>::call)
       .function("centerOfMassOfDistances", &Guarded<&MeshHandle::centerOfMassOfDistances>::call)
       .function("circle", &Guarded<&MeshHandle::circle>::call)
+      .function("ellipse", &Guarded<&MeshHandle::ellipse>::call)
+      .function("isolines", &Guarded<&MeshHandle::isolines>::call)
       .function("curve", &Guarded<&makeCurve>::call)
       .function("graphBuilder", &Guarded<&makeGraphBuilder>::call)
       .function("benchmark", &Guarded<&makeBenchmark>::call);

@@ -1,37 +1,101 @@
-import { type Command, fieldOptions, formatOption } from './command.js';
+import type { Circle } from '../types.js';
+import { type Command, fieldOptions, formatOption, type Option, type Result } from './command.js';
+import { UsageError } from './errors.js';
 import { sampleRecords, triples } from './output.js';
+
+const arcOptions: readonly Option[] = [
+  { name: 'arcs', value: 'N', help: 'the number of arcs, 3 to 64', default: '7' },
+  { name: 'samples', value: 'N', help: 'samples an arc, both ends included', default: '32' },
+];
+
+const circleOutput =
+  '{polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …]}';
+
+function resultOf(circle: Circle): Result {
+  const { length, polyline } = circle.path;
+  return {
+    json: {
+      polyline: triples(polyline),
+      samples: sampleRecords(circle.samples),
+      bridged: circle.bridged,
+      length,
+      notShortest: circle.notShortest,
+    },
+    polylines: [polyline],
+  };
+}
 
 export const circle: Command = {
   name: 'circle',
-  summary: 'a geodesic circle of rational quadratic arcs',
-  output:
-    '{polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …]}',
+  summary: 'a geodesic circle of rational quadratic arcs, or lines of points at one distance',
+  output: `${circleOutput}; with --type linear or exact {lines: [{closed, length, polyline}, …]}`,
   options: [
     { name: 'center', value: 'POINT', help: 'the center', required: true },
     { name: 'radius', value: 'R', help: 'the radius, in units of the mesh', required: true },
-    { name: 'arcs', value: 'N', help: 'the number of arcs, 3 to 64', default: '7' },
-    { name: 'samples', value: 'N', help: 'samples an arc, both ends included', default: '32' },
+    {
+      name: 'type',
+      value: 'arcs|linear|exact',
+      help: 'rational arcs, or the isoline of the distance: linear in triangles, or exact',
+      default: 'arcs',
+    },
+    ...arcOptions,
     ...fieldOptions,
     formatOption,
   ],
   async run(args) {
     const center = args.point('center');
     const radius = args.number('radius');
+    const type = args.choice<'arcs' | 'linear' | 'exact'>('type');
     const arcs = args.integer('arcs');
     const samples = args.integer('samples');
     const field = args.field();
     const mesh = await args.mesh();
-    const result = mesh.circle({ center, radius, arcs, samples, ...field });
-    const { length, polyline } = result.path;
+    if (type === 'arcs') return resultOf(mesh.circle({ center, radius, arcs, samples, ...field }));
+    const { solver, rings } = field;
+    const lines = mesh.isolines({
+      center,
+      radius,
+      type,
+      ...(args.given('solver') && { solver, rings }),
+    });
     return {
       json: {
-        polyline: triples(polyline),
-        samples: sampleRecords(result.samples),
-        bridged: result.bridged,
-        length,
-        notShortest: result.notShortest,
+        lines: lines.map((line) => ({ ...line, polyline: triples(line.polyline) })),
       },
-      polylines: [polyline],
+      polylines: lines.map(({ polyline }) => polyline),
     };
+  },
+};
+
+export const ellipse: Command = {
+  name: 'ellipse',
+  summary: 'an ellipse of rational quadratic arcs about a point',
+  output: circleOutput,
+  options: [
+    { name: 'center', value: 'POINT', help: 'the center', required: true },
+    { name: 'radii', value: 'A,B', help: 'along and across the direction', required: true },
+    {
+      name: 'direction',
+      value: 'X,Y,Z',
+      help: "of the first radius, in space: its part in the center's face counts",
+      required: true,
+    },
+    ...arcOptions,
+    ...fieldOptions,
+    formatOption,
+  ],
+  async run(args) {
+    const center = args.point('center');
+    const [along, across, ...more] = args.numbers('radii');
+    if (along === undefined || across === undefined || more.length > 0) {
+      throw new UsageError('--radii takes two numbers');
+    }
+    const direction = args.numbers('direction');
+    const arcs = args.integer('arcs');
+    const samples = args.integer('samples');
+    const field = args.field();
+    const mesh = await args.mesh();
+    const radii = [along, across] as const;
+    return resultOf(mesh.ellipse({ center, radii, direction, arcs, samples, ...field }));
   },
 };

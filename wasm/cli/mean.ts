@@ -4,7 +4,8 @@ import { triples } from './output.js';
 export const mean: Command = {
   name: 'mean',
   summary: 'the Riemannian center of mass of weighted points',
-  output: '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, otherMinima, paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
+  output:
+    '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, otherMinima, paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
   options: [
     pointsOption,
     {
@@ -26,7 +27,7 @@ export const mean: Command = {
       ...field,
       normalize: args.given('normalize'),
     });
-    if (!args.flag('paths')) return { json: center };
+    if (!args.given('paths')) return { json: center };
     const paths = points.map((point) => mesh.shortestPath(center.point, point));
     return {
       json: {

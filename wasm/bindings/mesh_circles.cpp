@@ -1,0 +1,77 @@
+#include "bindings/curve_handle.h"
+#include "bindings/field_options.h"
+#include "bindings/mesh_handle.h"
+#include "curves/circle.h"
+#include "curves/isoline.h"
+#include "rcm/distance_solver.h"
+
+namespace karcher::bindings {
+namespace {
+
+val circleToJs(const MeshHandle& mesh, const GeodesicCircle& circle) {
+  CurvePolyline line;
+  Array<const Array<CurveSample>*> segments;
+  Array<const Array<Bridge>*> bridges;
+  for (int j = 0; j < circle.samples.count(); ++j) {
+    segments.push_back(&circle.samples[j]);
+    bridges.push_back(&circle.bridges[j]);
+    appendSegment(mesh, circle.paths[j], line);
+  }
+  val result = val::object();
+  result.set("samples", samplesToJs(mesh, segments));
+  result.set("bridged", bridgedToJs(bridges));
+  result.set("polyline", toJs(line.positions));
+  result.set("length", line.length);
+  result.set("notShortest", toJs(circle.notShortest));
+  return result;
+}
+
+Array<double> distancesAtVertices(Surface& surface, const SurfacePoint& source,
+                                  const FieldOptions& options) {
+  Array<double> distances;
+  AnyDistanceSolver anySolver = makeDistanceSolver(surface, options);
+  std::visit(
+      [&](auto& solver) {
+        solver->setSource(source);
+        solver->grow(kInfinity);
+        for (int v = 0; v < surface.mesh().vertexCount(); ++v) {
+          distances.push_back(solver->distance(v));
+        }
+      },
+      anySolver);
+  return distances;
+}
+
+}  // namespace
+
+val MeshHandle::circle(const val& center, double radius, int arcs, int samples, const val& field) {
+  return circleToJs(*this, traceCircle(surface_, pointFromJs(numbering_, mesh(), center), radius,
+                                       {arcs, samples, fieldOptionsFromJs(field)}));
+}
+
+val MeshHandle::ellipse(const val& center, double along, double across, const val& direction,
+                        int arcs, int samples, const val& field) {
+  const SurfacePoint point = pointFromJs(numbering_, mesh(), center);
+  return circleToJs(
+      *this, traceEllipse(surface_, point, along, across, directionInFace(point.face, direction),
+                          {arcs, samples, fieldOptionsFromJs(field)}));
+}
+
+val MeshHandle::isolines(const val& center, double radius, bool exact, const val& field) {
+  const SurfacePoint source = pointFromJs(numbering_, mesh(), center);
+  const Array<Isoline> lines =
+      exact ? exactIsolines(surface_.geometry(), source, radius)
+            : linearIsolines(
+                  mesh(), distancesAtVertices(surface_, source, fieldOptionsFromJs(field)), radius);
+  val list = val::array();
+  for (const Isoline& line : lines) {
+    val one = val::object();
+    one.set("closed", line.closed);
+    one.set("length", line.length);
+    one.set("polyline", toJs(polyline(mesh(), line.points)));
+    list.call<void>("push", one);
+  }
+  return list;
+}
+
+}  // namespace karcher::bindings
