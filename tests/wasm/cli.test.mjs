@@ -20,6 +20,7 @@ test('help, of the program and of each command', () => {
     'mean',
     'trace',
     'circle',
+    'ellipse',
     'bench',
     'compare',
   ]);
