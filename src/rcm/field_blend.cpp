@@ -43,6 +43,36 @@ TriangleField FieldBlend::blend(int face, Weights weights) {
   return {{Vec2(sum[0], sum[1]), Vec2(sum[2], sum[3]), Vec2(sum[4], sum[5])}};
 }
 
+bool FieldBlend::findZero(int face, Weights weights, Vec3& zero) {
+  const double* v = transported(face);
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+  for (const double w : weights) {
+    x0 += w * v[0];
+    y0 += w * v[1];
+    x1 += w * v[2];
+    y1 += w * v[3];
+    x2 += w * v[4];
+    y2 += w * v[5];
+    v += 6;
+  }
+  // hessian(...).positiveDefinite(), without its divisions.
+  const double apexX = geometry_.apex[face].x();
+  const double apexY = geometry_.apex[face].y();
+  const double xx = apexY * (x1 - x0);
+  const double yy = geometry_.edgeLength[3 * face] * (y2 - y0) - apexX * (y1 - y0);
+  const double xy =
+      (apexY * (y1 - y0) + geometry_.edgeLength[3 * face] * (x2 - x0) - apexX * (x1 - x0)) / 2;
+  if (!(xx > 0 && xx * yy > xy * xy)) return false;
+  const double b0 = x1 * y2 - y1 * x2;
+  const double b1 = x2 * y0 - y2 * x0;
+  const double b2 = x0 * y1 - y0 * x1;
+  const double scale = 1 / (b0 + b1 + b2);
+  zero[0] = b0 * scale;
+  zero[1] = b1 * scale;
+  zero[2] = b2 * scale;
+  return true;
+}
+
 Vec2 FieldBlend::atVertex(int vertex, Weights weights) {
   Vec2 sum = Vec2::Zero();
   for (int i = 0; i < fields_.count(); ++i)

@@ -37,17 +37,6 @@ struct Hessian {
 
 Hessian hessian(const Geometry& geometry, int face, const TriangleField& field);
 
-/// hessian(...).positiveDefinite(), without its divisions.
-inline bool hasPositiveHessian(const Geometry& geometry, int face, const TriangleField& field) {
-  const Vec2& apex = geometry.apex[face];
-  const Vec2 u = field.corner[1] - field.corner[0];
-  const Vec2 v = field.corner[2] - field.corner[0];
-  const Vec2 alongX = apex.y() * u;
-  const Vec2 alongY = geometry.edgeLength[3 * face] * v - apex.x() * u;
-  const double xy = (alongX.y() + alongY.x()) / 2;
-  return alongX.x() > 0 && alongX.x() * alongY.y() > xy * xy;
-}
-
 /// Values of a field at the ends of an edge, in the edge's frame: its direction is the x axis.
 struct EdgeValues {
   Vec2 tail = Vec2::Zero();
@@ -78,6 +67,10 @@ class FieldBlend {
 
   /// The weighted sum of the fields in a face.
   TriangleField blend(int face, Weights weights);
+
+  /// The zero of `blend` as barycentric weights, if its Hessian is positive definite. What a search
+  /// asks for at each sample: all in one, in numbers that stay in registers.
+  bool findZero(int face, Weights weights, Vec3& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
   Vec2 atVertex(int vertex, Weights weights);

@@ -42,10 +42,9 @@ int smallestCorner(const Vec3& b) {
 /// The zero of a face's field as barycentric weights; none where the Hessian is not positive
 /// definite.
 std::optional<Vec3> zeroOfFace(FieldBlend& fields, Weights weights, int face) {
-  const TriangleField field = fields.blend(face, weights);
-  if (!hasPositiveHessian(fields.geometry(), face, field)) return std::nullopt;
-  const Vec3 zero = field.zeroDirection();
-  return zero / zero.sum();
+  Vec3 zero;
+  if (!fields.findZero(face, weights, zero)) return std::nullopt;
+  return zero;
 }
 
 /// The zero among the faces and edges around a vertex: the same answer whichever face the search
@@ -98,12 +97,15 @@ class ZeroWalk {
       : fields_(fields), geometry_(fields.geometry()), mesh_(*geometry_.mesh), weights_(weights) {}
 
   CenterOfMass run(const SurfacePoint& start) {
-    const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, start.face);
-    // A sample's center lies in the face of the one before, most times.
-    if (zero && zero->minCoeff() >= -kInsideTolerance) {
-      return {clampedPoint(start.face, *zero), Status::kConverged, 1};
+    Vec3 zero;
+    if (fields_.findZero(start.face, weights_, zero)) {
+      // A sample's center lies in the face of the one before, most times.
+      const double least = std::min(zero[0], std::min(zero[1], zero[2]));
+      if (least >= -kInsideTolerance) {
+        return {clampedPoint(start.face, zero), Status::kConverged, 1};
+      }
+      if (least >= kFarWeight) return walk(start, zero);
     }
-    if (zero && zero->minCoeff() >= kFarWeight) return walk(start, zero);
     const SurfacePoint near = leap(start);
     CenterOfMass result = walk(near, zeroOfFace(fields_, weights_, near.face));
     result.iterations += leaps_;
