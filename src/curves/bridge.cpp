@@ -45,11 +45,16 @@ class JumpSearch {
       stack_.pop_back();
       const Vec3 a = position(mesh_, step.from.point);
       const Vec3 b = position(mesh_, step.to.point);
-      if ((b - a).norm() <= longest_) continue;
-      if (step.to.t - step.from.t <= kFinestDivision) return Status::kJump;
-      if (staysInFace(step)) continue;
+      const double length = (b - a).norm();
+      // A short step may hide a jump back that is a little longer.
+      if (length <= longest_ / 2) continue;
+      if (step.to.t - step.from.t <= kFinestDivision) {
+        if (length > longest_) return Status::kJump;
+        continue;
+      }
       const double t = (step.from.t + step.to.t) / 2;
       const Array<double> weights = basis_(t);
+      if (staysInFace(step, weights)) continue;
       const CenterOfMass center = findCenter(fields_, weights, step.from.point, method_);
       if (center.status != Status::kConverged) return center.status;
       stack_.push_back({step.from, {t, center.point}});
@@ -69,8 +74,8 @@ class JumpSearch {
   };
 
   /// In one face the zero of the field moves continuously, and stays there if the step keeps away
-  /// from the edges.
-  bool staysInFace(const Step& step) const {
+  /// from the edges and its middle, by the weights there, lies between its ends.
+  bool staysInFace(const Step& step, Weights middleWeights) const {
     const SurfacePoint& from = step.from.point;
     const SurfacePoint& to = step.to.point;
     if (from.face != to.face) return false;
@@ -81,7 +86,12 @@ class JumpSearch {
       const double height = area / geometry_.edgeLength[3 * from.face + (k + 1) % 3];
       if (least[k] * height < margin) return false;
     }
-    return true;
+    Vec3 zero;
+    if (!fields_.findZero(from.face, middleWeights, zero)) return false;
+    const Vec3 off = zero - (from.bary + to.bary) / 2;
+    const Vec2 away = off[1] * cornerInFace(geometry_, from.face, 1) +
+                      off[2] * cornerInFace(geometry_, from.face, 2);
+    return away.norm() < margin;
   }
 
   const Geometry& geometry_;

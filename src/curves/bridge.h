@@ -42,8 +42,8 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// the status kBridged. Returns the bridges, ascending in t.
 ///
 /// Between two neighbouring samples a bridge is the geodesic that joins them. A step well inside a
-/// face costs nothing, nor one shorter than `kLongestStep`; others are divided until their parts
-/// are one or the other.
+/// face costs nothing, nor one shorter than half of `kLongestStep`; others are divided until their
+/// parts are one or the other.
 Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, const Basis& basis,
                             Method method, Array<CurveSample>& samples);
 
