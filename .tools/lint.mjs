@@ -1,4 +1,5 @@
-// `npm run lint`: clang-tidy on the engine, biome and the TypeScript compiler on the rest.
+// `npm run lint`: the benchmarks compiled without warnings, clang-tidy on the engine, biome and the
+// TypeScript compiler on the rest.
 import { buildNative } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { closeWith, cores, filesBelow, inRoot, run, runStages } from './shell.mjs';
@@ -30,6 +31,7 @@ const npmProgram = (path, ...args) =>
 await setUp('build', 'test', 'lint');
 closeWith(
   await runStages([
+    { name: 'build of the benchmarks', run: () => buildNative('native') },
     { name: 'clang-tidy', run: clangTidy },
     {
       name: 'biome',

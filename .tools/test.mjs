@@ -92,7 +92,7 @@ async function runNode(folder, env = {}) {
 
 const nativeTests = (preset) => async () => {
   await writeBunny();
-  await buildNative(preset);
+  await buildNative(preset, 'karcher_tests');
   return runNative(preset);
 };
 
