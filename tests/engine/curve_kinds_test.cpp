@@ -153,7 +153,7 @@ TEST(CurveKinds, WeightsAndBetasComputeNoField) {
 TEST(CurveKinds, AfterAnyEditsAreTheCurveTracedAnew) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
-  for (const uint64_t seed : {1, 2, 3, 4}) {
+  for (const uint64_t seed : {1u, 2u, 3u, 4u}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<uint64_t>(n)); };
