@@ -6,7 +6,7 @@ import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'n
 import { dirname } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { setUp } from './setup.mjs';
-import { cores, inRoot, root, run, which } from './shell.mjs';
+import { cores, inRoot, root, run } from './shell.mjs';
 
 // Debian's Emscripten finds its JavaScript optimizer's libraries there, if Node is not Debian's own.
 const debianNodeModules = '/usr/share/nodejs';
@@ -17,24 +17,15 @@ const runNpmProgram = (path, ...args) =>
 
 /** Configures and builds one of CMakePresets.json's native presets. */
 export async function buildNative(preset, ...targets) {
-  await run('cmake', ['--preset', preset, ...shortcuts(preset)]);
+  await run('cmake', ['--preset', preset]);
   const named = targets.length > 0 ? ['--target', ...targets] : [];
   await run('cmake', ['--build', '--preset', preset, '--parallel', `${cores}`, ...named]);
-}
-
-/**
- * What makes a build faster. One of them goes without precompiled headers, so that a file that
- * forgets to include what it uses is noticed; ccache does not work with them.
- */
-function shortcuts(preset) {
-  if (preset !== 'native') return ['-DKARCHER_PRECOMPILE=ON'];
-  return which('ccache') ? ['-DCMAKE_CXX_COMPILER_LAUNCHER=ccache'] : [];
 }
 
 /** The engine as dist/karcher-engine.mjs and .wasm. */
 export async function buildWasm() {
   const env = existsSync(debianNodeModules) ? { NODE_PATH: debianNodeModules } : {};
-  await run('emcmake', ['cmake', '--preset', 'wasm', ...shortcuts('wasm')], { env });
+  await run('emcmake', ['cmake', '--preset', 'wasm'], { env });
   await run('cmake', ['--build', '--preset', 'wasm', '--parallel', `${cores}`], { env });
   await minify('dist/karcher-engine.mjs', 'dist/peers/karcher-peers.mjs');
 }

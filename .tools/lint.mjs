@@ -6,14 +6,14 @@ import { closeWith, cores, filesBelow, inRoot, run, runStages } from './shell.mj
 
 /** Checks files one by one, `cores` at a time, and names each that fails. */
 async function clangTidy() {
-  await buildNative('native', 'karcher');
+  await run('cmake', ['--preset', 'clang']);
   const files = filesBelow('src', /\.cpp$/);
   const counts = { passed: 0, failed: 0 };
   const waiting = [...files];
   const worker = async () => {
     for (let file = waiting.shift(); file; file = waiting.shift()) {
       try {
-        await run('clang-tidy', ['--quiet', '-p', 'build/native', file], { quiet: true });
+        await run('clang-tidy', ['--quiet', '-p', 'build/clang', file], { quiet: true });
         counts.passed += 1;
       } catch (error) {
         console.error(`${file}\n${error.output}${error.message}`);

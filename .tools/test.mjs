@@ -73,7 +73,7 @@ async function runNode(folder, env = {}) {
   );
   let problem;
   try {
-    await run(process.execPath, ['--test', ...args, ...files], {
+    await run(process.execPath, ['--test', `--test-concurrency=${cores}`, ...args, ...files], {
       env: { ...env, ...(long && { KARCHER_LONG: '1' }) },
       minutes,
     });
