@@ -48,7 +48,7 @@ export const circleFigure: Figure = {
   name: 'Section 5, inset',
   title: 'A circle on a coarse mesh',
   caption:
-    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are of the distance from the radius.',
+    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are of the distance from the radius, turning noise is measured from the exact isoline.',
   points: { circle: [onSphere(8, 12), onSphere(48, 20)] },
   panels: [
     {

@@ -1,11 +1,11 @@
-import type { SurfacePoint } from 'karcher';
+import type { CurveSamples, Isoline, SurfacePoint } from 'karcher';
 import type { LineId, LineResult, Vector } from '../figures/types';
+import { alongPolyline, middle } from './nearest';
+import type { Scene } from './scene';
 import { emptyLine, type Task } from './task';
-import { at, cross, length, scaled, subtract } from './vectors';
+import { add, at, cross, distance, dot } from './vectors';
 
 /** Three ways to a circle about the first point, through the second. */
-
-const rays = 720;
 
 const median = (values: readonly number[]) =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;
@@ -27,6 +27,53 @@ function deviationOf(
   return { median: median(errors), max: Math.max(...errors) };
 }
 
+const placesOf = (polyline: ArrayLike<number>): Vector[] =>
+  Array.from({ length: polyline.length / 3 }, (_, i) => at(polyline, i));
+
+/** Twice the vector of the area that a closed line encloses. */
+const areaOf = (places: readonly Vector[]) =>
+  places
+    .slice(1)
+    .reduce((sum, place, i) => add(sum, cross(places[i]!, place)), [0, 0, 0] as Vector);
+
+/** So many samples are taken along a closed line to see how it turns. */
+const turns = 128;
+
+/** Samples of a closed line, evenly spaced, from where it is nearest to `start`. */
+function loopSamples(scene: Scene, line: readonly Vector[], start: Vector): CurveSamples {
+  const ring = line.slice(1);
+  const away = ring.map((place) => distance(place, start));
+  const first = away.indexOf(Math.min(...away));
+  const turned = [...ring.slice(first), ...ring.slice(0, first + 1)].flat();
+  const t = Float64Array.from({ length: turns }, (_, i) => i / turns);
+  const places = [...t].map((part) => alongPolyline(turned, part));
+  const points = places.map((place) => scene.nearest.point(place));
+  return {
+    count: turns,
+    segment: new Int32Array(turns),
+    t,
+    face: Int32Array.from(points, ({ face }) => face),
+    bary: Float64Array.from(points.flatMap(({ bary }) => bary)),
+    position: Float64Array.from(places.flat()),
+    status: points.map(() => 'converged'),
+  };
+}
+
+/** How much more a closed line turns to and fro than the exact isoline does; null beside one loop. */
+function turningNoiseOf(
+  { scene, points, places }: Task,
+  radius: number,
+  lines: readonly ArrayLike<number>[],
+): number | null {
+  const exact: Isoline[] = scene.mesh.isolines({ center: points[0]!, radius });
+  if (lines.length !== 1 || exact.length !== 1 || !exact[0]!.closed) return null;
+  const [line, truth] = [placesOf(lines[0]!), placesOf(exact[0]!.polyline)];
+  const same = dot(areaOf(line), areaOf(truth)) > 0;
+  const samples = (loop: readonly Vector[]) => loopSamples(scene, loop, places[1]!);
+  const measured = samples(same ? line : line.toReversed());
+  return scene.meter.measure(measured, samples(truth)).turningNoise;
+}
+
 /** Rational quadratic arcs, each a center of mass of three points. */
 export function circleArcs(task: Task, id: LineId): LineResult {
   const radius = radiusOf(task);
@@ -42,69 +89,37 @@ export function circleArcs(task: Task, id: LineId): LineResult {
     samples: count,
     lost: status.filter((name) => name !== 'converged').length,
     deviation: deviationOf(task, radius, on),
+    turningNoise: turningNoiseOf(task, radius, [circle.path.polyline]),
     polylines: [circle.polyline],
   };
 }
 
-/** The isoline of exact distances at the vertices, linear in each face. */
-export function isolineLinear(task: Task, id: LineId): LineResult {
-  const { scene, points } = task;
+/** The isolines of the distance from the first point. */
+function isolines(task: Task, id: LineId, type: 'exact' | 'linear'): LineResult {
+  const { mesh, nearest } = task.scene;
   const radius = radiusOf(task);
   const start = performance.now();
-  const distances = scene.mesh.distance(points[0]!);
-  const polylines: Float32Array[] = [];
-  const on: SurfacePoint[] = [];
-  for (let face = 0; face < scene.triangles.length / 3; face++) {
-    const corners = [0, 1, 2].map((k) => scene.triangles[3 * face + k]!);
-    const crossings: { place: Vector; bary: Vector }[] = [];
-    for (let k = 0; k < 3; k++) {
-      const next = (k + 1) % 3;
-      const [from, to] = [distances[corners[k]!]! - radius, distances[corners[next]!]! - radius];
-      if (from < 0 === to < 0) continue;
-      const s = from / (from - to);
-      const bary: Vector = [0, 0, 0];
-      bary[k] = 1 - s;
-      bary[next] = s;
-      const [a, b] = [at(scene.positions, corners[k]!), at(scene.positions, corners[next]!)];
-      crossings.push({ bary, place: [0, 1, 2].map((c) => a[c]! + s * (b[c]! - a[c]!)) as Vector });
-    }
-    if (crossings.length !== 2) continue;
-    polylines.push(Float32Array.from([...crossings[0]!.place, ...crossings[1]!.place]));
-    const [first, second] = crossings.map(({ bary }) => bary) as [Vector, Vector];
-    // Between its ends an isoline bends and its chord does not.
-    const middle = first.map((weight, k) => (weight + second[k]!) / 2) as Vector;
-    on.push({ face, bary: first }, { face, bary: middle });
-  }
+  const lines = mesh.isolines({ center: task.points[0]!, radius, type });
   const traceMs = performance.now() - start;
-  if (on.length === 0) return { ...emptyLine(id), ok: false, reason: 'no face is crossed' };
-  return { ...emptyLine(id), traceMs, polylines, deviation: deviationOf(task, radius, on) };
+  if (lines.length === 0) return { ...emptyLine(id), ok: false, reason: 'no face is crossed' };
+  const on = lines.flatMap(({ polyline }) => {
+    const places = placesOf(polyline);
+    // Between its ends an exact isoline bends, and a linear one's chord does not.
+    const between = places.slice(1).map((place, i) => middle([places[i]!, place]));
+    return [...places, ...(type === 'linear' ? between : [])].map((place) => nearest.point(place));
+  });
+  const polylines = lines.map(({ polyline }) => polyline);
+  return {
+    ...emptyLine(id),
+    traceMs,
+    deviation: deviationOf(task, radius, on),
+    turningNoise: turningNoiseOf(task, radius, polylines),
+    polylines: polylines.map((polyline) => Float32Array.from(polyline)),
+  };
 }
 
-/** The ends of straightest geodesics in all directions, where these are the shortest ways. */
-export function isolineExact(task: Task, id: LineId): LineResult {
-  const { scene, points } = task;
-  const radius = radiusOf(task);
-  const center = points[0]!;
-  const corner = (k: number) => at(scene.positions, scene.triangles[3 * center.face + k]!);
-  const x = subtract(corner(1), corner(0));
-  const normal = cross(x, subtract(corner(2), corner(0)));
-  const y = scaled(cross(normal, x), 1 / length(normal));
-  const ends: number[] = [];
-  const tolerance = 1e-6 * scene.mesh.info.meanEdge;
-  const polylines: Float32Array[] = [];
-  const close = () => {
-    if (ends.length > 3) polylines.push(Float32Array.from(ends));
-    ends.length = 0;
-  };
-  for (let i = 0; i <= rays; i++) {
-    const angle = (2 * Math.PI * i) / rays;
-    const direction = [0, 1, 2].map((c) => Math.cos(angle) * x[c]! + Math.sin(angle) * y[c]!);
-    const { end, remaining } = scene.mesh.straightest(center, direction, radius);
-    const shortest =
-      remaining === 0 && scene.mesh.shortestPath(center, end).length > radius - tolerance;
-    if (shortest) ends.push(...scene.mesh.position(end));
-    else close();
-  }
-  close();
-  return { ...emptyLine(id), polylines };
-}
+/** The isoline of exact distances at the vertices, linear in each face. */
+export const isolineLinear = (task: Task, id: LineId): LineResult => isolines(task, id, 'linear');
+
+/** The points whose distance is the radius: circular arcs in each face. */
+export const isolineExact = (task: Task, id: LineId): LineResult => isolines(task, id, 'exact');
