@@ -6,6 +6,7 @@ import {
   defaultMesh,
   fileKey,
   type MeshSource,
+  madeSource,
   meshLabel,
   parseKey,
   sameSurface,
@@ -103,13 +104,12 @@ export class Opening {
       this.#replace(wanted(this.#viewer!.surface!));
       return true;
     }
-    if ('sample' in parsed) {
-      return this.#open(mesh, sampleSource(parsed.sample, parsed.detail), wanted);
-    }
+    const made = madeSource(mesh);
+    if (made) return this.#open(mesh, made, wanted);
     const bytes = await keptFile(mesh);
     if (!bytes) {
       this.#awaited = link;
-      this.#complain(`The curve is on ${parsed.name}. Drop that file here to go on with it.`);
+      this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to go on with it.`);
       return false;
     }
     return this.#open(mesh, { kind: 'file', bytes }, wanted);

@@ -160,13 +160,21 @@ describe('the Paper page', () => {
     assert.ok(numbers.lines.some(({ id, deviation }) => id === 'karcher' && deviation.max >= 0));
   });
 
-  test('opens a curve in the editor', async () => {
-    await open('gallery');
+  /** What the editor shows of a panel's link, and what the panel shows. */
+  async function openedInEditor(figure, index) {
+    await open(figure);
     const href = await page
-      .locator('#gallery .panel-card', { hasText: 'Sphere' })
+      .locator(`#${figure} .panel-card`)
+      .nth(index)
       .getByRole('link', { name: 'Open in the editor' })
       .getAttribute('href');
-    assert.match(href, /^\.\/index\.html#mesh=sphere:500&kind=bspline&/);
+    const panel = await page.evaluate(
+      ([id, i]) => {
+        const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === id);
+        return JSON.parse(panels[i].json());
+      },
+      [figure, index],
+    );
     const tab = await browser.context.newPage();
     await tab.goto(
       new URL(`${href}`.replace('index.html#', 'index.html?antialias=off#'), browser.address).href,
@@ -174,9 +182,52 @@ describe('the Paper page', () => {
     await tab.waitForFunction(
       () => window.karcherPage?.settled && window.karcherPage.mesh() !== null,
     );
-    const state = await tab.evaluate(() => window.karcherPage.state());
-    assert.equal(state.document.points.length, 7);
+    const editor = await tab.evaluate(() => ({
+      document: window.karcherPage.state().document,
+      info: window.karcherPage.mesh().info,
+      length: window.karcherPage.view().curve?.length ?? null,
+    }));
     await tab.close();
+    return { href, panel, ...editor };
+  }
+
+  for (const [figure, index, kind, mesh] of [
+    ['means', 1, 'center', 'plane:delaunay:500'],
+    ['paths', 1, 'bezier', 'simplified:500:torus:1000'],
+    ['gallery', 2, 'bspline', 'sphere:500'],
+    ['rational', 1, 'rational', 'torus:500'],
+    ['rational', 2, 'barycentric', 'torus:500'],
+    ['circles', 0, 'circle', 'sphere:500'],
+    ['plane', 2, 'bspline', 'plane:anisotropic:500'],
+  ]) {
+    test(`opens a curve of the kind '${kind}' on ${mesh} in the editor`, async () => {
+      const { href, panel, document, info, length } = await openedInEditor(figure, index);
+      assert.ok(href.startsWith(`./index.html#mesh=${mesh}&kind=${kind}&`), href);
+      assert.equal(document.kind, kind);
+      assert.deepEqual(info, panel.info);
+      if (kind !== 'center') assert.ok(length > 0);
+      if (kind === 'circle') return;
+      assert.deepEqual(
+        document.points.map(({ face }) => face),
+        panel.points.map(({ face }) => face),
+      );
+      const numbers = panel.curve.weights ?? panel.curve.betas ?? [];
+      const name = kind === 'barycentric' ? 'beta' : 'weight';
+      // Only their ratios count.
+      const factor = (document.points[0][name] ?? 1) / numbers[0];
+      numbers.forEach((number, i) => {
+        assert.ok(Math.abs((document.points[i][name] ?? 1) - factor * number) < 1e-5 * number);
+      });
+    });
+  }
+
+  test('every panel has a link to the editor', async () => {
+    for (const id of ids) {
+      await open(id);
+      const panels = page.locator(`#${id} .panel-card`);
+      const links = panels.getByRole('link', { name: 'Open in the editor' });
+      assert.equal(await links.count(), await panels.count(), id);
+    }
   });
 
   test('Table 1 is measured, saved and cancelled', async () => {

@@ -120,6 +120,51 @@ describe('the smallest edit between two curves', () => {
   });
 });
 
+describe('keys of surfaces', () => {
+  let meshes;
+  before(async () => {
+    meshes = await load('editor/meshes.ts');
+  });
+
+  test('say how a surface is made', () => {
+    const torus = { kind: 'shape', name: 'torus', triangles: 50_000 };
+    const named = [
+      ['bunny:2', { kind: 'bunny', levels: 2 }, 'Bunny'],
+      ['torus:50000', torus, 'Torus'],
+      ['plane:grid:8000', { kind: 'plane', tessellation: 'grid', triangles: 8000 }, 'Plane, grid'],
+      [
+        'simplified:500:torus:50000',
+        { kind: 'simplified', of: torus, triangles: 500 },
+        'Torus, simplified',
+      ],
+    ];
+    for (const [key, source, name] of named) {
+      assert.equal(meshes.madeKey(source), key);
+      assert.deepEqual(meshes.madeSource(key), source);
+      assert.equal(meshes.meshLabel(key), name);
+    }
+  });
+
+  test('that say nothing are refused', () => {
+    const wrong = ['torus', 'torus:-1', 'torus:1e9', 'bunny:9', 'plane:8000', 'plane:round:8000'];
+    const ofWhat = [
+      'simplified:500',
+      'simplified:x:torus:900',
+      'simplified:9:simplified:9:torus:9',
+    ];
+    for (const key of [...wrong, ...ofWhat, 'simplified:500:file:abc:a.obj']) {
+      assert.equal(meshes.parseKey(key), null, key);
+    }
+  });
+
+  test('name the same sample at different details, and no other surface', () => {
+    assert.ok(meshes.sameSurface('torus:500', 'torus:900'));
+    assert.ok(!meshes.sameSurface('torus:500', 'sphere:500'));
+    assert.ok(!meshes.sameSurface('simplified:500:torus:900', 'simplified:500:sphere:900'));
+    assert.ok(!meshes.sameSurface('file:a:x.obj', 'file:b:x.obj'));
+  });
+});
+
 describe('links', () => {
   let link;
   before(async () => {

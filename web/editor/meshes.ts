@@ -1,9 +1,26 @@
 import type { Shape } from 'karcher';
 
+export const tessellations = ['delaunay', 'grid', 'anisotropic'] as const;
+
+/** How a plane is cut into triangles. */
+export type Tessellation = (typeof tessellations)[number];
+
+export type SampleSource =
+  | { kind: 'bunny'; levels: number }
+  | { kind: 'shape'; name: Shape; triangles: number };
+
+/**
+ * A surface that is made where it is asked for (made_mesh.ts). `triangles` is about how many; a plane
+ * is the unit square in z = 0.
+ */
+export type MadeSource =
+  | SampleSource
+  | { kind: 'plane'; tessellation: Tessellation; triangles: number }
+  | { kind: 'simplified'; of: MadeSource; triangles: number };
+
 /** Where a surface comes from. */
 export type MeshSource =
-  | { kind: 'bunny'; levels: number }
-  | { kind: 'shape'; name: Shape; triangles: number }
+  | MadeSource
   | { kind: 'file'; bytes: Uint8Array }
   | { kind: 'arrays'; positions: Float64Array; triangles: Int32Array };
 
@@ -27,37 +44,97 @@ export const samples: readonly Sample[] = [
   { id: 'openSheet', label: 'Open sheet', details: triangles },
 ];
 
-/** A surface's key: `bunny:levels`, `shape:triangles` or `file:digest:name`. */
+/**
+ * A surface's key: `bunny:levels`, `shape:triangles`, `plane:tessellation:triangles`,
+ * `simplified:triangles:` and the key of what is simplified, or `file:digest:name`.
+ */
 export const defaultMesh = 'bunny:1';
 
 const mostTriangles = 2_000_000;
 
-export function parseKey(
-  key: string,
-): { sample: Sample; detail: number } | { digest: string; name: string } | null {
+/** A sample has a menu of details; other surfaces that are made have none. */
+export type ParsedKey =
+  | { sample: Sample; detail: number }
+  | { made: MadeSource }
+  | { digest: string; name: string };
+
+export function parseKey(key: string): ParsedKey | null {
   const [id, value, ...rest] = key.split(':');
   if (id === 'file' && value) return { digest: value, name: rest.join(':') || 'file' };
+  if (id === 'plane') {
+    const tessellation = tessellations.find((one) => one === value);
+    const triangles = countOf(rest.join(':'), mostTriangles);
+    return tessellation && triangles ? { made: { kind: 'plane', tessellation, triangles } } : null;
+  }
+  if (id === 'simplified') {
+    const of = madeSource(rest.join(':'));
+    const triangles = countOf(value, mostTriangles);
+    return of && of.kind !== 'simplified' && triangles
+      ? { made: { kind: 'simplified', of, triangles } }
+      : null;
+  }
   const sample = samples.find((one) => one.id === id);
-  const detail = Number(value);
-  if (!sample || !value || !Number.isInteger(detail) || detail < 0) return null;
-  const most = sample.id === 'bunny' ? 4 : mostTriangles;
-  return detail <= most ? { sample, detail } : null;
+  const detail = countOf(value, id === 'bunny' ? 4 : mostTriangles);
+  return sample && detail !== null ? { sample, detail } : null;
 }
 
-export function sampleSource(sample: Sample, detail: number): MeshSource {
+function countOf(text: string | undefined, most: number): number | null {
+  const count = Number(text);
+  return text && Number.isInteger(count) && count >= 0 && count <= most ? count : null;
+}
+
+/** How the surface of a key is made; null where it comes from a file, or the key says nothing. */
+export function madeSource(key: string): MadeSource | null {
+  const parsed = parseKey(key);
+  if (!parsed) return null;
+  if ('sample' in parsed) return sampleSource(parsed.sample, parsed.detail);
+  return 'made' in parsed ? parsed.made : null;
+}
+
+/** The key of a surface that is made. */
+export function madeKey(source: MadeSource): string {
+  switch (source.kind) {
+    case 'bunny':
+      return `bunny:${source.levels}`;
+    case 'shape':
+      return `${source.name}:${source.triangles}`;
+    case 'plane':
+      return `plane:${source.tessellation}:${source.triangles}`;
+    case 'simplified':
+      return `simplified:${source.triangles}:${madeKey(source.of)}`;
+  }
+}
+
+/** What a person calls it. */
+export function madeName(source: MadeSource): string {
+  switch (source.kind) {
+    case 'plane':
+      return `Plane, ${source.tessellation}`;
+    case 'simplified':
+      return `${madeName(source.of)}, simplified`;
+    default: {
+      const id = source.kind === 'bunny' ? 'bunny' : source.name;
+      return samples.find((sample) => sample.id === id)!.label;
+    }
+  }
+}
+
+export function sampleSource(sample: Sample, detail: number): SampleSource {
   return sample.id === 'bunny'
     ? { kind: 'bunny', levels: detail }
     : { kind: 'shape', name: sample.id, triangles: detail };
 }
 
-/** Whether two keys show one surface, at perhaps different details. */
+/** Whether two keys show one sample, at perhaps different details. */
 export function sameSurface(a: string, b: string): boolean {
-  return !a.startsWith('file:') && a.split(':')[0] === b.split(':')[0];
+  const [from, to] = [parseKey(a), parseKey(b)];
+  return !!from && !!to && 'sample' in from && 'sample' in to && from.sample === to.sample;
 }
 
 export function meshLabel(key: string): string {
   const parsed = parseKey(key);
   if (!parsed) return key;
+  if ('made' in parsed) return madeName(parsed.made);
   return 'sample' in parsed ? parsed.sample.label : parsed.name;
 }
 

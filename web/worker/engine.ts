@@ -33,7 +33,7 @@ const handlers: Handlers = {
     progress(0, 'Starting the engine');
     const karcher = await load();
     progress(0.2, 'Reading the surface');
-    mesh = await makeMesh(karcher, source, progress);
+    mesh = await meshOf(karcher, source, progress);
     const [positions, triangles] = [mesh.positions(), mesh.triangles()];
     const result = { info: mesh.info, positions, triangles };
     return { result, transfer: [positions.buffer, triangles.buffer] as ArrayBuffer[] };
@@ -111,21 +111,26 @@ function theMesh(): Mesh {
   return mesh;
 }
 
-async function makeMesh(
+async function meshOf(
   karcher: Karcher,
   source: MeshSource,
   progress: Work['progress'],
 ): Promise<Mesh> {
-  if (source.kind === 'file') return karcher.meshFromObj(source.bytes);
-  if (source.kind === 'arrays') return karcher.meshFromArrays(source.positions, source.triangles);
-  if (source.kind === 'shape') return karcher.shape(source.name, source.triangles);
-  const { default: bunny } = await import('bunny');
-  const coarse = karcher.meshFromArrays(bunny.positions.flat(), bunny.cells.flat());
-  if (source.levels === 0) return coarse;
-  progress(0.4, 'Refining');
-  const fine = coarse.subdivide(source.levels);
-  coarse.dispose();
-  return fine;
+  switch (source.kind) {
+    case 'file':
+      return karcher.meshFromObj(source.bytes);
+    case 'arrays':
+      return karcher.meshFromArrays(source.positions, source.triangles);
+    case 'bunny':
+    case 'shape': {
+      const { makeSample } = await import('./sample_mesh');
+      return makeSample(karcher, source, progress);
+    }
+    default: {
+      const { makeMesh } = await import('./made_mesh');
+      return makeMesh(karcher, source, progress);
+    }
+  }
 }
 
 /** The curve for these options, made from the one before where an edit does. */

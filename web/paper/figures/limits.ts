@@ -1,4 +1,5 @@
-import type { Figure, LineId, MeshSpec, PlaneKind } from './types';
+import type { Tessellation } from '../../editor/meshes';
+import type { Figure, LineId, MeshSpec } from './types';
 
 const farMethods: LineId[] = [
   'vectorHeat',
@@ -40,7 +41,7 @@ export const farFigure: Figure = {
   })),
 };
 
-const plane = (tessellation: PlaneKind): MeshSpec => ({
+const plane = (tessellation: Tessellation): MeshSpec => ({
   kind: 'plane',
   tessellation,
   triangles: 8_000,

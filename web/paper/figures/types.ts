@@ -1,17 +1,11 @@
-import type { Shape } from 'karcher';
+import type { MadeSource } from '../../editor/meshes';
 
 /** What a figure shows, as data: the page draws it, the report and the tests read its numbers. */
 
 export type Vector = [number, number, number];
 
-export type PlaneKind = 'delaunay' | 'grid' | 'anisotropic';
-
-/** How a mesh is made. `triangles` is about how many; a plane is the unit square in z = 0. */
-export type MeshSpec =
-  | { kind: 'shape'; name: Shape; triangles: number }
-  | { kind: 'bunny'; levels: number }
-  | { kind: 'plane'; tessellation: PlaneKind; triangles: number }
-  | { kind: 'simplified'; of: MeshSpec; triangles: number };
+/** How a mesh is made. */
+export type MeshSpec = MadeSource;
 
 /** What is made of a panel's points. A circle has its center and a point that it passes through. */
 export type CurveSpec =

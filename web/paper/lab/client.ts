@@ -1,6 +1,6 @@
+import { madeKey } from '../../editor/meshes';
 import { slowLines } from '../figures/lines';
 import type { LineId, LineResult, MeshSpec } from '../figures/types';
-import { meshKey } from './meshes';
 import type { DrawnMesh, Placed, Reply, Request, TraceJob } from './protocol';
 
 export interface TraceEvents {
@@ -59,7 +59,7 @@ export class LabClient {
 
   /** A mesh for drawing; each is asked for once. */
   mesh(mesh: MeshSpec): Promise<DrawnMesh> {
-    const key = meshKey(mesh);
+    const key = madeKey(mesh);
     const known = this.#meshes.get(key);
     if (known) return known;
     const made = new Promise<DrawnMesh>((resolve, reject) => {

@@ -1,8 +1,8 @@
 import type { LongWorkOptions } from 'karcher';
 import type { Peers, ReferenceSamples } from 'karcher/peers';
+import { madeKey } from '../../editor/meshes';
 import type { LineId, LineResult, MeshSpec, Panel, Vector } from '../figures/types';
 import { traceLine } from './lines';
-import { meshKey } from './meshes';
 import type { DrawnMesh, Placed } from './protocol';
 import { Scene } from './scene';
 import { referenceOf, type Task } from './task';
@@ -69,7 +69,7 @@ export class Lab {
   }
 
   async #scene(spec: MeshSpec): Promise<Scene> {
-    const key = meshKey(spec);
+    const key = madeKey(spec);
     const known = this.#scenes.get(key);
     const scene = known ?? Scene.make(this.peers, spec);
     // Put at the end: the first is the one that was not used for longest.

@@ -1,7 +1,7 @@
 import type { LongWorkOptions, Mesh } from 'karcher';
 import { CurveMeter, type MethodOptions, type Peers, type PreparedMethod } from 'karcher/peers';
+import { makeMesh } from '../../worker/made_mesh';
 import type { MeshSpec } from '../figures/types';
-import { makeMesh } from './meshes';
 import { NearestPoints } from './nearest';
 
 /** A mesh with what was prepared on it, for figures whose points are dragged. */

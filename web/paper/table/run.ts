@@ -1,6 +1,6 @@
 import type { LongWorkOptions } from 'karcher';
 import { type CompareOptions, type Peers, runMethod, standardOptions } from 'karcher/peers';
-import { makeMesh } from '../lab/meshes';
+import { makeMesh } from '../../worker/made_mesh';
 import { NearestPoints } from '../lab/nearest';
 import { type TableCell, type TableRow, tableMethods } from './rows';
 

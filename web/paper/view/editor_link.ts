@@ -1,28 +1,55 @@
 import type { SurfacePoint } from 'karcher';
-import { emptyDocument } from '../../editor/document';
+import {
+  type ControlPoint,
+  type CurveDocument,
+  emptyDocument,
+  type ParameterName,
+  parameterRange,
+} from '../../editor/document';
 import { formatLink } from '../../editor/link';
+import { madeKey } from '../../editor/meshes';
 import type { CurveSpec, MeshSpec } from '../figures/types';
-import { editorKey } from '../lab/meshes';
 
-/** Where the editor shows the same curve; null where it has no such mesh or curve. */
+/** Where the editor shows the same curve; null where it has no such weights. */
 export function editorLink(
   mesh: MeshSpec,
   curve: CurveSpec,
   points: readonly SurfacePoint[],
 ): string | null {
-  const key = editorKey(mesh);
-  if (!key) return null;
-  if (curve.kind === 'circle') {
+  const document = documentOf(curve, points);
+  return document && `./index.html#${formatLink(madeKey(mesh), 'karcher', document)}`;
+}
+
+function documentOf(curve: CurveSpec, points: readonly SurfacePoint[]): CurveDocument | null {
+  const { kind } = curve;
+  if (kind === 'circle') {
     const [center, rim] = points;
-    const circle = { center: center!, rim: rim! };
-    return `./index.html#${formatLink(key, 'karcher', { ...emptyDocument, kind: 'circle', circle })}`;
+    return { ...emptyDocument, kind, circle: { center: center!, rim: rim! } };
   }
-  if (curve.kind === 'center') {
-    const weighted = points.map((point, i) => ({ ...point, weight: curve.weights[i]! }));
-    const document = { ...emptyDocument, kind: 'center' as const, points: weighted };
-    return `./index.html#${formatLink(key, 'karcher', document)}`;
-  }
-  if (curve.kind !== 'bspline' && curve.kind !== 'bezier') return null;
-  const document = { ...emptyDocument, kind: curve.kind, points: [...points] };
-  return `./index.html#${formatLink(key, 'karcher', document)}`;
+  const numbered =
+    kind === 'center' || kind === 'rational'
+      ? withNumbers(points, 'weight', curve.weights)
+      : kind === 'barycentric'
+        ? withNumbers(points, 'beta', curve.betas)
+        : [...points];
+  return numbered && { ...emptyDocument, kind, points: numbered };
+}
+
+/**
+ * Weights and betas count by their ratios alone: where the editor does not have these numbers, they
+ * are multiplied by one that brings them into its range.
+ */
+function withNumbers(
+  points: readonly SurfacePoint[],
+  name: ParameterName,
+  numbers: readonly number[],
+): ControlPoint[] | null {
+  const [least, most] = [Math.min(...numbers), Math.max(...numbers)];
+  const fits = least >= parameterRange.least && most <= parameterRange.most;
+  const factor = fits ? 1 : 1 / Math.sqrt(least * most);
+  if (factor * most > parameterRange.most) return null;
+  return points.map((point, i) => ({
+    ...point,
+    [name]: Number((factor * numbers[i]!).toPrecision(6)),
+  }));
 }

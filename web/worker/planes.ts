@@ -1,5 +1,5 @@
 import Delaunator from 'delaunator';
-import type { PlaneKind } from '../figures/types';
+import type { Tessellation } from '../editor/meshes';
 import { randomFrom } from './random';
 
 /** Positions and triangles, as `Karcher.meshFromArrays` takes them. */
@@ -11,7 +11,7 @@ export interface Arrays {
 const seed = 8;
 
 /** The unit square in z = 0. */
-export function planeArrays(kind: PlaneKind, triangles: number): Arrays {
+export function planeArrays(kind: Tessellation, triangles: number): Arrays {
   if (kind === 'delaunay') return delaunay(triangles);
   // Squares, or bands twenty times as long as they are high.
   const stretch = kind === 'grid' ? 1 : 20;
