@@ -33,6 +33,114 @@ async function measured(chosen, options = {}, signal = undefined) {
   return { cells, events };
 }
 
+/** A worker that is told by the test what to answer. */
+class StandIn {
+  ended = false;
+  jobs = [];
+  postMessage(job) {
+    this.jobs.push(job);
+  }
+  terminate() {
+    this.ended = true;
+  }
+  send(event, ...args) {
+    this.onmessage({ data: { event, args } });
+  }
+  place(method) {
+    return { row: this.jobs.at(-1).rows[0].id, method, triangles: 500, segments: 1 };
+  }
+  begin(method) {
+    this.send('method', this.place(method));
+  }
+  finish(method) {
+    const result = { ok: true, reason: null, prepareMs: 1, traceMs: 1, dragMs: 1 };
+    this.send('cell', { ...this.place(method), result });
+  }
+}
+
+describe('the table on a page', () => {
+  let TableClient;
+  before(async () => {
+    ({ TableClient } = await load('table/client.ts'));
+  });
+
+  /** A table of two rows, the workers it started and the cells it has. */
+  function started(budgetMs) {
+    const workers = [];
+    const cells = [];
+    let ends = 0;
+    const events = {
+      row: () => {},
+      method: () => {},
+      progress: () => {},
+      cell: ({ row, method, result }) => cells.push([row, method, result.reason]),
+      end: () => ends++,
+    };
+    const options = { rows: rows.tableRows.slice(0, 2), samples: 9, budgetMs };
+    const client = new TableClient(options, events, () => {
+      workers.push(new StandIn());
+      return workers.at(-1);
+    });
+    client.run();
+    return { client, workers, cells, ends: () => ends };
+  }
+
+  test('goes on with a new worker where one fails, and says why', () => {
+    const { workers, cells, ends } = started(1e6);
+    const [first, second] = rows.tableRows.map(({ id }) => id);
+    workers[0].begin('vectorHeat');
+    workers[0].finish('vectorHeat');
+    workers[0].begin('weightedAverages');
+    workers[0].onerror({ preventDefault: () => {}, message: 'out of memory' });
+    assert.equal(workers[0].ended, true);
+    assert.deepEqual(workers[1].jobs[0].methods, ['paper', 'karcher']);
+    for (const method of ['paper', 'karcher']) {
+      workers[1].begin(method);
+      workers[1].finish(method);
+    }
+    workers[1].send('done');
+    assert.equal(workers[1].jobs[1].rows[0].id, second);
+    // No mesh: no method has anything to measure.
+    workers[1].onmessage({ data: { event: 'failure', message: 'no such mesh' } });
+    assert.equal(ends(), 1);
+    assert.equal(workers.length, 2);
+    assert.deepEqual(cells, [
+      [first, 'vectorHeat', null],
+      [first, 'weightedAverages', 'out of memory'],
+      [first, 'paper', null],
+      [first, 'karcher', null],
+      ...rows.tableMethods.map((method) => [second, method, 'no such mesh']),
+    ]);
+  });
+
+  test('cuts off a step that takes too long', (context) => {
+    context.mock.timers.enable({ apis: ['setTimeout'] });
+    const { workers, cells } = started(5000);
+    workers[0].begin('vectorHeat');
+    context.mock.timers.tick(6999);
+    assert.equal(workers[0].ended, false);
+    context.mock.timers.tick(1);
+    assert.equal(workers[0].ended, true);
+    assert.deepEqual(cells, [[rows.tableRows[0].id, 'vectorHeat', 'stopped after 5 s']]);
+    workers[1].begin('weightedAverages');
+    workers[1].finish('weightedAverages');
+    context.mock.timers.tick(60_000);
+    assert.equal(workers[1].ended, false);
+  });
+
+  test('is cancelled inside a step', (context) => {
+    context.mock.timers.enable({ apis: ['setTimeout'] });
+    const { client, workers, cells, ends } = started(5000);
+    workers[0].begin('vectorHeat');
+    client.cancel();
+    assert.equal(workers[0].ended, true);
+    context.mock.timers.tick(60_000);
+    assert.equal(workers.length, 1);
+    assert.deepEqual(cells, []);
+    assert.equal(ends(), 0);
+  });
+});
+
 describe('the table', () => {
   test('measures every method in every row', async () => {
     const small = rows.smallRows(0.02).slice(0, 3);

@@ -261,6 +261,29 @@ describe('the Paper page', () => {
     assert.deepEqual(logged, []);
   });
 
+  test('Table 1 is cancelled inside a long step, and runs again', async () => {
+    const section = page.locator('#table');
+    const status = () => section.getByRole('status').textContent();
+    const start = (triangles) =>
+      page.evaluate((count) => {
+        const { table } = window.karcherPaper;
+        const row = table.rows.find(({ id }) => id === 'knot-500k');
+        table.start([{ ...row, mesh: { ...row.mesh, triangles: count } }]);
+      }, triangles);
+    await start(100_000);
+    await page.waitForFunction(() =>
+      /Vector heat, preparing/.test(document.querySelector('#table [role=status]').textContent),
+    );
+    await section.getByRole('button', { name: 'Cancel' }).click();
+    assert.equal(await status(), 'Cancelled.');
+    assert.deepEqual(await page.evaluate(() => window.karcherPaper.table.cells), []);
+    await start(1_000);
+    await page.waitForFunction(() => window.karcherPaper.table.settled);
+    assert.equal(await status(), 'Done.');
+    assert.equal(await page.evaluate(() => window.karcherPaper.table.cells.length), 4);
+    assert.deepEqual(logged, []);
+  });
+
   test('a narrow window has no sideways scroll', async () => {
     await page.setViewportSize({ width: 390, height: 844 });
     assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), 390);

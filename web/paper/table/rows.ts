@@ -76,6 +76,10 @@ export function expectedTriangles(mesh: MeshSpec): number {
   return mesh.kind === 'bunny' ? 3_674 * 4 ** mesh.levels : mesh.triangles;
 }
 
+/** Two points are joined by one curve; a cubic B-spline has three points more than segments. */
+export const segmentsOf = ({ points }: TableRow): number =>
+  points.length === 2 ? 1 : points.length - 3;
+
 /** A cell: what a method did in a row. */
 export interface TableCell {
   row: string;

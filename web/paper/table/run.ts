@@ -2,10 +2,12 @@ import type { LongWorkOptions } from 'karcher';
 import { type CompareOptions, type Peers, runMethod, standardOptions } from 'karcher/peers';
 import { makeMesh } from '../../worker/made_mesh';
 import { NearestPoints } from '../lab/nearest';
-import { type TableCell, type TableRow, tableMethods } from './rows';
+import { type TableCell, type TableMethod, type TableRow, tableMethods } from './rows';
 
 export interface TableOptions {
   rows: readonly TableRow[];
+  /** All of them by default. */
+  methods?: readonly TableMethod[];
   /** A segment. */
   samples: number;
   /** A method gives up a row after so many milliseconds. */
@@ -27,7 +29,7 @@ export interface TableEvents {
  */
 export async function runTable(
   peers: Peers,
-  { rows, samples, budgetMs }: TableOptions,
+  { rows, methods = tableMethods, samples, budgetMs }: TableOptions,
   events: TableEvents,
   signal?: AbortSignal,
 ): Promise<void> {
@@ -40,7 +42,7 @@ export async function runTable(
       const points = row.points.map((place) => ({ vertex: nearest.vertex(place) }));
       const plan = peers.plan(points, samples);
       const { triangles } = mesh.info;
-      for (const method of tableMethods) {
+      for (const method of methods) {
         signal?.throwIfAborted();
         const cell = { row: row.id, method, triangles, segments: plan.first.length };
         events.method(cell);

@@ -1,11 +1,17 @@
 import { make } from '../../panels/elements';
 import { download } from '../view/download';
 import { type Measure, measureNames, TableChart } from './chart';
+import { TableClient } from './client';
 import { tableCsv } from './csv';
-import { expectedTriangles, type TableCell, type TableRow, tableMethodNames } from './rows';
+import {
+  expectedTriangles,
+  type TableCell,
+  type TableRow,
+  tableMethodNames,
+  tableMethods,
+} from './rows';
 import type { TableOptions } from './run';
 import { TableView } from './table_view';
-import type { TableMessage } from './worker';
 
 const sampleChoices = [128, 1024, 4096];
 const budgetChoices = [30, 120, 600];
@@ -29,7 +35,7 @@ function select(label: string, choices: readonly [number, string][], chosen: num
 export class TableSection {
   readonly element = make('section', '', { className: 'figure', id: 'table' });
   cells: TableCell[] = [];
-  readonly #rows: readonly TableRow[];
+  readonly rows: readonly TableRow[];
   readonly #build: string;
   readonly #view: TableView;
   readonly #chart = new TableChart();
@@ -51,11 +57,11 @@ export class TableSection {
   #measure: Measure = 'traceMs';
   /** The cell that is being measured, in words. */
   #what = '';
-  #worker: Worker | null = null;
+  #client: TableClient | null = null;
   #options: TableOptions | null = null;
 
   constructor(rows: readonly TableRow[], build: string) {
-    this.#rows = rows;
+    this.rows = rows;
     this.#build = build;
     this.#view = new TableView(rows);
     const sizes = [...new Set(rows.map(({ mesh }) => expectedTriangles(mesh)))].toSorted(
@@ -68,7 +74,7 @@ export class TableSection {
       upTo.find((size) => size > 10_000) ?? upTo.at(-1)!,
     );
     this.#status.setAttribute('role', 'status');
-    this.#run.addEventListener('click', () => (this.#worker ? this.cancel() : this.start()));
+    this.#run.addEventListener('click', () => (this.#client ? this.cancel() : this.start()));
     this.#save.addEventListener('click', () => {
       download('karcher-table-1.csv', 'text/csv', this.csv());
     });
@@ -77,7 +83,7 @@ export class TableSection {
 
   /** Whether nothing is being measured. */
   get settled(): boolean {
-    return this.#worker === null;
+    return this.#client === null;
   }
 
   recolor(): void {
@@ -87,15 +93,15 @@ export class TableSection {
   csv(): string {
     const { samples } = this.#options!;
     const about = { browser: navigator.userAgent, build: this.#build, samples };
-    return tableCsv(this.#rows, this.cells, about);
+    return tableCsv(this.rows, this.cells, about);
   }
 
-  start(): void {
+  /** Measures these rows, or those up to the chosen size. */
+  start(rows = this.#chosen()): void {
     this.cells = [];
     this.#view.clear();
-    const most = this.#most.value();
     this.#options = {
-      rows: this.#rows.filter(({ mesh }) => expectedTriangles(mesh) <= most),
+      rows,
       samples: this.#samples.value(),
       budgetMs: 1000 * this.#budget.value(),
     };
@@ -103,63 +109,48 @@ export class TableSection {
     this.#bar.hidden = false;
     this.#bar.value = 0;
     this.#say('Starting…');
-    this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
-    this.#worker.onmessage = ({ data }: MessageEvent<TableMessage>) => this.#receive(data);
-    this.#worker.onerror = (event) => {
-      event.preventDefault();
-      this.#stop(`Stopped: ${event.message || 'the engine could not go on'}`);
-    };
-    this.#worker.postMessage(this.#options);
-  }
-
-  cancel(): void {
-    this.#stop('Cancelled.');
-  }
-
-  #receive(message: TableMessage): void {
-    const total = this.#options!.rows.length * 4;
-    switch (message.event) {
-      case 'row':
-        this.#say(`${message.args[0].name}: making the mesh`);
-        break;
-      case 'method': {
-        const [cell] = message.args;
+    const total = rows.length * tableMethods.length;
+    this.#client = new TableClient(this.#options, {
+      row: ({ name }) => this.#say(`${name}: making the mesh`),
+      method: (cell) => {
         this.#view.mark(cell);
         this.#what = this.#doing(cell);
         this.#say(`${this.#what}, preparing`);
-        break;
-      }
-      case 'progress': {
-        const [done, stage] = message.args;
+      },
+      progress: (done, stage) => {
         this.#bar.value = (this.cells.length + done) / total;
         this.#say(`${this.#what}, ${stages[stage] ?? stage} (${Math.round(100 * done)} %)`);
-        break;
-      }
-      case 'cell':
-        this.cells.push(message.args[0]);
-        this.#view.set(message.args[0]);
+      },
+      cell: (cell) => {
+        this.cells.push(cell);
+        this.#view.set(cell);
         this.#bar.value = this.cells.length / total;
         this.#chart.show(this.cells, this.#measure);
         this.#save.disabled = false;
-        break;
-      case 'done':
-        this.#stop('Done.');
-        break;
-      case 'failure':
-        this.#stop(`Stopped: ${message.message}`);
-        break;
-    }
+      },
+      end: () => this.#stop('Done.'),
+    });
+    this.#client.run();
+  }
+
+  cancel(): void {
+    this.#client?.cancel();
+    this.#stop('Cancelled.');
+  }
+
+  #chosen(): TableRow[] {
+    const most = this.#most.value();
+    return this.rows.filter(({ mesh }) => expectedTriangles(mesh) <= most);
   }
 
   #doing({ row, method, triangles }: Omit<TableCell, 'result' | 'segments'>): string {
-    const { name } = this.#rows.find(({ id }) => id === row)!;
+    const { name } = this.rows.find(({ id }) => id === row)!;
     const size = triangles.toLocaleString('en');
     return `${name}, ${size} triangles: ${tableMethodNames[method]}`;
   }
 
   #stop(message: string): void {
-    this.#worker?.terminate();
-    this.#worker = null;
+    this.#client = null;
     this.#view.mark(null);
     this.#run.textContent = 'Run';
     this.#bar.hidden = true;

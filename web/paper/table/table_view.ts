@@ -3,6 +3,7 @@ import { lineStyles } from '../figures/lines';
 import { formatMilliseconds } from '../view/format';
 import {
   expectedTriangles,
+  segmentsOf,
   type TableCell,
   type TableMethod,
   type TableRow,
@@ -42,9 +43,8 @@ export class TableView {
     const element = make('tr');
     element.dataset.row = row.id;
     const about = expectedTriangles(row.mesh).toLocaleString('en');
-    const segments = row.points.length === 2 ? 1 : row.points.length - 3;
     element.append(make('th', row.name, { scope: 'row' }), make('td', about));
-    element.append(make('td', `${segments}`));
+    element.append(make('td', `${segmentsOf(row)}`));
     for (const method of tableMethods) {
       for (const part of parts) {
         const cell = make('td', '', { className: part === parts[0] ? 'first' : '' });

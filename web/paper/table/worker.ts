@@ -1,4 +1,4 @@
-/** The worker that measures Table 1. To cancel is to end it. */
+/** The worker that measures rows of Table 1, one after the other. To cancel is to end it. */
 
 import { loadPeers } from 'karcher/peers';
 import { runTable, type TableEvents, type TableOptions } from './run';
@@ -14,11 +14,13 @@ export type TableMessage =
   | { event: 'done' }
   | { event: 'failure'; message: string };
 
+const peers = loadPeers();
+
 const send = (message: TableMessage) => self.postMessage(message);
 
 self.onmessage = async ({ data }: MessageEvent<TableOptions>) => {
   try {
-    await runTable(await loadPeers(), data, {
+    await runTable(await peers, data, {
       row: (...args) => send({ event: 'row', args }),
       method: (...args) => send({ event: 'method', args }),
       progress: (...args) => send({ event: 'progress', args }),

@@ -1,0 +1,150 @@
+import type { MethodResult } from 'karcher/peers';
+import {
+  expectedTriangles,
+  segmentsOf,
+  type TableCell,
+  type TableMethod,
+  type TableRow,
+  tableMethods,
+} from './rows';
+import type { TableEvents, TableOptions } from './run';
+import type { TableMessage } from './worker';
+
+/** What is told while a table is measured; `end` comes last, unless it is cancelled. */
+export interface ClientEvents extends TableEvents {
+  end(): void;
+}
+
+type Place = Omit<TableCell, 'result'>;
+
+/** A method stops by itself between two steps; after so much longer a step is cut off. */
+const graceMs = 2000;
+
+const failed = (reason: string): MethodResult => ({
+  ok: false,
+  reason,
+  prepareMs: null,
+  traceMs: null,
+  dragMs: null,
+  samples: null,
+  lost: null,
+  deviation: null,
+  turningNoise: null,
+});
+
+const startWorker = () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+
+/**
+ * Measures a table in a worker. A worker that fails, as when memory runs out, or whose step takes too
+ * long, is ended: the cell says why, and another goes on with the next.
+ */
+export class TableClient {
+  readonly #left: { row: TableRow; methods: TableMethod[] }[];
+  #worker: Worker | null = null;
+  /** What is being measured. */
+  #place: Place | null = null;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    private readonly options: TableOptions,
+    private readonly events: ClientEvents,
+    private readonly start: () => Worker = startWorker,
+  ) {
+    this.#left = options.rows.map((row) => ({ row, methods: [...tableMethods] }));
+  }
+
+  run(): void {
+    this.#next();
+  }
+
+  /** Ends at once, also inside a step. */
+  cancel(): void {
+    this.#left.length = 0;
+    this.#stop();
+  }
+
+  #next(): void {
+    while (this.#left[0]?.methods.length === 0) this.#left.shift();
+    const [job] = this.#left;
+    if (!job) {
+      this.#stop();
+      this.events.end();
+      return;
+    }
+    this.#worker ??= this.#newWorker();
+    const { samples, budgetMs } = this.options;
+    const request: TableOptions = { rows: [job.row], methods: job.methods, samples, budgetMs };
+    this.#worker.postMessage(request);
+  }
+
+  #newWorker(): Worker {
+    const worker = this.start();
+    worker.onmessage = ({ data }: MessageEvent<TableMessage>) => this.#receive(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.#fail(event.message || 'the engine could not go on');
+    };
+    return worker;
+  }
+
+  #receive(message: TableMessage): void {
+    switch (message.event) {
+      case 'row':
+        this.events.row(...message.args);
+        break;
+      case 'method':
+        [this.#place] = message.args;
+        this.#timer = setTimeout(() => {
+          this.#fail(`stopped after ${Math.round(this.options.budgetMs / 1000)} s`);
+        }, this.options.budgetMs + graceMs);
+        this.events.method(...message.args);
+        break;
+      case 'progress':
+        this.events.progress(...message.args);
+        break;
+      case 'cell':
+        this.#take(message.args[0]);
+        break;
+      case 'done':
+        this.#left.shift();
+        this.#next();
+        break;
+      case 'failure':
+        this.#fail(message.message);
+        break;
+    }
+  }
+
+  #take(cell: TableCell): void {
+    clearTimeout(this.#timer);
+    this.#place = null;
+    const [job] = this.#left;
+    job!.methods = job!.methods.filter((method) => method !== cell.method);
+    this.events.cell(cell);
+  }
+
+  /** The cell that was measured fails, or all of a row whose mesh could not be made. */
+  #fail(reason: string): void {
+    const place = this.#place;
+    this.#stop();
+    const { row, methods } = this.#left[0]!;
+    const triangles = expectedTriangles(row.mesh);
+    const places: Place[] = place
+      ? [place]
+      : methods.map((method) => ({
+          row: row.id,
+          method,
+          triangles,
+          segments: segmentsOf(row),
+        }));
+    for (const one of places) this.#take({ ...one, result: failed(reason) });
+    this.#next();
+  }
+
+  #stop(): void {
+    clearTimeout(this.#timer);
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#place = null;
+  }
+}
