@@ -6,17 +6,18 @@
 #include "mesh/error.h"
 
 /// In a face the points nearer than the radius are the union of the parts of discs that beams
-/// reach. Its border consists of arcs: each circle is cut where it crosses the face's edges, the
-/// rays of beams and other circles, and those parts stay that lie in the face and in their own
-/// beam, and are undercut by no other. The arcs of all faces are then put together where their ends
-/// meet.
+/// reach. Its border consists of arcs: each circle is cut where it crosses the face's edges and its
+/// own beam's rays, and of the pieces inside both those parts are taken away that another beam
+/// undercuts, cut by that one's circle and rays. The arcs of all faces are then put together where
+/// their ends meet.
 namespace karcher {
 namespace {
 
 /// Lengths below this part of a mean edge are rounding.
 constexpr double kRounding = 1e-9;
-/// Ends of arcs this near to each other, in mean edges, are one point.
-constexpr double kMeet = 1e-6;
+/// Ends of arcs this near to each other, in mean edges, may be one point: where an arc grazes an
+/// edge or a ray, rounding moves its end by the root of it. The nearest ends meet first.
+constexpr double kMeet = 1e-3;
 constexpr double kOnEdge = 1e-9;
 
 struct Arc {
@@ -46,42 +47,83 @@ class FaceArcs {
   }
 
  private:
+  struct Piece {
+    double begin = 0;
+    double end = 0;
+  };
+
   void appendOf(const Beam& own, double radius, Array<Arc>& arcs) {
-    cuts_.clear();
-    const int face = own.face;
-    for (int k = 0; k < 3; ++k) {
-      const Vec2 corner = cornerInFace(geometry_, face, k);
-      cutByLine(own, radius, corner, cornerInFace(geometry_, face, (k + 1) % 3) - corner);
+    findPieces(own, radius);
+    for (const Beam* other = begin_; other != end_ && !pieces_.empty(); ++other) {
+      if (other != &own) takeUndercut(own, radius, *other);
     }
-    for (const Beam* other = begin_; other != end_; ++other) {
-      if (other != &own) cutByCircle(own, radius, *other);
-      if (other->isFull) continue;
-      cutByLine(own, radius, other->source, other->right);
-      cutByLine(own, radius, other->source, other->left);
-    }
-    Arc arc{face, own.source, radius, 0, 2 * kPi, true};
-    if (cuts_.empty()) {
-      if (isKept(own, arc.at(0))) arcs.push_back(arc);
-      return;
-    }
-    std::sort(cuts_.begin(), cuts_.end());
-    cuts_.push_back(cuts_.front() + 2 * kPi);
-    arc.isCircle = false;
     const int first = arcs.count();
-    for (int i = 1; i < cuts_.count(); ++i) {
-      const double a = cuts_[i - 1];
-      const double b = cuts_[i];
-      if (!((b - a) * radius > rounding_) || !isKept(own, arc.at((a + b) / 2))) continue;
-      const bool goesOn = arcs.count() > first && (a - arcs.back().end) * radius <= rounding_;
-      if (goesOn) {
-        arcs.back().end = b;
-        continue;
-      }
-      arc.begin = a;
-      arc.end = b;
-      arcs.push_back(arc);
+    for (const Piece& piece : pieces_) {
+      arcs.push_back({own.face, own.source, radius, piece.begin, piece.end, false});
     }
     joinRound(first, arcs);
+  }
+
+  /// The pieces of the circle that lie in the face and in its own beam.
+  void findPieces(const Beam& own, double radius) {
+    cuts_.clear();
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 corner = cornerInFace(geometry_, own.face, k);
+      cutByLine(own, radius, corner, cornerInFace(geometry_, own.face, (k + 1) % 3) - corner);
+    }
+    if (!own.isFull) {
+      cutByLine(own, radius, own.source, own.right);
+      cutByLine(own, radius, own.source, own.left);
+    }
+    std::sort(cuts_.begin(), cuts_.end());
+    first_ = cuts_.empty() ? 0 : cuts_.front();
+    const Array<Piece> whole{{first_, first_ + 2 * kPi}};
+    pieces_.clear();
+    keepPieces(whole, radius, [&](double angle) {
+      const Vec2 x = own.source + radius * unitVector(angle);
+      return barycentric(geometry_, own.face, x).minCoeff() >= 0 && holds(own, x, 0);
+    });
+  }
+
+  /// Takes from the pieces what another beam undercuts.
+  void takeUndercut(const Beam& own, double radius, const Beam& other) {
+    cuts_.clear();
+    cutByCircle(own, radius, other);
+    if (!other.isFull) {
+      cutByLine(own, radius, other.source, other.right);
+      cutByLine(own, radius, other.source, other.left);
+    }
+    for (double& cut : cuts_) {
+      if (cut < first_) cut += 2 * kPi;
+    }
+    std::sort(cuts_.begin(), cuts_.end());
+    before_.swap(pieces_);
+    pieces_.clear();
+    keepPieces(before_, radius, [&](double angle) {
+      return !undercuts(other, own, own.source + radius * unitVector(angle));
+    });
+  }
+
+  /// Appends the parts between the cuts of which the middle is kept; neighbours are one piece.
+  template <typename IsKept>
+  void keepPieces(const Array<Piece>& from, double radius, const IsKept& isKept) {
+    for (const Piece& piece : from) {
+      double begin = piece.begin;
+      const auto keepTo = [&](double end) {
+        const double start = std::exchange(begin, end);
+        if (!((end - start) * radius > rounding_) || !isKept((start + end) / 2)) return;
+        const bool goesOn = !pieces_.empty() && (start - pieces_.back().end) * radius <= rounding_;
+        if (goesOn) {
+          pieces_.back().end = end;
+        } else {
+          pieces_.push_back({start, end});
+        }
+      };
+      for (const double cut : cuts_) {
+        if (cut > piece.begin && cut < piece.end) keepTo(cut);
+      }
+      keepTo(piece.end);
+    }
   }
 
   /// The last arc and the first, where the cut between them is none.
@@ -127,17 +169,12 @@ class FaceArcs {
     cuts_.push_back(angle < 0 ? angle + 2 * kPi : angle);
   }
 
-  /// Whether a point of the circle lies in the face and in its beam, and is undercut by no other
-  /// beam; of equal ones the first counts.
-  bool isKept(const Beam& own, const Vec2& x) const {
-    if (barycentric(geometry_, own.face, x).minCoeff() < 0 || !holds(own, x, 0)) return false;
-    for (const Beam* other = begin_; other != end_; ++other) {
-      if (other == &own || !holds(*other, x, rounding_)) continue;
-      const double way = other->offset + (x - other->source).norm();
-      if (way < distance_ - rounding_ || (way <= distance_ + rounding_ && other < &own))
-        return false;
-    }
-    return true;
+  /// Whether another beam leads to a point of the circle on a shorter way; of equal ones the first
+  /// counts.
+  bool undercuts(const Beam& other, const Beam& own, const Vec2& x) const {
+    if (!holds(other, x, rounding_)) return false;
+    const double way = other.offset + (x - other.source).norm();
+    return way < distance_ - rounding_ || (way <= distance_ + rounding_ && &other < &own);
   }
 
   static bool holds(const Beam& beam, const Vec2& x, double margin) {
@@ -153,6 +190,10 @@ class FaceArcs {
   const Beam* begin_ = nullptr;
   const Beam* end_ = nullptr;
   Array<double> cuts_;
+  /// Of the circle that is cut; angles from `first_` to a full turn on.
+  Array<Piece> pieces_;
+  Array<Piece> before_;
+  double first_ = 0;
 };
 
 /// Puts arcs together where their ends meet.
@@ -226,7 +267,9 @@ class ArcChains {
       for (int j = i + 1; j < order.count(); ++j) {
         const Vec3 apart = places[order[j]] - places[order[i]];
         if (apart.x() > meet) break;
-        if (apart.norm() <= meet) pairs.push_back({apart.norm(), order[i], order[j]});
+        if (apart.norm() <= meet && mayMeet(order[i], order[j])) {
+          pairs.push_back({apart.norm(), order[i], order[j]});
+        }
       }
     }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
@@ -238,6 +281,12 @@ class ArcChains {
       partner_[pair.a] = pair.b;
       partner_[pair.b] = pair.a;
     }
+  }
+
+  /// The two ends of an arc are one point only where it goes around.
+  bool mayMeet(int a, int b) const {
+    const Arc& arc = arcs_[a / 2];
+    return b != (a ^ 1) || arc.end - arc.begin > kPi;
   }
 
   void appendArc(int fromEnd, Isoline& line) const {
