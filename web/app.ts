@@ -1,3 +1,4 @@
+import { polylinesOf } from './editor/compute';
 import { CurveEdits } from './editor/curve_edits';
 import { Editor } from './editor/editor';
 import { Gestures } from './editor/gestures';
@@ -47,7 +48,8 @@ export async function start(): Promise<void> {
   const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));
   const status = new Status(editor, { remove, goToLost: () => lostPanel.goToNext() });
   session.onView = (view) => {
-    viewer.showCurve(view.curve);
+    if (view.isolines) viewer.showLines(polylinesOf(view));
+    else viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);
     viewer.showOthers(view.others);
     gestures.show();

@@ -178,6 +178,16 @@ export class Tab {
     await this.drag(from, { x: from.x + dx, y: from.y + dy });
   }
 
+  /** Saves in one of the menu's formats, and returns the file's name and text. */
+  async save(format) {
+    const coming = this.page.waitForEvent('download');
+    await this.page.locator('#save').click();
+    await this.page.getByRole('menuitem', { name: format }).click();
+    const download = await coming;
+    const text = readFileSync(await download.path(), 'utf8');
+    return { name: download.suggestedFilename(), text };
+  }
+
   /** Drops a file of that text onto the page. */
   drop(name, text) {
     return this.page.evaluate(

@@ -63,7 +63,7 @@ describe('a center of mass', () => {
 
   test('of many points is drawn, follows a drag, and comes back with the link', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500');
-    await tab.page.keyboard.press('8');
+    await tab.page.keyboard.press('9');
     await tab.click([-80, -60], [80, -50], [60, 90], [-70, 80], [10, -100]);
     const first = await tab.view();
     assert.equal(first.legs.length, 5);

@@ -22,6 +22,23 @@ describe('where the page is shown', () => {
     await tab.page.close();
   });
 
+  for (const kind of ['circle', 'ellipse']) {
+    test(`a narrow window has every setting of the ${kind} in reach`, async () => {
+      const tab = await Tab.open(browser, `mesh=sphere:1500&kind=${kind}`);
+      await tab.click([0, 0]);
+      const fields = tab.page.locator('#circle-settings :is(select, input, .remark):visible');
+      assert.equal(await fields.count(), 4);
+      for (const field of await fields.all()) {
+        const box = await field.boundingBox();
+        assert.ok(box.x >= 0 && box.x + box.width <= 390);
+        assert.ok(box.y >= 0 && box.y + box.height <= 844);
+      }
+      const stage = await tab.page.locator('#stage').boundingBox();
+      assert.ok(stage.height > 0.5 * 844, 'and the surface has most of the room');
+      await tab.page.close();
+    });
+  }
+
   test('fingers place and remove points', async () => {
     const tab = await Tab.open(browser);
     const { x, y } = await tab.middle();

@@ -23,6 +23,28 @@ export function farthestFromSurface(points, { positions, triangles }) {
   return farthest;
 }
 
+/** The face that a place on the surface is nearest to, and the weights of its corners there. */
+export function nearestOnSurface(place, { positions, triangles }) {
+  let nearest = { distance: Number.POSITIVE_INFINITY };
+  for (let face = 0; 3 * face < triangles.length; face++) {
+    const corners = [0, 1, 2].map((i) => {
+      const vertex = triangles[3 * face + i];
+      return positions.slice(3 * vertex, 3 * vertex + 3);
+    });
+    const distance = distanceToTriangle(place, ...corners);
+    if (distance < nearest.distance) nearest = { distance, face, corners };
+  }
+  const { face, corners } = nearest;
+  const [a, b, c] = corners;
+  const normal = cross(subtract(b, a), subtract(c, a));
+  const parts = corners.map((_, i) => {
+    const [p, q] = [corners[(i + 1) % 3], corners[(i + 2) % 3]];
+    return Math.max(0, dot(cross(subtract(q, p), subtract(place, p)), normal));
+  });
+  const sum = parts.reduce((total, part) => total + part, 0);
+  return { face, bary: parts.map((part) => part / sum) };
+}
+
 /** The middles of a polyline's segments. */
 export function middles(polyline) {
   const points = [];

@@ -23,9 +23,11 @@ const document = {
   settings,
   points: [1, 2, 3, 4].map((face) => point(face)),
   circle: null,
+  circleForm: { type: 'arcs', arcs: 7 },
   others: [],
 };
 const circle = { center: point(5), rim: { radius: 0.5, direction: [0, 0, 1] } };
+const ellipse = { ...circle, across: { radius: 0.2 } };
 
 describe('commands', () => {
   let module;
@@ -43,6 +45,7 @@ describe('commands', () => {
       { type: 'kind', from: 'bspline', to: 'circle' },
       { type: 'settings', from: settings, to: { ...settings, closed: true } },
       { type: 'circle', from: null, to: circle },
+      { type: 'circleForm', from: document.circleForm, to: { type: 'exact', arcs: 5 } },
       { type: 'replace', from: document, to: module.emptyDocument },
     ];
     for (const command of commands) {
@@ -177,6 +180,7 @@ describe('links', () => {
       settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7, 9] },
       points: [point(1), { ...point(2), weight: 4 }, { ...point(3), beta: 0.25 }],
       circle,
+      circleForm: { type: 'linear', arcs: 24 },
       others: [
         { kind: 'polyline', settings: { ...settings, closed: true }, points: document.points },
         {
@@ -193,6 +197,21 @@ describe('links', () => {
     }
   });
 
+  test('say every form of a circle and an ellipse', () => {
+    const rims = [circle.rim, point(6)];
+    const acrosses = [undefined, { radius: 0.2 }, point(7)];
+    for (const kind of ['circle', 'ellipse']) {
+      for (const rim of rims) {
+        for (const across of acrosses) {
+          const shape = { center: point(5), rim, ...(across && { across }) };
+          const whole = { ...document, kind, circle: shape };
+          const { document: read } = link.parseLink(link.formatLink('torus:9', 'karcher', whole));
+          assert.deepEqual(read, whole);
+        }
+      }
+    }
+  });
+
   test('leave out what they say wrongly', () => {
     assert.equal(link.parseLink('#'), null);
     const text =
@@ -205,6 +224,13 @@ describe('links', () => {
       [2],
     );
     assert.equal(link.parseLink('#mesh=torus:9&circle=1,0.2,0.2;-3,1,0,0').document.circle, null);
+    const form = (fields) => link.parseLink(`#mesh=torus:9&${fields}`).document.circleForm;
+    assert.deepEqual(form('circletype=round&arcs=2'), document.circleForm);
+    assert.deepEqual(form('circletype=exact&arcs=25'), { type: 'exact', arcs: 7 });
+    for (const across of ['', ';', ';-1', ';0', ';wide', ';1,2']) {
+      const text = `#mesh=torus:9&circle=5,0.25,0.5;0.5,0,0,1${across}`;
+      assert.deepEqual(link.parseLink(text).document.circle, circle, across);
+    }
   });
 
   test('keep only points of the surface', () => {
@@ -214,6 +240,75 @@ describe('links', () => {
     assert.deepEqual(fit.others, [others[1]]);
     assert.deepEqual(fit.points, document.points.slice(0, 3));
     assert.equal(fit.circle, null);
+    for (const [across, fits] of [
+      [point(3), true],
+      [point(4), false],
+      [{ radius: 5 }, true],
+    ]) {
+      const shape = { ...circle, center: point(1), across };
+      assert.deepEqual(link.fitting({ ...document, circle: shape }, 4).circle, fits ? shape : null);
+    }
+  });
+});
+
+describe('the shape of a circle and an ellipse', () => {
+  let module;
+  before(async () => {
+    module = await load('editor/circle.ts');
+  });
+  const drawn = { radius: 0.7, direction: [0, 1, 0], across: null };
+  const rim = { radius: 0.7, direction: [0, 1, 0] };
+
+  test('keeps its radii when its center is moved, and across when it is turned', () => {
+    const { byRadii, withHandle } = module;
+    const loose = { center: point(5), rim: point(6), across: point(7) };
+    const grabbed = byRadii(loose, { ...drawn, across: { radius: 0.3 } });
+    assert.deepEqual(grabbed, { center: point(5), rim, across: { radius: 0.3 } });
+    const to = point(8);
+    assert.deepEqual(withHandle(loose, grabbed, 'center', to), { ...grabbed, center: to });
+    assert.deepEqual(withHandle(loose, grabbed, 'rim', to), { ...grabbed, rim: to });
+    assert.deepEqual(withHandle(loose, grabbed, 'across', to), { ...loose, across: to });
+  });
+
+  test("keeps an ellipse's radius as a circle, but no point it was taken from", () => {
+    const { byRadii } = module;
+    assert.deepEqual(byRadii(ellipse, drawn), { ...ellipse, rim });
+    assert.deepEqual(byRadii({ ...ellipse, across: point(7) }, drawn), { ...circle, rim });
+    assert.deepEqual(byRadii(circle, drawn), { ...circle, rim });
+    assert.deepEqual(byRadii(ellipse, null), ellipse);
+    assert.deepEqual(byRadii(circle, null), circle);
+  });
+
+  test('takes a radius in the direction of its handle', () => {
+    const { withRadius } = module;
+    const wide = { radius: 2, direction: [0, 1, 0] };
+    assert.deepEqual(withRadius(circle, drawn, 'rim', 2), { ...circle, rim: wide });
+    assert.deepEqual(withRadius(ellipse, drawn, 'rim', 2), { ...ellipse, rim: wide });
+    assert.deepEqual(withRadius(circle, drawn, 'across', 2), { ...circle, across: { radius: 2 } });
+  });
+
+  test('has its radius across in the plane of the face, to the left', () => {
+    const { acrossDirection, reachAlong } = module;
+    const corners = [
+      [1, 1, 3],
+      [5, 1, 3],
+      [2, 4, 3],
+    ];
+    assert.deepEqual(acrossDirection([1, 0, 0], corners), [0, 1, 0]);
+    const [x, y, z] = acrossDirection([0.6, 0.8, 0.3], corners);
+    assert.ok(Math.hypot(x + 0.8, y - 0.6, z) < 1e-15, 'of the part in the face');
+    assert.equal(reachAlong(5, [0.6, 0.8, 0], [0, 1, 0]), 4);
+    assert.equal(reachAlong(5, [0.6, -0.8, 0], [0, 1, 0]), -4);
+  });
+
+  test('takes positive numbers, with a decimal comma too', async () => {
+    const { positiveNumber } = await load('panels/number_field.ts');
+    for (const [text, value] of Object.entries({ 2: 2, ' 0.5 ': 0.5, '0,5': 0.5, '1e-3': 1e-3 })) {
+      assert.equal(positiveNumber(text), value);
+    }
+    for (const text of ['', ' ', '0', '-1', 'wide', '1 2', 'Infinity', 'NaN', '1,2,3']) {
+      assert.equal(positiveNumber(text), null, text);
+    }
   });
 });
 

@@ -1,6 +1,5 @@
 // What the page saves as files, and opens again.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 
@@ -13,15 +12,6 @@ const places = [
 const octahedron = `v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1
 f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n`;
 
-/** Saves in one of the menu's formats, and returns the file's name and text. */
-async function save(tab, format) {
-  const coming = tab.page.waitForEvent('download');
-  await tab.page.locator('#save').click();
-  await tab.page.getByRole('menuitem', { name: format }).click();
-  const download = await coming;
-  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
-}
-
 describe('saving', () => {
   let browser;
   before(async () => {
@@ -32,7 +22,7 @@ describe('saving', () => {
   test('an OBJ file holds the polyline that is drawn', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
-    const { name, text } = await save(tab, 'OBJ');
+    const { name, text } = await tab.save('OBJ');
     assert.equal(name, 'bspline-on-sphere.obj');
     const lines = text.trimEnd().split('\n');
     const vertices = lines.filter((line) => line.startsWith('v ')).map((line) => line.split(' '));
@@ -55,7 +45,7 @@ describe('saving', () => {
     await tab.page.keyboard.press('2');
     await tab.click(...places);
     const [{ document }, view] = [await tab.state(), await tab.view()];
-    const { name, text } = await save(tab, 'JSON');
+    const { name, text } = await tab.save('JSON');
     const content = JSON.parse(text);
     assert.deepEqual(content.points, document.points);
     assert.equal(content.samples.length, 128);
@@ -92,7 +82,7 @@ describe('saving', () => {
     await tab.page.keyboard.press('2');
     await tab.click([-30, -20], [40, 10]);
     const { document } = await tab.state();
-    const { name, text } = await save(tab, 'JSON');
+    const { name, text } = await tab.save('JSON');
     await tab.page.close();
 
     const other = await openBrowser();
@@ -114,7 +104,7 @@ describe('saving', () => {
   test('an SVG file draws the curve where it is seen', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
-    const { text } = await save(tab, 'SVG');
+    const { text } = await tab.save('SVG');
     const { viewBox, dots, paths } = await tab.page.evaluate((svg) => {
       const root = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
       return {

@@ -1,48 +1,49 @@
-import type { CenterOfMass, CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
+import type { CenterOfMass, CurveOptions, FieldOptions } from 'karcher';
 import type { EngineClient } from '../worker/client';
 import type { TracedCurve } from '../worker/protocol';
-import {
-  type CircleShape,
-  type CurveDocument,
-  parameterOf,
-  pointsNeeded,
-  type Spline,
-  type Vector,
-} from './document';
+import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
+import { type CurveDocument, isRound, parameterOf, pointsNeeded, type Spline } from './document';
 import { type Shift, shiftBetween } from './shift';
 import { splineOf } from './splines';
 
-/** What the engine makes of a document: one of the three at most. */
+/** What the engine makes of a document: a curve, isolines or a center, with a circle's handles. */
 export interface Shown {
   curve: TracedCurve | null;
+  isolines: ShownIsolines | null;
   circle: ShownCircle | null;
   center: ShownCenter | null;
   /** Why there is less than was asked for, as a sentence. */
   problem: string | null;
 }
 
-export interface ShownCircle {
-  radius: number;
-  direction: Vector;
-  rim: SurfacePoint;
-  /** The geodesic from the center to the rim. */
-  path: Float32Array;
-}
-
 export interface ShownCenter extends CenterOfMass {
   milliseconds: number;
 }
 
-export const nothing: Shown = { curve: null, circle: null, center: null, problem: null };
+export const nothing: Shown = {
+  curve: null,
+  isolines: null,
+  circle: null,
+  center: null,
+  problem: null,
+};
+
+/** The polylines of what is shown, but for those of curves beside it. */
+export function polylinesOf({ curve, isolines }: Shown): Float32Array[] {
+  if (curve) return [curve.polyline];
+  return isolines?.lines.map(({ polyline }) => polyline) ?? [];
+}
 
 const samplesPerSegment = 128;
 
+/** A draft has a better answer to follow, by other options. */
 export function compute(
   client: EngineClient,
   document: CurveDocument,
   options: FieldOptions,
+  draft: boolean,
 ): Promise<Shown> {
-  if (document.kind === 'circle') return computeCircle(client, document.circle, options);
+  if (isRound(document.kind)) return computeCircle(client, document, options, draft);
   if (document.points.length < pointsNeeded(document)) return Promise.resolve(nothing);
   const spline = splineOf(document);
   if (!spline) return computeCenter(client, document, options);
@@ -85,42 +86,19 @@ async function computeCenter(
 
 async function computeCircle(
   client: EngineClient,
-  shape: CircleShape | null,
+  { kind, circle: shape, circleForm }: CurveDocument,
   options: FieldOptions,
+  draft: boolean,
 ): Promise<Shown> {
   if (!shape) return nothing;
-  const circle = await resolveCircle(client, shape);
-  const { radius } = circle;
+  const circle = await resolveCircle(client, shape, kind === 'ellipse');
   try {
-    const curve = await client.circle({ ...options, center: shape.center, radius });
-    return { ...nothing, curve, circle };
+    const drawn = await drawCircle(client, shape, circle, circleForm, options, draft);
+    return { ...nothing, circle, ...drawn };
   } catch (error) {
     // The handles stay, so that the radius can be taken back.
     return { ...nothing, circle, problem: messageOf(error) };
   }
-}
-
-async function resolveCircle(
-  client: EngineClient,
-  { center, rim }: CircleShape,
-): Promise<ShownCircle> {
-  if ('face' in rim) {
-    const { length, polyline } = await client.shortestPath(center, rim);
-    return { radius: length, direction: directionOf(polyline), rim, path: polyline };
-  }
-  const { radius, direction } = rim;
-  const { end, polyline } = await client.straightest(center, direction, radius);
-  return { radius, direction, rim: end, path: polyline };
-}
-
-/** The first step of a polyline that is no repeated point; any direction when all are. */
-function directionOf(polyline: Float32Array): Vector {
-  for (let i = 3; i < polyline.length; i += 3) {
-    const step = [0, 1, 2].map((axis) => polyline[i + axis]! - polyline[axis]!) as Vector;
-    const length = Math.hypot(...step);
-    if (length > 0) return step.map((value) => value / length) as Vector;
-  }
-  return [1, 0, 0];
 }
 
 /** How far what is shown moved from one quality to the other, in a unit of length. */

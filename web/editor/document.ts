@@ -7,11 +7,19 @@ import type { CurveKind, Parametrization, SurfacePoint } from 'karcher';
 /** A curve with control points; a basis of one's own is for programs. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
 /** `center` is no curve: the center of mass of the points. */
-export type Kind = SplineKind | 'circle' | 'center';
+export type Kind = SplineKind | RoundKind | 'center';
+/** Around a center. */
+export type RoundKind = 'circle' | 'ellipse';
 export type Vector = [number, number, number];
 
 /** Where a circle ends: at a point of the surface, or a length away along a direction. */
 export type Rim = SurfacePoint | { radius: number; direction: Vector };
+
+/**
+ * An ellipse's radius across its first one: a length, or as far as a point of the surface lies that
+ * way.
+ */
+export type Across = SurfacePoint | { radius: number };
 
 /** A control point's number beside its place. */
 export type ParameterName = 'weight' | 'beta';
@@ -19,9 +27,25 @@ export type ParameterName = 'weight' | 'beta';
 /** A point that the user placed; what is not given is 1. */
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number };
 
+/** Of a circle and of an ellipse: each is the other's shape where that has more to say. */
 export interface CircleShape {
   center: SurfacePoint;
   rim: Rim;
+  /** Only of an ellipse; by default a part of its radius to the rim. */
+  across?: Across;
+}
+
+/**
+ * What a circle is drawn as: rational quadratic arcs, or the isoline of the distance from its
+ * center, interpolated in triangles or exact.
+ */
+export type CircleType = 'arcs' | 'linear' | 'exact';
+
+/** How a circle is made, beside its shape; kept while another kind is shown. */
+export interface CircleForm {
+  readonly type: CircleType;
+  /** How many rational arcs, 3 to 24. */
+  readonly arcs: number;
 }
 
 /** What makes a spline of a kind, beside its points; kept while another kind is shown. */
@@ -47,9 +71,10 @@ export interface Spline {
 export interface CurveDocument {
   readonly kind: Kind;
   readonly settings: CurveSettings;
-  /** The points of all kinds but the circle; kept while a circle is shown. */
+  /** The points of all kinds but the round ones; kept while one of those is shown. */
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
+  readonly circleForm: CircleForm;
   /** Curves that lie beside the one that is edited. */
   readonly others: readonly Spline[];
 }
@@ -62,6 +87,7 @@ export type Command =
   | { type: 'kind'; from: Kind; to: Kind }
   | { type: 'settings'; from: CurveSettings; to: CurveSettings }
   | { type: 'circle'; from: CircleShape | null; to: CircleShape | null }
+  | { type: 'circleForm'; from: CircleForm; to: CircleForm }
   | { type: 'replace'; from: CurveDocument; to: CurveDocument };
 
 export const defaultSettings: CurveSettings = {
@@ -72,11 +98,17 @@ export const defaultSettings: CurveSettings = {
   parametrization: 'centripetal',
 };
 
+export const fewestArcs = 3;
+export const mostArcs = 24;
+
+export const defaultCircleForm: CircleForm = { type: 'arcs', arcs: 7 };
+
 export const emptyDocument: CurveDocument = {
   kind: 'bspline',
   settings: defaultSettings,
   points: [],
   circle: null,
+  circleForm: defaultCircleForm,
   others: [],
 };
 
@@ -89,12 +121,17 @@ export const kinds: readonly Kind[] = [
   'barycentric',
   'polyline',
   'circle',
+  'ellipse',
   'center',
 ];
 
 /** Whether a kind is a curve with control points. */
 export function isSpline(kind: Kind): kind is SplineKind {
-  return kind !== 'circle' && kind !== 'center';
+  return !isRound(kind) && kind !== 'center';
+}
+
+export function isRound(kind: Kind): kind is RoundKind {
+  return kind === 'circle' || kind === 'ellipse';
 }
 
 /** Points that are needed before there is anything to show. */
@@ -143,6 +180,8 @@ export function apply(document: CurveDocument, command: Command): CurveDocument 
       return { ...document, settings: command.to };
     case 'circle':
       return { ...document, circle: command.to };
+    case 'circleForm':
+      return { ...document, circleForm: command.to };
     case 'replace':
       return command.to;
   }
@@ -162,6 +201,8 @@ export function invert(command: Command): Command {
       return { ...command, from: command.to, to: command.from };
     case 'circle':
       return { ...command, from: command.to, to: command.from };
+    case 'circleForm':
+      return { ...command, from: command.to, to: command.from };
     case 'replace':
       return { ...command, from: command.to, to: command.from };
   }
@@ -169,11 +210,11 @@ export function invert(command: Command): Command {
 
 /** Whether the user has put nothing on the surface yet, for the kind that is shown. */
 export function isEmpty({ kind, points, circle, others }: CurveDocument): boolean {
-  return kind === 'circle' ? circle === null : points.length + others.length === 0;
+  return isRound(kind) ? circle === null : points.length + others.length === 0;
 }
 
 /** Removes everything of the kind that is shown. */
 export function cleared(document: CurveDocument): CurveDocument {
-  if (document.kind === 'circle') return { ...document, circle: null };
+  if (isRound(document.kind)) return { ...document, circle: null };
   return { ...document, points: [], others: [] };
 }

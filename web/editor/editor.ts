@@ -1,5 +1,7 @@
+import type { CircleHandle } from './circle';
 import {
   apply,
+  type CircleForm,
   type Command,
   type CurveDocument,
   type CurveSettings,
@@ -11,8 +13,8 @@ import {
 } from './document';
 import { defaultMethod, type MethodId } from './methods';
 
-/** A control point by its number, or one of the circle's handles. */
-export type Selection = number | 'center' | 'rim' | null;
+/** A control point by its number, or one of a circle's or ellipse's handles. */
+export type Selection = number | CircleHandle | null;
 
 export interface State {
   /** The key of the surface that is shown; empty before the first one. */
@@ -161,6 +163,12 @@ export class Editor {
     const from = this.#state.document.settings;
     const to = { ...from, ...part };
     if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'settings', from, to });
+  }
+
+  setCircleForm(part: Partial<CircleForm>): void {
+    const from = this.#state.document.circleForm;
+    const to = { ...from, ...part };
+    if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'circleForm', from, to });
   }
 
   setMethod(method: MethodId): void {

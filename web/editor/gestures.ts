@@ -1,17 +1,17 @@
 import { Vector3 } from 'three';
-import { type Handle, Handles } from '../viewer/handles';
+import { Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
-import type { CircleShape, Command, Vector } from './document';
-import type { CurveTool, Editor, Selection } from './editor';
+import { byRadii, newCircle, withHandle } from './circle';
+import { type CircleShape, type Command, isRound, type Vector } from './document';
+import type { CurveTool, Editor } from './editor';
+import { handlesOf, idOf, selectionOf } from './handle_list';
 import type { Session } from './session';
 import { type Target, targetAt } from './targets';
 
 /** A press that moves less, in CSS pixels, is a click. */
 const clickSlop = 4;
 const touchSlop = 10;
-/** A new circle's radius as a part of the surface's diagonal. */
-const newRadius = 0.08;
 const arrows: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -74,8 +74,9 @@ export class Gestures {
   /** Shows the handles of the editor's state. */
   show(): void {
     const { surface } = this.viewer;
-    this.#handles.show(surface ? this.#list() : []);
-    const center = this.session.view.center;
+    const { view } = this.session;
+    this.#handles.show(surface ? handlesOf(this.editor.state, view, surface) : []);
+    const { center } = view;
     this.#handles.showCenter(surface && center ? surface.position(center.point) : null);
   }
 
@@ -96,47 +97,6 @@ export class Gestures {
     if (!hadFocus) return;
     if (selection === null) this.stage.focus({ preventScroll: true });
     else this.#handles.focus(idOf(selection));
-  }
-
-  #list(): Handle[] {
-    const { document, selection } = this.editor.state;
-    const surface = this.viewer.surface!;
-    if (document.kind !== 'circle') {
-      const name = document.kind === 'center' ? 'Point' : 'Control point';
-      const count = document.points.length;
-      return document.points.map((point, i) => ({
-        id: idOf(i),
-        position: surface.position(point),
-        label: `${name} ${i + 1} of ${count}`,
-        tag: `${i + 1}`,
-        look: 'point',
-        selected: selection === i,
-      }));
-    }
-    if (!document.circle) return [];
-    const { center, rim } = document.circle;
-    const end = 'face' in rim ? rim : this.session.view.circle?.rim;
-    const handles: Handle[] = [
-      {
-        id: 'center',
-        position: surface.position(center),
-        label: 'Center of the circle',
-        tag: 'Center',
-        look: 'center',
-        selected: selection === 'center',
-      },
-    ];
-    if (end) {
-      handles.push({
-        id: 'rim',
-        position: surface.position(end),
-        label: 'Radius of the circle',
-        tag: 'Radius',
-        look: 'rim',
-        selected: selection === 'rim',
-      });
-    }
-    return handles;
   }
 
   #down(event: PointerEvent): void {
@@ -205,29 +165,26 @@ export class Gestures {
     else this.events.otherClicked(tool, target.index);
   }
 
-  /** Adds what a click adds: a control point, a circle, or the circle's radius. */
+  /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */
   #put({ point }: Pick): void {
     const { document } = this.editor.state;
-    if (document.kind !== 'circle') {
+    if (!isRound(document.kind)) {
       const index = document.points.length;
       this.editor.run({ type: 'insert', index, point }, index);
       return;
     }
     const from = document.circle;
-    const radius = newRadius * (this.session.client?.info.diagonal ?? 1);
-    const to: CircleShape = from
-      ? { ...from, rim: point }
-      : { center: point, rim: { radius, direction: this.viewer.right } };
+    const { diagonal } = this.session.client!.info;
+    const to = from
+      ? withHandle(from, byRadii(from, this.session.view.circle), 'rim', point)
+      : newCircle(point, diagonal, this.viewer.right);
     this.editor.run({ type: 'circle', from, to }, 'rim');
   }
 
   #grab(id: string, place: { x: number; y: number }): void {
     this.editor.select(selectionOf(id));
     const { circle } = this.editor.state.document;
-    const drawn = this.session.view.circle;
-    // A circle whose center is dragged keeps its radius, as it is drawn.
-    const carried = drawn && { radius: drawn.radius, direction: drawn.direction };
-    this.#grabbed = { ...place, circle: circle && { ...circle, rim: carried ?? circle.rim } };
+    this.#grabbed = { ...place, circle: circle && byRadii(circle, this.session.view.circle) };
   }
 
   #dragNow(): void {
@@ -241,7 +198,7 @@ export class Gestures {
   }
 
   /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
-  #moveTo(id: string, x: number, y: number, carried: CircleShape | null): void {
+  #moveTo(id: string, x: number, y: number, grabbed: CircleShape | null): void {
     const point = this.viewer.pick(x, y)?.point;
     if (!point) return;
     const base = this.editor.base;
@@ -250,9 +207,8 @@ export class Gestures {
     if (typeof selection === 'number') {
       const from = base.points[selection];
       if (from) command = { type: 'change', index: selection, from, to: { ...from, ...point } };
-    } else if (base.circle && carried) {
-      const to =
-        selection === 'center' ? { ...carried, center: point } : { ...base.circle, rim: point };
+    } else if (base.circle && grabbed) {
+      const to = withHandle(base.circle, grabbed, selection, point);
       command = { type: 'circle', from: base.circle, to };
     }
     if (command) this.editor.preview(command);
@@ -292,12 +248,4 @@ export class Gestures {
     this.stage.classList.remove('pointed');
     this.#aim(middle);
   }
-}
-
-function idOf(selection: NonNullable<Selection>): string {
-  return typeof selection === 'number' ? `point-${selection}` : selection;
-}
-
-function selectionOf(id: string): NonNullable<Selection> {
-  return id === 'center' || id === 'rim' ? id : Number(id.slice('point-'.length));
 }

@@ -1,17 +1,23 @@
 /**
  * A document as a link's fragment:
  * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
- * `&circle=face,b1,b2;radius,x,y,z`. Weights and betas of 1 and other defaults go without saying.
+ * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`. Weights and betas of 1 and other
+ * defaults go without saying.
  */
 import type { SurfacePoint } from 'karcher';
 import {
+  type Across,
+  type CircleForm,
   type CircleShape,
   type ControlPoint,
   type CurveDocument,
   type CurveSettings,
+  defaultCircleForm,
   defaultSettings,
   emptyDocument,
+  fewestArcs,
   kinds,
+  mostArcs,
   parameterRange,
   type Rim,
   surfacePoint,
@@ -40,6 +46,15 @@ function formatRim(rim: Rim): string {
   return [rim.radius, ...rim.direction].join(',');
 }
 
+function formatAcross(across: Across): string {
+  return 'face' in across ? formatPoint(across) : `${across.radius}`;
+}
+
+function formatCircle({ center, rim, across }: CircleShape): string {
+  const parts = [formatPoint(center), formatRim(rim)];
+  return [...parts, ...(across ? [formatAcross(across)] : [])].join(';');
+}
+
 export function formatLink(mesh: string, method: MethodId, document: CurveDocument): string {
   const parts = [
     `mesh=${encodeURIComponent(mesh).replaceAll('%3A', ':')}`,
@@ -47,9 +62,11 @@ export function formatLink(mesh: string, method: MethodId, document: CurveDocume
     `method=${method}`,
     `points=${document.points.map(formatControlPoint).join(';')}`,
   ];
-  const { circle } = document;
+  const { circle, circleForm } = document;
   parts.push(...settingsFields(document.settings));
-  if (circle) parts.push(`circle=${formatPoint(circle.center)};${formatRim(circle.rim)}`);
+  if (circle) parts.push(`circle=${formatCircle(circle)}`);
+  if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
+  if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
   for (const { kind, points, settings } of document.others) {
     const other = [
       `kind=${kind}`,
@@ -86,6 +103,7 @@ export function parseLink(fragment: string): Link | null {
     document: {
       ...parseSpline(fragment),
       circle: parseCircle(fields.get('circle') ?? ''),
+      circleForm: parseCircleForm(fields),
       others: others.filter((spline) => spline !== null),
     },
   };
@@ -144,22 +162,45 @@ function parseSettings(fields: URLSearchParams): CurveSettings {
 }
 
 function parseCircle(text: string): CircleShape | null {
-  const [centerText = '', rimText = ''] = text.split(';');
+  const [centerText = '', rimText = '', acrossText = ''] = text.split(';');
   const center = parsePoint(centerText);
-  if (!center) return null;
-  const point = parsePoint(rimText);
-  if (point) return { center, rim: point };
-  const values = parseNumbers(rimText, 4);
+  const rim = parseRim(rimText);
+  if (!center || !rim) return null;
+  const across = parseAcross(acrossText);
+  return { center, rim, ...(across && { across }) };
+}
+
+function parseRim(text: string): Rim | null {
+  const point = parsePoint(text);
+  if (point) return point;
+  const values = parseNumbers(text, 4);
   if (!values || values[0]! <= 0) return null;
   const [radius, ...direction] = values as [number, number, number, number];
-  return { center, rim: { radius, direction } };
+  return { radius, direction };
+}
+
+function parseAcross(text: string): Across | null {
+  const point = parsePoint(text);
+  if (point) return point;
+  const [radius] = parseNumbers(text, 1) ?? [0];
+  return radius! > 0 ? { radius: radius! } : null;
+}
+
+function parseCircleForm(fields: URLSearchParams): CircleForm {
+  const type = fields.get('circletype');
+  const arcs = Number(fields.get('arcs'));
+  const good = Number.isInteger(arcs) && arcs >= fewestArcs && arcs <= mostArcs;
+  return {
+    type: type === 'linear' || type === 'exact' ? type : defaultCircleForm.type,
+    arcs: good ? arcs : defaultCircleForm.arcs,
+  };
 }
 
 /** A document of which every point is on a surface of that many triangles; null if none is left. */
 export function fitting(document: CurveDocument, triangles: number): CurveDocument {
-  const fits = (point: SurfacePoint) => point.face < triangles;
+  const fits = (place: object) => !('face' in place) || (place as SurfacePoint).face < triangles;
   const { circle } = document;
-  const circleFits = circle && fits(circle.center) && (!('face' in circle.rim) || fits(circle.rim));
+  const circleFits = circle && [circle.center, circle.rim, circle.across ?? {}].every(fits);
   return {
     ...document,
     points: document.points.filter(fits),

@@ -3,10 +3,10 @@ import type { EngineClient } from '../worker/client';
 import { Newest } from '../worker/newest';
 import type { Reshape } from '../worker/reshape';
 import { compute, curveOptions, messageOf, nothing, type Shown, shiftOf } from './compute';
-import { pointsNeeded, type Spline } from './document';
+import { isRound, pointsNeeded, type Spline } from './document';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
-import { methodOptions, type Quality, qualityOf, refinedOptions } from './methods';
+import { type MethodId, methodOptions, type Quality, qualityOf, refinedOptions } from './methods';
 import { Others } from './others';
 import { Refinement } from './refinement';
 import type { Shift } from './shift';
@@ -43,6 +43,12 @@ const emptyView: View = {
   others: [],
   polygonOnly: false,
 };
+
+/** How good the first answer is; an exact isoline is exact by any method. */
+function qualityShown({ curve, isolines, center }: Shown, method: MethodId): Quality | null {
+  if (isolines?.exact) return 'exact';
+  return curve || isolines || center ? qualityOf(method) : null;
+}
 
 /**
  * Keeps the view up to date with the editor: the newest state first, then the geodesics beside it,
@@ -147,7 +153,8 @@ export class Session {
     const { document, method, revision } = state;
     this.onBusy(true);
     try {
-      const shown = await compute(client, document, methodOptions(method)).catch((error) => {
+      const draft = refinedOptions(method) !== null;
+      const shown = await compute(client, document, methodOptions(method), draft).catch((error) => {
         if (client.closed) throw error;
         return { ...nothing, problem: messageOf(error) };
       });
@@ -156,7 +163,7 @@ export class Session {
       if (spline && shown.curve) {
         this.#others.keep(curveOptions(spline, methodOptions(method)), shown.curve.polyline);
       }
-      const quality = shown.curve || shown.center ? qualityOf(method) : null;
+      const quality = qualityShown(shown, method);
       const fresh = { quality, refining: false, shift: null, notRefined: null };
       this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
     } catch {
@@ -175,7 +182,7 @@ export class Session {
     const unit = this.#client!.info.meanEdge;
     this.#refinement.request({
       revision: state.revision,
-      compute: (client) => compute(client, state.document, options),
+      compute: (client) => compute(client, state.document, options, false),
       done: (exact) => {
         const refined = { quality: 'exact', refining: false } as const;
         this.#show({ ...exact, ...refined, shift: shiftOf(draft, exact, unit) });
@@ -199,8 +206,10 @@ export class Session {
     if (!state) return {};
     const { kind, points } = state.document;
     const others = this.#others.of(this.#otherOptions());
-    if (kind === 'circle') {
-      return { legs: shown.circle ? [shown.circle.path] : [], others, polygonOnly: false };
+    if (isRound(kind)) {
+      const { circle } = shown;
+      const legs = [circle?.path, circle?.across?.path].filter((leg) => leg !== undefined);
+      return { legs, others, polygonOnly: false };
     }
     const ends = endsOf(state.document, shown.center?.point ?? null);
     return {

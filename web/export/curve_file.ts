@@ -1,4 +1,5 @@
 /** What the page makes, as text for other programs. */
+import { isRound } from '../editor/document';
 import type { State } from '../editor/editor';
 import { formatLink, type Link, parseLink } from '../editor/link';
 import type { View } from '../editor/session';
@@ -32,8 +33,8 @@ export function objOf(polylines: readonly Float32Array[], title: string): string
 
 /** Everything about a curve: how it is made, in a link that opens it again, and its samples. */
 export function jsonOf(state: State, view: View): string {
-  const { curve } = view;
-  const { kind, settings, points, circle, others } = state.document;
+  const { curve, isolines } = view;
+  const { kind, settings, points, circle, circleForm, others } = state.document;
   return `${JSON.stringify({
     format,
     version: 1,
@@ -41,16 +42,28 @@ export function jsonOf(state: State, view: View): string {
     surface: state.mesh,
     method: state.method,
     kind,
-    ...(kind === 'circle' ? { circle, radius: view.circle?.radius } : { settings, points }),
+    ...(isRound(kind) ? { circle, ...circleForm, ...radiiOf(view) } : { settings, points }),
     others,
     quality: view.quality,
     center: view.center ?? undefined,
-    length: curve?.length,
+    length: (curve ?? isolines)?.length,
     samples: curve && samplesOf(curve),
     lost: curve?.lost,
-    polyline: curve && Array.from(curve.polyline, (value) => Number(shortest(value))),
+    polyline: curve && coordinatesOf(curve.polyline),
+    lines: isolines?.lines.map(({ polyline, ...line }) => ({
+      ...line,
+      polyline: coordinatesOf(polyline),
+    })),
   })}\n`;
 }
+
+const radiiOf = ({ circle }: View) =>
+  circle?.across
+    ? { radii: [circle.radius, circle.across.radius], direction: circle.direction }
+    : { radius: circle?.radius };
+
+const coordinatesOf = (polyline: Float32Array) =>
+  Array.from(polyline, (value) => Number(shortest(value)));
 
 function samplesOf({ samples, lost }: TracedCurve) {
   const { count, segment, t, face, bary, position } = samples;

@@ -3,6 +3,7 @@ import { isEmpty, isSpline, type Kind, kinds } from '../editor/document';
 import type { Editor, State } from '../editor/editor';
 import { type MethodId, methods } from '../editor/methods';
 import type { View } from '../editor/session';
+import { CircleSettings } from './circle_settings';
 import { byId, make } from './elements';
 import { PointRows } from './point_rows';
 import { kindNames, kindNotes, SettingsPanel } from './settings_panel';
@@ -21,6 +22,7 @@ export class CurvePanel {
   readonly #reverse = byId<HTMLButtonElement>('reverse');
   readonly #kinds = kinds.map(makeKind);
   readonly #settings: SettingsPanel;
+  readonly #circle: CircleSettings;
 
   constructor(
     private readonly editor: Editor,
@@ -29,6 +31,7 @@ export class CurvePanel {
   ) {
     this.#rows = new PointRows(editor);
     this.#settings = new SettingsPanel(editor);
+    this.#circle = new CircleSettings(editor);
     for (const input of this.#kinds) {
       input.addEventListener('change', () => editor.setKind(input.value as Kind));
     }
@@ -54,6 +57,7 @@ export class CurvePanel {
     byId('points-title').textContent = pointsTitles[kind] ?? 'Control points';
     this.#rows.show(state, view);
     this.#settings.show(state);
+    this.#circle.show(state, view);
   }
 }
 
@@ -67,5 +71,6 @@ function makeKind(kind: Kind): HTMLInputElement {
 
 const pointsTitles: Partial<Record<Kind, string>> = {
   circle: 'Circle',
+  ellipse: 'Ellipse',
   center: 'Points and their weights',
 };

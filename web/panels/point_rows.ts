@@ -1,7 +1,9 @@
 import type { SurfacePoint } from 'karcher';
+import { type CircleHandle, handleNames, isCircleHandle } from '../editor/circle';
 import {
   type ControlPoint,
   type CurveDocument,
+  isRound,
   type ParameterName,
   parameterOf,
   parameterRange,
@@ -48,7 +50,7 @@ export class PointRows {
     button.append(make('b'), make('span'));
     button.addEventListener('click', () => {
       const which = button.dataset.which!;
-      this.editor.select(which === 'center' || which === 'rim' ? which : Number(which));
+      this.editor.select(isCircleHandle(which) ? which : Number(which));
     });
     row.append(
       button,
@@ -110,13 +112,21 @@ function showRow(element: HTMLElement, { which, name, value, slider }: Row, sele
 
 function rowsOf({ kind, points, circle }: CurveDocument, view: View): Row[] {
   const place = ({ face }: SurfacePoint) => `on face ${formatInteger(face)}`;
-  if (kind === 'circle') {
+  if (isRound(kind)) {
     if (!circle) return [];
-    const radius = view.circle?.radius.toPrecision(4) ?? '';
-    return [
-      { which: 'center', name: 'Center', value: place(circle.center), slider: null },
-      { which: 'rim', name: 'Radius', value: radius, slider: null },
+    const row = (which: CircleHandle, name: string, value: string): Row => ({
+      ...{ which, name, value, slider: null },
+    });
+    const length = (radius: number | undefined) => radius?.toPrecision(4) ?? '';
+    const names = handleNames(kind);
+    const rows = [
+      row('center', names.center, place(circle.center)),
+      row('rim', names.rim, length(view.circle?.radius)),
     ];
+    if (kind === 'ellipse') {
+      rows.push(row('across', names.across, length(view.circle?.across?.radius)));
+    }
+    return rows;
   }
   const name = parameterOf(kind);
   const total = points.reduce((sum, { weight = 1 }) => sum + weight, 0);

@@ -1,4 +1,6 @@
 import type { SurfacePoint } from 'karcher';
+import { polylinesOf } from '../editor/compute';
+import { isRound } from '../editor/document';
 import type { Editor } from '../editor/editor';
 import { meshLabel } from '../editor/meshes';
 import type { Session } from '../editor/session';
@@ -64,14 +66,14 @@ export class SaveMenu {
 
   /** All curves, the edited one first. */
   get #polylines(): Float32Array[] {
-    const { curve, others } = this.session.view;
-    return [curve!.polyline, ...others.filter((line) => line !== null)];
+    const { view } = this.session;
+    return [...polylinesOf(view), ...view.others.filter((line) => line !== null)];
   }
 
   /** A center of mass is no polyline. */
   #has(format: Format): boolean {
-    const { curve, center } = this.session.view;
-    return curve !== null || (center !== null && format !== 'obj');
+    const { curve, isolines, center } = this.session.view;
+    return curve !== null || isolines !== null || (center !== null && format !== 'obj');
   }
 
   #showWhatThereIs(): void {
@@ -90,7 +92,7 @@ export class SaveMenu {
 
   #drawing(): string {
     const { viewer } = this;
-    const { curve, center, legs, others } = this.session.view;
+    const { curve, isolines, center, legs, others } = this.session.view;
     const colors = sceneColors();
     const lost = {
       color: colors.lost,
@@ -103,8 +105,10 @@ export class SaveMenu {
     ];
     if (curve)
       lines.push({ ...viewer.seen(curve.polyline), color: colors.curve, width: 3.5, lost });
+    for (const { polyline } of isolines?.lines ?? [])
+      lines.push({ ...viewer.seen(polyline), color: colors.curve, width: 3.5 });
     const { kind, points, circle } = this.editor.state.document;
-    const handles = kind === 'circle' ? [circle!.center] : points;
+    const handles = isRound(kind) ? [circle!.center] : points;
     const dot = (point: SurfacePoint, color: string) => ({
       ...viewer.project(viewer.surface!.position(point)),
       color,

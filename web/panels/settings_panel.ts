@@ -59,6 +59,7 @@ export const kindNames: Record<Kind, string> = {
   barycentric: 'Barycentric',
   polyline: 'Polyline',
   circle: 'Circle',
+  ellipse: 'Ellipse',
   center: 'Center',
 };
 
@@ -71,5 +72,6 @@ export const kindNotes: Record<Kind, string> = {
   barycentric: 'One rational segment through all points, shaped by betas',
   polyline: 'Shortest paths from point to point',
   circle: 'All points at one distance from a center',
+  ellipse: 'Two radii around a center, one across the other',
   center: 'The center of mass of the points',
 };

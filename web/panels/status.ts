@@ -1,6 +1,6 @@
 import type { MeshInfo } from 'karcher';
 import type { ShownCenter } from '../editor/compute';
-import { parameterOf, pointsNeeded } from '../editor/document';
+import { isRound, type Kind, parameterOf, pointsNeeded } from '../editor/document';
 import type { Editor, Selection, State } from '../editor/editor';
 import type { Quality } from '../editor/methods';
 import type { View } from '../editor/session';
@@ -10,6 +10,7 @@ import { byId, formatCount } from './elements';
 import { reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
+import { kindNames } from './settings_panel';
 
 /** Work this short goes without saying. */
 const patienceMilliseconds = 300;
@@ -37,10 +38,10 @@ export class Status {
 
   show(state: State, view: View, info: MeshInfo | null): void {
     byId('status-triangles').textContent = info ? formatCount(info.triangles, 'triangle') : '';
-    const { curve, center } = view;
-    byId('status-samples').textContent = curve ? formatCount(curve.samples.count, 'sample') : '';
+    const { curve, isolines, center } = view;
+    byId('status-samples').textContent = countOf(view);
     byId('status-length').textContent = measureOf(view);
-    const time = (curve ?? center)?.milliseconds;
+    const time = (curve ?? isolines ?? center)?.milliseconds;
     byId('status-time').textContent = time === undefined ? '' : `${formatMilliseconds(time)} ms`;
     this.#showLost(view);
     this.#showQuality(view);
@@ -84,8 +85,8 @@ export class Status {
     const hint = hintOf(state, view);
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
-    byId('selected').textContent = nameOf(selection);
     const { kind, points } = state.document;
+    byId('selected').textContent = nameOf(kind, selection);
     const name = parameterOf(kind);
     const point = typeof selection === 'number' ? points[selection] : undefined;
     this.#slider.hidden = !name || !point;
@@ -95,9 +96,9 @@ export class Status {
   }
 }
 
-function nameOf(selection: Selection): string {
+function nameOf(kind: Kind, selection: Selection): string {
   if (selection === null) return '';
-  return typeof selection === 'number' ? `Point ${selection + 1}` : 'Circle';
+  return typeof selection === 'number' ? `Point ${selection + 1}` : kindNames[kind];
 }
 
 function hintOf({ mesh, document, tool }: State, view: View): string {
@@ -107,7 +108,7 @@ function hintOf({ mesh, document, tool }: State, view: View): string {
   if (view.problem) return sentenceOf(view.problem);
   const { kind, points, circle } = document;
   if (view.center) return centerHint(view.center);
-  if (kind === 'circle') return circle ? '' : 'Click the surface to place the center';
+  if (isRound(kind)) return circle ? '' : 'Click the surface to place the center';
   if (points.length === 0) {
     return `Click the surface to place a ${kind === 'center' ? '' : 'control '}point`;
   }
@@ -138,9 +139,18 @@ function centerHint({ status, otherMinima }: ShownCenter): string {
   return otherMinima ? 'One of several minima: the lowest that was found' : '';
 }
 
-function measureOf({ curve, center }: View): string {
+/** What a curve consists of. */
+function countOf({ curve, isolines }: View): string {
+  if (curve) return formatCount(curve.samples.count, 'sample');
+  if (!isolines) return '';
+  const { lines } = isolines;
+  return formatCount(lines.length, lines.every(({ closed }) => closed) ? 'loop' : 'line');
+}
+
+function measureOf({ curve, isolines, center }: View): string {
   if (center) return `energy ${formatLength(center.energy)}`;
-  return curve ? `length ${formatLength(curve.length)}` : '';
+  const drawn = curve ?? isolines;
+  return drawn ? `length ${formatLength(drawn.length)}` : '';
 }
 
 const formatLength = (length: number) => length.toPrecision(4);

@@ -83,7 +83,11 @@ export class Tools {
     if (covered || event.defaultPrevented || event.altKey) return;
     const key = event.key.toLowerCase();
     const element = event.target instanceof HTMLElement ? event.target : null;
-    const typing = element?.closest('select') ?? (key === 'home' && element?.closest('input'));
+    // What is typed and not yet taken is the field's, its own undo included.
+    if (element?.matches('[data-edited]')) return;
+    const typing =
+      element?.closest('select, input[type="text"]') ??
+      (key === 'home' && element?.closest('input'));
     if (event.ctrlKey || event.metaKey) {
       if (key === 'z' && event.shiftKey) this.editor.redo();
       else if (key === 'z') this.editor.undo();

@@ -134,6 +134,15 @@ export class Viewer {
     this.requestFrame();
   }
 
+  /** Polylines in the surface's coordinates, none of which is picked, in place of a curve. */
+  showLines(lines: readonly Float32Array[]): void {
+    const surface = this.#surface;
+    this.#line = new Float32Array();
+    this.#curve.set(surface ? lines.map((line) => surface.toScene(line)) : []);
+    this.#lost.clear();
+    this.requestFrame();
+  }
+
   /** Curves beside the one that is edited; null where one is not traced yet. */
   showOthers(others: readonly (Float32Array | null)[]): void {
     const surface = this.#surface;

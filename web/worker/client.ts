@@ -3,8 +3,10 @@ import type {
   CenterOptions,
   CircleOptions,
   CurveOptions,
+  EllipseOptions,
   ErrorCode,
   FieldOptions,
+  IsolineOptions,
   LongWorkOptions,
   MeshInfo,
   PointLike,
@@ -18,6 +20,7 @@ import type {
   Reply,
   Request,
   TracedCurve,
+  TracedIsolines,
   TracedPath,
   TracedStraightestPath,
 } from './protocol';
@@ -106,6 +109,14 @@ export class EngineClient {
 
   circle(options: CircleOptions): Promise<TracedCurve> {
     return this.#call('circle', [options]);
+  }
+
+  ellipse(options: EllipseOptions): Promise<TracedCurve> {
+    return this.#call('ellipse', [options]);
+  }
+
+  isolines(options: IsolineOptions): Promise<TracedIsolines> {
+    return this.#call('isolines', [options]);
   }
 
   centerOfMass(

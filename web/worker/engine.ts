@@ -1,6 +1,6 @@
 /** The worker that runs the engine: one surface, and the curve that is being edited on it. */
 
-import type { CurveSamples } from 'karcher';
+import type { Circle, CurveSamples } from 'karcher';
 import {
   type Curve,
   type CurveOptions,
@@ -66,18 +66,21 @@ const handlers: Handlers = {
   },
 
   circle(_, options) {
+    return tracedArcs(() => theMesh().circle(options));
+  },
+
+  ellipse(_, options) {
+    return tracedArcs(() => theMesh().ellipse(options));
+  },
+
+  isolines(_, options) {
     const started = performance.now();
-    const circle = theMesh().circle(options);
-    const { polyline, path, length, samples, notShortest } = circle;
-    const result: TracedCurve = {
-      polyline: polyline.slice(),
-      polylineStatus: statusAlong(path.polyline, samples),
-      ...drawnSamples(circle),
-      arcsNotShortest: notShortest.length,
-      length,
-      milliseconds: performance.now() - started,
-    };
-    return { result, transfer: buffersOf(result) };
+    const lines = theMesh()
+      .isolines(options)
+      .map((line) => ({ ...line, polyline: Float32Array.from(line.polyline) }));
+    const length = lines.reduce((sum, line) => sum + line.length, 0);
+    const result = { lines, length, milliseconds: performance.now() - started };
+    return { result, transfer: lines.map(({ polyline }) => polyline.buffer) };
   },
 
   centerOfMass(_, points, weights, options) {
@@ -99,6 +102,21 @@ const handlers: Handlers = {
     return { result: { end, remaining, polyline: Float32Array.from(polyline) } };
   },
 };
+
+function tracedArcs(trace: () => Circle): Answer<TracedCurve> {
+  const started = performance.now();
+  const circle = trace();
+  const { polyline, path, length, samples, notShortest } = circle;
+  const result: TracedCurve = {
+    polyline: polyline.slice(),
+    polylineStatus: statusAlong(path.polyline, samples),
+    ...drawnSamples(circle),
+    arcsNotShortest: notShortest.length,
+    length,
+    milliseconds: performance.now() - started,
+  };
+  return { result, transfer: buffersOf(result) };
+}
 
 function buffersOf({ polyline, polylineStatus, samples }: TracedCurve): ArrayBuffer[] {
   const { segment, t, face, bary, position } = samples;

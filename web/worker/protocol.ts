@@ -5,8 +5,10 @@ import type {
   CircleOptions,
   CurveOptions,
   CurveSamples,
+  EllipseOptions,
   ErrorCode,
   FieldOptions,
+  IsolineOptions,
   MeshInfo,
   PointLike,
   Solver,
@@ -37,6 +39,15 @@ export interface TracedCurve {
   milliseconds: number;
 }
 
+/** The lines of points at one distance, as the page draws them. */
+export interface TracedIsolines {
+  /** Open ones end at the boundary. */
+  lines: { closed: boolean; length: number; polyline: Float32Array }[];
+  /** Of all of them. */
+  length: number;
+  milliseconds: number;
+}
+
 export interface TracedPath {
   length: number;
   polyline: Float32Array;
@@ -59,6 +70,8 @@ export interface Calls {
   /** The curves that an edit makes of the one with these options. */
   reshape(options: CurveOptions, edit: Reshape): Reshaped;
   circle(options: CircleOptions): TracedCurve;
+  ellipse(options: EllipseOptions): TracedCurve;
+  isolines(options: IsolineOptions): TracedIsolines;
   centerOfMass(points: PointLike[], weights: number[], options?: CenterOptions): CenterOfMass;
   distance(point: PointLike, options?: { solver?: Solver; rings?: number }): Float64Array;
   shortestPath(from: PointLike, to: PointLike): TracedPath;

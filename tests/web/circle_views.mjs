@@ -1,0 +1,33 @@
+// What the tests of circles and of ellipses share.
+
+/** A flat grid of squares with sides of 1, as OBJ text. */
+export function flatGrid(cells) {
+  const lines = [];
+  const at = (i, j) => 1 + i + (cells + 1) * j;
+  for (let j = 0; j <= cells; j++) {
+    for (let i = 0; i <= cells; i++) lines.push(`v ${i} ${j} 0`);
+  }
+  for (let j = 0; j < cells; j++) {
+    for (let i = 0; i < cells; i++) {
+      lines.push(`f ${at(i, j)} ${at(i + 1, j)} ${at(i + 1, j + 1)} ${at(i, j + 1)}`);
+    }
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+/** The lines of what is shown: the view's isolines, or its curve. */
+export const linesOf = ({ isolines, polyline }) =>
+  isolines ? isolines.lines.map((line) => Object.values(line.polyline)) : [polyline];
+
+export const vertices = (line) =>
+  Array.from({ length: line.length / 3 }, (_, i) => line.slice(3 * i, 3 * i + 3));
+
+export const far = (a, b) => Math.hypot(...a.map((value, axis) => value - b[axis]));
+
+/** Types a number into one of the fields, and returns the view that comes of it. */
+export async function typeRadius(tab, text, name = 'Radius') {
+  const field = tab.page.getByRole('textbox', { name });
+  await field.fill(text);
+  await field.press('Enter');
+  return tab.view();
+}

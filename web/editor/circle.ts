@@ -1,0 +1,87 @@
+/** How the handles and the numbers of a circle or an ellipse change its shape. */
+import type { SurfacePoint } from 'karcher';
+import type { CircleShape, RoundKind, Vector } from './document';
+
+/** A new circle's radius as a part of the surface's diagonal. */
+const newRadius = 0.08;
+/** A radius across as a part of the first one, where nothing is said of it. */
+export const defaultAcross = 0.6;
+
+const handles = ['center', 'rim', 'across'] as const;
+/** `across` only of an ellipse, of which `rim` is at the end of the other radius. */
+export type CircleHandle = (typeof handles)[number];
+
+export const isCircleHandle = (text: string): text is CircleHandle =>
+  (handles as readonly string[]).includes(text);
+
+/** The handles' names beside them. */
+export const handleNames = (kind: RoundKind): Record<CircleHandle, string> => ({
+  center: 'Center',
+  rim: kind === 'circle' ? 'Radius' : 'Along',
+  across: 'Across',
+});
+
+/** A circle or an ellipse as it is drawn. */
+export interface DrawnRadii {
+  radius: number;
+  /** From the center to the rim. */
+  direction: Vector;
+  across: { radius: number } | null;
+}
+
+export function newCircle(center: SurfacePoint, diagonal: number, direction: Vector): CircleShape {
+  return { center, rim: { radius: newRadius * diagonal, direction } };
+}
+
+/**
+ * The shape by its radii as they are drawn, which it keeps when its center is moved. A circle does
+ * not keep a point that its radius across was taken from: that says something else elsewhere.
+ */
+export function byRadii({ across, ...shape }: CircleShape, drawn: DrawnRadii | null): CircleShape {
+  if (!drawn) return { ...shape, ...(across && { across }) };
+  const { radius, direction } = drawn;
+  const length = drawn.across?.radius ?? (across && 'radius' in across && across.radius);
+  return { ...shape, rim: { radius, direction }, ...(length && { across: { radius: length } }) };
+}
+
+/** The shape with one of its handles at a point; `grabbed` is the shape by its radii. */
+export function withHandle(
+  shape: CircleShape,
+  grabbed: CircleShape,
+  handle: CircleHandle,
+  point: SurfacePoint,
+): CircleShape {
+  if (handle === 'center') return { ...grabbed, center: point };
+  // To turn an ellipse changes its radius to the rim only.
+  return handle === 'rim' ? { ...grabbed, rim: point } : { ...shape, across: point };
+}
+
+/** The shape with another radius, in the direction in which its handle is drawn. */
+export function withRadius(
+  shape: CircleShape,
+  drawn: DrawnRadii,
+  handle: 'rim' | 'across',
+  radius: number,
+): CircleShape {
+  if (handle === 'across') return { ...shape, across: { radius } };
+  return byRadii(shape, { ...drawn, radius });
+}
+
+/** The direction across another one in the plane of a triangle, to its left. */
+export function acrossDirection(direction: Vector, [a, b, c]: [Vector, Vector, Vector]): Vector {
+  const across = cross(cross(subtract(b, a), subtract(c, a)), direction);
+  const length = Math.hypot(...across);
+  return length > 0 ? (across.map((value) => value / length) as Vector) : subtract(b, a);
+}
+
+/** How far a geodesic, by its first direction and its length, leads in another direction. */
+export function reachAlong(length: number, direction: Vector, along: Vector): number {
+  return length * direction.reduce((sum, value, axis) => sum + value * along[axis]!, 0);
+}
+
+const subtract = (a: Vector, b: Vector) => a.map((value, axis) => value - b[axis]!) as Vector;
+const cross = (a: Vector, b: Vector): Vector => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];

@@ -1,0 +1,125 @@
+/** What the engine makes of a circle or an ellipse: where its handles are, and its lines. */
+import type { FieldOptions, SurfacePoint } from 'karcher';
+import type { EngineClient } from '../worker/client';
+import type { TracedCurve, TracedIsolines } from '../worker/protocol';
+import { acrossDirection, defaultAcross, reachAlong } from './circle';
+import type { Across, CircleForm, CircleShape, Vector } from './document';
+
+/** A radius that has a handle. */
+export interface ShownRadius {
+  radius: number;
+  direction: Vector;
+  rim: SurfacePoint;
+  /** The geodesic from the center to the rim. */
+  path: Float32Array;
+}
+
+export interface ShownCircle extends ShownRadius {
+  /** An ellipse's other radius. */
+  across: ShownRadius | null;
+}
+
+/** The least radius across that a handle gives, as a part of the surface's diagonal. */
+const leastAcross = 1e-3;
+
+export interface ShownIsolines extends TracedIsolines {
+  /** Whether they are exact, however good the method is. */
+  exact: boolean;
+}
+
+/** Where the handles of a circle or an ellipse are, and the radii that they say. */
+export async function resolveCircle(
+  client: EngineClient,
+  { center, rim, across }: CircleShape,
+  isEllipse: boolean,
+): Promise<ShownCircle> {
+  const along =
+    'face' in rim
+      ? await radiusTo(client, center, rim)
+      : await radiusOf(client, center, rim.direction, rim.radius);
+  if (!isEllipse) return { ...along, across: null };
+  const direction = acrossDirection(along.direction, cornersOf(client, center.face));
+  const radius = await acrossRadius(client, center, across, along.radius, direction);
+  return { ...along, across: await radiusOf(client, center, direction, radius) };
+}
+
+async function radiusTo(
+  client: EngineClient,
+  center: SurfacePoint,
+  rim: SurfacePoint,
+): Promise<ShownRadius> {
+  const { length, polyline } = await client.shortestPath(center, rim);
+  return { radius: length, direction: directionOf(polyline), rim, path: polyline };
+}
+
+async function radiusOf(
+  client: EngineClient,
+  center: SurfacePoint,
+  direction: Vector,
+  radius: number,
+): Promise<ShownRadius> {
+  const { end, polyline } = await client.straightest(center, direction, radius);
+  return { radius, direction, rim: end, path: polyline };
+}
+
+async function acrossRadius(
+  client: EngineClient,
+  center: SurfacePoint,
+  across: Across | undefined,
+  along: number,
+  direction: Vector,
+): Promise<number> {
+  if (!across) return defaultAcross * along;
+  if ('radius' in across) return across.radius;
+  const to = await radiusTo(client, center, across);
+  const least = leastAcross * client.info.diagonal;
+  return Math.max(least, reachAlong(to.radius, to.direction, direction));
+}
+
+function cornersOf(client: EngineClient, face: number): [Vector, Vector, Vector] {
+  const [positions, triangles] = [client.positions(), client.triangles()];
+  const corner = (i: number) => {
+    const at = 3 * triangles[3 * face + i]!;
+    return Array.from(positions.subarray(at, at + 3)) as Vector;
+  };
+  return [corner(0), corner(1), corner(2)];
+}
+
+/**
+ * Rejects where there is no circle or ellipse of these radii. The draft of an exact isoline is the linear one,
+ * which is as quick far from the center as near it.
+ */
+export async function drawCircle(
+  client: EngineClient,
+  { center }: CircleShape,
+  { radius, direction, across }: ShownCircle,
+  { type, arcs }: CircleForm,
+  options: FieldOptions,
+  draft: boolean,
+): Promise<{ curve: TracedCurve } | { isolines: ShownIsolines }> {
+  if (across) {
+    const radii = [radius, across.radius] as const;
+    return { curve: await client.ellipse({ ...options, center, radii, direction, arcs }) };
+  }
+  if (type === 'arcs') return { curve: await client.circle({ ...options, center, radius, arcs }) };
+  const { solver, rings } = options;
+  const exact = type === 'exact' && !draft;
+  const isolines = await client.isolines({
+    ...{ center, radius, solver, rings },
+    type: exact ? 'exact' : 'linear',
+  });
+  if (isolines.lines.length === 0) {
+    throw new Error(`no point of the surface lies ${radius.toPrecision(4)} from the center`);
+  }
+  return { isolines: { ...isolines, exact } };
+}
+
+/** The first step of a polyline that is no repeated point; any direction when all are. */
+export function directionOf(polyline: Float32Array): Vector {
+  for (let i = 3; i < polyline.length; i += 3) {
+    const step = [0, 1, 2].map((axis) => polyline[i + axis]! - polyline[axis]!) as Vector;
+    const length = Math.hypot(...step);
+    if (length > 0) return step.map((value) => value / length) as Vector;
+  }
+  return [1, 0, 0];
+}

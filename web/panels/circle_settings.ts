@@ -1,0 +1,73 @@
+import { handleNames, withRadius } from '../editor/circle';
+import { type CircleType, isRound } from '../editor/document';
+import type { Editor, State } from '../editor/editor';
+import type { View } from '../editor/session';
+import { byId, make } from './elements';
+import { NumberField } from './number_field';
+
+const typeNames: Record<CircleType, string> = {
+  arcs: 'Rational arcs',
+  linear: 'Linear isoline',
+  exact: 'Exact isoline',
+};
+
+const typeNotes: Record<CircleType, string> = {
+  arcs: 'Smooth curves, joined; the more there are, the closer all of it is to the radius.',
+  linear: 'Straight in each triangle, by distances interpolated between its corners.',
+  exact: 'Exactly the points at the radius: circular arcs in each triangle.',
+};
+
+const ellipseNote = 'Smooth curves, joined. Its handle Along also turns it.';
+
+/** What circles and ellipses have beside their handles: what they are drawn as, and their radii. */
+export class CircleSettings {
+  readonly #group = byId('circle-settings');
+  readonly #type = byId<HTMLSelectElement>('circle-type');
+  readonly #arcs = byId<HTMLInputElement>('arcs');
+  readonly #radius: NumberField;
+  readonly #across: NumberField;
+  #view: View | null = null;
+
+  constructor(editor: Editor) {
+    for (const [type, label] of Object.entries(typeNames)) {
+      this.#type.append(make('option', label, { value: type }));
+    }
+    this.#type.addEventListener('change', () =>
+      editor.setCircleForm({ type: this.#type.value as CircleType }),
+    );
+    this.#arcs.addEventListener('input', () => {
+      const from = editor.base.circleForm;
+      const to = { ...from, arcs: this.#arcs.valueAsNumber };
+      editor.preview({ type: 'circleForm', from, to });
+    });
+    this.#arcs.addEventListener('change', () => editor.commitDrag());
+    const makeField = (id: string, handle: 'rim' | 'across') =>
+      new NumberField(byId<HTMLInputElement>(id), (value) => {
+        const { circle: from } = editor.state.document;
+        const drawn = this.#view?.circle;
+        if (!from || !drawn) return;
+        editor.run({ type: 'circle', from, to: withRadius(from, drawn, handle, value) }, handle);
+      });
+    this.#radius = makeField('radius', 'rim');
+    this.#across = makeField('across', 'across');
+  }
+
+  show({ document }: State, view: View): void {
+    this.#view = view;
+    const { kind, circle, circleForm } = document;
+    const { type, arcs } = circleForm;
+    this.#group.hidden = !isRound(kind);
+    if (!isRound(kind)) return;
+    const isEllipse = kind === 'ellipse';
+    this.#type.closest('label')!.hidden = isEllipse;
+    this.#type.value = type;
+    byId('radius-name').textContent = handleNames(kind).rim;
+    byId('across').closest('label')!.hidden = !isEllipse;
+    this.#arcs.closest('label')!.hidden = !isEllipse && type !== 'arcs';
+    this.#arcs.value = `${arcs}`;
+    byId('arcs-count').textContent = `${arcs}`;
+    this.#radius.show(circle && (view.circle?.radius ?? null));
+    this.#across.show(circle && (view.circle?.across?.radius ?? null));
+    byId('circle-note').textContent = isEllipse ? ellipseNote : typeNotes[type];
+  }
+}
