@@ -169,6 +169,9 @@ describe('figures', () => {
       }
       assert.equal(good(panel.weightedAverages).lost, 0);
       assert.equal(good(panel.bridged).lost, 0);
+      // Where both are centers of mass.
+      assert.ok(panel.bridged.deviation.median < 0.1, `${panel.bridged.deviation.median}`);
+      assert.ok(panel.bridged.turningNoise >= 0);
       assert.ok(panel.bridged.status[0].includes(1));
     }
   });

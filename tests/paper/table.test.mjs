@@ -175,6 +175,7 @@ describe('the table', () => {
     const lines = csv(rows.tableRows, [heat], about).split('\n');
     assert.match(lines[0], /^browser,build,row,mesh,triangles,/);
     assert.match(lines[1], /^"a ""browser"", of a kind",1\.2\.3,/);
+    assert.match(lines[1], /,"?Genus 3, simplified"?,simplified:1000:genus3:50000,/);
     assert.match(lines[1], /Vector heat,false,stopped after -?0 s,[0-9.]*,,,/);
   });
 

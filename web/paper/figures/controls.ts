@@ -4,7 +4,7 @@ import type { Figure, LineId, Panel, Vector } from './types';
 const torus = { kind: 'shape', name: 'torus', triangles: 20_000 } as const;
 const methods: LineId[] = ['paper', 'karcher', 'exactLogs'];
 
-const cubic: Vector[] = [onTorus(40, 60), onTorus(62, 128), onTorus(104, 128), onTorus(136, 50)];
+const cubic: Vector[] = [onTorus(46, 100), onTorus(70, 20), onTorus(110, 20), onTorus(134, 100)];
 const quadratic: Vector[] = [onTorus(48, 84), onTorus(88, 12), onTorus(132, 84)];
 
 const panel = (id: string, title: string, points: string, curve: Panel['curve']): Panel => ({

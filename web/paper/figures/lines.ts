@@ -72,7 +72,7 @@ export const lineStyles: Record<LineId, LineStyle> = {
   },
   paperGraph6: {
     label: 'Paper, graph k = 6',
-    color: '--line-paper',
+    color: '--line-paper-graph',
     width: 2.5,
     options: { method: 'paper', solver: 'graph', rings: 6 },
   },

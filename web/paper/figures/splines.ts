@@ -142,7 +142,7 @@ export const graphFigure: Figure = {
       lines: ['paperGraph2', 'paperGraph6', 'paper', 'karcher', 'exactLogs'],
       off: reference,
       samples: 128,
-      view: { from: [-0.6, 0.1, 1] },
+      view: { at: 2, distance: 1.1 },
     },
   ],
 };

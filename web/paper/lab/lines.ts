@@ -79,14 +79,16 @@ const makers: Partial<Record<LineId, Maker>> = {
   },
 
   /** Our curve as the engine gives it, bridged where there is no center of mass. */
-  bridged({ scene, points, curve: { kind }, samples }, id) {
+  async bridged({ scene, points, curve: { kind }, samples }, id, reference) {
     if (kind !== 'bspline' && kind !== 'bezier') {
       throw new KarcherError('badArgument', 'only splines are bridged');
     }
+    const truth = await reference();
     const curve = scene.mesh.curve({ kind, points: [...points], samples });
     const { status } = curve.samples;
     const result = {
       ...emptyLine(id),
+      ...scene.meter.measure(curve.samples, truth),
       traceMs: curve.times.fields + curve.times.trace + curve.times.bridge,
       samples: status.length,
       lost: status.filter((name) => name !== 'converged' && name !== 'bridged').length,

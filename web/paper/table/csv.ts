@@ -1,4 +1,4 @@
-import { madeName } from '../../editor/meshes';
+import { madeKey } from '../../editor/meshes';
 import { type TableCell, type TableRow, tableMethodNames } from './rows';
 
 const heads = [
@@ -21,7 +21,7 @@ export function tableCsv(
   const lines = cells.map(({ row: id, method, triangles, segments, result }) => {
     const row = rows.find((one) => one.id === id)!;
     return [
-      ...[browser, build, row.name, madeName(row.mesh), triangles, segments, samples],
+      ...[browser, build, row.name, madeKey(row.mesh), triangles, segments, samples],
       ...[tableMethodNames[method], result.ok, result.reason, result.prepareMs, result.traceMs],
       ...[result.dragMs, result.samples, result.lost],
     ];

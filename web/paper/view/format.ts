@@ -4,7 +4,7 @@
 export function formatDeviation(value: number | null): string {
   if (value === null) return '–';
   if (value === 0) return '0';
-  if (value < 1e-4) return value.toExponential(0).replace('e-', ' · 10⁻').replace(/\d+$/, raised);
+  if (value < 1e-4) return value.toExponential(0).replace('e-', '·10⁻').replace(/\d+$/, raised);
   return value < 0.1 ? value.toFixed(4) : value.toFixed(2);
 }
 

@@ -43,7 +43,7 @@ const curveColumns: Column[] = [
   {
     head: 'lost\n',
     title: 'Samples that did not converge',
-    text: ({ lost, samples }) => (lost ? `${lost} of ${samples}` : lost === 0 ? '0' : '–'),
+    text: ({ lost, samples }) => (lost ? `${lost}/${samples}` : lost === 0 ? '0' : '–'),
   },
   ...times,
 ];
@@ -66,6 +66,7 @@ export class NumbersTable {
   ) {
     this.#columns = panel.curve.kind === 'center' ? centerColumns : curveColumns;
     const table = make('table');
+    table.style.setProperty('--columns', `${this.#columns.length}`);
     const head = table.createTHead().insertRow();
     head.append(make('th', ''));
     for (const { head: text, title } of this.#columns) head.append(make('th', text, { title }));
