@@ -306,6 +306,30 @@ describe('the Paper page', () => {
     assert.deepEqual(logged, []);
   });
 
+  test('Table 1 says in a cell why its method failed', async () => {
+    const section = page.locator('#table');
+    await page.evaluate(() => {
+      const { table } = window.karcherPaper;
+      const row = table.rows.find(({ id }) => id === 'knot-500k');
+      // Hardly a tube any more: too many faces are folded over in eight dimensions.
+      const of = { ...row.mesh, triangles: 20_000 };
+      table.start([{ ...row, mesh: { kind: 'simplified', of, triangles: 90 } }]);
+    });
+    await page.waitForFunction(() => window.karcherPaper.table.settled);
+    const [vectorHeat, averages] = await page.evaluate(() => window.karcherPaper.table.cells);
+    assert.equal(vectorHeat.triangles, 90);
+    assert.equal(averages.result.ok, false);
+    assert.equal(averages.result.prepareMs, null);
+    const shown = await section
+      .locator('tr[data-row="knot-500k"] td[data-method="weightedAverages"]')
+      .allTextContents();
+    assert.deepEqual(shown, [averages.result.reason, '–', '–']);
+    assert.match(shown[0], /^no acceptable embedding/);
+    const csv = await page.evaluate(() => window.karcherPaper.table.csv());
+    assert.match(csv, /,simplified:90:knot:20000,90,4,\d+,Weighted averages,false,no acceptable/);
+    assert.deepEqual(logged, []);
+  });
+
   test('Table 1 is cancelled inside a long step, and runs again', async () => {
     const section = page.locator('#table');
     const status = () => section.getByRole('status').textContent();

@@ -103,7 +103,9 @@ export function seriesOf(cells: readonly TableCell[], measure: Measure): uPlot.A
   const triangles = [...new Set(splines.map((cell) => cell.triangles))].toSorted((a, b) => a - b);
   const value = (method: TableMethod, count: number) => {
     const cell = splines.find((one) => one.method === method && one.triangles === count);
-    const milliseconds = cell?.result[measure] ?? null;
+    // What a method took to fail is no time of a curve.
+    const counts = measure === 'prepareMs' || cell?.result.ok;
+    const milliseconds = counts ? (cell?.result[measure] ?? null) : null;
     // A logarithmic scale has no zero.
     return milliseconds === null ? null : Math.max(milliseconds, 1e-3);
   };

@@ -6,6 +6,9 @@ const heads = [
   ...['ok', 'reason', 'prepare ms', 'trace ms', 'update ms', 'samples', 'lost'],
 ];
 
+/** Milliseconds without the digits that only rounding has. */
+const time = (value: number | null) => value && Number(value.toPrecision(6));
+
 /** A field is quoted where it has to be. */
 const field = (value: string | number | boolean | null) => {
   const text = value === null ? '' : `${value}`;
@@ -22,8 +25,14 @@ export function tableCsv(
     const row = rows.find((one) => one.id === id)!;
     return [
       ...[browser, build, row.name, madeKey(row.mesh), triangles, segments, samples],
-      ...[tableMethodNames[method], result.ok, result.reason, result.prepareMs, result.traceMs],
-      ...[result.dragMs, result.samples, result.lost],
+      ...[
+        tableMethodNames[method],
+        result.ok,
+        result.reason,
+        time(result.prepareMs),
+        time(result.traceMs),
+      ],
+      ...[time(result.dragMs), result.samples, result.lost],
     ];
   });
   return [heads, ...lines].map((line) => `${line.map(field).join(',')}\n`).join('');

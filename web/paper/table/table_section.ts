@@ -91,9 +91,9 @@ export class TableSection {
   }
 
   csv(): string {
-    const { samples } = this.#options!;
+    const { rows, samples } = this.#options!;
     const about = { browser: navigator.userAgent, build: this.#build, samples };
-    return tableCsv(this.rows, this.cells, about);
+    return tableCsv(rows, this.cells, about);
   }
 
   /** Measures these rows, or those up to the chosen size. */
