@@ -24,7 +24,7 @@ export const rationalFigure: Figure = {
   name: 'Figure 6',
   title: 'Rational curves',
   caption:
-    'A rational cubic Bézier curve with all weights 1, then with the inner ones 100 times the outer ones; and a quadratic curve in barycentric form, which passes through its three points. The sliders change weights without computing a field again.',
+    'A rational cubic Bézier curve with all weights 1, then with the inner ones 100 times the outer ones; and a quadratic curve in barycentric form, which passes through its three points. The sliders change the weights; a line is then traced anew, with its fields, so that its time is that of the whole curve. The editor keeps the fields.',
   points: { cubic, quadratic },
   panels: [
     panel('equal', 'Cubic, weights 1', 'cubic', { kind: 'rational', weights: [1, 1, 1, 1] }),
