@@ -100,30 +100,72 @@ Mean search(FieldBlend& fields, const Array<double>& weights, const Array<Surfac
                        options.start ? Array<SurfacePoint>{*options.start} : points);
 }
 
+/// Makes the fields those of these points: one that is at a point stays, the others are moved.
+void movePoints(Surface& surface, const Array<SurfacePoint>& points, const FieldOptions& options,
+                KeptFields& kept) {
+  Array<std::unique_ptr<PointField>> before = std::move(kept.fields);
+  const FieldOptions& known = kept.options;
+  if (known.method != options.method || known.solver != options.solver ||
+      known.rings != options.rings) {
+    before.clear();
+  }
+  kept.options = options;
+  kept.fields = Array<std::unique_ptr<PointField>>(points.size());
+  const auto isAt = [](const std::unique_ptr<PointField>& field, const SurfacePoint& point) {
+    return field && field->point().face == point.face && field->point().bary == point.bary;
+  };
+  // Most stay at their numbers; where points came or went, the others have moved up or down.
+  for (int i = 0; i < std::min(points.count(), before.count()); ++i) {
+    if (isAt(before[i], points[i])) kept.fields[i] = std::move(before[i]);
+  }
+  for (int i = 0; i < points.count(); ++i) {
+    if (kept.fields[i]) continue;
+    const auto found = std::find_if(before.begin(), before.end(),
+                                    [&](const auto& field) { return isAt(field, points[i]); });
+    if (found != before.end()) kept.fields[i] = std::move(*found);
+  }
+  auto spare = before.begin();
+  for (int i = 0; i < points.count(); ++i) {
+    if (kept.fields[i]) continue;
+    while (spare != before.end() && !*spare) ++spare;
+    kept.fields[i] =
+        spare != before.end() ? std::move(*spare) : std::make_unique<PointField>(surface, options);
+    kept.fields[i]->setPoint(points[i]);
+    ++kept.made;
+  }
+}
+
 }  // namespace
 
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options) {
+  KeptFields none;
+  return centerOfMass(surface, points, std::move(weights), options, none);
+}
+
+Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
+                  const MeanOptions& options, KeptFields& kept) {
+  // What an error leaves half made is not kept.
+  KeptFields fields = std::exchange(kept, {});
   checkFieldOptions(options.field);
   checkWeights(weights, points.count(), options.normalize);
   Array<SurfacePoint> connected = points;
   if (options.start) connected.push_back(*options.start);
   checkOneComponent(surface, connected);
 
-  if (likelyValues(surface, points) > options.mostValues) {
+  const double values = likelyValues(surface, points);
+  if (values > options.mostValues) {
     ControlField sum = sumOfFields(surface, points, weights, options.field);
     FieldBlend field(surface.geometry(), {&sum});
     return search(field, {1}, points, heaviest(weights), options);
   }
-  Array<std::unique_ptr<PointField>> owners;
+  movePoints(surface, points, options.field, fields);
   Array<ControlField*> pointers;
-  for (const SurfacePoint& point : points) {
-    owners.push_back(std::make_unique<PointField>(surface, options.field));
-    owners.back()->setPoint(point);
-    pointers.push_back(&owners.back()->field());
-  }
-  FieldBlend fields(surface.geometry(), std::move(pointers));
-  return search(fields, weights, points, heaviest(weights), options);
+  for (const auto& field : fields.fields) pointers.push_back(&field->field());
+  FieldBlend blend(surface.geometry(), std::move(pointers));
+  Mean mean = search(blend, weights, points, heaviest(weights), options);
+  if (values <= options.mostValues / 4) kept = std::move(fields);
+  return mean;
 }
 
 Mean centerOfMassOfDistances(Surface& surface, const Array<Array<double>>& distances,

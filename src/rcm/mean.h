@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "rcm/center_of_mass.h"
@@ -30,10 +31,23 @@ struct MeanOptions {
   double mostValues = 2e6;
 };
 
+/// Fields that stay from one center of mass to the next: where only weights change none is made
+/// anew, and where points move, only theirs. Empty at first, and empty again after an error.
+struct KeptFields {
+  FieldOptions options;
+  Array<std::unique_ptr<PointField>> fields;
+  int made = 0;  ///< how many were made or moved to another point so far
+};
+
 /// Throws Error: kBadWeights (not one a point, not summing to 1 within 1e-9, or to normalise a sum
 /// that is not positive), kNotFinite, kTooFewPoints (none), kUnreachable (several components).
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options);
+
+/// The same with fields that are kept for the next time, of the same surface, while they are likely
+/// to hold no more than a quarter of `mostValues`. The answer does not depend on what was kept.
+Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
+                  const MeanOptions& options, KeptFields& kept);
 
 /// The same for fields from a caller's own distances, one array of a distance a vertex for each
 /// point, by the paper's method. The search starts at options.start, else at the vertex nearest to

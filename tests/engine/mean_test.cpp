@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <utility>
 
 #include "generators/random.h"
 #include "generators/smooth_surface.h"
@@ -134,6 +135,70 @@ TEST(Mean, OfManyPointsIsTheSameInBoundedMemory) {
     EXPECT_LT((position(surface.mesh(), summed.point) - there).norm(),
               1e-9 * surface.geometry().diagonal);
     EXPECT_NEAR(apart.energy, summed.energy, 1e-9 * apart.energy);
+  }
+}
+
+TEST(Mean, KeepsTheFieldsOfPointsThatStay) {
+  Surface surface(importMesh(makeShape(Shape::kTorus, 2000)).mesh);
+  const uint64_t seed = 6;
+  SCOPED_TRACE("seed 6");
+  Random random(seed);
+  const auto randomPoint = [&] { return SurfacePoint{random.index(200), Vec3(0.2, 0.3, 0.5)}; };
+  Array<SurfacePoint> points;
+  Array<double> weights;
+  for (int i = 0; i < 5; ++i) {
+    points.push_back(randomPoint());
+    weights.push_back(1);
+  }
+  MeanOptions options;
+  options.normalize = true;
+  KeptFields kept;
+  // What was kept does not show: the answers are those of a cold start, bit by bit.
+  const auto expectMade = [&](int count) {
+    const int before = kept.made;
+    const Mean warm = centerOfMass(surface, points, weights, options, kept);
+    EXPECT_EQ(kept.made - before, count);
+    const Mean cold = centerOfMass(surface, points, weights, options);
+    EXPECT_EQ(warm.point.face, cold.point.face);
+    EXPECT_EQ(warm.point.bary, cold.point.bary);
+    EXPECT_EQ(warm.energy, cold.energy);
+    EXPECT_EQ(warm.iterations, cold.iterations);
+  };
+  for (const Solver solver : {Solver::kFast, Solver::kExact}) {
+    options.field.solver = solver;
+    expectMade(points.count());
+    for (const double weight : {3.0, 0.5, 16.0}) {
+      weights[1] = weight;
+      expectMade(0);
+    }
+    points[2] = randomPoint();
+    expectMade(1);
+    std::swap(points[0], points[3]);
+    expectMade(0);
+    points.erase(points.begin());
+    weights.pop_back();
+    expectMade(0);
+    points.insert(points.begin() + 1, randomPoint());
+    weights.push_back(2);
+    expectMade(1);
+  }
+}
+
+TEST(Mean, KeepsNoFieldsThatHoldTooMuchOrAfterAnError) {
+  Surface surface(planeGrid(12, 12));
+  const Array<SurfacePoint> points{nearestPoint(surface.mesh(), Vec3(3, 3.5, 0)),
+                                   nearestPoint(surface.mesh(), Vec3(9, 4, 0))};
+  KeptFields kept;
+  MeanOptions options;
+  centerOfMass(surface, points, {0.5, 0.5}, options, kept);
+  EXPECT_EQ(kept.fields.count(), 2);
+  EXPECT_EQ(codeOf([&] { centerOfMass(surface, points, {0.5}, options, kept); }),
+            ErrorCode::kBadWeights);
+  EXPECT_TRUE(kept.fields.empty());
+  for (const double most : {0.0, 100.0}) {
+    options.mostValues = most;
+    centerOfMass(surface, points, {0.5, 0.5}, options, kept);
+    EXPECT_TRUE(kept.fields.empty());
   }
 }
 

@@ -172,7 +172,7 @@ val MeshHandle::centerOfMass(const val& points, const val& weights, const val& s
   MeanOptions options = meanOptions(start, normalize);
   options.field = fieldOptionsFromJs(field);
   return meanToJs(karcher::centerOfMass(surface_, pointsFromJs(numbering_, mesh(), points),
-                                        fromJs<double>(weights), options));
+                                        fromJs<double>(weights), options, fields_));
 }
 
 val MeshHandle::centerOfMassOfDistances(const val& distances, const val& weights, const val& start,

@@ -61,6 +61,8 @@ class MeshHandle {
   Array<Vec3> droppedPositions_;
   Array<Repair> repairs_;
   Surface surface_;
+  /// Of the last center of mass.
+  KeptFields fields_;
 };
 
 /// `bytes` is a Uint8Array with the content of an OBJ file.
