@@ -13,6 +13,12 @@ export const reasons: Record<LostReason, string> = {
 };
 const mostShown = 40;
 
+/** How many samples the intervals hold; where they are too short for any, how many they are. */
+export function countLost(intervals: readonly LostInterval[]): string {
+  const samples = lostSamples(intervals);
+  return samples > 0 ? formatCount(samples, 'sample') : formatCount(intervals.length, 'place');
+}
+
 /** The list of the places where the curve is no center of mass: a click goes there. */
 export class LostPanel {
   readonly #group = byId('lost');
@@ -30,7 +36,7 @@ export class LostPanel {
     this.#shown = text;
     this.#next = 0;
     this.#group.hidden = this.#intervals.length === 0;
-    byId('lost-count').textContent = formatCount(lostSamples(this.#intervals), 'sample');
+    byId('lost-count').textContent = countLost(this.#intervals);
     const shown = this.#intervals.slice(0, mostShown);
     const all = [...new Set(shown.map(({ reason }) => reason))];
     this.#kinds.replaceChildren(...all.flatMap((reason) => this.#list(reason, shown)));
@@ -49,7 +55,7 @@ export class LostPanel {
   #list(reason: LostReason, shown: readonly LostInterval[]): HTMLElement[] {
     const all = this.#intervals.filter((interval) => interval.reason === reason);
     const title = make('h3', reasons[reason]);
-    title.append(make('span', `${lostSamples(all)}`));
+    title.append(make('span', `${lostSamples(all) || ''}`));
     const list = make('ol', '', { className: 'points' });
     for (const interval of shown.filter((one) => one.reason === reason)) {
       const button = make('button', '', { type: 'button' });

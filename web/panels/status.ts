@@ -5,9 +5,9 @@ import type { Editor, Selection, State } from '../editor/editor';
 import type { Quality } from '../editor/methods';
 import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
-import { type LostReason, lostSamples } from '../worker/lost';
+import type { LostReason } from '../worker/lost';
 import { byId, formatCount } from './elements';
-import { reasons } from './lost_panel';
+import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
 import { kindNames } from './settings_panel';
@@ -62,9 +62,9 @@ export class Status {
 
   #showLost({ curve }: View): void {
     const badge = byId('status-lost');
-    const count = lostSamples(curve?.lost ?? []);
-    badge.hidden = (curve?.lost.length ?? 0) === 0;
-    badge.textContent = `${formatCount(count, 'sample')} without a center`;
+    const lost = curve?.lost ?? [];
+    badge.hidden = lost.length === 0;
+    badge.textContent = `${countLost(lost)} without a center`;
     badge.title = 'Show the next place';
   }
 
