@@ -15,9 +15,9 @@ constexpr int kFewestArcs = 3;
 constexpr int kMostArcs = 64;
 constexpr int kMostSamples = 100'000;
 
-void checkRadiusIsPositive(double radius) {
+void checkRadiusIsPositive(double radius, const std::string& shape) {
   if (radius > 0 && std::isfinite(radius)) return;
-  throw Error(ErrorCode::kBadArgument, "a circle's radius must be a positive number");
+  throw Error(ErrorCode::kBadArgument, shape + "'s radius must be a positive number");
 }
 
 void checkOptions(const CircleOptions& options) {
@@ -119,8 +119,8 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
     const double length = arcPoints[i].distance;
     const StraightestPath path = from.trace(arcPoints[i].direction, length);
     if (path.stop != TraceStop::kComplete) {
-      throw Error(ErrorCode::kBoundary, "the geodesic to arc " + std::to_string(i / 2) +
-                                            " of the circle meets the boundary");
+      throw Error(ErrorCode::kBoundary,
+                  "the geodesic to arc " + std::to_string(i / 2) + " meets the boundary");
     }
     fields.push_back(std::make_unique<PointField>(surface, options.field));
     fields.back()->setPoint(path.points.back());
@@ -150,7 +150,7 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
 
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
                            const CircleOptions& options) {
-  checkRadiusIsPositive(radius);
+  checkRadiusIsPositive(radius, "a circle");
   checkOptions(options);
   const double halfAngle = Center(surface.geometry(), center).totalAngle() / (2 * options.arcs);
   if (!(halfAngle < kPi / 2)) {
@@ -167,8 +167,8 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
 
 GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double along,
                             double across, const Vec2& direction, const CircleOptions& options) {
-  checkRadiusIsPositive(along);
-  checkRadiusIsPositive(across);
+  checkRadiusIsPositive(along, "an ellipse");
+  checkRadiusIsPositive(across, "an ellipse");
   checkOptions(options);
   if (!direction.allFinite() || !(direction.norm() > 0)) {
     throw Error(ErrorCode::kBadArgument, "an ellipse's direction must be a vector that is not 0");
