@@ -53,6 +53,32 @@ test('on a plane the center of mass is the weighted mean', () => {
   }
 });
 
+test('does not depend on the centers that were asked for before', () => {
+  const mesh = karcher.shape('torus', 2000);
+  const points = [3, 90, 400, 720].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
+  const weights = [1, 2, 3, 4];
+  const questions = [
+    [points, weights],
+    [points, [4, 1, 1, 1]],
+    [points.with(1, { face: 95, bary: [0.6, 0.3, 0.1] }), weights],
+    [points.toReversed(), weights],
+    [points.slice(1), weights.slice(1)],
+    [[points[0], points[0], points[2]], weights.slice(1)],
+    [points, weights],
+  ];
+  for (const field of exactFields) {
+    for (const [places, masses] of questions) {
+      const options = { ...field, normalize: true };
+      const afresh = karcher.shape('torus', 2000);
+      const expected = afresh.centerOfMass(places, masses, options);
+      assert.deepEqual(mesh.centerOfMass(places, masses, options), expected);
+      afresh.dispose();
+    }
+    // What fails leaves nothing behind.
+    assert.throws(() => mesh.centerOfMass(points, [1], field), { code: 'badWeights' });
+  }
+});
+
 test('the search can start anywhere', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const weights = [0.1, 0.2, 0.3, 0.4];
