@@ -17,7 +17,8 @@
 /// the spline of the moved points, and once more that of the points as they are. Beside vector heat
 /// stands the range of the medians of geometry-central's own splines on spot, rocker-arm,
 /// stanford-bunny and armadillo; that ours are those of that library, where control points are the
-/// same, peers_vector_heat_test and peers_log_map_mean_test check.
+/// same, peers_vector_heat_test and peers_log_map_mean_test check. There, on the bunny of npm, its
+/// own spline lies 0.17 off that of exact log vectors, and at most 0.38.
 namespace karcher {
 namespace {
 
