@@ -18,7 +18,7 @@ import { linkOfJson } from './export/curve_file';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
 import { startingLink } from './saving';
-import { keepFile, keptFile, recall } from './storage';
+import { keepFile, keptFile, recall, remember } from './storage';
 import type { Surface } from './viewer/surface';
 import type { Viewer } from './viewer/viewer';
 import { EngineClient } from './worker/client';
@@ -38,8 +38,8 @@ export class Opening {
   #running: AbortController | null = null;
   #restarts = 0;
   #complaint: HTMLElement | null = null;
-  /** A curve on a file that this browser does not have: it is shown once the file is opened. */
-  #awaited: Link | null = null;
+  /** Curves on files that this browser does not have, as links: shown once their file is opened. */
+  readonly #awaited = new Map<string, string>();
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
   /** Called when an attempt has ended, well or not, and no other took its place. */
@@ -79,13 +79,18 @@ export class Opening {
       }
       const bytes = new Uint8Array(await file.arrayBuffer());
       const key = fileKey(file.name, bytes);
-      const awaited = this.#awaited?.mesh === key ? this.#awaited : null;
-      const wanted = awaited ? wantedOf(awaited) : () => null;
-      if (!(await this.#open(key, { kind: 'file', bytes }, wanted))) return;
-      if (awaited) this.#awaited = null;
+      const source = { kind: 'file', bytes } as const;
+      const awaited = parseLink(this.#awaited.get(key) ?? recall(`awaited.${key}`) ?? '');
+      const opened = awaited
+        ? await this.#openLink(awaited, source)
+        : await this.#open(key, source, () => null);
+      if (!opened) return;
+      if (awaited) this.#await(key, '');
       await keepFile(key, bytes);
     } catch (error) {
       this.#complain(`${file.name} could not be read. ${sentenceOf(error)}`);
+    } finally {
+      await this.#fallBack();
     }
   }
 
@@ -94,32 +99,34 @@ export class Opening {
     const { mesh, method } = link;
     const parsed = parseKey(mesh);
     if (!parsed) {
-      showError(`The link asks for a surface '${mesh}', which this page does not have.`);
+      this.#complain(`The link asks for a surface '${mesh}', which this page does not have.`);
       return false;
     }
-    const shown = mesh === this.editor.state.mesh ? this.session.client : null;
-    if (method && (!shown || (await this.prepare(method)))) this.editor.setMethod(method);
-    const wanted = wantedOf(link);
-    if (shown) {
-      this.#replace(wanted(this.#viewer!.surface!));
+    if (mesh === this.editor.state.mesh && this.session.client) {
+      if (method && (await this.prepare(method))) this.editor.setMethod(method);
+      this.#replace(wantedOf(link)(this.#viewer!.surface!));
       return true;
     }
     const made = madeSource(mesh);
-    if (made) return this.#open(mesh, made, wanted);
+    if (made) return this.#openLink(link, made);
     const bytes = await keptFile(mesh);
-    if (!bytes) {
-      this.#awaited = link;
-      this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to go on with it.`);
-      return false;
-    }
-    return this.#open(mesh, { kind: 'file', bytes }, wanted);
+    if (bytes) return this.#openLink(link, { kind: 'file', bytes });
+    this.#await(mesh, formatLink(mesh, method ?? this.editor.state.method, link.document));
+    this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to go on with it.`);
+    return false;
   }
 
-  /** What was last made here, or the page's first surface. */
+  /** What the address says, or what was last made here, or else the page's first surface. */
   async first(): Promise<void> {
     const link = startingLink();
-    if (link && (await this.link(link))) return;
-    await this.sample(defaultMesh);
+    if (!link || !(await this.link(link))) await this.#fallBack();
+  }
+
+  /** Where nothing is shown and nothing comes, the page's first surface, in place of a link's. */
+  async #fallBack(): Promise<void> {
+    if (this.#running || this.editor.state.mesh !== '') return;
+    const standIn = startingLink() !== null;
+    await this.#open(defaultMesh, madeSource(defaultMesh)!, () => null, { standIn });
   }
 
   /** Makes ready what a method needs; false when that failed or was cancelled. */
@@ -142,9 +149,24 @@ export class Opening {
     }
   }
 
-  async #open(key: string, source: MeshSource, wanted: Wanted): Promise<boolean> {
+  #openLink(link: Link, source: MeshSource): Promise<boolean> {
+    if (link.method) this.editor.setMethod(link.method);
+    return this.#open(link.mesh, source, wantedOf(link));
+  }
+
+  /** Keeps a link until its file is there; an empty one ends that. */
+  #await(mesh: string, link: string): void {
+    this.#awaited.set(mesh, link);
+    remember(`awaited.${mesh}`, link);
+  }
+
+  async #open(
+    key: string,
+    source: MeshSource,
+    wanted: Wanted,
+    { standIn } = { standIn: false },
+  ): Promise<boolean> {
     this.#running?.abort();
-    this.#complaint?.remove();
     const controller = new AbortController();
     this.#running = controller;
     const { signal } = controller;
@@ -176,7 +198,8 @@ export class Opening {
       if (key !== this.editor.state.mesh) viewer.resetView({ animated: false });
       if (key !== this.editor.state.mesh) this.#restarts = 0;
       client.onStopped = () => this.#restart(key, source);
-      this.#showDocument(key, wanted(surface, before), surface.triangles);
+      if (!standIn) this.#complaint?.remove();
+      this.#showDocument(key, wanted(surface, before), surface.triangles, standIn);
       return true;
     } catch (error) {
       client?.close();
@@ -197,10 +220,15 @@ export class Opening {
     this.#complaint = showError(sentence);
   }
 
-  #showDocument(key: string, wanted: CurveDocument | null, triangles: number): void {
+  #showDocument(
+    key: string,
+    wanted: CurveDocument | null,
+    triangles: number,
+    standIn: boolean,
+  ): void {
     const kept = parseLink(recall(`document.${key}`) ?? '')?.document ?? emptyDocument;
     const isFirst = this.editor.state.mesh === '';
-    this.editor.open(key, isFirst && wanted ? wanted : fitting(kept, triangles));
+    this.editor.open(key, isFirst && wanted ? wanted : fitting(kept, triangles), { standIn });
     if (wanted) this.#replace(wanted);
     // The engine is new, even where the document is not.
     this.session.update(this.editor.state);
@@ -220,7 +248,8 @@ export class Opening {
       return;
     }
     showError('The engine stopped, and was started again. Your curve is kept.');
-    void this.#open(key, source, () => null);
+    const { standIn } = this.editor.state;
+    void this.#open(key, source, () => null, { standIn });
   }
 }
 

@@ -6,7 +6,8 @@ const delayMilliseconds = 200;
 
 /**
  * Keeps what is made where a reload finds it: in the address and in the browser's storage. Saving
- * waits for a moment's rest, as browsers limit how often an address may change.
+ * waits for a moment's rest, as browsers limit how often an address may change. A surface that
+ * stands in for another is not saved: what could not be opened may be opened later.
  */
 export function saveChanges(editor: Editor): void {
   let timer = 0;
@@ -31,7 +32,7 @@ export function saveChanges(editor: Editor): void {
     }, delayMilliseconds);
   };
   editor.subscribe((state, before) => {
-    if (state.revision === before.revision) return;
+    if (state.revision === before.revision || state.mesh === '' || state.standIn) return;
     if (timer && state.mesh !== before.mesh) save(before);
     saveSoon();
   });

@@ -146,6 +146,68 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
+  test('a link to a file that is not here waits for it, through reloads and edits', async () => {
+    const tab = await Tab.open(browser);
+    await tab.drop('tetrahedron.obj', tetrahedron);
+    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.page.keyboard.press('2');
+    await tab.click([-10, 0], [15, 10]);
+    const { document } = await tab.state();
+    await tab.page.waitForFunction(() => location.hash.includes('kind=bezier'));
+    const fragment = tab.page.url().split('#')[1];
+    await tab.page.close();
+
+    const other = await openBrowser();
+    try {
+      const elsewhere = await Tab.open(other, fragment);
+      const asksForFile = async () => {
+        const alert = elsewhere.page.getByRole('alert');
+        await alert.waitFor();
+        assert.match(await alert.textContent(), /The curve is on tetrahedron\.obj\./);
+        // Longer than saving waits.
+        await elsewhere.page.waitForTimeout(1000);
+        assert.ok(await alert.isVisible(), 'it stays');
+        assert.equal(elsewhere.page.url().split('#')[1], fragment);
+      };
+      await asksForFile();
+      await elsewhere.page.reload();
+      await elsewhere.settled();
+      await asksForFile();
+      await elsewhere.click([0, 0]);
+      assert.equal((await elsewhere.state()).document.points.length, 1);
+      await elsewhere.page.waitForFunction(() => location.hash.startsWith('#mesh=bunny:1'));
+      await elsewhere.page.reload();
+      await elsewhere.settled();
+
+      await elsewhere.drop('tetrahedron.obj', tetrahedron);
+      await elsewhere.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+      assert.deepEqual((await elsewhere.state()).document, document);
+      await elsewhere.page.waitForFunction(() => location.hash.startsWith('#mesh=file:'));
+      assert.deepEqual(elsewhere.logged, []);
+    } finally {
+      await other.close();
+    }
+  });
+
+  for (const [mesh, sentence] of [
+    ['sphere:5', /^Sphere could not be opened\. .*500 to 1000000/],
+    ['sphere:1999999', /^The link asks for a surface 'sphere:1999999'/],
+    ['cube:5', /^The link asks for a surface 'cube:5'/],
+  ]) {
+    test(`a link to ${mesh}, which can't be made, is a sentence, and stays`, async () => {
+      const fragment = `mesh=${mesh}&kind=bezier&points=1,0.2,0.3`;
+      const tab = await Tab.open(browser, fragment);
+      const alert = tab.page.getByRole('alert');
+      await tab.page.waitForTimeout(1000);
+      assert.match(await alert.locator('p').textContent(), sentence);
+      assert.equal((await tab.state()).mesh, 'bunny:1');
+      assert.equal(tab.page.url().split('#')[1], fragment);
+      await tab.page.keyboard.press('c');
+      await tab.page.waitForFunction(() => location.hash.startsWith('#mesh=bunny:1'));
+      await tab.page.close();
+    });
+  }
+
   test('another detail of a surface takes the curve along', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0');
     await tab.click(...places);

@@ -20,6 +20,8 @@ export interface State {
   /** The key of the surface that is shown; empty before the first one. */
   readonly mesh: string;
   readonly document: CurveDocument;
+  /** Whether this surface stands in for one that could not be opened, and nothing was done on it. */
+  readonly standIn: boolean;
   readonly selection: Selection;
   readonly method: MethodId;
   /** Whether the document is a drag's, which may go on. */
@@ -47,6 +49,7 @@ export class Editor {
   #state: State = {
     mesh: '',
     document: emptyDocument,
+    standIn: false,
     selection: null,
     method: defaultMethod,
     dragging: false,
@@ -73,11 +76,11 @@ export class Editor {
    * Shows another surface, with the document it had when it was last shown, or else with this one.
    * What was done there can still be undone.
    */
-  open(mesh: string, document: CurveDocument): void {
+  open(mesh: string, document: CurveDocument, { standIn } = { standIn: false }): void {
     this.cancelDrag();
     this.#documents.set(this.#state.mesh, this.#state.document);
     const kept = this.#documents.get(mesh) ?? document;
-    this.#change({ mesh, document: kept, selection: null, tool: 'insert' }, true);
+    this.#change({ mesh, document: kept, standIn, selection: null, tool: 'insert' }, true);
   }
 
   run(command: Command, selection: Selection = this.#state.selection): void {
@@ -236,6 +239,7 @@ export class Editor {
       state.mesh !== before.mesh;
     this.#state = {
       ...state,
+      standIn: part.standIn ?? (before.standIn && !traced),
       revision: before.revision + (traced ? 1 : 0),
       epoch: before.epoch + (newEpoch ? 1 : 0),
     };

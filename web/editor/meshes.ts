@@ -50,7 +50,8 @@ export const samples: readonly Sample[] = [
  */
 export const defaultMesh = 'bunny:1';
 
-const mostTriangles = 2_000_000;
+/** Of the surfaces that are made; shapes are made by the engine, which has the same limit. */
+const mostTriangles = 1_000_000;
 
 /** A sample has a menu of details; other surfaces that are made have none. */
 export type ParsedKey =
