@@ -236,4 +236,37 @@ describe('editing a curve', () => {
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
+
+  test('a failure tells of points without numbers, which are others in the engine', async () => {
+    const tab = await Tab.open(browser);
+    const corners = [0, 5].map((x) => `v ${x} 0 0\nv ${x + 1} 0 0\nv ${x} 1 0\nv ${x} 0 1\n`);
+    const faces = [0, 4].map((k) =>
+      [`132`, `124`, `234`, `143`].map(
+        (face) => `f ${[...face].map((corner) => Number(corner) + k).join(' ')}\n`,
+      ),
+    );
+    await tab.drop('two.obj', [...corners, ...faces.flat()].join(''));
+    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.components === 2);
+    const { mesh } = await tab.state();
+    const hint = tab.page.locator('#hint');
+    const hintOf = async (fragment, text) => {
+      await tab.page.evaluate((hash) => {
+        location.hash = hash;
+      }, fragment);
+      await tab.page.getByText(text).first().waitFor();
+      await tab.settled();
+      assert.doesNotMatch(await hint.textContent(), /\d/);
+    };
+    const places = 'points=0,0.3,0.3;1,0.3,0.3;4,0.3,0.3';
+    for (const kind of ['polyline', 'center']) {
+      await hintOf(`mesh=${mesh}&kind=${kind}&${places}`, 'on different components of the surface');
+      assert.match(await hint.textContent(), /^The points lie on different components/);
+    }
+    await hintOf(
+      'mesh=openSheet:5000&kind=circle&circle=0,0.3,0.3;0.5,1,0,0',
+      'meets the surface’s boundary',
+    );
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
 });

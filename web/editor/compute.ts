@@ -1,5 +1,5 @@
 import type { CenterOfMass, CurveOptions, FieldOptions } from 'karcher';
-import type { EngineClient } from '../worker/client';
+import { type EngineClient, EngineError } from '../worker/client';
 import type { TracedCurve } from '../worker/protocol';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
 import { type CurveDocument, isRound, parameterOf, pointsNeeded, type Spline } from './document';
@@ -114,4 +114,13 @@ export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
   return shiftBetween(from.curve.samples.position, to.curve.samples.position, unit);
 }
 
-export const messageOf = (error: unknown) => (error instanceof Error ? error.message : `${error}`);
+/** Failures that the engine tells by the numbers of points or arcs, which it counts from 0. */
+const withoutNumbers: Partial<Record<NonNullable<EngineError['code']>, string>> = {
+  unreachable: 'the points lie on different components of the surface; no path joins them all',
+  boundary: 'a geodesic from the center meets the surface’s boundary before it reaches its arc',
+};
+
+export function messageOf(error: unknown): string {
+  const told = error instanceof EngineError && error.code && withoutNumbers[error.code];
+  return told || (error instanceof Error ? error.message : `${error}`);
+}
