@@ -1,7 +1,7 @@
 import type { Vector3 } from 'three';
 import { type CurveDocument, emptyDocument } from './editor/document';
 import type { Editor } from './editor/editor';
-import { fitting, formatLink, type Link, parseLink } from './editor/link';
+import { fitting, formatLink, type Link, lostOf, parseLink } from './editor/link';
 import {
   defaultMesh,
   fileKey,
@@ -15,6 +15,7 @@ import {
 import { methodOptions } from './editor/methods';
 import type { Session } from './editor/session';
 import { linkOfJson } from './export/curve_file';
+import { formatCount } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
 import { startingLink } from './saving';
@@ -254,11 +255,15 @@ export class Opening {
 }
 
 /** The document of a link, as far as it is on the surface; says what is not. */
-function wantedOf({ document }: Link) {
+function wantedOf(link: Link) {
   return (surface: Surface): CurveDocument => {
-    const fit = fitting(document, surface.triangles);
-    const lost = document.points.length - fit.points.length;
-    if (lost > 0) showNote(`${lost} points of the link are not on this surface.`);
+    const fit = fitting(link.document, surface.triangles);
+    const { points, circle } = lostOf(link, fit);
+    if (points > 0) {
+      const counted = formatCount(points, 'point of the link is', 'points of the link are');
+      showNote(`${counted} not on this surface, and left out.`);
+    }
+    if (circle) showNote('The circle of the link is not on this surface, and left out.');
     return fit;
   };
 }

@@ -193,7 +193,8 @@ describe('links', () => {
     for (const mesh of ['bunny:1', 'file:1x-9:a b&c=#.obj']) {
       const text = link.formatLink(mesh, 'paper-exact', whole);
       const read = link.parseLink(`#${text}`);
-      assert.deepEqual(read, { mesh, method: 'paper-exact', document: whole });
+      const unread = { points: 0, circle: false };
+      assert.deepEqual(read, { mesh, method: 'paper-exact', document: whole, unread });
     }
   });
 
@@ -230,6 +231,25 @@ describe('links', () => {
     for (const across of ['', ';', ';-1', ';0', ';wide', ';1,2']) {
       const text = `#mesh=torus:9&circle=5,0.25,0.5;0.5,0,0,1${across}`;
       assert.deepEqual(link.parseLink(text).document.circle, circle, across);
+    }
+  });
+
+  test('count what they say wrongly, and what is beyond the surface', () => {
+    const lost = (fields) => {
+      const read = link.parseLink(`#mesh=torus:9&${fields}`);
+      return link.lostOf(read, link.fitting(read.document, 4));
+    };
+    assert.deepEqual(lost('points='), { points: 0, circle: false });
+    assert.deepEqual(lost('points=3,0.2,0.2;4,0.2,0.2;x'), { points: 2, circle: false });
+    assert.deepEqual(lost('kind=center&points=1,0.7,0.7;;1,-0.1,0'), { points: 2, circle: false });
+    const other = encodeURIComponent('kind=bezier&points=1,0,0;9,0,0;1,nan,0');
+    assert.deepEqual(lost(`points=1,0,0&other=${other}`), { points: 2, circle: false });
+    for (const [circle, isLost] of [
+      ['1,0,0;2,0,0', false],
+      ['1,0,0;7,0,0', true],
+      ['1,0,0;-3,0,0,1', true],
+    ]) {
+      assert.deepEqual(lost(`circle=${circle}`), { points: 0, circle: isLost });
     }
   });
 

@@ -31,6 +31,14 @@ export interface Link {
   mesh: string;
   method: MethodId | null;
   document: CurveDocument;
+  /** What it says so wrongly that the document is without it. */
+  unread: Lost;
+}
+
+/** Places that a document is without. */
+export interface Lost {
+  points: number;
+  circle: boolean;
 }
 
 const formatPoint = ({ face, bary }: SurfacePoint) => `${face},${bary[1]},${bary[2]}`;
@@ -96,23 +104,47 @@ export function parseLink(fragment: string): Link | null {
   const mesh = fields.get('mesh');
   if (!mesh) return null;
   const method = fields.get('method');
-  const others = fields.getAll('other').map((text) => splineOf(parseSpline(text)));
+  const splines = [fragment, ...fields.getAll('other')];
+  const others = splines.slice(1).map((text) => splineOf(parseSpline(text)));
+  const document = {
+    ...parseSpline(fragment),
+    circle: parseCircle(fields.get('circle') ?? ''),
+    circleForm: parseCircleForm(fields),
+    others: others.filter((spline) => spline !== null),
+  };
+  const said = splines.reduce((sum, text) => sum + pointTexts(text).length, 0);
   return {
     mesh,
     method: isMethod(method) ? method : null,
-    document: {
-      ...parseSpline(fragment),
-      circle: parseCircle(fields.get('circle') ?? ''),
-      circleForm: parseCircleForm(fields),
-      others: others.filter((spline) => spline !== null),
+    document,
+    unread: {
+      points: said - countPoints(document),
+      circle: Boolean(fields.get('circle')) && !document.circle,
     },
+  };
+}
+
+/** The points of a spline's fragment, as they are said. */
+function pointTexts(fragment: string): string[] {
+  const fields = new URLSearchParams(fragment.replace(/^#/, ''));
+  return (fields.get('points') ?? '').split(';').filter((text) => text !== '');
+}
+
+const countPoints = ({ points, others }: CurveDocument) =>
+  others.reduce((sum, other) => sum + other.points.length, points.length);
+
+/** What a link says and a document that was made of it is without. */
+export function lostOf({ document: said, unread }: Link, document: CurveDocument): Lost {
+  return {
+    points: unread.points + countPoints(said) - countPoints(document),
+    circle: unread.circle || (said.circle !== null && document.circle === null),
   };
 }
 
 /** The kind, settings and points that a fragment says. */
 function parseSpline(fragment: string): CurveDocument {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
-  const points = (fields.get('points') ?? '').split(';').map(parseControlPoint);
+  const points = pointTexts(fragment).map(parseControlPoint);
   return {
     ...emptyDocument,
     kind: kinds.find((one) => one === fields.get('kind')) ?? 'bspline',
