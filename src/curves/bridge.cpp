@@ -15,7 +15,7 @@ constexpr int kMostDivisions = 200'000;
 constexpr double kShortInterval = 1.0 / 32;
 constexpr int kMostPieces = 8;
 /// A step in a face that comes nearer to an edge than this part of its length may bend across it.
-constexpr double kMargin = 0.25;
+constexpr double kEdgeMargin = 0.25;
 
 /// An interval that is to be bridged, by its samples. An end that is not kept is lost itself.
 struct Interval {
@@ -79,7 +79,7 @@ class JumpSearch {
     const SurfacePoint& from = step.from.point;
     const SurfacePoint& to = step.to.point;
     if (from.face != to.face) return false;
-    const double margin = kMargin * (position(mesh_, to) - position(mesh_, from)).norm();
+    const double margin = kEdgeMargin * (position(mesh_, to) - position(mesh_, from)).norm();
     const Vec3 least = from.bary.cwiseMin(to.bary);
     const double area = doubleArea(geometry_, from.face);
     for (int k = 0; k < 3; ++k) {
@@ -107,9 +107,7 @@ class JumpSearch {
 Array<std::pair<int, Status>> findJumps(Surface& surface, const Array<PointField*>& points,
                                         const Basis& basis, Method method,
                                         const Array<CurveSample>& samples) {
-  Array<ControlField*> controlFields;
-  for (PointField* point : points) controlFields.push_back(&point->field());
-  FieldBlend fields(surface.geometry(), std::move(controlFields));
+  FieldBlend fields(surface.geometry(), controlFields(points));
   JumpSearch search(surface, fields, basis, method);
   Array<std::pair<int, Status>> jumps;
   for (int i = 0; i + 1 < samples.count(); ++i) {

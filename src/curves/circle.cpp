@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kFewestArcs = 3;
 constexpr int kMostArcs = 64;
-constexpr int kMostSamples = 100'000;
 
 void checkRadiusIsPositive(double radius, const std::string& shape) {
   if (radius > 0 && std::isfinite(radius)) return;

@@ -12,8 +12,6 @@
 namespace karcher {
 namespace {
 
-constexpr int kMostSamples = 100'000;
-
 bool isCentripetal(const CurveShape& shape) {
   return shape.kind == CurveKind::kCatmullRom && shape.centripetal;
 }

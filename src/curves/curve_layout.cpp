@@ -6,17 +6,16 @@
 #include "curves/bases.h"
 #include "curves/knots.h"
 #include "mesh/error.h"
+#include "rcm/field_blend.h"
 
 namespace karcher {
 namespace {
-
-constexpr double kSumTolerance = 1e-9;
 
 Array<double> ownWeights(const SegmentBasis& basis, double t) {
   Array<double> weights = (*basis.own)(basis.points, t);
   double sum = 0;
   for (const double weight : weights) sum += weight;
-  if (weights.count() == basis.points && std::abs(sum - 1) <= kSumTolerance) return weights;
+  if (weights.count() == basis.points && std::abs(sum - 1) <= kWeightSumTolerance) return weights;
   throw Error(ErrorCode::kBadWeights, "the basis gives " + std::to_string(weights.count()) +
                                           " weights of sum " + inSentence(sum) +
                                           " at t = " + inSentence(t) + "; there must be " +

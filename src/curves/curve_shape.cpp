@@ -9,13 +9,8 @@
 namespace karcher {
 namespace {
 
-constexpr int kMostDegree = 5;
 /// Of curves that are one segment, each sample of which weighs all points.
 constexpr int kMostPointsASegment = 1000;
-
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::kBadArgument, sentence);
-}
 
 /// As a sentence names it: "a cubic B-spline".
 std::string nameInSentence(const CurveShape& shape) {
@@ -107,7 +102,7 @@ const char* curveKindName(CurveKind kind) {
 }
 
 void checkShape(const CurveShape& shape, int points) {
-  if (shape.degree < 1 || shape.degree > kMostDegree) {
+  if (shape.degree < 1 || shape.degree > kMostSplineDegree) {
     refuse("a B-spline has degree 1 to 5, not " + std::to_string(shape.degree));
   }
   const std::string name = nameInSentence(shape);

@@ -27,6 +27,8 @@ inline constexpr CurveKind kCurveKinds[] = {
 /// The name of a kind, as in the JavaScript API: "catmullrom".
 const char* curveKindName(CurveKind kind);
 
+inline constexpr int kMostSplineDegree = 5;
+
 /// The knots of a B-spline (knots.h).
 enum class KnotRule {
   kUniform,  ///< evenly spaced

@@ -5,12 +5,6 @@
 namespace karcher {
 namespace {
 
-Array<ControlField*> fieldsOf(const Array<PointField*>& points) {
-  Array<ControlField*> fields;
-  for (PointField* point : points) fields.push_back(&point->field());
-  return fields;
-}
-
 /// The faces that hold a point: one, two at an edge; a vertex's faces.
 Array<int> facesAt(const TriangleMesh& mesh, const SurfacePoint& point) {
   const PointLocation place = locate(mesh, point);
@@ -57,7 +51,7 @@ EdgeCrossings::EdgeCrossings(Surface& surface, const Array<PointField*>& points,
     : geometry_(surface.geometry()),
       basis_(basis),
       method_(method),
-      fields_(surface.geometry(), fieldsOf(points)) {}
+      fields_(surface.geometry(), controlFields(points)) {}
 
 bool EdgeCrossings::append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out,
                            double& length) {

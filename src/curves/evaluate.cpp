@@ -41,9 +41,7 @@ PathPiece pieceAround(Curve& curve, const SegmentParameter& at) {
 }
 
 FieldBlend blendOf(Curve& curve, int segment) {
-  Array<ControlField*> fields;
-  for (PointField* point : curve.fieldsOf(segment)) fields.push_back(&point->field());
-  return {curve.surface().geometry(), std::move(fields)};
+  return {curve.surface().geometry(), controlFields(curve.fieldsOf(segment))};
 }
 
 /// Derivatives of the segment's weights by t: differences of second order, inside [0, 1].

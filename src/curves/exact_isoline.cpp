@@ -14,7 +14,7 @@ namespace karcher {
 namespace {
 
 /// Lengths below this part of a mean edge are rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kLeastLength = 1e-9;
 /// Ends of arcs this near to each other, in mean edges, may be one point: where an arc grazes an
 /// edge or a ray, rounding moves its end by the root of it. The nearest ends meet first.
 constexpr double kMeet = 1e-3;
@@ -34,7 +34,7 @@ struct Arc {
 class FaceArcs {
  public:
   FaceArcs(const Geometry& geometry, double distance)
-      : geometry_(geometry), distance_(distance), rounding_(kRounding * geometry.meanEdge) {}
+      : geometry_(geometry), distance_(distance), rounding_(kLeastLength * geometry.meanEdge) {}
 
   /// Appends the arcs of one face by its beams.
   void append(const Beam* begin, const Beam* end, Array<Arc>& arcs) {

@@ -8,10 +8,6 @@
 namespace karcher {
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::kBadArgument, sentence);
-}
-
 /// k modulo n, from 0 to n - 1.
 int wrapped(int k, int n) { return ((k % n) + n) % n; }
 

@@ -11,10 +11,6 @@
 namespace karcher {
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(ErrorCode::kBadArgument, sentence);
-}
-
 bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
 
 Array<WeightedPoint> weightedPoints(const Curve& curve) {
@@ -283,10 +279,9 @@ CurveParts joined(const Curve& first, const Curve& second) {
                                   partAfter(geometry, b, b.knots[b.degree])));
   }
   if (isBezier(shape.kind)) {
-    constexpr int kMostDegree = 5;
     Array<WeightedPoint> ends[2] = {weightedPoints(first), weightedPoints(second)};
     const int points = std::max(ends[0].count(), ends[1].count());
-    if (points > kMostDegree + 1) {
+    if (points > kMostSplineDegree + 1) {
       refuse("Bezier curves can be joined up to degree 5, as a B-spline, not of degree " +
              std::to_string(points - 1));
     }

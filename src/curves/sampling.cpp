@@ -14,7 +14,7 @@ constexpr int kIntervalsAPoint = 2;
 constexpr int kFewestIntervals = 8;
 constexpr int kMostBisections = 15;
 /// The samples between which the curve is farthest from the geodesic are not the ones looked at.
-constexpr double kMargin = 0.7;
+constexpr double kGeodesicMargin = 0.7;
 /// Bisections where samples do not converge.
 constexpr int kMostAtBorder = 8;
 constexpr int kMostInside = 2;
@@ -32,7 +32,7 @@ class AdaptiveTrace {
                 Method method, double tolerance)
       : geometry_(surface.geometry()),
         points_(points),
-        fields_(geometry_, fieldsOf(points)),
+        fields_(geometry_, controlFields(points)),
         basis_(basis),
         method_(method),
         tolerance_(tolerance * geometry_.diagonal) {}
@@ -51,12 +51,6 @@ class AdaptiveTrace {
   }
 
  private:
-  static Array<ControlField*> fieldsOf(const Array<PointField*>& points) {
-    Array<ControlField*> fields;
-    for (PointField* point : points) fields.push_back(&point->field());
-    return fields;
-  }
-
   /// Appends the samples that are needed between two.
   void refine(const CurveSample& from, const CurveSample& to, int bisections) {
     const CurveSample middle = sample((from.t + to.t) / 2, from);
@@ -72,7 +66,7 @@ class AdaptiveTrace {
   /// Whether the curve keeps to the geodesic: in the middle, and before and after it, since a curve
   /// may cross it there, or bend where it crosses an edge of the mesh.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
-    const double limit = kMargin * tolerance_;
+    const double limit = kGeodesicMargin * tolerance_;
     if (!findGeodesic(from.point, to.point)) return false;
     if (distanceFromGeodesic(middle.point) > limit) return false;
     const CurveSample before = sample((from.t + middle.t) / 2, from);

@@ -1,7 +1,6 @@
 #include "curves/segment.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace karcher {
 
@@ -33,9 +32,7 @@ WeightTable tabulate(const Basis& basis, int count) {
 
 Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& points,
                                 const WeightTable& table, Method method) {
-  Array<ControlField*> controlFields;
-  for (PointField* point : points) controlFields.push_back(&point->field());
-  FieldBlend fields(surface.geometry(), std::move(controlFields));
+  FieldBlend fields(surface.geometry(), controlFields(points));
 
   Array<CurveSample> samples(table.t.size());
   SurfacePoint start;

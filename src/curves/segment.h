@@ -15,6 +15,9 @@ struct CurveSample {
   Status status = Status::kConverged;
 };
 
+/// Of a segment of a curve, or an arc of a circle.
+inline constexpr int kMostSamples = 100'000;
+
 /// From t in [0, 1] to the weights of a segment's control points, which sum to 1.
 using Basis = std::function<Array<double>(double t)>;
 

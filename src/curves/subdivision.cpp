@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "curves/knot_insertion.h"
 #include "intrinsic/straightest.h"
 #include "intrinsic/strip_path.h"
 
@@ -14,12 +15,7 @@ constexpr double kShortest = 0.25;
 /// Weights below this count for nothing: the points of a long Bezier curve far from the parameter.
 constexpr double kLeastWeight = 1e-9;
 
-/// A point with the sum of the weights that it stands for.
-struct WeightedPoint {
-  SurfacePoint point;
-  double weight = 0;
-};
-
+/// The average of both, with the sum of their weights.
 WeightedPoint merged(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b) {
   const double sum = a.weight + b.weight;
   return {averageAlongGeodesic(geometry, a.point, b.point, b.weight / sum), sum};

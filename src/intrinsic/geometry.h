@@ -15,6 +15,10 @@
 /// (2013), section 3, taken to the centroids of faces.
 namespace karcher {
 
+/// A path that crosses an edge this near to its end (as a part of the edge) goes through the
+/// vertex.
+inline constexpr double kVertexTolerance = 1e-12;
+
 struct Geometry {
   const TriangleMesh* mesh = nullptr;
   Array<double> edgeLength;      ///< per half-edge

@@ -8,9 +8,6 @@
 namespace karcher {
 namespace {
 
-/// A crossing this near to an edge's end (as a part of the edge) goes through the vertex.
-constexpr double kVertexTolerance = 1e-12;
-
 /// Where a walk stands: a point in a face and the unit direction of travel in that face.
 struct Walker {
   SurfacePoint point;

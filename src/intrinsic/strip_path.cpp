@@ -11,9 +11,6 @@ using Bend = StripWorkspace::Bend;
 /// A vertex with less surface than this on one side of the path lets it be shortened.
 constexpr double kStraight = kPi - 1e-9;
 
-/// A crossing this near to an edge's end (as a part of the edge) goes through the vertex.
-constexpr double kVertexTolerance = 1e-12;
-
 bool touches(const TriangleMesh& mesh, int h, int vertex) {
   return mesh.tail(h) == vertex || mesh.head(h) == vertex;
 }

@@ -38,6 +38,8 @@ const char* errorCodeName(ErrorCode code) {
   return "unknown";
 }
 
+void refuse(const std::string& sentence) { throw Error(ErrorCode::kBadArgument, sentence); }
+
 std::string inSentence(double value, int digits) {
   // Not by a stream, which would bring locales into the module that pages load.
   char text[40];

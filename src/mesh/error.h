@@ -39,4 +39,7 @@ class Error : public std::runtime_error {
   ErrorCode code_;
 };
 
+/// Throws kBadArgument.
+[[noreturn]] void refuse(const std::string& sentence);
+
 }  // namespace karcher

@@ -116,11 +116,10 @@ void ComparedCurve::check() const {
                                           " points cannot begin at point " + std::to_string(first) +
                                           " of " + std::to_string(plan_.points.count()));
   }
-  constexpr double kSumTolerance = 1e-9;
   for (int i = 0; i < table.t.count(); ++i) {
     double sum = 0;
     for (const double weight : table.row(i)) sum += weight;
-    if (std::abs(sum - 1) <= kSumTolerance) continue;
+    if (std::abs(sum - 1) <= kWeightSumTolerance) continue;
     throw Error(ErrorCode::kBadWeights, "the weights of sample " + std::to_string(i) + " sum to " +
                                             std::to_string(sum) + " instead of 1");
   }

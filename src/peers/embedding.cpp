@@ -191,7 +191,7 @@ void setPositions(const Geometry& geometry, const Positions& positions, Embeddin
   embedding.planes = tangentPlanes(geometry, embedding.positions);
 }
 
-void refuse(const std::string& why) {
+void reject(const std::string& why) {
   throw Error(ErrorCode::kNoEmbedding,
               "no acceptable embedding of the mesh in 8 dimensions was found: " + why);
 }
@@ -210,7 +210,7 @@ Embedding embedSurface(const Geometry& geometry, const DistancesFromVertex& dist
   Embedding embedding;
   embedding.stress = scaling.stress;
   if (embedding.stress > options.mostStress) {
-    refuse("distances between landmarks are off by " + std::to_string(embedding.stress) +
+    reject("distances between landmarks are off by " + std::to_string(embedding.stress) +
            " of their length (root mean square), more than " + std::to_string(options.mostStress));
   }
   Positions places = scaling.positions;
@@ -234,7 +234,7 @@ Embedding embedSurface(const Geometry& geometry, const DistancesFromVertex& dist
   embedding.landmarks = landmarks.count();
   embedding.foldedFaces = folded.count();
   if (embedding.foldedFaces > options.mostFolded * mesh.faceCount()) {
-    refuse(std::to_string(embedding.foldedFaces) + " of its " + std::to_string(mesh.faceCount()) +
+    reject(std::to_string(embedding.foldedFaces) + " of its " + std::to_string(mesh.faceCount()) +
            " faces are folded over");
   }
   return embedding;

@@ -75,7 +75,7 @@ BlendWeights blendDerivatives(const Vec3& b, const BlendWeights& weights, int m)
   return change;
 }
 
-constexpr double kInsideTolerance = 1e-9;
+constexpr double kPhongTolerance = 1e-9;
 
 }  // namespace
 
@@ -192,7 +192,7 @@ PhongSurface::FaceProjection PhongSurface::projectInFace(int f, const EmbeddedPo
       residual += turn[k] * offset[k];
     }
     if (std::abs(residual) <= 1e-11 * size) {
-      return {b, b.minCoeff() >= -kInsideTolerance};
+      return {b, b.minCoeff() >= -kPhongTolerance};
     }
     Complex slope[3];
     for (int m = 0; m < 3; ++m) {

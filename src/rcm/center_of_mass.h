@@ -21,6 +21,9 @@ enum class Status {
 /// The name of a status, as in the JavaScript API: "converged".
 const char* statusName(Status status);
 
+/// A zero whose barycentric weights go no further below 0 lies in the face.
+inline constexpr double kInsideTolerance = 1e-10;
+
 struct CenterOfMass {
   SurfacePoint point;
   Status status = Status::kConverged;

@@ -12,6 +12,9 @@ namespace karcher {
 /// One weight a field; they should sum to 1.
 using Weights = std::span<const double>;
 
+/// How far a caller's weights may be from a sum of 1.
+inline constexpr double kWeightSumTolerance = 1e-9;
+
 /// A vector field that is linear in one triangle, by its values at the corners, in the face's
 /// frame.
 struct TriangleField {

@@ -11,8 +11,6 @@
 namespace karcher {
 namespace {
 
-constexpr double kSumTolerance = 1e-9;
-
 void checkWeights(Array<double>& weights, int points, bool normalize) {
   if (points == 0) {
     throw Error(ErrorCode::kTooFewPoints, "a center of mass needs at least one point");
@@ -37,7 +35,7 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
     for (double& weight : weights) weight /= sum;
     return;
   }
-  if (std::abs(sum - 1) > kSumTolerance) {
+  if (std::abs(sum - 1) > kWeightSumTolerance) {
     throw Error(ErrorCode::kBadWeights,
                 "the weights sum to " + inSentence(sum, 12) + "; they must sum to 1 within 1e-9");
   }

@@ -12,7 +12,6 @@ namespace {
 constexpr int kMaxIterations = 100;
 /// The gradient, a length, as a part of the bounding box's diagonal.
 constexpr double kGradientTolerance = 1e-10;
-constexpr double kInsideTolerance = 1e-10;
 
 struct Candidate {
   SurfacePoint point;

@@ -136,6 +136,12 @@ FieldValue PointField::estimate(DistanceSolver& solver, int vertex) {
   return {gradient, own};
 }
 
+Array<ControlField*> controlFields(const Array<PointField*>& points) {
+  Array<ControlField*> fields;
+  for (PointField* point : points) fields.push_back(&point->field());
+  return fields;
+}
+
 Array<int> verticesWithin(Surface& surface, PointField& field, double radius) {
   const TriangleMesh& mesh = surface.mesh();
   // From vertex to vertex, so that only the neighbourhood is looked at.

@@ -81,6 +81,9 @@ class PointField {
   Array<Vec2> gradients_;
 };
 
+/// The fields of points, as a blend takes them.
+Array<ControlField*> controlFields(const Array<PointField*>& points);
+
 /// The vertices within `radius` of a field's point, by the field: what a benchmark then reads.
 Array<int> verticesWithin(Surface& surface, PointField& field, double radius);
 

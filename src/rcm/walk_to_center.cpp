@@ -31,7 +31,6 @@ namespace {
 constexpr int kMaxFaces = 400;
 constexpr int kMaxLeaps = 60;
 constexpr double kLongestLeap = 0.5;  ///< of the bounding box's diagonal
-constexpr double kInsideTolerance = 1e-10;
 /// A zero whose weights in a face go below this is far away: leap instead of walking there.
 constexpr double kFarWeight = -6;
 

@@ -5,18 +5,14 @@
 #include <cmath>
 #include <string>
 
+#include "curve_support.h"
+
 namespace karcher {
 namespace {
 
 double sum(const Array<double>& weights) {
   double total = 0;
   for (const double w : weights) total += w;
-  return total;
-}
-
-double blend(const Array<double>& weights, const Array<double>& values) {
-  double total = 0;
-  for (int i = 0; i < weights.count(); ++i) total += weights[i] * values[i];
   return total;
 }
 
@@ -80,7 +76,7 @@ TEST(Bases, BSplinesReproduceTheParameterFromItsGrevilleAbscissae) {
         for (int k = 1; k <= degree; ++k) mean += knots[i + k] / degree;
         greville.push_back(mean);
       }
-      EXPECT_NEAR(blend(bsplineBasis(knots, degree, span, u), greville), u, 1e-13);
+      EXPECT_NEAR(weightedSum(bsplineBasis(knots, degree, span, u), greville), u, 1e-13);
     }
   }
 }
@@ -91,7 +87,7 @@ TEST(Bases, ARationalQuadraticIsTheCircle) {
   const Array<double> y{-std::sin(a), 0, std::sin(a)};
   for (const double t : parameters()) {
     const Array<double> weights = rationalBasis(bernsteinBasis(2, t), {1, std::cos(a), 1});
-    EXPECT_NEAR(std::hypot(blend(weights, x), blend(weights, y)), 1, 1e-15);
+    EXPECT_NEAR(std::hypot(weightedSum(weights, x), weightedSum(weights, y)), 1, 1e-15);
   }
 }
 
@@ -119,7 +115,7 @@ TEST(Bases, CatmullRomPassesThroughTheMiddlePointsWithTheSameTangent) {
   for (const double k : knots) squares.push_back(k * k);
   for (const double t : parameters()) {
     const double u = 1 + 0.5 * t;
-    EXPECT_NEAR(blend(catmullRomBasis(knots, u), squares), u * u, 1e-14);
+    EXPECT_NEAR(weightedSum(catmullRomBasis(knots, u), squares), u * u, 1e-14);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "curve_support.h"
 #include "curves/bases.h"
 #include "curves/curve.h"
 #include "intrinsic/strip_path.h"
@@ -13,20 +14,6 @@
 
 namespace karcher {
 namespace {
-
-constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
-
-Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& positions) {
-  Array<SurfacePoint> points;
-  for (const Vec3& p : positions) points.push_back(nearestPoint(mesh, p));
-  return points;
-}
-
-void update(Curve& curve) {
-  curve.updateFields();
-  curve.trace();
-  curve.join();
-}
 
 /// Bridges are where they say, their lines hold together, and bridged samples lie on them.
 void expectWhole(const Curve& curve, const Surface& surface) {

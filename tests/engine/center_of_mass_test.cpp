@@ -12,12 +12,6 @@
 namespace karcher {
 namespace {
 
-/// A vector in space, at a vertex of a flat mesh, in the vertex's frame.
-Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector) {
-  const int h = geometry.mesh->outgoing[vertex];
-  return rotateBack(geometry.vertexToFace[h], toFace(geometry, faceOf(h), vector));
-}
-
 /// The field of a point p of a flat mesh: the gradient of |x - p|^2 is 2 (x - p).
 std::unique_ptr<ControlField> flatField(const Geometry& geometry, const Vec3& p) {
   auto field = std::make_unique<ControlField>(geometry.mesh->vertexCount());

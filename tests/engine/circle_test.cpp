@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "curve_support.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -11,8 +12,6 @@
 
 namespace karcher {
 namespace {
-
-constexpr FieldOptions kPaperExact{Method::kPaper, Solver::kExact, 6};
 
 TEST(Circle, OnARegularGridIsTheCircleOfThePlane) {
   Surface surface(planeGrid(24, 20));

@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "curve_support.h"
 #include "curves/curve.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -62,22 +63,6 @@ Scene renumbered(const Scene& scene, uint64_t seed) {
   return result;
 }
 
-Array<CurveShape> shapes(int points) {
-  Array<CurveShape> all;
-  for (const bool closed : {false, true}) {
-    for (const CurveKind kind : kCurveKinds) {
-      if (kind == CurveKind::kOwn) continue;
-      all.push_back({kind, closed});
-      Array<double> values;
-      for (int i = 0; i < points; ++i) values.push_back(0.5 + i % 3);
-      if (takesWeights(kind)) all.back().weights = values;
-      if (takesBetas(kind)) all.back().betas = values;
-    }
-    all.push_back({CurveKind::kBSpline, closed, 2});
-  }
-  return all;
-}
-
 Array<Vec3> samplePositions(const Scene& scene, const CurveShape& shape, Solver solver) {
   Surface surface{TriangleMesh(scene.mesh)};
   Curve curve(surface, {shape, 17, {Method::kKarcher, solver, 6}}, scene.points);
@@ -127,7 +112,7 @@ Changes changesOf(const Scene& scene, Solver solver) {
   const Scene scaled = moved(scene, Eigen::Affine3d(Eigen::Scaling(37.0)));
   const Scene shuffled = renumbered(scene, 5);
   Changes worst;
-  for (const CurveShape& shape : shapes(scene.points.count())) {
+  for (const CurveShape& shape : everyShape(scene.points.count())) {
     SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
     const Array<Vec3> places = samplePositions(scene, shape, solver);
     const auto compare = [&](const Scene& other, double& change) {

@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "curve_support.h"
 #include "curves/curve.h"
 #include "generators/plane.h"
 #include "mesh/mesh_import.h"
@@ -11,40 +12,6 @@
 
 namespace karcher {
 namespace {
-
-constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
-constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
-
-void update(Curve& curve) {
-  curve.updateFields();
-  curve.trace();
-  curve.join();
-}
-
-/// Every kind, open and closed where it can be.
-Array<CurveShape> shapes(int points) {
-  Array<CurveShape> all;
-  for (const bool closed : {false, true}) {
-    for (const CurveKind kind : kCurveKinds) {
-      if (kind == CurveKind::kOwn) continue;
-      all.push_back({kind, closed});
-      Array<double> values;
-      for (int i = 0; i < points; ++i) values.push_back(0.5 + i % 3);
-      if (takesWeights(kind)) all.back().weights = values;
-      if (takesBetas(kind)) all.back().betas = values;
-    }
-    all.push_back({CurveKind::kBSpline, closed});
-    all.push_back({CurveKind::kBSpline, closed, 2});
-    all.push_back({CurveKind::kBSpline, closed, 5});
-  }
-  all.push_back({CurveKind::kBSpline, false, 3, KnotRule::kClamped});
-  return all;
-}
-
-std::string describe(const CurveShape& shape) {
-  return std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : "") + " degree " +
-         std::to_string(shape.degree);
-}
 
 /// Points around a place of the bunny, near enough for every search to converge.
 Array<SurfacePoint> ring(const TriangleMesh& mesh, int count, double radius) {
@@ -85,7 +52,7 @@ TEST(CurveKinds, OnThePlaneAreTheAffineAverages) {
                            {0.7, 0.65, 0}, {0.52, 0.3, 0},  {0.38, 0.52, 0}};
   Array<SurfacePoint> points;
   for (const Vec3& place : places) points.push_back(nearestPoint(surface.mesh(), place));
-  for (const CurveShape& shape : shapes(6)) {
+  for (const CurveShape& shape : everyShape(6)) {
     SCOPED_TRACE(describe(shape));
     Curve curve(surface, {shape, 17, kExact}, points);
     update(curve);
@@ -110,7 +77,7 @@ TEST(CurveKinds, SegmentsMeetOnAnyMesh) {
   const Array<SurfacePoint> points = ring(mesh, 7, 1.2);
   double worst = 0;
   for (const FieldOptions& field : {kFast, kExact}) {
-    for (const CurveShape& shape : shapes(7)) {
+    for (const CurveShape& shape : everyShape(7)) {
       SCOPED_TRACE(describe(shape));
       Curve curve(surface, {shape, 24, field}, points);
       update(curve);
@@ -228,7 +195,7 @@ TEST(CurveKinds, AdaptiveSamplesKeepTheirTolerance) {
   const TriangleMesh& mesh = surface.mesh();
   const double diagonal = surface.geometry().diagonal;
   const Array<SurfacePoint> points = ring(mesh, 7, 1.2);
-  for (const CurveShape& shape : shapes(7)) {
+  for (const CurveShape& shape : everyShape(7)) {
     SCOPED_TRACE(describe(shape));
     if (shape.kind == CurveKind::kPolyline) continue;
     Curve dense(surface, {shape, 600, kFast}, points);

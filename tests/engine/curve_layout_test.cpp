@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "curve_support.h"
 #include "curves/bases.h"
 #include "curves/knots.h"
 #include "support.h"
@@ -20,7 +21,7 @@ CurveShape bspline(int degree, bool closed, KnotRule rule = KnotRule::kUniform,
 }
 
 /// Every kind of curve of six points.
-Array<CurveShape> shapes() {
+Array<CurveShape> sixPointShapes() {
   Array<CurveShape> all;
   for (int degree = 1; degree <= 5; ++degree) {
     all.push_back(bspline(degree, false));
@@ -60,26 +61,15 @@ Array<double> spread(const SegmentLayout& segment, double t) {
   return all;
 }
 
-double blend(const Array<double>& weights, const Array<double>& values) {
-  double sum = 0;
-  for (int i = 0; i < weights.count(); ++i) sum += weights[i] * values[i];
-  return sum;
-}
-
-std::string describe(const CurveShape& shape) {
-  return std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : "") + " degree " +
-         std::to_string(shape.degree) + " rule " + std::to_string(static_cast<int>(shape.knotRule));
-}
-
 TEST(CurveLayout, SegmentsArePartitionsOfUnityAndMeet) {
-  for (const CurveShape& shape : shapes()) {
+  for (const CurveShape& shape : sixPointShapes()) {
     SCOPED_TRACE(describe(shape));
     EXPECT_NO_THROW(checkGivenShape(shape, kPoints));
     const Array<SegmentLayout> segments = layOutSix(shape);
     ASSERT_FALSE(segments.empty());
     for (const SegmentLayout& segment : segments) {
       for (int i = 0; i <= 20; ++i) {
-        EXPECT_NEAR(blend(spread(segment, i / 20.0), Array<double>(kPoints, 1.0)), 1, 1e-12);
+        EXPECT_NEAR(weightedSum(spread(segment, i / 20.0), Array<double>(kPoints, 1.0)), 1, 1e-12);
       }
     }
     const int joints = segments.count() - (shape.closed ? 0 : 1);
@@ -129,7 +119,7 @@ double largestJump(const Array<SegmentLayout>& segments, const Array<double>& le
     // Polynomials of degree 5 and less: six values give every derivative.
     Array<double> differences;
     for (int i = 0; i <= 5; ++i) {
-      differences.push_back(blend(spread(segments[j], at + direction * i * kStep), values));
+      differences.push_back(weightedSum(spread(segments[j], at + direction * i * kStep), values));
     }
     // Forward differences give the Newton form; its derivative at the first value.
     Array<double> coefficients;
@@ -179,7 +169,7 @@ TEST(CurveLayout, JoinsAreAsSmoothAsTheKindPromises) {
 
 TEST(CurveLayout, ReversedCurvesRunBackwards) {
   const Array<double> values{0.3, -1, 2, 0.7, 1.1, -0.4};
-  for (const CurveShape& shape : shapes()) {
+  for (const CurveShape& shape : sixPointShapes()) {
     SCOPED_TRACE(describe(shape));
     const Array<SegmentLayout> segments = layOutSix(shape);
     Array<double> backwards = values;
@@ -191,10 +181,10 @@ TEST(CurveLayout, ReversedCurvesRunBackwards) {
     ASSERT_EQ(segments.count(), others.count());
     // A closed B-spline's first segment is another: one of them has the value.
     for (int j = 0; j < segments.count(); ++j) {
-      const double value = blend(spread(segments[j], 0.3), values);
+      const double value = weightedSum(spread(segments[j], 0.3), values);
       double nearest = kInfinity;
       for (const SegmentLayout& other : others) {
-        nearest = std::min(nearest, std::abs(blend(spread(other, 0.7), backwards) - value));
+        nearest = std::min(nearest, std::abs(weightedSum(spread(other, 0.7), backwards) - value));
       }
       EXPECT_LT(nearest, 1e-12);
     }

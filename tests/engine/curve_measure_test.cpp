@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "curve_support.h"
 #include "curves/measure.h"
 #include "generators/plane.h"
 #include "mesh/mesh_import.h"
@@ -11,25 +12,7 @@
 namespace karcher {
 namespace {
 
-constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
-constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
-
-void update(Curve& curve) {
-  curve.updateFields();
-  curve.trace();
-  curve.join();
-}
-
-const Array<Vec3> kPlaces{{0.3, 0.3, 0},  {0.45, 0.68, 0}, {0.62, 0.41, 0},
-                          {0.7, 0.65, 0}, {0.52, 0.3, 0},  {0.38, 0.52, 0}};
-
-Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& places) {
-  Array<SurfacePoint> points;
-  for (const Vec3& place : places) points.push_back(nearestPoint(mesh, place));
-  return points;
-}
-
-Array<CurveShape> shapes() {
+Array<CurveShape> plainShapes() {
   Array<CurveShape> all;
   for (const bool closed : {false, true}) {
     for (const CurveKind kind : kCurveKinds) {
@@ -56,7 +39,7 @@ Vec3 planePoint(const Curve& curve, const SegmentParameter& at) {
 TEST(CurveMeasure, PointsAndTangentsOnThePlaneAreThoseOfThePlane) {
   Surface surface(randomPlane());
   const TriangleMesh& mesh = surface.mesh();
-  for (const CurveShape& shape : shapes()) {
+  for (const CurveShape& shape : plainShapes()) {
     SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
     Curve curve(surface, {shape, 9, kExact}, pointsNear(mesh, kPlaces));
     update(curve);
@@ -107,7 +90,7 @@ TEST(CurveMeasure, DividesCurvesEvenly) {
     const Vec2 around = unitVector(2 * kPi * i / 6);
     places.emplace_back(-3 + around.x(), 7.5 + around.y(), 4);
   }
-  for (const CurveShape& shape : shapes()) {
+  for (const CurveShape& shape : plainShapes()) {
     SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
     Curve curve(surface, {shape, 2, kFast, 1e-4}, pointsNear(surface.mesh(), places));
     update(curve);
@@ -143,7 +126,7 @@ TEST(CurveMeasure, DividesCurvesEvenly) {
 TEST(CurveMeasure, FindsTheNearestPoint) {
   Surface surface(randomPlane());
   const TriangleMesh& mesh = surface.mesh();
-  for (const CurveShape& shape : shapes()) {
+  for (const CurveShape& shape : plainShapes()) {
     SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
     Curve curve(surface, {shape, 40, kExact}, pointsNear(mesh, kPlaces));
     update(curve);

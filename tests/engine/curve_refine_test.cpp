@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "curve_support.h"
 #include "curves/evaluate.h"
 #include "curves/knots.h"
 #include "curves/refine.h"
@@ -12,18 +13,8 @@
 namespace karcher {
 namespace {
 
-constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
 /// quad2 on the plane, and averages along exact shortest paths.
 constexpr double kPlane = 1e-9;
-
-void update(Curve& curve) {
-  curve.updateFields();
-  curve.trace();
-  curve.join();
-}
-
-const Array<Vec3> kPlaces{{0.3, 0.3, 0},  {0.45, 0.68, 0}, {0.62, 0.41, 0},
-                          {0.7, 0.65, 0}, {0.52, 0.3, 0},  {0.38, 0.52, 0}};
 
 class CurveRefine : public testing::Test {
  protected:
@@ -77,11 +68,6 @@ Array<CurveShape> bsplines() {
   all.push_back({CurveKind::kBSpline, false, 3, KnotRule::kOwn, {0, 0, 0, 0, 1, 1, 3, 3, 3, 4}});
   all.push_back({CurveKind::kBSpline, true, 2, KnotRule::kOwn, {0, 1, 1.5, 1.5, 4, 5, 6}});
   return all;
-}
-
-std::string describe(const CurveShape& shape) {
-  return std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : "") + " degree " +
-         std::to_string(shape.degree) + " rule " + std::to_string(static_cast<int>(shape.knotRule));
 }
 
 TEST_F(CurveRefine, InsertingAKnotLeavesABSplineAsItIs) {

@@ -5,26 +5,13 @@
 #include <random>
 #include <string>
 
+#include "curve_support.h"
 #include "curves/bases.h"
 #include "mesh/error.h"
 #include "support.h"
 
 namespace karcher {
 namespace {
-
-constexpr FieldOptions kPaperExact{Method::kPaper, Solver::kExact, 6};
-
-void update(Curve& curve) {
-  curve.updateFields();
-  curve.trace();
-  curve.join();
-}
-
-Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& positions) {
-  Array<SurfacePoint> points;
-  for (const Vec3& p : positions) points.push_back(nearestPoint(mesh, p));
-  return points;
-}
 
 /// Control points close together on the bunny, where every search converges.
 Array<SurfacePoint> bunnyPoints(const TriangleMesh& mesh, int count) {

@@ -8,14 +8,15 @@
 #include "mesh/triangle_soup.h"
 
 /// What the tests of distances and paths share.
-namespace karcher::testing {
+namespace karcher {
 
 /// A mesh with its geometry, which points into it.
-struct Surface {
-  explicit Surface(TriangleMesh m) : mesh(std::move(m)), geometry(buildGeometry(mesh)) {}
-  explicit Surface(const TriangleSoup& soup) : Surface(buildMesh(soup.positions, soup.triangles)) {}
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
+struct MeasuredMesh {
+  explicit MeasuredMesh(TriangleMesh m) : mesh(std::move(m)), geometry(buildGeometry(mesh)) {}
+  explicit MeasuredMesh(const TriangleSoup& soup)
+      : MeasuredMesh(buildMesh(soup.positions, soup.triangles)) {}
+  MeasuredMesh(const MeasuredMesh&) = delete;
+  MeasuredMesh& operator=(const MeasuredMesh&) = delete;
 
   const TriangleMesh mesh;
   const Geometry geometry;
@@ -75,4 +76,4 @@ inline SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
   return {f, Vec3(1 - s, s * (1 - t), s * t)};
 }
 
-}  // namespace karcher::testing
+}  // namespace karcher

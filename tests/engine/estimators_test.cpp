@@ -11,11 +11,6 @@
 namespace karcher {
 namespace {
 
-Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector) {
-  const int h = geometry.mesh->outgoing[vertex];
-  return rotateBack(geometry.vertexToFace[h], toFace(geometry, faceOf(h), vector));
-}
-
 /// The estimate at a vertex from the exact log vectors and squared distances of a point p of the
 /// plane.
 Vec2 estimate(const Geometry& geometry, StencilTable& table, int vertex, const Vec3& p) {

@@ -13,12 +13,12 @@
 #include "mesh/error.h"
 #include "support.h"
 
-namespace karcher::testing {
+namespace karcher {
 namespace {
 
 /// The vector of length d from a vertex along the shortest path towards the source, in space, for
 /// surfaces in the plane z = 0.
-Vec3 stepToSource(const Surface& surface, const ExactDistance& solver, int v) {
+Vec3 stepToSource(const MeasuredMesh& surface, const ExactDistance& solver, int v) {
   const CornerDirection corner = cornerOfDirection(surface.geometry, v, solver.direction(v));
   const Vec2 edge = halfedgeInFace(surface.geometry, corner.halfedge).normalized();
   return solver.distance(v) *
@@ -28,7 +28,7 @@ Vec3 stepToSource(const Surface& surface, const ExactDistance& solver, int v) {
 TEST(ExactDistance, IsEuclidsInThePlane) {
   for (const PlaneTessellation tessellation : kPlaneTessellations) {
     SCOPED_TRACE(tessellationName(tessellation));
-    const Surface surface(tessellatedPlane(tessellation, 1500, 3));
+    const MeasuredMesh surface(tessellatedPlane(tessellation, 1500, 3));
     ExactDistance solver(surface.geometry);
     Random random(17);
     for (int i = 0; i < 5; ++i) {
@@ -48,7 +48,7 @@ TEST(ExactDistance, IsEuclidsInThePlane) {
 TEST(ExactDistance, KeepsItsAccuracyOnNeedles) {
   TriangleSoup soup = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 1500, 4);
   for (Vec3& p : soup.positions) p.x() *= 1e5;
-  const Surface surface(soup);
+  const MeasuredMesh surface(soup);
   ExactDistance solver(surface.geometry);
   Random random(18);
   for (int i = 0; i < 4; ++i) {
@@ -65,7 +65,7 @@ TEST(ExactDistance, KeepsItsAccuracyOnNeedles) {
 
 TEST(ExactDistance, LosesNoRegionOfARegularGrid) {
   // Every vertex lies behind others exactly, and every way has equals.
-  const Surface surface(planeGrid(30, 30));
+  const MeasuredMesh surface(planeGrid(30, 30));
   ExactDistance solver(surface.geometry);
   for (const Vec3& p : {Vec3(0, 0, 0), Vec3(15, 15, 0), Vec3(7.5, 7.5, 0), Vec3(10.5, 3, 0)}) {
     solver.setSource(nearestPoint(surface.mesh, p));
@@ -77,9 +77,9 @@ TEST(ExactDistance, LosesNoRegionOfARegularGrid) {
 }
 
 TEST(ExactDistance, AgreesWithAnotherLibrary) {
-  const Surface surface(bunnyMesh());
+  const MeasuredMesh surface(bunnyMesh());
   ExactDistance solver(surface.geometry);
-  std::ifstream in(std::string(KARCHER_TEST_DATA) + "/bunny_exact_distances.txt");
+  std::ifstream in(KARCHER_TEST_DATA "/bunny_exact_distances.txt");
   std::string line;
   int sources = 0;
   while (std::getline(in, line)) {
@@ -106,7 +106,7 @@ TEST(ExactDistance, AgreesWithAnotherLibrary) {
 
 TEST(ExactDistance, UnrollsTheCylinder) {
   const FlatCylinder cylinder = flatCylinder(40, 3, 6);
-  const Surface surface(cylinder.soup);
+  const MeasuredMesh surface(cylinder.soup);
   ExactDistance solver(surface.geometry);
   for (int source = 0; source < surface.mesh.vertexCount(); source += 97) {
     solver.setSource(vertexPoint(surface.mesh, source));
@@ -122,7 +122,7 @@ TEST(ExactDistance, UnrollsTheCylinder) {
 TEST(ExactDistance, UnrollsTheCone) {
   for (const double angle : {2.0, 4.0, 6.0}) {
     const FlatCone cone = flatCone(30, angle, 6);
-    const Surface surface(cone.soup);
+    const MeasuredMesh surface(cone.soup);
     ExactDistance solver(surface.geometry);
     for (int source = 0; source < surface.mesh.vertexCount(); source += 61) {
       solver.setSource(vertexPoint(surface.mesh, source));
@@ -139,7 +139,7 @@ TEST(ExactDistance, UnrollsTheCone) {
 }
 
 TEST(ExactDistance, TurnsRoundAReentrantCorner) {
-  const Surface surface(lShape(6));
+  const MeasuredMesh surface(lShape(6));
   const Vec3 corner(6, 6, 0);
   ExactDistance solver(surface.geometry);
   for (const Vec3& p : {Vec3(10.3, 4.6, 0), Vec3(11, 6, 0), Vec3(8, 5.5, 0), Vec3(1, 1, 0)}) {
@@ -165,7 +165,7 @@ TEST(ExactDistance, TurnsRoundAReentrantCorner) {
 TEST(ExactDistance, ConvergesToTheSphere) {
   double previous = kInfinity;
   for (const int frequency : {4, 8, 16}) {
-    const Surface surface(icosphere(frequency));
+    const MeasuredMesh surface(icosphere(frequency));
     ExactDistance solver(surface.geometry);
     const SurfacePoint source{3, Vec3(0.2, 0.3, 0.5)};
     const Vec3 p = position(surface.mesh, source).normalized();
@@ -184,7 +184,7 @@ TEST(ExactDistance, ConvergesToTheSphere) {
 }
 
 TEST(ExactDistance, IsSymmetric) {
-  const Surface surface(bunnyMesh());
+  const MeasuredMesh surface(bunnyMesh());
   ExactDistance from(surface.geometry);
   ExactDistance back(surface.geometry);
   Random random(23);
@@ -210,7 +210,7 @@ TEST(ExactDistance, IsSymmetric) {
 }
 
 TEST(ExactDistance, ResumedIsTheSameBitForBit) {
-  const Surface surface(bunnyMesh());
+  const MeasuredMesh surface(bunnyMesh());
   ExactDistance whole(surface.geometry);
   ExactDistance resumed(surface.geometry);
   Random random(29);
@@ -233,8 +233,8 @@ TEST(ExactDistance, ResumedIsTheSameBitForBit) {
 }
 
 TEST(ExactDistance, StaysOnItsComponent) {
-  const Surface sphere(icosphere(2));
-  const Surface surface(together(sphere.mesh, sphere.mesh, Vec3(5, 0, 0)));
+  const MeasuredMesh sphere(icosphere(2));
+  const MeasuredMesh surface(together(sphere.mesh, sphere.mesh, Vec3(5, 0, 0)));
   ExactDistance solver(surface.geometry);
   solver.setSource({2, Vec3(0.3, 0.3, 0.4)});
   solver.grow(kInfinity);
@@ -245,7 +245,7 @@ TEST(ExactDistance, StaysOnItsComponent) {
 }
 
 TEST(ExactDistance, TouchesOnlyTheNeighbourhood) {
-  const Surface surface(planeGrid(100, 100));
+  const MeasuredMesh surface(planeGrid(100, 100));
   ExactDistance solver(surface.geometry);
   solver.setSource(nearestPoint(surface.mesh, Vec3(50.2, 49.9, 0)));
   solver.grow(5);
@@ -254,11 +254,11 @@ TEST(ExactDistance, TouchesOnlyTheNeighbourhood) {
 }
 
 TEST(ExactDistance, RefusesATargetAtAVertex) {
-  const Surface surface(planeGrid(2, 2));
+  const MeasuredMesh surface(planeGrid(2, 2));
   ExactDistance solver(surface.geometry);
   solver.setSource(vertexPoint(surface.mesh, 0));
   EXPECT_THROW(solver.setTarget(vertexPoint(surface.mesh, 8)), Error);
 }
 
 }  // namespace
-}  // namespace karcher::testing
+}  // namespace karcher

@@ -9,11 +9,10 @@
 #include "generators/sphere.h"
 #include "generators/torus.h"
 #include "intrinsic/geometry.h"
+#include "support.h"
 
 namespace karcher {
 namespace {
-
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
 
 double totalArea(const TriangleSoup& soup) {
   double area = 0;

@@ -7,11 +7,10 @@
 #include "generators/random.h"
 #include "generators/sphere.h"
 #include "mesh/shapes.h"
+#include "support.h"
 
 namespace karcher {
 namespace {
-
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
 
 TriangleMesh irregularPlane() {
   return meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 400, 1));

@@ -7,7 +7,7 @@
 #include "intrinsic/straightest.h"
 #include "support.h"
 
-namespace karcher::testing {
+namespace karcher {
 namespace {
 
 struct Path {
@@ -16,7 +16,7 @@ struct Path {
   Array<SurfacePoint> points;  ///< with the start
 };
 
-Path joined(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to,
+Path joined(const MeasuredMesh& surface, const SurfacePoint& from, const SurfacePoint& to,
             const LocalPathOptions& options = {}) {
   LocalPathWorkspace workspace;
   Path path;
@@ -26,7 +26,7 @@ Path joined(const Surface& surface, const SurfacePoint& from, const SurfacePoint
   return path;
 }
 
-void expectJoined(const Surface& surface, const Path& path) {
+void expectJoined(const MeasuredMesh& surface, const Path& path) {
   double length = 0;
   for (int i = 1; i < path.points.count(); ++i) {
     EXPECT_TRUE(haveCommonFace(surface.mesh, path.points[i - 1], path.points[i]));
@@ -37,7 +37,7 @@ void expectJoined(const Surface& surface, const Path& path) {
 }
 
 TEST(LocalPath, isTheStraightLineInThePlane) {
-  const Surface surface(tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 300, 5));
+  const MeasuredMesh surface(tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 300, 5));
   Random random(7);
   for (int i = 0; i < 500; ++i) {
     const SurfacePoint p = randomPoint(surface.mesh, random);
@@ -51,7 +51,7 @@ TEST(LocalPath, isTheStraightLineInThePlane) {
 }
 
 TEST(LocalPath, isStraightThroughTheVerticesOfARegularGrid) {
-  const Surface surface(planeGrid(6, 6));
+  const MeasuredMesh surface(planeGrid(6, 6));
   for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
     for (int w = 0; w < surface.mesh.vertexCount(); ++w) {
       const Path path = joined(surface, vertexPoint(surface.mesh, v), vertexPoint(surface.mesh, w));
@@ -64,7 +64,7 @@ TEST(LocalPath, isStraightThroughTheVerticesOfARegularGrid) {
 }
 
 TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
-  const Surface surface(icosphere(8));
+  const MeasuredMesh surface(icosphere(8));
   Random random(11);
   int same = 0;
   for (int i = 0; i < 300; ++i) {
@@ -85,7 +85,7 @@ TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
 }
 
 TEST(LocalPath, hasHalfATurnOnBothSidesOfItsVertices) {
-  const Surface surface(bunnyMesh());
+  const MeasuredMesh surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh;
   Random random(3);
   int vertices = 0;
@@ -118,7 +118,7 @@ TEST(LocalPath, hasHalfATurnOnBothSidesOfItsVertices) {
 }
 
 TEST(LocalPath, goesRoundAReentrantCorner) {
-  const Surface surface(lShape(2));
+  const MeasuredMesh surface(lShape(2));
   const SurfacePoint p = nearestPoint(surface.mesh, Vec3(1.7, 3.6, 0));
   const SurfacePoint q = nearestPoint(surface.mesh, Vec3(3.8, 1.9, 0));
   const Path path = joined(surface, p, q);
@@ -128,7 +128,7 @@ TEST(LocalPath, goesRoundAReentrantCorner) {
 }
 
 TEST(LocalPath, saysWhenThePointsAreTooFarApart) {
-  const Surface surface(planeGrid(30, 30));
+  const MeasuredMesh surface(planeGrid(30, 30));
   const SurfacePoint p = vertexPoint(surface.mesh, 0);
   const SurfacePoint q = vertexPoint(surface.mesh, surface.mesh.vertexCount() - 1);
   LocalPathOptions options;
@@ -140,7 +140,7 @@ TEST(LocalPath, saysWhenThePointsAreTooFarApart) {
 }
 
 TEST(LocalPath, ofAPointToItselfHasNoLength) {
-  const Surface surface(icosphere(2));
+  const MeasuredMesh surface(icosphere(2));
   const SurfacePoint p{4, Vec3(0.2, 0.5, 0.3)};
   const Path path = joined(surface, p, p);
   ASSERT_TRUE(path.found);
@@ -149,4 +149,4 @@ TEST(LocalPath, ofAPointToItselfHasNoLength) {
 }
 
 }  // namespace
-}  // namespace karcher::testing
+}  // namespace karcher

@@ -5,11 +5,10 @@
 #include "mesh/loop_subdivision.h"
 #include "mesh/shapes.h"
 #include "mesh/split_triangles.h"
+#include "support.h"
 
 namespace karcher {
 namespace {
-
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
 
 TEST(LoopSubdivision, KeepsTheTopology) {
   for (const Shape shape : kShapes) {

@@ -9,6 +9,7 @@
 #include "mesh/error.h"
 #include "mesh/shapes.h"
 #include "mesh/triangle_mesh.h"
+#include "support.h"
 
 namespace karcher {
 namespace {
@@ -21,8 +22,6 @@ std::string errorOf(const Array<Vec3>& positions, const Array<Triangle>& faces) 
   }
   return "";
 }
-
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
 
 /*  3 --- 2
     | \ 1 |

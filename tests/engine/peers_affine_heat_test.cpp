@@ -8,8 +8,6 @@
 namespace karcher {
 namespace {
 
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
-
 constexpr AffineVariant kVariants[] = {AffineVariant::kLocal, AffineVariant::kAdaptive};
 
 LogMap logMap(const HeatOperators& operators, const SurfacePoint& source, AffineVariant variant) {

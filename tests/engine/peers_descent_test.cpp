@@ -10,8 +10,6 @@
 namespace karcher {
 namespace {
 
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
-
 Array<double> distancesInSpace(const TriangleMesh& mesh, const Vec3& from) {
   Array<double> distances;
   for (const Vec3& p : mesh.positions) distances.push_back((p - from).norm());

@@ -7,8 +7,6 @@
 namespace karcher {
 namespace {
 
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
-
 double totalArea(const IntrinsicTriangulation& triangulation) {
   double area = 0;
   for (int f = 0; f < triangulation.faceCount(); ++f) area += doubleArea(triangulation, f) / 2;

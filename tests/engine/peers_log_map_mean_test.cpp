@@ -13,8 +13,6 @@
 namespace karcher {
 namespace {
 
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
-
 LogMapFromVertex vectorHeatOf(const HeatOperators& operators) {
   return [&operators](int v) { return vectorHeatLogMap(operators, v); };
 }

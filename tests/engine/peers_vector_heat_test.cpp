@@ -11,17 +11,9 @@
 namespace karcher {
 namespace {
 
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
-
 LogMap logMap(const HeatOperators& operators, const SurfacePoint& source) {
   return logMapFromPoint(
       operators.geometry(), [&](int v) { return vectorHeatLogMap(operators, v); }, source);
-}
-
-/// A vector in space, at a vertex of a flat mesh, in the vertex's frame.
-Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector) {
-  const int h = geometry.mesh->outgoing[vertex];
-  return rotateBack(geometry.vertexToFace[h], toFace(geometry, faceOf(h), vector));
 }
 
 TEST(VectorHeat, LogMapsAgreeWithAnIndependentLibrary) {

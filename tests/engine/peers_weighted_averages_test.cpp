@@ -12,8 +12,6 @@
 namespace karcher {
 namespace {
 
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
-
 /// Distances in a straight line: geodesic ones on a convex piece of the plane.
 DistancesFromVertex straightDistances(const TriangleMesh& mesh) {
   return [&mesh](int v) {
@@ -62,7 +60,7 @@ const EmbeddedBunny& embeddedBunny() {
   return bunny;
 }
 
-SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
+SurfacePoint uniformPoint(const TriangleMesh& mesh, Random& random) {
   const double s = std::sqrt(random.uniform());
   const double t = random.uniform();
   return {random.index(mesh.faceCount()), Vec3(1 - s, s * (1 - t), s * t)};
@@ -114,7 +112,7 @@ TEST(PhongProjection, OfAPointOfTheSurfaceIsThePoint) {
   const PhongSurface surface(bunny.mesh, bunny.embedding.positions, bunny.embedding.planes);
   Random random(2);
   for (int i = 0; i < 500; ++i) {
-    const SurfacePoint point = randomPoint(bunny.mesh, random);
+    const SurfacePoint point = uniformPoint(bunny.mesh, random);
     if (isFolded(bunny.mesh, bunny.embedding.positions, bunny.embedding.planes, point.face)) {
       continue;
     }
@@ -134,7 +132,7 @@ TEST(PhongProjection, IsOrthogonalToTheBlendedPlaneAndContinuous) {
   double longest = 0;
   for (int i = 0; i < 40; ++i) {
     // A short straight line in space, a little beside the surface, over several faces.
-    const SurfacePoint start = randomPoint(bunny.mesh, random);
+    const SurfacePoint start = uniformPoint(bunny.mesh, random);
     const TangentPlane plane = surface.planeAt(start);
     EmbeddedPoint offset;
     for (int d = 0; d < kEmbeddingDimensions; ++d) offset[d] = random.uniform(-1, 1);
@@ -226,10 +224,10 @@ TEST(WeightedAverages, WeightsOfAPointAverageToIt) {
   const WeightedAverages averages(bunny.mesh, bunny.embedding);
   Random random(6);
   for (int i = 0; i < 100; ++i) {
-    const SurfacePoint target = randomPoint(bunny.mesh, random);
+    const SurfacePoint target = uniformPoint(bunny.mesh, random);
     Array<SurfacePoint> points;
     while (points.count() < 5) {
-      const SurfacePoint p = randomPoint(bunny.mesh, random);
+      const SurfacePoint p = uniformPoint(bunny.mesh, random);
       const double away = (position(bunny.mesh, p) - position(bunny.mesh, target)).norm();
       if (away < 4 * bunny.geometry.meanEdge) points.push_back(p);
     }

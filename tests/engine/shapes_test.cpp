@@ -8,11 +8,10 @@
 
 #include "mesh/error.h"
 #include "mesh/triangle_mesh.h"
+#include "support.h"
 
 namespace karcher {
 namespace {
-
-TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
 
 Vec3 areaVector(const TriangleMesh& mesh, int f) {
   const Vec3& a = mesh.positions[mesh.corner(f, 0)];

@@ -123,12 +123,11 @@ TEST(ShortestPath, IsTheSameBothWaysAndObeysTheTriangleInequality) {
 }
 
 TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
-  using testing::Surface;
   TriangleSoup needles = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 800, 2);
   for (Vec3& p : needles.positions) p.x() *= 1e4;
-  const Surface stretched(needles);
-  const Surface corner(testing::lShape(5));
-  for (const Surface* surface : {&stretched, &corner}) {
+  const MeasuredMesh stretched(needles);
+  const MeasuredMesh corner(lShape(5));
+  for (const MeasuredMesh* surface : {&stretched, &corner}) {
     const TriangleMesh& mesh = surface->mesh;
     Array<int> boundary;
     for (int h = 0; h < mesh.halfedgeCount(); ++h) {
@@ -141,7 +140,7 @@ TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
     };
     ExactDistance solver(surface->geometry);
     for (int i = 0; i < 200; ++i) {
-      const SurfacePoint a = i % 2 == 0 ? onBoundary() : testing::randomPoint(mesh, random);
+      const SurfacePoint a = i % 2 == 0 ? onBoundary() : randomPoint(mesh, random);
       const SurfacePoint b = onBoundary();
       const ShortestPath path = shortestPath(surface->geometry, a, b);
       expectPathOnSurface(mesh, path);

@@ -26,6 +26,13 @@ TriangleMesh planeGrid(int columns, int rows) {
   return buildMesh(positions, faces);
 }
 
+TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }
+
+Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector) {
+  const int h = geometry.mesh->outgoing[vertex];
+  return rotateBack(geometry.vertexToFace[h], toFace(geometry, faceOf(h), vector));
+}
+
 TriangleMesh bunnyMesh() {
   std::ifstream file(KARCHER_BUNNY_OBJ);
   if (!file) throw std::runtime_error(KARCHER_BUNNY_OBJ " is missing: run npm test");

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "curves/curve.h"
+
+/// What several tests of curves share.
+namespace karcher {
+
+inline constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
+inline constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
+inline constexpr FieldOptions kPaperExact{Method::kPaper, Solver::kExact, 6};
+
+/// All of a curve's stages.
+void update(Curve& curve);
+
+/// Every kind, open and closed where it can be, with uneven weights and betas for that many points.
+Array<CurveShape> everyShape(int points);
+
+/// "bspline closed degree 3 rule 0"
+std::string describe(const CurveShape& shape);
+
+/// The surface points nearest to places in space.
+Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& places);
+
+/// Places of the unit square, away from its sides; their polygon turns left and right.
+inline const Array<Vec3> kPlaces{{0.3, 0.3, 0},  {0.45, 0.68, 0}, {0.62, 0.41, 0},
+                                 {0.7, 0.65, 0}, {0.52, 0.3, 0},  {0.38, 0.52, 0}};
+
+/// The average of numbers with weights.
+double weightedSum(const Array<double>& weights, const Array<double>& values);
+
+}  // namespace karcher
