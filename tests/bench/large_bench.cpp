@@ -10,9 +10,10 @@
 #include "mesh/loop_subdivision.h"
 #include "mesh/mesh_import.h"
 
-/// Whether an edit's cost grows with the mesh: a B-spline on a mesh after LEVELS steps of Loop
-/// subdivision and after two steps less, its points equally many mean edges apart (on the large
-/// one 4 % of the diagonal), so that its fields hold equally many vertices. One JSON object.
+/// Whether an edit's cost grows with the mesh: B-splines at several places of a mesh after LEVELS
+/// steps of Loop subdivision and after two steps less. Their points lie 4 % of the diagonal apart
+/// on the large mesh, and on the small one so far that the fields hold as many vertices as there.
+/// Each time is a median over the places. One JSON object.
 ///
 ///   large_bench MESH.obj [LEVELS]      4 by default
 namespace karcher {
@@ -21,7 +22,7 @@ namespace {
 constexpr int kPoints = 7;
 constexpr int kSamples = 128;
 constexpr double kSpacing = 0.04;
-constexpr uint64_t kSeed = 3;
+constexpr int kPlaces = 9;
 
 TriangleSoup refined(TriangleMesh mesh, int levels) {
   TriangleSoup soup = loopSubdivision(mesh);
@@ -29,9 +30,9 @@ TriangleSoup refined(TriangleMesh mesh, int levels) {
   return soup;
 }
 
-/// Points in a zigzag along straightest geodesics.
-Array<SurfacePoint> zigzag(const Geometry& geometry, double spacing) {
-  Random random(kSeed);
+/// Points in a zigzag along straightest geodesics, from a random place.
+Array<SurfacePoint> zigzag(const Geometry& geometry, double spacing, uint64_t seed) {
+  Random random(seed);
   Array<SurfacePoint> points{randomPoint(*geometry.mesh, random)};
   Vec2 direction(1, 0);
   while (points.count() < kPoints) {
@@ -43,61 +44,93 @@ Array<SurfacePoint> zigzag(const Geometry& geometry, double spacing) {
   return points;
 }
 
-struct Measured {
-  int triangles = 0;
-  double meanEdge = 0;
-  double diagonal = 0;
+constexpr FieldOptions kField{Method::kKarcher, Solver::kFast, 6};
+
+struct Subject {
+  std::unique_ptr<Surface> surface;
   double prepareMs = 0;
   double calibrationNs = 0;
-  int fieldVertices = 0;
-  CurveTimes curve;
+
+  const Geometry& geometry() const { return surface->geometry(); }
 };
 
-/// `spacing` in mean edges; 0 for kSpacing of the diagonal.
-Measured measure(TriangleSoup soup, double spacing) {
-  Measured result;
-  std::unique_ptr<Surface> surface;
-  result.prepareMs = timed([&] {
-    surface = std::make_unique<Surface>(importMesh(std::move(soup)).mesh);
-    surface->vertexFans();
+Subject prepare(TriangleSoup soup) {
+  Subject subject;
+  subject.prepareMs = timed([&] {
+    subject.surface = std::make_unique<Surface>(importMesh(std::move(soup)).mesh);
+    subject.surface->vertexFans();
   });
-  const Geometry& geometry = surface->geometry();
-  result.triangles = surface->mesh().faceCount();
-  result.meanEdge = geometry.meanEdge;
-  result.diagonal = geometry.diagonal;
-  const double length = spacing > 0 ? spacing * geometry.meanEdge : kSpacing * geometry.diagonal;
-  const FieldOptions options{Method::kKarcher, Solver::kFast, 6};
-  const Array<SurfacePoint> points = zigzag(geometry, length);
-  result.curve = timeCurve(*surface, points, kSamples, options);
-  PointField field(*surface, options);
-  field.setPoint(points[kPoints / 2]);
-  result.fieldVertices = verticesWithin(*surface, field, length).count();
-  result.calibrationNs =
-      1e6 * timed([&] { edgeDijkstra(geometry, 0); }) / surface->mesh().vertexCount();
+  subject.calibrationNs = 1e6 * medianTime([&] { edgeDijkstra(subject.geometry(), 0); }) /
+                          subject.surface->mesh().vertexCount();
+  return subject;
+}
+
+/// Vertices nearer to a place's middle point than its neighbours, on average.
+double fieldVertices(const Subject& subject, double spacing) {
+  double sum = 0;
+  for (int place = 1; place <= kPlaces; ++place) {
+    PointField field(*subject.surface, kField);
+    field.setPoint(zigzag(subject.geometry(), spacing, static_cast<uint64_t>(place))[kPoints / 2]);
+    sum += verticesWithin(*subject.surface, field, spacing).count();
+  }
+  return sum / kPlaces;
+}
+
+/// The spacing with which fields hold about so many vertices: their number grows with its square.
+double spacingFor(const Subject& subject, double spacing, double vertices) {
+  for (int i = 0; i < 4; ++i) spacing *= std::sqrt(vertices / fieldVertices(subject, spacing));
+  return spacing;
+}
+
+/// Medians over the places, and the sums of counts.
+CurveTimes timePlaces(const Subject& subject, double spacing) {
+  Array<double> sample, drag, bridge, join;
+  CurveTimes result;
+  for (int place = 1; place <= kPlaces; ++place) {
+    const Array<SurfacePoint> points =
+        zigzag(subject.geometry(), spacing, static_cast<uint64_t>(place));
+    const CurveTimes times = timeCurve(*subject.surface, points, kSamples, kField);
+    sample.push_back(times.sampleUs);
+    drag.push_back(times.dragMs);
+    bridge.push_back(times.bridgeMs);
+    join.push_back(times.joinMs);
+    result.samples += times.samples;
+    result.lost += times.lost;
+  }
+  result.sampleUs = median(sample);
+  result.dragMs = median(drag);
+  result.bridgeMs = median(bridge);
+  result.joinMs = median(join);
   return result;
 }
 
-void print(const char* name, const Measured& m) {
+void print(const char* name, const Subject& subject, double vertices, const CurveTimes& times) {
   std::printf(
-      "\"%s\":{\"triangles\":%d,\"prepareMs\":%.0f,\"fieldVertices\":%d,\"sampleNs\":%.1f,"
+      "\"%s\":{\"triangles\":%d,\"prepareMs\":%.0f,\"fieldVertices\":%.0f,\"sampleNs\":%.1f,"
       "\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,\"bridgeMs\":%.3f,\"joinMs\":%.3f,"
       "\"calibrationNs\":%.1f}",
-      name, m.triangles, m.prepareMs, m.fieldVertices, 1000 * m.curve.sampleUs, m.curve.samples,
-      m.curve.lost, m.curve.dragMs, m.curve.bridgeMs, m.curve.joinMs, m.calibrationNs);
+      name, subject.surface->mesh().faceCount(), subject.prepareMs, vertices, 1000 * times.sampleUs,
+      times.samples, times.lost, times.dragMs, times.bridgeMs, times.joinMs, subject.calibrationNs);
 }
 
 void run(const std::string& path, int levels) {
   const TriangleMesh mesh = loadBenchMesh(path, "").mesh;
-  const Measured large = measure(refined(mesh, levels), 0);
+  const Subject large = prepare(refined(mesh, levels));
+  const double spacing = kSpacing * large.geometry().diagonal;
+  const double vertices = fieldVertices(large, spacing);
+  const CurveTimes onLarge = timePlaces(large, spacing);
   const double peak = peakMemoryMB();
-  const double spacing = kSpacing * large.diagonal / large.meanEdge;
-  const Measured small = measure(refined(mesh, levels - 2), spacing);
+
+  const Subject small = prepare(refined(mesh, levels - 2));
+  const double start = spacing / large.geometry().meanEdge * small.geometry().meanEdge;
+  const double smallSpacing = spacingFor(small, start, vertices);
+  const CurveTimes onSmall = timePlaces(small, smallSpacing);
   std::printf("{");
-  print("large", large);
+  print("large", large, vertices, onLarge);
   std::printf(",");
-  print("small", small);
-  std::printf(",\"dragRatio\":%.2f,\"peakMemoryMB\":%.0f}\n",
-              large.curve.dragMs / small.curve.dragMs, peak);
+  print("small", small, fieldVertices(small, smallSpacing), onSmall);
+  std::printf(",\"dragRatio\":%.2f,\"peakMemoryMB\":%.0f}\n", onLarge.dragMs / onSmall.dragMs,
+              peak);
 }
 
 }  // namespace

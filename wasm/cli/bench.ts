@@ -8,6 +8,8 @@ import { type Command, pointsOption } from './command.js';
 const runs = 5;
 /** Of what takes a few milliseconds at most. */
 const quickRuns = 50;
+/** Before times are taken: as long an engine runs WebAssembly in code that it made in haste. */
+const warmUp = { runs: 1000, ms: 500 };
 const rings = 6;
 const paper = (solver: Solver): FieldOptions => ({ method: 'paper', solver, rings });
 
@@ -60,6 +62,7 @@ function timeSteps(mesh: Mesh, { face, bary }: SurfacePoint) {
   const logField = (solver: Solver) => {
     const options = engineFieldOptions({ method: 'karcher', solver });
     const fieldVertices = benchmark.call((steps) => steps.chooseField(source, options, radius));
+    time((steps) => steps.readField(), quickRuns);
     const fieldMs = time((steps) => steps.readField(), quickRuns);
     return { fieldMs, fieldVertices, fieldNsPerVertex: (1e6 * fieldMs) / fieldVertices };
   };
@@ -92,6 +95,8 @@ function timeCurve(
   const curve = mesh.curve({ kind: 'bspline', points: [...points], samples, ...field });
   const { count, status } = curve.samples;
   const lost = status.filter((name) => name !== 'converged').length;
+  const start = performance.now();
+  for (let i = 0; i < warmUp.runs && performance.now() - start < warmUp.ms; i++) curve.retrace();
   const index = Math.floor(points.length / 2);
   const here = curve.points[index]!;
   const places = [nextCorner(here), here];
