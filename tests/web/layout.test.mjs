@@ -22,6 +22,25 @@ describe('where the page is shown', () => {
     await tab.page.close();
   });
 
+  test('a narrow window shows the whole width of a surface', async () => {
+    for (const mesh of ['genus3:5000', 'sphere:1500', 'openSheet:5000', 'knot:5000']) {
+      const tab = await Tab.open(browser, `mesh=${mesh}`);
+      const { positions } = await tab.mesh();
+      const seen = await tab.page.evaluate((all) => {
+        const places = [];
+        for (let i = 0; i < all.length; i += 3) {
+          const place = window.karcherPage.seen(all.slice(i, i + 3));
+          if (place) places.push(place.x);
+        }
+        return places;
+      }, positions);
+      const [least, most] = [Math.min(...seen), Math.max(...seen)];
+      assert.ok(least >= 0 && most <= 390, `${mesh}: ${least} to ${most}`);
+      assert.ok(most - least > 0.6 * 390, `${mesh} fills ${most - least} pixels`);
+      await tab.page.close();
+    }
+  });
+
   for (const kind of ['circle', 'ellipse']) {
     test(`a narrow window has every setting of the ${kind} in reach`, async () => {
       const tab = await Tab.open(browser, `mesh=sphere:1500&kind=${kind}`);

@@ -1,9 +1,12 @@
 import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Surface } from './surface';
 
 const fieldOfView = 30;
 /** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
 const margin = 0.88;
+/** The part of the stage's width that a surface may take. */
+const widthTaken = 0.94;
 const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 const flightMilliseconds = 260;
 /** From how far a place is looked at, unless the view is nearer already. */
@@ -19,6 +22,8 @@ interface Place {
 /** The camera, and how the pointer, keys and flights move it. */
 export class OrbitView {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
+  /** What is looked at, once there is something. */
+  surface: Surface | null = null;
   readonly #controls: OrbitControls;
   /** Whether the view was not touched since it was reset; it then goes with the stage's size. */
   #whole = true;
@@ -125,10 +130,12 @@ export class OrbitView {
     this.#controls.update();
   }
 
-  /** From how far the bounding sphere, of radius 1, fills the stage. */
+  /** From how far the bounding sphere, of radius 1, fills the stage, and no width is cut off. */
   #wholeDistance(): number {
-    const half = (fieldOfView * Math.PI) / 360;
-    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
-    return margin / Math.sin(narrow);
+    const slope = Math.tan((fieldOfView * Math.PI) / 360);
+    const narrow = Math.atan(slope * Math.min(1, this.camera.aspect));
+    const wide = widthTaken * slope * this.camera.aspect;
+    const width = this.surface?.widthDistance(startDirection, wide) ?? 0;
+    return Math.max(margin / Math.sin(narrow), width);
   }
 }

@@ -180,6 +180,22 @@ export class Surface {
     return position.toArray().map((value, axis) => value / scale + center[axis]!) as Vector;
   }
 
+  /**
+   * How far, in that direction from the scene's middle, an upright camera that looks there sees the
+   * surface's whole width; `slope` is the tangent of half its horizontal field of view.
+   */
+  widthDistance(direction: Vector3, slope: number): number {
+    const aside = new Vector3(0, 1, 0).cross(direction).normalize();
+    const corner = new Vector3();
+    let farthest = 0;
+    for (const vertex of this.#triangles) {
+      corner.fromArray(this.#positions, 3 * vertex);
+      const distance = corner.dot(direction) + Math.abs(corner.dot(aside)) / slope;
+      farthest = Math.max(farthest, distance);
+    }
+    return farthest;
+  }
+
   dispose(): void {
     this.#geometry.dispose();
   }

@@ -89,6 +89,7 @@ export class Viewer {
     }
     this.#surface = new Surface(drawn);
     this.#surface.edges = this.#edges;
+    this.#view.surface = this.#surface;
     this.#scene.add(this.#surface.object);
     this.showCurve(null);
     this.showPolygon([], false);
