@@ -8,6 +8,7 @@ import { Session } from './editor/session';
 import { exposeState } from './inspection';
 import { Opening } from './opening';
 import { CurvePanel } from './panels/curve_panel';
+import { showDetailsOnDemand } from './panels/details';
 import { byId } from './panels/elements';
 import { LostPanel } from './panels/lost_panel';
 import { sentenceOf, showNote } from './panels/messages';
@@ -93,6 +94,7 @@ export async function start(): Promise<void> {
     status.showHint(state, session.view);
   });
   curvePanel.show(editor.state, session.view);
+  showDetailsOnDemand();
   saveChanges(editor);
   window.addEventListener('hashchange', () => {
     const link = parseLink(location.hash);

@@ -22,6 +22,40 @@ describe('where the page is shown', () => {
     await tab.page.close();
   });
 
+  test('a narrow window has facts, repairs, the points and Clear on demand', async () => {
+    const tab = await Tab.open(browser);
+    // Two squares, the second with vertices of its own along the common edge.
+    await tab.drop(
+      'squares.obj',
+      `v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0
+f 1 2 3 4\nf 5 6 7 8\n`,
+    );
+    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.page.getByText('Method', { exact: true }).waitFor();
+    await tab.click([-30, 0], [30, 10]);
+    const more = tab.page.getByRole('button', { name: 'Details' });
+    const lists = tab.page.locator('#facts, #repairs li, #points li, #clear');
+    assert.ok((await lists.all()).length >= 6);
+    for (const part of await lists.all()) assert.equal(await part.isVisible(), false);
+    await more.tap();
+    assert.equal(await more.getAttribute('aria-expanded'), 'true');
+    for (const part of await lists.all()) {
+      await part.scrollIntoViewIfNeeded();
+      const box = await part.boundingBox();
+      assert.ok(box.x >= 0 && box.x + box.width <= 390);
+      assert.ok(box.y >= 0 && box.y + box.height <= 844);
+    }
+    const stage = await tab.page.locator('#stage').boundingBox();
+    assert.ok(stage.height > 0.3 * 844, 'and the surface is still seen');
+    await tab.page.locator('#clear').tap();
+    await tab.settled();
+    assert.equal((await tab.state()).document.points.length, 0);
+    await more.tap();
+    assert.equal(await tab.page.locator('#facts').isVisible(), false);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   test('a narrow window shows the whole width of a surface', async () => {
     for (const mesh of ['genus3:5000', 'sphere:1500', 'openSheet:5000', 'knot:5000']) {
       const tab = await Tab.open(browser, `mesh=${mesh}`);
