@@ -1,4 +1,4 @@
-import { polylinesOf } from './editor/compute';
+import { messageOf, polylinesOf } from './editor/compute';
 import { CurveEdits } from './editor/curve_edits';
 import { Editor } from './editor/editor';
 import { Gestures } from './editor/gestures';
@@ -59,7 +59,7 @@ export async function start(): Promise<void> {
     status.show(editor.state, view, session.client?.info ?? null);
   };
 
-  session.onFailure = (error) => showNote(sentenceOf(error));
+  session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);
 
   const surfacePanel = new SurfacePanel({

@@ -117,7 +117,7 @@ export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
 /** Failures that the engine tells by the numbers of points or arcs, which it counts from 0. */
 const withoutNumbers: Partial<Record<NonNullable<EngineError['code']>, string>> = {
   unreachable: 'the points lie on different components of the surface; no path joins them all',
-  boundary: 'a geodesic from the center meets the surface’s boundary before it reaches its arc',
+  boundary: 'a geodesic from the center to its arc meets the surface’s boundary',
 };
 
 export function messageOf(error: unknown): string {
