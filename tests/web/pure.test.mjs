@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { load as loadEngine } from 'karcher';
 import { runnerImport } from 'vite';
 
 const load = async (path) => {
@@ -158,6 +159,13 @@ describe('keys of surfaces', () => {
     for (const key of [...wrong, ...ofWhat, 'simplified:500:file:abc:a.obj']) {
       assert.equal(meshes.parseKey(key), null, key);
     }
+  });
+
+  test('have as many triangles at most as a shape that the engine makes', async () => {
+    const karcher = await loadEngine();
+    assert.throws(() => karcher.shape('sphere', 1_000_001), /to 1000000 can be made/);
+    assert.ok(meshes.parseKey('sphere:1000000'));
+    assert.equal(meshes.parseKey('sphere:1000001'), null);
   });
 
   test('name the same sample at different details, and no other surface', () => {
