@@ -216,6 +216,8 @@ class ArcChains {
         end = partner_[end ^ 1];
       }
       line.closed = end >= 0 || arcs_[first_ / 2].isCircle;
+      // A scrap between two ends that have met each other.
+      if (!line.closed && line.length <= kMeet * geometry_.meanEdge) return;
       if (line.closed) line.points.push_back(line.points.front());
       isolines.push_back(std::move(line));
     };
@@ -327,17 +329,19 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
                    [](const Beam& a, const Beam& b) { return a.face < b.face; });
   Array<Arc> arcs;
   FaceArcs faceArcs(geometry, radius);
+  // Whether all of a face is nearer than the radius, by the way over one of its corners.
   const auto isNearer = [&](int face) {
-    const double* lengths = geometry.edgeLength.data() + 3 * static_cast<ptrdiff_t>(face);
-    const double diameter = *std::max_element(lengths, lengths + 3);
-    const auto& corners = geometry.mesh->faces[face];
-    return std::any_of(corners.begin(), corners.end(),
-                       [&](int vertex) { return distance.distance(vertex) + diameter < radius; });
+    for (int k = 0; k < 3; ++k) {
+      const int h = 3 * face + k;
+      const double longest = std::max(geometry.edgeLength[h], geometry.edgeLength[previous(h)]);
+      if (distance.distance(geometry.mesh->tail(h)) + longest < radius) return true;
+    }
+    return false;
   };
   for (int i = 0; i < beams.count();) {
     int end = i;
     while (end < beams.count() && beams[end].face == beams[i].face) ++end;
-    // Of a face that has no point so far not all beams are kept.
+    // Of a face without a point at the radius not all beams are kept: others would not be undercut.
     if (!isNearer(beams[i].face)) faceArcs.append(beams.data() + i, beams.data() + end, arcs);
     i = end;
   }

@@ -141,6 +141,21 @@ TEST(Isoline, FarExactOnesAreClosedOnAClosedSurface) {
   }
 }
 
+TEST(Isoline, ExactOnesLeaveNoScraps) {
+  // Around saddle vertices, where paths bend and faces may lie nearer as a whole by one corner.
+  const TriangleMesh mesh = importMesh(makeShape(Shape::kGenus3, 1000)).mesh;
+  const Geometry geometry = buildGeometry(mesh);
+  for (int i = 0; i < 40; ++i) {
+    const SurfacePoint source{i * 7919 % mesh.faceCount(), Vec3(0.3, 0.3, 0.4)};
+    for (const double part : {0.1, 0.2, 0.3, 0.4}) {
+      SCOPED_TRACE("face " + std::to_string(source.face) + ", " + std::to_string(part));
+      for (const Isoline& line : exactIsolines(geometry, source, part * geometry.diagonal)) {
+        EXPECT_TRUE(line.closed);
+      }
+    }
+  }
+}
+
 TEST(Isoline, LinearOnesOfALinearFunctionAreStraight) {
   const TriangleMesh mesh = planeGrid(6, 5);
   Array<double> values;
