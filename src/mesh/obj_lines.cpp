@@ -18,7 +18,37 @@ size_t countDigits(std::string_view word, size_t from) {
   return end - from;
 }
 
-/// More are too many for tinyobjloader, which then reads 0.
+bool isComment(std::string_view line) {
+  while (!line.empty() && isSpace(line[0])) line.remove_prefix(1);
+  return line.starts_with('#');
+}
+
+/// The length of the line end at `from`: 0 to 2.
+size_t lineEnd(std::string_view text, size_t from) {
+  if (from == text.size() || !isLineEnd(text[from])) return 0;
+  return text[from] == '\r' && from + 1 < text.size() && text[from + 1] == '\n' ? 2 : 1;
+}
+
+/// Inside of a continued line.
+int countLineEnds(std::string_view line) {
+  int count = 0;
+  for (size_t i = line.find('\\'); i < line.size(); ++i) {
+    const size_t end = lineEnd(line, i);
+    if (end == 0) continue;
+    ++count;
+    i += end - 1;
+  }
+  return count;
+}
+
+/// The length of what divides words at `from`: a blank, or a backslash and the end of its line.
+size_t gap(std::string_view line, size_t from) {
+  if (isSpace(line[from])) return 1;
+  const size_t end = line[from] == '\\' ? lineEnd(line, from + 1) : 0;
+  return end == 0 ? 0 : 1 + end;
+}
+
+/// More are no number that anybody meant; the exponent fits an integer.
 constexpr size_t kMostExponentDigits = 9;
 
 /// sign? (digits (. digits?)? | . digits) (e sign? digits)?
@@ -67,7 +97,9 @@ class LineCheck {
   ObjLines check(std::string_view text) {
     while (!text.empty()) {
       ++line_;
-      checkLine(takeObjLine(text));
+      const std::string_view line = takeObjLine(text);
+      checkLine(line);
+      line_ += countLineEnds(line);
     }
     if (found_.faces == 0) fail(ErrorCode::kBadFile, "the file has no faces");
     if (greatest_ > found_.vertices) {
@@ -158,18 +190,29 @@ class LineCheck {
 
 std::string_view takeObjLine(std::string_view& text) {
   size_t end = 0;
-  while (end < text.size() && !isLineEnd(text[end])) ++end;
+  size_t length = 0;
+  while (true) {
+    while (end < text.size() && !isLineEnd(text[end])) ++end;
+    length = lineEnd(text, end);
+    if (length == 0 || end == 0 || text[end - 1] != '\\' || isComment(text)) break;
+    end += length;
+  }
   const std::string_view line = text.substr(0, end);
-  if (end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n') ++end;
-  text.remove_prefix(std::min(end + 1, text.size()));
+  text.remove_prefix(end + length);
   return line;
 }
 
 std::string_view takeObjWord(std::string_view& line) {
   size_t begin = 0;
-  while (begin < line.size() && isSpace(line[begin])) ++begin;
+  while (begin < line.size()) {
+    const size_t blank = gap(line, begin);
+    if (blank == 0) break;
+    begin += blank;
+  }
   size_t end = begin;
-  while (end < line.size() && !isSpace(line[end])) ++end;
+  // Most characters are seen at once to be a word's.
+  while (end < line.size() && ((line[end] > ' ' && line[end] != '\\') || gap(line, end) == 0))
+    ++end;
   const std::string_view word = line.substr(begin, end - begin);
   line.remove_prefix(end);
   return word;

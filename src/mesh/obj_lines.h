@@ -6,10 +6,11 @@
 
 namespace karcher {
 
-/// Cuts the next line off the front of `text`, without its end: \n, \r or both.
+/// Cuts the next line off the front of `text`, without its end: \n, \r or both. A backslash at the
+/// end of a line, unless it is a comment, continues it on the next: line ends are then inside it.
 std::string_view takeObjLine(std::string_view& text);
 
-/// Cuts the next word off the front of `line`; empty at its end.
+/// Cuts the next word off the front of `line`, which may be continued; empty at its end.
 std::string_view takeObjWord(std::string_view& line);
 
 /// What a check of an OBJ file's lines learns about it.

@@ -3,9 +3,11 @@
 #include <string>
 #include <utility>
 
+#include "mesh/decimal.h"
 #include "mesh/error.h"
 #include "mesh/obj_lines.h"
 #include "mesh/polygon.h"
+#include "mesh/positions.h"
 
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
@@ -25,17 +27,6 @@ namespace {
               face + "cannot be cut into triangles: it crosses itself or has no area");
 }
 
-/// The number before the first slash, of a corner that was checked.
-int numberOfCorner(std::string_view word) {
-  const bool negative = word[0] == '-';
-  int number = 0;
-  for (const char c : word.substr(negative || word[0] == '+' ? 1 : 0)) {
-    if (c == '/') break;
-    number = 10 * number + (c - '0');
-  }
-  return negative ? -number : number;
-}
-
 /// The faces as the file has them, in flat arrays.
 struct Faces {
   Array<Vec3> positions;
@@ -43,27 +34,29 @@ struct Faces {
   Array<int> cornerCount;  ///< per face
 };
 
-/// Reads lines that were checked. The numbers are read by tinyobjloader's own function rather than
-/// by its reader of streams: streams would add a sixth to the module that pages load.
+/// Reads lines that were checked. Corners are read by tinyobjloader's own function rather than by
+/// its reader of streams: streams would add a sixth to the module that pages load. Its numbers are
+/// not used: most of their decimals are off in the last place, so that vertices at one place,
+/// written in two ways, would not be welded.
 Faces parse(std::string_view text, const ObjLines& lines) {
   Faces faces;
   faces.positions.reserve(static_cast<size_t>(lines.vertices));
   faces.corners.reserve(3 * static_cast<size_t>(lines.faces));
   faces.cornerCount.reserve(static_cast<size_t>(lines.faces));
+  std::string terminated;
   while (!text.empty()) {
     std::string_view line = takeObjLine(text);
     const std::string_view keyword = takeObjWord(line);
     if (keyword == "v") {
-      Vec3 position = Vec3::Zero();
-      for (double& coordinate : position) {
-        const std::string_view word = takeObjWord(line);
-        tinyobj::tryParseDouble(word.data(), word.data() + word.size(), &coordinate);
-      }
+      Vec3 position;
+      for (double& coordinate : position) coordinate = nearestDouble(takeObjWord(line));
       faces.positions.push_back(position);
     } else if (keyword == "f") {
       int corners = 0;
       for (std::string_view word = takeObjWord(line); !word.empty(); word = takeObjWord(line)) {
-        const int v = numberOfCorner(word);
+        terminated = word;
+        const char* corner = terminated.c_str();
+        const int v = tinyobj::parseRawTriple(&corner).v_idx;
         faces.corners.push_back(v > 0 ? v - 1 : faces.positions.count() + v);
         ++corners;
       }
@@ -109,6 +102,7 @@ ObjContents readObj(std::string_view bytes) {
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   const ObjLines lines = checkObjLines(bytes);
   Faces faces = parse(bytes, lines);
+  checkPositions(faces.positions);
   ObjContents contents;
   contents.soup.triangles = cutFaces(faces, lines);
   contents.soup.positions = std::move(faces.positions);

@@ -6,6 +6,7 @@
 
 #include "mesh/edges.h"
 #include "mesh/error.h"
+#include "mesh/positions.h"
 
 namespace karcher {
 namespace {
@@ -13,15 +14,6 @@ namespace {
 /// A face is degenerate when its height over its longest edge is below this part of that edge:
 /// there its angles are rounding noise.
 constexpr double kDegenerateHeight = 1e-12;
-
-void checkPositions(const Array<Vec3>& positions) {
-  for (int v = 0; v < positions.count(); ++v) {
-    if (!positions[v].allFinite()) {
-      throw Error(ErrorCode::kNotFinite,
-                  "vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
-    }
-  }
-}
 
 void checkFace(const Array<Vec3>& positions, const Triangle& face, int f) {
   for (const int v : face) {

@@ -40,8 +40,8 @@ inline int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 inline int rotateLeft(const TriangleMesh& mesh, int h) { return mesh.twin[previous(h)]; }
 
 /// Builds adjacency. Every vertex must belong to a face; components and boundaries may be many.
-/// Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kDegenerateFace, kNonManifoldEdge,
-/// kNonManifoldVertex, each naming the place by the indices that were passed in.
+/// Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kBadArgument (size), kDegenerateFace,
+/// kNonManifoldEdge, kNonManifoldVertex, each naming the place by the indices that were passed in.
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 
 /// The two halves of buildMesh, for those who renumber in between.

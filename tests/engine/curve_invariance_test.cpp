@@ -161,5 +161,19 @@ TEST(CurveInvariance, WithTheFastSolverAndTiesWithinAPartOfAnEdge) {
   EXPECT_LE(changes.reversal, most);
 }
 
+TEST(CurveInvariance, AtTheLargestAndSmallestSizes) {
+  // By powers of two, which round nothing: 4e28 and 3e-29.
+  Scene bunny{bunnyMesh(), {}};
+  bunny.points = ring(bunny.mesh, Vec3(-3, 7.5, 4), 1.1);
+  for (const double scale : {0x1p95, 0x1p-95}) {
+    const Scene scaled = moved(bunny, Eigen::Affine3d(Eigen::Scaling(scale)));
+    for (const Solver solver : {Solver::kFast, Solver::kExact}) {
+      const Array<Vec3> places = samplePositions(bunny, {CurveKind::kBSpline}, solver);
+      const Array<Vec3> others = samplePositions(scaled, {CurveKind::kBSpline}, solver);
+      EXPECT_LE(largestDistance(places, others), 1e-9) << scale;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace karcher

@@ -90,6 +90,19 @@ TEST(BuildMesh, RefusesWhatIsNoSurface) {
             "degenerateFace: face 0 has no area: its corners 0, 1, 2 lie on a line");
 }
 
+TEST(BuildMesh, NamesItsLimitsOfSize) {
+  EXPECT_EQ(
+      errorOf({{0, 0, 0}, {1e150, 0, 0}, {0, 1e150, 0}}, {{0, 1, 2}}),
+      "badArgument: vertex 1 has a coordinate of size 1e+150; at most 1e+30 is allowed: scale "
+      "the mesh first");
+  EXPECT_EQ(errorOf({{1, 0, 0}, {1, 1e-150, 0}, {1, 0, 1e-150}}, {{0, 1, 2}}),
+            "badArgument: the mesh is only 1e-150 wide; it must be at least 1e-30: scale the mesh "
+            "first");
+  for (const double size : {1e30, 1e-30}) {
+    EXPECT_EQ(errorOf({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}), "");
+  }
+}
+
 TEST(BuildMesh, RefusesEdgesThatAreNotManifold) {
   // Three pages of a book along the edge 0-1.
   const Array<Vec3> book = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};

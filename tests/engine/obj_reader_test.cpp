@@ -2,11 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "generators/random.h"
+#include "mesh/decimal.h"
 #include "mesh/error.h"
 #include "mesh/polygon.h"
+#include "support.h"
 
 namespace karcher {
 namespace {
@@ -53,9 +58,74 @@ TEST(ReadObj, ReadsEveryLineEnd) {
 
 TEST(ReadObj, ReadsNumbersInEveryNotation) {
   const ObjContents obj = readObj("v +1.5 -.25 2.\nv 1e3 2.5E-2 -1.e+1\nv 0 1 0\nf 1 2 3\n");
-  // tinyobjloader's decimals are off by a few units in the last place.
-  EXPECT_TRUE(obj.soup.positions[0].isApprox(Vec3(1.5, -0.25, 2), 1e-15));
-  EXPECT_TRUE(obj.soup.positions[1].isApprox(Vec3(1000, 0.025, -10), 1e-15));
+  EXPECT_EQ(obj.soup.positions[0], Vec3(1.5, -0.25, 2));
+  EXPECT_EQ(obj.soup.positions[1], Vec3(1000, 0.025, -10));
+}
+
+/// What C's printf makes of a number.
+std::string printed(const char* format, double value) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+TEST(ReadObj, ReadsOnePlaceInTwoNotationsAsOne) {
+  const ObjContents obj = readObj("v 0.348799 0 0\nv 3.48799e-1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(obj.soup.positions[0].x(), 0.348799);
+  EXPECT_EQ(obj.soup.positions[1].x(), 0.348799);
+}
+
+TEST(NearestDouble, IsNearest) {
+  EXPECT_EQ(nearestDouble("0.348799"), 0.348799);
+  EXPECT_EQ(nearestDouble("3.48799e-1"), 0.348799);
+  EXPECT_EQ(nearestDouble("000348799.e-00006"), 0.348799);
+  // Halfway between two doubles, to the even one; and a hair beyond it.
+  EXPECT_EQ(nearestDouble("9007199254740993"), 9007199254740992.0);
+  EXPECT_EQ(nearestDouble("9007199254740993.0000000000000000000001"), 9007199254740994.0);
+  EXPECT_EQ(nearestDouble("123456789012345678901234567890"), 123456789012345678901234567890.0);
+  EXPECT_EQ(nearestDouble("1e23"), 1e23);
+  EXPECT_EQ(nearestDouble("-2.2250738585072011e-308"), -2.2250738585072011e-308);
+  EXPECT_EQ(nearestDouble("+4.9e-324"), 4.9e-324);
+  EXPECT_EQ(nearestDouble("1e-999999999"), 0);
+  EXPECT_EQ(nearestDouble("0e999999999"), 0);
+  EXPECT_EQ(nearestDouble("1e999999999"), kInfinity);
+  EXPECT_EQ(nearestDouble("-1" + std::string(400, '0')), -kInfinity);
+  EXPECT_EQ(nearestDouble("0." + std::string(400, '0') + "5e401"), 5);
+}
+
+TEST(NearestDouble, ReadsBackEveryNumberThatWasPrinted) {
+  const uint64_t seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (int i = 0; i < (longRun() ? 200'000 : 10'000); ++i) {
+    const int power = random.index(i % 2 == 0 ? 20 : 600) - (i % 2 == 0 ? 10 : 300);
+    const double value = random.uniform(-1, 1) * std::pow(10.0, power);
+    for (const char* format : {"%.17g", "%.16e", "%.20e", "%.330f"}) {
+      const std::string text = printed(format, value);
+      ASSERT_EQ(nearestDouble(text), std::strtod(text.c_str(), nullptr)) << text;
+    }
+    // Shortest: the first of so many digits that gives the number back.
+    for (int digits = 1; digits <= 17; ++digits) {
+      char text[40];
+      std::snprintf(text, sizeof text, "%.*g", digits, value);
+      ASSERT_EQ(nearestDouble(text), std::strtod(text, nullptr)) << text;
+    }
+  }
+}
+
+TEST(ReadObj, ContinuesALineAfterABackslash) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const ObjContents obj =
+        readObj("# not \\" + end + "v 0 0 0" + end + "v 1 \\" + end + "0 0" + end + "v 0 1 0" +
+                end + "f 1\\" + end + "\\" + end + " 2 3 \\" + end);
+    EXPECT_EQ(obj.soup.positions.count(), 3);
+    EXPECT_EQ(obj.soup.positions[1], Vec3(1, 0, 0));
+    ASSERT_EQ(obj.soup.triangles.count(), 1);
+    EXPECT_EQ(obj.soup.triangles[0], Triangle(0, 1, 2));
+    EXPECT_EQ(errorOf("v 0 \\" + end + "0 0" + end + "v 1 x 0"),
+              "badFile: line 3: the coordinate 'x' is not a number");
+  }
+  EXPECT_EQ(errorOf("v 0 0 1\\2\n"), "badFile: line 1: the coordinate '1\\2' is not a number");
 }
 
 TEST(ReadObj, CountsNegativeIndicesFromTheLastVertexSoFar) {
