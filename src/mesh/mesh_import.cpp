@@ -64,18 +64,17 @@ Array<Triangle> orderFaces(const Array<Triangle>& triangles, Numbering& numberin
 }
 
 void reportWelding(const Welding& welding, Array<Repair>& repairs) {
-  if (welding.welded == 0 && welding.keptApart == 0) return;
-  std::string sentence;
   if (welding.welded > 0) {
-    sentence = counted(welding.welded, "vertex was", "vertices were") +
-               " welded to another at the same position";
+    repairs.push_back({Repair::Kind::kWelded, welding.welded,
+                       counted(welding.welded, "vertex was", "vertices were") +
+                           " welded to another at the same position"});
   }
   if (welding.keptApart > 0) {
-    if (welding.welded > 0) sentence += "; ";
-    sentence += counted(welding.keptApart, "vertex", "vertices") +
-                " at the position of another stayed apart, where no edge joins their faces";
+    repairs.push_back({Repair::Kind::kKeptApart, welding.keptApart,
+                       counted(welding.keptApart, "vertex", "vertices") +
+                           " at the position of another stayed apart, where no edge joins their "
+                           "faces"});
   }
-  repairs.push_back({Repair::Kind::kWelded, welding.welded, sentence});
 }
 
 }  // namespace
@@ -86,6 +85,8 @@ const char* repairName(Repair::Kind kind) {
       return "triangulated";
     case Repair::Kind::kWelded:
       return "welded";
+    case Repair::Kind::kKeptApart:
+      return "keptApart";
     case Repair::Kind::kDropped:
       return "dropped";
   }

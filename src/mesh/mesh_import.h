@@ -23,10 +23,11 @@ struct Repair {
   enum class Kind {
     kTriangulated,  ///< polygons were cut into triangles
     kWelded,        ///< vertices at the same position became one
+    kKeptApart,     ///< vertices at the same position stayed several: parts only touch there
     kDropped,       ///< vertices that no face uses were left out
   };
   Kind kind;
-  int count = 0;  ///< of polygons cut, vertices welded to another, vertices dropped
+  int count = 0;  ///< of polygons cut, of vertices welded, kept apart or dropped
   std::string sentence;
 };
 

@@ -137,7 +137,8 @@ TEST(ImportMesh, KeepsPartsApartThatTouchAtAVertex) {
   expectSameSurface(soup, imported);
   EXPECT_EQ(topology(imported.mesh).components, 2);
   ASSERT_EQ(imported.repairs.count(), 1);
-  EXPECT_EQ(imported.repairs[0].count, 0);
+  EXPECT_EQ(imported.repairs[0].kind, Repair::Kind::kKeptApart);
+  EXPECT_EQ(imported.repairs[0].count, 1);
   EXPECT_EQ(imported.repairs[0].sentence,
             "1 vertex at the position of another stayed apart, where no edge joins their faces");
 }
