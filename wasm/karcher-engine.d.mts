@@ -8,6 +8,7 @@ import type {
   Path,
   Solver,
   Status,
+  StraightestPath,
 } from './types.js';
 
 /**
@@ -49,7 +50,7 @@ export interface EngineMesh {
     from: Float64Array,
     direction: Float64Array,
     length: number,
-  ): { end: Float64Array; remaining: number; polyline: Float64Array };
+  ): Omit<StraightestPath, 'end'> & { end: Float64Array };
   hasRingGraph(rings: number): boolean;
   graphBuilder(rings: number): EngineGraphBuilder;
   prepareFields(field: EngineFieldOptions): void;

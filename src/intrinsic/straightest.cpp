@@ -140,12 +140,24 @@ class Walk {
 
 }  // namespace
 
+const char* traceStopName(TraceStop stop) {
+  switch (stop) {
+    case TraceStop::kComplete:
+      return "complete";
+    case TraceStop::kBoundary:
+      return "boundary";
+    case TraceStop::kLimit:
+      return "limit";
+  }
+  return "unknown";
+}
+
 StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
                                  const Vec2& vector, const StraightestOptions& options) {
   if (!vector.allFinite()) {
     throw Error(ErrorCode::kNotFinite, "the direction of a geodesic must be finite");
   }
-  const double length = vector.norm();
+  const double length = vector.stableNorm();
   if (length == 0) return Walk(geometry, options, 0).run(start, std::nullopt);
   return Walk(geometry, options, length).run(start, enterFace(geometry, {start, vector / length}));
 }

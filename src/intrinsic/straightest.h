@@ -13,6 +13,9 @@ enum class TraceStop {
   kLimit,     ///< the path crossed `maxCrossings` edges; `remaining` is left
 };
 
+/// The name of a stop, as in the JavaScript API: "boundary".
+const char* traceStopName(TraceStop stop);
+
 struct StraightestOptions {
   int maxCrossings = 1'000'000;
 };

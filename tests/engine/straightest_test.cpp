@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "distance_meshes.h"
 #include "mesh/error.h"
 #include "support.h"
 
@@ -27,7 +28,7 @@ TEST(Straightest, IsAStraightLineInThePlane) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < (longRun() ? 100'000 : 200); ++i) {
     const Vec3 a(0.2 + 6.6 * unit(random), 0.2 + 4.6 * unit(random), 0);
     const Vec3 b(0.2 + 6.6 * unit(random), 0.2 + 4.6 * unit(random), 0);
     const SurfacePoint start = nearestPoint(mesh, a);
@@ -78,6 +79,15 @@ TEST(Straightest, StopsAtTheBoundaryWithTheLengthLeft) {
   EXPECT_EQ(off.remaining, 1);
 }
 
+TEST(Straightest, StopsAtTheLimitWithTheLengthLeft) {
+  const MeasuredMesh sphere(icosphere(3));
+  const StraightestPath path = traceStraightest(sphere.geometry, {0, Vec3(0.2, 0.3, 0.5)},
+                                                Vec2(1000, 0), {.maxCrossings = 50});
+  EXPECT_EQ(path.stop, TraceStop::kLimit);
+  EXPECT_GT(path.remaining, 900);
+  EXPECT_STREQ(traceStopName(path.stop), "limit");
+}
+
 TEST(Straightest, FollowsAStraightBoundary) {
   const TriangleMesh mesh = planeGrid(4, 2);
   const Geometry geometry = buildGeometry(mesh);
@@ -89,13 +99,23 @@ TEST(Straightest, FollowsAStraightBoundary) {
 TEST(Straightest, ConsecutivePointsShareAFaceAndAddUpToTheLength) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
-  const StraightestPath path = traceStraightest(geometry, {100, Vec3(0.2, 0.3, 0.5)}, Vec2(8, 3));
-  double length = 0;
-  for (int i = 1; i < path.points.count(); ++i) {
-    const SurfacePoint before = inFace(mesh, path.points[i - 1], path.points[i].face);
-    length += (position(mesh, path.points[i]) - position(mesh, before)).norm();
+  const uint64_t seed = 33;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (int i = 0; i < (longRun() ? 20'000 : 100); ++i) {
+    const SurfacePoint start = randomPoint(mesh, random);
+    const Vec2 vector = random.uniform(0, 20) * unitVector(random.uniform(0, 2 * kPi));
+    const StraightestPath path = traceStraightest(geometry, start, vector);
+    double length = path.remaining;
+    for (int k = 1; k < path.points.count(); ++k) {
+      const SurfacePoint before = inFace(mesh, path.points[k - 1], path.points[k].face);
+      length += (position(mesh, path.points[k]) - position(mesh, before)).norm();
+    }
+    ASSERT_NEAR(length, vector.norm(), 1e-10);
+    if (path.stop == TraceStop::kComplete) {
+      ASSERT_EQ(path.remaining, 0);
+    }
   }
-  EXPECT_NEAR(length, Vec2(8, 3).norm(), 1e-10);
 }
 
 TEST(Straightest, RefusesAVectorThatIsNotFinite) {

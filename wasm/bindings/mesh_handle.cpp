@@ -129,6 +129,7 @@ val MeshHandle::straightest(const val& from, const val& direction, double length
   val result = val::object();
   result.set("end", toJs(numbering_, path.points.back()));
   result.set("remaining", path.remaining);
+  result.set("stop", std::string(traceStopName(path.stop)));
   result.set("polyline", toJs(polyline(mesh(), path.points)));
   return result;
 }
