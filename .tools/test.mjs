@@ -1,5 +1,6 @@
 // `npm test`: sets up, builds everything and runs every test. With --long, the optimised builds
-// only, and the tests draw the large numbers of cases that they keep for KARCHER_LONG=1.
+// only, and the engine's tests draw the large numbers of random cases that they keep for
+// KARCHER_LONG=1.
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
 import { chromiumPath, setUp } from './setup.mjs';
@@ -74,7 +75,7 @@ async function runNode(folder, env = {}) {
   let problem;
   try {
     await run(process.execPath, ['--test', `--test-concurrency=${cores}`, ...args, ...files], {
-      env: { ...env, ...(long && { KARCHER_LONG: '1' }) },
+      env,
       minutes,
     });
   } catch (error) {

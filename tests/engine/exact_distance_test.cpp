@@ -31,7 +31,7 @@ TEST(ExactDistance, IsEuclidsInThePlane) {
     const MeasuredMesh surface(tessellatedPlane(tessellation, 1500, 3));
     ExactDistance solver(surface.geometry);
     Random random(17);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < (longRun() ? 100 : 5); ++i) {
       const SurfacePoint source = randomPoint(surface.mesh, random);
       const Vec3 p = position(surface.mesh, source);
       solver.setSource(source);
@@ -51,7 +51,7 @@ TEST(ExactDistance, KeepsItsAccuracyOnNeedles) {
   const MeasuredMesh surface(soup);
   ExactDistance solver(surface.geometry);
   Random random(18);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < (longRun() ? 200 : 4); ++i) {
     const SurfacePoint source = randomPoint(surface.mesh, random);
     const Vec3 p = position(surface.mesh, source);
     solver.setSource(source);
@@ -188,7 +188,7 @@ TEST(ExactDistance, IsSymmetric) {
   ExactDistance from(surface.geometry);
   ExactDistance back(surface.geometry);
   Random random(23);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < (longRun() ? 500 : 12); ++i) {
     const int v = random.index(surface.mesh.vertexCount());
     const SurfacePoint p = randomPoint(surface.mesh, random);
     from.setSource(vertexPoint(surface.mesh, v));
@@ -214,7 +214,7 @@ TEST(ExactDistance, ResumedIsTheSameBitForBit) {
   ExactDistance whole(surface.geometry);
   ExactDistance resumed(surface.geometry);
   Random random(29);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < (longRun() ? 100 : 6); ++i) {
     const SurfacePoint source = randomPoint(surface.mesh, random);
     whole.setSource(source);
     whole.grow(kInfinity);

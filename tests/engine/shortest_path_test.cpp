@@ -110,7 +110,7 @@ TEST(ShortestPath, IsTheSameBothWaysAndObeysTheTriangleInequality) {
     const int face = static_cast<int>(random() % static_cast<uint64_t>(mesh.faceCount()));
     return random() % 3 == 0 ? edgePoint(3 * face, 0.37) : SurfacePoint{face, {0.2, 0.5, 0.3}};
   };
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < (longRun() ? 500 : 12); ++i) {
     const SurfacePoint a = somewhere();
     const SurfacePoint b = somewhere();
     const SurfacePoint c = somewhere();
@@ -139,7 +139,7 @@ TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
       return edgePoint(h, random.index(2) == 0 ? 0 : random.uniform(0.01, 0.99));
     };
     ExactDistance solver(surface->geometry);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < (longRun() ? 5000 : 200); ++i) {
       const SurfacePoint a = i % 2 == 0 ? onBoundary() : randomPoint(mesh, random);
       const SurfacePoint b = onBoundary();
       const ShortestPath path = shortestPath(surface->geometry, a, b);

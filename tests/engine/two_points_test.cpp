@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "curve_support.h"
+#include "curves/along_path.h"
+#include "distance/shortest_path.h"
+#include "distance_meshes.h"
+#include "mesh/mesh_import.h"
+#include "support.h"
+
+/// The center of mass of two points with weights 1 - w and w lies on their shortest path, at the
+/// part w. (`npm run study -- two_points` measures it on larger meshes.)
+namespace karcher {
+namespace {
+
+constexpr int kWeights = 21;
+
+struct Pair {
+  SurfacePoint from;
+  SurfacePoint to;
+};
+
+/// Random points 5 to 20 % of the diagonal apart.
+Array<Pair> choosePairs(const Geometry& geometry, uint64_t seed, int count) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  Random random(seed);
+  ExactDistance distance(geometry);
+  Array<Pair> pairs;
+  while (pairs.count() < count) {
+    const SurfacePoint from = randomPoint(mesh, random);
+    distance.setSource(from);
+    distance.grow(0.2 * geometry.diagonal);
+    for (int attempt = 0; attempt < 10'000; ++attempt) {
+      const SurfacePoint to = randomPoint(mesh, random);
+      const double d = distance.distance(mesh.corner(to.face, 0));
+      if (d < 0.05 * geometry.diagonal || d > 0.2 * geometry.diagonal) continue;
+      pairs.push_back({from, to});
+      break;
+    }
+  }
+  return pairs;
+}
+
+struct Outcome {
+  int samples = 0;
+  int converged = 0;
+  double median = 0;  ///< of the converged samples' distances from the truth, in mean edges
+};
+
+Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& options) {
+  const Geometry& geometry = surface.geometry();
+  const TriangleMesh& mesh = surface.mesh();
+  const WeightTable table = tabulate([](double t) { return Array<double>{1 - t, t}; }, kWeights);
+  PointField from(surface, options);
+  PointField to(surface, options);
+  Outcome outcome;
+  Array<double> errors;
+  for (const Pair& pair : pairs) {
+    const ShortestPath path = shortestPath(geometry, pair.from, pair.to);
+    const Array<double> lengths = lengthsAlong(mesh, path.points);
+    from.setPoint(pair.from);
+    to.setPoint(pair.to);
+    for (const CurveSample& sample : traceSegment(surface, {&from, &to}, table, options.method)) {
+      ++outcome.samples;
+      const SurfacePoint& point = sample.point;
+      EXPECT_TRUE(point.face >= 0 && point.face < mesh.faceCount());
+      EXPECT_GE(point.bary.minCoeff(), 0);
+      EXPECT_NEAR(point.bary.sum(), 1, 1e-12);
+      if (sample.status != Status::kConverged) continue;
+      ++outcome.converged;
+      const SurfacePoint truth = pointAlong(mesh, path.points, lengths, sample.t * path.length);
+      errors.push_back((position(mesh, point) - position(mesh, truth)).norm());
+    }
+  }
+  std::sort(errors.begin(), errors.end());
+  outcome.median = errors[errors.count() / 2] / geometry.meanEdge;
+  return outcome;
+}
+
+/// Returns the median of the default method's errors with exact distances.
+double checkTwoPoints(const std::string& name, TriangleMesh mesh, uint64_t seed) {
+  SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+  Surface surface(std::move(mesh));
+  const Array<Pair> pairs = choosePairs(surface.geometry(), seed, longRun() ? 50 : 3);
+  const FieldOptions paperGraph{Method::kPaper, Solver::kGraph, longRun() ? 6 : 3};
+  double median = 0;
+  for (const FieldOptions& options : {kPaperExact, paperGraph, kFast, kExact}) {
+    const Outcome outcome = measure(surface, pairs, options);
+    EXPECT_GE(outcome.converged, 0.95 * outcome.samples) << "of " << outcome.samples;
+    std::printf("two points, %s, seed %d, %s fields, solver %d: median %.4f mean edges, %d of %d\n",
+                name.c_str(), static_cast<int>(seed),
+                options.method == Method::kPaper ? "the paper's" : "default",
+                static_cast<int>(options.solver), outcome.median, outcome.converged,
+                outcome.samples);
+    median = outcome.median;
+  }
+  return median;
+}
+
+TEST(TwoPoints, CenterOfMassLiesOnTheShortestPathOnTheIcosphere) {
+  // In the long run 20,480 triangles.
+  const int frequency = longRun() ? 32 : 10;
+  EXPECT_LE(checkTwoPoints("icosphere", importMesh(icosphere(frequency)).mesh, 42), 0.02);
+}
+
+TEST(TwoPoints, CenterOfMassIsFoundOnTheBunny) { checkTwoPoints("bunny", bunnyMesh(), 43); }
+
+}  // namespace
+}  // namespace karcher
