@@ -19,7 +19,7 @@ double medianTime(const Work& work, int runs = kRuns) {
 
 struct CurveTimes {
   double sampleUs = 0;  ///< with all fields known
-  double dragMs = 0;    ///< the middle point moved by an edge: its field, its segments
+  double dragMs = 0;    ///< the middle point moved by an edge: its field, its segments, not joined
   double bridgeMs = 0;  ///< looking for jumps between the samples
   double joinMs = 0;    ///< the joining paths of all segments
   double weightMs = 0;  ///< the middle point's weight changed: its segments, without joining paths
