@@ -1,4 +1,5 @@
 #!/usr/bin/env node
+import { readFile } from 'node:fs/promises';
 import { Arguments } from './cli/arguments.js';
 import { bench } from './cli/bench.js';
 import { circle, ellipse } from './cli/circle.js';
@@ -9,7 +10,7 @@ import { UsageError } from './cli/errors.js';
 import { commandHelp, generalHelp } from './cli/help.js';
 import { info } from './cli/info.js';
 import { mean } from './cli/mean.js';
-import { polylinesAsObj, print } from './cli/output.js';
+import { jsonPieces, polylinesAsObj, print } from './cli/output.js';
 import { path } from './cli/path.js';
 import { trace } from './cli/trace.js';
 
@@ -27,20 +28,28 @@ const commands: readonly Command[] = [
 
 async function run(args: string[]): Promise<void> {
   const [name, ...rest] = args;
-  if (name === '--help' || name === 'help') return print(generalHelp(commands));
+  if (name === '--help' || name === '-h' || name === 'help') return print([generalHelp(commands)]);
+  if (name === '--version') return print([`${await version()}\n`]);
   const names = commands.map((command) => command.name).join(', ');
   if (name === undefined) throw new UsageError(`karcher needs a command: ${names}`);
   const command = commands.find((candidate) => candidate.name === name);
   if (command === undefined) {
     throw new UsageError(`karcher has no command '${name}'; it has ${names}`);
   }
-  if (rest.includes('--help')) return print(commandHelp(command));
+  if (rest.includes('--help') || rest.includes('-h')) return print([commandHelp(command)]);
   const commandArguments = new Arguments(command, rest);
   const drawn =
     command.options.some((option) => option.name === 'format') &&
     commandArguments.choice('format') === 'obj';
   const { json, polylines } = await command.run(commandArguments);
-  return print(drawn ? polylinesAsObj(polylines!) : `${JSON.stringify(json)}\n`);
+  await print(drawn ? polylinesAsObj(polylines!) : jsonPieces(json));
+  if (!drawn) await print(['\n']);
+}
+
+/** The package's. */
+async function version(): Promise<string> {
+  const text = await readFile(new URL('../package.json', import.meta.url), 'utf8');
+  return JSON.parse(text).version;
 }
 
 // A closed standard error leaves nobody to tell.

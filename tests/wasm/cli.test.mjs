@@ -24,13 +24,37 @@ test('help, of the program and of each command', () => {
     'bench',
     'compare',
   ]);
+  assert.equal(karcher('-h').stdout, general.stdout);
   for (const command of commands) {
+    assert.equal(karcher(command, '-h').stdout, karcher(command, '--help').stdout);
     const { status, stdout, stderr } = karcher(command, '--help');
     assert.equal(status, 0);
     assert.equal(stderr, '');
     assert.match(stdout, new RegExp(`^karcher ${command} MESH.obj`));
     assert.equal(karcher(command, 'anything', '--more', '--help').stdout, stdout);
   }
+});
+
+test("the version is the package's", async () => {
+  const { default: own } = await import('karcher/package.json', { with: { type: 'json' } });
+  assert.deepEqual(karcher('--version').stdout, `${own.version}\n`);
+});
+
+test('a result as JSON is written in pieces, whatever its size', async () => {
+  const { jsonPieces, triples } = await import(
+    new URL('./cli/output.js', import.meta.resolve('karcher'))
+  );
+  const flat = Float64Array.from({ length: 30_000 }, (_, i) => i / 7);
+  const value = (points) => ({
+    a: null,
+    b: undefined,
+    c: [1, 'two', Number.NaN, []],
+    lines: [{ points: points() }, { points: points(), closed: true }],
+    '"': {},
+  });
+  const pieces = [...jsonPieces(value(() => triples(flat)))];
+  assert.equal(pieces.join(''), JSON.stringify(value(() => [...triples(flat)])));
+  assert.ok(pieces.every((piece) => piece.length < 100));
 });
 
 test('mistakes in the command line: a sentence and status 1', () => {

@@ -10,7 +10,10 @@ export interface Option {
   required?: boolean;
 }
 
-/** What a command gives: one JSON object, and its polylines (x, y, z, …) for `--format obj`. */
+/**
+ * What a command gives: one JSON object, in which iterators stand for long arrays, and its polylines
+ * (x, y, z, …) for `--format obj`.
+ */
 export interface Result {
   json: object;
   polylines?: Float64Array[];

@@ -15,7 +15,7 @@ ${indented(commands.map((command) => [command.name, command.summary]))}
 A point is 'face:b1,b2', the weights of the face's second and third corner, or 'v:vertex'. Faces and
 vertices are numbered from 0 in the file's order; faces count triangles, after polygons were cut.
 Results go to standard output, mistakes to standard error with exit status 1.
-'karcher COMMAND --help' tells more.
+'karcher COMMAND --help' tells more; 'karcher --version' prints the version.
 `;
 }
 
@@ -26,7 +26,7 @@ export function commandHelp(command: Command): string {
     label(option),
     option.default === undefined ? option.help : `${option.help} (${option.default})`,
   ]);
-  rows.push(['--help', 'this text']);
+  rows.push(['-h, --help', 'this text']);
   return `${usage}: ${command.summary}
 
 ${indented(rows)}

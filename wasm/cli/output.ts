@@ -1,13 +1,9 @@
 import type { CurveSamples, Status } from '../types.js';
 import { UsageError } from './errors.js';
 
-/** x, y, z, … as [[x, y, z], …]. */
-export function triples(flat: ArrayLike<number>): [number, number, number][] {
-  return Array.from({ length: flat.length / 3 }, (_, i) => [
-    flat[3 * i]!,
-    flat[3 * i + 1]!,
-    flat[3 * i + 2]!,
-  ]);
+/** x, y, z, … as [x, y, z], …, one after the other. */
+export function* triples(flat: ArrayLike<number>): Generator<[number, number, number]> {
+  for (let i = 0; i < flat.length; i += 3) yield [flat[i]!, flat[i + 1]!, flat[i + 2]!];
 }
 
 export interface SampleRecord {
@@ -20,36 +16,86 @@ export interface SampleRecord {
   status: Status;
 }
 
-/** Samples as a list of objects. */
-export function sampleRecords(samples: CurveSamples): SampleRecord[] {
-  const barys = triples(samples.bary);
-  const positions = triples(samples.position);
-  return Array.from({ length: samples.count }, (_, i) => ({
-    segment: samples.segment[i]!,
-    t: samples.t[i]!,
-    face: samples.face[i]!,
-    bary: barys[i]!,
-    position: positions[i]!,
-    converged: samples.status[i] === 'converged',
-    status: samples.status[i]!,
-  }));
-}
-
-/** Polylines as an OBJ file: their vertices, and an `l` line each. */
-export function polylinesAsObj(polylines: readonly Float64Array[]): string {
-  const vertices: string[] = [];
-  const lines: string[] = [];
-  for (const polyline of polylines) {
-    const first = vertices.length + 1;
-    for (const position of triples(polyline)) vertices.push(`v ${position.join(' ')}\n`);
-    const numbers = Array.from({ length: polyline.length / 3 }, (_, i) => first + i);
-    lines.push(`l ${numbers.join(' ')}\n`);
+/** Samples as objects, one after the other. */
+export function* sampleRecords(samples: CurveSamples): Generator<SampleRecord> {
+  const { bary, position, status } = samples;
+  const triple = (flat: Float64Array, i: number): [number, number, number] => [
+    flat[3 * i]!,
+    flat[3 * i + 1]!,
+    flat[3 * i + 2]!,
+  ];
+  for (let i = 0; i < samples.count; i++) {
+    yield {
+      segment: samples.segment[i]!,
+      t: samples.t[i]!,
+      face: samples.face[i]!,
+      bary: triple(bary, i),
+      position: triple(position, i),
+      converged: status[i] === 'converged',
+      status: status[i]!,
+    };
   }
-  return vertices.join('') + lines.join('');
 }
 
-/** Writes all of a text to standard output. */
-export function print(text: string): Promise<void> {
+/** Polylines as an OBJ file, in pieces: the vertices of each, and an `l` line. */
+export function* polylinesAsObj(polylines: readonly Float64Array[]): Generator<string> {
+  for (const polyline of polylines) {
+    for (const position of triples(polyline)) yield `v ${position.join(' ')}\n`;
+  }
+  let vertex = 1;
+  for (const { length } of polylines) {
+    yield 'l';
+    for (let i = 0; i < length; i += 3) yield ` ${vertex++}`;
+    yield '\n';
+  }
+}
+
+/**
+ * A value as JSON, in pieces: a large result does not fit one string. What it has of iterators
+ * becomes arrays; their entries are small.
+ */
+export function* jsonPieces(value: unknown): Generator<string> {
+  if (typeof value !== 'object' || value === null) {
+    yield JSON.stringify(value) ?? 'null';
+    return;
+  }
+  const isIterator = Symbol.iterator in value && !Array.isArray(value);
+  let separator = '';
+  if (isIterator || Array.isArray(value)) {
+    yield '[';
+    for (const entry of value as Iterable<unknown>) {
+      yield separator;
+      if (isIterator) yield JSON.stringify(entry);
+      else yield* jsonPieces(entry);
+      separator = ',';
+    }
+    yield ']';
+    return;
+  }
+  yield '{';
+  for (const [name, entry] of Object.entries(value)) {
+    if (entry === undefined) continue;
+    yield `${separator}${JSON.stringify(name)}:`;
+    yield* jsonPieces(entry);
+    separator = ',';
+  }
+  yield '}';
+}
+
+/** Writes pieces of a text to standard output, each when those before it have gone. */
+export async function print(pieces: Iterable<string>): Promise<void> {
+  const enough = 1 << 16;
+  let text = '';
+  for (const piece of pieces) {
+    text += piece;
+    if (text.length < enough) continue;
+    await write(text);
+    text = '';
+  }
+  await write(text);
+}
+
+function write(text: string): Promise<void> {
   return new Promise((resolve, reject) => {
     const fail = (cause: NodeJS.ErrnoException) => {
       const reason =
@@ -57,6 +103,10 @@ export function print(text: string): Promise<void> {
       reject(new UsageError(`cannot write to standard output: ${reason}`, { cause }));
     };
     process.stdout.once('error', fail);
-    process.stdout.write(text, (error) => (error ? fail(error) : resolve()));
+    process.stdout.write(text, (error) => {
+      if (error) return fail(error);
+      process.stdout.off('error', fail);
+      resolve();
+    });
   });
 }
