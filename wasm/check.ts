@@ -5,6 +5,8 @@ import { KarcherError } from './errors.js';
  * integers. What a mesh allows is checked by the engine.
  */
 
+const largestInteger = 0x7fffffff;
+
 const badArgument = (message: string) => new KarcherError('badArgument', message);
 
 /** A value as an error message shows it, cut to a readable length. */
@@ -29,8 +31,13 @@ export function checkBoolean(value: unknown, what: string): boolean {
 
 /** A whole number that fits the engine's 32-bit integers. */
 export function checkInteger(value: unknown, what: string): number {
-  if (!Number.isInteger(value) || Math.abs(value as number) > 0x7fffffff) {
+  if (!Number.isInteger(value)) {
     throw badArgument(`${what} must be a whole number, not ${shown(value)}`);
+  }
+  if (Math.abs(value as number) > largestInteger) {
+    throw badArgument(
+      `${what} must be a whole number from -${largestInteger} to ${largestInteger}, not ${value}`,
+    );
   }
   return value as number;
 }
@@ -79,10 +86,15 @@ export function toInt32(value: unknown, what: string): Int32Array {
   return result;
 }
 
-/** An options object. */
-export function checkOptions(options: unknown, what: string): void {
-  if (typeof options === 'object' && options !== null) return;
-  throw badArgument(`${what} must be an object, not ${shown(options)}`);
+/** An options object, with no options but those of these names. */
+export function checkOptions(options: unknown, names: readonly string[]): void {
+  if (typeof options !== 'object' || options === null) {
+    throw badArgument(`the options must be an object, not ${shown(options)}`);
+  }
+  const unknown = Object.keys(options).find((name) => !names.includes(name));
+  if (unknown !== undefined) {
+    throw badArgument(`there is no option ${shown(unknown)}; there are ${names.join(', ')}`);
+  }
 }
 
 /** An array of things that are not numbers. */

@@ -8,6 +8,7 @@ import {
 } from './check.js';
 import { KarcherError } from './errors.js';
 import type { EngineCurveParts, EngineCurveShape, EngineSampling } from './karcher-engine.mjs';
+import { curveOptionNames } from './options.js';
 import { toSurfacePoints } from './points.js';
 import type {
   CurveBasis,
@@ -110,7 +111,7 @@ export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
 
 /** The shape of a curve as the engine takes it. */
 export function engineShape(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveShape {
-  checkOptions(options, 'the options');
+  checkOptions(options, curveOptionNames);
   const { knots = 'uniform', parametrization = 'centripetal' } = options;
   const named = typeof knots === 'string';
   if (named) checkOneOf(knots, ['uniform', 'clamped'], 'the knots');

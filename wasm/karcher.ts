@@ -19,12 +19,13 @@ export class Karcher {
   /**
    * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
    *
-   * Polygons are cut into triangles, vertices at exactly the same place are welded, vertices of no
-   * face are dropped; `info.repairs` tells. Vertices and faces keep the file's order, faces counting
-   * triangles.
+   * Polygons are cut into triangles, vertices at exactly the same place are welded where faces meet
+   * along an edge (parts that only touch there stay apart), vertices of no face are dropped;
+   * `info.repairs` tells. Vertices and faces keep the file's order, faces counting triangles.
    *
-   * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, degenerateFace,
-   * nonManifoldEdge, nonManifoldVertex, each naming the place.
+   * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, badArgument (a
+   * coordinate beyond 1e30, a mesh smaller than 1e-30), degenerateFace, nonManifoldEdge,
+   * nonManifoldVertex, each naming the place.
    */
   meshFromObj(textOrBytes: string | Uint8Array): Mesh {
     if (typeof textOrBytes !== 'string' && !(textOrBytes instanceof Uint8Array)) {

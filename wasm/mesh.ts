@@ -1,5 +1,6 @@
 import {
   checkArray,
+  checkBoolean,
   checkInteger,
   checkNumber,
   checkOneOf,
@@ -10,7 +11,16 @@ import { Curve } from './curve.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineBenchmark, EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
-import { engineFieldOptions } from './options.js';
+import {
+  centerOptionNames,
+  circleOptionNames,
+  curveOptionNames,
+  ellipseOptionNames,
+  engineFieldOptions,
+  fieldOptionNames,
+  isolineOptionNames,
+  longWorkOptionNames,
+} from './options.js';
 import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
 import { toCurveSamples } from './samples.js';
@@ -37,7 +47,7 @@ import type {
  *
  * Every method throws `KarcherError`: disposed after `dispose`; badIndex for a face or vertex that
  * does not exist or a vertex that was dropped; badPoint for weights outside the face; notFinite for
- * NaN or infinity; badArgument for anything else out of range.
+ * NaN or infinity; badArgument for an option of another name and anything else out of range.
  */
 export class Mesh {
   readonly #engine: Engine;
@@ -110,7 +120,8 @@ export class Mesh {
    * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed.
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
-    checkOptions(options, 'the options');
+    checkOptions(options, fieldOptionNames);
+    checkOptions(work, longWorkOptionNames);
     const field = engineFieldOptions(options);
     if (field.solver === 'graph') {
       await prepareGraph(this.#engine, this.#handle, field.rings, work);
@@ -132,12 +143,12 @@ export class Mesh {
     weights: ArrayLike<number>,
     options: CenterOptions = {},
   ): CenterOfMass {
-    checkOptions(options, 'the options');
+    checkOptions(options, centerOptionNames);
     const places = wirePoints(this.#handle, points);
     const masses = toFloat64(weights, 'the weights');
     const start = this.#wireStart(options);
     const field = engineFieldOptions(options);
-    const normalize = options.normalize ?? false;
+    const normalize = checkBoolean(options.normalize ?? false, 'normalize');
     return toCenterOfMass(
       this.#handle.call((mesh) => mesh.centerOfMass(places, masses, start, normalize, field)),
     );
@@ -156,7 +167,7 @@ export class Mesh {
     weights: ArrayLike<number>,
     options: Pick<CenterOptions, 'start' | 'normalize'> = {},
   ): CenterOfMass {
-    checkOptions(options, 'the options');
+    checkOptions(options, centerOptionNames);
     const vertices = this.#handle.call((mesh) => mesh.inputVertices());
     const arrays = checkArray(distances, 'the distances');
     const all = new Float64Array(vertices * arrays.length);
@@ -172,7 +183,7 @@ export class Mesh {
     });
     const masses = toFloat64(weights, 'the weights');
     const start = this.#wireStart(options);
-    const normalize = options.normalize ?? false;
+    const normalize = checkBoolean(options.normalize ?? false, 'normalize');
     return toCenterOfMass(
       this.#handle.call((mesh) => mesh.centerOfMassOfDistances(all, masses, start, normalize)),
     );
@@ -187,7 +198,7 @@ export class Mesh {
    * not sum to 1).
    */
   curve(options: CurveOptions): Curve {
-    checkOptions(options, 'the options');
+    checkOptions(options, curveOptionNames);
     const curve = new Curve(this.#engine, this.#handle, options, {
       make: (others) => this.curve(others),
       forget: (disposed) => this.#curves.delete(disposed),
@@ -200,10 +211,10 @@ export class Mesh {
    * The geodesic circle about a center, by rational quadratic arcs.
    *
    * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
-   * boundary), radiusTooLarge (no point of the component lies as far from the center).
+   * boundary), radiusTooLarge (no vertex of the component lies as far from the center).
    */
   circle(options: CircleOptions): Circle {
-    checkOptions(options, 'the options');
+    checkOptions(options, circleOptionNames);
     const center = wirePoint(this.#handle, options.center, 'the center');
     const radius = checkNumber(options.radius, 'the radius');
     const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
@@ -220,7 +231,7 @@ export class Mesh {
    * direction is perpendicular to the center's face.
    */
   ellipse(options: EllipseOptions): Circle {
-    checkOptions(options, 'the options');
+    checkOptions(options, ellipseOptionNames);
     const center = wirePoint(this.#handle, options.center, 'the center');
     const [along, across] = checkArray(options.radii, 'the radii').map((radius, i) =>
       checkNumber(radius, `radius ${i}`),
@@ -244,7 +255,7 @@ export class Mesh {
    * beyond the center's cut locus.
    */
   isolines(options: IsolineOptions): Isoline[] {
-    checkOptions(options, 'the options');
+    checkOptions(options, isolineOptionNames);
     const center = wirePoint(this.#handle, options.center, 'the center');
     const radius = checkNumber(options.radius, 'the radius');
     const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
@@ -258,7 +269,7 @@ export class Mesh {
    * and where no path leads. By default exact.
    */
   distance(from: PointLike, options: Pick<FieldOptions, 'solver' | 'rings'> = {}): Float64Array {
-    checkOptions(options, 'the options');
+    checkOptions(options, fieldOptionNames);
     const wire = wirePoint(this.#handle, from);
     const field = engineFieldOptions({ solver: 'exact', ...options });
     return this.#handle.call((mesh) => mesh.distance(wire, field));
@@ -273,8 +284,8 @@ export class Mesh {
 
   /**
    * The straightest geodesic that leaves a point along a direction in space, which is projected onto
-   * the point's face, for the given length. At the boundary it stops: `remaining` tells how much of
-   * the length was left.
+   * the point's face, for the given length. At the boundary it stops, and after a million edges:
+   * `stop` tells, and `remaining` how much of the length was left.
    *
    * Throws `KarcherError` badArgument where the direction is perpendicular to the face or the length
    * is negative.

@@ -36,7 +36,6 @@ export type Method = 'karcher' | 'paper';
  * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
  * - `noProgress`: no point along the Newton step has a smaller gradient;
  * - `limit`: the bound on iterations was reached;
- * - `unreachable`: no path leads to a control point;
  * - `jump`: as the reason of a bridge: the curve would go from one local minimum to another;
  * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`.
  */
@@ -46,7 +45,6 @@ export type Status =
   | 'boundary'
   | 'noProgress'
   | 'limit'
-  | 'unreachable'
   | 'jump'
   | 'bridged';
 
@@ -104,8 +102,12 @@ export type ErrorCode =
 
 /** What was mended while a mesh was read. */
 export interface Repair {
-  kind: 'triangulated' | 'welded' | 'dropped';
-  /** How many polygons were cut, vertices welded or unused vertices dropped. */
+  /**
+   * `triangulated`: polygons were cut; `welded`: vertices at one place became one; `keptApart`: they
+   * did not, as parts only touch there and stay apart; `dropped`: vertices of no face were left out.
+   */
+  kind: 'triangulated' | 'welded' | 'keptApart' | 'dropped';
+  /** How many polygons were cut, or vertices welded to another, kept apart from it or dropped. */
   count: number;
   /** The same as a sentence. */
   message: string;
@@ -309,7 +311,12 @@ export interface Path {
 
 export interface StraightestPath {
   end: SurfacePoint;
-  /** Length that was left when the path met the boundary; 0 elsewhere. */
+  /**
+   * Why it ended: the length was walked (`complete`), it met the boundary, or it crossed a million
+   * edges (`limit`).
+   */
+  stop: 'complete' | 'boundary' | 'limit';
+  /** Length that was left where the path did not walk all of it; 0 for `complete`. */
   remaining: number;
   polyline: Float64Array;
 }

@@ -71,7 +71,7 @@ void checkRadius(const TriangleMesh& mesh, const ExactDistance& distance, double
   if (farthest >= radius) return;
   throw Error(ErrorCode::kRadiusTooLarge,
               "the radius " + inSentence(radius) +
-                  " goes beyond the farthest point of the component, at " + inSentence(farthest) +
+                  " goes beyond the farthest vertex of the component, at " + inSentence(farthest) +
                   " from the center");
 }
 

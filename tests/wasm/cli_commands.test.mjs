@@ -311,7 +311,7 @@ test('bad points, weights and radii: a sentence and status 1', () => {
     [trace(three, '--kind', 'barycentric', '--betas', '1,x,1'), /number 2 of --betas/],
     [trace(three, '--closed', '--clamped', '--degree', '2'), /no ends to clamp/],
     [trace(three, '--method', 'other'), /--method must be one of/],
-    [circle('100'), /goes beyond the farthest point/],
+    [circle('100'), /goes beyond the farthest vertex/],
     [circle('5.99'), /meets the boundary/],
     [circle('0'), /radius must be a positive number/],
     [circle('wide'), /--radius must be a number, not 'wide'/],

@@ -91,6 +91,70 @@ test('polygons are cut, welded vertices repeat, dropped vertices keep their plac
   assert.equal(used.size, 6);
 });
 
+test('a file and arrays of the same numbers give the same positions', () => {
+  // In every notation that JavaScript and others print.
+  const notations = [
+    (x) => `${x}`,
+    (x) => x.toPrecision(17),
+    (x) => x.toExponential(),
+    (x) => x.toExponential(20),
+    (x) => `+${x.toPrecision(17)}`.replace('+-', '-'),
+  ];
+  let state = 12;
+  const random = () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return (state / 2 ** 32 - 0.5) * 10 ** ((state % 7) - 3);
+  };
+  const count = 500;
+  const positions = Float64Array.from({ length: 9 * count }, () => random() + random() * 2 ** -32);
+  const triangles = Int32Array.from({ length: 3 * count }, (_, i) => i);
+  const faces = Array.from({ length: count }, (_, i) => `f ${3 * i + 1} ${3 * i + 2} ${3 * i + 3}`);
+  const expected = karcher.meshFromArrays(positions, triangles).positions();
+  for (const notation of notations) {
+    const vertices = Array.from({ length: 3 * count }, (_, v) => {
+      return `v ${Array.from(positions.slice(3 * v, 3 * v + 3), notation).join(' ')}`;
+    });
+    const mesh = karcher.meshFromObj([...vertices, ...faces].join('\n'));
+    assert.deepEqual(mesh.positions(), expected);
+  }
+});
+
+test('one place in two notations is one vertex', () => {
+  const mesh = karcher.meshFromObj(
+    'v 0.348799 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 3.48799e-1 0 0\nv 0 -1 0\nv 1 0 0\nf 4 5 6\n',
+  );
+  assert.deepEqual(mesh.position({ vertex: 0 }), [0.348799, 0, 0]);
+  assert.equal(mesh.info.components, 1);
+  assert.deepEqual(
+    mesh.info.repairs.map(({ kind, count }) => [kind, count]),
+    [['welded', 2]],
+  );
+});
+
+test('parts that touch at a vertex stay apart, and it is told', () => {
+  const mesh = karcher.meshFromObj(
+    'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 0 0 0\nv -1 0 0\nv 0 -1 0\nf 4 5 6\n',
+  );
+  assert.equal(mesh.info.components, 2);
+  assert.deepEqual(
+    mesh.info.repairs.map(({ kind, count }) => [kind, count]),
+    [['keptApart', 1]],
+  );
+});
+
+test('coordinates beyond the limits of size', () => {
+  const at = (size) => [
+    () => karcher.meshFromArrays([0, 0, 0, size, 0, 0, 0, size, 0], [0, 1, 2]),
+    () => karcher.meshFromObj(`v 0 0 0\nv ${size} 0 0\nv ${size} 1 0\nv 0 ${size} 0\nf 1 2 3 4`),
+  ];
+  const says = /vertex 1 .* 1e\+150; at most 1e\+30 .* scale the mesh first/;
+  for (const make of at(1e150)) assert.throws(make, { code: 'badArgument', message: says });
+  const tiny = () => karcher.meshFromArrays([0, 0, 0, 1e-150, 0, 0, 0, 1e-150, 0], [0, 1, 2]);
+  assert.throws(tiny, { code: 'badArgument', message: /at least 1e-30: scale/ });
+  const infinite = () => karcher.meshFromObj('v 0 0 0\nv 1e999 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4');
+  assert.throws(infinite, { code: 'notFinite', message: /vertex 1/ });
+});
+
 test('a point is checked, and cleaned of rounding', () => {
   const mesh = karcher.meshFromObj(square);
   assert.deepEqual(mesh.pointAt(1, [0.25, 0.25, 0.5]), { face: 1, bary: [0.25, 0.25, 0.5] });
@@ -187,17 +251,58 @@ test('a straightest geodesic on a plane is a straight line', () => {
   const end = mesh.position(path.end);
   assert.ok(Math.abs(end[0] - 0.5) < 1e-14 && Math.abs(end[1] - 2.25) < 1e-14);
   assert.equal(path.remaining, 0);
+  assert.equal(path.stop, 'complete');
   assert.deepEqual(Array.from(path.polyline.slice(0, 3)), [0.5, 0.25, 0]);
   assert.deepEqual(Array.from(path.polyline.slice(-3)), end);
   // From (0.5, 0.25) it is half a unit to the left side.
   const stopped = mesh.straightest(from, [-2, 0, 0], 3);
   assert.ok(Math.abs(stopped.remaining - 2.5) < 1e-14);
+  assert.equal(stopped.stop, 'boundary');
   assert.deepEqual(mesh.position(stopped.end), [0, 0.25, 0]);
   assert.throws(() => mesh.straightest(from, [0, 0, 1], 1), { code: 'badArgument' });
   assert.throws(() => mesh.straightest(from, [0, 1], 1), { code: 'badArgument' });
   assert.throws(() => mesh.straightest(from, [0, Number.NaN, 1], 1), { code: 'notFinite' });
   assert.throws(() => mesh.straightest(from, [0, 1, 0], -1), { code: 'badArgument' });
   assert.throws(() => mesh.straightest(from, [0, 1, 0], Number.NaN), { code: 'notFinite' });
+});
+
+test('a straightest geodesic that is too long for its bound says so', () => {
+  const { stop, remaining } = karcher
+    .shape('sphere', 2000)
+    .straightest({ vertex: 12 }, [1, 0, 0], 1e7);
+  assert.equal(stop, 'limit');
+  assert.ok(remaining > 9e6 && remaining < 1e7);
+});
+
+test('an option of another name is refused', () => {
+  const mesh = karcher.meshFromObj(grid(4));
+  const points = [6, 8, 16, 18].map((vertex) => ({ vertex }));
+  const wrong = [
+    [
+      () => mesh.centerOfMass(points, [1, 0, 0, 0], { solvr: 'exact' }),
+      /no option 'solvr'.*solver/,
+    ],
+    [() => mesh.curve({ kind: 'bspline', points, sample: 3 }), /no option 'sample'/],
+    [() => mesh.circle({ center: points[0], radius: 1, arc: 3 }), /no option 'arc'/],
+    [() => mesh.ellipse({ center: points[0], radius: 1 }), /no option 'radius'.*radii/],
+    [() => mesh.isolines({ center: points[0], radius: 1, kind: 'exact' }), /no option 'kind'/],
+    [() => mesh.distance(points[0], { method: 'paper', ring: 3 }), /no option 'ring'/],
+  ];
+  for (const [use, message] of wrong) assert.throws(use, { code: 'badArgument', message });
+  for (const normalize of ['no', 1]) {
+    assert.throws(() => mesh.centerOfMass(points, [1, 0, 0, 0], { normalize }), {
+      code: 'badArgument',
+      message: /normalize must be true or false/,
+    });
+  }
+  return assert.rejects(mesh.prepare({ solvr: 'graph' }), { code: 'badArgument' });
+});
+
+test('a number out of range is told with the range', () => {
+  assert.throws(() => karcher.shape('sphere', 1e12), {
+    code: 'badArgument',
+    message: /from -2147483647 to 2147483647, not 1000000000000/,
+  });
 });
 
 test('a mesh cannot be used after it was disposed of', () => {

@@ -1,7 +1,14 @@
-import { checkInteger, checkOneOf, toFloat64, toInt32 } from '../check.js';
+import {
+  checkBoolean,
+  checkInteger,
+  checkOneOf,
+  checkOptions,
+  toFloat64,
+  toInt32,
+} from '../check.js';
 import { type Engine, Handle } from '../engine.js';
 import type { Mesh } from '../mesh.js';
-import { engineFieldOptions } from '../options.js';
+import { engineFieldOptions, namesOf } from '../options.js';
 import { toSurfacePoint, wirePoints } from '../points.js';
 import { prepareGraph } from '../prepare.js';
 import type { LongWorkOptions, PointLike } from '../types.js';
@@ -20,6 +27,15 @@ export const comparedMethods: readonly ComparedMethod[] = [
 ];
 
 const defaultLandmarks = 500;
+const methodOptionNames = namesOf<MethodOptions>({
+  method: true,
+  solver: true,
+  rings: true,
+  delaunay: true,
+  adaptive: true,
+  landmarks: true,
+  landmarkDistances: true,
+});
 
 /** A method prepared on a mesh, until `dispose`. */
 export class PreparedMethod {
@@ -127,14 +143,15 @@ export async function prepareMethod(
 }
 
 function engineOptions(options: MethodOptions): EngineMethodOptions {
+  checkOptions(options, methodOptionNames);
   const method = checkOneOf(options.method, comparedMethods, 'a method');
   const ours = method === 'paper' || method === 'karcher';
   const { solver, rings } = options;
   return {
     method,
     field: engineFieldOptions(ours ? { method, solver, rings } : {}),
-    delaunay: options.delaunay ?? false,
-    adaptive: options.adaptive ?? false,
+    delaunay: checkBoolean(options.delaunay ?? false, 'delaunay'),
+    adaptive: checkBoolean(options.adaptive ?? false, 'adaptive'),
     landmarks: checkInteger(options.landmarks ?? defaultLandmarks, 'the number of landmarks'),
     landmarkDistances: checkOneOf(
       options.landmarkDistances ?? 'fast',

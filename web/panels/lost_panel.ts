@@ -9,7 +9,6 @@ export const reasons: Record<LostReason, string> = {
   boundary: 'the surface ends',
   noProgress: 'the search got stuck',
   limit: 'the search took too long',
-  unreachable: 'no path to a control point',
 };
 const mostShown = 40;
 
