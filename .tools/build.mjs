@@ -1,7 +1,7 @@
 // Builds the parts of Karcher: native libraries and tests, the WebAssembly module, its TypeScript
-// facade, and the page.
+// facade, the page, and a mesh to try them on.
 //
-//   node .tools/build.mjs [wasm] [facade] [page] [native]    (the first three without arguments)
+//   node .tools/build.mjs [wasm] [facade] [page] [bunny] [native]    (without arguments all but the last)
 import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -67,6 +67,7 @@ const parts = {
   wasm: buildWasm,
   facade: buildFacade,
   page: buildPage,
+  bunny: writeBunny,
   native: async () => {
     await writeBunny();
     await buildNative('native');
@@ -82,7 +83,10 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   }
   await setUp('build', ...(names.includes('native') ? ['test'] : []));
   try {
-    for (const name of names.length > 0 ? names : ['wasm', 'facade', 'page']) await parts[name]();
+    for (const name of names.length > 0
+      ? names
+      : Object.keys(parts).filter((name) => name !== 'native'))
+      await parts[name]();
   } catch (error) {
     console.error(error.message);
     process.exit(1);
