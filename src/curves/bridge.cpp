@@ -28,16 +28,18 @@ struct Interval {
 
 class JumpSearch {
  public:
-  JumpSearch(Surface& surface, FieldBlend& fields, const Basis& basis, Method method)
-      : geometry_(surface.geometry()),
-        mesh_(surface.mesh()),
+  JumpSearch(FieldBlend& fields, const Basis& basis, Method method)
+      : geometry_(fields.geometry()),
+        mesh_(*geometry_.mesh),
         fields_(fields),
         basis_(basis),
         method_(method),
-        longest_(kLongestStep * surface.geometry().meanEdge) {}
+        longest_(kLongestStep * geometry_.meanEdge) {}
 
-  /// Whether the way from one converged sample to the next breaks, and how.
-  std::optional<Status> run(const CurveSample& from, const CurveSample& to) {
+  /// Whether the way from one converged sample to the next breaks, and how. `middle`: the weights
+  /// in the middle of it, or none.
+  std::optional<Status> run(const CurveSample& from, const CurveSample& to, Weights middle) {
+    if (!middle.empty() && staysInFace(from.point, to.point, middle)) return std::nullopt;
     stack_.clear();
     stack_.push_back({{from.t, from.point}, {to.t, to.point}});
     for (int count = 0; !stack_.empty() && count < kMostDivisions; ++count) {
@@ -54,7 +56,7 @@ class JumpSearch {
       }
       const double t = (step.from.t + step.to.t) / 2;
       const Array<double> weights = basis_(t);
-      if (staysInFace(step, weights)) continue;
+      if (staysInFace(step.from.point, step.to.point, weights)) continue;
       const CenterOfMass center = findCenter(fields_, weights, step.from.point, method_);
       if (center.status != Status::kConverged) return center.status;
       stack_.push_back({step.from, {t, center.point}});
@@ -75,11 +77,9 @@ class JumpSearch {
 
   /// In one face the zero of the field moves continuously, and stays there if the step keeps away
   /// from the edges and its middle, by the weights there, lies between its ends.
-  bool staysInFace(const Step& step, Weights middleWeights) const {
-    const SurfacePoint& from = step.from.point;
-    const SurfacePoint& to = step.to.point;
+  bool staysInFace(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
     if (from.face != to.face) return false;
-    const double margin = kEdgeMargin * (position(mesh_, to) - position(mesh_, from)).norm();
+    const double margin = kEdgeMargin * lengthInFace(from.face, to.bary - from.bary);
     const Vec3 least = from.bary.cwiseMin(to.bary);
     const double area = doubleArea(geometry_, from.face);
     for (int k = 0; k < 3; ++k) {
@@ -88,10 +88,14 @@ class JumpSearch {
     }
     Vec3 zero;
     if (!fields_.findZero(from.face, middleWeights, zero)) return false;
-    const Vec3 off = zero - (from.bary + to.bary) / 2;
-    const Vec2 away = off[1] * cornerInFace(geometry_, from.face, 1) +
-                      off[2] * cornerInFace(geometry_, from.face, 2);
-    return away.norm() < margin;
+    return lengthInFace(from.face, zero - (from.bary + to.bary) / 2) < margin;
+  }
+
+  /// Of a difference of barycentric weights.
+  double lengthInFace(int face, const Vec3& off) const {
+    const Vec2 vector =
+        off[1] * cornerInFace(geometry_, face, 1) + off[2] * cornerInFace(geometry_, face, 2);
+    return vector.norm();
   }
 
   const Geometry& geometry_;
@@ -104,17 +108,17 @@ class JumpSearch {
 };
 
 /// The steps between converged samples that break, by their first sample, and how.
-Array<std::pair<int, Status>> findJumps(Surface& surface, const Array<PointField*>& points,
-                                        const Basis& basis, Method method,
+Array<std::pair<int, Status>> findJumps(FieldBlend& fields, const Basis& basis,
+                                        const WeightTable* middles, Method method,
                                         const Array<CurveSample>& samples) {
-  FieldBlend fields(surface.geometry(), controlFields(points));
-  JumpSearch search(surface, fields, basis, method);
+  JumpSearch search(fields, basis, method);
   Array<std::pair<int, Status>> jumps;
   for (int i = 0; i + 1 < samples.count(); ++i) {
     const bool converged =
         samples[i].status == Status::kConverged && samples[i + 1].status == Status::kConverged;
     if (!converged) continue;
-    const std::optional<Status> reason = search.run(samples[i], samples[i + 1]);
+    const std::optional<Status> reason =
+        search.run(samples[i], samples[i + 1], middles ? middles->row(i) : Weights());
     if (reason) jumps.emplace_back(i, *reason);
   }
   return jumps;
@@ -275,17 +279,19 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
   return nullptr;
 }
 
-Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, const Basis& basis,
+Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const WeightTable* middles,
                             Method method, Array<CurveSample>& samples) {
-  const Array<std::pair<int, Status>> jumps = findJumps(surface, points, basis, method, samples);
+  const Array<std::pair<int, Status>> jumps =
+      findJumps(fields.blend, basis, middles, method, samples);
+  const Geometry& geometry = fields.blend.geometry();
   Array<Bridge> bridges;
-  BridgeBuilder builder(surface.geometry(), points, basis);
+  BridgeBuilder builder(geometry, fields.points, basis);
   for (const Interval& interval : intervalsToBridge(samples, jumps)) {
     CurveSample& first = samples[interval.first];
     CurveSample& last = samples[interval.last];
     Bridge bridge{first.t, last.t, interval.reason, {}};
     if (interval.last - interval.first == 1 && interval.keepsFirst && interval.keepsLast) {
-      appendBezier(surface.geometry(), {first.point, last.point}, first.t, last.t, bridge.line);
+      appendBezier(geometry, {first.point, last.point}, first.t, last.t, bridge.line);
     } else {
       bridge.line =
           builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
@@ -294,7 +300,7 @@ Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, 
     for (int i = interval.first; i <= interval.last; ++i) {
       if (i == interval.first && interval.keepsFirst) continue;
       if (i == interval.last && interval.keepsLast) continue;
-      samples[i].point = pointAt(surface.mesh(), bridge, samples[i].t);
+      samples[i].point = pointAt(*geometry.mesh, bridge, samples[i].t);
       samples[i].status = Status::kBridged;
     }
     bridges.push_back(std::move(bridge));

@@ -44,7 +44,9 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// Between two neighbouring samples a bridge is the geodesic that joins them. A step well inside a
 /// face costs nothing, nor one shorter than half of `kLongestStep`; others are divided until their
 /// parts are one or the other.
-Array<Bridge> bridgeSegment(Surface& surface, const Array<PointField*>& points, const Basis& basis,
+///
+/// `middles`, if given, has the basis at the middles between the samples' parameters.
+Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const WeightTable* middles,
                             Method method, Array<CurveSample>& samples);
 
 }  // namespace karcher

@@ -130,13 +130,15 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
   const Array<double> weights{1, middleWeight, 1};
   const Basis basis = [&](double t) { return rationalBasis(bernsteinBasis(2, t), weights); };
   const WeightTable table = tabulate(basis, options.samples);
+  const WeightTable middles = tabulateMiddles(basis, options.samples);
   for (int j = 0; j < options.arcs; ++j) {
     const int ends[3] = {2 * j, 2 * j + 1, (2 * j + 2) % fields.count()};
     const Array<PointField*> points{fields[ends[0]].get(), fields[ends[1]].get(),
                                     fields[ends[2]].get()};
+    SegmentFields arc(surface, points);
     Array<CurveSample>& samples =
-        circle.samples.emplace_back(traceSegment(surface, points, table, options.field.method));
-    circle.bridges.push_back(bridgeSegment(surface, points, basis, options.field.method, samples));
+        circle.samples.emplace_back(traceSegment(arc, table, options.field.method));
+    circle.bridges.push_back(bridgeSegment(arc, basis, &middles, options.field.method, samples));
     circle.paths.push_back(joinSamples(surface, samples, circle.bridges.back()));
     if (!shortest[ends[0]] || !shortest[ends[1]] || !shortest[ends[2]]) {
       circle.notShortest.push_back(j);

@@ -115,6 +115,7 @@ void Curve::change(const CurveShape& shape, const Array<SurfacePoint>& positions
 void Curve::retrace() {
   for (Segment& segment : segments_) {
     segment.traced->isSampled = segment.traced->isBridged = segment.traced->isJoined = false;
+    segment.traced->fields.reset();
   }
 }
 
@@ -151,8 +152,10 @@ void Curve::bridge() {
     // Shortest paths are whole.
     if (shape().kind != CurveKind::kPolyline) {
       const Basis basis = [&](double t) { return weights(j, t); };
-      traced.bridges =
-          bridgeSegment(surface_, fieldsOf(j), basis, options_.field.method, traced.samples);
+      const auto& table = segments_[j].table;
+      traced.bridges = bridgeSegment(blendedFieldsOf(j), basis,
+                                     options_.tolerance == 0 && table ? &table->middles : nullptr,
+                                     options_.field.method, traced.samples);
     }
     traced.isBridged = true;
   }
@@ -167,10 +170,11 @@ void Curve::join() {
       const Basis basis = [&](double t) { return weights(j, t); };
       std::optional<EdgeCrossings> crossings;
       if (options_.geometry == CurveGeometry::kExact) {
-        crossings.emplace(surface_, fieldsOf(j), basis, options_.field.method);
+        crossings.emplace(blendedFieldsOf(j), basis, options_.field.method);
       }
       traced.path =
           joinSamples(surface_, traced.samples, traced.bridges, crossings ? &*crossings : nullptr);
+      traced.fields.reset();
     }
     traced.isJoined = true;
   }
@@ -184,8 +188,8 @@ Array<SurfacePoint> Curve::points() const {
 
 Array<double> Curve::weights(int segment, double t) const {
   const Segment& of = segments_[segment];
-  Array<double> basis = weightsAt(of.layout.basis, t);
-  return of.pointWeights.empty() ? basis : rationalBasis(basis, of.pointWeights);
+  if (of.pointWeights.empty()) return weightsAt(of.layout.basis, t);
+  return rationalBasis(weightsAt(of.layout.basis, t), of.pointWeights);
 }
 
 Array<PointField*> Curve::fieldsOf(int segment) const {
@@ -275,14 +279,16 @@ void Curve::makeTables(Segment& segment) const {
   // Adaptive sampling asks for weights as it goes; a caller's basis is checked all the same.
   if (options_.tolerance > 0 && basis.form != BasisForm::kOwn) return;
   if (!segment.basisTable) {
-    segment.basisTable = std::make_shared<WeightTable>(
-        tabulate([&](double t) { return weightsAt(basis, t); }, options_.samples));
+    const auto weights = [&](double t) { return weightsAt(basis, t); };
+    segment.basisTable = std::make_shared<SegmentWeights>(SegmentWeights{
+        tabulate(weights, options_.samples), tabulateMiddles(weights, options_.samples)});
   }
   if (segment.table) return;
-  segment.table =
-      segment.pointWeights.empty()
-          ? segment.basisTable
-          : std::make_shared<WeightTable>(weighted(*segment.basisTable, segment.pointWeights));
+  segment.table = segment.pointWeights.empty()
+                      ? segment.basisTable
+                      : std::make_shared<SegmentWeights>(SegmentWeights{
+                            weighted(segment.basisTable->samples, segment.pointWeights),
+                            weighted(segment.basisTable->middles, segment.pointWeights)});
 }
 
 /// Distances between consecutive points by their fields: the mean of both, so that the curve is the
@@ -317,12 +323,18 @@ void Curve::findSamplesOf(int segment) {
     traced.path = std::move(geodesic.path);
     return;
   }
-  const Array<PointField*> fields = fieldsOf(segment);
+  SegmentFields& fields = blendedFieldsOf(segment);
   const Basis basis = [&](double t) { return weights(segment, t); };
   const Method method = options_.field.method;
   traced.samples = options_.tolerance > 0
-                       ? traceAdaptively(surface_, fields, basis, method, options_.tolerance)
-                       : traceSegment(surface_, fields, *segments_[segment].table, method);
+                       ? traceAdaptively(fields, basis, method, options_.tolerance)
+                       : traceSegment(fields, segments_[segment].table->samples, method);
+}
+
+SegmentFields& Curve::blendedFieldsOf(int segment) {
+  std::optional<SegmentFields>& fields = segments_[segment].traced->fields;
+  if (!fields) fields.emplace(surface_, fieldsOf(segment));
+  return *fields;
 }
 
 }  // namespace karcher

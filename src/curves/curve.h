@@ -94,7 +94,14 @@ class Curve {
     };
     std::shared_ptr<Field> field;
   };
+  /// At the samples and between them.
+  struct SegmentWeights {
+    WeightTable samples;
+    WeightTable middles;
+  };
   struct Traced {
+    /// While the segment is being made; from its first step to `join`.
+    std::optional<SegmentFields> fields;
     Array<CurveSample> samples;
     Array<Bridge> bridges;
     JoinedPath path;
@@ -107,8 +114,8 @@ class Curve {
     Array<double> pointWeights;  ///< empty where the basis is not rational
     Array<int64_t> stamps;       ///< of its points
     /// Of the basis alone, and with the points' weights; segments share them.
-    std::shared_ptr<const WeightTable> basisTable;
-    std::shared_ptr<const WeightTable> table;
+    std::shared_ptr<const SegmentWeights> basisTable;
+    std::shared_ptr<const SegmentWeights> table;
     std::shared_ptr<Traced> traced;
   };
   struct Gap {
@@ -124,6 +131,7 @@ class Curve {
   void makeTables(Segment& segment) const;
   void updateGaps();
   void findSamplesOf(int segment);
+  SegmentFields& blendedFieldsOf(int segment);
 
   Surface& surface_;
   CurveOptions options_;

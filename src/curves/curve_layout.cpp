@@ -3,42 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "curves/bases.h"
 #include "curves/knots.h"
-#include "mesh/error.h"
-#include "rcm/field_blend.h"
 
 namespace karcher {
 namespace {
-
-Array<double> ownWeights(const SegmentBasis& basis, double t) {
-  Array<double> weights = (*basis.own)(basis.points, t);
-  double sum = 0;
-  for (const double weight : weights) sum += weight;
-  if (weights.count() == basis.points && std::abs(sum - 1) <= kWeightSumTolerance) return weights;
-  throw Error(ErrorCode::kBadWeights, "the basis gives " + std::to_string(weights.count()) +
-                                          " weights of sum " + inSentence(sum) +
-                                          " at t = " + inSentence(t) + "; there must be " +
-                                          std::to_string(basis.points) + ", of sum 1 within 1e-9");
-}
-
-Array<double> unfolded(const SegmentBasis& basis, double t) {
-  switch (basis.form) {
-    case BasisForm::kUniformCubic:
-      return uniformCubicBasis(t);
-    case BasisForm::kBSpline:
-      return bsplineBasis(basis.numbers, basis.degree, basis.degree, t);
-    case BasisForm::kBarycentric:
-      return barycentricBasis(basis.numbers, t);
-    case BasisForm::kCatmullRom:
-      return catmullRomBasis(basis.numbers, t);
-    case BasisForm::kOwn:
-      return ownWeights(basis, t);
-    case BasisForm::kBernstein:
-      break;
-  }
-  return bernsteinBasis(basis.degree, t);
-}
 
 /// A segment that blends `numbers`, one a weight of the basis; a number may come several times.
 /// Then the segment goes all round a closed curve, and its points have the order that they have in
@@ -140,16 +108,6 @@ Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points,
 }
 
 }  // namespace
-
-Array<double> weightsAt(const SegmentBasis& basis, double t) {
-  Array<double> raw = unfolded(basis, t);
-  if (basis.folds.empty()) return raw;
-  Array<double> weights(static_cast<size_t>(basis.points), 0.0);
-  for (const SegmentBasis::Fold& fold : basis.folds) {
-    weights[fold.to] += fold.factor * raw[fold.from];
-  }
-  return weights;
-}
 
 Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps) {
   // A closed curve of one segment ends at its first point.

@@ -46,12 +46,8 @@ Passage passageBetween(const TriangleMesh& mesh, const SurfacePoint& a, const Su
 
 }  // namespace
 
-EdgeCrossings::EdgeCrossings(Surface& surface, const Array<PointField*>& points, const Basis& basis,
-                             Method method)
-    : geometry_(surface.geometry()),
-      basis_(basis),
-      method_(method),
-      fields_(surface.geometry(), controlFields(points)) {}
+EdgeCrossings::EdgeCrossings(SegmentFields& fields, const Basis& basis, Method method)
+    : geometry_(fields.blend.geometry()), basis_(basis), method_(method), fields_(fields.blend) {}
 
 bool EdgeCrossings::append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out,
                            double& length) {

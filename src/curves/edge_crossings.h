@@ -15,8 +15,7 @@ namespace karcher {
 class EdgeCrossings {
  public:
   /// All must outlive the object.
-  EdgeCrossings(Surface& surface, const Array<PointField*>& points, const Basis& basis,
-                Method method);
+  EdgeCrossings(SegmentFields& fields, const Basis& basis, Method method);
 
   /// Appends the crossings between two converged samples, in ascending t, and the later sample, and
   /// adds the length. Where the samples' faces do not share an edge, more samples are found and
@@ -37,7 +36,7 @@ class EdgeCrossings {
   const Geometry& geometry_;
   const Basis& basis_;
   Method method_;
-  FieldBlend fields_;
+  FieldBlend& fields_;
   Array<CurveSample> found_;
 };
 

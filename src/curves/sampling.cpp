@@ -28,11 +28,10 @@ double distanceToLine(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 class AdaptiveTrace {
  public:
-  AdaptiveTrace(Surface& surface, const Array<PointField*>& points, const Basis& basis,
-                Method method, double tolerance)
-      : geometry_(surface.geometry()),
-        points_(points),
-        fields_(geometry_, controlFields(points)),
+  AdaptiveTrace(SegmentFields& fields, const Basis& basis, Method method, double tolerance)
+      : geometry_(fields.blend.geometry()),
+        points_(fields.points),
+        fields_(fields.blend),
         basis_(basis),
         method_(method),
         tolerance_(tolerance * geometry_.diagonal) {}
@@ -113,7 +112,7 @@ class AdaptiveTrace {
 
   const Geometry& geometry_;
   const Array<PointField*>& points_;
-  FieldBlend fields_;
+  FieldBlend& fields_;
   const Basis& basis_;
   Method method_;
   double tolerance_;
@@ -132,9 +131,9 @@ void checkTolerance(double tolerance) {
       "a tolerance is a part of the bounding box, from 1e-7 to 1, not " + inSentence(tolerance));
 }
 
-Array<CurveSample> traceAdaptively(Surface& surface, const Array<PointField*>& points,
-                                   const Basis& basis, Method method, double tolerance) {
-  return AdaptiveTrace(surface, points, basis, method, tolerance).run();
+Array<CurveSample> traceAdaptively(SegmentFields& fields, const Basis& basis, Method method,
+                                   double tolerance) {
+  return AdaptiveTrace(fields, basis, method, tolerance).run();
 }
 
 }  // namespace karcher

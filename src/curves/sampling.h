@@ -15,7 +15,7 @@ void checkTolerance(double tolerance);
 /// tolerance, as a part of the bounding box's diagonal, of the geodesic between the interval's
 /// ends. The ends are found as `traceSegment` finds them. Where some samples are converged and
 /// others not, the border between them is found to 2^-11 of the segment or finer.
-Array<CurveSample> traceAdaptively(Surface& surface, const Array<PointField*>& points,
-                                   const Basis& basis, Method method, double tolerance);
+Array<CurveSample> traceAdaptively(SegmentFields& fields, const Basis& basis, Method method,
+                                   double tolerance);
 
 }  // namespace karcher

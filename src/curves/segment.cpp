@@ -19,21 +19,31 @@ int heaviest(Weights weights) {
   return i;
 }
 
+namespace {
+
+void append(WeightTable& table, const Basis& basis, double t) {
+  const Array<double> weights = basis(t);
+  table.t.push_back(t);
+  table.points = weights.count();
+  table.weights.insert(table.weights.end(), weights.begin(), weights.end());
+}
+
+}  // namespace
+
 WeightTable tabulate(const Basis& basis, int count) {
   WeightTable table;
-  for (int i = 0; i < count; ++i) {
-    table.t.push_back(static_cast<double>(i) / (count - 1));
-    const Array<double> weights = basis(table.t[i]);
-    table.points = weights.count();
-    table.weights.insert(table.weights.end(), weights.begin(), weights.end());
-  }
+  for (int i = 0; i < count; ++i) append(table, basis, static_cast<double>(i) / (count - 1));
   return table;
 }
 
-Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& points,
-                                const WeightTable& table, Method method) {
-  FieldBlend fields(surface.geometry(), controlFields(points));
+WeightTable tabulateMiddles(const Basis& basis, int count) {
+  WeightTable table;
+  for (int i = 0; i + 1 < count; ++i) append(table, basis, (i + 0.5) / (count - 1));
+  return table;
+}
 
+Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method) {
+  const Array<PointField*>& points = fields.points;
   Array<CurveSample> samples(table.t.size());
   SurfacePoint start;
   for (int i = 0; i < samples.count(); ++i) {
@@ -41,9 +51,10 @@ Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& poin
     // there.
     const bool isEnd = i == 0 || i == samples.count() - 1;
     if (isEnd) start = points[heaviest(table.row(i))]->point();
-    CenterOfMass center = findCenter(fields, table.row(i), start, method);
+    CenterOfMass center = findCenter(fields.blend, table.row(i), start, method);
     if (center.status != Status::kConverged && !isEnd && method == Method::kKarcher) {
-      center = findCenter(fields, table.row(i), points[heaviest(table.row(i))]->point(), method);
+      center =
+          findCenter(fields.blend, table.row(i), points[heaviest(table.row(i))]->point(), method);
     }
     samples[i] = {table.t[i], center.point, center.status};
     if (center.status == Status::kConverged) start = center.point;

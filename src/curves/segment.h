@@ -21,7 +21,7 @@ inline constexpr int kMostSamples = 100'000;
 /// From t in [0, 1] to the weights of a segment's control points, which sum to 1.
 using Basis = std::function<Array<double>(double t)>;
 
-/// A basis at the parameters t = i / (count - 1): made once for all segments with that basis.
+/// A basis at parameters, evenly spaced: made once for all segments with that basis.
 struct WeightTable {
   int points = 0;
   Array<double> t;
@@ -32,18 +32,30 @@ struct WeightTable {
   }
 };
 
-/// count >= 2.
+/// At `count` >= 2 parameters.
 WeightTable tabulate(const Basis& basis, int count);
+
+/// At the middles between the `count` parameters.
+WeightTable tabulateMiddles(const Basis& basis, int count);
 
 /// The number of the largest weight; of several, the first.
 int heaviest(Weights weights);
+
+/// The control points of a segment with their fields, blended. What the blend knows of the faces
+/// that the segment passes serves all steps of its making.
+struct SegmentFields {
+  SegmentFields(Surface& surface, const Array<PointField*>& ofPoints)
+      : points(ofPoints), blend(surface.geometry(), controlFields(ofPoints)) {}
+
+  Array<PointField*> points;
+  FieldBlend blend;
+};
 
 /// One sample a row of the table. The search for the first and the last starts at the control point
 /// of the largest weight, for each other where the last converged sample lies, and once more at
 /// that control point where this fails: the result depends on the fields and the weights alone, and
 /// the end of one segment is the start of the next.
-Array<CurveSample> traceSegment(Surface& surface, const Array<PointField*>& points,
-                                const WeightTable& table, Method method);
+Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method);
 
 /// The center of mass of the fields of `points`, by the search that belongs to the method.
 CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,

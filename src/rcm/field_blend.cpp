@@ -27,8 +27,7 @@ Hessian hessian(const Geometry& geometry, int face, const TriangleField& field) 
 
 FieldBlend::FieldBlend(const Geometry& geometry, Array<ControlField*> fields)
     : geometry_(geometry), fields_(std::move(fields)) {
-  tableFaces_.assign(256, -1);
-  tableSlots_.assign(256, 0);
+  table_.resize(256);
   vectors_.reserve(static_cast<size_t>(64 * 6 * fieldCount()));
 }
 
@@ -125,10 +124,10 @@ const double* FieldBlend::transported(int face) {
 }
 
 int FieldBlend::slotOf(int face) {
-  const size_t mask = tableFaces_.size() - 1;
+  const size_t mask = table_.size() - 1;
   size_t place = hashOf(face) & mask;
-  while (tableFaces_[place] != -1) {
-    if (tableFaces_[place] == face) return tableSlots_[place];
+  while (table_[place].face != -1) {
+    if (table_[place].face == face) return table_[place].slot;
     place = (place + 1) & mask;
   }
   const size_t width = static_cast<size_t>(6 * fieldCount());
@@ -146,26 +145,22 @@ int FieldBlend::slotOf(int face) {
     }
   }
   // Only now, since a field's evaluation may throw.
-  tableFaces_[place] = face;
-  tableSlots_[place] = slotCount_;
+  table_[place] = {face, slotCount_};
   const int slot = slotCount_++;
-  if (2 * static_cast<size_t>(slotCount_) > tableFaces_.size()) growTable();
+  if (2 * static_cast<size_t>(slotCount_) > table_.size()) growTable();
   return slot;
 }
 
 void FieldBlend::growTable() {
-  Array<int> faces(2 * tableFaces_.size(), -1);
-  Array<int> slots(faces.size(), 0);
-  const size_t mask = faces.size() - 1;
-  for (int i = 0; i < tableFaces_.count(); ++i) {
-    if (tableFaces_[i] == -1) continue;
-    size_t place = hashOf(tableFaces_[i]) & mask;
-    while (faces[place] != -1) place = (place + 1) & mask;
-    faces[place] = tableFaces_[i];
-    slots[place] = tableSlots_[i];
+  Array<Place> larger(2 * table_.size());
+  const size_t mask = larger.size() - 1;
+  for (const Place& old : table_) {
+    if (old.face == -1) continue;
+    size_t place = hashOf(old.face) & mask;
+    while (larger[place].face != -1) place = (place + 1) & mask;
+    larger[place] = old;
   }
-  tableFaces_ = std::move(faces);
-  tableSlots_ = std::move(slots);
+  table_ = std::move(larger);
 }
 
 }  // namespace karcher

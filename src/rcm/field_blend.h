@@ -100,8 +100,11 @@ class FieldBlend {
   Array<ControlField*> fields_;
   Array<double> vectors_;
   /// Open addressing, so that nothing the size of the mesh is made: faces, and their slots.
-  Array<int> tableFaces_;
-  Array<int> tableSlots_;
+  struct Place {
+    int face = -1;
+    int slot = 0;
+  };
+  Array<Place> table_;
   int slotCount_ = 0;
   int lastFace_ = -1;
   int lastSlot_ = 0;

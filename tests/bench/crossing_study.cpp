@@ -35,11 +35,9 @@ void study(const std::string& meshPath, const std::string& pointsPath) {
   double ms = 0;
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const Basis basis = [&](double t) { return curve.weights(j, t); };
-    Array<ControlField*> controlFields;
-    for (PointField* field : curve.fieldsOf(j)) controlFields.push_back(&field->field());
-    FieldBlend fields(surface.geometry(), std::move(controlFields));
+    SegmentFields fields(surface, curve.fieldsOf(j));
     const Array<CurveSample>& samples = curve.samples(j);
-    EdgeCrossings crossings(surface, curve.fieldsOf(j), basis, kField.method);
+    EdgeCrossings crossings(fields, basis, kField.method);
     for (int i = 1; i < samples.count(); ++i) {
       Array<SurfacePoint> path;
       double length = 0;

@@ -73,7 +73,8 @@ Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& 
   for (const Pair& pair : pairs) {
     from.setPoint(pair.from);
     to.setPoint(pair.to);
-    const Array<CurveSample> samples = traceSegment(surface, {&from, &to}, table, options.method);
+    SegmentFields fields(surface, {&from, &to});
+    const Array<CurveSample> samples = traceSegment(fields, table, options.method);
     for (const CurveSample& sample : samples) {
       if (sample.status != Status::kConverged) {
         ++outcome.lost;

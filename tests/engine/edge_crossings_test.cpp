@@ -27,7 +27,8 @@ Array<SurfacePoint> nearestPoints(const TriangleMesh& mesh, const Array<Vec3>& p
 /// The crossings that lie inside edges, with their parameters.
 Array<CurveSample> crossingsOf(Curve& curve, int segment, int* left) {
   const Basis basis = [&](double t) { return curve.weights(segment, t); };
-  EdgeCrossings crossings(curve.surface(), curve.fieldsOf(segment), basis, Method::kKarcher);
+  SegmentFields fields(curve.surface(), curve.fieldsOf(segment));
+  EdgeCrossings crossings(fields, basis, Method::kKarcher);
   Array<CurveSample> result;
   const Array<CurveSample>& samples = curve.samples(segment);
   for (int i = 1; i < samples.count(); ++i) {
