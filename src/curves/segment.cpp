@@ -45,19 +45,26 @@ WeightTable tabulateMiddles(const Basis& basis, int count) {
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method) {
   const Array<PointField*>& points = fields.points;
   Array<CurveSample> samples(table.t.size());
-  SurfacePoint start;
+  const SurfacePoint* start = nullptr;
   for (int i = 0; i < samples.count(); ++i) {
+    CurveSample& sample = samples[i];
+    sample.t = table.t[i];
     // The ends are found from their control points alone: as the segments find them that meet
     // there.
     const bool isEnd = i == 0 || i == samples.count() - 1;
-    if (isEnd) start = points[heaviest(table.row(i))]->point();
-    CenterOfMass center = findCenter(fields.blend, table.row(i), start, method);
-    if (center.status != Status::kConverged && !isEnd && method == Method::kKarcher) {
-      center =
-          findCenter(fields.blend, table.row(i), points[heaviest(table.row(i))]->point(), method);
+    if (isEnd) start = &points[heaviest(table.row(i))]->point();
+    const bool stays = method == Method::kKarcher &&
+                       centerInFace(fields.blend, table.row(i), start->face, sample.point);
+    if (!stays) {
+      CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
+      if (center.status != Status::kConverged && !isEnd && method == Method::kKarcher) {
+        const SurfacePoint& heaviestPoint = points[heaviest(table.row(i))]->point();
+        center = findCenter(fields.blend, table.row(i), heaviestPoint, method);
+      }
+      sample.point = center.point;
+      sample.status = center.status;
     }
-    samples[i] = {table.t[i], center.point, center.status};
-    if (center.status == Status::kConverged) start = center.point;
+    if (sample.status == Status::kConverged) start = &sample.point;
   }
   return samples;
 }

@@ -69,7 +69,10 @@ SurfacePoint clampedPoint(int face, const Vec3& bary) {
   for (int k = 0; k < 3; ++k) {
     if (point.bary[k] < kOnEdgeTolerance) point.bary[k] = 0;
   }
-  point.bary /= point.bary.sum();
+  // Divisions are dear, and most weights come with this sum.
+  constexpr double kRounding = 1e-15;
+  const double sum = point.bary[0] + point.bary[1] + point.bary[2];
+  if (std::abs(sum - 1) > kRounding) point.bary /= sum;
   return point;
 }
 

@@ -206,6 +206,14 @@ class ZeroWalk {
 
 }  // namespace
 
+bool centerInFace(FieldBlend& fields, Weights weights, int face, SurfacePoint& center) {
+  Vec3 zero;
+  if (!fields.findZero(face, weights, zero)) return false;
+  if (std::min(zero[0], std::min(zero[1], zero[2])) < -kInsideTolerance) return false;
+  center = clampedPoint(face, zero);
+  return true;
+}
+
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   return ZeroWalk(fields, weights).run(start);
 }
