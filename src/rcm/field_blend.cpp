@@ -44,16 +44,12 @@ TriangleField FieldBlend::blend(int face, Weights weights) {
 
 bool FieldBlend::findZero(int face, Weights weights, Vec3& zero) {
   const double* v = transported(face);
-  double x0 = 0, y0 = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+  double sum[6] = {};
   for (const double w : weights) {
-    x0 += w * v[0];
-    y0 += w * v[1];
-    x1 += w * v[2];
-    y1 += w * v[3];
-    x2 += w * v[4];
-    y2 += w * v[5];
+    for (int c = 0; c < 6; ++c) sum[c] += w * v[c];
     v += 6;
   }
+  const double x0 = sum[0], y0 = sum[1], x1 = sum[2], y1 = sum[3], x2 = sum[4], y2 = sum[5];
   // hessian(...).positiveDefinite(), without its divisions.
   const double apexX = geometry_.apex[face].x();
   const double apexY = geometry_.apex[face].y();
