@@ -51,7 +51,7 @@ void study(const std::string& meshPath, const std::string& pointsPath) {
         const Array<double> weights = basis(found.t);
         const Vec3 point = position(mesh, found.point);
         for (const int face : {place.face, faceOf(mesh.twin[place.halfedge])}) {
-          gaps.push_back(gap(surface.geometry(), fields, weights, face, point));
+          gaps.push_back(gap(surface.geometry(), fields.blend, weights, face, point));
         }
       }
     }
