@@ -62,7 +62,8 @@ Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& 
     const Array<double> lengths = lengthsAlong(mesh, path.points);
     from.setPoint(pair.from);
     to.setPoint(pair.to);
-    for (const CurveSample& sample : traceSegment(surface, {&from, &to}, table, options.method)) {
+    SegmentFields fields(surface, {&from, &to});
+    for (const CurveSample& sample : traceSegment(fields, table, options.method)) {
       ++outcome.samples;
       const SurfacePoint& point = sample.point;
       EXPECT_TRUE(point.face >= 0 && point.face < mesh.faceCount());
