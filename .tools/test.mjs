@@ -7,6 +7,7 @@ import { chromiumPath, setUp } from './setup.mjs';
 import { closeWith, cores, filesBelow, inRoot, run, runStages } from './shell.mjs';
 
 const long = process.argv.includes('--long');
+const longCases = long ? { KARCHER_LONG: '1' } : {};
 const minutes = long ? 120 : 15;
 const reports = inRoot('build/reports');
 
@@ -18,7 +19,7 @@ async function runShard(preset, shard, shards) {
     GTEST_TOTAL_SHARDS: `${shards}`,
     GTEST_SHARD_INDEX: `${shard}`,
     UBSAN_OPTIONS: 'print_stacktrace=1',
-    ...(long && { KARCHER_LONG: '1' }),
+    ...longCases,
   };
   const args = [`--gtest_output=json:${report}`];
   let problem;
@@ -108,6 +109,9 @@ const stages = [
   { name: 'build of the page', run: buildPage },
   { name: 'tests of the module and the command line', run: () => runNode('tests/wasm') },
   { name: 'tests of the figures', run: () => runNode('tests/paper') },
-  { name: 'tests of the page', run: () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath() }) },
+  {
+    name: 'tests of the page',
+    run: () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases }),
+  },
 ];
 closeWith(await runStages(stages.filter((stage) => !long || !stage.short)));

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
+import { part } from './part.mjs';
 
 const places = [
   [-110, 40],
@@ -139,11 +140,8 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  for (const [kind, name] of Object.entries({
-    bspline: 'Weight',
-    rational: 'Weight',
-    barycentric: 'Beta',
-  })) {
+  const sliders = { bspline: 'Weight', rational: 'Weight', barycentric: 'Beta' };
+  for (const [kind, name] of part(Object.entries(sliders), 1)) {
     test(`a ${kind} curve's ${name.toLowerCase()} slider works live, as one step`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);
@@ -181,7 +179,7 @@ describe('kinds of curves', () => {
     });
   }
 
-  for (const kind of splines) {
+  for (const kind of part(splines, 2)) {
     test(`a click on a ${kind} curve puts a point into it`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);
@@ -223,7 +221,7 @@ describe('kinds of curves', () => {
   test('are cut where they are clicked, and joined again', async () => {
     const tab = await Tab.open(browser, 'mesh=openSheet:1500');
     await tab.click(...places, [130, 80]);
-    for (const kind of ['bspline', 'catmullrom', 'polyline', 'bezier']) {
+    for (const kind of part(['bspline', 'catmullrom', 'polyline', 'bezier'], 2)) {
       await choose(tab, kind);
       const before = await tab.view();
       await tab.page.keyboard.press('s');

@@ -1,7 +1,8 @@
 // The page of the paper's comparisons, with small meshes.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser } from './browser.mjs';
+import { isComplaint, openBrowser } from './browser.mjs';
+import { part } from './part.mjs';
 
 const ids = [
   ...['means', 'paths', 'resolution', 'gallery', 'graph', 'averages', 'rational', 'circles'],
@@ -16,7 +17,7 @@ describe('the Paper page', () => {
     browser = await openBrowser({ viewport: { width: 1000, height: 760 } });
     page = await browser.context.newPage();
     page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) logged.push(message.text());
+      if (isComplaint(message)) logged.push(message.text());
     });
     page.on('pageerror', (error) => logged.push(`${error}`));
     await page.goto(`${browser.address}paper.html?antialias=off&detail=0.02`);
@@ -101,7 +102,7 @@ describe('the Paper page', () => {
       [id, index],
     );
 
-  for (const id of ids) {
+  for (const id of part(ids, 3)) {
     test(`has the figure '${id}' saved, moved and switched`, async () => {
       await open(id);
       const panels = await page.locator(`#${id} .panel-card`).all();
@@ -236,7 +237,7 @@ describe('the Paper page', () => {
     return { href, panel, ...editor };
   }
 
-  for (const [figure, index, kind, mesh] of [
+  const links = [
     ['means', 1, 'center', 'plane:delaunay:500'],
     ['paths', 1, 'bezier', 'simplified:500:torus:1000'],
     ['gallery', 2, 'bspline', 'sphere:500'],
@@ -244,7 +245,8 @@ describe('the Paper page', () => {
     ['rational', 2, 'barycentric', 'torus:500'],
     ['circles', 0, 'circle', 'sphere:500'],
     ['plane', 2, 'bspline', 'plane:anisotropic:500'],
-  ]) {
+  ];
+  for (const [figure, index, kind, mesh] of part(links, 2)) {
     test(`opens a curve of the kind '${kind}' on ${mesh} in the editor`, async () => {
       const { href, panel, document, info, length } = await openedInEditor(figure, index);
       assert.ok(href.startsWith(`./index.html#mesh=${mesh}&kind=${kind}&`), href);
