@@ -102,7 +102,7 @@ describe('the Paper page', () => {
       [id, index],
     );
 
-  for (const id of part(ids, 3)) {
+  for (const id of part(ids, 2)) {
     test(`has the figure '${id}' saved, moved and switched`, async () => {
       await open(id);
       const panels = await page.locator(`#${id} .panel-card`).all();
