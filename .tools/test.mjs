@@ -58,7 +58,7 @@ async function runShard(preset, shard, shards) {
 
 async function runNative(preset) {
   // More than there are cores: some take longer than others.
-  const shards = 4 * cores;
+  const shards = 2 * cores;
   const running = Array.from({ length: shards }, (_, shard) => runShard(preset, shard, shards));
   const counts = await Promise.all(running);
   const sum = (key) => counts.reduce((total, count) => total + count[key], 0);
