@@ -43,23 +43,4 @@ double quantile(Array<double> values, double rank) {
 
 double median(Array<double> values) { return quantile(std::move(values), 0.5); }
 
-double Random::uniform() {
-  uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  z ^= z >> 31;
-  return static_cast<double>(z >> 11) * 0x1.0p-53;
-}
-
-SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
-  const int face = random.below(mesh.faceCount());
-  double b1 = random.uniform();
-  double b2 = random.uniform();
-  if (b1 + b2 > 1) {
-    b1 = 1 - b1;
-    b2 = 1 - b2;
-  }
-  return {face, {1 - b1 - b2, b1, b2}};
-}
-
 }  // namespace karcher

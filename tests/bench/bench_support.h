@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string>
 
+#include "generators/random_points.h"
 #include "mesh/surface_point.h"
 #include "mesh/triangle_mesh.h"
 
@@ -36,19 +37,5 @@ double timed(const Work& work) {
 double median(Array<double> values);
 /// The value below which the part `rank` (0 to 1) of the values lies.
 double quantile(Array<double> values, double rank);
-
-/// Random numbers that are the same with every compiler.
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  /// Uniform in [0, 1). SplitMix64.
-  double uniform();
-  int below(int bound) { return static_cast<int>(uniform() * bound); }
-
- private:
-  uint64_t state_;
-};
-
-SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random);
 
 }  // namespace karcher

@@ -38,7 +38,7 @@ void study(const std::string& path) {
   Array<double> near;
   for (int i = 0; i < kSources; ++i) {
     const SurfacePoint source = i % 2 == 0 ? randomPoint(mesh, random)
-                                           : vertexPoint(mesh, random.below(mesh.vertexCount()));
+                                           : vertexPoint(mesh, random.index(mesh.vertexCount()));
     fast.setSource(source);
     fast.grow(kInfinity);
     exact.setSource(source);

@@ -3,7 +3,6 @@
 
 #include "bench_support.h"
 #include "curves/segment.h"
-#include "distance/exact_distance.h"
 #include "distance/shortest_path.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -40,21 +39,10 @@ Vec3 pointAtLength(const TriangleMesh& mesh, const ShortestPath& path, double le
 }
 
 Array<Pair> choosePairs(const Geometry& geometry) {
-  const TriangleMesh& mesh = *geometry.mesh;
   Random random(kSeed);
   Array<Pair> pairs;
-  ExactDistance distance(geometry);
-  while (pairs.count() < kPairs) {
-    const SurfacePoint from = randomPoint(mesh, random);
-    distance.setSource(from);
-    distance.grow(0.2 * geometry.diagonal);
-    for (int attempt = 0; attempt < 10'000; ++attempt) {
-      const SurfacePoint to = randomPoint(mesh, random);
-      const double d = distance.distance(mesh.corner(to.face, 0));
-      if (d < 0.05 * geometry.diagonal || d > 0.2 * geometry.diagonal) continue;
-      pairs.push_back({from, to, shortestPath(geometry, from, to)});
-      break;
-    }
+  for (const PointPair& pair : randomPairs(geometry, random, kPairs, randomPoint)) {
+    pairs.push_back({pair.from, pair.to, shortestPath(geometry, pair.from, pair.to)});
   }
   return pairs;
 }

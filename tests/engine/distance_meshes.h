@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "generators/random.h"
+#include "generators/random_points.h"
 #include "intrinsic/geometry.h"
 #include "mesh/shapes.h"
 #include "mesh/triangle_soup.h"
@@ -63,17 +63,6 @@ inline TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b, const
   Array<Triangle> faces = a.faces;
   for (const Triangle& f : b.faces) faces.push_back((f.array() + a.vertexCount()).matrix());
   return buildMesh(positions, faces);
-}
-
-/// A random point: half of the time in a face, else on an edge or at a vertex.
-inline SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
-  const int f = random.index(mesh.faceCount());
-  const int kind = random.index(4);
-  if (kind == 0) return edgePoint(3 * f + random.index(3), random.uniform(0.01, 0.99));
-  if (kind == 1) return edgePoint(3 * f + random.index(3), 0);
-  const double s = std::sqrt(random.uniform(0.01, 0.99));
-  const double t = random.uniform(0.01, 0.99);
-  return {f, Vec3(1 - s, s * (1 - t), s * t)};
 }
 
 }  // namespace karcher

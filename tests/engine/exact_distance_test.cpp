@@ -32,7 +32,7 @@ TEST(ExactDistance, IsEuclidsInThePlane) {
     ExactDistance solver(surface.geometry);
     Random random(17);
     for (int i = 0; i < (longRun() ? 100 : 5); ++i) {
-      const SurfacePoint source = randomPoint(surface.mesh, random);
+      const SurfacePoint source = randomPlace(surface.mesh, random);
       const Vec3 p = position(surface.mesh, source);
       solver.setSource(source);
       solver.grow(kInfinity);
@@ -52,7 +52,7 @@ TEST(ExactDistance, KeepsItsAccuracyOnNeedles) {
   ExactDistance solver(surface.geometry);
   Random random(18);
   for (int i = 0; i < (longRun() ? 200 : 4); ++i) {
-    const SurfacePoint source = randomPoint(surface.mesh, random);
+    const SurfacePoint source = randomPlace(surface.mesh, random);
     const Vec3 p = position(surface.mesh, source);
     solver.setSource(source);
     solver.grow(kInfinity);
@@ -190,7 +190,7 @@ TEST(ExactDistance, IsSymmetric) {
   Random random(23);
   for (int i = 0; i < (longRun() ? 500 : 12); ++i) {
     const int v = random.index(surface.mesh.vertexCount());
-    const SurfacePoint p = randomPoint(surface.mesh, random);
+    const SurfacePoint p = randomPlace(surface.mesh, random);
     from.setSource(vertexPoint(surface.mesh, v));
     from.grow(kInfinity);
     back.setSource(p);
@@ -215,7 +215,7 @@ TEST(ExactDistance, ResumedIsTheSameBitForBit) {
   ExactDistance resumed(surface.geometry);
   Random random(29);
   for (int i = 0; i < (longRun() ? 100 : 6); ++i) {
-    const SurfacePoint source = randomPoint(surface.mesh, random);
+    const SurfacePoint source = randomPlace(surface.mesh, random);
     whole.setSource(source);
     whole.grow(kInfinity);
     resumed.setSource(source);

@@ -40,8 +40,8 @@ TEST(LocalPath, isTheStraightLineInThePlane) {
   const MeasuredMesh surface(tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 300, 5));
   Random random(7);
   for (int i = 0; i < 500; ++i) {
-    const SurfacePoint p = randomPoint(surface.mesh, random);
-    const SurfacePoint q = randomPoint(surface.mesh, random);
+    const SurfacePoint p = randomPlace(surface.mesh, random);
+    const SurfacePoint q = randomPlace(surface.mesh, random);
     const Path path = joined(surface, p, q);
     ASSERT_TRUE(path.found);
     expectJoined(surface, path);
@@ -68,7 +68,7 @@ TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
   Random random(11);
   int same = 0;
   for (int i = 0; i < 300; ++i) {
-    SurfacePoint p = randomPoint(surface.mesh, random);
+    SurfacePoint p = randomPlace(surface.mesh, random);
     p.bary = (p.bary + Vec3::Constant(0.1)) / 1.3;
     const double walked = random.uniform(0.01, 0.3);
     const StraightestPath straight =
@@ -90,8 +90,8 @@ TEST(LocalPath, hasHalfATurnOnBothSidesOfItsVertices) {
   Random random(3);
   int vertices = 0;
   for (int i = 0; i < 200; ++i) {
-    const SurfacePoint p = randomPoint(mesh, random);
-    const SurfacePoint q = randomPoint(mesh, random);
+    const SurfacePoint p = randomPlace(mesh, random);
+    const SurfacePoint q = randomPlace(mesh, random);
     const Path path = joined(surface, p, q);
     ASSERT_TRUE(path.found);
     expectJoined(surface, path);

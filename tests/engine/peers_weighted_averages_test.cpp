@@ -2,7 +2,7 @@
 
 #include "distance/exact_distance.h"
 #include "generators/plane.h"
-#include "generators/random.h"
+#include "generators/random_points.h"
 #include "generators/sphere.h"
 #include "mesh/error.h"
 #include "peers/multidimensional_scaling.h"
@@ -60,12 +60,6 @@ const EmbeddedBunny& embeddedBunny() {
   return bunny;
 }
 
-SurfacePoint uniformPoint(const TriangleMesh& mesh, Random& random) {
-  const double s = std::sqrt(random.uniform());
-  const double t = random.uniform();
-  return {random.index(mesh.faceCount()), Vec3(1 - s, s * (1 - t), s * t)};
-}
-
 TEST(MultidimensionalScaling, FindsPointsThatHaveTheDistances) {
   Random random(5);
   Eigen::MatrixXd points(40, 5);
@@ -112,7 +106,7 @@ TEST(PhongProjection, OfAPointOfTheSurfaceIsThePoint) {
   const PhongSurface surface(bunny.mesh, bunny.embedding.positions, bunny.embedding.planes);
   Random random(2);
   for (int i = 0; i < 500; ++i) {
-    const SurfacePoint point = uniformPoint(bunny.mesh, random);
+    const SurfacePoint point = randomPoint(bunny.mesh, random);
     if (isFolded(bunny.mesh, bunny.embedding.positions, bunny.embedding.planes, point.face)) {
       continue;
     }
@@ -132,7 +126,7 @@ TEST(PhongProjection, IsOrthogonalToTheBlendedPlaneAndContinuous) {
   double longest = 0;
   for (int i = 0; i < 40; ++i) {
     // A short straight line in space, a little beside the surface, over several faces.
-    const SurfacePoint start = uniformPoint(bunny.mesh, random);
+    const SurfacePoint start = randomPoint(bunny.mesh, random);
     const TangentPlane plane = surface.planeAt(start);
     EmbeddedPoint offset;
     for (int d = 0; d < kEmbeddingDimensions; ++d) offset[d] = random.uniform(-1, 1);
@@ -224,10 +218,10 @@ TEST(WeightedAverages, WeightsOfAPointAverageToIt) {
   const WeightedAverages averages(bunny.mesh, bunny.embedding);
   Random random(6);
   for (int i = 0; i < 100; ++i) {
-    const SurfacePoint target = uniformPoint(bunny.mesh, random);
+    const SurfacePoint target = randomPoint(bunny.mesh, random);
     Array<SurfacePoint> points;
     while (points.count() < 5) {
-      const SurfacePoint p = uniformPoint(bunny.mesh, random);
+      const SurfacePoint p = randomPoint(bunny.mesh, random);
       const double away = (position(bunny.mesh, p) - position(bunny.mesh, target)).norm();
       if (away < 4 * bunny.geometry.meanEdge) points.push_back(p);
     }

@@ -140,7 +140,7 @@ TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
     };
     ExactDistance solver(surface->geometry);
     for (int i = 0; i < (longRun() ? 5000 : 200); ++i) {
-      const SurfacePoint a = i % 2 == 0 ? onBoundary() : randomPoint(mesh, random);
+      const SurfacePoint a = i % 2 == 0 ? onBoundary() : randomPlace(mesh, random);
       const SurfacePoint b = onBoundary();
       const ShortestPath path = shortestPath(surface->geometry, a, b);
       expectPathOnSurface(mesh, path);

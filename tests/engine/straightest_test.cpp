@@ -103,7 +103,7 @@ TEST(Straightest, ConsecutivePointsShareAFaceAndAddUpToTheLength) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   for (int i = 0; i < (longRun() ? 20'000 : 100); ++i) {
-    const SurfacePoint start = randomPoint(mesh, random);
+    const SurfacePoint start = randomPlace(mesh, random);
     const Vec2 vector = random.uniform(0, 20) * unitVector(random.uniform(0, 2 * kPi));
     const StraightestPath path = traceStraightest(geometry, start, vector);
     double length = path.remaining;

@@ -4,6 +4,7 @@
 
 #include "intrinsic/geometry.h"
 #include "mesh/error.h"
+#include "mesh/triangle_soup.h"
 
 /// What several tests share.
 namespace karcher {

@@ -6,8 +6,9 @@
 #include "curve_support.h"
 #include "curves/along_path.h"
 #include "distance/shortest_path.h"
-#include "distance_meshes.h"
+#include "generators/random_points.h"
 #include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
 #include "support.h"
 
 /// The center of mass of two points with weights 1 - w and w lies on their shortest path, at the
@@ -17,39 +18,13 @@ namespace {
 
 constexpr int kWeights = 21;
 
-struct Pair {
-  SurfacePoint from;
-  SurfacePoint to;
-};
-
-/// Random points 5 to 20 % of the diagonal apart.
-Array<Pair> choosePairs(const Geometry& geometry, uint64_t seed, int count) {
-  const TriangleMesh& mesh = *geometry.mesh;
-  Random random(seed);
-  ExactDistance distance(geometry);
-  Array<Pair> pairs;
-  while (pairs.count() < count) {
-    const SurfacePoint from = randomPoint(mesh, random);
-    distance.setSource(from);
-    distance.grow(0.2 * geometry.diagonal);
-    for (int attempt = 0; attempt < 10'000; ++attempt) {
-      const SurfacePoint to = randomPoint(mesh, random);
-      const double d = distance.distance(mesh.corner(to.face, 0));
-      if (d < 0.05 * geometry.diagonal || d > 0.2 * geometry.diagonal) continue;
-      pairs.push_back({from, to});
-      break;
-    }
-  }
-  return pairs;
-}
-
 struct Outcome {
   int samples = 0;
   int converged = 0;
   double median = 0;  ///< of the converged samples' distances from the truth, in mean edges
 };
 
-Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& options) {
+Outcome measure(Surface& surface, const Array<PointPair>& pairs, const FieldOptions& options) {
   const Geometry& geometry = surface.geometry();
   const TriangleMesh& mesh = surface.mesh();
   const WeightTable table = tabulate([](double t) { return Array<double>{1 - t, t}; }, kWeights);
@@ -57,7 +32,7 @@ Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& 
   PointField to(surface, options);
   Outcome outcome;
   Array<double> errors;
-  for (const Pair& pair : pairs) {
+  for (const PointPair& pair : pairs) {
     const ShortestPath path = shortestPath(geometry, pair.from, pair.to);
     const Array<double> lengths = lengthsAlong(mesh, path.points);
     from.setPoint(pair.from);
@@ -84,7 +59,9 @@ Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& 
 double checkTwoPoints(const std::string& name, TriangleMesh mesh, uint64_t seed) {
   SCOPED_TRACE(name + ", seed " + std::to_string(seed));
   Surface surface(std::move(mesh));
-  const Array<Pair> pairs = choosePairs(surface.geometry(), seed, longRun() ? 50 : 3);
+  Random random(seed);
+  const Array<PointPair> pairs =
+      randomPairs(surface.geometry(), random, longRun() ? 50 : 3, randomPlace);
   const FieldOptions paperGraph{Method::kPaper, Solver::kGraph, longRun() ? 6 : 3};
   double median = 0;
   for (const FieldOptions& options : {kPaperExact, paperGraph, kFast, kExact}) {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "generators/random.h"
+#include "intrinsic/geometry.h"
+
+/// Random points of meshes.
+namespace karcher {
+
+/// In a random face, uniformly.
+SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random);
+
+/// In a face, on an edge or at a vertex.
+SurfacePoint randomPlace(const TriangleMesh& mesh, Random& random);
+
+struct PointPair {
+  SurfacePoint from;
+  SurfacePoint to;
+};
+
+/// Points 5 to 20 % of the diagonal apart by exact distances, each as `choose` (one of the above)
+/// gives it.
+Array<PointPair> randomPairs(const Geometry& geometry, Random& random, int count,
+                             SurfacePoint (*choose)(const TriangleMesh&, Random&));
+
+}  // namespace karcher
