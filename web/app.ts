@@ -42,10 +42,11 @@ export async function start(): Promise<void> {
   const viewer = new Viewer(stage, byId<HTMLCanvasElement>('canvas'), { antialias });
   const edits = new CurveEdits(editor, session);
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
+    surfaceClicked: (point) => edits.append(point),
     curveClicked: (tool, position) => edits.atCurve(tool, viewer.surface!.fromScene(position)),
     otherClicked: (tool, index) => edits.atOther(tool, index),
   });
-  const remove = () => gestures.keepFocus(() => editor.removeSelected());
+  const remove = () => gestures.keepFocus(() => edits.removeSelected());
   const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));
   const status = new Status(editor, { remove, goToLost: () => lostPanel.goToNext() });
   session.onView = (view) => {

@@ -1,6 +1,7 @@
 // Every kind of curve on the page, and the edits that are theirs.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
+import { isDeepStrictEqual } from 'node:util';
 import { openBrowser, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
 import { part } from './part.mjs';
@@ -217,6 +218,51 @@ describe('kinds of curves', () => {
       await tab.page.close();
     });
   }
+
+  test('a B-spline that took a knot takes every edit after it', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click(...places);
+    const at = await tab.onCurve(0.5);
+    await page.mouse.click(at.x, at.y);
+    await page.waitForFunction(() => window.karcherPage.state().document.points.length === 6);
+    const { document: knotted } = await tab.state();
+    assert.equal(knotted.settings.knots.length, 10);
+    const { polyline } = await tab.view();
+    const edits = {
+      removed: () => page.keyboard.press('Delete'),
+      added: () => page.mouse.click(at.x, at.y + 130),
+      closed: () => page.keyboard.press('c'),
+      'of another kind, with a point more, and back': async () => {
+        await page.keyboard.press('2');
+        await page.mouse.click(at.x, at.y + 130);
+        await page.keyboard.press('1');
+      },
+      cleared: async () => {
+        await page.locator('#clear').click();
+        await tab.click(...places);
+      },
+    };
+    for (const [name, edit] of Object.entries(edits)) {
+      const { revision } = await tab.state();
+      await edit();
+      await page.waitForFunction((from) => window.karcherPage.state().revision > from, revision);
+      const { problem, curve } = await tab.view();
+      assert.equal(problem, null, name);
+      assert.ok(curve, name);
+      const { settings } = (await tab.state()).document;
+      const count = { removed: 9, added: 11, closed: 7 }[name];
+      assert.equal(settings.knots?.length, count, name);
+      await page.locator('#stage').focus();
+      const isBack = async () => isDeepStrictEqual((await tab.state()).document, knotted);
+      for (let step = 0; step < 6 && !(await isBack()); step++)
+        await page.keyboard.press('Control+z');
+      assert.deepEqual((await tab.state()).document, knotted, name);
+      assert.deepEqual((await tab.view()).polyline, polyline, name);
+    }
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
 
   test('are cut where they are clicked, and joined again', async () => {
     const tab = await Tab.open(browser, 'mesh=openSheet:1500');

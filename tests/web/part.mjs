@@ -1,11 +1,11 @@
 // What a run takes of many like cases.
 
 /** KARCHER_SEED draws others. */
-const seed = Number(process.env.KARCHER_SEED ?? 1);
-const long = process.env.KARCHER_LONG === '1';
+export const seed = Number(process.env.KARCHER_SEED ?? 1);
+export const long = process.env.KARCHER_LONG === '1';
 
 /** Numbers in [0, 1): mulberry32. */
-function* randoms(start) {
+export function* randoms(start) {
   for (let state = start; ; ) {
     state = (state + 0x6d2b79f5) | 0;
     let mixed = Math.imul(state ^ (state >>> 15), 1 | state);

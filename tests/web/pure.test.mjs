@@ -185,7 +185,7 @@ describe('links', () => {
   test('say what they were made of', () => {
     const whole = {
       kind: 'circle',
-      settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7, 9] },
+      settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7] },
       points: [point(1), { ...point(2), weight: 4 }, { ...point(3), beta: 0.25 }],
       circle,
       circleForm: { type: 'linear', arcs: 24 },
@@ -234,6 +234,9 @@ describe('links', () => {
     );
     assert.equal(link.parseLink('#mesh=torus:9&circle=1,0.2,0.2;-3,1,0,0').document.circle, null);
     const form = (fields) => link.parseLink(`#mesh=torus:9&${fields}`).document.circleForm;
+    const knots = (fields) => link.parseLink(`#mesh=torus:9&${fields}`).document.settings.knots;
+    assert.deepEqual(knots('degree=1&knots=0,1,2,4&points=1,0,0;2,0,0'), [0, 1, 2, 4]);
+    assert.equal(knots('degree=1&knots=0,1,2&points=1,0,0;2,0,0'), null, 'one too few');
     assert.deepEqual(form('circletype=round&arcs=2'), document.circleForm);
     assert.deepEqual(form('circletype=exact&arcs=25'), { type: 'exact', arcs: 7 });
     for (const across of ['', ';', ';-1', ';0', ';wide', ';1,2']) {
@@ -267,6 +270,10 @@ describe('links', () => {
     const fit = link.fitting({ ...far, others }, 4);
     assert.deepEqual(fit.others, [others[1]]);
     assert.deepEqual(fit.points, document.points.slice(0, 3));
+    const knots = [0, 1, 2, 3, 4, 5, 6, 8];
+    const knotted = { ...document, settings: { ...settings, knots } };
+    assert.deepEqual(link.fitting(knotted, 5).settings.knots, knots);
+    assert.equal(link.fitting(knotted, 4).settings.knots, null, 'they are for other points');
     assert.equal(fit.circle, null);
     for (const [across, fits] of [
       [point(3), true],

@@ -1,17 +1,77 @@
-import type { Vector } from './document';
-import type { CurveTool, Editor } from './editor';
+import type { SurfacePoint } from 'karcher';
+import { apply, type Command, type CurveDocument, knotsFit, type Vector } from './document';
+import type { CurveTool, Editor, Selection } from './editor';
 import type { Session } from './session';
-import { activated, inPieces, joined, withSpline } from './splines';
+import { activated, inPieces, joined, splineOf, withSpline } from './splines';
 
-/** Edits of the curve as a whole, which the engine works out: each is one step of the history. */
+/** How often an edit is begun anew because another one, as a drag, overtook it. */
+const mostAttempts = 20;
+
+/** A command, and what is selected after it. */
+interface Step {
+  command: Command;
+  selection: Selection;
+}
+
+/**
+ * Edits that the engine works out, some or all: each is one step of the history. They are made one
+ * after the other, however fast they are asked for.
+ */
 export class CurveEdits {
+  /** While edits are under way, the end of the last one. */
+  #last: Promise<void> | null = null;
+
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
   ) {}
 
+  /** Adds a control point after the others. */
+  append(point: SurfacePoint): Promise<void> {
+    return this.#edit(({ points }) => ({
+      command: { type: 'insert', index: points.length, point },
+      selection: points.length,
+    }));
+  }
+
+  /** Removes the selected control point, or the circle. */
+  removeSelected(): Promise<void> {
+    return this.#edit((document) => {
+      const { selection } = this.editor.state;
+      if (selection === null) return null;
+      if (typeof selection === 'string') {
+        return { command: { type: 'circle', from: document.circle, to: null }, selection: null };
+      }
+      const point = document.points[selection];
+      if (!point) return null;
+      const left = document.points.length - 1;
+      const next = left === 0 ? null : Math.min(selection, left - 1);
+      return { command: { type: 'remove', index: selection, point }, selection: next };
+    });
+  }
+
+  setClosed(closed: boolean): Promise<void> {
+    return this.#edit(({ settings: from }) => {
+      if (from.closed === closed) return null;
+      const { selection } = this.editor.state;
+      return { command: { type: 'settings', from, to: { ...from, closed } }, selection };
+    });
+  }
+
+  undo(): Promise<void> {
+    return this.#inOrder(async () => this.editor.undo());
+  }
+
+  redo(): Promise<void> {
+    return this.#inOrder(async () => this.editor.redo());
+  }
+
   /** What a click on the edited curve does, at a place in the surface's coordinates. */
-  async atCurve(tool: CurveTool, near: Vector): Promise<void> {
+  atCurve(tool: CurveTool, near: Vector): Promise<void> {
+    return this.#inOrder(() => this.#atCurve(tool, near));
+  }
+
+  async #atCurve(tool: CurveTool, near: Vector): Promise<void> {
     const { document } = this.editor.state;
     if (tool === 'split') {
       const made = await this.session.reshaped({ type: 'split', near });
@@ -31,7 +91,11 @@ export class CurveEdits {
   }
 
   /** Makes one curve of the edited one and another. */
-  async join(index: number): Promise<void> {
+  join(index: number): Promise<void> {
+    return this.#inOrder(() => this.#join(index));
+  }
+
+  async #join(index: number): Promise<void> {
     const { document } = this.editor.state;
     const other = document.others[index];
     const made = other && (await this.session.reshaped({ type: 'join', other }));
@@ -40,11 +104,49 @@ export class CurveEdits {
     else this.editor.setTool('insert');
   }
 
-  async reverse(): Promise<void> {
+  reverse(): Promise<void> {
+    return this.#inOrder(() => this.#reverse());
+  }
+
+  async #reverse(): Promise<void> {
     const { document } = this.editor.state;
     const made = await this.session.reshaped({ type: 'reverse' });
     const spline = made?.splines[0];
     if (spline) this.editor.replace(withSpline(document, spline));
+  }
+
+  /**
+   * Carries out a step, at once where it needs no engine. A B-spline's own knots go on as those of
+   * the engine's curve; where there is none, they go.
+   */
+  #edit(stepOn: (document: CurveDocument) => Step | null): Promise<void> {
+    return this.#inOrder(async () => {
+      const { mesh } = this.editor.state;
+      for (let attempt = 0; ; attempt++) {
+        const { document, revision } = this.editor.state;
+        const step = stepOn(document);
+        if (!step || this.editor.state.mesh !== mesh) return;
+        const to = apply(document, step.command);
+        const [before, after] = [splineOf(document), splineOf(to)];
+        const asks = before?.kind === 'bspline' && after && !knotsFit(to);
+        const knots = asks ? await this.session.knotsAfter(before, after) : null;
+        // Something else was done in the meantime: the step comes after it.
+        const late = this.editor.state.revision !== revision;
+        if (late && attempt < mostAttempts) continue;
+        if (knots && !late)
+          this.editor.replace({ ...to, settings: { ...to.settings, knots } }, step.selection);
+        else this.editor.run(step.command, step.selection);
+        return;
+      }
+    });
+  }
+
+  #inOrder(work: () => Promise<void>): Promise<void> {
+    const last: Promise<void> = (this.#last?.then(work) ?? work()).finally(() => {
+      if (this.#last === last) this.#last = null;
+    });
+    this.#last = last;
+    return last;
   }
 
   /** Makes ready for a click on the curve to cut. */

@@ -55,7 +55,7 @@ export interface CurveSettings {
   readonly degree: number;
   /** Whether an open B-spline's knots are repeated at its ends, which the curve then reaches. */
   readonly clamped: boolean;
-  /** A B-spline's knots, where they are neither even nor clamped. */
+  /** A B-spline's knots, where they are neither even nor clamped: as many as its points take. */
   readonly knots: readonly number[] | null;
   /** Of a Catmull-Rom curve. */
   readonly parametrization: Parametrization;
@@ -147,7 +147,7 @@ export function parameterOf(kind: Kind): ParameterName | null {
   return kind === 'center' || kind === 'rational' || kind === 'bspline' ? 'weight' : null;
 }
 
-/** What numbers of points lie between: as far from 1 one way as the other. */
+/** What sliders set numbers of points between: as far from 1 one way as the other. */
 export const parameterRange = { least: 1 / 16, most: 16 };
 
 /** The point with one of its numbers changed; 1 is what is not said. */
@@ -216,5 +216,17 @@ export function isEmpty({ kind, points, circle, others }: CurveDocument): boolea
 /** Removes everything of the kind that is shown. */
 export function cleared(document: CurveDocument): CurveDocument {
   if (isRound(document.kind)) return { ...document, circle: null };
-  return { ...document, points: [], others: [] };
+  return withFittingKnots({ ...document, points: [], others: [] });
+}
+
+/** Whether there are as many knots as the points take: in place of them all that follow a rule do. */
+export function knotsFit({ settings, points }: Pick<Spline, 'settings' | 'points'>): boolean {
+  const { knots, closed, degree } = settings;
+  return !knots || knots.length === points.length + 1 + (closed ? 0 : degree);
+}
+
+/** Without knots of its own that are for another number of points: they are even again. */
+export function withFittingKnots<Of extends Pick<Spline, 'settings' | 'points'>>(spline: Of): Of {
+  if (knotsFit(spline)) return spline;
+  return { ...spline, settings: { ...spline.settings, knots: null } };
 }

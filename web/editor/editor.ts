@@ -10,6 +10,7 @@ import {
   invert,
   isEmpty,
   type Kind,
+  withFittingKnots,
 } from './document';
 import { defaultMethod, type MethodId } from './methods';
 
@@ -83,13 +84,14 @@ export class Editor {
     this.#change({ mesh, document: kept, standIn, selection: null, tool: 'insert' }, true);
   }
 
+  /** Knots of its own that do not fit any more go: `CurveEdits` knows how they go on. */
   run(command: Command, selection: Selection = this.#state.selection): void {
     this.cancelDrag();
-    this.#record(command);
-    this.#change(
-      { document: apply(this.#state.document, command), selection, tool: 'insert' },
-      true,
-    );
+    const from = this.#state.document;
+    const wanted = apply(from, command);
+    const to = withFittingKnots(wanted);
+    this.#record(to === wanted ? command : { type: 'replace', from, to });
+    this.#change({ document: to, selection, tool: 'insert' }, true);
   }
 
   /** Shows the document as it is after a command that is not yet done: a drag's next position. */
@@ -176,21 +178,6 @@ export class Editor {
 
   setMethod(method: MethodId): void {
     if (method !== this.#state.method) this.#change({ method }, true);
-  }
-
-  /** Removes the selected control point, or the circle. */
-  removeSelected(): void {
-    const { document, selection } = this.#state;
-    if (selection === null) return;
-    if (typeof selection === 'string') {
-      this.run({ type: 'circle', from: document.circle, to: null }, null);
-      return;
-    }
-    const point = document.points[selection];
-    if (!point) return;
-    const left = document.points.length - 1;
-    const next = left === 0 ? null : Math.min(selection, left - 1);
-    this.run({ type: 'remove', index: selection, point }, next);
   }
 
   /** Shows another document of the surface, as one step of the history. */

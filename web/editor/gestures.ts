@@ -1,3 +1,4 @@
+import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import { Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
@@ -19,8 +20,9 @@ const arrows: Record<string, [number, number]> = {
   ArrowDown: [0, 1],
 };
 
-/** Clicks that ask for an edit of the curve as a whole. */
+/** Clicks that ask for an edit that the engine has a part in. */
 export interface CurveClicks {
+  surfaceClicked(point: SurfacePoint): void;
   curveClicked(tool: CurveTool, position: Vector3): void;
   otherClicked(tool: CurveTool, index: number): void;
 }
@@ -90,9 +92,9 @@ export class Gestures {
   }
 
   /** Whether the keys go to a handle; after a removal they go to the next one. */
-  keepFocus(change: () => void): void {
+  async keepFocus(change: () => Promise<void>): Promise<void> {
     const hadFocus = this.#handles.hasFocus;
-    change();
+    await change();
     const { selection } = this.editor.state;
     if (!hadFocus) return;
     if (selection === null) this.stage.focus({ preventScroll: true });
@@ -169,8 +171,7 @@ export class Gestures {
   #put({ point }: Pick): void {
     const { document } = this.editor.state;
     if (!isRound(document.kind)) {
-      const index = document.points.length;
-      this.editor.run({ type: 'insert', index, point }, index);
+      this.events.surfaceClicked(point);
       return;
     }
     const from = document.circle;

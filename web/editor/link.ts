@@ -18,10 +18,10 @@ import {
   fewestArcs,
   kinds,
   mostArcs,
-  parameterRange,
   type Rim,
   surfacePoint,
   type Vector,
+  withFittingKnots,
   withParameter,
 } from './document';
 import { isMethod, type MethodId } from './methods';
@@ -145,12 +145,12 @@ export function lostOf({ document: said, unread }: Link, document: CurveDocument
 function parseSpline(fragment: string): CurveDocument {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const points = pointTexts(fragment).map(parseControlPoint);
-  return {
+  return withFittingKnots({
     ...emptyDocument,
     kind: kinds.find((one) => one === fields.get('kind')) ?? 'bspline',
     settings: parseSettings(fields),
     points: points.filter((point) => point !== null),
-  };
+  });
 }
 
 function parseNumbers(text: string, count: number): number[] | null {
@@ -175,9 +175,10 @@ function parseControlPoint(text: string): ControlPoint | null {
   return weighted && withParameter(weighted, 'beta', parseParameter(beta));
 }
 
+/** The parts of a curve that was cut may have any numbers, beyond those of the sliders too. */
 function parseParameter(text: string): number {
   const [value] = parseNumbers(text, 1) ?? [1];
-  return Math.min(parameterRange.most, Math.max(parameterRange.least, value!));
+  return Math.min(1e12, Math.max(1e-12, value!));
 }
 
 function parseSettings(fields: URLSearchParams): CurveSettings {
@@ -233,12 +234,12 @@ export function fitting(document: CurveDocument, triangles: number): CurveDocume
   const fits = (place: object) => !('face' in place) || (place as SurfacePoint).face < triangles;
   const { circle } = document;
   const circleFits = circle && [circle.center, circle.rim, circle.across ?? {}].every(fits);
-  return {
+  return withFittingKnots({
     ...document,
     points: document.points.filter(fits),
     circle: circleFits ? circle : null,
     others: document.others
-      .map((other) => ({ ...other, points: other.points.filter(fits) }))
+      .map((other) => withFittingKnots({ ...other, points: other.points.filter(fits) }))
       .filter(({ points }) => points.length > 0),
-  };
+  });
 }

@@ -137,6 +137,17 @@ export class Session {
     return made && { ...made, splines: made.curves.map((curve) => splineFrom(curve, spline)) };
   }
 
+  /**
+   * How the knots of a B-spline with knots of its own go on after an edit; null where the engine
+   * cannot say, as where the points make no curve.
+   */
+  async knotsAfter(from: Spline, to: Spline): Promise<number[] | null> {
+    const [client, state] = [this.#client, this.#state];
+    if (!client || !state) return null;
+    const options = (one: Spline) => curveOptions(one, methodOptions(state.method));
+    return client.knots(options(from), options(to)).catch(() => null);
+  }
+
   #show(part: Partial<View>): void {
     this.#view = { ...this.#view, ...part };
     this.onView(this.#view);

@@ -30,7 +30,7 @@ export class CurvePanel {
     events: CurveEvents,
   ) {
     this.#rows = new PointRows(editor);
-    this.#settings = new SettingsPanel(editor);
+    this.#settings = new SettingsPanel(editor, edits);
     this.#circle = new CircleSettings(editor);
     for (const input of this.#kinds) {
       input.addEventListener('change', () => editor.setKind(input.value as Kind));

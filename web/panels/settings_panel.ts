@@ -1,4 +1,5 @@
 import type { Parametrization } from 'karcher';
+import type { CurveEdits } from '../editor/curve_edits';
 import { type CurveSettings, isSpline, type Kind } from '../editor/document';
 import type { Editor, State } from '../editor/editor';
 import { byId, make } from './elements';
@@ -13,11 +14,14 @@ export class SettingsPanel {
   readonly #degree = byId<HTMLSelectElement>('degree');
   readonly #spacing = byId<HTMLSelectElement>('spacing');
 
-  constructor(private readonly editor: Editor) {
+  constructor(
+    private readonly editor: Editor,
+    edits: CurveEdits,
+  ) {
     for (const [i, label] of degrees.entries()) {
       this.#degree.append(make('option', label, { value: `${i + 1}` }));
     }
-    this.#closed.addEventListener('change', () => this.#set({ closed: this.#closed.checked }));
+    this.#closed.addEventListener('change', () => edits.setClosed(this.#closed.checked));
     this.#clamped.addEventListener('change', () =>
       this.#set({ clamped: this.#clamped.checked, knots: null }),
     );

@@ -25,8 +25,8 @@ export class Tools {
     private readonly edits: CurveEdits,
     private readonly events: ToolEvents,
   ) {
-    this.#undo.addEventListener('click', () => editor.undo());
-    this.#redo.addEventListener('click', () => editor.redo());
+    this.#undo.addEventListener('click', () => edits.undo());
+    this.#redo.addEventListener('click', () => edits.redo());
     byId('reset').addEventListener('click', () => viewer.resetView({ animated: true }));
     this.#edges.addEventListener('click', () => this.#toggleEdges());
     byId('share').addEventListener('click', () => this.#share());
@@ -63,7 +63,7 @@ export class Tools {
 
   #toggleClosed(): void {
     const { kind, settings } = this.editor.state.document;
-    if (isSpline(kind)) this.editor.setSettings({ closed: !settings.closed });
+    if (isSpline(kind)) this.edits.setClosed(!settings.closed);
   }
 
   async #share(): Promise<void> {
@@ -89,9 +89,9 @@ export class Tools {
       element?.closest('select, input[type="text"]') ??
       (key === 'home' && element?.closest('input'));
     if (event.ctrlKey || event.metaKey) {
-      if (key === 'z' && event.shiftKey) this.editor.redo();
-      else if (key === 'z') this.editor.undo();
-      else if (key === 'y') this.editor.redo();
+      if (key === 'z' && event.shiftKey) this.edits.redo();
+      else if (key === 'z') this.edits.undo();
+      else if (key === 'y') this.edits.redo();
       else if (key === 's') this.events.saveJson();
       else return;
       event.preventDefault();

@@ -103,6 +103,10 @@ export class EngineClient {
     return this.#call('curve', [options, work]);
   }
 
+  knots(from: CurveOptions, to: CurveOptions): Promise<number[]> {
+    return this.#call('knots', [from, to]);
+  }
+
   reshape(options: CurveOptions, edit: Reshape): Promise<Reshaped> {
     return this.#call('reshape', [options, edit]);
   }

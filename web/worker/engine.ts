@@ -10,7 +10,7 @@ import {
   type Mesh,
 } from 'karcher';
 import type { MeshSource } from '../editor/meshes';
-import { changeBetween } from './change';
+import { type Change, changeBetween } from './change';
 import { lostIntervals } from './lost';
 import type { Calls, Failure, Reply, Request, TracedCurve } from './protocol';
 import { reshaped } from './reshape';
@@ -59,6 +59,17 @@ const handlers: Handlers = {
     };
     if (!keep) traced.dispose();
     return { result, transfer: buffersOf(result) };
+  },
+
+  knots(_, from, to) {
+    const traced = retrace(from);
+    const ruled = (options: CurveOptions) => ({ ...options, knots: undefined });
+    const change = changeBetween(ruled(from), ruled(to));
+    if (change.type === 'new') throw new Error('the knots of another curve do not go on');
+    perform(traced, change, to);
+    const knots = Array.from(traced.knots);
+    curve = { options: { ...to, knots }, traced };
+    return { result: knots };
   },
 
   reshape(_, options, edit) {
@@ -161,7 +172,13 @@ function retrace(options: CurveOptions): Curve {
     return traced;
   }
   // An edit that fails leaves the curve as it was.
-  const { traced } = curve;
+  perform(curve.traced, change, options);
+  curve = { options, traced: curve.traced };
+  return curve.traced;
+}
+
+/** Carries out a change, other than to a new curve, to these options. */
+function perform(traced: Curve, change: Change, options: CurveOptions): void {
   if (change.type === 'move') traced.movePoint(change.index, change.point);
   else if (change.type === 'insert') traced.insertPoint(change.index, change.point);
   else if (change.type === 'remove') traced.removePoint(change.index);
@@ -169,8 +186,6 @@ function retrace(options: CurveOptions): Curve {
   else if (change.type === 'closed') traced.setClosed(options.closed ?? false);
   else if (change.type === 'weight') traced.setWeight(change.index, change.value);
   else if (change.type === 'beta') traced.setBeta(change.index, change.value);
-  curve = { options, traced };
-  return traced;
 }
 
 /**

@@ -67,6 +67,11 @@ export interface Calls {
   prepare(options: FieldOptions): void;
   /** The curve that is edited, by its smallest change; or one that is traced and not kept. */
   curve(options: CurveOptions, work?: { keep: boolean }): TracedCurve;
+  /**
+   * A B-spline's knots after an edit, which makes it one of other points, or closes or opens it; it
+   * is then the curve that is edited.
+   */
+  knots(from: CurveOptions, to: CurveOptions): number[];
   /** The curves that an edit makes of the one with these options. */
   reshape(options: CurveOptions, edit: Reshape): Reshaped;
   circle(options: CircleOptions): TracedCurve;

@@ -1,0 +1,64 @@
+// The page's editor, session and engine without a browser: the worker's code runs in this thread.
+import { fileURLToPath } from 'node:url';
+import { load as loadEngine } from 'karcher';
+import { runnerImport } from 'vite';
+
+/** A module of the tests or of web/, with what it imports. */
+async function load(path) {
+  const file = fileURLToPath(new URL(path, import.meta.url));
+  const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });
+  return module;
+}
+
+/** The one worker there is: it holds one surface. */
+const scope = {
+  onmessage: null,
+  answer: () => {},
+  postMessage: (reply) => scope.answer(structuredClone(reply)),
+};
+
+class InThisThread {
+  onmessage = null;
+  onerror = null;
+
+  constructor() {
+    scope.answer = (data) => queueMicrotask(() => this.onmessage?.({ data }));
+  }
+
+  postMessage(request) {
+    const data = structuredClone(request);
+    queueMicrotask(() => scope.onmessage({ data }));
+  }
+
+  terminate() {
+    this.onmessage = null;
+  }
+}
+
+/** The page's parts on a sphere, by a method without a second engine. */
+export async function openPage(triangles) {
+  globalThis.self = scope;
+  globalThis.Worker = InThisThread;
+  await load('../../web/worker/engine.ts');
+  const parts = await load('./page_parts.ts');
+  const editor = new parts.Editor();
+  const session = new parts.Session();
+  const edits = new parts.CurveEdits(editor, session);
+  const failures = [];
+  session.onFailure = (error) => failures.push(error.message);
+  editor.setMethod('karcher-fast');
+  editor.open(`sphere:${triangles}`, parts.emptyDocument);
+  const sphere = (await loadEngine()).shape('sphere', triangles);
+  const arrays = { positions: sphere.positions(), triangles: sphere.triangles() };
+  session.use(await parts.EngineClient.load({ kind: 'arrays', ...arrays }));
+  editor.subscribe((state, before) => {
+    if (state.revision !== before.revision) session.update(state);
+  });
+  const settled = async () => {
+    while (!session.settled || session.view.revision !== editor.state.revision) {
+      await new Promise(setImmediate);
+    }
+    return session.view;
+  };
+  return { ...parts, editor, session, edits, failures, settled };
+}

@@ -1,0 +1,128 @@
+// Whatever is done to a curve, in whatever order, there is a curve after it.
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import { openPage } from './engine_in_node.mjs';
+import { long, randoms, seed } from './part.mjs';
+
+const triangles = 500;
+const kinds = ['bspline', 'bezier', 'catmullrom', 'rational', 'barycentric', 'polyline'];
+const mostPoints = 9;
+/** Sentences of edits that there is no way to make. */
+const refusals =
+  /can(not)? be joined|has no end to join|at least \d control points|not at one|control point there/;
+
+/** What a link says of splines; the first of three weights follows from the others. */
+const plain = ({ kind, settings, points, others = [] }) => ({
+  ...{ kind, settings },
+  points: points.map(({ face, bary: [, u, v], ...numbers }) => ({ face, u, v, ...numbers })),
+  others: others.map(plain),
+});
+
+describe('sequences of edits', () => {
+  let page;
+  before(async () => {
+    page = await openPage(triangles);
+  });
+
+  /** Edits of the page's own, by their names; each may find nothing to do. */
+  function editsOf(random) {
+    const { editor, session, edits } = page;
+    const below = (count) => Math.floor(random() * count);
+    const settings = () => editor.state.document.settings;
+    const point = () => {
+      const [u, v] = [random() / 2, random() / 2];
+      return { face: below(triangles), bary: [1 - u - v, u, v] };
+    };
+    const onCurve = () => {
+      const position = session.view.curve?.samples.position;
+      const at = position && 3 * below(position.length / 3);
+      return position && Array.from(position.subarray(at, at + 3));
+    };
+    const change = (make) => {
+      const { points } = editor.state.document;
+      const index = below(points.length);
+      const from = points[index];
+      if (from) editor.run({ type: 'change', index, from, to: make(from) });
+    };
+    return {
+      append: () => editor.state.document.points.length < mostPoints && edits.append(point()),
+      remove: () => {
+        const { points } = editor.state.document;
+        if (points.length > 0) editor.select(below(points.length));
+        return edits.removeSelected();
+      },
+      insert: () => {
+        const near = editor.state.document.points.length < mostPoints && onCurve();
+        return near && edits.atCurve('insert', near);
+      },
+      split: () => {
+        const near = editor.state.document.others.length < 2 && onCurve();
+        return near && edits.atCurve('split', near);
+      },
+      join: () => {
+        const { others, kind } = editor.state.document;
+        const index = others.findIndex((other) => other.kind === kind);
+        return index >= 0 && edits.join(index);
+      },
+      activate: () => {
+        const { others } = editor.state.document;
+        return others.length > 0 && edits.atOther('insert', below(others.length));
+      },
+      reverse: () => session.view.curve && edits.reverse(),
+      close: () => edits.setClosed(!settings().closed),
+      kind: () => editor.setKind(kinds[below(kinds.length)]),
+      degree: () => editor.setSettings({ degree: 1 + below(5), knots: null }),
+      clamped: () => editor.setSettings({ clamped: !settings().clamped, knots: null }),
+      spacing: () =>
+        editor.setSettings({ parametrization: random() < 0.5 ? 'uniform' : 'centripetal' }),
+      move: () => change((from) => ({ ...from, ...point() })),
+      weight: () => change((from) => ({ ...from, weight: 2 ** (2 * random() - 1) })),
+      beta: () => change((from) => ({ ...from, beta: 2 ** (2 * random() - 1) })),
+      undo: () => edits.undo(),
+      redo: () => edits.redo(),
+      clear: () => random() < 0.2 && editor.clear(),
+    };
+  }
+
+  /** The link says all of the document, and what is shown is the document's curve, made anew. */
+  async function assertSameAnew(view, told) {
+    const { editor, session, parseLink, formatLink, curveOptions, methodOptions, splineOf } = page;
+    const { mesh, method, document } = editor.state;
+    const read = parseLink(formatLink(mesh, method, document)).document;
+    assert.deepEqual(plain(read), plain(document), told);
+    if (!view.curve) return;
+    const options = curveOptions(splineOf(document), methodOptions(method));
+    const anew = await session.client.curve(options, { keep: false });
+    const [shown, made] = [view.curve, anew].map(({ samples }) => samples.position);
+    assert.equal(made.length, shown.length, told);
+    const farthest = made.reduce((most, x, i) => Math.max(most, Math.abs(x - shown[i])), 0);
+    assert.ok(farthest <= 1e-6 * session.client.info.diagonal, `${farthest}: ${told}`);
+  }
+
+  const runs = long ? 60 : 3;
+  for (let run = 0; run < runs; run++) {
+    test(`lead to a curve: KARCHER_SEED=${seed}, run ${run}`, async () => {
+      const numbers = randoms(1000 * seed + run);
+      const random = () => numbers.next().value;
+      const edits = editsOf(random);
+      // Points come and go most.
+      const names = [...Object.keys(edits), 'append', 'append', 'append', 'insert', 'remove'];
+      const done = [];
+      // A document of its own, so that a run is the same alone.
+      page.editor.open(`sphere:${run}`, page.emptyDocument);
+      for (let step = 0; step < 150; step++) {
+        const name = step < 5 ? 'append' : names[Math.floor(random() * names.length)];
+        done.push(name);
+        await edits[name]();
+        const view = await page.settled();
+        const { document } = page.editor.state;
+        const told = `${done.join(' ')}: ${JSON.stringify(document)}`;
+        assert.equal(view.problem, null, told);
+        const enough = document.points.length >= page.pointsNeeded(document);
+        assert.equal(view.curve !== null, enough, told);
+        await assertSameAnew(view, told);
+        for (const failure of page.failures.splice(0)) assert.match(failure, refusals, told);
+      }
+    });
+  }
+});
