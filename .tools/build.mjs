@@ -40,9 +40,14 @@ async function minify(...names) {
   }
 }
 
-/** The facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. */
+/** The facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. A page need not load
+ * the comments: these are for readers of the types. */
 export async function buildFacade() {
-  await runNpmProgram('typescript/bin/tsc', '-p', 'wasm');
+  const typescript = 'typescript/bin/tsc';
+  await runNpmProgram(typescript, '-p', 'wasm', '--emitDeclarationOnly');
+  await runNpmProgram(
+    ...[typescript, '-p', 'wasm', '--declaration', 'false', '--removeComments', '--noCheck'],
+  );
   chmodSync(inRoot('dist/cli.js'), 0o755);
 }
 
