@@ -11,8 +11,16 @@ const badArgument = (message: string) => new KarcherError('badArgument', message
 
 /** A value as an error message shows it, cut to a readable length. */
 export function shown(value: unknown): string {
-  const text = typeof value === 'string' ? `'${value}'` : String(value);
+  const text = typeof value === 'string' ? `'${value}'` : textOf(value);
   return text.length > 60 ? `${text.slice(0, 57)}...` : text;
+}
+
+function textOf(value: unknown): string {
+  try {
+    return String(value);
+  } catch {
+    return 'an object without a text';
+  }
 }
 
 export function checkNumber(value: unknown, what: string): number {
@@ -21,6 +29,17 @@ export function checkNumber(value: unknown, what: string): number {
     throw new KarcherError('notFinite', `${what} must be a finite number, not ${value}`);
   }
   return value;
+}
+
+export function checkPositive(value: unknown, what: string): number {
+  const number = checkNumber(value, what);
+  if (number <= 0) throw badArgument(`${what} must be positive, not ${number}`);
+  return number;
+}
+
+export function checkFunction<Given>(value: Given, what: string): Given {
+  if (typeof value === 'function') return value;
+  throw badArgument(`${what} must be a function, not ${shown(value)}`);
 }
 
 export function checkBoolean(value: unknown, what: string): boolean {
@@ -56,7 +75,7 @@ export function checkOneOf<Name extends string>(
 
 function checkArrayLike(value: unknown, what: string): ArrayLike<unknown> {
   const length = (value as ArrayLike<unknown> | null | undefined)?.length;
-  if (typeof value !== 'object' || !Number.isInteger(length)) {
+  if (typeof value !== 'object' || !Number.isInteger(length) || length! < 0) {
     throw badArgument(`${what} must be an array of numbers, not ${shown(value)}`);
   }
   return value as ArrayLike<unknown>;
@@ -65,30 +84,25 @@ function checkArrayLike(value: unknown, what: string): ArrayLike<unknown> {
 /** A copy in doubles. NaN and infinity pass: the engine names the place that they mean. */
 export function toFloat64(value: unknown, what: string): Float64Array {
   const array = checkArrayLike(value, what);
-  const result = new Float64Array(array.length);
   for (let i = 0; i < array.length; i++) {
     const entry = array[i];
     if (typeof entry !== 'number') {
       throw badArgument(`entry ${i} of ${what} must be a number, not ${shown(entry)}`);
     }
-    result[i] = entry;
   }
-  return result;
+  return new Float64Array(array as ArrayLike<number>);
 }
 
 /** A copy in 32-bit integers, each of which must be one. */
 export function toInt32(value: unknown, what: string): Int32Array {
   const array = checkArrayLike(value, what);
-  const result = new Int32Array(array.length);
-  for (let i = 0; i < array.length; i++) {
-    result[i] = checkInteger(array[i], `entry ${i} of ${what}`);
-  }
-  return result;
+  for (let i = 0; i < array.length; i++) checkInteger(array[i], `entry ${i} of ${what}`);
+  return new Int32Array(array as ArrayLike<number>);
 }
 
 /** An options object, with no options but those of these names. */
 export function checkOptions(options: unknown, names: readonly string[]): void {
-  if (typeof options !== 'object' || options === null) {
+  if (typeof options !== 'object' || options === null || Array.isArray(options)) {
     throw badArgument(`the options must be an object, not ${shown(options)}`);
   }
   const unknown = Object.keys(options).find((name) => !names.includes(name));

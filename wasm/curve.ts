@@ -1,4 +1,4 @@
-import { checkBoolean, checkInteger, checkNumber, toFloat64 } from './check.js';
+import { checkBoolean, checkFunction, checkInteger, checkNumber, toFloat64 } from './check.js';
 import {
   checkKind,
   engineSampling,
@@ -61,7 +61,10 @@ export class Curve {
 
   /** @internal `Mesh.curve` makes curves. */
   constructor(engine: Engine, mesh: Handle<EngineMesh>, options: CurveOptions, owner: CurveOwner) {
-    const basis = options.basis === undefined ? undefined : new OwnBasis(options.basis);
+    const basis =
+      options.basis === undefined
+        ? undefined
+        : new OwnBasis(checkFunction(options.basis, 'the basis'));
     const shape = engineShape(options, basis);
     const sampling = engineSampling(options);
     const field = engineFieldOptions(options);
@@ -200,14 +203,14 @@ export class Curve {
    */
   insertOnCurve(parameter: number): number {
     checkNumber(parameter, 'the parameter');
-    const index = this.#call((curve) => curve.insertOnCurve(parameter));
-    this.#update();
-    return index;
+    return this.#edit((curve) => curve.insertOnCurve(parameter));
   }
 
   /**
    * New curves that run along this one before and after a parameter; of a closed B-spline,
-   * Catmull-Rom curve or polyline one, opened there. This curve stays.
+   * Catmull-Rom curve or polyline one, opened there. On a plane they are the curve's own parts, and
+   * nearly elsewhere; those of a Catmull-Rom curve leave it a little next to the cut, where they do
+   * not know of the points beyond. This curve stays.
    *
    * Throws `KarcherError` badArgument at the ends of an open curve.
    */
@@ -219,7 +222,8 @@ export class Curve {
   /**
    * A new curve that runs along this one and on along another of its kind, with a geodesic between
    * them where they do not meet. Bezier curves become a B-spline; curves through their points, and
-   * barycentric ones, the curve through the points of both. Both curves stay.
+   * barycentric ones, the curve through the points of both, with this one's parametrization, which
+   * leaves both a little where they meet. Both curves stay.
    *
    * Throws `KarcherError` badArgument where the kinds or degrees differ, or one is closed.
    */
@@ -243,7 +247,10 @@ export class Curve {
     this.#edit((curve) => curve.reverse());
   }
 
-  /** Weights and betas are kept for kinds that have them; knots of your own are dropped. */
+  /**
+   * Weights and betas are kept for kinds that have them; knots of your own are dropped. `custom` is
+   * only for curves that were made with a basis.
+   */
   setKind(kind: CurveKind): void {
     checkKind(kind);
     this.#edit((curve) => curve.setKind(kind));
@@ -290,9 +297,11 @@ export class Curve {
     return withPoint(this.#call((curve) => curve.nearest(numbers)));
   }
 
-  /** The length from the start to a parameter. */
+  /** The length from the start to a parameter; that of the curve at `segmentCount`. */
   lengthAt(parameter: number): number {
     checkNumber(parameter, 'the parameter');
+    // Which the engine takes for the start of a closed curve.
+    if (parameter === this.segmentCount) return this.length;
     return this.#call((curve) => curve.lengthAt(parameter));
   }
 
@@ -348,9 +357,17 @@ export class Curve {
     return this.#guard(() => this.#handle.call(work));
   }
 
-  #edit(change: (curve: EngineCurve) => void): void {
-    this.#call(change);
-    this.#update();
+  /** What carries a change out may fail where the change did not: both are taken back then. */
+  #edit<Result>(change: (curve: EngineCurve) => Result): Result {
+    this.#handle.call((curve) => curve.keep());
+    try {
+      const result = this.#call(change);
+      this.#update();
+      return result;
+    } catch (error) {
+      this.#handle.call((curve) => curve.restore());
+      throw error;
+    }
   }
 
   #update(): void {

@@ -160,9 +160,12 @@ export interface EngineMean {
   otherMinima: boolean;
 }
 
-/** After an edit: updateFields, trace and join, in this order. */
+/** After an edit: updateFields, findSamples, bridge and join, in this order. */
 export interface EngineCurve {
   delete(): void;
+  /** Before an edit: what `restore` brings back, until the curve is joined. */
+  keep(): void;
+  restore(): void;
   pointCount(): number;
   movePoint(i: number, point: Float64Array): void;
   insertPoint(i: number, point: Float64Array): void;

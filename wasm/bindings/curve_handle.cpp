@@ -1,5 +1,7 @@
 #include "bindings/curve_handle.h"
 
+#include <utility>
+
 namespace karcher::bindings {
 
 val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& segments) {
@@ -53,33 +55,46 @@ val bridgedToJs(const Array<const Array<Bridge>*>& segments) {
 }
 
 void CurveHandle::movePoint(int i, const val& point) {
-  curve_.movePoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+  curve_->movePoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
 }
 
 void CurveHandle::insertPoint(int i, const val& point) {
-  curve_.insertPoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+  curve_->insertPoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+}
+
+void CurveHandle::restore() {
+  if (!kept_) return;
+  curve_ = std::move(kept_);
+  line_.reset();
+  // A moved point has only one field, which may be that of its new place.
+  curve_->updateFields();
+}
+
+void CurveHandle::join() {
+  curve_->join();
+  kept_.reset();
 }
 
 void CurveHandle::findSamples() {
   line_.reset();
-  curve_.findSamples();
+  curve_->findSamples();
 }
 
 val CurveHandle::points() const {
   Array<SurfacePoint> points;
-  for (int i = 0; i < curve_.pointCount(); ++i) points.push_back(curve_.point(i));
+  for (int i = 0; i < curve_->pointCount(); ++i) points.push_back(curve_->point(i));
   return toJs(mesh_.numbering(), points);
 }
 
 val CurveHandle::samples() const {
   Array<const Array<CurveSample>*> segments;
-  for (int j = 0; j < curve_.segmentCount(); ++j) segments.push_back(&curve_.samples(j));
+  for (int j = 0; j < curve_->segmentCount(); ++j) segments.push_back(&curve_->samples(j));
   return samplesToJs(mesh_, segments);
 }
 
 val CurveHandle::bridged() const {
   Array<const Array<Bridge>*> segments;
-  for (int j = 0; j < curve_.segmentCount(); ++j) segments.push_back(&curve_.bridges(j));
+  for (int j = 0; j < curve_->segmentCount(); ++j) segments.push_back(&curve_->bridges(j));
   return bridgedToJs(segments);
 }
 
@@ -95,41 +110,41 @@ val CurveHandle::polylineStatus() const { return toJs(polyline().unconverged); }
 
 double CurveHandle::length() const {
   double length = 0;
-  for (int j = 0; j < curve_.segmentCount(); ++j) length += curve_.path(j).length;
+  for (int j = 0; j < curve_->segmentCount(); ++j) length += curve_->path(j).length;
   return length;
 }
 
 CurvePolyline CurveHandle::polyline() const {
   CurvePolyline line;
-  for (int j = 0; j < curve_.segmentCount(); ++j) {
-    appendSegment(mesh_, curve_.path(j), line);
+  for (int j = 0; j < curve_->segmentCount(); ++j) {
+    appendSegment(mesh_, curve_->path(j), line);
   }
   return line;
 }
 
 int CurveHandle::insertOnCurve(double parameter) {
-  const RefinedCurve refined = withPointOnCurve(curve_, parameter);
-  curve_.change(refined.curve.shape, refined.curve.points);
+  const RefinedCurve refined = withPointOnCurve(*curve_, parameter);
+  curve_->change(refined.curve.shape, refined.curve.points);
   return refined.point;
 }
 
 val CurveHandle::splitAt(double parameter) {
-  const Array<CurveParts> parts = karcher::splitAt(curve_, parameter);
+  const Array<CurveParts> parts = karcher::splitAt(*curve_, parameter);
   val list = val::array();
   for (int i = 0; i < parts.count(); ++i) list.set(i, toJs(mesh_.numbering(), parts[i]));
   return list;
 }
 
 val CurveHandle::joined(const CurveHandle& other) {
-  return toJs(mesh_.numbering(), karcher::joined(curve_, other.curve_));
+  return toJs(mesh_.numbering(), karcher::joined(*curve_, *other.curve_));
 }
 
 val CurveHandle::pointAt(double parameter) {
-  return curvePointToJs(karcher::pointAt(curve_, parameter));
+  return curvePointToJs(karcher::pointAt(*curve_, parameter));
 }
 
 val CurveHandle::tangentAt(double parameter) {
-  const CurveTangent tangent = karcher::tangentAt(curve_, parameter);
+  const CurveTangent tangent = karcher::tangentAt(*curve_, parameter);
   const SurfacePoint& point = tangent.at.point;
   const Geometry& geometry = mesh_.surface().geometry();
   val result = curvePointToJs(tangent.at);
@@ -144,18 +159,18 @@ val CurveHandle::tangentAt(double parameter) {
 val CurveHandle::nearest(const val& place) {
   const Array<double> numbers = fromJs<double>(place);
   const NearestOnCurve nearest =
-      nearestOnCurve(curve_, line(), {numbers[0], numbers[1], numbers[2]});
+      nearestOnCurve(*curve_, line(), {numbers[0], numbers[1], numbers[2]});
   val result = curvePointToJs(nearest.at);
   result.set("distance", nearest.distance);
   return result;
 }
 
 double CurveHandle::lengthAt(double parameter) {
-  return karcher::lengthAt(curve_, line(), parameter);
+  return karcher::lengthAt(*curve_, line(), parameter);
 }
 
 val CurveHandle::pointAtLength(double length) {
-  return curvePointToJs(karcher::pointAtLength(curve_, line(), length));
+  return curvePointToJs(karcher::pointAtLength(*curve_, line(), length));
 }
 
 val CurveHandle::equallySpaced(int count) {
@@ -163,7 +178,7 @@ val CurveHandle::equallySpaced(int count) {
   Array<int> faces;
   Array<double> bary;
   Array<double> places;
-  for (const CurvePoint& at : karcher::equallySpaced(curve_, line(), count)) {
+  for (const CurvePoint& at : karcher::equallySpaced(*curve_, line(), count)) {
     parameters.push_back(at.parameter);
     faces.push_back(mesh_.numbering().inputFace[at.point.face]);
     append(bary, at.point.bary);
@@ -178,7 +193,7 @@ val CurveHandle::equallySpaced(int count) {
 }
 
 const CurveLine& CurveHandle::line() {
-  if (!line_) line_ = lineOf(curve_);
+  if (!line_) line_ = lineOf(*curve_);
   return *line_;
 }
 

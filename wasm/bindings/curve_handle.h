@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -27,32 +28,37 @@ val bridgedToJs(const Array<const Array<Bridge>*>& segments);
 class CurveHandle {
  public:
   CurveHandle(MeshHandle& mesh, const CurveOptions& options, const Array<SurfacePoint>& points)
-      : mesh_(mesh), curve_(mesh.surface(), options, points) {}
+      : mesh_(mesh), curve_(std::make_unique<Curve>(mesh.surface(), options, points)) {}
 
-  int pointCount() const { return curve_.pointCount(); }
+  /// Keeps the curve as it is, until `join`: an edit and what carries it out may fail.
+  void keep() { kept_ = std::make_unique<Curve>(*curve_); }
+  /// Makes the curve what it was when it was kept.
+  void restore();
+
+  int pointCount() const { return curve_->pointCount(); }
   void movePoint(int i, const val& point);
   void insertPoint(int i, const val& point);
-  void removePoint(int i) { curve_.removePoint(i); }
-  void movePointInOrder(int from, int to) { curve_.movePointInOrder(from, to); }
-  void reverse() { curve_.reverse(); }
-  void setKind(const std::string& kind) { curve_.setKind(curveKind(kind)); }
-  void setClosed(bool closed) { curve_.setClosed(closed); }
-  void setWeight(int i, double weight) { curve_.setWeight(i, weight); }
-  void setBeta(int i, double beta) { curve_.setBeta(i, beta); }
+  void removePoint(int i) { curve_->removePoint(i); }
+  void movePointInOrder(int from, int to) { curve_->movePointInOrder(from, to); }
+  void reverse() { curve_->reverse(); }
+  void setKind(const std::string& kind) { curve_->setKind(curveKind(kind)); }
+  void setClosed(bool closed) { curve_->setClosed(closed); }
+  void setWeight(int i, double weight) { curve_->setWeight(i, weight); }
+  void setBeta(int i, double beta) { curve_->setBeta(i, beta); }
   /// Puts a control point in on the curve; returns its number.
   int insertOnCurve(double parameter);
   /// A list of {points} with shapes (curve_shape.h).
   val splitAt(double parameter);
   val joined(const CurveHandle& other);
-  void retrace() { curve_.retrace(); }
-  void updateFields() { curve_.updateFields(); }
+  void retrace() { curve_->retrace(); }
+  void updateFields() { curve_->updateFields(); }
   void findSamples();
-  void bridge() { curve_.bridge(); }
-  void join() { curve_.join(); }
+  void bridge() { curve_->bridge(); }
+  void join();
 
-  val shape() const { return toJs(curve_.shape(), curve_.pointCount()); }
-  int segmentCount() const { return curve_.segmentCount(); }
-  int fieldsComputed() const { return curve_.fieldsComputed(); }
+  val shape() const { return toJs(curve_->shape(), curve_->pointCount()); }
+  int segmentCount() const { return curve_->segmentCount(); }
+  int fieldsComputed() const { return curve_->fieldsComputed(); }
   val points() const;
   val samples() const;
   val bridged() const;
@@ -77,7 +83,8 @@ class CurveHandle {
   val curvePointToJs(const CurvePoint& at) const;
 
   MeshHandle& mesh_;
-  Curve curve_;
+  std::unique_ptr<Curve> curve_;
+  std::unique_ptr<Curve> kept_;
   std::optional<CurveLine> line_;
 };
 

@@ -82,6 +82,8 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("graphBuilder", &Guarded<&makeGraphBuilder>::call)
       .function("benchmark", &Guarded<&makeBenchmark>::call);
   class_<CurveHandle>("Curve")
+      .function("keep", &Guarded<&CurveHandle::keep>::call)
+      .function("restore", &Guarded<&CurveHandle::restore>::call)
       .function("pointCount", &Guarded<&CurveHandle::pointCount>::call)
       .function("movePoint", &Guarded<&CurveHandle::movePoint>::call)
       .function("insertPoint", &Guarded<&CurveHandle::insertPoint>::call)

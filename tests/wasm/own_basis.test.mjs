@@ -1,0 +1,79 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from 'karcher';
+
+const karcher = await load();
+const mesh = karcher.shape('sphere', 2000);
+const points = [0, 50, 100, 150].map((vertex) => ({ vertex }));
+
+/** Bernstein's; from `failsFrom` calls on it throws. */
+function countedBasis() {
+  const counted = {
+    calls: 0,
+    failsFrom: Number.POSITIVE_INFINITY,
+    basis(t, count) {
+      if (counted.calls++ >= counted.failsFrom) throw counted.failure;
+      let weights = [1];
+      for (let degree = 1; degree < count; degree++) {
+        weights = [...weights, 0].map(
+          (weight, i) => (1 - t) * weight + t * (i > 0 ? weights[i - 1] : 0),
+        );
+      }
+      return weights;
+    },
+    failure: new Error('mine'),
+  };
+  return counted;
+}
+
+const stateOf = (curve) => ({
+  points: curve.points,
+  kind: curve.kind,
+  samples: curve.samples,
+  bridged: curve.bridged,
+  path: curve.path,
+  length: curve.length,
+  statuses: curve.polylineStatus,
+  segments: curve.segmentCount,
+  at: curve.pointAt(0.37),
+  tangent: curve.tangentAt(0.37),
+  far: curve.lengthAt(0.37),
+});
+
+const edits = {
+  movePoint: (curve) => curve.movePoint(0, { vertex: 9 }),
+  addPoint: (curve) => curve.addPoint({ vertex: 200 }),
+  insertPoint: (curve) => curve.insertPoint(1, { vertex: 200 }),
+  removePoint: (curve) => curve.removePoint(1),
+  movePointInOrder: (curve) => curve.movePointInOrder(0, 2),
+  reverse: (curve) => curve.reverse(),
+};
+
+for (const settings of [{ samples: 9 }, { samples: 'adaptive', tolerance: 1e-3 }]) {
+  for (const geometry of ['geodesic', 'exact']) {
+    test(`an edit fails with its basis, and changes nothing: ${settings.samples}, ${geometry}`, () => {
+      for (const [name, edit] of Object.entries(edits)) {
+        const counted = countedBasis();
+        const options = { kind: 'custom', points, basis: counted.basis, geometry, ...settings };
+        const model = mesh.curve(options);
+        const callsBefore = counted.calls;
+        edit(model);
+        const calls = counted.calls - callsBefore;
+        const edited = stateOf(model);
+
+        const curve = mesh.curve(options);
+        const before = stateOf(curve);
+        for (const part of [0, 0.25, 0.5, 0.75, 1]) {
+          counted.failsFrom = counted.calls + Math.round(part * (calls - 1));
+          if (calls > 0) assert.throws(() => edit(curve), counted.failure, name);
+          counted.failsFrom = Number.POSITIVE_INFINITY;
+          assert.deepEqual(stateOf(curve), before, `${name}, failed at ${part}`);
+        }
+        edit(curve);
+        assert.deepEqual(stateOf(curve), edited, name);
+        model.dispose();
+        curve.dispose();
+      }
+    });
+  }
+}
