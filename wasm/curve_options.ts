@@ -1,9 +1,9 @@
 import {
   checkBoolean,
   checkInteger,
-  checkNumber,
   checkOneOf,
   checkOptions,
+  checkPositive,
   toFloat64,
 } from './check.js';
 import { KarcherError } from './errors.js';
@@ -86,11 +86,26 @@ export function engineSampling(options: CurveOptions): EngineSampling {
       'a curve takes a number of samples or a tolerance, not both',
     );
   }
-  const part = checkNumber(tolerance ?? defaultTolerance, 'the tolerance');
-  if (part <= 0) {
-    throw new KarcherError('badArgument', `the tolerance must be positive, not ${part}`);
-  }
+  const part = checkPositive(tolerance ?? defaultTolerance, 'the tolerance');
   return { samples: defaultSamples, tolerance: part, exact };
+}
+
+/** Options that one kind alone has a use for; the engine refuses weights and betas. */
+const ownOptions = [
+  ['degree', 'bspline'],
+  ['knots', 'bspline'],
+  ['parametrization', 'catmullrom'],
+  ['basis', 'custom'],
+] as const satisfies readonly [keyof CurveOptions, CurveKind][];
+
+function checkOwnOptions(options: CurveOptions): void {
+  for (const [name, kind] of ownOptions) {
+    if (options[name] === undefined || options.kind === kind) continue;
+    throw new KarcherError(
+      'badArgument',
+      `a curve of the kind '${options.kind}' takes no ${name}; '${kind}' does`,
+    );
+  }
 }
 
 /** The options that make a curve of the engine's parts. */
@@ -100,9 +115,13 @@ export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
   return {
     kind: parts.kind,
     closed: parts.closed,
-    degree: parts.degree,
-    parametrization: parts.centripetal ? 'centripetal' : 'uniform',
-    ...(parts.clamped ? { knots: 'clamped' as const } : given('knots', parts.knots)),
+    ...(parts.kind === 'bspline' && {
+      degree: parts.degree,
+      ...(parts.clamped ? { knots: 'clamped' as const } : given('knots', parts.knots)),
+    }),
+    ...(parts.kind === 'catmullrom' && {
+      parametrization: parts.centripetal ? ('centripetal' as const) : ('uniform' as const),
+    }),
     ...given('weights', parts.weights),
     ...given('betas', parts.betas),
     points: toSurfacePoints(parts.points),
@@ -112,22 +131,24 @@ export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
 /** The shape of a curve as the engine takes it. */
 export function engineShape(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveShape {
   checkOptions(options, curveOptionNames);
+  checkKind(options.kind);
+  checkOwnOptions(options);
   const { knots = 'uniform', parametrization = 'centripetal' } = options;
   const named = typeof knots === 'string';
   if (named) checkOneOf(knots, ['uniform', 'clamped'], 'the knots');
   checkOneOf(parametrization, parametrizations, 'the parametrization');
-  const numbers = (values: ArrayLike<number> | undefined, what: string) =>
-    values === undefined ? new Float64Array() : toFloat64(values, what);
-  const own = named ? new Float64Array() : toFloat64(knots, 'the knots');
-  if (!named && own.length === 0) {
-    throw new KarcherError('badArgument', 'the knots must not be an empty array');
-  }
+  const numbers = (values: ArrayLike<number> | undefined, what: string) => {
+    if (values === undefined) return new Float64Array();
+    const array = toFloat64(values, what);
+    if (array.length > 0) return array;
+    throw new KarcherError('badArgument', `${what} must not be an empty array`);
+  };
   return {
-    kind: checkKind(options.kind),
+    kind: options.kind,
     closed: checkBoolean(options.closed ?? false, 'closed'),
     degree: checkInteger(options.degree ?? 3, 'the degree'),
     clamped: knots === 'clamped',
-    knots: own,
+    knots: numbers(named ? undefined : knots, 'the knots'),
     weights: numbers(options.weights, 'the weights'),
     betas: numbers(options.betas, 'the betas'),
     centripetal: parametrization === 'centripetal',

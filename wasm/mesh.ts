@@ -5,6 +5,7 @@ import {
   checkNumber,
   checkOneOf,
   checkOptions,
+  checkPositive,
   toFloat64,
 } from './check.js';
 import { Curve } from './curve.js';
@@ -13,13 +14,15 @@ import { KarcherError } from './errors.js';
 import type { EngineBenchmark, EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
 import {
   centerOptionNames,
+  checkLongWork,
   circleOptionNames,
   curveOptionNames,
+  distanceOptionNames,
   ellipseOptionNames,
   engineFieldOptions,
   fieldOptionNames,
   isolineOptionNames,
-  longWorkOptionNames,
+  startOptionNames,
 } from './options.js';
 import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
@@ -30,6 +33,7 @@ import type {
   Circle,
   CircleOptions,
   CurveOptions,
+  DistanceOptions,
   EllipseOptions,
   FieldOptions,
   Isoline,
@@ -38,6 +42,7 @@ import type {
   MeshInfo,
   Path,
   PointLike,
+  StartOptions,
   StraightestPath,
   SurfacePoint,
 } from './types.js';
@@ -121,7 +126,7 @@ export class Mesh {
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
     checkOptions(options, fieldOptionNames);
-    checkOptions(work, longWorkOptionNames);
+    checkLongWork(work);
     const field = engineFieldOptions(options);
     if (field.solver === 'graph') {
       await prepareGraph(this.#engine, this.#handle, field.rings, work);
@@ -165,13 +170,13 @@ export class Mesh {
   centerOfMassOfDistances(
     distances: readonly ArrayLike<number>[],
     weights: ArrayLike<number>,
-    options: Pick<CenterOptions, 'start' | 'normalize'> = {},
+    options: StartOptions = {},
   ): CenterOfMass {
-    checkOptions(options, centerOptionNames);
+    checkOptions(options, startOptionNames);
     const vertices = this.#handle.call((mesh) => mesh.inputVertices());
     const arrays = checkArray(distances, 'the distances');
     const all = new Float64Array(vertices * arrays.length);
-    arrays.forEach((entry, i) => {
+    for (const [i, entry] of arrays.entries()) {
       const values = toFloat64(entry, `array ${i} of the distances`);
       if (values.length !== vertices) {
         throw new KarcherError(
@@ -180,7 +185,7 @@ export class Mesh {
         );
       }
       all.set(values, vertices * i);
-    });
+    }
     const masses = toFloat64(weights, 'the weights');
     const start = this.#wireStart(options);
     const normalize = checkBoolean(options.normalize ?? false, 'normalize');
@@ -233,10 +238,10 @@ export class Mesh {
   ellipse(options: EllipseOptions): Circle {
     checkOptions(options, ellipseOptionNames);
     const center = wirePoint(this.#handle, options.center, 'the center');
-    const [along, across] = checkArray(options.radii, 'the radii').map((radius, i) =>
+    const [along, across, ...more] = checkArray(options.radii, 'the radii').map((radius, i) =>
       checkNumber(radius, `radius ${i}`),
     );
-    if (along === undefined || across === undefined) {
+    if (along === undefined || across === undefined || more.length > 0) {
       throw new KarcherError('badArgument', 'an ellipse takes two radii');
     }
     const direction = toVector(options.direction, 'the direction');
@@ -252,15 +257,15 @@ export class Mesh {
 
   /**
    * The points at one geodesic distance from a center: lines, of which there may be none, or several
-   * beyond the center's cut locus.
+   * beyond the center's cut locus. Throws `KarcherError` badArgument where the radius is not positive.
    */
   isolines(options: IsolineOptions): Isoline[] {
     checkOptions(options, isolineOptionNames);
     const center = wirePoint(this.#handle, options.center, 'the center');
-    const radius = checkNumber(options.radius, 'the radius');
+    const radius = checkPositive(options.radius, 'the radius');
     const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
     const { solver = 'exact', rings } = options;
-    const field = engineFieldOptions(rings === undefined ? { solver } : { solver, rings });
+    const field = engineFieldOptions({ solver, ...(rings !== undefined && { rings }) });
     return this.#handle.call((mesh) => mesh.isolines(center, radius, type === 'exact', field));
   }
 
@@ -268,8 +273,8 @@ export class Mesh {
    * Geodesic distances from a point to the vertices, in the caller's order: NaN at a dropped vertex
    * and where no path leads. By default exact.
    */
-  distance(from: PointLike, options: Pick<FieldOptions, 'solver' | 'rings'> = {}): Float64Array {
-    checkOptions(options, fieldOptionNames);
+  distance(from: PointLike, options: DistanceOptions = {}): Float64Array {
+    checkOptions(options, distanceOptionNames);
     const wire = wirePoint(this.#handle, from);
     const field = engineFieldOptions({ solver: 'exact', ...options });
     return this.#handle.call((mesh) => mesh.distance(wire, field));
@@ -325,7 +330,7 @@ export class Mesh {
   }
 
   /** The start of a search as it travels: empty for the engine's choice. */
-  #wireStart({ start }: CenterOptions): Float64Array {
+  #wireStart({ start }: StartOptions): Float64Array {
     return start === undefined ? new Float64Array() : wirePoint(this.#handle, start, 'the start');
   }
 }

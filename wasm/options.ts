@@ -1,15 +1,18 @@
-import { checkInteger, checkOneOf } from './check.js';
+import { checkFunction, checkInteger, checkOneOf, checkOptions, shown } from './check.js';
+import { KarcherError } from './errors.js';
 import type { EngineFieldOptions } from './karcher-engine.mjs';
 import type {
   CenterOptions,
   CircleOptions,
   CurveOptions,
+  DistanceOptions,
   EllipseOptions,
   FieldOptions,
   IsolineOptions,
   LongWorkOptions,
   Method,
   Solver,
+  StartOptions,
 } from './types.js';
 
 /** The names of all of a type's options; the compiler misses none. */
@@ -18,8 +21,11 @@ export const namesOf = <Options>(all: Record<keyof Options, true>): readonly str
 
 const field = { method: true, solver: true, rings: true } as const;
 export const fieldOptionNames = namesOf<FieldOptions>(field);
-export const longWorkOptionNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
-export const centerOptionNames = namesOf<CenterOptions>({ ...field, start: true, normalize: true });
+export const distanceOptionNames = namesOf<DistanceOptions>({ solver: true, rings: true });
+const longWorkOptionNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
+const start = { start: true, normalize: true } as const;
+export const startOptionNames = namesOf<StartOptions>(start);
+export const centerOptionNames = namesOf<CenterOptions>({ ...field, ...start });
 export const curveOptionNames = namesOf<CurveOptions>({
   ...field,
   kind: true,
@@ -57,11 +63,25 @@ export const defaultRings = 6;
 
 /** Field options with every default filled in, as the engine takes them. */
 export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
-  const method = options.method ?? methods[0]!;
-  const solver = options.solver ?? (method === 'paper' ? 'exact' : 'fast');
-  return {
-    method: checkOneOf(method, methods, 'the method'),
-    solver: checkOneOf(solver, solvers, 'the solver'),
-    rings: checkInteger(options.rings ?? defaultRings, 'the number of rings'),
-  };
+  const method = checkOneOf(options.method ?? methods[0]!, methods, 'the method');
+  const byDefault = method === 'paper' ? 'exact' : 'fast';
+  const solver = checkOneOf(options.solver ?? byDefault, solvers, 'the solver');
+  const rings = checkInteger(options.rings ?? defaultRings, 'the number of rings');
+  if (options.rings !== undefined && solver !== 'graph') {
+    throw new KarcherError('badArgument', `the solver '${solver}' has no rings; 'graph' has`);
+  }
+  return { method, solver, rings };
+}
+
+export function checkLongWork(work: LongWorkOptions): void {
+  checkOptions(work, longWorkOptionNames);
+  const { progress, signal } = work;
+  if (progress !== undefined) checkFunction(progress, 'progress');
+  // Not instanceof: another realm's signal is one, too.
+  if (signal !== undefined && typeof signal?.throwIfAborted !== 'function') {
+    throw new KarcherError(
+      'badArgument',
+      `the signal must be an AbortSignal, not ${shown(signal)}`,
+    );
+  }
 }

@@ -18,11 +18,13 @@ export function wirePoint(
 /** Points one after the other, four numbers each. */
 export function wirePoints(handle: Handle<EngineMesh>, points: unknown): Float64Array {
   const array = checkArray(points, 'the points') as PointLike[];
-  const wire = new Float64Array(4 * array.length);
-  array.forEach((point, i) => {
-    wire.set(wirePoint(handle, point, `point ${i}`), 4 * i);
+  // Not array.map, which passes over holes.
+  const wires = Array.from(array, (point, i) => wirePoint(handle, point, `point ${i}`));
+  const all = new Float64Array(4 * wires.length);
+  wires.forEach((wire, i) => {
+    all.set(wire, 4 * i);
   });
-  return wire;
+  return all;
 }
 
 export function toSurfacePoint(wire: Float64Array, at = 0): SurfacePoint {

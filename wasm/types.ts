@@ -130,9 +130,11 @@ export interface MeshInfo {
 export interface FieldOptions {
   method?: Method;
   solver?: Solver;
-  /** Rings of the graph solver, 1 to 10; 6 by default. */
+  /** Of the solver `graph`, 1 to 10; 6 by default. */
   rings?: number;
 }
+
+export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
 
 export interface CenterOfMass {
   point: SurfacePoint;
@@ -148,7 +150,8 @@ export interface CenterOfMass {
   otherMinima: boolean;
 }
 
-export interface CenterOptions extends FieldOptions {
+/** How the search for a center of mass starts. */
+export interface StartOptions {
   /**
    * Where the search starts. By default at each control point in turn (`karcher`), or at the one of
    * the largest weight (`paper`).
@@ -157,6 +160,8 @@ export interface CenterOptions extends FieldOptions {
   /** Divide the weights by their sum, instead of an error when the sum is not 1. */
   normalize?: boolean;
 }
+
+export interface CenterOptions extends FieldOptions, StartOptions {}
 
 export type CurveGeometry = 'geodesic' | 'exact';
 
@@ -178,7 +183,11 @@ export interface CurveOptions extends FieldOptions {
    * crossings of the mesh's edges. `geodesic` by default.
    */
   geometry?: CurveGeometry;
-  /** Whether the curve ends where it starts, as smoothly as elsewhere; of at least 3 points. */
+  /**
+   * Whether the curve ends where it starts; of at least 3 points. B-splines and Catmull-Rom curves
+   * go on there as smoothly as elsewhere; curves of one segment and polylines have a corner at their
+   * first point. Not of the kind `custom`.
+   */
   closed?: boolean;
   /** Of a B-spline, 1 to 5; 3 by default. */
   degree?: number;
@@ -192,7 +201,7 @@ export interface CurveOptions extends FieldOptions {
   weights?: ArrayLike<number>;
   /** One positive number a point: `barycentric`. All 1 by default. */
   betas?: ArrayLike<number>;
-  /** Of Catmull-Rom curves; `centripetal` by default. */
+  /** Of the kind `catmullrom`; `centripetal` by default. */
   parametrization?: Parametrization;
   /** Of the kind `custom`. */
   basis?: CurveBasis;
@@ -272,7 +281,8 @@ export interface EllipseOptions extends Omit<CircleOptions, 'radius'> {
   direction: ArrayLike<number>;
 }
 
-export interface IsolineOptions extends Pick<FieldOptions, 'solver' | 'rings'> {
+/** The solver is that of `linear` isolines. */
+export interface IsolineOptions extends DistanceOptions {
   center: PointLike;
   radius: number;
   /**

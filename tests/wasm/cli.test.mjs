@@ -75,7 +75,11 @@ test('mistakes in the command line: a sentence and status 1', () => {
       /--rings must be a number, not 'x'/,
     ],
     [['distance', squareFile, '--from', 'v:0', '--rings', '1.5'], /--rings must be a whole number/],
-    [['distance', squareFile, '--from', 'v:0', '--rings', '0'], /1 to 10 rings/],
+    [
+      ['distance', squareFile, '--from', 'v:0', '--solver', 'graph', '--rings', '0'],
+      /1 to 10 rings/,
+    ],
+    [['distance', squareFile, '--from', 'v:0', '--rings', '3'], /'exact' has no rings/],
     [['path', squareFile, '--from', 'v:0', '--to', 'v:1', '--format', 'svg'], /--format must be/],
     [['mean', squareFile, '--points', 'x', '--normalize=yes'], /--normalize takes no value/],
     [['info', squareFile, '--colour'], /no option --colour/],

@@ -32,11 +32,13 @@ test('distance prints what the API gives', () => {
     ['57:0.25,0.5', { face: 57, bary: [0.25, 0.25, 0.5] }],
   ]) {
     for (const solver of ['fast', 'exact', 'graph']) {
+      const rings = solver === 'graph' ? { rings: 3 } : {};
       const { distance, ...rest } = printed(
-        ...['distance', gridFile, '--from', point, '--solver', solver, '--rings', '3'],
+        ...['distance', gridFile, '--from', point, '--solver', solver],
+        ...(rings.rings ? ['--rings', '3'] : []),
       );
       assert.deepEqual(rest, {});
-      assert.deepEqual(distance, Array.from(mesh.distance(from, { solver, rings: 3 })));
+      assert.deepEqual(distance, Array.from(mesh.distance(from, { solver, ...rings })));
     }
   }
 });
@@ -308,6 +310,10 @@ test('bad points, weights and radii: a sentence and status 1', () => {
     [trace(three, '--degree', '9'), /degree 1 to 5, not 9/],
     [trace(three, '--kind', 'rational', '--weights', '1,2'), /3 control points but 2 weights/],
     [trace(three, '--kind', 'bezier', '--weights', '1,2,1'), /has no weights/],
+    [trace(three, '--kind', 'bezier', '--degree', '2'), /'bezier' takes no degree/],
+    [trace(three, '--kind', 'bezier', '--clamped'), /'bezier' takes no knots/],
+    [trace(three, '--parametrization', 'uniform'), /'bspline' takes no parametrization/],
+    [trace(three, '--rings', '3'), /'fast' has no rings/],
     [trace(three, '--kind', 'barycentric', '--betas', '1,x,1'), /number 2 of --betas/],
     [trace(three, '--closed', '--clamped', '--degree', '2'), /no ends to clamp/],
     [trace(three, '--method', 'other'), /--method must be one of/],
@@ -316,6 +322,11 @@ test('bad points, weights and radii: a sentence and status 1', () => {
     [circle('0'), /radius must be a positive number/],
     [circle('wide'), /--radius must be a number, not 'wide'/],
     [[...circle('2'), '--arcs', '2'], /3 to 64 arcs/],
+    [[...circle('2'), '--type', 'exact', '--arcs', '5'], /--arcs has no use with --type exact/],
+    [[...circle('2'), '--type', 'linear', '--method', 'paper'], /--method has no use/],
+    [[...circle('2'), '--type', 'exact', '--solver', 'fast'], /--solver has no use/],
+    [[...circle('2'), '--type', 'linear', '--rings', '3'], /'exact' has no rings/],
+    [[...circle('0'), '--type', 'linear'], /radius must be positive, not 0/],
   ];
   for (const [args, message] of wrong) assert.match(failure(...args), message);
 });

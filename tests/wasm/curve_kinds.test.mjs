@@ -153,12 +153,23 @@ test('curves that cannot be say why', () => {
     [{ kind: 'bspline', weights: [1, Number.NaN, 1, 1, 1] }, 'notFinite', /weight 1/],
     [{ kind: 'bezier', weights: [1, 1, 1, 1, 1] }, 'badArgument', /Bezier curve has no weights/],
     [{ kind: 'bezier', betas: [1, 1, 1, 1, 1] }, 'badArgument', /has no betas/],
-    [{ kind: 'bezier', knots: 'clamped' }, 'badArgument', /has no knots/],
+    [
+      { kind: 'bezier', knots: 'clamped' },
+      'badArgument',
+      /'bezier' takes no knots; 'bspline' does/,
+    ],
+    [{ kind: 'polyline', knots: 'uniform' }, 'badArgument', /takes no knots/],
+    [{ kind: 'bezier', degree: 2 }, 'badArgument', /'bezier' takes no degree; 'bspline' does/],
+    [{ kind: 'bspline', parametrization: 'uniform' }, 'badArgument', /takes no parametrization/],
+    [{ kind: 'bezier', basis: bernstein }, 'badArgument', /takes no basis; 'custom' does/],
+    [{ kind: 'bspline', weights: [] }, 'badArgument', /weights must not be an empty array/],
+    [{ kind: 'bspline', rings: 3 }, 'badArgument', /'exact' has no rings; 'graph' has/],
     [{ kind: 'catmullrom', parametrization: 'chord' }, 'badArgument', /parametrization/],
     [{ kind: 'polyline', points: points.slice(0, 2), closed: true }, 'tooFewPoints', /at least 3/],
     [{ kind: 'custom' }, 'badArgument', /needs a basis/],
     [{ kind: 'custom', basis: () => [1, 2] }, 'badWeights', /gives 2 weights of sum 3/],
     [{ kind: 'custom', basis: () => 'no' }, 'badArgument', /weights of the basis/],
+    [{ kind: 'custom', basis: 5 }, 'badArgument', /basis must be a function, not 5/],
     [{ kind: 'bspline', tolerance: 0.1 }, 'badArgument', /not both/],
     [{ kind: 'bspline', samples: 'adaptive', tolerance: 0 }, 'badArgument', /positive/],
     [{ kind: 'bspline', samples: 'adaptive', tolerance: 2 }, 'badArgument', /1e-7 to 1, not 2/],
@@ -265,6 +276,9 @@ test('a curve at a parameter, by length, and next to a place', () => {
     const same = curve.pointAtLength(Math.min((i * curve.length) / 4, curve.length));
     near(same.position, Array.from(position.slice(3 * i, 3 * i + 3)), 1e-9, `point ${i}`);
   }
+  const closed = mesh.curve({ kind: 'bspline', closed: true, points, solver: 'exact' });
+  for (const whole of [curve, closed])
+    assert.equal(whole.lengthAt(whole.segmentCount), whole.length);
   const wrong = [
     [() => curve.pointAt(1.1), 'badArgument', /no parameter 1\.1/],
     [() => curve.pointAt(Number.NaN), 'notFinite', /parameter/],

@@ -286,7 +286,7 @@ test('an option of another name is refused', () => {
     [() => mesh.circle({ center: points[0], radius: 1, arc: 3 }), /no option 'arc'/],
     [() => mesh.ellipse({ center: points[0], radius: 1 }), /no option 'radius'.*radii/],
     [() => mesh.isolines({ center: points[0], radius: 1, kind: 'exact' }), /no option 'kind'/],
-    [() => mesh.distance(points[0], { method: 'paper', ring: 3 }), /no option 'ring'/],
+    [() => mesh.distance(points[0], { solver: 'graph', ring: 3 }), /no option 'ring'/],
   ];
   for (const [use, message] of wrong) assert.throws(use, { code: 'badArgument', message });
   for (const normalize of ['no', 1]) {

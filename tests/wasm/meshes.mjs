@@ -38,6 +38,9 @@ export const fields = [
   { method: 'paper', solver: 'graph', rings: 3 },
 ];
 
+/** How a way to make fields finds distances. */
+export const distancesOf = ({ method: _, ...distances }) => distances;
+
 /** Those whose distances are exact on a plane. */
 export const exactFields = fields.filter(({ solver }) => solver !== 'graph');
 

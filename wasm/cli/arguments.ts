@@ -71,6 +71,21 @@ export class Arguments {
       .map((text, i) => parseNumber(text, `number ${i + 1} of --${name}`));
   }
 
+  /** Options by their names, where they were given: `{ [name]: read(name) }` each. */
+  whereGiven<Name extends string, Value>(
+    names: readonly Name[],
+    read: (name: Name) => Value,
+  ): { [key in Name]?: Value } {
+    const given = names.filter((name) => this.given(name));
+    return Object.fromEntries(given.map((name) => [name, read(name)])) as { [key in Name]?: Value };
+  }
+
+  /** Throws where one of these options was given. `why` ends the sentence: "with --type exact". */
+  refuse(names: readonly string[], why: string): void {
+    const name = names.find((candidate) => this.given(candidate));
+    if (name !== undefined) throw new UsageError(`--${name} has no use ${why}`);
+  }
+
   point(name: string): PointLike {
     return parsePoint(this.text(name), `--${name}`);
   }
@@ -85,8 +100,8 @@ export class Arguments {
     return {
       method: this.choice<Method>('method'),
       // Which solver is the default depends on the method.
-      ...(this.#values.has('solver') ? { solver } : {}),
-      rings: this.integer('rings'),
+      ...(this.given('solver') && { solver }),
+      ...this.whereGiven(['rings'], () => this.integer('rings')),
     };
   }
 

@@ -11,7 +11,6 @@ const quickRuns = 50;
 /** Before times are taken: as long an engine runs WebAssembly in code that it made in haste. */
 const warmUp = { runs: 1000, ms: 500 };
 const rings = 6;
-const paper = (solver: Solver): FieldOptions => ({ method: 'paper', solver, rings });
 
 export const bench: Command = {
   name: 'bench',
@@ -30,7 +29,11 @@ export const bench: Command = {
     // First, so that wrong points are told before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });
     const steps = timeSteps(mesh, points[0]!);
-    const paperCurve = timeCurve(mesh, points, samples, paper('graph'));
+    const paperCurve = timeCurve(mesh, points, samples, {
+      method: 'paper',
+      solver: 'graph',
+      rings,
+    });
     return {
       json: {
         mesh: { vertices, triangles },
@@ -57,7 +60,7 @@ function timeSteps(mesh: Mesh, { face, bary }: SurfacePoint) {
   const time = (work: (steps: EngineBenchmark) => void, times = runs) =>
     median(Array.from({ length: times }, () => elapsed(() => benchmark.call(work))));
   const source = Float64Array.of(face, ...bary);
-  const field = (solver: Solver) => engineFieldOptions(paper(solver));
+  const field = (solver: Solver) => engineFieldOptions({ method: 'paper', solver });
   const radius = 0.1 * mesh.info.diagonal;
   const logField = (solver: Solver) => {
     const options = engineFieldOptions({ method: 'karcher', solver });

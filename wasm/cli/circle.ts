@@ -35,7 +35,7 @@ export const circle: Command = {
     {
       name: 'type',
       value: 'arcs|linear|exact',
-      help: 'rational arcs, or the isoline of the distance: linear in triangles, or exact',
+      help: 'rational arcs, or the isoline of the distance: linear in triangles (by default of --solver exact), or exact',
       default: 'arcs',
     },
     ...arcOptions,
@@ -48,16 +48,14 @@ export const circle: Command = {
     const type = args.choice<'arcs' | 'linear' | 'exact'>('type');
     const arcs = args.integer('arcs');
     const samples = args.integer('samples');
-    const field = args.field();
+    const { method, ...distance } = args.field();
+    if (type !== 'arcs') args.refuse(['arcs', 'samples', 'method'], `with --type ${type}`);
+    if (type === 'exact') args.refuse(['solver', 'rings'], 'with --type exact');
     const mesh = await args.mesh();
-    if (type === 'arcs') return resultOf(mesh.circle({ center, radius, arcs, samples, ...field }));
-    const { solver, rings } = field;
-    const lines = mesh.isolines({
-      center,
-      radius,
-      type,
-      ...(args.given('solver') && { solver, rings }),
-    });
+    if (type === 'arcs') {
+      return resultOf(mesh.circle({ center, radius, arcs, samples, method, ...distance }));
+    }
+    const lines = mesh.isolines({ center, radius, type, ...distance });
     return {
       json: {
         lines: lines.map((line) => ({ ...line, polyline: triples(line.polyline) })),

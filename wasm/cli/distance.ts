@@ -19,9 +19,9 @@ export const distance: Command = {
   async run(args) {
     const from = args.point('from');
     const solver = args.choice<Solver>('solver');
-    const rings = args.integer('rings');
+    const rings = args.whereGiven(['rings'], (name) => args.integer(name));
     const mesh = await args.mesh();
-    const distances = mesh.distance(from, { solver, rings });
+    const distances = mesh.distance(from, { solver, ...rings });
     return {
       json: { distance: Array.from(distances, (value) => (Number.isNaN(value) ? null : value)) },
     };

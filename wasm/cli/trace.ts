@@ -82,7 +82,6 @@ export const trace: Command = {
 };
 
 function curveOptions(args: Arguments): Omit<CurveOptions, 'points'> {
-  const numbers = (name: string) => (args.given(name) ? { [name]: args.numbers(name) } : {});
   const adaptive = args.given('tolerance') || args.text('samples') === 'adaptive';
   if (args.given('tolerance') && args.given('samples') && args.text('samples') !== 'adaptive') {
     throw new UsageError('trace takes --samples or --tolerance, not both');
@@ -93,12 +92,10 @@ function curveOptions(args: Arguments): Omit<CurveOptions, 'points'> {
   return {
     kind: args.choice<CurveKind>('kind'),
     closed: args.given('closed'),
-    degree: args.integer('degree'),
-    ...(args.given('clamped') ? { knots: 'clamped' as const } : {}),
-    ...numbers('knots'),
-    ...numbers('weights'),
-    ...numbers('betas'),
-    parametrization: args.choice<Parametrization>('parametrization'),
+    ...args.whereGiven(['degree'], (name) => args.integer(name)),
+    ...(args.given('clamped') && { knots: 'clamped' as const }),
+    ...args.whereGiven(['knots', 'weights', 'betas'], (name) => args.numbers(name)),
+    ...args.whereGiven(['parametrization'], (name) => args.choice<Parametrization>(name)),
     geometry: args.choice<CurveGeometry>('geometry'),
     ...(adaptive
       ? { samples: 'adaptive' as const, tolerance: args.number('tolerance') }

@@ -8,7 +8,7 @@ import {
 } from '../check.js';
 import { type Engine, Handle } from '../engine.js';
 import type { Mesh } from '../mesh.js';
-import { engineFieldOptions, namesOf } from '../options.js';
+import { checkLongWork, engineFieldOptions, namesOf } from '../options.js';
 import { toSurfacePoint, wirePoints } from '../points.js';
 import { prepareGraph } from '../prepare.js';
 import type { LongWorkOptions, PointLike } from '../types.js';
@@ -123,13 +123,15 @@ export async function prepareMethod(
   module: PeersModule,
   mesh: Mesh,
   options: MethodOptions,
-  { progress, signal }: LongWorkOptions,
+  work: LongWorkOptions,
 ): Promise<PreparedMethod> {
   const wire = engineOptions(options);
+  checkLongWork(work);
+  const { progress, signal } = work;
   signal?.throwIfAborted();
   let worked = 0;
   if (wire.field.solver === 'graph') {
-    worked += await prepareGraph(engine, mesh.handle, wire.field.rings, { progress, signal });
+    worked += await prepareGraph(engine, mesh.handle, wire.field.rings, work);
   }
   const start = performance.now();
   const target = mesh.handle.call((engineMesh) =>

@@ -1,0 +1,132 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from 'karcher';
+
+const karcher = await load();
+const mesh = karcher.shape('sphere', 500);
+const points = [0, 50, 100, 150].map((vertex) => ({ vertex }));
+const quarters = [0.25, 0.25, 0.25, 0.25];
+const center = points[0];
+
+// What no argument and no option takes.
+const wrong = {
+  symbol: Symbol('s'),
+  bigint: 10n,
+  text: 'x',
+  NaN: Number.NaN,
+  'a date': new Date(0),
+  'no prototype': Object.create(null),
+  'a negative length': { length: -1 },
+  'a huge length': { length: 2 ** 40 },
+  holes: new Array(3),
+  'texts in an array': ['a', 'b', 'c'],
+  'a vertex that is a text': { vertex: '1' },
+  'weights that are a text': { face: 0, bary: 'abc' },
+  'a face that is a text': { face: '0', bary: [1, 0, 0] },
+};
+
+const withOptions = (make, options, names) =>
+  Object.fromEntries(
+    names.map((name) => [`${make.name} ${name}`, (value) => make({ ...options, [name]: value })]),
+  );
+const field = ['method', 'solver', 'rings'];
+
+const calls = {
+  meshFromObj: (value) => karcher.meshFromObj(value),
+  positions: (value) => karcher.meshFromArrays(value, [0, 1, 2]),
+  triangles: (value) => karcher.meshFromArrays([0, 0, 0, 1, 0, 0, 0, 1, 0], value),
+  'shape name': (value) => karcher.shape(value),
+  'shape triangles': (value) => karcher.shape('sphere', value),
+  subdivide: (value) => mesh.subdivide(value),
+  'pointAt face': (value) => mesh.pointAt(value, [1, 0, 0]),
+  'pointAt bary': (value) => mesh.pointAt(0, value),
+  position: (value) => mesh.position(value),
+  points: (value) => mesh.centerOfMass(value, quarters),
+  weights: (value) => mesh.centerOfMass(points, value),
+  'distances, all': (value) => mesh.centerOfMassOfDistances(value, [1]),
+  'distances, one': (value) => mesh.centerOfMassOfDistances([value], [1]),
+  'distance from': (value) => mesh.distance(value),
+  'shortestPath to': (value) => mesh.shortestPath(center, value),
+  'straightest direction': (value) => mesh.straightest(center, value, 1),
+  'straightest length': (value) => mesh.straightest(center, [1, 2, 3], value),
+  ...withOptions(
+    function start(options) {
+      return mesh.centerOfMass(points, quarters, options);
+    },
+    {},
+    [...field, 'start', 'normalize'],
+  ),
+  ...withOptions(mesh.circle.bind(mesh), { center, radius: 0.3 }, [
+    ...['center', 'radius', 'arcs', 'samples'],
+    ...field,
+  ]),
+  ...withOptions(mesh.ellipse.bind(mesh), { center, radii: [0.3, 0.2], direction: [0, 1, 0.3] }, [
+    'center',
+    'radii',
+    'direction',
+    'arcs',
+    'samples',
+    ...field,
+  ]),
+  ...withOptions(mesh.isolines.bind(mesh), { center, radius: 0.3 }, [
+    ...['center', 'radius', 'type', 'solver', 'rings'],
+  ]),
+  ...withOptions(mesh.curve.bind(mesh), { kind: 'bspline', points, samples: 4 }, [
+    ...['kind', 'points', 'samples', 'tolerance', 'geometry', 'closed', 'degree', 'knots'],
+    ...['weights', 'betas', 'parametrization', 'basis'],
+    ...field,
+  ]),
+  'a custom basis': (basis) => mesh.curve({ kind: 'custom', points, basis }),
+};
+const edits = [
+  ...['addPoint', 'removePoint', 'setKind', 'setClosed', 'pointAt', 'tangentAt', 'nearest'],
+  ...['lengthAt', 'pointAtLength', 'equallySpaced', 'insertOnCurve', 'split', 'join'],
+  ...['movePoint', 'insertPoint', 'movePointInOrder', 'setWeight', 'setBeta'],
+];
+
+test('a value of a wrong type is refused with a sentence, whatever takes it', () => {
+  const curve = mesh.curve({ kind: 'bspline', points, samples: 4 });
+  for (const name of edits) {
+    calls[`curve.${name}`] = (value) => curve[name](value, 0);
+    if (curve[name].length > 1) calls[`curve.${name}, second`] = (value) => curve[name](0, value);
+  }
+  const before = JSON.stringify([curve.points, curve.samples]);
+  for (const [what, call] of Object.entries(calls)) {
+    for (const [kind, value] of Object.entries(wrong)) {
+      assert.throws(() => call(value), { name: 'KarcherError' }, `${what}: ${kind}`);
+    }
+  }
+  assert.equal(JSON.stringify([curve.points, curve.samples]), before);
+});
+
+test('options that are none, progress and signals', async () => {
+  const badArgument = { name: 'KarcherError', code: 'badArgument' };
+  for (const options of [null, 5, 'x', [], () => 0]) {
+    assert.throws(() => mesh.curve(options), badArgument);
+    assert.throws(() => mesh.circle(options), badArgument);
+    assert.throws(() => mesh.distance(center, options), badArgument);
+    await assert.rejects(mesh.prepare(options), badArgument);
+    await assert.rejects(mesh.prepare({}, options), badArgument);
+    const progress = typeof options === 'function' ? null : options;
+    await assert.rejects(mesh.prepare({}, { progress }), badArgument);
+    await assert.rejects(mesh.prepare({}, { signal: options }), badArgument);
+  }
+  assert.throws(() => mesh.distance(center, { method: 'paper' }), badArgument);
+  const distances = [mesh.distance(center)];
+  for (const option of [{ solver: 'exact' }, { method: 'paper' }]) {
+    assert.throws(() => mesh.centerOfMassOfDistances(distances, [1], option), badArgument);
+  }
+});
+
+test('isolines at no distance, of either type', () => {
+  for (const type of ['linear', 'exact']) {
+    for (const radius of [0, -1]) {
+      assert.throws(() => mesh.isolines({ center, radius, type }), {
+        code: 'badArgument',
+        message: `the radius must be positive, not ${radius}`,
+      });
+    }
+  }
+  const about = { center, direction: [0, 1, 0.3] };
+  assert.throws(() => mesh.ellipse({ ...about, radii: [0.3, 0.2, 0.1] }), { message: /two radii/ });
+});
