@@ -108,6 +108,33 @@ describe('editing a curve', () => {
     await tab.page.close();
   });
 
+  test('points are moved in order by buttons and keys, and back', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=rational');
+    const { page } = tab;
+    await tab.click(...places);
+    const { points } = (await tab.state()).document;
+    const before = await tab.view();
+    await page.getByRole('button', { name: 'Move point 1 down in order' }).click();
+    const faces = async () => (await tab.state()).document.points.map(({ face }) => face);
+    const [a, b, c, d] = points.map(({ face }) => face);
+    assert.deepEqual(await faces(), [b, a, c, d]);
+    assert.equal((await tab.state()).selection, 1);
+    await page.keyboard.press('Enter');
+    assert.deepEqual(await faces(), [b, c, a, d], 'the keys stay with the point');
+    await page.keyboard.press('Alt+ArrowDown');
+    await page.keyboard.press('Alt+ArrowDown');
+    assert.deepEqual(await faces(), [b, c, d, a], 'the last one stays the last');
+    assert.notDeepEqual((await tab.view()).polyline, before.polyline);
+    await page.getByRole('button', { name: 'Control point 4 of 4' }).focus();
+    await page.keyboard.press('Alt+ArrowUp');
+    assert.deepEqual(await faces(), [b, c, a, d], 'and from a handle');
+    for (let step = 0; step < 4; step++) await page.keyboard.press('Control+z');
+    assert.deepEqual((await tab.state()).document.points, points);
+    assert.deepEqual((await tab.view()).polyline, before.polyline);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   test('a drag of empty space or of the surface turns the view and edits nothing', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);

@@ -41,6 +41,8 @@ describe('commands', () => {
     const commands = [
       { type: 'insert', index: 2, point: point(7) },
       { type: 'remove', index: 1, point: from },
+      { type: 'reorder', from: 0, to: 2 },
+      { type: 'reorder', from: 3, to: 1 },
       { type: 'change', index: 1, from, to },
       { type: 'change', index: 1, from, to: { ...from, weight: 3 } },
       { type: 'kind', from: 'bspline', to: 'circle' },
@@ -75,6 +77,9 @@ describe('the smallest edit between two curves', () => {
     assert.deepEqual(to([...points, added]), { type: 'insert', index: 4, point: added });
     assert.deepEqual(to([added, ...points]), { type: 'insert', index: 0, point: added });
     assert.deepEqual(to(points.toSpliced(1, 1)), { type: 'remove', index: 1 });
+    const [p, q, r, s] = points;
+    assert.deepEqual(to([q, r, p, s]), { type: 'reorder', from: 0, to: 2 });
+    assert.deepEqual(to([p, s, q, r]), { type: 'reorder', from: 3, to: 1 });
     assert.deepEqual(to(points, 'bezier'), { type: 'kind' });
     assert.deepEqual(to(points.with(2, added), 'bezier'), { type: 'new' });
     assert.deepEqual(to(points.toReversed()), { type: 'new' });
@@ -100,6 +105,12 @@ describe('the smallest edit between two curves', () => {
       change({ weights: [1, 2, 1, 1] }, { points: points.toSpliced(0, 1), weights: [2, 1, 1] }),
       { type: 'remove', index: 0 },
       'weights go with their points',
+    );
+    const [p, q, r, s] = points;
+    assert.deepEqual(
+      change({ weights: [1, 2, 1, 1] }, { points: [p, r, s, q], weights: [1, 1, 1, 2] }),
+      { type: 'reorder', from: 1, to: 3 },
+      'in their order too',
     );
     assert.deepEqual(change({}, { closed: true }), { type: 'closed' });
     assert.deepEqual(change({ knots: 'clamped' }, { closed: true }), { type: 'new' });

@@ -9,7 +9,7 @@ const kinds = ['bspline', 'bezier', 'catmullrom', 'rational', 'barycentric', 'po
 const mostPoints = 9;
 /** Sentences of edits that there is no way to make. */
 const refusals =
-  /can(not)? be joined|has no end to join|at least \d control points|not at one|control point there/;
+  /can(not)? be joined|has no end to join|at least \d control points|not at one|control point there|takes no more/;
 
 /** What a link says of splines; the first of three weights follows from the others. */
 const plain = ({ kind, settings, points, others = [] }) => ({
@@ -75,6 +75,11 @@ describe('sequences of edits', () => {
       clamped: () => editor.setSettings({ clamped: !settings().clamped, knots: null }),
       spacing: () =>
         editor.setSettings({ parametrization: random() < 0.5 ? 'uniform' : 'centripetal' }),
+      reorder: () => {
+        const { points } = editor.state.document;
+        if (points.length > 0) editor.select(below(points.length));
+        editor.moveInOrder(below(9) - 4);
+      },
       move: () => change((from) => ({ ...from, ...point() })),
       weight: () => change((from) => ({ ...from, weight: 2 ** (2 * random() - 1) })),
       beta: () => change((from) => ({ ...from, beta: 2 ** (2 * random() - 1) })),

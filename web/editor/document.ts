@@ -82,6 +82,8 @@ export interface CurveDocument {
 export type Command =
   | { type: 'insert'; index: number; point: ControlPoint }
   | { type: 'remove'; index: number; point: ControlPoint }
+  /** Makes a point the one of another number. */
+  | { type: 'reorder'; from: number; to: number }
   /** A point's place, or a number of it. */
   | { type: 'change'; index: number; from: ControlPoint; to: ControlPoint }
   | { type: 'kind'; from: Kind; to: Kind }
@@ -172,6 +174,10 @@ export function apply(document: CurveDocument, command: Command): CurveDocument 
       return { ...document, points: points.toSpliced(command.index, 0, command.point) };
     case 'remove':
       return { ...document, points: points.toSpliced(command.index, 1) };
+    case 'reorder': {
+      const left = points.toSpliced(command.from, 1);
+      return { ...document, points: left.toSpliced(command.to, 0, points[command.from]!) };
+    }
     case 'change':
       return { ...document, points: points.with(command.index, command.to) };
     case 'kind':
@@ -193,6 +199,8 @@ export function invert(command: Command): Command {
       return { ...command, type: 'remove' };
     case 'remove':
       return { ...command, type: 'insert' };
+    case 'reorder':
+      return { ...command, from: command.to, to: command.from };
     case 'change':
       return { ...command, from: command.to, to: command.from };
     case 'kind':

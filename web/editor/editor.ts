@@ -9,6 +9,7 @@ import {
   emptyDocument,
   invert,
   isEmpty,
+  isRound,
   type Kind,
   withFittingKnots,
 } from './document';
@@ -180,6 +181,14 @@ export class Editor {
     if (method !== this.#state.method) this.#change({ method }, true);
   }
 
+  /** Makes the selected control point one of so many numbers more, as far as there are points. */
+  moveInOrder(steps: number): void {
+    const { document, selection: from } = this.#state;
+    if (typeof from !== 'number' || isRound(document.kind) || !document.points[from]) return;
+    const to = Math.min(Math.max(from + steps, 0), document.points.length - 1);
+    if (to !== from) this.run({ type: 'reorder', from, to }, to);
+  }
+
   /** Shows another document of the surface, as one step of the history. */
   replace(to: CurveDocument, selection: Selection = null): void {
     const from = this.#state.document;
@@ -213,6 +222,7 @@ export class Editor {
     const document = apply(this.#state.document, command);
     let { selection } = this.#state;
     if (command.type === 'insert' || command.type === 'change') selection = command.index;
+    else if (command.type === 'reorder') selection = command.to;
     else if (command.type !== 'circle' || !command.to) selection = null;
     this.#change({ document, selection }, true);
   }

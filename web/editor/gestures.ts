@@ -224,7 +224,7 @@ export class Gestures {
 
   #nudge(id: string, event: KeyboardEvent): void {
     const arrow = arrows[event.key];
-    if (!arrow) return;
+    if (!arrow || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
     const step = event.shiftKey ? 16 : 4;

@@ -4,6 +4,7 @@ import {
   type ControlPoint,
   type CurveDocument,
   isRound,
+  isSpline,
   type ParameterName,
   parameterOf,
   parameterRange,
@@ -41,6 +42,10 @@ export class PointRows {
     for (const [i, row] of rows.entries()) {
       const element = this.#list.children[i] ?? this.#list.appendChild(this.#makeRow(i));
       showRow(element as HTMLElement, row, selection);
+      const [up, down] = element.querySelectorAll<HTMLButtonElement>('.move');
+      for (const button of [up!, down!]) button.hidden = !isSpline(document.kind);
+      up!.disabled = i === 0;
+      down!.disabled = i === rows.length - 1;
     }
   }
 
@@ -55,8 +60,33 @@ export class PointRows {
     row.append(
       button,
       makeSlider(this.editor, () => index),
+      this.#makeMove(index, -1),
+      this.#makeMove(index, 1),
     );
     return row;
+  }
+
+  /** A button that makes a point the one before or after. */
+  #makeMove(index: number, step: -1 | 1): HTMLButtonElement {
+    const [name, keys, path] =
+      step < 0
+        ? ['up', 'Alt ↑', 'm5.5 11.5 4.5-4.5 4.5 4.5']
+        : ['down', 'Alt ↓', 'm5.5 8.5 4.5 4.5 4.5-4.5'];
+    const button = make('button', '', {
+      type: 'button',
+      className: 'move',
+      title: `Move ${name} in order (${keys})`,
+    });
+    button.setAttribute('aria-label', `Move point ${index + 1} ${name} in order`);
+    button.innerHTML = `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="${path}" /></svg>`;
+    button.addEventListener('click', () => {
+      this.editor.select(index);
+      this.editor.moveInOrder(step);
+      // The keys stay with the point.
+      const row = this.#list.children[index + step];
+      row?.querySelector<HTMLButtonElement>(`.move:nth-of-type(${step < 0 ? 2 : 3})`)?.focus();
+    });
+    return button;
   }
 }
 

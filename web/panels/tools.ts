@@ -80,9 +80,17 @@ export class Tools {
 
   #key(event: KeyboardEvent): void {
     const covered = this.#help.open || document.querySelector(':popover-open');
-    if (covered || event.defaultPrevented || event.altKey) return;
-    const key = event.key.toLowerCase();
+    if (covered || event.defaultPrevented) return;
     const element = event.target instanceof HTMLElement ? event.target : null;
+    if (event.altKey) {
+      const steps = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+      if (!steps || element?.matches('select') || typeof this.editor.state.selection !== 'number')
+        return;
+      event.preventDefault();
+      this.editor.moveInOrder(steps);
+      return;
+    }
+    const key = event.key.toLowerCase();
     // What is typed and not yet taken is the field's, its own undo included.
     if (element?.matches('[data-edited]')) return;
     const typing =

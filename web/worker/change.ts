@@ -6,6 +6,7 @@ export type Change =
   | { type: 'move'; index: number; point: PointLike }
   | { type: 'insert'; index: number; point: PointLike }
   | { type: 'remove'; index: number }
+  | { type: 'reorder'; from: number; to: number }
   | { type: 'kind' }
   | { type: 'closed' }
   | { type: 'weight' | 'beta'; index: number; value: number }
@@ -23,7 +24,7 @@ export function changeBetween(from: CurveOptions, to: CurveOptions): Change {
   const points = pointChange(from.points, to.points);
   const closed = (from.closed ?? false) !== (to.closed ?? false);
   // Of knots of one's own a curve keeps what it can when points come and go: that is not known here.
-  const keepsKnots = !closed && (points.type === 'none' || points.type === 'move');
+  const keepsKnots = !closed && ['none', 'move', 'reorder'].includes(points.type);
   if (hasOwnKnots(from) && !keepsKnots) return { type: 'new' };
   const changes = [points, numberChange(from, to, points)].filter(({ type }) => type !== 'none');
   if (changes.length + Number(kind) + Number(closed) > 1) return { type: 'new' };
@@ -55,13 +56,34 @@ function pointChange(a: readonly PointLike[], b: readonly PointLike[]): Change {
   if (removed === 1 && added === 1) return { type: 'move', index: first, point: b[first]! };
   if (removed === 0 && added === 1) return { type: 'insert', index: first, point: b[first]! };
   if (removed === 1 && added === 0) return { type: 'remove', index: first };
+  return removed === added ? reorderBetween(a, b, first, first + removed - 1) : { type: 'new' };
+}
+
+/** One point that went from one end of a part to the other, between which all moved up by one. */
+function reorderBetween(
+  a: readonly PointLike[],
+  b: readonly PointLike[],
+  first: number,
+  last: number,
+): Change {
+  for (const [from, to] of [
+    [first, last],
+    [last, first],
+  ] as const) {
+    const moved = withEntryMoved(a, from, to);
+    if (moved.every((point, i) => same(point, b[i]!))) return { type: 'reorder', from, to };
+  }
   return { type: 'new' };
 }
+
+const withEntryMoved = <Entry>(entries: readonly Entry[], from: number, to: number) =>
+  entries.toSpliced(from, 1).toSpliced(to, 0, entries[from]!);
 
 /** How the weights and betas change beside a change of the points, which they go along with. */
 function numberChange(from: CurveOptions, to: CurveOptions, points: Change): Change {
   const changes = (['weights', 'betas'] as const).flatMap((name): Change[] => {
-    const before = filled(from[name], from.points.length);
+    let before = filled(from[name], from.points.length);
+    if (points.type === 'reorder') before = withEntryMoved(before, points.from, points.to);
     if (points.type === 'insert') before.splice(points.index, 0, 1);
     if (points.type === 'remove') before.splice(points.index, 1);
     const after = filled(to[name], to.points.length);

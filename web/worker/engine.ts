@@ -182,6 +182,7 @@ function perform(traced: Curve, change: Change, options: CurveOptions): void {
   if (change.type === 'move') traced.movePoint(change.index, change.point);
   else if (change.type === 'insert') traced.insertPoint(change.index, change.point);
   else if (change.type === 'remove') traced.removePoint(change.index);
+  else if (change.type === 'reorder') traced.movePointInOrder(change.from, change.to);
   else if (change.type === 'kind') traced.setKind(options.kind);
   else if (change.type === 'closed') traced.setClosed(options.closed ?? false);
   else if (change.type === 'weight') traced.setWeight(change.index, change.value);
