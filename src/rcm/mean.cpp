@@ -50,6 +50,25 @@ Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOf
           false};
 }
 
+/// The fields' estimate of a sum of squares may lie below 0 near its least; the sum does not.
+Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
+  const bool anyNegative =
+      std::any_of(weights.begin(), weights.end(), [](double weight) { return weight < 0; });
+  if (!anyNegative) mean.energy = std::max(mean.energy, 0.0);
+  return mean;
+}
+
+/// The number of a point that all points of weight not 0 equal, or -1: it is its own mean.
+int onlyPoint(const Array<SurfacePoint>& points, const Array<double>& weights) {
+  int only = -1;
+  for (int i = 0; i < points.count(); ++i) {
+    if (weights[i] == 0) continue;
+    if (only < 0) only = i;
+    if (points[i].face != points[only].face || points[i].bary != points[only].bary) return -1;
+  }
+  return only;
+}
+
 /// Whether a is the better answer: converged before not, then the lower energy.
 bool better(const Mean& a, const Mean& b) {
   const bool aConverged = a.status == Status::kConverged;
@@ -151,17 +170,23 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
   if (options.start) connected.push_back(*options.start);
   checkOneComponent(surface, connected);
 
+  const int only = onlyPoint(points, weights);
+  if (only >= 0) {
+    kept = std::move(fields);
+    return {points[only], Status::kConverged, 0, 0, false};
+  }
   const double values = likelyValues(surface, points);
   if (values > options.mostValues) {
     ControlField sum = sumOfFields(surface, points, weights, options.field);
     FieldBlend field(surface.geometry(), {&sum});
-    return search(field, {1}, points, heaviest(weights), options);
+    return withSoundEnergy(search(field, {1}, points, heaviest(weights), options), weights);
   }
   movePoints(surface, points, options.field, fields);
   Array<ControlField*> pointers;
   for (const auto& field : fields.fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), std::move(pointers));
-  Mean mean = search(blend, weights, points, heaviest(weights), options);
+  const Mean mean =
+      withSoundEnergy(search(blend, weights, points, heaviest(weights), options), weights);
   if (values <= options.mostValues / 4) kept = std::move(fields);
   return mean;
 }
@@ -186,7 +211,8 @@ Mean centerOfMassOfDistances(Surface& surface, const Array<Array<double>>& dista
         surface.mesh(),
         static_cast<int>(std::min_element(nearest.begin(), nearest.end()) - nearest.begin()));
   }
-  return withEnergy(fields, weights, newtonCenter(fields, weights, start));
+  return withSoundEnergy(withEnergy(fields, weights, newtonCenter(fields, weights, start)),
+                         weights);
 }
 
 }  // namespace karcher

@@ -13,7 +13,9 @@ struct Mean {
   SurfacePoint point;
   Status status = Status::kConverged;
   int iterations = 0;
-  double energy = 0;  ///< sum of weight times squared distance
+  /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy); not
+  /// below 0 where no weight is.
+  double energy = 0;
   /// Whether searches from other control points ended at minima elsewhere. Only the method
   /// kKarcher looks for them.
   bool otherMinima = false;
@@ -39,6 +41,7 @@ struct KeptFields {
   int made = 0;  ///< how many were made or moved to another point so far
 };
 
+/// Points that are all one, but for those of weight 0, are their own mean, with no energy.
 /// Throws Error: kBadWeights (not one a point, not summing to 1 within 1e-9, or to normalise a sum
 /// that is not positive), kNotFinite, kTooFewPoints (none), kUnreachable (several components).
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,

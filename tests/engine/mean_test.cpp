@@ -203,5 +203,50 @@ TEST(Mean, KeepsNoFieldsThatHoldTooMuchOrAfterAnError) {
   }
 }
 
+TEST(Mean, OfOnePointIsThePoint) {
+  Surface surface(bunnyMesh());
+  const SurfacePoint one{1876, {0.3, 0.3, 0.4}};
+  const SurfacePoint other{300, {0.2, 0.2, 0.6}};
+  const struct {
+    Array<SurfacePoint> points;
+    Array<double> weights;
+  } cases[] = {{{one}, {1}},
+               {{other, one}, {0, 1}},
+               {{one, one, one}, {0.2, 0.3, 0.5}},
+               {{one, other, one}, {2, 0, -1}}};
+  for (const FieldOptions& field : {kFast, kExact, kPaperExact}) {
+    for (const auto& [points, weights] : cases) {
+      const Mean mean = centerOfMass(surface, points, weights, {field, std::nullopt, false});
+      EXPECT_EQ(mean.status, Status::kConverged);
+      EXPECT_EQ(mean.point.face, one.face);
+      EXPECT_EQ(mean.point.bary, one.bary);
+      EXPECT_EQ(mean.energy, 0);
+    }
+    const Mean scaled = centerOfMass(surface, {one}, {7}, {field, std::nullopt, true});
+    EXPECT_EQ(scaled.point.bary, one.bary);
+  }
+}
+
+TEST(Mean, HasNoEnergyBelowZeroWithPositiveWeights) {
+  Surface surface(bunnyMesh());
+  const uint64_t seed = 5;
+  Random random(seed);
+  for (int i = 0; i < 200; ++i) {
+    // All in one face, where the squared distances are the least.
+    const int face = random.index(surface.mesh().faceCount());
+    Array<SurfacePoint> points;
+    Array<double> weights;
+    for (int k = 0; k < 3; ++k) {
+      const double part = random.uniform();
+      points.push_back({face, {0.3 - 1e-6 * part, 0.3 + 1e-6 * part, 0.4}});
+      weights.push_back(1 / 3.0);
+    }
+    for (const FieldOptions& field : {kFast, kPaperExact}) {
+      const Mean mean = centerOfMass(surface, points, weights, {field, std::nullopt, true});
+      EXPECT_GE(mean.energy, 0) << "seed " << seed << ", face " << face;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace karcher
