@@ -39,6 +39,19 @@ class Center {
     if (location_.simplex == Simplex::kVertex) total_ = geometry.totalAngle[location_.vertex];
   }
 
+  /// Throws Error kBoundary where no circle goes all around.
+  void checkIsInside() const {
+    const bool atVertex = location_.simplex == Simplex::kVertex;
+    const bool atEdge = location_.simplex == Simplex::kEdge;
+    if (atVertex ? !geometry_.mesh->onBoundary[location_.vertex]
+                 : !atEdge || geometry_.mesh->twin[location_.halfedge] >= 0) {
+      return;
+    }
+    throw Error(ErrorCode::kBoundary, std::string("the center is ") +
+                                          (atVertex ? "a vertex" : "on an edge") +
+                                          " of the boundary: no circle or ellipse goes around it");
+  }
+
   double totalAngle() const { return total_; }
 
   /// The direction, as `trace` takes it, of a vector in the frame of the center's face.
@@ -153,7 +166,9 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
                            const CircleOptions& options) {
   checkRadiusIsPositive(radius, "a circle");
   checkOptions(options);
-  const double halfAngle = Center(surface.geometry(), center).totalAngle() / (2 * options.arcs);
+  const Center from(surface.geometry(), center);
+  from.checkIsInside();
+  const double halfAngle = from.totalAngle() / (2 * options.arcs);
   if (!(halfAngle < kPi / 2)) {
     throw Error(ErrorCode::kBadArgument,
                 std::to_string(options.arcs) +
@@ -175,6 +190,7 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
     throw Error(ErrorCode::kBadArgument, "an ellipse's direction must be a vector that is not 0");
   }
   const Center from(surface.geometry(), center);
+  from.checkIsInside();
   const double begin = from.directionOf(direction);
   const double halfAngle = kPi / options.arcs;
   Array<ArcPoint> points;

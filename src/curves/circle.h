@@ -23,9 +23,9 @@ struct GeodesicCircle {
 /// (Mancinelli, Puppo, section 5): with the total angle Theta of the center and a = Theta / (2 n),
 /// the arcs' ends lie at the radius and their middle points, of weight cos a, at radius / cos a,
 /// along straightest geodesics in equally spaced directions.
-/// Throws Error: kBadArgument (radius not positive and finite, arcs, samples), kBoundary naming the
-/// arc whose geodesic meets the boundary, kRadiusTooLarge where no point of the component is as
-/// far.
+/// Throws Error: kBadArgument (radius not positive and finite, arcs, samples), kBoundary (the
+/// center lies there, or naming the arc whose geodesic meets it), kRadiusTooLarge where no point of
+/// the component is as far.
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
                            const CircleOptions& options);
 

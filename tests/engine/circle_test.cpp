@@ -87,6 +87,21 @@ TEST(Circle, RefusesWhatIsNoCircle) {
             ErrorCode::kRadiusTooLarge);
 }
 
+TEST(Circle, HasNoCenterOnTheBoundary) {
+  Surface surface(planeGrid(30, 30));
+  const TriangleMesh& mesh = surface.mesh();
+  // A corner, a vertex of a side, and the middle of an edge there.
+  for (const Vec3& place : {Vec3(0, 0, 0), Vec3(15, 0, 0), Vec3(15.5, 0, 0)}) {
+    const SurfacePoint center = nearestPoint(mesh, place);
+    for (const int arcs : {3, 7}) {
+      const CircleOptions options{arcs, 5, kPaperExact};
+      EXPECT_EQ(codeOf([&] { traceCircle(surface, center, 3, options); }), ErrorCode::kBoundary);
+      EXPECT_EQ(codeOf([&] { traceEllipse(surface, center, 3, 2, Vec2(1, 0), options); }),
+                ErrorCode::kBoundary);
+    }
+  }
+}
+
 TEST(Ellipse, OnThePlaneIsTheEllipse) {
   Surface surface(planeGrid(24, 20));
   for (const Vec3& center : {Vec3(11.3, 9.8, 0), Vec3(11.5, 9, 0), Vec3(12, 10, 0)}) {
