@@ -314,9 +314,7 @@ class ArcChains {
 
 Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& source, double radius,
                              double tolerance) {
-  if (!(radius > 0) || !std::isfinite(radius)) {
-    throw Error(ErrorCode::kBadArgument, "an isoline's distance must be a positive number");
-  }
+  checkIsolineRadius(radius);
   if (!(tolerance > 0) || !std::isfinite(tolerance)) {
     throw Error(ErrorCode::kBadArgument, "an isoline's tolerance must be a positive number");
   }

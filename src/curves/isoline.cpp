@@ -1,9 +1,15 @@
 #include "curves/isoline.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "mesh/error.h"
 
 namespace karcher {
 namespace {
+
+/// A line shorter than this part of the edges it crosses is none.
+constexpr double kLeastLength = 1e-9;
 
 /// One isoline after another, by walking from face to face.
 class LinearIsolines {
@@ -44,11 +50,16 @@ class LinearIsolines {
     return edgePoint(h, (level_ - tail) / (head - tail));
   }
 
+  double edgeLength(int h) const {
+    return (mesh_.positions[mesh_.head(h)] - mesh_.positions[mesh_.tail(h)]).norm();
+  }
+
   /// Each face is left once, so the walk ends: at its first face or at the boundary.
   void follow(int entry) {
     Isoline line;
     line.closed = false;
     line.points.push_back(crossing(entry));
+    double longestEdge = edgeLength(entry);
     for (int h = entry; h >= 0;) {
       const int face = faceOf(h);
       if (visited_[face]) {
@@ -58,11 +69,13 @@ class LinearIsolines {
       visited_[face] = 1;
       const int exit = crossedHalfedge(face, true);
       const SurfacePoint point = crossing(exit);
+      longestEdge = std::max(longestEdge, edgeLength(exit));
       line.length += (position(mesh_, point) - position(mesh_, line.points.back())).norm();
       line.points.push_back(point);
       h = mesh_.twin[exit];
     }
-    isolines_.push_back(std::move(line));
+    // Around a vertex whose value is the level but for rounding.
+    if (line.length > kLeastLength * longestEdge) isolines_.push_back(std::move(line));
   }
 
   const TriangleMesh& mesh_;
@@ -74,7 +87,13 @@ class LinearIsolines {
 
 }  // namespace
 
+void checkIsolineRadius(double radius) {
+  if (radius > 0 && std::isfinite(radius)) return;
+  refuse("an isoline's distance must be a positive number, not " + inSentence(radius));
+}
+
 Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level) {
+  checkIsolineRadius(level);
   return LinearIsolines(mesh, values, level).run();
 }
 

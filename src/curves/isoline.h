@@ -13,8 +13,12 @@ struct Isoline {
   double length = 0;
 };
 
-/// The isolines of a function that is linear in each triangle, by its values at the vertices
+/// Throws Error kBadArgument for a distance that is not positive and finite.
+void checkIsolineRadius(double radius);
+
+/// The isolines of a distance that is linear in each triangle, by its values at the vertices
 /// (kInfinity, or any number): straight from edge to edge, with the smaller values on their left.
+/// Throws Error kBadArgument (level not positive and finite).
 Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level);
 
 /// The points at distance `radius` from the source, exactly: in each face the arcs about the

@@ -191,5 +191,25 @@ TEST(Isoline, RefusesWhatIsNoDistance) {
   }
 }
 
+TEST(Isoline, LinearOnesRefuseWhatIsNoDistance) {
+  const TriangleMesh mesh = planeGrid(3, 3);
+  const Array<double> values(static_cast<size_t>(mesh.vertexCount()), 1.0);
+  for (const double radius : {0.0, -1.0, std::nan(""), kInfinity}) {
+    EXPECT_EQ(codeOf([&] { linearIsolines(mesh, values, radius); }), ErrorCode::kBadArgument);
+  }
+}
+
+TEST(Isoline, LinearOnesOfNoLengthAreLeftOut) {
+  // Two vertices lie below the level by rounding only, one of them on the boundary.
+  const TriangleMesh mesh = planeGrid(6, 6);
+  for (const double below : {1e-16, 1e-13}) {
+    Array<double> values(static_cast<size_t>(mesh.vertexCount()), 2.0);
+    for (const int v : {3, 24}) values[v] = 1 - below;
+    EXPECT_TRUE(linearIsolines(mesh, values, 1).empty());
+    values[24] = 0.5;
+    EXPECT_EQ(linearIsolines(mesh, values, 1).count(), 1);
+  }
+}
+
 }  // namespace
 }  // namespace karcher
