@@ -8,6 +8,10 @@
 namespace karcher {
 namespace {
 
+/// Knots divided by a span must stay finite.
+constexpr double kMostKnot = 1e100;
+constexpr double kLeastSpan = 1e-100;
+
 /// k modulo n, from 0 to n - 1.
 int wrapped(int k, int n) { return ((k % n) + n) % n; }
 
@@ -78,8 +82,17 @@ void checkKnots(const Array<double>& knots, int points, int degree, bool closed)
     if (!std::isfinite(knots[k])) {
       throw Error(ErrorCode::kNotFinite, "knot " + std::to_string(k) + " is not a finite number");
     }
-    if (k > 0 && knots[k] < knots[k - 1]) {
+    if (std::abs(knots[k]) > kMostKnot) {
+      refuse("knot " + std::to_string(k) + " is " + inSentence(knots[k]) +
+             "; knots go from -1e100 to 1e100");
+    }
+    if (k == 0) continue;
+    if (knots[k] < knots[k - 1]) {
       refuse("knot " + std::to_string(k) + " is less than the one before it");
+    }
+    if (knots[k] > knots[k - 1] && knots[k] - knots[k - 1] < kLeastSpan) {
+      refuse("knot " + std::to_string(k) + " lies " + inSentence(knots[k] - knots[k - 1]) +
+             " after the one before it; knots are equal or at least 1e-100 apart");
     }
   }
   const int spans = spanCount(knots, degree, closed);

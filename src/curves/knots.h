@@ -15,8 +15,9 @@ Array<double> uniformKnots(int points, int degree, bool closed);
 /// the curve starts at its first and ends at its last point.
 Array<double> clampedKnots(int points, int degree);
 
-/// Throws Error: kBadArgument (a wrong number of knots, knots that fall, none that differ, or one
-/// that repeats so often that the curve would break), kNotFinite.
+/// Throws Error: kBadArgument (a wrong number of knots, knots that fall, none that differ, one that
+/// repeats so often that the curve would break, one beyond 1e100, or two less than 1e-100 apart but
+/// not equal), kNotFinite.
 void checkKnots(const Array<double>& knots, int points, int degree, bool closed);
 
 /// How many spans the knots have, empty ones included.

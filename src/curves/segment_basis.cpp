@@ -13,7 +13,7 @@ Array<double> ownWeights(const SegmentBasis& basis, double t) {
   for (const double weight : weights) sum += weight;
   if (weights.count() == basis.points && std::abs(sum - 1) <= kWeightSumTolerance) return weights;
   throw Error(ErrorCode::kBadWeights, "the basis gives " + std::to_string(weights.count()) +
-                                          " weights of sum " + inSentence(sum) +
+                                          " weights of sum " + inSentence(sum, 12) +
                                           " at t = " + inSentence(t) + "; there must be " +
                                           std::to_string(basis.points) + ", of sum 1 within 1e-9");
 }

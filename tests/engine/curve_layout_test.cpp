@@ -262,6 +262,10 @@ TEST(CurveLayout, RefusesWhatIsNoCurve) {
   EXPECT_EQ(code(knots({0, 1, 2, 2, 4, 5}), 3), ErrorCode::kBadArgument);
   EXPECT_EQ(code(knots({0, 1, 2, 3, 4, kInfinity}), 3), ErrorCode::kNotFinite);
   EXPECT_EQ(code(knots({0, 0, 0, 1, 1, 1, 2, 2, 2}), 6), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(knots({-1e308, 0, 1, 2, 3, 1e308}), 3), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(knots({0, 1, 2, 2 + 4e-16, 1e100, 1e101}), 3), ErrorCode::kBadArgument);
+  EXPECT_EQ(code(knots({0, 0, 0, 5e-324, 5e-324, 1}), 3), ErrorCode::kBadArgument);
+  EXPECT_NO_THROW(checkGivenShape(knots({-1e100, -1, 0, 1e-100, 1, 1e100}), 3));
   EXPECT_EQ(code({CurveKind::kBezier}, 1), ErrorCode::kTooFewPoints);
   EXPECT_EQ(code({CurveKind::kBezier}, 1001), ErrorCode::kBadArgument);
   EXPECT_EQ(code({CurveKind::kOwn}, 3), ErrorCode::kBadArgument);
@@ -289,6 +293,34 @@ TEST(CurveLayout, RefusesABasisThatIsNoPartitionOfUnity) {
   const SegmentBasis basis = layOut(shape, 4)[0].basis;
   EXPECT_EQ(weightsAt(basis, 0.5), bernsteinBasis(3, 0.5));
   EXPECT_EQ(codeOf([&] { weightsAt(basis, 0.8); }), ErrorCode::kBadWeights);
+}
+
+TEST(CurveLayout, TheWidestKnotsGiveFiniteWeights) {
+  for (const Array<double>& own : {Array<double>{-1e100, -1, 0, 1e-100, 1, 1e100},
+                                   Array<double>{-1e100, -1e100, 0, 1e100, 1e100, 1e100}}) {
+    for (const SegmentLayout& segment : layOut(bspline(2, false, KnotRule::kOwn, own), 3)) {
+      for (const double t : {0.0, 0.3, 1.0}) {
+        double sum = 0;
+        for (const double weight : weightsAt(segment.basis, t)) sum += weight;
+        EXPECT_NEAR(sum, 1, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(CurveLayout, TellsHowFarWeightsAreFromTheirSum) {
+  CurveShape shape{CurveKind::kOwn};
+  shape.basis = std::make_shared<OwnBasis>([](int points, double t) {
+    Array<double> weights = bernsteinBasis(points - 1, t);
+    weights[0] += 1e-8;
+    return weights;
+  });
+  try {
+    weightsAt(layOut(shape, 4)[0].basis, 0.5);
+    FAIL() << "weights of another sum were taken";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("1.00000001"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace
