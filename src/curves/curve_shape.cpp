@@ -57,9 +57,7 @@ void checkPositive(const Array<double>& values, const std::string& what, int poi
     if (!std::isfinite(values[i])) {
       throw Error(ErrorCode::kNotFinite, entry + " is not a finite number");
     }
-    // Products and sums of so many must stay finite.
-    constexpr double kLeast = 1e-12;
-    if (!(values[i] >= kLeast && values[i] <= 1 / kLeast)) {
+    if (!(values[i] >= kLeastWeight && values[i] <= 1 / kLeastWeight)) {
       refuse(entry + " must be positive, from 1e-12 to 1e12");
     }
   }

@@ -29,6 +29,9 @@ const char* curveKindName(CurveKind kind);
 
 inline constexpr int kMostSplineDegree = 5;
 
+/// Weights and betas go from this to one through it: products and sums of so many stay finite.
+inline constexpr double kLeastWeight = 1e-12;
+
 /// The knots of a B-spline (knots.h).
 enum class KnotRule {
   kUniform,  ///< evenly spaced

@@ -9,6 +9,44 @@ namespace {
 
 int countOf(const ControlPolygon& polygon) { return polygon.points.count(); }
 
+/// The part of a knot vector's spans in which u lies, of empty ones the last, and its knot's place.
+struct KnotPlace {
+  int place = 0;
+  int span = 0;
+};
+
+KnotPlace placeOf(const ControlPolygon& polygon, double u) {
+  const Array<double>& knots = polygon.knots;
+  // The last knot of the vector that is not beyond u, numbered as a span.
+  const auto last = knots.end() - (polygon.closed ? 2 : 1);
+  const auto beyond = std::upper_bound(knots.begin(), last + 1, u);
+  const int place = static_cast<int>(beyond - knots.begin());
+  return {place, place - 1 - (polygon.closed ? 0 : polygon.degree)};
+}
+
+/// `insertKnot` for a closed curve of less than p points: the new ones go more than once around, so
+/// that the knots of several turns bear on each. The curve is unrolled over these turns.
+int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
+  const int p = polygon.degree;
+  const int n = countOf(polygon);
+  const auto [place, span] = placeOf(polygon, u);
+  const double period = polygon.knots.back() - polygon.knots.front();
+  // The turn whose points have no knots before the first turn, and one after it.
+  const int turn = (p + n) / (n + 1);
+  const int turns = turn + 2;
+  ControlPolygon open;
+  open.degree = p;
+  for (int i = 0; i < turns * n + p; ++i) open.points.push_back(polygon.points[i % n]);
+  for (int j = -p; j <= turns * n + p; ++j) {
+    open.knots.push_back(knotOfSpan(polygon.knots, p, true, j));
+  }
+  for (int k = 0; k < turns; ++k) insertKnot(geometry, open, u + k * period);
+  const auto first = open.points.begin() + turn * (n + 1);
+  polygon.points.assign(first, first + n + 1);
+  polygon.knots.insert(polygon.knots.begin() + place, u);
+  return (span + 1) % (n + 1);
+}
+
 /// Inserts u until the curve passes a control point there.
 void insertFully(const Geometry& geometry, ControlPolygon& polygon, double u) {
   while (multiplicity(polygon, u) < polygon.degree) insertKnot(geometry, polygon, u);
@@ -34,13 +72,10 @@ int multiplicity(const ControlPolygon& polygon, double knot) {
 int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const int p = polygon.degree;
   const int n = countOf(polygon);
+  if (polygon.closed && n < p) return insertAround(geometry, polygon, u);
   const int repeats = multiplicity(polygon, u);
   const Array<double>& knots = polygon.knots;
-  // The last knot of the vector that is not beyond u, numbered as a span.
-  const auto last = knots.end() - (polygon.closed ? 2 : 1);
-  const auto beyond = std::upper_bound(knots.begin(), last + 1, u);
-  const int place = static_cast<int>(beyond - knots.begin());
-  const int span = place - 1 - (polygon.closed ? 0 : p);
+  const auto [place, span] = placeOf(polygon, u);
 
   // Control point i has the knots of the spans i - p to i + 1.
   const auto knot = [&](int j) { return knotOfSpan(knots, p, polygon.closed, j); };

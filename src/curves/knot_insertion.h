@@ -30,8 +30,7 @@ int multiplicity(const ControlPolygon& polygon, double knot);
 
 /// Inserts a knot u between the first and the last of the spans (W. Boehm, "Inserting new knots
 /// into B-spline curves", 1980): of degree p, p minus its multiplicity new points take the place of
-/// the inner ones. Returns the number of the first of them. The multiplicity must be less than p,
-/// and a closed curve must have at least p points.
+/// the inner ones. Returns the number of the first of them. The multiplicity must be less than p.
 int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
 
 /// The same curve of one degree more: a point more.

@@ -59,18 +59,29 @@ double knotAtParameter(const ControlPolygon& polygon, const SegmentParameter& at
   return knot(span) + at.t * (knot(span + 1) - knot(span));
 }
 
-void checkPeriodic(const ControlPolygon& polygon) {
-  if (!polygon.closed || polygon.points.count() >= polygon.degree) return;
-  refuse("a closed B-spline of degree " + std::to_string(polygon.degree) + " needs at least " +
-         std::to_string(polygon.degree) + " control points to take a knot, not " +
-         std::to_string(polygon.points.count()));
-}
-
 /// The control points of a curve of one segment: a closed one ends at its first point.
 Array<WeightedPoint> bezierPoints(const Curve& curve) {
   Array<WeightedPoint> points = weightedPoints(curve);
   if (curve.shape().closed) points.push_back(WeightedPoint(points[0]));
   return points;
+}
+
+/// Betas from their logarithms: a common factor changes no curve. The largest is 1, or where that
+/// leaves the least too small for a beta, both are as far from 1.
+void setBetas(Array<double>& logs) {
+  const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
+  const double range = *most - *least;
+  const double limit = -std::log(kLeastWeight);
+  if (!(range <= 2 * limit)) {
+    refuse("a barycentric curve of these " + std::to_string(logs.count()) +
+           " points would need betas that differ by a factor of 1e" +
+           inSentence(std::ceil(range / std::log(10.0))) + "; betas go from 1e-12 to 1e12");
+  }
+  const double unit = range <= limit ? *most : (*least + *most) / 2;
+  // Rounding must not lead beyond the limits.
+  for (double& beta : logs) {
+    beta = std::clamp(std::exp(beta - unit), kLeastWeight, 1 / kLeastWeight);
+  }
 }
 
 /// A curve in barycentric form is p / q with polynomials of the degree of its nodes. On other nodes
@@ -101,16 +112,14 @@ CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   };
   CurveParts parts{{CurveKind::kBarycentric}, {}};
   const int last = nodes - 1;
-  double most = -kInfinity;
   double binomial = 0;
   for (int k = 0; k <= last; ++k) {
     const double t = k == last ? to : from + (to - from) * k / last;
     parts.points.push_back(pointAt(curve, {0, t}).point);
     parts.shape.betas.push_back(binomial + logDenominator(t));
-    most = std::max(most, parts.shape.betas.back());
     binomial += std::log(static_cast<double>(last - k) / (k + 1));
   }
-  for (double& beta : parts.shape.betas) beta = std::exp(beta - most);
+  setBetas(parts.shape.betas);
   return parts;
 }
 
@@ -189,7 +198,6 @@ RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
   if (shape.kind == CurveKind::kOwn) refuseOwnBasis();
   if (shape.kind == CurveKind::kBSpline) {
     ControlPolygon polygon = polygonOf(curve);
-    checkPeriodic(polygon);
     const double knot = knotAtParameter(polygon, at);
     const int repeats = multiplicity(polygon, knot);
     if (repeats >= shape.degree) {
@@ -238,7 +246,6 @@ Array<CurveParts> splitAt(Curve& curve, double parameter) {
   }
   if (shape.kind == CurveKind::kBSpline) {
     const ControlPolygon polygon = polygonOf(curve);
-    checkPeriodic(polygon);
     const double knot = knotAtParameter(polygon, at);
     if (shape.closed) return {partsOf(cutOpen(geometry, polygon, knot))};
     return {partsOf(partBefore(geometry, polygon, knot)),

@@ -100,6 +100,65 @@ TEST_F(CurveRefine, InsertingAKnotLeavesABSplineAsItIs) {
   }
 }
 
+TEST_F(CurveRefine, AClosedBSplineOfFewPointsTakesKnotsToo) {
+  // Fewer points than the degree: the knot's new points go more than once around.
+  for (const int degree : {4, 5}) {
+    for (int count = 3; count <= degree; ++count) {
+      for (const bool weighted : {false, true}) {
+        CurveShape shape{CurveKind::kBSpline, true, degree};
+        if (weighted) shape.weights.assign({1, 2, 0.5, 1, 3}), shape.weights.resize(size_t(count));
+        Curve curve = curveOf(shape, points(count));
+        for (const double part : {0.0, 0.13, 0.5, 0.99}) {
+          SCOPED_TRACE(describe(shape) + ", " + std::to_string(count) + " points, at " +
+                       std::to_string(part));
+          const double parameter = part * curve.segmentCount();
+          const SegmentParameter cut = segmentParameter(curve, parameter);
+          const RefinedCurve refined = withPointOnCurve(curve, parameter);
+          ASSERT_EQ(refined.curve.points.count(), count + 1);
+          Curve more = curveOf(refined.curve.shape, refined.curve.points);
+          for (int j = 0; j < curve.segmentCount(); ++j) {
+            for (const double t : {0.01, 0.25, 0.6, 0.99}) {
+              EXPECT_LT((at(curve, j + t) - at(more, afterCut({j, t}, cut))).norm(), kPlane);
+            }
+          }
+          const Array<CurveParts> parts = splitAt(curve, parameter);
+          ASSERT_EQ(parts.count(), 1);
+          Curve open = curveOf(parts[0].shape, parts[0].points);
+          EXPECT_LT((at(open, 0) - at(curve, parameter)).norm(), kPlane);
+          EXPECT_LT((at(open, open.segmentCount()) - at(curve, parameter)).norm(), kPlane);
+          EXPECT_LT((at(open, open.segmentCount() - 1e-9) - at(curve, parameter - 1e-9)).norm(),
+                    1e-7);
+        }
+      }
+    }
+  }
+}
+
+TEST_F(CurveRefine, CurvesThroughPointsTakePointsUntilTheirBetasEnd) {
+  // Each point raises the degree of what was a curve of degree 5: its betas come near binomial
+  // numbers, which beyond 35 points differ by more than 1e12.
+  Surface small(planeGrid(4, 4));
+  CurveParts parts{{CurveKind::kBarycentric}, {}};
+  for (const Vec3& place : kPlaces) {
+    parts.points.push_back(nearestPoint(small.mesh(), 4 * place));
+  }
+  std::string refusal;
+  while (refusal.empty() && parts.points.count() < 200) {
+    Curve curve(small, {parts.shape, 2, kFast}, parts.points);
+    update(curve);
+    try {
+      parts = withPointOnCurve(curve, 0.4).curve;
+      checkShape(parts.shape, parts.points.count());
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadArgument);
+      refusal = error.what();
+    }
+  }
+  std::printf("a barycentric curve of 6 points grows to %d\n", parts.points.count());
+  EXPECT_GT(parts.points.count(), 60);
+  EXPECT_NE(refusal.find("betas that differ by a factor of 1e25"), std::string::npos) << refusal;
+}
+
 TEST_F(CurveRefine, RaisingTheDegreeLeavesCurvesOfOneSegmentAsTheyAre) {
   for (const bool closed : {false, true}) {
     CurveShape rational{CurveKind::kRational, closed};
