@@ -90,8 +90,8 @@ SegmentParameter segmentParameter(const Curve& curve, double parameter) {
     inside = parameter - end * std::floor(parameter / end);
   }
   if (!(inside >= 0 && inside <= end)) {
-    throw Error(ErrorCode::kBadArgument, "the curve has no parameter " + inSentence(parameter) +
-                                             ": it runs from 0 to " + inSentence(end));
+    throw Error(ErrorCode::kBadArgument, "the curve has no parameter " + inFull(parameter) +
+                                             ": it runs from 0 to " + inFull(end));
   }
   const int segment = std::min(static_cast<int>(inside), curve.segmentCount() - 1);
   return {segment, inside - segment};

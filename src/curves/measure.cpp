@@ -78,7 +78,10 @@ CurveLine lineOf(const Curve& curve) {
 
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter) {
   const SegmentParameter at = segmentParameter(curve, parameter);
-  return between(line.lengths, placeOf(line.parameters, at.segment + at.t));
+  const double inside = at.segment + at.t;
+  // Once around a closed curve is its end here, though it is the point of its start.
+  if (parameter > 0 && inside == 0) return line.lengths.back();
+  return between(line.lengths, placeOf(line.parameters, inside));
 }
 
 CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length) {
@@ -90,9 +93,8 @@ CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double lengt
   // The sum of the segments' own lengths may differ by rounding.
   constexpr double kRounding = 1e-9;
   if (!(inside >= 0 && inside <= (1 + kRounding) * whole)) {
-    throw Error(ErrorCode::kBadArgument, "the curve has no point at the length " +
-                                             inSentence(length) + ": it is " + inSentence(whole) +
-                                             " long");
+    throw Error(ErrorCode::kBadArgument, "the curve has no point at the length " + inFull(length) +
+                                             ": it is " + inFull(whole) + " long");
   }
   return pointOfLine(curve, line, placeOf(line.lengths, inside));
 }
@@ -110,55 +112,6 @@ Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int c
     points.push_back(pointOfLine(curve, line, placeOf(line.lengths, length)));
   }
   return points;
-}
-
-NearestOnCurve nearestOnCurve(Curve& curve, const CurveLine& line, const Vec3& place) {
-  Place nearest;
-  double least = kInfinity;
-  for (int k = 0; k + 1 < line.points.count(); ++k) {
-    const Vec3& a = line.positions[k];
-    const Vec3 along = line.positions[k + 1] - a;
-    const double squared = along.squaredNorm();
-    const double s = squared > 0 ? std::clamp((place - a).dot(along) / squared, 0.0, 1.0) : 0;
-    const double distance = (a + s * along - place).norm();
-    if (distance < least) {
-      least = distance;
-      nearest = {k, s};
-    }
-  }
-  NearestOnCurve result{pointOfLine(curve, line, nearest), least};
-  // On the curve itself: golden sections of the parameters around it.
-  const int last = line.points.count() - 1;
-  double from = line.parameters[std::max(nearest.piece - 1, 0)];
-  double to = line.parameters[std::min(nearest.piece + 2, last)];
-  const auto look = [&](double parameter) {
-    const CurvePoint point = pointAt(curve, parameter);
-    const double distance = (position(curve.surface().mesh(), point.point) - place).norm();
-    if (distance < result.distance) result = {point, distance};
-    return distance;
-  };
-  const double golden = (std::sqrt(5.0) - 1) / 2;
-  double left = to - golden * (to - from);
-  double right = from + golden * (to - from);
-  double atLeft = look(left);
-  double atRight = look(right);
-  constexpr double kPrecision = 1e-10;
-  while (to - from > kPrecision * (1 + std::abs(to))) {
-    if (atLeft < atRight) {
-      to = right;
-      right = left;
-      atRight = atLeft;
-      left = to - golden * (to - from);
-      atLeft = look(left);
-    } else {
-      from = left;
-      left = right;
-      atLeft = atRight;
-      right = from + golden * (to - from);
-      atRight = look(right);
-    }
-  }
-  return result;
 }
 
 }  // namespace karcher

@@ -16,7 +16,8 @@ struct CurveLine {
 
 CurveLine lineOf(const Curve& curve);
 
-/// The length from the start to a parameter, as `segmentParameter` takes it.
+/// The length from the start to a parameter, as `segmentParameter` takes it; once around a closed
+/// curve it is the whole length.
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 
 /// The point at a length from the start, on the line. Throws Error kBadArgument outside the curve;
@@ -33,8 +34,9 @@ struct NearestOnCurve {
   double distance = 0;  ///< in space
 };
 
-/// The point of the curve nearest in space to a place: the nearest of the line, improved on the
-/// curve between the vertices around it.
+/// The point of the curve nearest in space to a place, its parameter to 1e-13 of itself: that of
+/// the lowest of the minima that the intervals between samples hold (nearest.cpp). It is
+/// `pointAt` its parameter.
 NearestOnCurve nearestOnCurve(Curve& curve, const CurveLine& line, const Vec3& place);
 
 }  // namespace karcher

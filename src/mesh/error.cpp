@@ -1,6 +1,7 @@
 #include "mesh/error.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace karcher {
 
@@ -45,6 +46,15 @@ std::string inSentence(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
+}
+
+std::string inFull(double value) {
+  int digits = 6;
+  constexpr int kEnough = 17;
+  while (digits < kEnough && std::strtod(inSentence(value, digits).c_str(), nullptr) != value) {
+    ++digits;
+  }
+  return inSentence(value, digits);
 }
 
 }  // namespace karcher

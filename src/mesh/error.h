@@ -29,6 +29,9 @@ const char* errorCodeName(ErrorCode code);
 /// A number as a sentence gives it: 0.25, 1e-07.
 std::string inSentence(double value, int digits = 6);
 
+/// The same with as many digits as tell it from other doubles, six at least: 3.000000000001.
+std::string inFull(double value);
+
 /// Every failure of the engine: a code, and a sentence that names the thing and the limit.
 class Error : public std::runtime_error {
  public:
