@@ -54,6 +54,7 @@ export async function start(): Promise<void> {
     else viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);
     viewer.showOthers(view.others);
+    viewer.showMarks(view.curve?.marks?.position ?? []);
     gestures.show();
     curvePanel.show(editor.state, view);
     lostPanel.show(view);

@@ -301,6 +301,86 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
+  test('a B-spline has its knots as a list, and wrong ones lose nothing', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click(...places);
+    const before = await tab.view();
+    await page.locator('#fine summary').click();
+    const knots = page.getByRole('textbox', { name: 'Knots' });
+    assert.equal(await knots.inputValue(), '-3, -2, -1, 0, 1, 2, 3, 4, 5');
+    const problem = page.locator('#knots-problem');
+    for (const [text, sentence] of [
+      ['0 0 0 0 1 2 2 2', /^A B-spline of 5 points and degree 3 takes 9 knots, not 8\.$/],
+      ['0 0 0 0 1 0.5 2 2 2', /^Knot 5 is less than the one before it\.$/],
+      ['0 0 0 0 1 2 2 2 wide', /^'wide' is not a number\.$/],
+    ]) {
+      await knots.fill(text);
+      await knots.press('Enter');
+      await page.waitForFunction(
+        (source) => new RegExp(source).test(document.getElementById('knots-problem').textContent),
+        sentence.source,
+      );
+      assert.equal(await knots.inputValue(), text, 'it stays to be mended');
+      assert.deepEqual((await tab.view()).polyline, before.polyline);
+    }
+    await knots.press('Escape');
+    assert.equal(await problem.isVisible(), false);
+    await knots.fill('0; 0; 0; 0; 1,5 2 2, 2, 2'.replace('1,5', '1.5'));
+    await knots.press('Enter');
+    await page.waitForFunction(() => window.karcherPage.state().document.settings.knots);
+    assert.deepEqual((await tab.state()).document.settings.knots, [0, 0, 0, 0, 1.5, 2, 2, 2, 2]);
+    const { polyline } = await tab.view();
+    const points = placesOf((await tab.state()).document.points, await tab.mesh());
+    const { meanEdge } = (await tab.mesh()).info;
+    assert.ok(far(ends(polyline)[0], points[0]) <= 0.05 * meanEdge, 'it reaches its ends');
+    await knots.fill('');
+    await knots.press('Enter');
+    assert.deepEqual((await tab.view()).polyline, before.polyline, 'without any they are even');
+    await page.locator('#stage').focus();
+    await page.keyboard.press('Control+z');
+    assert.deepEqual((await tab.view()).polyline, polyline);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  test('as many samples as a tolerance takes, and marks evenly along the curve', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click(...places);
+    await page.locator('#fine summary').click();
+    await page.locator('#sampling').selectOption('tolerance');
+    const fine = (await tab.view()).curve;
+    assert.notEqual(fine.samples.count, 256);
+    const tolerance = page.locator('#tolerance');
+    assert.equal(await tolerance.inputValue(), '0.0001');
+    await tolerance.fill('1e-2');
+    await tolerance.press('Enter');
+    const coarse = (await tab.view()).curve;
+    assert.ok(coarse.samples.count < fine.samples.count);
+    await tab.dragHandle('Control point 2 of 5', 10, -10);
+    assert.ok((await tab.view()).curve.samples.count < 256, 'after a drag too');
+
+    await page.locator('#marks').fill('5');
+    await page.locator('#marks').press('Enter');
+    const { curve } = await tab.view();
+    const position = Object.values(curve.marks.position);
+    assert.equal(position.length, 15);
+    await page.waitForFunction(() => location.hash.includes('tolerance=0.01&marks=5'));
+    const { text } = await tab.save('OBJ');
+    assert.match(text, /\np( \d+){5}\n$/);
+    const content = JSON.parse((await tab.save('JSON')).text);
+    assert.deepEqual(
+      content.marks.flatMap((mark) => mark.position),
+      position,
+    );
+    assert.equal((await tab.save('SVG')).text.match(/r="4"/g).length, 5);
+    await page.reload();
+    assert.deepEqual(Object.values((await tab.view()).curve.marks.position).length, 15);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   test('are run backwards', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);

@@ -18,6 +18,9 @@ const settings = {
   clamped: false,
   knots: null,
   parametrization: 'centripetal',
+  samples: 128,
+  tolerance: null,
+  marks: 0,
 };
 const document = {
   kind: 'bspline',
@@ -201,10 +204,14 @@ describe('links', () => {
       circle,
       circleForm: { type: 'linear', arcs: 24 },
       others: [
-        { kind: 'polyline', settings: { ...settings, closed: true }, points: document.points },
+        {
+          kind: 'polyline',
+          settings: { ...settings, closed: true, tolerance: 1e-5 },
+          points: document.points,
+        },
         {
           kind: 'catmullrom',
-          settings: { ...settings, parametrization: 'uniform' },
+          settings: { ...settings, parametrization: 'uniform', samples: 64, marks: 9 },
           points: [point(7), { ...point(8), weight: 2, beta: 3 }],
         },
       ],
@@ -248,6 +255,9 @@ describe('links', () => {
     const knots = (fields) => link.parseLink(`#mesh=torus:9&${fields}`).document.settings.knots;
     assert.deepEqual(knots('degree=1&knots=0,1,2,4&points=1,0,0;2,0,0'), [0, 1, 2, 4]);
     assert.equal(knots('degree=1&knots=0,1,2&points=1,0,0;2,0,0'), null, 'one too few');
+    for (const fields of ['samples=1', 'samples=2.5', 'tolerance=0', 'tolerance=x', 'marks=1e9']) {
+      assert.deepEqual(link.parseLink(`#mesh=torus:9&${fields}`).document.settings, settings);
+    }
     assert.deepEqual(form('circletype=round&arcs=2'), document.circleForm);
     assert.deepEqual(form('circletype=exact&arcs=25'), { type: 'exact', arcs: 7 });
     for (const across of ['', ';', ';-1', ';0', ';wide', ';1,2']) {

@@ -75,6 +75,10 @@ describe('sequences of edits', () => {
       clamped: () => editor.setSettings({ clamped: !settings().clamped, knots: null }),
       spacing: () =>
         editor.setSettings({ parametrization: random() < 0.5 ? 'uniform' : 'centripetal' }),
+      sampling: () => {
+        const [samples, tolerance] = [2 + below(200), random() < 0.5 ? 1e-3 : null];
+        editor.setSettings({ samples, tolerance, marks: below(5) * 3 });
+      },
       reorder: () => {
         const { points } = editor.state.document;
         if (points.length > 0) editor.select(below(points.length));

@@ -34,8 +34,6 @@ export function polylinesOf({ curve, isolines }: Shown): Float32Array[] {
   return isolines?.lines.map(({ polyline }) => polyline) ?? [];
 }
 
-const samplesPerSegment = 128;
-
 /** A draft has a better answer to follow, by other options. */
 export function compute(
   client: EngineClient,
@@ -47,7 +45,10 @@ export function compute(
   if (document.points.length < pointsNeeded(document)) return Promise.resolve(nothing);
   const spline = splineOf(document);
   if (!spline) return computeCenter(client, document, options);
-  return client.curve(curveOptions(spline, options)).then((curve) => ({ ...nothing, curve }));
+  const { marks } = spline.settings;
+  return client
+    .curve(curveOptions(spline, options), { keep: true, marks })
+    .then((curve) => ({ ...nothing, curve }));
 }
 
 /** A spline as the engine takes it: with what its kind has a use for. */
@@ -55,7 +56,7 @@ export function curveOptions(
   { kind, points, settings }: Spline,
   options: FieldOptions,
 ): CurveOptions {
-  const { closed, degree, clamped, knots, parametrization } = settings;
+  const { closed, degree, clamped, knots, parametrization, samples, tolerance } = settings;
   const rule = clamped && !closed ? 'clamped' : 'uniform';
   const parameter = parameterOf(kind);
   const numbers = points.map((point) => (parameter && point[parameter]) ?? 1);
@@ -64,7 +65,7 @@ export function curveOptions(
     ...options,
     kind,
     points: points.map(({ face, bary }) => ({ face, bary })),
-    samples: samplesPerSegment,
+    ...(tolerance === null ? { samples } : { tolerance }),
     closed,
     ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
     ...(kind === 'catmullrom' && { parametrization }),

@@ -58,6 +58,20 @@ export class CurveEdits {
     });
   }
 
+  /** Gives a B-spline knots; resolves with the engine's sentence where these can be none of its. */
+  async setKnots(knots: readonly number[]): Promise<string | null> {
+    let problem: string | null = null;
+    await this.#inOrder(async () => {
+      const { document, revision } = this.editor.state;
+      const spline = splineOf(document);
+      if (!spline) return;
+      const settings = { ...spline.settings, clamped: false, knots };
+      problem = await this.session.problemWith({ ...spline, settings });
+      if (!problem && this.editor.state.revision === revision) this.editor.setSettings(settings);
+    });
+    return problem;
+  }
+
   undo(): Promise<void> {
     return this.#inOrder(async () => this.editor.undo());
   }

@@ -59,6 +59,12 @@ export interface CurveSettings {
   readonly knots: readonly number[] | null;
   /** Of a Catmull-Rom curve. */
   readonly parametrization: Parametrization;
+  /** A segment, where there is no tolerance. */
+  readonly samples: number;
+  /** By how much of the surface's size a curve may miss itself between samples, as many as it takes. */
+  readonly tolerance: number | null;
+  /** How many points are marked evenly along the curve. */
+  readonly marks: number;
 }
 
 /** A curve with control points. */
@@ -98,7 +104,16 @@ export const defaultSettings: CurveSettings = {
   clamped: false,
   knots: null,
   parametrization: 'centripetal',
+  samples: 128,
+  tolerance: null,
+  marks: 0,
 };
+
+/** What the numbers of the settings lie between. */
+export const samplesRange = { least: 2, most: 5000 };
+export const toleranceRange = { least: 1e-6, most: 0.1 };
+/** One alone would be no even spacing. */
+export const marksRange = { least: 2, most: 1000 };
 
 export const fewestArcs = 3;
 export const mostArcs = 24;

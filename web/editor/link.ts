@@ -1,7 +1,7 @@
 /**
  * A document as a link's fragment:
  * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
- * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`. Weights and betas of 1 and other
+ * `&samples=64&tolerance=0.001&marks=9&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`. Weights and betas of 1 and other
  * defaults go without saying.
  */
 import type { SurfacePoint } from 'karcher';
@@ -17,9 +17,12 @@ import {
   emptyDocument,
   fewestArcs,
   kinds,
+  marksRange,
   mostArcs,
   type Rim,
+  samplesRange,
   surfacePoint,
+  toleranceRange,
   type Vector,
   withFittingKnots,
   withParameter,
@@ -95,6 +98,9 @@ function settingsFields(settings: CurveSettings): string[] {
   if (settings.parametrization !== defaultSettings.parametrization) {
     parts.push(`parametrization=${settings.parametrization}`);
   }
+  if (settings.samples !== defaultSettings.samples) parts.push(`samples=${settings.samples}`);
+  if (settings.tolerance !== null) parts.push(`tolerance=${settings.tolerance}`);
+  if (settings.marks > 0) parts.push(`marks=${settings.marks}`);
   return parts;
 }
 
@@ -184,6 +190,11 @@ function parseParameter(text: string): number {
 function parseSettings(fields: URLSearchParams): CurveSettings {
   const degree = Number(fields.get('degree'));
   const knots = fields.get('knots') ?? '';
+  const within = (name: string, { least, most }: { least: number; most: number }) => {
+    const [value] = parseNumbers(fields.get(name) ?? '', 1) ?? [0];
+    return value! >= least && value! <= most ? value! : null;
+  };
+  const whole = (value: number | null) => (Number.isInteger(value) ? value : null);
   return {
     closed: fields.get('closed') === '1',
     degree: [1, 2, 3, 4, 5].includes(degree) ? degree : defaultSettings.degree,
@@ -191,6 +202,9 @@ function parseSettings(fields: URLSearchParams): CurveSettings {
     knots: parseNumbers(knots, knots.split(',').length),
     parametrization:
       fields.get('parametrization') === 'uniform' ? 'uniform' : defaultSettings.parametrization,
+    samples: whole(within('samples', samplesRange)) ?? defaultSettings.samples,
+    tolerance: within('tolerance', toleranceRange),
+    marks: whole(within('marks', marksRange)) ?? 0,
   };
 }
 

@@ -1,9 +1,10 @@
 import type { CurveOptions } from 'karcher';
 import type { EngineClient } from '../worker/client';
 import { Newest } from '../worker/newest';
+import type { TracedCurve } from '../worker/protocol';
 import type { Reshape } from '../worker/reshape';
 import { compute, curveOptions, messageOf, nothing, type Shown, shiftOf } from './compute';
-import { isRound, pointsNeeded, type Spline } from './document';
+import { type CurveDocument, isRound, pointsNeeded, type Spline } from './document';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { type MethodId, methodOptions, type Quality, qualityOf, refinedOptions } from './methods';
@@ -44,6 +45,12 @@ const emptyView: View = {
   polygonOnly: false,
 };
 
+/** Whether a curve by tolerance has more samples than it would have by their number. */
+function moreThanFixed({ settings }: Spline, { samples }: TracedCurve): boolean {
+  const segments = (samples.segment.at(-1) ?? 0) + 1;
+  return settings.tolerance !== null && samples.count > settings.samples * segments;
+}
+
 /** How good the first answer is; an exact isoline is exact by any method. */
 function qualityShown({ curve, isolines, center }: Shown, method: MethodId): Quality | null {
   if (isolines?.exact) return 'exact';
@@ -60,6 +67,10 @@ export class Session {
   #view: View = emptyView;
   /** The newest state that was given to the engine. */
   #asked: State | null = null;
+  /** Of a curve by tolerance, whether a fixed number of samples were fewer. */
+  #manySamples = false;
+  /** Whether what is shown has a fixed number instead, for the time of a drag. */
+  #coarse = false;
   readonly #legs = new Legs();
   readonly #others = new Others();
   readonly #refinement = new Refinement<Shown>();
@@ -108,10 +119,22 @@ export class Session {
       this.#asked = state;
       this.#refinement.drop();
       this.#newest.push(state);
-    } else if (!this.#newest.busy) {
+    } else if (this.#coarse && !state.dragging) this.#newest.push(state);
+    else if (!this.#newest.busy) {
       // A drag has ended: what it left is already traced.
       this.#refine();
     }
+  }
+
+  /**
+   * The problem with a spline that is not shown, as a sentence; null where there is none. What is
+   * shown stays.
+   */
+  async problemWith(spline: Spline): Promise<string | null> {
+    const [client, state] = [this.#client, this.#state];
+    if (!client || !state) return null;
+    const options = curveOptions(spline, methodOptions(state.method));
+    return client.curve(options, { keep: false }).then(() => null, messageOf);
   }
 
   /**
@@ -161,7 +184,9 @@ export class Session {
   async #trace(state: State): Promise<void> {
     const client = this.#client;
     if (!client || client.closed) return;
-    const { document, method, revision } = state;
+    const { method, revision } = state;
+    const { document, coarse } = this.#asTraced(state);
+    this.#coarse = coarse;
     this.onBusy(true);
     try {
       const draft = refinedOptions(method) !== null;
@@ -171,7 +196,8 @@ export class Session {
       });
       if (!this.#current(client, state)) return;
       const spline = splineOf(document);
-      if (spline && shown.curve) {
+      if (spline && shown.curve && !coarse) {
+        this.#manySamples = moreThanFixed(spline, shown.curve);
         this.#others.keep(curveOptions(spline, methodOptions(method)), shown.curve.polyline);
       }
       const quality = qualityShown(shown, method);
@@ -182,6 +208,14 @@ export class Session {
     } finally {
       this.onBusy(false);
     }
+  }
+
+  /** While something is dragged, fewer samples than a tolerance takes will do. */
+  #asTraced({ document, dragging }: State): { document: CurveDocument; coarse: boolean } {
+    const { settings } = document;
+    const coarse = dragging && this.#manySamples && settings.tolerance !== null;
+    if (!coarse) return { document, coarse };
+    return { document: { ...document, settings: { ...settings, tolerance: null } }, coarse };
   }
 
   /** Asks for the exact form of what is shown, where it is a draft and nothing is dragged. */

@@ -1,4 +1,5 @@
 /** What the page makes, as text for other programs. */
+import type { CurvePoints } from 'karcher';
 import { isRound } from '../editor/document';
 import type { State } from '../editor/editor';
 import { formatLink, type Link, parseLink } from '../editor/link';
@@ -16,18 +17,27 @@ export function shortest(value: number): string {
   return `${Number(value.toPrecision(9))}`;
 }
 
-/** Polylines (x, y, z each) as an OBJ file: vertices, and a line element for each. */
-export function objOf(polylines: readonly Float32Array[], title: string): string {
+/**
+ * Polylines (x, y, z each) as an OBJ file: vertices, and a line element for each; then points that
+ * are marked, in a point element.
+ */
+export function objOf(
+  polylines: readonly Float32Array[],
+  marks: ArrayLike<number>,
+  title: string,
+): string {
   const lines = [`# ${title}`];
   let first = 1;
-  for (const polyline of polylines) {
-    for (let i = 0; i < polyline.length; i += 3) {
-      lines.push(`v ${[0, 1, 2].map((axis) => shortest(polyline[i + axis]!)).join(' ')}`);
+  const add = (element: 'l' | 'p', places: ArrayLike<number>) => {
+    for (let i = 0; i < places.length; i += 3) {
+      lines.push(`v ${[0, 1, 2].map((axis) => shortest(places[i + axis]!)).join(' ')}`);
     }
-    const count = polyline.length / 3;
-    lines.push(`l ${Array.from({ length: count }, (_, i) => first + i).join(' ')}`);
+    const count = places.length / 3;
+    lines.push(`${element} ${Array.from({ length: count }, (_, i) => first + i).join(' ')}`);
     first += count;
-  }
+  };
+  for (const polyline of polylines) add('l', polyline);
+  if (marks.length > 0) add('p', marks);
   return `${lines.join('\n')}\n`;
 }
 
@@ -48,6 +58,7 @@ export function jsonOf(state: State, view: View): string {
     center: view.center ?? undefined,
     length: (curve ?? isolines)?.length,
     samples: curve && samplesOf(curve),
+    marks: curve?.marks ? marksOf(curve.marks) : undefined,
     lost: curve?.lost,
     polyline: curve && coordinatesOf(curve.polyline),
     lines: isolines?.lines.map(({ polyline, ...line }) => ({
@@ -65,9 +76,19 @@ const radiiOf = ({ circle }: View) =>
 const coordinatesOf = (polyline: Float32Array) =>
   Array.from(polyline, (value) => Number(shortest(value)));
 
+const three = (values: Float64Array, i: number) => Array.from(values.subarray(3 * i, 3 * i + 3));
+
+function marksOf({ parameter, face, bary, position }: CurvePoints) {
+  return Array.from(parameter, (at, i) => ({
+    parameter: at,
+    face: face[i]!,
+    bary: three(bary, i),
+    position: three(position, i),
+  }));
+}
+
 function samplesOf({ samples, lost }: TracedCurve) {
   const { count, segment, t, face, bary, position } = samples;
-  const three = (values: Float64Array, i: number) => Array.from(values.subarray(3 * i, 3 * i + 3));
   return Array.from({ length: count }, (_, i) => ({
     segment: segment[i]!,
     t: t[i]!,

@@ -16,15 +16,16 @@ export interface Drawing {
   width: number;
   height: number;
   lines: DrawnLine[];
-  points: { x: number; y: number; color: string }[];
+  points: { x: number; y: number; color: string; filled?: boolean }[];
 }
 
 /** The curve as it is seen, as an SVG file; what the surface hides is faint. */
 export function svgOf({ width, height, lines, points }: Drawing): string {
   const paths = lines.flatMap(pathsOf);
-  const dots = points.map(
-    ({ x, y, color }) =>
-      `<circle cx="${short(x)}" cy="${short(y)}" r="4.5" fill="#fff" stroke="${color}" stroke-width="2.5"/>`,
+  const dots = points.map(({ x, y, color, filled }) =>
+    filled
+      ? `<circle cx="${short(x)}" cy="${short(y)}" r="4" fill="${color}"/>`
+      : `<circle cx="${short(x)}" cy="${short(y)}" r="4.5" fill="#fff" stroke="${color}" stroke-width="2.5"/>`,
   );
   const [w, h] = [Math.round(width), Math.round(height)];
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${w} ${h}" width="${w}" height="${h}">

@@ -5,6 +5,7 @@ import { type MethodId, methods } from '../editor/methods';
 import type { View } from '../editor/session';
 import { CircleSettings } from './circle_settings';
 import { byId, make } from './elements';
+import { FineSettings } from './fine_settings';
 import { PointRows } from './point_rows';
 import { kindNames, kindNotes, SettingsPanel } from './settings_panel';
 
@@ -23,6 +24,7 @@ export class CurvePanel {
   readonly #kinds = kinds.map(makeKind);
   readonly #settings: SettingsPanel;
   readonly #circle: CircleSettings;
+  readonly #fine: FineSettings;
 
   constructor(
     private readonly editor: Editor,
@@ -32,6 +34,7 @@ export class CurvePanel {
     this.#rows = new PointRows(editor);
     this.#settings = new SettingsPanel(editor, edits);
     this.#circle = new CircleSettings(editor);
+    this.#fine = new FineSettings(editor, edits);
     for (const input of this.#kinds) {
       input.addEventListener('change', () => editor.setKind(input.value as Kind));
     }
@@ -58,6 +61,7 @@ export class CurvePanel {
     this.#rows.show(state, view);
     this.#settings.show(state);
     this.#circle.show(state, view);
+    this.#fine.show(state, view);
   }
 }
 

@@ -54,7 +54,7 @@ export class SaveMenu {
     const surface = meshLabel(state.mesh).replace(/\.obj$/i, '');
     const title = `${state.document.kind} on ${surface}`;
     const text = {
-      obj: () => objOf(this.#polylines, title),
+      obj: () => objOf(this.#polylines, this.#marks, title),
       svg: () => this.#drawing(),
       json: () => jsonOf(state, this.session.view),
     }[format]();
@@ -68,6 +68,11 @@ export class SaveMenu {
   get #polylines(): Float32Array[] {
     const { view } = this.session;
     return [...polylinesOf(view), ...view.others.filter((line) => line !== null)];
+  }
+
+  /** Points that are marked along the edited curve: x, y, z each. */
+  get #marks(): ArrayLike<number> {
+    return this.session.view.curve?.marks?.position ?? [];
   }
 
   /** A center of mass is no polyline. */
@@ -113,7 +118,9 @@ export class SaveMenu {
       ...viewer.project(viewer.surface!.position(point)),
       color,
     });
-    const dots = handles.map((point) => dot(point, colors.curve));
+    const { x, y } = viewer.seen(Float32Array.from(this.#marks));
+    const marks = x.map((at, i) => ({ x: at, y: y[i]!, color: colors.marks, filled: true }));
+    const dots = [...marks, ...handles.map((point) => dot(point, colors.curve))];
     if (center) dots.push(dot(center.point, colors.center));
     return svgOf({ ...viewer.size, lines, points: dots });
   }

@@ -49,6 +49,7 @@ export function sceneColors(): ViewerColors {
     curve: read('curve'),
     lost: read('curve-lost'),
     polygon: read('polygon'),
+    marks: read('ink'),
     center: read('center'),
   };
   probe.remove();

@@ -94,7 +94,7 @@ export class Tools {
     // What is typed and not yet taken is the field's, its own undo included.
     if (element?.matches('[data-edited]')) return;
     const typing =
-      element?.closest('select, input[type="text"]') ??
+      element?.closest('select, input[type="text"], textarea') ??
       (key === 'home' && element?.closest('input'));
     if (event.ctrlKey || event.metaKey) {
       if (key === 'z' && event.shiftKey) this.edits.redo();

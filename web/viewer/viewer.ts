@@ -15,6 +15,7 @@ export interface ViewerColors {
   curve: string;
   lost: string;
   polygon: string;
+  marks: string;
   center: string;
 }
 
@@ -32,7 +33,11 @@ export class Viewer {
   readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
   readonly #sketch = new FatLine({ width: 2.5, dashed: true, hidden: 0.25 }, 2);
   readonly #beside = new FatLine({ width: 2.5, hidden: 0.2 }, 2);
-  readonly #lines = [this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside];
+  readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
+  readonly #lines = [
+    ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
+    this.#marks,
+  ];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
   /** The curve that is shown, in the scene. */
@@ -93,6 +98,7 @@ export class Viewer {
     this.#scene.add(this.#surface.object);
     this.showCurve(null);
     this.showPolygon([], false);
+    this.showMarks([]);
     this.showOthers([]);
     return this.#surface;
   }
@@ -105,6 +111,7 @@ export class Viewer {
     this.#polygon.setColor(new Color(colors.polygon), surface);
     this.#sketch.setColor(new Color(colors.curve), surface);
     this.#beside.setColor(new Color(colors.curve).lerp(surface, 0.35), surface);
+    this.#marks.setColor(new Color(colors.marks), surface);
     this.requestFrame();
   }
 
@@ -141,6 +148,18 @@ export class Viewer {
     this.#line = new Float32Array();
     this.#curve.set(surface ? lines.map((line) => surface.toScene(line)) : []);
     this.#lost.clear();
+    this.requestFrame();
+  }
+
+  /** Marks points of the curve: x, y, z each, in the surface's coordinates. */
+  showMarks(places: ArrayLike<number>): void {
+    const points = this.#surface?.toScene(Float32Array.from(places)) ?? new Float32Array();
+    // The round ends of a line so short are a dot.
+    const dots = Array.from({ length: points.length / 3 }, (_, i) => {
+      const [x, y, z] = points.subarray(3 * i, 3 * i + 3);
+      return Float32Array.of(x!, y!, z!, x! + 1e-4, y!, z!);
+    });
+    this.#marks.set(dots);
     this.requestFrame();
   }
 

@@ -16,6 +16,7 @@ import type { MeshSource } from '../editor/meshes';
 import type {
   CallName,
   Calls,
+  CurveWork,
   LoadedMesh,
   Reply,
   Request,
@@ -99,7 +100,7 @@ export class EngineClient {
     return this.#call('prepare', [options], work);
   }
 
-  curve(options: CurveOptions, work?: { keep: boolean }): Promise<TracedCurve> {
+  curve(options: CurveOptions, work?: CurveWork): Promise<TracedCurve> {
     return this.#call('curve', [options, work]);
   }
 

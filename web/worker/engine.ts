@@ -44,7 +44,7 @@ const handlers: Handlers = {
     return { result: undefined };
   },
 
-  curve(_, options, { keep } = { keep: true }) {
+  curve(_, options, { keep, marks = 0 } = { keep: true }) {
     const started = performance.now();
     const traced = keep ? retrace(options) : theMesh().curve(options);
     const polyline = traced.polyline.slice();
@@ -53,6 +53,8 @@ const handlers: Handlers = {
       polyline,
       polylineStatus,
       ...drawnSamples(traced),
+      knots: traced.knots,
+      marks: marks > 0 ? traced.equallySpaced(marks) : null,
       arcsNotShortest: 0,
       length: traced.length,
       milliseconds: performance.now() - started,
@@ -122,6 +124,8 @@ function tracedArcs(trace: () => Circle): Answer<TracedCurve> {
     polyline: polyline.slice(),
     polylineStatus: statusAlong(path.polyline, samples),
     ...drawnSamples(circle),
+    knots: new Float64Array(),
+    marks: null,
     arcsNotShortest: notShortest.length,
     length,
     milliseconds: performance.now() - started,

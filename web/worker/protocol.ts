@@ -4,6 +4,7 @@ import type {
   CenterOptions,
   CircleOptions,
   CurveOptions,
+  CurvePoints,
   CurveSamples,
   EllipseOptions,
   ErrorCode,
@@ -31,6 +32,10 @@ export interface TracedCurve {
   polylineStatus: Uint8Array;
   /** Without the statuses: `lost` has those. */
   samples: Omit<CurveSamples, 'status'>;
+  /** A B-spline's knots, also where they follow a rule; of other curves none. */
+  knots: Float64Array;
+  /** Points with the same length of curve between them, as many as were asked for. */
+  marks: CurvePoints | null;
   /** Where the curve is no center of mass: it is bridged there, by subdivision. */
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */
@@ -61,12 +66,18 @@ export interface TracedStraightestPath {
 
 type Vector = [number, number, number];
 
+export interface CurveWork {
+  keep: boolean;
+  /** How many points to mark along it. */
+  marks?: number;
+}
+
 /** What can be asked of the worker; the names and arguments are the engine's own. */
 export interface Calls {
   load(source: MeshSource): LoadedMesh;
   prepare(options: FieldOptions): void;
   /** The curve that is edited, by its smallest change; or one that is traced and not kept. */
-  curve(options: CurveOptions, work?: { keep: boolean }): TracedCurve;
+  curve(options: CurveOptions, work?: CurveWork): TracedCurve;
   /**
    * A B-spline's knots after an edit, which makes it one of other points, or closes or opens it; it
    * is then the curve that is edited.

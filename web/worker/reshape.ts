@@ -48,7 +48,7 @@ export function reshaped(mesh: Mesh, curve: Curve, options: CurveOptions, edit: 
 
 /** What a curve is; what it has no word for is as it was before. */
 function optionsOf(curve: Curve, before: CurveOptions): CurveOptions {
-  const { method, solver, rings, samples, parametrization } = before;
+  const { method, solver, rings, samples, tolerance, parametrization } = before;
   const { kind, closed, points } = curve;
   const own = before.knots !== undefined && typeof before.knots !== 'string';
   const numbers = (values: Float64Array) =>
@@ -56,7 +56,8 @@ function optionsOf(curve: Curve, before: CurveOptions): CurveOptions {
   const weights = kind === 'bspline' || kind === 'rational' ? numbers(curve.weights) : undefined;
   const betas = kind === 'barycentric' ? numbers(curve.betas) : undefined;
   return {
-    ...{ method, solver, rings, samples, kind, closed, points },
+    ...{ method, solver, rings, kind, closed, points },
+    ...(tolerance === undefined ? { samples } : { tolerance }),
     ...(kind === 'bspline' && { degree: curve.degree }),
     ...(kind === 'bspline' && { knots: own ? Array.from(curve.knots) : before.knots }),
     ...(kind === 'catmullrom' && { parametrization }),

@@ -1,0 +1,145 @@
+import type { CurveEdits } from '../editor/curve_edits';
+import {
+  defaultSettings,
+  isSpline,
+  marksRange,
+  samplesRange,
+  toleranceRange,
+} from '../editor/document';
+import type { Editor, State } from '../editor/editor';
+import type { View } from '../editor/session';
+import { byId } from './elements';
+import { sentenceOf } from './messages';
+import { NumberField, positiveNumber, wholeNumbers } from './number_field';
+
+/** The tolerance that is offered first, as a part of the surface's size. */
+const firstTolerance = 1e-4;
+
+/** How finely a curve is made: its samples, the marks along it, a B-spline's knots. */
+export class FineSettings {
+  readonly #group = byId('fine');
+  readonly #sampling = byId<HTMLSelectElement>('sampling');
+  readonly #samples: NumberField;
+  readonly #tolerance: NumberField;
+  readonly #marks: NumberField;
+  readonly #knots: KnotsField;
+
+  constructor(editor: Editor, edits: CurveEdits) {
+    this.#sampling.addEventListener('change', () => {
+      const byTolerance = this.#sampling.value === 'tolerance';
+      editor.setSettings({ tolerance: byTolerance ? firstTolerance : null });
+    });
+    this.#samples = new NumberField(
+      byId<HTMLInputElement>('samples'),
+      (samples) => editor.setSettings({ samples }),
+      wholeNumbers(samplesRange),
+    );
+    this.#tolerance = new NumberField(
+      byId<HTMLInputElement>('tolerance'),
+      (tolerance) => editor.setSettings({ tolerance }),
+      {
+        read(text) {
+          const value = positiveNumber(text);
+          const { least, most } = toleranceRange;
+          return value && Math.min(most, Math.max(least, value));
+        },
+        write: (value) => `${value}`,
+      },
+    );
+    this.#marks = new NumberField(
+      byId<HTMLInputElement>('marks'),
+      (marks) => editor.setSettings({ marks: marks < marksRange.least ? 0 : marks }),
+      wholeNumbers({ least: 0, most: marksRange.most }),
+    );
+    this.#knots = new KnotsField(editor, edits);
+  }
+
+  show({ document }: State, { curve }: View): void {
+    const { kind, settings } = document;
+    this.#group.hidden = !isSpline(kind);
+    const { samples, tolerance, marks } = settings;
+    this.#sampling.value = tolerance === null ? 'number' : 'tolerance';
+    byId('samples').hidden = tolerance !== null;
+    byId('tolerance').hidden = tolerance === null;
+    this.#samples.show(samples);
+    this.#tolerance.show(tolerance ?? defaultSettings.tolerance);
+    this.#marks.show(marks);
+    const knots = settings.knots ?? Array.from(curve?.knots ?? []);
+    this.#knots.show(kind === 'bspline' ? knots : null);
+  }
+}
+
+/** A knot as it is shown; where it is left as it is, its own digits stay. */
+const shown = (knot: number) => `${Number(knot.toPrecision(6))}`;
+
+/**
+ * A B-spline's knots as a list. It is taken when it is left or with Enter; empty, the knots are even
+ * again. What can be no knots stays to be mended, with the engine's sentence; Escape takes it back.
+ */
+class KnotsField {
+  readonly #text = byId<HTMLTextAreaElement>('knots');
+  readonly #problem = byId('knots-problem');
+  #knots: readonly number[] = [];
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly edits: CurveEdits,
+  ) {
+    this.#text.addEventListener('input', () => {
+      this.#text.dataset.edited = '';
+    });
+    this.#text.addEventListener('change', () => this.#take());
+    this.#text.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' && event.key !== 'Escape') return;
+      event.preventDefault();
+      if (event.key === 'Enter') void this.#take();
+      else this.#restore();
+    });
+  }
+
+  /** Null where there are none to show. */
+  show(knots: readonly number[] | null): void {
+    byId('knots-field').hidden = !knots;
+    if (!knots) this.#restore();
+    this.#knots = knots ?? [];
+    this.#text.disabled = this.#knots.length === 0;
+    if (!('edited' in this.#text.dataset)) this.#restore();
+  }
+
+  get #whole(): string {
+    return this.#knots.map(shown).join(', ');
+  }
+
+  async #take(): Promise<void> {
+    if (!('edited' in this.#text.dataset)) return;
+    const words = this.#text.value.split(/[\s,;]+/).filter((word) => word !== '');
+    if (words.join(', ') === this.#whole) {
+      this.#restore();
+      return;
+    }
+    if (words.length === 0) {
+      this.#restore();
+      this.editor.setSettings({ knots: null });
+      return;
+    }
+    const known = new Map(this.#knots.map((knot) => [shown(knot), knot]));
+    const numbers = words.map((word) => known.get(word) ?? Number(word));
+    const wrong = words.find((_, i) => !Number.isFinite(numbers[i]));
+    const problem = wrong ? `'${wrong}' is not a number` : await this.edits.setKnots(numbers);
+    if (problem) this.#tell(sentenceOf(problem));
+    else this.#restore();
+  }
+
+  #tell(problem: string): void {
+    this.#problem.textContent = problem;
+    this.#problem.hidden = problem === '';
+    this.#text.setAttribute('aria-invalid', `${problem !== ''}`);
+    if (problem) this.#problem.scrollIntoView({ block: 'nearest' });
+  }
+
+  #restore(): void {
+    delete this.#text.dataset.edited;
+    this.#tell('');
+    if (this.#text.value !== this.#whole) this.#text.value = this.#whole;
+  }
+}
