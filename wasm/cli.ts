@@ -6,6 +6,7 @@ import { circle, ellipse } from './cli/circle.js';
 import type { Command } from './cli/command.js';
 import { compare } from './cli/compare.js';
 import { distance } from './cli/distance.js';
+import { edit } from './cli/edit.js';
 import { UsageError } from './cli/errors.js';
 import { commandHelp, generalHelp } from './cli/help.js';
 import { info } from './cli/info.js';
@@ -20,6 +21,7 @@ const commands: readonly Command[] = [
   path,
   mean,
   trace,
+  edit,
   circle,
   ellipse,
   bench,

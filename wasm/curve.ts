@@ -27,6 +27,7 @@ import type {
   CurveTangent,
   CurveTimes,
   NearestOnCurve,
+  Parametrization,
   Path,
   PointLike,
   SurfacePoint,
@@ -141,6 +142,11 @@ export class Curve {
   /** A B-spline's knots; of other kinds none. */
   get knots(): Float64Array {
     return this.#shape.knots;
+  }
+
+  /** Of a Catmull-Rom curve. */
+  get parametrization(): Parametrization {
+    return this.#shape.centripetal ? 'centripetal' : 'uniform';
   }
 
   /** A weight a point, whether or not the kind has a use for them. */

@@ -19,6 +19,7 @@ test('help, of the program and of each command', () => {
     'path',
     'mean',
     'trace',
+    'edit',
     'circle',
     'ellipse',
     'bench',

@@ -32,6 +32,11 @@ export class Arguments {
     this.#values = values;
   }
 
+  /** The name of the command. */
+  get command(): string {
+    return this.#command.name;
+  }
+
   /** Whether a flag, or an option rather than its default, was given. */
   given(name: string): boolean {
     return this.#values.has(name);
@@ -90,9 +95,24 @@ export class Arguments {
     return parsePoint(this.text(name), `--${name}`);
   }
 
+  /** A point of the surface, or a place in space. */
+  place(name: string): PointLike | [number, number, number] {
+    const text = this.text(name);
+    if (text.includes(':')) return this.point(name);
+    const [x, y, z, ...more] = this.numbers(name);
+    if (x !== undefined && y !== undefined && z !== undefined && more.length === 0) {
+      return [x, y, z];
+    }
+    throw new UsageError(`--${name} must be a point or a place 'x,y,z', not '${text}'`);
+  }
+
   async points(): Promise<SurfacePoint[]> {
-    const path = this.text('points');
-    return parsePoints((await this.#read(path)).toString('utf8'), path);
+    return parsePoints(await this.file('points'), this.text('points'));
+  }
+
+  /** The text of the file that an option names. */
+  async file(name: string): Promise<string> {
+    return (await this.#read(this.text(name))).toString('utf8');
   }
 
   field(): FieldOptions {

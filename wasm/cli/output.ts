@@ -1,4 +1,4 @@
-import type { CurveSamples, Status } from '../types.js';
+import type { CurvePoints, CurveSamples, Status } from '../types.js';
 import { UsageError } from './errors.js';
 
 /** x, y, z, … as [x, y, z], …, one after the other. */
@@ -16,14 +16,26 @@ export interface SampleRecord {
   status: Status;
 }
 
+const triple = (flat: Float64Array, i: number): [number, number, number] => [
+  flat[3 * i]!,
+  flat[3 * i + 1]!,
+  flat[3 * i + 2]!,
+];
+
+/** Points of a curve as objects, one after the other. */
+export function* pointRecords({ parameter, face, bary, position }: CurvePoints) {
+  for (let i = 0; i < parameter.length; i++) {
+    yield {
+      parameter: parameter[i]!,
+      point: { face: face[i]!, bary: triple(bary, i) },
+      position: triple(position, i),
+    };
+  }
+}
+
 /** Samples as objects, one after the other. */
 export function* sampleRecords(samples: CurveSamples): Generator<SampleRecord> {
   const { bary, position, status } = samples;
-  const triple = (flat: Float64Array, i: number): [number, number, number] => [
-    flat[3 * i]!,
-    flat[3 * i + 1]!,
-    flat[3 * i + 2]!,
-  ];
   for (let i = 0; i < samples.count; i++) {
     yield {
       segment: samples.segment[i]!,

@@ -1,39 +1,20 @@
+import type { Curve } from '../curve.js';
 import { load } from '../load.js';
-import type { CurveGeometry, CurveKind, CurveOptions, Parametrization } from '../types.js';
+import type { Mesh } from '../mesh.js';
+import type { CurveGeometry, CurveOptions } from '../types.js';
 import type { Arguments } from './arguments.js';
-import { type Command, fieldOptions, formatOption, pointsOption } from './command.js';
+import { type Command, fieldOptions, formatOption } from './command.js';
+import { curveOptions, readCurve } from './curve_arguments.js';
 import { UsageError } from './errors.js';
-import { sampleRecords, triples } from './output.js';
+import { pointRecords, sampleRecords, triples } from './output.js';
 
 export const trace: Command = {
   name: 'trace',
   summary: 'a spline with control points',
   output:
-    '{samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, fields, trace, bridge, join}}',
+    '{samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, fields, trace, bridge, join}, at: [{parameter, point: {face, bary}, position, status, tangent: {inFace: changes of bary, inSpace}, length: from the start}, …] with --at, nearest: {parameter, point, position, status, distance} with --nearest, spaced: [{parameter, point, position}, …] with --spaced}',
   options: [
-    pointsOption,
-    {
-      name: 'kind',
-      value: 'bspline|bezier|rational|barycentric|catmullrom|polyline',
-      help: 'the kind of curve',
-      default: 'bspline',
-    },
-    { name: 'closed', help: 'a curve that ends where it starts' },
-    { name: 'degree', value: 'P', help: 'of a B-spline, 1 to 5', default: '3' },
-    { name: 'clamped', help: 'a B-spline from its first to its last point' },
-    {
-      name: 'knots',
-      value: 'u0,u1,…',
-      help: 'of a B-spline of n points: n + P + 1 knots, of a closed one n + 1',
-    },
-    { name: 'weights', value: 'w0,w1,…', help: 'a weight a point, of the kinds bspline, rational' },
-    { name: 'betas', value: 'b0,b1,…', help: 'a beta a point, of the kind barycentric' },
-    {
-      name: 'parametrization',
-      value: 'centripetal|uniform',
-      help: 'of the kind catmullrom',
-      default: 'centripetal',
-    },
+    ...curveOptions,
     {
       name: 'samples',
       value: 'N|adaptive',
@@ -52,13 +33,28 @@ export const trace: Command = {
       help: "what lies between the samples: geodesics, or the curve's own crossings of edges",
       default: 'geodesic',
     },
+    {
+      name: 'at',
+      value: 't1,t2,…',
+      help: 'the curve at these parameters, which run from 0 to the number of segments',
+    },
+    {
+      name: 'nearest',
+      value: 'PLACE',
+      help: "the curve's nearest point in space to a point, or to a place 'x,y,z'",
+    },
+    { name: 'spaced', value: 'N', help: 'N points with the same length of curve between them' },
     ...fieldOptions,
     formatOption,
   ],
   async run(args) {
-    const options = curveOptions(args);
+    const sampling = samplingOf(args);
     const field = args.field();
-    const points = await args.points();
+    if (args.choice('format') === 'obj') {
+      args.refuse(['at', 'nearest', 'spaced'], 'with --format obj');
+    }
+    const measures = measuresOf(args);
+    const record = await readCurve(args);
     const bytes = await args.meshBytes();
     const karcher = await load();
 
@@ -66,7 +62,7 @@ export const trace: Command = {
     const mesh = karcher.meshFromObj(bytes);
     await mesh.prepare(field);
     const prepare = performance.now() - start;
-    const curve = mesh.curve({ ...options, points, ...field });
+    const curve = mesh.curve({ ...record, ...sampling, ...field });
     const { length, polyline } = curve.path;
     return {
       json: {
@@ -75,30 +71,37 @@ export const trace: Command = {
         polyline: triples(polyline),
         length,
         ms: { prepare, ...curve.times },
+        ...measures(mesh, curve),
       },
       polylines: [polyline],
     };
   },
 };
 
-function curveOptions(args: Arguments): Omit<CurveOptions, 'points'> {
+function samplingOf(args: Arguments): Pick<CurveOptions, 'samples' | 'tolerance' | 'geometry'> {
   const adaptive = args.given('tolerance') || args.text('samples') === 'adaptive';
   if (args.given('tolerance') && args.given('samples') && args.text('samples') !== 'adaptive') {
     throw new UsageError('trace takes --samples or --tolerance, not both');
   }
-  if (args.given('knots') && args.given('clamped')) {
-    throw new UsageError('trace takes --knots or --clamped, not both');
-  }
   return {
-    kind: args.choice<CurveKind>('kind'),
-    closed: args.given('closed'),
-    ...args.whereGiven(['degree'], (name) => args.integer(name)),
-    ...(args.given('clamped') && { knots: 'clamped' as const }),
-    ...args.whereGiven(['knots', 'weights', 'betas'], (name) => args.numbers(name)),
-    ...args.whereGiven(['parametrization'], (name) => args.choice<Parametrization>(name)),
     geometry: args.choice<CurveGeometry>('geometry'),
     ...(adaptive
       ? { samples: 'adaptive' as const, tolerance: args.number('tolerance') }
       : { samples: args.integer('samples') }),
   };
+}
+
+/** Checks what is asked of the curve, before it is traced. */
+function measuresOf(args: Arguments): (mesh: Mesh, curve: Curve) => object {
+  const { at } = args.whereGiven(['at'], (name) => args.numbers(name));
+  const { nearest } = args.whereGiven(['nearest'], (name) => args.place(name));
+  const { spaced } = args.whereGiven(['spaced'], (name) => args.integer(name));
+  return (mesh, curve) => ({
+    at: at?.map((parameter) => {
+      const { inFace, inSpace, ...point } = curve.tangentAt(parameter);
+      return { ...point, tangent: { inFace, inSpace }, length: curve.lengthAt(parameter) };
+    }),
+    nearest: nearest && curve.nearest(Array.isArray(nearest) ? nearest : mesh.position(nearest)),
+    spaced: spaced === undefined ? undefined : pointRecords(curve.equallySpaced(spaced)),
+  });
 }

@@ -1,0 +1,204 @@
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { load } from 'karcher';
+import { grid } from './meshes.mjs';
+import { failure, printed, temporaryFolder } from './run_cli.mjs';
+
+const folder = temporaryFolder();
+after(() => folder.remove());
+
+const cells = 12;
+const meshFile = folder.write('grid.obj', grid(cells));
+const mesh = (await load()).meshFromObj(grid(cells));
+const places = [
+  [2 * (4 + cells * 4), 0, 0],
+  [2 * (8 + cells * 5), 0.25, 0.5],
+  [2 * (7 + cells * 8) + 1, 0.125, 0.25],
+  [2 * (4 + cells * 7), 0, 0],
+  [2 * (5 + cells * 4), 0.25, 0.25],
+];
+const linesOf = (some) => some.map((place) => `${place.join(' ')}\n`).join('');
+const pointsFile = folder.write('points.txt', linesOf(places));
+const points = places.map(([face, b1, b2]) => ({ face, bary: [1 - b1 - b2, b1, b2] }));
+const curveArgs = ['--points', pointsFile];
+
+let files = 0;
+const fileOf = (value) => folder.write(`curve${files++}.json`, JSON.stringify(value));
+const edited = (...args) => printed('edit', meshFile, ...args);
+const traced = (...args) => printed('trace', meshFile, '--samples', '9', ...args);
+
+/** JSON knows no -0. */
+const asJson = (value) => JSON.parse(JSON.stringify(value));
+
+/** Both run along the same places. */
+function expectSame({ samples }, curve) {
+  assert.equal(samples.length, curve.samples.count);
+  samples.forEach(({ position }, i) => {
+    position.forEach((value, k) => {
+      assert.ok(Math.abs(value - curve.samples.position[3 * i + k]) < 1e-9, `sample ${i}`);
+    });
+  });
+}
+
+test('trace --at, --nearest and --spaced measure the curve', () => {
+  const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
+  const { at, nearest, spaced } = traced(
+    ...curveArgs,
+    ...['--at', '0,0.3,1,2', '--nearest', '6,5,1', '--spaced', '4'],
+  );
+  assert.equal(at.length, 4);
+  [0, 0.3, 1, 2].forEach((parameter, i) => {
+    const { inFace, inSpace, ...point } = curve.tangentAt(parameter);
+    const length = curve.lengthAt(parameter);
+    assert.deepEqual(at[i], asJson({ ...point, tangent: { inFace, inSpace }, length }));
+  });
+  assert.equal(at[3].length, curve.length);
+  assert.deepEqual(nearest, asJson(curve.nearest([6, 5, 1])));
+  const { parameter, face, bary, position } = curve.equallySpaced(4);
+  assert.deepEqual(
+    spaced.map((one) => one.parameter),
+    Array.from(parameter),
+  );
+  assert.deepEqual(
+    spaced.map(({ point }) => point.face),
+    Array.from(face),
+  );
+  assert.deepEqual(
+    spaced.flatMap(({ point }) => point.bary),
+    Array.from(bary),
+  );
+  assert.deepEqual(
+    spaced.flatMap((one) => one.position),
+    Array.from(position),
+  );
+  const toVertex = traced(...curveArgs, '--nearest', 'v:58');
+  assert.deepEqual(toVertex.nearest, asJson(curve.nearest(mesh.position({ vertex: 58 }))));
+  const other = traced(...curveArgs, '--nearest', `${places[1][0]}:0.25,0.5`).nearest;
+  assert.deepEqual(other, asJson(curve.nearest(mesh.position(points[1]))));
+  const plain = Object.keys(traced(...curveArgs));
+  assert.deepEqual(plain, ['samples', 'bridged', 'polyline', 'length', 'ms']);
+});
+
+const edits = [
+  [['--insert-at', '0.5'], (curve) => curve.insertOnCurve(0.5)],
+  [
+    ['--move', `1=${places[3][0]}:0.5,0.25`],
+    (curve) => curve.movePoint(1, { face: places[3][0], bary: [0.25, 0.5, 0.25] }),
+  ],
+  [['--insert', '2=v:70'], (curve) => curve.insertPoint(2, { vertex: 70 })],
+  [['--remove', '4'], (curve) => curve.removePoint(4)],
+  [['--reorder', '0=3'], (curve) => curve.movePointInOrder(0, 3)],
+  [['--weight', '2=3.5'], (curve) => curve.setWeight(2, 3.5)],
+  [['--reverse'], (curve) => curve.reverse()],
+  [['--close'], (curve) => curve.setClosed(true)],
+  [['--to-kind', 'catmullrom'], (curve) => curve.setKind('catmullrom')],
+];
+
+test('edit prints a curve that trace reads', () => {
+  for (const [args, change] of edits) {
+    const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
+    const point = change(curve);
+    const result = edited(...curveArgs, ...args);
+    assert.equal(result.curves.length, 1);
+    assert.equal(result.point, point);
+    assert.equal(result.curves[0].kind, curve.kind);
+    expectSame(traced('--curve', fileOf(result)), curve);
+    // One curve of it is as good.
+    expectSame(traced('--curve', fileOf(result.curves[0])), curve);
+  }
+});
+
+test('every kind comes back, with all that it has', () => {
+  const kinds = [
+    [{ kind: 'bezier' }, []],
+    [{ kind: 'rational', weights: [1, 2, 3, 2, 1] }, ['--weights', '1,2,3,2,1']],
+    [{ kind: 'barycentric', betas: [1, 4, 6, 4, 1] }, ['--betas', '1,4,6,4,1']],
+    [{ kind: 'catmullrom', parametrization: 'uniform' }, ['--parametrization', 'uniform']],
+    [{ kind: 'polyline', closed: true }, ['--closed']],
+    [{ kind: 'bspline', degree: 2, knots: 'clamped' }, ['--degree', '2', '--clamped']],
+  ];
+  for (const [options, args] of kinds) {
+    const curve = mesh.curve({ points, samples: 9, ...options });
+    curve.insertOnCurve(0.5);
+    const all = [...curveArgs, '--kind', options.kind, ...args, '--insert-at', '0.5'];
+    expectSame(traced('--curve', fileOf(edited(...all))), curve);
+  }
+  const opened = edited(...curveArgs, '--kind', 'polyline', '--closed', '--open');
+  assert.equal(opened.curves[0].closed, false);
+  const beta = edited(...curveArgs, '--kind', 'barycentric', '--beta', '1=4');
+  assert.deepEqual(beta.curves[0].betas, [1, 4, 1, 1, 1]);
+});
+
+test('curves split and joined again', () => {
+  const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
+  const parts = edited(...curveArgs, '--split-at', '1.5');
+  assert.equal(parts.curves.length, 2);
+  const file = fileOf(parts);
+  curve.split(1.5).forEach((part, i) => {
+    expectSame(traced('--curve', file, '--number', `${i}`), part);
+  });
+  const joined = edited('--curve', file, '--number', '0', '--join', fileOf(parts.curves[1]));
+  const [first, second] = curve.split(1.5);
+  expectSame(traced('--curve', fileOf(joined)), first.join(second));
+
+  // A file of points makes a curve of the same kind.
+  const more = folder.write('more.txt', linesOf(places.toReversed()));
+  const clamped = { kind: 'bspline', degree: 2, knots: 'clamped', samples: 9 };
+  const both = edited(...curveArgs, '--degree', '2', '--clamped', '--join', more);
+  const expected = mesh
+    .curve({ ...clamped, points })
+    .join(mesh.curve({ ...clamped, points: points.toReversed() }));
+  expectSame(traced('--curve', fileOf(both)), expected);
+});
+
+test('curves and edits that cannot be: a sentence and status 1', () => {
+  const edit = (...args) => ['edit', meshFile, ...curveArgs, ...args];
+  const trace = (...args) => ['trace', meshFile, ...args];
+  const two = fileOf(edited(...curveArgs, '--split-at', '1'));
+  const { curves } = edited(...curveArgs, '--reverse');
+  const wrong = [
+    [edit(), /edit takes one of --insert-at, --split-at, .*--to-kind$/],
+    [edit('--reverse', '--close'), /edit takes one of .*, not two/],
+    [['edit', meshFile, '--reverse'], /edit needs --points FILE or --curve FILE/],
+    [trace(), /trace needs --points FILE or --curve FILE/],
+    [edit('--insert-at', 'x'), /--insert-at must be a number, not 'x'/],
+    [edit('--insert-at', '9'), /no parameter 9/],
+    [edit('--split-at', '0'), /between its ends/],
+    [edit('--move', '1'), /--move must be a point's number and a value, 'I=…'/],
+    [edit('--move', '1=2=3'), /--move must be a point's number and a value/],
+    [edit('--move', 'x=v:1'), /the number in --move must be a number, not 'x'/],
+    [edit('--move', '1.5=v:1'), /the number in --move must be a whole number, not '1\.5'/],
+    [edit('--move', '1=here'), /the point of --move must be a point/],
+    [edit('--move', '9=v:1'), /no control point 9/],
+    [edit('--remove', '0.5'), /--remove must be a whole number/],
+    [edit('--reorder', '0=x'), /the new number in --reorder must be a number/],
+    [edit('--weight', '0=-1'), /positive/],
+    [edit('--beta', '0=1'), /has no betas/],
+    [edit('--to-kind', 'circle'), /--to-kind must be one of/],
+    [edit('--join', `${folder.path}/none`), /no such file/],
+    [edit('--join', two), /holds 2 curves: --join takes a file of one/],
+    [edit('--closed', '--join', pointsFile), /closed curve has no end to join/],
+    [edit('--format', 'obj', '--reverse'), /no option --format/],
+    [edit('--number', '1', '--reverse'), /--number has no use without --curve/],
+    [trace('--curve', two), /holds 2 curves: --number says which, from 0/],
+    [trace('--curve', two, '--number', '2'), /holds no curve 2: it holds 2, from 0/],
+    [trace('--curve', two, '--number', '0', '--closed'), /--closed has no use with --curve/],
+    [trace('--curve', two, ...curveArgs), /--points has no use with --curve/],
+    [trace('--curve', pointsFile), /must hold a curve as JSON/],
+    [trace('--curve', fileOf(null)), /must hold a curve as JSON/],
+    [trace('--curve', fileOf({ curves: 5 })), /must hold a curve as JSON/],
+    [trace('--curve', fileOf({ curves: [] })), /holds no curve 0: it holds 0/],
+    [trace('--curve', fileOf({ curves: ['x'] })), /holds no curve 0/],
+    [trace('--curve', fileOf({ ...curves[0], colour: 1 })), /'colour' in .* is no part of a curve/],
+    [trace('--curve', fileOf({ ...curves[0], points: 5 })), /points must be an array/],
+    [trace('--curve', fileOf({ ...curves[0], kind: 'spiral' })), /must be one of bspline/],
+    [trace(...curveArgs, '--at', '0,x'), /number 2 of --at must be a number/],
+    [trace(...curveArgs, '--at', '9'), /no parameter 9/],
+    [trace(...curveArgs, '--nearest', '1,2'), /must be a point or a place 'x,y,z'/],
+    [trace(...curveArgs, '--nearest', 'v:x'), /--nearest must be a point/],
+    [trace(...curveArgs, '--spaced', '1'), /2 to 1000000/],
+    [trace(...curveArgs, '--spaced', '0'), /2 to 1000000/],
+    [trace(...curveArgs, '--at', '1', '--format', 'obj'), /--at has no use with --format obj/],
+  ];
+  for (const [args, message] of wrong) assert.match(failure(...args), message);
+});

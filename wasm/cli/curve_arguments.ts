@@ -1,0 +1,154 @@
+import type { Curve } from '../curve.js';
+import { namesOf } from '../options.js';
+import type { CurveKind, CurveOptions, Parametrization } from '../types.js';
+import type { Arguments } from './arguments.js';
+import { type Option, pointsOption } from './command.js';
+import { UsageError } from './errors.js';
+import { parsePoints } from './syntax.js';
+
+/** A curve as its control points and what they make: on the command line, in files and in results. */
+
+export type CurveRecord = Pick<
+  CurveOptions,
+  'kind' | 'closed' | 'degree' | 'knots' | 'weights' | 'betas' | 'parametrization' | 'points'
+>;
+
+const recordNames = namesOf<CurveRecord>({
+  kind: true,
+  closed: true,
+  degree: true,
+  knots: true,
+  weights: true,
+  betas: true,
+  parametrization: true,
+  points: true,
+});
+
+export const kinds = 'bspline|bezier|rational|barycentric|catmullrom|polyline';
+
+/** What a curve is made of, unless a file says it all. */
+const partOptions: readonly Option[] = [
+  { ...pointsOption, required: false },
+  { name: 'kind', value: kinds, help: 'the kind of curve', default: 'bspline' },
+  { name: 'closed', help: 'a curve that ends where it starts' },
+  { name: 'degree', value: 'P', help: 'of a B-spline, 1 to 5', default: '3' },
+  { name: 'clamped', help: 'a B-spline from its first to its last point' },
+  {
+    name: 'knots',
+    value: 'u0,u1,…',
+    help: 'of a B-spline of n points: n + P + 1 knots, of a closed one n + 1',
+  },
+  { name: 'weights', value: 'w0,w1,…', help: 'a weight a point, of the kinds bspline, rational' },
+  { name: 'betas', value: 'b0,b1,…', help: 'a beta a point, of the kind barycentric' },
+  {
+    name: 'parametrization',
+    value: 'centripetal|uniform',
+    help: 'of the kind catmullrom',
+    default: 'centripetal',
+  },
+];
+
+export const curveOptions: readonly Option[] = [
+  ...partOptions,
+  {
+    name: 'curve',
+    value: 'FILE',
+    help: "instead of all these, a curve as 'karcher edit' prints it",
+  },
+  { name: 'number', value: 'I', help: 'which curve of the file, if it holds several, from 0' },
+];
+
+/** The curve that the arguments describe, not yet checked against a mesh. */
+export async function readCurve(args: Arguments): Promise<CurveRecord> {
+  if (args.given('curve')) {
+    const names = partOptions.map(({ name }) => name);
+    args.refuse(names, 'with --curve, which says it all');
+    const path = args.text('curve');
+    const curves = curvesOfFile(await args.file('curve'), path);
+    if (args.given('number')) return curveOf(curves, args.integer('number'), path);
+    if (curves.length < 2) return curveOf(curves, 0, path);
+    throw new UsageError(`${path} holds ${curves.length} curves: --number says which, from 0`);
+  }
+  args.refuse(['number'], 'without --curve');
+  const shape = shapeOf(args);
+  if (!args.given('points')) {
+    throw new UsageError(`${args.command} needs --points FILE or --curve FILE`);
+  }
+  return { ...shape, points: await args.points() };
+}
+
+function shapeOf(args: Arguments): Omit<CurveRecord, 'points'> {
+  if (args.given('knots') && args.given('clamped')) {
+    throw new UsageError(`${args.command} takes --knots or --clamped, not both`);
+  }
+  return {
+    kind: args.choice<CurveKind>('kind'),
+    closed: args.given('closed'),
+    ...args.whereGiven(['degree'], (name) => args.integer(name)),
+    ...(args.given('clamped') && { knots: 'clamped' as const }),
+    ...args.whereGiven(['knots', 'weights', 'betas'], (name) => args.numbers(name)),
+    ...args.whereGiven(['parametrization'], (name) => args.choice<Parametrization>(name)),
+  };
+}
+
+/** The other curve of a join: a file of a curve, or of points that make one of the same kind. */
+export async function readOther(args: Arguments, name: string, like: Curve): Promise<CurveRecord> {
+  const text = await args.file(name);
+  const path = args.text(name);
+  if (text.trimStart().startsWith('{')) {
+    const curves = curvesOfFile(text, path);
+    if (curves.length < 2) return curveOf(curves, 0, path);
+    throw new UsageError(`${path} holds ${curves.length} curves: --${name} takes a file of one`);
+  }
+  const { kind } = like;
+  return {
+    kind,
+    ...(kind === 'bspline' && { degree: like.degree }),
+    ...(args.given('clamped') && { knots: 'clamped' as const }),
+    ...(kind === 'catmullrom' && { parametrization: like.parametrization }),
+    points: parsePoints(text, path),
+  };
+}
+
+/** What `karcher edit` printed, or one curve of it. */
+function curvesOfFile(text: string, path: string): unknown[] {
+  try {
+    const content: unknown = JSON.parse(text);
+    const { curves = [content] } = content as { curves?: unknown };
+    if (Array.isArray(curves)) return curves;
+  } catch {
+    // As where it is other JSON.
+  }
+  throw new UsageError(`${path} must hold a curve as JSON, as 'karcher edit' prints it`);
+}
+
+/** What the values are is for the engine to check. */
+function curveOf(curves: readonly unknown[], number: number, path: string): CurveRecord {
+  const curve = curves[number];
+  if (typeof curve !== 'object' || curve === null) {
+    throw new UsageError(`${path} holds no curve ${number}: it holds ${curves.length}, from 0`);
+  }
+  const unknown = Object.keys(curve).find((name) => !recordNames.includes(name));
+  if (unknown !== undefined) {
+    throw new UsageError(
+      `'${unknown}' in ${path} is no part of a curve: ${recordNames.join(', ')}`,
+    );
+  }
+  return curve as CurveRecord;
+}
+
+/** A curve as data that makes it again: weights and betas unless all are 1. */
+export function recordOf(curve: Curve): CurveRecord {
+  const { kind, closed, points } = curve;
+  const numbers = (name: 'weights' | 'betas') =>
+    curve[name].some((value) => value !== 1) && { [name]: Array.from(curve[name]) };
+  return {
+    kind,
+    closed,
+    ...(kind === 'bspline' && { degree: curve.degree, knots: Array.from(curve.knots) }),
+    ...((kind === 'bspline' || kind === 'rational') && numbers('weights')),
+    ...(kind === 'barycentric' && numbers('betas')),
+    ...(kind === 'catmullrom' && { parametrization: curve.parametrization }),
+    points,
+  };
+}

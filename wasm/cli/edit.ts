@@ -1,0 +1,122 @@
+import type { Curve } from '../curve.js';
+import type { Mesh } from '../mesh.js';
+import type { CurveKind, FieldOptions } from '../types.js';
+import type { Arguments } from './arguments.js';
+import { type Command, fieldOptions, type Option } from './command.js';
+import { curveOptions, kinds, readCurve, readOther, recordOf } from './curve_arguments.js';
+import { UsageError } from './errors.js';
+import { parseNumber, parsePoint } from './syntax.js';
+
+/** What an edit makes of a curve: other curves, or a new control point's number, or nothing new. */
+interface Outcome {
+  curves?: Curve[];
+  point?: number;
+}
+
+interface Edit extends Option {
+  apply(curve: Curve, args: Arguments, mesh: Mesh, field: FieldOptions): Outcome | Promise<Outcome>;
+}
+
+/** An edit that changes the curve itself. */
+const inPlace = (option: Option, change: (curve: Curve, args: Arguments) => void): Edit => ({
+  ...option,
+  apply(curve, args) {
+    change(curve, args);
+    return {};
+  },
+});
+
+const numberOf = (text: string, what: string) => {
+  const number = parseNumber(text, what);
+  if (Number.isInteger(number)) return number;
+  throw new UsageError(`${what} must be a whole number, not '${text}'`);
+};
+
+/** `I=VALUE`: the number of a control point, and a value for it. */
+function entry(args: Arguments, name: string): [number, string] {
+  const [number, value, ...more] = args.text(name).split('=');
+  if (value === undefined || more.length > 0) {
+    throw new UsageError(`--${name} must be a point's number and a value, 'I=…'`);
+  }
+  return [numberOf(number!, `the number in --${name}`), value];
+}
+
+const edits: readonly Edit[] = [
+  {
+    name: 'insert-at',
+    value: 'T',
+    help: 'puts a control point in on the curve, at a parameter',
+    apply: (curve, args) => ({ point: curve.insertOnCurve(args.number('insert-at')) }),
+  },
+  {
+    name: 'split-at',
+    value: 'T',
+    help: 'the curves before and after a parameter; a closed one is opened there',
+    apply: (curve, args) => ({ curves: curve.split(args.number('split-at')) }),
+  },
+  {
+    name: 'join',
+    value: 'FILE',
+    help: 'one curve that goes on along another: of a file as for --curve, or of points',
+    async apply(curve, args, mesh, field) {
+      const other = mesh.curve({ ...(await readOther(args, 'join', curve)), ...field });
+      return { curves: [curve.join(other)] };
+    },
+  },
+  inPlace({ name: 'move', value: 'I=POINT', help: 'moves control point I' }, (curve, args) => {
+    const [i, point] = entry(args, 'move');
+    curve.movePoint(i, parsePoint(point, 'the point of --move'));
+  }),
+  inPlace(
+    { name: 'insert', value: 'I=POINT', help: 'a new control point, which gets the number I' },
+    (curve, args) => {
+      const [i, point] = entry(args, 'insert');
+      curve.insertPoint(i, parsePoint(point, 'the point of --insert'));
+    },
+  ),
+  inPlace({ name: 'remove', value: 'I', help: 'takes control point I away' }, (curve, args) =>
+    curve.removePoint(args.integer('remove')),
+  ),
+  inPlace(
+    { name: 'reorder', value: 'I=J', help: 'makes control point I the one of number J' },
+    (curve, args) => {
+      const [from, to] = entry(args, 'reorder');
+      curve.movePointInOrder(from, numberOf(to, 'the new number in --reorder'));
+    },
+  ),
+  inPlace({ name: 'weight', value: 'I=W', help: 'sets the weight of point I' }, (curve, args) => {
+    const [i, weight] = entry(args, 'weight');
+    curve.setWeight(i, parseNumber(weight, 'the weight in --weight'));
+  }),
+  inPlace({ name: 'beta', value: 'I=B', help: 'sets the beta of point I' }, (curve, args) => {
+    const [i, beta] = entry(args, 'beta');
+    curve.setBeta(i, parseNumber(beta, 'the beta in --beta'));
+  }),
+  inPlace({ name: 'reverse', help: 'runs the curve backwards' }, (curve) => curve.reverse()),
+  inPlace({ name: 'close', help: 'closes the curve' }, (curve) => curve.setClosed(true)),
+  inPlace({ name: 'open', help: 'opens the curve' }, (curve) => curve.setClosed(false)),
+  inPlace({ name: 'to-kind', value: kinds, help: 'changes the kind' }, (curve, args) =>
+    curve.setKind(args.choice<CurveKind>('to-kind')),
+  ),
+];
+
+export const edit: Command = {
+  name: 'edit',
+  summary: "an edit of a curve's control points: what the curve then is",
+  output:
+    "{curves: [{kind, closed, degree, knots, weights, betas, parametrization, points: [{face, bary: [b0, b1, b2]}, …]}, …], point: the new point's number with --insert-at}; a curve has what its kind has a use for, weights and betas unless all are 1. A file of it is what --curve reads, here and in trace",
+  options: [...edits.map(({ apply: _, ...option }) => option), ...curveOptions, ...fieldOptions],
+  async run(args) {
+    const [chosen, second] = edits.filter(({ name }) => args.given(name));
+    if (chosen === undefined || second !== undefined) {
+      const names = edits.map(({ name }) => `--${name}`).join(', ');
+      throw new UsageError(`edit takes one of ${names}${second ? ', not two' : ''}`);
+    }
+    const field = args.field();
+    const record = await readCurve(args);
+    const mesh = await args.mesh();
+    const curve = mesh.curve({ ...record, ...field });
+    const { curves = [curve], point } = await chosen.apply(curve, args, mesh, field);
+    return { json: { curves: curves.map(recordOf), point } };
+  },
+};
