@@ -306,8 +306,6 @@ export class Curve {
   /** The length from the start to a parameter; that of the curve at `segmentCount`. */
   lengthAt(parameter: number): number {
     checkNumber(parameter, 'the parameter');
-    // Which the engine takes for the start of a closed curve.
-    if (parameter === this.segmentCount) return this.length;
     return this.#call((curve) => curve.lengthAt(parameter));
   }
 

@@ -5,7 +5,6 @@ import {
   checkNumber,
   checkOneOf,
   checkOptions,
-  checkPositive,
   toFloat64,
 } from './check.js';
 import { Curve } from './curve.js';
@@ -262,7 +261,7 @@ export class Mesh {
   isolines(options: IsolineOptions): Isoline[] {
     checkOptions(options, isolineOptionNames);
     const center = wirePoint(this.#handle, options.center, 'the center');
-    const radius = checkPositive(options.radius, 'the radius');
+    const radius = checkNumber(options.radius, 'the radius');
     const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
     const { solver = 'exact', rings } = options;
     const field = engineFieldOptions({ solver, ...(rings !== undefined && { rings }) });

@@ -326,7 +326,7 @@ test('bad points, weights and radii: a sentence and status 1', () => {
     [[...circle('2'), '--type', 'linear', '--method', 'paper'], /--method has no use/],
     [[...circle('2'), '--type', 'exact', '--solver', 'fast'], /--solver has no use/],
     [[...circle('2'), '--type', 'linear', '--rings', '3'], /'exact' has no rings/],
-    [[...circle('0'), '--type', 'linear'], /radius must be positive, not 0/],
+    [[...circle('0'), '--type', 'linear'], /distance must be a positive number/],
   ];
   for (const [args, message] of wrong) assert.match(failure(...args), message);
 });
