@@ -161,6 +161,36 @@ describe('errors', () => {
     await assert.rejects(prepared('weightedAverages', mesh), code('unreachable'));
   });
 
+  test('values of wrong types', async () => {
+    const method = await prepared('karcher');
+    const plan = peers.plan(points, 3);
+    const weights = [1, 0, 0, 0, 0];
+    const badArgument = { name: 'KarcherError', code: 'badArgument' };
+    for (const value of [null, 0.5, 'x', { length: -1 }, ['a'], { more: 1 }]) {
+      await assert.rejects(peers.prepare(value, { method: 'karcher' }), badArgument);
+      await assert.rejects(peers.prepare(plane, value), badArgument);
+      await assert.rejects(peers.prepare(plane, { method: 'karcher' }, value), badArgument);
+      for (const use of [
+        () => peers.bezier(value, 3),
+        () => peers.rational(value, 3),
+        () => peers.barycentric([1, 1], value),
+        () => peers.plan(value, 3),
+        () => peers.plan(points, value),
+        () => method.curve(value),
+        () => method.curve({ ...plan, points: value }),
+        () => method.curve({ ...plan, first: value }),
+        () => method.curve({ ...plan, table: value }),
+        () => method.centerOfMass(value, weights),
+        () => method.centerOfMass(points, value),
+        () => method.centerOfMass(points, weights, value),
+        () => method.centerOfMass(points, weights, { start: value }),
+      ]) {
+        assert.throws(use, { name: 'KarcherError' }, `${use}: ${JSON.stringify(value)}`);
+      }
+    }
+    method.dispose();
+  });
+
   test('a mesh of another engine, an unknown method, a mesh that is gone', async () => {
     const other = (await load()).meshFromObj(grid(2));
     await assert.rejects(peers.prepare(other, { method: 'karcher' }), code('badArgument'));

@@ -1,8 +1,8 @@
-import { checkInteger, toFloat64 } from '../check.js';
+import { checkArray, checkInteger, toFloat64 } from '../check.js';
 import { Engine } from '../engine.js';
 import { KarcherError } from '../errors.js';
 import { Karcher } from '../karcher.js';
-import type { Mesh } from '../mesh.js';
+import { Mesh } from '../mesh.js';
 import type { LongWorkOptions } from '../types.js';
 import type { PeersModule } from './karcher-peers.mjs';
 import { type PreparedMethod, prepareMethod } from './prepared_method.js';
@@ -35,8 +35,11 @@ export class Peers {
     options: MethodOptions,
     work: LongWorkOptions = {},
   ): Promise<PreparedMethod> {
-    if (mesh.engine !== this.#engine) {
-      throw new KarcherError('badArgument', 'the mesh was made by another engine');
+    if (!(mesh instanceof Mesh) || mesh.engine !== this.#engine) {
+      throw new KarcherError(
+        'badArgument',
+        'the mesh must be one that `karcher` of these peers made',
+      );
     }
     return prepareMethod(this.#engine, this.#module, mesh, options, work);
   }
@@ -66,6 +69,7 @@ export class Peers {
    * make a quadratic Bezier curve, four and more a uniform cubic B-spline.
    */
   plan(points: CurvePlan['points'], samples: number): CurvePlan {
+    checkArray(points, 'the points');
     if (points.length < 2) {
       throw new KarcherError('tooFewPoints', `a curve needs 2 points, not ${points.length}`);
     }

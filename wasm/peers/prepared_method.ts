@@ -1,4 +1,5 @@
 import {
+  checkArray,
   checkBoolean,
   checkInteger,
   checkOneOf,
@@ -14,7 +15,13 @@ import { prepareGraph } from '../prepare.js';
 import type { LongWorkOptions, PointLike } from '../types.js';
 import { ComparedCurve } from './compared_curve.js';
 import type { EngineMethodOptions, EnginePreparedMethod, PeersModule } from './karcher-peers.mjs';
-import type { ComparedCenter, ComparedMethod, CurvePlan, MethodOptions } from './types.js';
+import type {
+  ComparedCenter,
+  ComparedMethod,
+  CurvePlan,
+  MethodOptions,
+  WeightTable,
+} from './types.js';
 
 /** The methods, in the order of tables. */
 export const comparedMethods: readonly ComparedMethod[] = [
@@ -36,6 +43,9 @@ const methodOptionNames = namesOf<MethodOptions>({
   landmarks: true,
   landmarkDistances: true,
 });
+
+const planNames = namesOf<CurvePlan>({ points: true, first: true, table: true });
+const tableNames = namesOf<WeightTable>({ points: true, t: true, weights: true });
 
 /** A method prepared on a mesh, until `dispose`. */
 export class PreparedMethod {
@@ -70,6 +80,8 @@ export class PreparedMethod {
    * badArgument for a curve that the method does not make.
    */
   curve(plan: CurvePlan): ComparedCurve {
+    checkOptions(plan, planNames);
+    checkOptions(plan.table, tableNames);
     const points = wirePoints(this.#mesh.handle, plan.points);
     const first = toInt32(plan.first, 'the first points of the segments');
     const t = toFloat64(plan.table.t, 'the parameters');
@@ -91,8 +103,11 @@ export class PreparedMethod {
   centerOfMass(
     points: readonly PointLike[],
     weights: ArrayLike<number>,
-    { start }: { start?: PointLike } = {},
+    options: { start?: PointLike } = {},
   ): ComparedCenter {
+    checkOptions(options, ['start']);
+    const { start } = options;
+    checkArray(points, 'the points');
     const row = toFloat64(weights, 'the weights');
     const table = { points: points.length, t: Float64Array.of(0), weights: row };
     const curve = this.curve({ points, first: [0], table });
