@@ -171,21 +171,37 @@ Array<Array<double>> bezierWeights(const Basis& basis, double t0, double t1) {
 /// Lays bridges over one segment.
 class BridgeBuilder {
  public:
-  BridgeBuilder(const Geometry& geometry, const Array<PointField*>& points, const Basis& basis)
-      : geometry_(geometry), basis_(basis) {
+  BridgeBuilder(const Geometry& geometry, const Array<PointField*>& points, const Basis& basis,
+                const Array<double>& nodes)
+      : geometry_(geometry), basis_(basis), nodes_(nodes) {
     for (const PointField* point : points) points_.push_back(point->point());
   }
 
-  /// Null ends are the scheme's own.
-  ParametricLine build(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to) {
-    if (from != nullptr && to != nullptr && t1 - t0 <= kShortInterval) {
-      ParametricLine chord;
-      appendBezier(geometry_, {*from, *to}, t0, t1, chord);
-      return chord;
+  /// Null ends are the scheme's own. Between neighbouring samples the line is straight.
+  ParametricLine build(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to,
+                       bool betweenNeighbours) {
+    ParametricLine line;
+    double start = t0;
+    for (const double node : nodes_) {
+      if (!(node > t0 && node < t1)) continue;
+      const SurfacePoint& passed = points_[heaviest(basis_(node))];
+      append(start, node, from, &passed, betweenNeighbours, line);
+      start = node;
+      from = &passed;
+    }
+    append(start, t1, from, to, betweenNeighbours, line);
+    return line;
+  }
+
+ private:
+  void append(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to,
+              bool betweenNeighbours, ParametricLine& line) {
+    if (from != nullptr && to != nullptr && (betweenNeighbours || t1 - t0 <= kShortInterval)) {
+      appendBezier(geometry_, {*from, *to}, t0, t1, line);
+      return;
     }
     Array<SurfacePoint> polygon = schemePolygon(t0, t1);
     pullEnds(polygon, from, to);
-    ParametricLine line;
     const int pieces = (polygon.count() - 1) / 3;
     for (int j = 0; j < pieces; ++j) {
       const Array<SurfacePoint> piece(polygon.begin() + 3 * j, polygon.begin() + 3 * j + 4);
@@ -193,10 +209,8 @@ class BridgeBuilder {
                    line);
     }
     line.t.back() = t1;
-    return line;
   }
 
- private:
   /// The control points of cubic pieces one after the other, ends shared.
   Array<SurfacePoint> schemePolygon(double t0, double t1) {
     const double wanted = (t1 - t0) * (points_.count() - 1) / 3;
@@ -241,6 +255,7 @@ class BridgeBuilder {
 
   const Geometry& geometry_;
   const Basis& basis_;
+  const Array<double>& nodes_;
   Array<SurfacePoint> points_;
 };
 
@@ -279,24 +294,21 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
   return nullptr;
 }
 
-Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const WeightTable* middles,
-                            Method method, Array<CurveSample>& samples) {
+Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
+                            const WeightTable* middles, Method method,
+                            Array<CurveSample>& samples) {
   const Array<std::pair<int, Status>> jumps =
       findJumps(fields.blend, basis, middles, method, samples);
   const Geometry& geometry = fields.blend.geometry();
   Array<Bridge> bridges;
-  BridgeBuilder builder(geometry, fields.points, basis);
+  BridgeBuilder builder(geometry, fields.points, basis, nodes);
   for (const Interval& interval : intervalsToBridge(samples, jumps)) {
     CurveSample& first = samples[interval.first];
     CurveSample& last = samples[interval.last];
     Bridge bridge{first.t, last.t, interval.reason, {}};
-    if (interval.last - interval.first == 1 && interval.keepsFirst && interval.keepsLast) {
-      appendBezier(geometry, {first.point, last.point}, first.t, last.t, bridge.line);
-    } else {
-      bridge.line =
-          builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
-                        interval.keepsLast ? &last.point : nullptr);
-    }
+    bridge.line = builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
+                                interval.keepsLast ? &last.point : nullptr,
+                                interval.last - interval.first == 1);
     for (int i = interval.first; i <= interval.last; ++i) {
       if (i == interval.first && interval.keepsFirst) continue;
       if (i == interval.last && interval.keepsLast) continue;

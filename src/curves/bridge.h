@@ -45,8 +45,10 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// face costs nothing, nor one shorter than half of `kLongestStep`; others are divided until their
 /// parts are one or the other.
 ///
-/// `middles`, if given, has the basis at the middles between the samples' parameters.
-Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const WeightTable* middles,
-                            Method method, Array<CurveSample>& samples);
+/// At `nodes`, ascending in (0, 1), all weight is on one control point (segment_basis.h): a bridge
+/// over one passes that point. `middles`, if given, has the basis at the middles between the
+/// samples' parameters.
+Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
+                            const WeightTable* middles, Method method, Array<CurveSample>& samples);
 
 }  // namespace karcher

@@ -151,7 +151,8 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
     SegmentFields arc(surface, points);
     Array<CurveSample>& samples =
         circle.samples.emplace_back(traceSegment(arc, table, options.field.method));
-    circle.bridges.push_back(bridgeSegment(arc, basis, &middles, options.field.method, samples));
+    circle.bridges.push_back(
+        bridgeSegment(arc, basis, {}, &middles, options.field.method, samples));
     circle.paths.push_back(joinSamples(surface, samples, circle.bridges.back()));
     if (!shortest[ends[0]] || !shortest[ends[1]] || !shortest[ends[2]]) {
       circle.notShortest.push_back(j);

@@ -153,7 +153,7 @@ void Curve::bridge() {
     if (shape().kind != CurveKind::kPolyline) {
       const Basis basis = [&](double t) { return weights(j, t); };
       const auto& table = segments_[j].table;
-      traced.bridges = bridgeSegment(blendedFieldsOf(j), basis,
+      traced.bridges = bridgeSegment(blendedFieldsOf(j), basis, nodesOf(segments_[j].layout.basis),
                                      options_.tolerance == 0 && table ? &table->middles : nullptr,
                                      options_.field.method, traced.samples);
     }

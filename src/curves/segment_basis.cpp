@@ -48,4 +48,12 @@ Array<double> weightsAt(const SegmentBasis& basis, double t) {
   return weights;
 }
 
+Array<double> nodesOf(const SegmentBasis& basis) {
+  Array<double> nodes;
+  if (basis.form != BasisForm::kBarycentric) return nodes;
+  const int last = basis.numbers.count() - 1;
+  for (int i = 1; i < last; ++i) nodes.push_back(static_cast<double>(i) / last);
+  return nodes;
+}
+
 }  // namespace karcher

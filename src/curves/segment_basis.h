@@ -33,4 +33,8 @@ struct SegmentBasis {
 /// where a caller's basis gives others.
 Array<double> weightsAt(const SegmentBasis& basis, double t);
 
+/// The parameters between 0 and 1, ascending, at which all weight is on one point, so that the
+/// curve passes it.
+Array<double> nodesOf(const SegmentBasis& basis);
+
 }  // namespace karcher

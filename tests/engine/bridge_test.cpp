@@ -7,6 +7,7 @@
 #include "curve_support.h"
 #include "curves/bases.h"
 #include "curves/curve.h"
+#include "generators/random_points.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -110,6 +111,39 @@ TEST(Bridge, AroundTheSphereTheCurveHoldsTogether) {
     expectWhole(curve, surface);
   }
   EXPECT_GT(bridges, 0);
+}
+
+TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  const uint64_t seed = 8;
+  Random random(seed);
+  int passed = 0;
+  for (int i = 0; i < 24; ++i) {
+    CurveShape shape{CurveKind::kBarycentric, i % 2 == 1};
+    Array<SurfacePoint> points;
+    for (int k = 0; k < 5; ++k) points.push_back(randomPoint(mesh, random));
+    for (int k = 0; k < 5; ++k) shape.betas.push_back(k % 2 == 0 ? 1 : 16);
+    for (const double tolerance : {0.0, 1e-3}) {
+      Curve curve(surface, {shape, 64, kFast, tolerance}, points);
+      update(curve);
+      expectWhole(curve, surface);
+      const int nodes = shape.closed ? 5 : 4;
+      for (int k = 0; k < 5; ++k) {
+        const double t = static_cast<double>(k) / nodes;
+        const Bridge* bridge = bridgeOver(curve.bridges(0), t);
+        if (bridge == nullptr) continue;
+        ++passed;
+        const Vec3 onBridge = position(mesh, pointAt(mesh, *bridge, t));
+        // A sample that a bridge starts or ends at is a center of mass: as near as fields tell.
+        const bool isEnd = t == bridge->t0 || t == bridge->t1;
+        EXPECT_LT((onBridge - position(mesh, points[k])).norm(),
+                  isEnd ? 0.05 * surface.geometry().meanEdge : 1e-9)
+            << "seed " << seed << ", curve " << i << ", point " << k << ", t " << t;
+      }
+    }
+  }
+  EXPECT_GT(passed, 20);
 }
 
 TEST(Bridge, RoundACornerOfTheBoundaryItIsMarked) {
