@@ -327,7 +327,8 @@ void Curve::findSamplesOf(int segment) {
   const Basis basis = [&](double t) { return weights(segment, t); };
   const Method method = options_.field.method;
   traced.samples = options_.tolerance > 0
-                       ? traceAdaptively(fields, basis, method, options_.tolerance)
+                       ? traceAdaptively(fields, basis, nodesOf(segments_[segment].layout.basis),
+                                         method, options_.tolerance)
                        : traceSegment(fields, segments_[segment].table->samples, method);
 }
 

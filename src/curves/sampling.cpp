@@ -12,18 +12,20 @@ namespace {
 /// their ends.
 constexpr int kIntervalsAPoint = 2;
 constexpr int kFewestIntervals = 8;
-constexpr int kMostBisections = 15;
-/// The samples between which the curve is farthest from the geodesic are not the ones looked at.
-constexpr double kGeodesicMargin = 0.7;
+constexpr int kMostBisections = 20;
+/// Between the ends of an interval the curve is looked at so often.
+constexpr int kLooksAFace = 3;
+constexpr int kFewestLooks = 12;
+constexpr int kMostLooks = 256;
 /// Bisections where samples do not converge.
 constexpr int kMostAtBorder = 8;
 constexpr int kMostInside = 2;
 
-double distanceToLine(const Vec3& p, const Vec3& a, const Vec3& b) {
+Vec3 offLine(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double squared = along.squaredNorm();
   const double s = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0;
-  return (a + s * along - p).norm();
+  return p - (a + s * along);
 }
 
 class AdaptiveTrace {
@@ -36,15 +38,24 @@ class AdaptiveTrace {
         method_(method),
         tolerance_(tolerance * geometry_.diagonal) {}
 
-  Array<CurveSample> run() {
-    samples_.push_back(end(0));
-    const CurveSample last = end(1);
-    const int intervals = std::max(kFewestIntervals, kIntervalsAPoint * points_.count());
-    for (int k = 1; k <= intervals; ++k) {
-      const double t = static_cast<double>(k) / intervals;
-      const CurveSample next = k == intervals ? last : sample(t, samples_.back());
-      refine(CurveSample(samples_.back()), next, 0);
-      samples_.push_back(next);
+  Array<CurveSample> run(const Array<double>& nodes) {
+    samples_.push_back(fromHeaviest(0));
+    const CurveSample last = fromHeaviest(1);
+    const int pieces = nodes.count() + 1;
+    const int wanted = std::max(kFewestIntervals, kIntervalsAPoint * points_.count());
+    const int intervals = std::max((wanted + pieces - 1) / pieces, kIntervalsAPoint);
+    double start = 0;
+    for (int piece = 0; piece < pieces; ++piece) {
+      const double stop = piece + 1 < pieces ? nodes[piece] : 1;
+      for (int k = 1; k <= intervals; ++k) {
+        const double t = k == intervals ? stop : start + (stop - start) * k / intervals;
+        const CurveSample next = t == 1           ? last
+                                 : k == intervals ? fromHeaviest(t)
+                                                  : sample(t, samples_.back());
+        refine(CurveSample(samples_.back()), next, 0);
+        samples_.push_back(next);
+      }
+      start = stop;
     }
     return std::move(samples_);
   }
@@ -56,23 +67,37 @@ class AdaptiveTrace {
     const int lost = (from.status != Status::kConverged) + (middle.status != Status::kConverged) +
                      (to.status != Status::kConverged);
     const int most = lost == 0 ? kMostBisections : lost < 3 ? kMostAtBorder : kMostInside;
-    if (bisections >= most || (lost == 0 && isFine(from, middle, to))) return;
+    if (bisections >= most || samples_.count() >= kMostSamples) return;
+    if (lost == 0 && isFine(from, middle, to)) return;
     refine(from, middle, bisections + 1);
     samples_.push_back(middle);
     refine(middle, to, bisections + 1);
   }
 
-  /// Whether the curve keeps to the geodesic: in the middle, and before and after it, since a curve
-  /// may cross it there, or bend where it crosses an edge of the mesh.
+  /// Whether the curve keeps to the geodesic, looked at in each face that this crosses, since the
+  /// curve may bend or jump at the edges. Between two looks it is taken to go off further by as
+  /// much as it does from one to the other.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
-    const double limit = kGeodesicMargin * tolerance_;
     if (!findGeodesic(from.point, to.point)) return false;
-    if (distanceFromGeodesic(middle.point) > limit) return false;
-    const CurveSample before = sample((from.t + middle.t) / 2, from);
-    const CurveSample after = sample((middle.t + to.t) / 2, middle);
-    return before.status == Status::kConverged && after.status == Status::kConverged &&
-           distanceFromGeodesic(before.point) <= limit &&
-           distanceFromGeodesic(after.point) <= limit;
+    if (offGeodesic(middle.point).norm() > tolerance_) return false;
+    const int looks = std::clamp(kLooksAFace * (path_.count() - 1), kFewestLooks, kMostLooks);
+    double farthest = 0;
+    double largestChange = 0;
+    Vec3 last = Vec3::Zero();
+    CurveSample before = from;
+    for (int k = 1; k <= looks; ++k) {
+      Vec3 off = Vec3::Zero();
+      if (k < looks) {
+        before = sample(from.t + (to.t - from.t) * k / looks, before);
+        if (before.status != Status::kConverged) return false;
+        off = offGeodesic(before.point);
+      }
+      farthest = std::max(farthest, off.norm());
+      largestChange = std::max(largestChange, (off - last).norm());
+      if (farthest + largestChange > tolerance_) return false;
+      last = off;
+    }
+    return true;
   }
 
   bool findGeodesic(const SurfacePoint& from, const SurfacePoint& to) {
@@ -81,20 +106,22 @@ class AdaptiveTrace {
     return appendLocalPath(geometry_, from, to, workspace_, path_, length);
   }
 
-  double distanceFromGeodesic(const SurfacePoint& point) {
+  /// From the geodesic's nearest point, in space.
+  Vec3 offGeodesic(const SurfacePoint& point) {
     const TriangleMesh& mesh = *geometry_.mesh;
     const Vec3 p = position(mesh, point);
-    double nearest = kInfinity;
+    Vec3 nearest = Vec3::Constant(kInfinity);
     Vec3 last = position(mesh, path_[0]);
     for (int i = 1; i < path_.count(); ++i) {
       const Vec3 here = position(mesh, path_[i]);
-      nearest = std::min(nearest, distanceToLine(p, last, here));
+      const Vec3 off = offLine(p, last, here);
+      if (off.squaredNorm() < nearest.squaredNorm()) nearest = off;
       last = here;
     }
     return nearest;
   }
 
-  CurveSample end(double t) {
+  CurveSample fromHeaviest(double t) {
     const Array<double> weights = basis_(t);
     return find(t, weights, points_[heaviest(weights)]->point());
   }
@@ -131,9 +158,9 @@ void checkTolerance(double tolerance) {
       "a tolerance is a part of the bounding box, from 1e-7 to 1, not " + inSentence(tolerance));
 }
 
-Array<CurveSample> traceAdaptively(SegmentFields& fields, const Basis& basis, Method method,
-                                   double tolerance) {
-  return AdaptiveTrace(fields, basis, method, tolerance).run();
+Array<CurveSample> traceAdaptively(SegmentFields& fields, const Basis& basis,
+                                   const Array<double>& nodes, Method method, double tolerance) {
+  return AdaptiveTrace(fields, basis, method, tolerance).run(nodes);
 }
 
 }  // namespace karcher
