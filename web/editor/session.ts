@@ -253,7 +253,9 @@ export class Session {
     const others = this.#others.of(this.#otherOptions());
     if (isRound(kind)) {
       const { circle } = shown;
-      const legs = [circle?.path, circle?.across?.path].filter((leg) => leg !== undefined);
+      // A radius that is refused may go around the surface any number of times.
+      const paths = shown.problem ? [] : [circle?.path, circle?.across?.path];
+      const legs = paths.filter((leg) => leg !== undefined);
       return { legs, others, polygonOnly: false };
     }
     const ends = endsOf(state.document, shown.center?.point ?? null);
