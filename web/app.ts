@@ -3,6 +3,7 @@ import { CurveEdits } from './editor/curve_edits';
 import { Editor } from './editor/editor';
 import { Gestures } from './editor/gestures';
 import { formatLink, parseLink } from './editor/link';
+import { Measure } from './editor/measure';
 import { isMethod } from './editor/methods';
 import { Session } from './editor/session';
 import { exposeState } from './inspection';
@@ -41,9 +42,12 @@ export async function start(): Promise<void> {
   const stage = byId('stage');
   const viewer = new Viewer(stage, byId<HTMLCanvasElement>('canvas'), { antialias });
   const edits = new CurveEdits(editor, session);
+  const measure = new Measure(session);
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
     surfaceClicked: (point) => edits.append(point),
-    curveClicked: (tool, position) => edits.atCurve(tool, viewer.surface!.fromScene(position)),
+    curveClicked: (tool, position, within) =>
+      edits.atCurve(tool, viewer.surface!.fromScene(position), within),
+    curveMeasured: (position) => measure.at(viewer.surface!.fromScene(position)),
     otherClicked: (tool, index) => edits.atOther(tool, index),
   });
   const remove = () => gestures.keepFocus(() => edits.removeSelected());
@@ -61,6 +65,11 @@ export async function start(): Promise<void> {
     status.show(editor.state, view, session.client?.info ?? null);
   };
 
+  measure.onChange = (measured) => {
+    viewer.showTangent(measured);
+    gestures.showMeasured(measured?.position ?? null);
+    status.showMeasured(measured, editor.state, session.view);
+  };
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);
 
@@ -91,6 +100,7 @@ export async function start(): Promise<void> {
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;
     if (state.revision !== before.revision || ended) session.update(state);
+    if (state.tool !== 'measure' || state.revision !== before.revision) measure.clear();
     gestures.show();
     curvePanel.show(state, session.view);
     status.showHint(state, session.view);

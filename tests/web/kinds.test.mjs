@@ -187,8 +187,8 @@ describe('kinds of curves', () => {
       await choose(tab, kind);
       const before = await tab.view();
       const { points } = (await tab.state()).document;
-      // Where a sample is seen, away from all handles.
-      const at = await tab.onCurve(0.5);
+      // Where a sample is seen, away from all handles and from the knot in the middle.
+      const at = await tab.onCurve(0.3);
       await tab.page.mouse.move(at.x, at.y);
       await tab.page.locator('.preview[data-on="curve"]').waitFor();
       await tab.page.mouse.click(at.x, at.y);
@@ -223,7 +223,11 @@ describe('kinds of curves', () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
-    const at = await tab.onCurve(0.5);
+    const knot = await tab.onCurve(0.5);
+    await page.mouse.click(knot.x, knot.y);
+    await page.getByText('The curve has a knot there already.').waitFor();
+    assert.equal((await tab.state()).document.points.length, 5, 'no second knot beside the first');
+    const at = await tab.onCurve(0.3);
     await page.mouse.click(at.x, at.y);
     await page.waitForFunction(() => window.karcherPage.state().document.points.length === 6);
     const { document: knotted } = await tab.state();
@@ -377,6 +381,45 @@ describe('kinds of curves', () => {
     assert.equal((await tab.save('SVG')).text.match(/r="4"/g).length, 5);
     await page.reload();
     assert.deepEqual(Object.values((await tab.view()).curve.marks.position).length, 15);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  test('are measured where they are pointed at', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click(...places);
+    const { document } = await tab.state();
+    await page.keyboard.press('m');
+    const hint = page.locator('#hint');
+    assert.match(await hint.textContent(), /^Point at the curve/);
+    const { curve } = await tab.view();
+    const measuredAt = async (part) => {
+      const at = await tab.onCurve(part);
+      const before = await hint.textContent();
+      await page.mouse.move(at.x + 3, at.y + 3);
+      await page.waitForFunction(
+        (text) => document.getElementById('hint').textContent !== text,
+        before,
+      );
+      const [parameter, length, whole, ...tangent] = (await hint.textContent())
+        .replaceAll('−', '-')
+        .match(/-?\d+(\.\d+)?/g)
+        .map(Number);
+      assert.equal(whole, Number(curve.length.toPrecision(4)));
+      assert.ok(Math.abs(Math.hypot(...tangent) - 1) < 0.02);
+      return { parameter, length };
+    };
+    const [early, late] = [await measuredAt(0.2), await measuredAt(0.7)];
+    assert.ok(early.parameter < late.parameter && late.parameter < 2);
+    assert.ok(early.length > 0 && early.length < late.length && late.length < curve.length);
+    const at = await tab.onCurve(0.5);
+    await page.mouse.click(at.x, at.y);
+    await tab.settled();
+    assert.deepEqual((await tab.state()).document, document, 'and stay as they are');
+    await page.keyboard.press('Escape');
+    assert.equal((await tab.state()).tool, 'insert');
+    assert.equal(await hint.textContent(), '');
     assert.deepEqual(tab.logged, []);
     await page.close();
   });

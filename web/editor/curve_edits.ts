@@ -80,20 +80,23 @@ export class CurveEdits {
     return this.#inOrder(async () => this.editor.redo());
   }
 
-  /** What a click on the edited curve does, at a place in the surface's coordinates. */
-  atCurve(tool: CurveTool, near: Vector): Promise<void> {
-    return this.#inOrder(() => this.#atCurve(tool, near));
+  /**
+   * What a click on the edited curve does, at a place in the surface's coordinates; a knot within
+   * that distance is meant itself.
+   */
+  atCurve(tool: CurveTool, near: Vector, within = 0): Promise<void> {
+    return this.#inOrder(() => this.#atCurve(tool, near, within));
   }
 
-  async #atCurve(tool: CurveTool, near: Vector): Promise<void> {
+  async #atCurve(tool: CurveTool, near: Vector, within: number): Promise<void> {
     const { document } = this.editor.state;
     if (tool === 'split') {
-      const made = await this.session.reshaped({ type: 'split', near });
+      const made = await this.session.reshaped({ type: 'split', near, within });
       if (made) this.editor.replace(inPieces(document, made.splines));
       else this.editor.setTool('insert');
       return;
     }
-    const made = await this.session.reshaped({ type: 'insert', near });
+    const made = await this.session.reshaped({ type: 'insert', near, within });
     const spline = made?.splines[0];
     if (spline) this.editor.replace(withSpline(document, spline), made.point);
   }
@@ -167,6 +170,14 @@ export class CurveEdits {
   chooseSplit(): void {
     const { tool } = this.editor.state;
     if (this.session.view.curve) this.editor.setTool(tool === 'split' ? 'insert' : 'split');
+  }
+
+  /** Makes ready to measure the curve, until something else is chosen or done. */
+  chooseMeasure(): void {
+    const { tool } = this.editor.state;
+    if (tool !== 'measure' && !this.session.view.curve) return;
+    this.editor.select(null);
+    this.editor.setTool(tool === 'measure' ? 'insert' : 'measure');
   }
 
   /** Joins the only other curve, or makes ready for a click on one of them. */

@@ -28,7 +28,7 @@ export interface State {
   readonly method: MethodId;
   /** Whether the document is a drag's, which may go on. */
   readonly dragging: boolean;
-  /** What a click on a curve does; it is for one click. */
+  /** What a click on a curve does; but for `measure` it is for one click. */
   readonly tool: CurveTool;
   /** Grows with every change of the document or the method. */
   readonly revision: number;
@@ -36,8 +36,8 @@ export interface State {
   readonly epoch: number;
 }
 
-/** Puts a point into the edited curve, cuts it there, or joins another one to it. */
-export type CurveTool = 'insert' | 'split' | 'join';
+/** Puts a point into the edited curve, cuts it there, joins another one to it, or measures it. */
+export type CurveTool = 'insert' | 'split' | 'join' | 'measure';
 
 interface History {
   done: Command[];

@@ -13,6 +13,8 @@ import { type Target, targetAt } from './targets';
 /** A press that moves less, in CSS pixels, is a click. */
 const clickSlop = 4;
 const touchSlop = 10;
+/** How near to a knot, in CSS pixels, a click means the knot. */
+const nearKnot = { mouse: 6, touch: 12 };
 const arrows: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -23,7 +25,10 @@ const arrows: Record<string, [number, number]> = {
 /** Clicks that ask for an edit that the engine has a part in. */
 export interface CurveClicks {
   surfaceClicked(point: SurfacePoint): void;
-  curveClicked(tool: CurveTool, position: Vector3): void;
+  /** `within` is as far as nearby things of the curve are meant too, in the surface's unit. */
+  curveClicked(tool: CurveTool, position: Vector3, within: number): void;
+  /** The pointer is over the curve that is measured, or a click was there. */
+  curveMeasured(position: Vector3): void;
   otherClicked(tool: CurveTool, index: number): void;
 }
 
@@ -80,6 +85,13 @@ export class Gestures {
     this.#handles.show(surface ? handlesOf(this.editor.state, view, surface) : []);
     const { center } = view;
     this.#handles.showCenter(surface && center ? surface.position(center.point) : null);
+  }
+
+  /** Marks the place of the curve that is measured. */
+  showMeasured(position: Vector | null): void {
+    const { surface } = this.viewer;
+    const place = position && surface?.toScene(Float32Array.from(position));
+    this.#handles.showPreview(place ? new Vector3(...place) : null, 'measure');
   }
 
   /** Turns the view to a place in the surface's coordinates, and marks it for a moment. */
@@ -146,7 +158,9 @@ export class Gestures {
       this.stage.classList.toggle('aiming', target?.type === 'surface');
       this.stage.classList.toggle('choosing', target?.type === 'other');
       if (target?.type === 'surface') this.#handles.showPreview(target.pick.position, 'surface');
-      else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
+      else if (this.editor.state.tool === 'measure') {
+        if (target?.type === 'curve') this.events.curveMeasured(target.position);
+      } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
       else this.#handles.showPreview(null, 'surface');
       this.#dragNow();
     });
@@ -161,10 +175,14 @@ export class Gestures {
     const { tool } = this.editor.state;
     if (!target) {
       this.editor.select(null);
-      this.editor.setTool('insert');
+      if (tool !== 'measure') this.editor.setTool('insert');
     } else if (target.type === 'surface') this.#put(target.pick);
-    else if (target.type === 'curve') this.events.curveClicked(tool, target.position);
-    else this.events.otherClicked(tool, target.index);
+    else if (target.type === 'curve' && tool === 'measure') {
+      this.events.curveMeasured(target.position);
+    } else if (target.type === 'curve') {
+      const pixels = place.touch ? nearKnot.touch : nearKnot.mouse;
+      this.events.curveClicked(tool, target.position, this.viewer.reach(target.position, pixels));
+    } else this.events.otherClicked(tool, target.index);
   }
 
   /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */

@@ -50,6 +50,11 @@ export class Refinement<Result> {
     this.#newest.drop();
   }
 
+  /** The engine, once it was needed. */
+  get client(): EngineClient | null {
+    return this.#client;
+  }
+
   /** Whether an answer that is still wanted is awaited. */
   get busy(): boolean {
     return this.#wanted !== -1;

@@ -1,10 +1,10 @@
 import type { CurveOptions } from 'karcher';
 import type { EngineClient } from '../worker/client';
 import { Newest } from '../worker/newest';
-import type { TracedCurve } from '../worker/protocol';
+import type { Measured, TracedCurve } from '../worker/protocol';
 import type { Reshape } from '../worker/reshape';
 import { compute, curveOptions, messageOf, nothing, type Shown, shiftOf } from './compute';
-import { type CurveDocument, isRound, pointsNeeded, type Spline } from './document';
+import { type CurveDocument, isRound, pointsNeeded, type Spline, type Vector } from './document';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { type MethodId, methodOptions, type Quality, qualityOf, refinedOptions } from './methods';
@@ -124,6 +124,18 @@ export class Session {
       // A drag has ended: what it left is already traced.
       this.#refine();
     }
+  }
+
+  /** The curve that is shown, where it is nearest to a place; null where that cannot be said. */
+  async measured(near: Vector): Promise<Measured | null> {
+    const [state, view] = [this.#state, this.#view];
+    const spline = state && splineOf(state.document);
+    if (!spline || !view.curve || state.dragging || view.revision !== state.revision) return null;
+    const refined = view.quality === 'exact' ? refinedOptions(state.method) : null;
+    const client = refined ? this.#refinement.client : this.#client;
+    const options = curveOptions(spline, refined ?? methodOptions(state.method));
+    const measured = await client?.measure(options, near).catch(() => null);
+    return this.#state?.revision === state.revision ? (measured ?? null) : null;
   }
 
   /**

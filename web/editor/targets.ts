@@ -15,12 +15,19 @@ export type Target =
 /** How near to a curve, in CSS pixels, its clicks are. */
 const reach = { mouse: 7, touch: 16 };
 
+/** What is measured need not be hit. */
+const measuredWithin = 48;
+
 export function targetAt(
   viewer: Viewer,
   { document: { kind }, tool }: State,
   place: { x: number; y: number; touch: boolean },
 ): Target | null {
   const pick = viewer.pick(place.x, place.y);
+  if (isSpline(kind) && tool === 'measure') {
+    const position = viewer.pickCurve(place.x, place.y, measuredWithin);
+    return position && { type: 'curve', position };
+  }
   if (isSpline(kind)) {
     const within = place.touch ? reach.touch : reach.mouse;
     const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);

@@ -20,6 +20,7 @@ export class CurvePanel {
   readonly #clear = byId<HTMLButtonElement>('clear');
   readonly #split = byId<HTMLButtonElement>('split');
   readonly #join = byId<HTMLButtonElement>('join');
+  readonly #measure = byId<HTMLButtonElement>('measure');
   readonly #reverse = byId<HTMLButtonElement>('reverse');
   readonly #kinds = kinds.map(makeKind);
   readonly #settings: SettingsPanel;
@@ -45,6 +46,7 @@ export class CurvePanel {
     this.#clear.addEventListener('click', () => this.editor.clear());
     this.#reverse.addEventListener('click', () => edits.reverse());
     this.#split.addEventListener('click', () => edits.chooseSplit());
+    this.#measure.addEventListener('click', () => edits.chooseMeasure());
     this.#join.addEventListener('click', () => edits.chooseJoin());
   }
 
@@ -54,6 +56,7 @@ export class CurvePanel {
     this.#method.value = state.method;
     byId('actions').hidden = !isSpline(kind) || !view.curve;
     this.#split.setAttribute('aria-pressed', `${state.tool === 'split'}`);
+    this.#measure.setAttribute('aria-pressed', `${state.tool === 'measure'}`);
     this.#join.setAttribute('aria-pressed', `${state.tool === 'join'}`);
     this.#join.hidden = state.document.others.length === 0;
     this.#clear.hidden = isEmpty(state.document);

@@ -6,6 +6,7 @@ import type { Quality } from '../editor/methods';
 import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
 import type { LostReason } from '../worker/lost';
+import type { Measured } from '../worker/protocol';
 import { byId, formatCount } from './elements';
 import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
@@ -25,6 +26,7 @@ export interface StatusEvents {
 export class Status {
   readonly #notice = byId('notice');
   #timer = 0;
+  #measured: Measured | null = null;
 
   readonly #slider: HTMLInputElement;
 
@@ -80,9 +82,16 @@ export class Status {
     mark.title = qualityText(quality, refining, shift, notRefined);
   }
 
+  /** Says what was measured, where the hint is. */
+  showMeasured(measured: Measured | null, state: State, view: View): void {
+    this.#measured = measured;
+    this.showHint(state, view);
+  }
+
   showHint(state: State, view: View): void {
-    const { selection } = state;
-    const hint = hintOf(state, view);
+    // What is measured has the room.
+    const selection = state.tool === 'measure' ? null : state.selection;
+    const hint = hintOf(state, view, this.#measured);
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
     const { kind, points } = state.document;
@@ -101,10 +110,13 @@ function nameOf(kind: Kind, selection: Selection): string {
   return typeof selection === 'number' ? `Point ${selection + 1}` : kindNames[kind];
 }
 
-function hintOf({ mesh, document, tool }: State, view: View): string {
+function hintOf({ mesh, document, tool }: State, view: View, measured: Measured | null): string {
   if (!mesh) return '';
   if (tool === 'split') return 'Click the curve where it is to be cut';
   if (tool === 'join') return 'Click the curve that is to be joined';
+  if (tool === 'measure') {
+    return measured ? measuredText(measured) : 'Point at the curve, or tap it, to measure it there';
+  }
   if (view.problem) return sentenceOf(view.problem);
   const { kind, points, circle } = document;
   if (view.center) return centerHint(view.center);
@@ -151,6 +163,13 @@ function measureOf({ curve, isolines, center }: View): string {
   if (center) return `energy ${formatLength(center.energy)}`;
   const drawn = curve ?? isolines;
   return drawn ? `length ${formatLength(drawn.length)}` : '';
+}
+
+function measuredText({ parameter, length, wholeLength, tangent }: Measured): string {
+  const speed = Math.hypot(...tangent);
+  const unit = tangent.map((value) => (speed > 0 ? value / speed : 0).toFixed(2)).join(', ');
+  const along = `length ${formatLength(length)} of ${formatLength(wholeLength)}`;
+  return `Parameter ${parameter.toFixed(3)} · ${along} · tangent ${unit.replaceAll('-', '−')}`;
 }
 
 const formatLength = (length: number) => length.toPrecision(4);

@@ -123,6 +123,7 @@ export class Tools {
     c: () => this.#toggleClosed(),
     s: () => this.edits.chooseSplit(),
     j: () => this.edits.chooseJoin(),
+    m: () => this.edits.chooseMeasure(),
     '?': () => this.#help.showModal(),
   };
 }

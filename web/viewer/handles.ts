@@ -70,8 +70,8 @@ export class Handles {
     this.viewer.requestFrame();
   }
 
-  /** Where a click would put a point: on the surface, or into the curve. */
-  showPreview(position: Vector3 | null, on: 'surface' | 'curve'): void {
+  /** Where a click would put a point: on the surface, or into the curve; or what is measured. */
+  showPreview(position: Vector3 | null, on: 'surface' | 'curve' | 'measure'): void {
     this.#preview.dataset.on = on;
     this.#previewPosition = position;
     this.#preview.hidden = position === null;

@@ -6,6 +6,8 @@ import { FatLine } from './fat_line';
 import { OrbitView } from './orbit_view';
 import { colorSurface, type Pick, Surface } from './surface';
 
+type Vector = [number, number, number];
+
 export interface ViewerColors {
   front: string;
   back: string;
@@ -18,6 +20,9 @@ export interface ViewerColors {
   marks: string;
   center: string;
 }
+
+/** How long a tangent is drawn, in the scene; a surface's diagonal is 2. */
+const tangentLength = 0.16;
 
 /** The surface's color where it is lit as most of it is. */
 const surfaceShade = 0.75;
@@ -34,9 +39,10 @@ export class Viewer {
   readonly #sketch = new FatLine({ width: 2.5, dashed: true, hidden: 0.25 }, 2);
   readonly #beside = new FatLine({ width: 2.5, hidden: 0.2 }, 2);
   readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
+  readonly #tangent = new FatLine({ width: 2.5, hidden: 0.5 }, 7);
   readonly #lines = [
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
-    this.#marks,
+    ...[this.#marks, this.#tangent],
   ];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
@@ -99,6 +105,7 @@ export class Viewer {
     this.showCurve(null);
     this.showPolygon([], false);
     this.showMarks([]);
+    this.showTangent(null);
     this.showOthers([]);
     return this.#surface;
   }
@@ -111,6 +118,7 @@ export class Viewer {
     this.#polygon.setColor(new Color(colors.polygon), surface);
     this.#sketch.setColor(new Color(colors.curve), surface);
     this.#beside.setColor(new Color(colors.curve).lerp(surface, 0.35), surface);
+    this.#tangent.setColor(new Color(colors.center), surface);
     this.#marks.setColor(new Color(colors.marks), surface);
     this.requestFrame();
   }
@@ -160,6 +168,15 @@ export class Viewer {
       return Float32Array.of(x!, y!, z!, x! + 1e-4, y!, z!);
     });
     this.#marks.set(dots);
+    this.requestFrame();
+  }
+
+  /** A curve's tangent at a place, in the surface's coordinates. */
+  showTangent(at: { position: Vector; tangent: Vector } | null): void {
+    const place = at && this.#surface?.toScene(Float32Array.from(at.position));
+    const [start, along] = [place, at?.tangent].map((of) => new Vector3(...(of ?? [0, 0, 0])));
+    const tip = along!.setLength(tangentLength).add(start!);
+    this.#tangent.set(place ? [Float32Array.from([...start!.toArray(), ...tip.toArray()])] : []);
     this.requestFrame();
   }
 
@@ -229,6 +246,14 @@ export class Viewer {
   /** The stage's size, in CSS pixels. */
   get size(): { width: number; height: number } {
     return { width: this.stage.clientWidth, height: this.stage.clientHeight };
+  }
+
+  /** How far so many CSS pixels reach at a point of the scene, in the surface's unit. */
+  reach(position: Vector3, pixels: number): number {
+    const { camera } = this.#view;
+    const away = camera.position.distanceTo(position);
+    const height = 2 * away * Math.tan((camera.fov * Math.PI) / 360);
+    return ((height / this.stage.clientHeight) * pixels) / (this.#surface?.frame.scale ?? 1);
   }
 
   /** Where the stage is in the window. */

@@ -18,6 +18,7 @@ import type {
   Calls,
   CurveWork,
   LoadedMesh,
+  Measured,
   Reply,
   Request,
   TracedCurve,
@@ -106,6 +107,10 @@ export class EngineClient {
 
   knots(from: CurveOptions, to: CurveOptions): Promise<number[]> {
     return this.#call('knots', [from, to]);
+  }
+
+  measure(options: CurveOptions, near: [number, number, number]): Promise<Measured> {
+    return this.#call('measure', [options, near]);
   }
 
   reshape(options: CurveOptions, edit: Reshape): Promise<Reshaped> {

@@ -74,6 +74,14 @@ const handlers: Handlers = {
     return { result: knots };
   },
 
+  measure(_, options, near) {
+    const traced = retrace(options);
+    const { parameter, position } = traced.nearest(near);
+    const { inSpace: tangent } = traced.tangentAt(parameter);
+    const [length, wholeLength] = [traced.lengthAt(parameter), traced.length];
+    return { result: { parameter, position, length, wholeLength, tangent } };
+  },
+
   reshape(_, options, edit) {
     return { result: reshaped(theMesh(), retrace(options), options, edit) };
   },

@@ -53,6 +53,17 @@ export interface TracedIsolines {
   milliseconds: number;
 }
 
+/** A point of a curve, with what is worth knowing there. */
+export interface Measured {
+  parameter: number;
+  position: [number, number, number];
+  /** From the curve's start, and of all of it. */
+  length: number;
+  wholeLength: number;
+  /** The derivative by the parameter. */
+  tangent: [number, number, number];
+}
+
 export interface TracedPath {
   length: number;
   polyline: Float32Array;
@@ -83,6 +94,8 @@ export interface Calls {
    * is then the curve that is edited.
    */
   knots(from: CurveOptions, to: CurveOptions): number[];
+  /** The curve with these options, which is the one that is edited, where it is nearest to a place. */
+  measure(options: CurveOptions, near: Vector): Measured;
   /** The curves that an edit makes of the one with these options. */
   reshape(options: CurveOptions, edit: Reshape): Reshaped;
   circle(options: CircleOptions): TracedCurve;

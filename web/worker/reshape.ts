@@ -1,13 +1,13 @@
 /** Edits of a curve that need its mathematics: what comes of them, as data. */
-import type { Curve, CurveOptions, Mesh } from 'karcher';
+import type { Curve, CurveKind, CurveOptions, Mesh } from 'karcher';
 
 type Place = [number, number, number];
 
 export type Reshape =
-  /** Puts a control point in where the curve is nearest to a place. */
-  | { type: 'insert'; near: Place }
-  /** Cuts the curve where it is nearest to a place. */
-  | { type: 'split'; near: Place }
+  /** Puts a control point in where the curve is nearest to a place, if no knot is within reach. */
+  | { type: 'insert'; near: Place; within: number }
+  /** Cuts the curve where it is nearest to a place, or at the knot within reach. */
+  | { type: 'split'; near: Place; within: number }
   /** Makes one curve of this and another one, at the ends that are nearest to each other. */
   | { type: 'join'; other: CurveOptions }
   | { type: 'reverse' };
@@ -34,16 +34,36 @@ export function reshaped(mesh: Mesh, curve: Curve, options: CurveOptions, edit: 
     }
     if (edit.type === 'insert') {
       const copy = make(options);
-      const point = copy.insertOnCurve(copy.nearest(edit.near).parameter);
+      const { parameter, isKnot } = meantAt(copy, edit);
+      if (isKnot && copy.kind === 'bspline') throw new Error('the curve has a knot there already');
+      const point = copy.insertOnCurve(parameter);
       return { curves: [refinedOptions(copy, options)], point };
     }
-    if (edit.type === 'split') made.push(...curve.split(curve.nearest(edit.near).parameter));
+    if (edit.type === 'split') made.push(...curve.split(meantAt(curve, edit).parameter));
     else made.push(joinedAtEnds(make(options), make(edit.other)));
     const parts = edit.type === 'split' ? made : made.slice(-1);
     return { curves: parts.map((part) => refinedOptions(part, options)), point: null };
   } finally {
     for (const copy of made) copy.dispose();
   }
+}
+
+/** The kinds of one segment, which has no knots. */
+const ofOneSegment: readonly CurveKind[] = ['bezier', 'rational', 'barycentric'];
+
+/**
+ * The parameter that is meant at a place: where the curve is nearest, or the knot within reach of
+ * that, next to which a segment would be a sliver.
+ */
+function meantAt(
+  curve: Curve,
+  { near, within }: { near: Place; within: number },
+): { parameter: number; isKnot: boolean } {
+  const { parameter, position } = curve.nearest(near);
+  const knot = Math.round(parameter);
+  const isKnot =
+    !ofOneSegment.includes(curve.kind) && far(curve.pointAt(knot).position, position) <= within;
+  return { parameter: isKnot ? knot : parameter, isKnot };
 }
 
 /** What a curve is; what it has no word for is as it was before. */
@@ -72,13 +92,14 @@ function refinedOptions(curve: Curve, before: CurveOptions): CurveOptions {
   return optionsOf(curve, { ...before, knots });
 }
 
+const far = (p: Place, q: Place) => Math.hypot(...p.map((value, axis) => value - q[axis]!));
+
 /** Runs along both, which may be turned around for it. */
 function joinedAtEnds(a: Curve, b: Curve): Curve {
   const ends = (curve: Curve) =>
     [0, curve.segmentCount].map((parameter) => curve.pointAt(parameter).position);
   const [startA, endA] = ends(a) as [Place, Place];
   const [startB, endB] = ends(b) as [Place, Place];
-  const far = (p: Place, q: Place) => Math.hypot(...p.map((value, axis) => value - q[axis]!));
   const ways = [far(endA, startB), far(endA, endB), far(startA, endB), far(startA, startB)];
   const way = ways.indexOf(Math.min(...ways));
   if (way === 1) b.reverse();
