@@ -9,7 +9,7 @@ const kinds = ['bspline', 'bezier', 'catmullrom', 'rational', 'barycentric', 'po
 const mostPoints = 9;
 /** Sentences of edits that there is no way to make. */
 const refusals =
-  /can(not)? be joined|has no end to join|at least \d control points|not at one|control point there|takes no more/;
+  /can(not)? be joined|has no end to join|at least \d control points|not at one|control point there|takes no more|has a knot there/;
 
 /** What a link says of splines; the first of three weights follows from the others. */
 const plain = ({ kind, settings, points, others = [] }) => ({
