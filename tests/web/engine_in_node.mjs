@@ -52,7 +52,8 @@ export async function openPage(triangles) {
   const arrays = { positions: sphere.positions(), triangles: sphere.triangles() };
   session.use(await parts.EngineClient.load({ kind: 'arrays', ...arrays }));
   editor.subscribe((state, before) => {
-    if (state.revision !== before.revision) session.update(state);
+    const ended = before.dragging && !state.dragging;
+    if (state.revision !== before.revision || ended) session.update(state);
   });
   const settled = async () => {
     while (!session.settled || session.view.revision !== editor.state.revision) {

@@ -236,12 +236,6 @@ describe('kinds of curves', () => {
     const edits = {
       removed: () => page.keyboard.press('Delete'),
       added: () => page.mouse.click(at.x, at.y + 130),
-      closed: () => page.keyboard.press('c'),
-      'of another kind, with a point more, and back': async () => {
-        await page.keyboard.press('2');
-        await page.mouse.click(at.x, at.y + 130);
-        await page.keyboard.press('1');
-      },
       cleared: async () => {
         await page.locator('#clear').click();
         await tab.click(...places);
@@ -255,7 +249,7 @@ describe('kinds of curves', () => {
       assert.equal(problem, null, name);
       assert.ok(curve, name);
       const { settings } = (await tab.state()).document;
-      const count = { removed: 9, added: 11, closed: 7 }[name];
+      const count = { removed: 9, added: 11 }[name];
       assert.equal(settings.knots?.length, count, name);
       await page.locator('#stage').focus();
       const isBack = async () => isDeepStrictEqual((await tab.state()).document, knotted);

@@ -76,7 +76,11 @@ describe('sequences of edits', () => {
       spacing: () =>
         editor.setSettings({ parametrization: random() < 0.5 ? 'uniform' : 'centripetal' }),
       sampling: () => {
-        const [samples, tolerance] = [2 + below(200), random() < 0.5 ? 1e-3 : null];
+        // Often more by tolerance than by number, which a drag then has.
+        const [samples, tolerance] = [
+          2 + below(random() < 0.5 ? 4 : 200),
+          random() < 0.5 ? 1e-3 : null,
+        ];
         editor.setSettings({ samples, tolerance, marks: below(5) * 3 });
       },
       reorder: () => {
@@ -85,6 +89,17 @@ describe('sequences of edits', () => {
         editor.moveInOrder(below(9) - 4);
       },
       move: () => change((from) => ({ ...from, ...point() })),
+      drag: async () => {
+        const index = below(editor.state.document.points.length);
+        const from = editor.state.document.points[index];
+        if (!from) return;
+        for (let step = 0; step < 2; step++) {
+          editor.preview({ type: 'change', index, from, to: { ...from, ...point() } });
+          await page.settled();
+        }
+        if (random() < 0.2) editor.cancelDrag();
+        else editor.commitDrag();
+      },
       weight: () => change((from) => ({ ...from, weight: 2 ** (2 * random() - 1) })),
       beta: () => change((from) => ({ ...from, beta: 2 ** (2 * random() - 1) })),
       undo: () => edits.undo(),
@@ -107,6 +122,28 @@ describe('sequences of edits', () => {
     const farthest = made.reduce((most, x, i) => Math.max(most, Math.abs(x - shown[i])), 0);
     assert.ok(farthest <= 1e-6 * session.client.info.diagonal, `${farthest}: ${told}`);
   }
+
+  test('a drag has the number of samples where a tolerance takes more of them', async () => {
+    const { editor, edits, session } = page;
+    editor.open('sphere:drag', page.emptyDocument);
+    for (const face of [10, 60, 110, 160]) await edits.append({ face, bary: [0.5, 0.25, 0.25] });
+    editor.setSettings({ samples: 4, tolerance: 1e-4 });
+    const count = async () => (await page.settled()).curve.samples.count;
+    const fine = await count();
+    assert.ok(fine > 4);
+    const [from] = editor.state.document.points;
+    editor.preview({ type: 'change', index: 0, from, to: { ...from, face: 12 } });
+    assert.equal(await count(), 4);
+    editor.commitDrag();
+    assert.ok((await count()) > 4, 'and as many as it takes after it');
+    editor.setSettings({ samples: 500 });
+    await page.settled();
+    editor.preview({ type: 'change', index: 0, from, to: { ...from, face: 14 } });
+    assert.ok((await count()) < 500, 'fewer are kept');
+    editor.cancelDrag();
+    await page.settled();
+    assert.deepEqual(session.view.problem, null);
+  });
 
   const runs = long ? 60 : 3;
   for (let run = 0; run < runs; run++) {

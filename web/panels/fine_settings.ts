@@ -57,6 +57,8 @@ export class FineSettings {
   show({ document }: State, { curve }: View): void {
     const { kind, settings } = document;
     this.#group.hidden = !isSpline(kind);
+    const withKnots = kind === 'bspline';
+    byId('fine-title').textContent = withKnots ? 'Samples, marks and knots' : 'Samples and marks';
     const { samples, tolerance, marks } = settings;
     this.#sampling.value = tolerance === null ? 'number' : 'tolerance';
     byId('samples').hidden = tolerance !== null;
@@ -65,7 +67,7 @@ export class FineSettings {
     this.#tolerance.show(tolerance ?? defaultSettings.tolerance);
     this.#marks.show(marks);
     const knots = settings.knots ?? Array.from(curve?.knots ?? []);
-    this.#knots.show(kind === 'bspline' ? knots : null);
+    this.#knots.show(withKnots ? knots : null);
   }
 }
 
