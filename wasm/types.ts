@@ -175,7 +175,8 @@ export interface CurveOptions extends FieldOptions {
   samples?: number | 'adaptive';
   /**
    * Of adaptive samples: the largest distance of the curve from the geodesics between them, as a
-   * part of the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default.
+   * part of the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default. It is kept wherever the
+   * curve is looked at, a dozen times or more between two samples.
    */
   tolerance?: number;
   /**

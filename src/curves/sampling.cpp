@@ -17,6 +17,9 @@ constexpr int kMostBisections = 20;
 constexpr int kLooksAFace = 3;
 constexpr int kFewestLooks = 12;
 constexpr int kMostLooks = 256;
+/// A step from look to look into another face that is longer than this many even ones is divided.
+constexpr double kLongestOfSteps = 1.5;
+constexpr int kMostDivisions = 4;
 /// Bisections where samples do not converge.
 constexpr int kMostAtBorder = 8;
 constexpr int kMostInside = 2;
@@ -74,42 +77,68 @@ class AdaptiveTrace {
     refine(middle, to, bisections + 1);
   }
 
+  /// A point of the curve, and from where on the geodesic.
+  struct Look {
+    CurveSample sample;
+    Vec3 position = Vec3::Zero();
+    Vec3 off = Vec3::Zero();
+  };
+
   /// Whether the curve keeps to the geodesic, looked at in each face that this crosses, since the
   /// curve may bend or jump at the edges. Between two looks it is taken to go off further by as
   /// much as it does from one to the other.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
-    if (!findGeodesic(from.point, to.point)) return false;
-    if (offGeodesic(middle.point).norm() > tolerance_) return false;
+    path_.assign(1, from.point);
+    double length = 0;
+    if (!appendLocalPath(geometry_, from.point, to.point, workspace_, path_, length)) return false;
+    if (offGeodesic(position(*geometry_.mesh, middle.point)).norm() > tolerance_) return false;
     const int looks = std::clamp(kLooksAFace * (path_.count() - 1), kFewestLooks, kMostLooks);
-    double farthest = 0;
-    double largestChange = 0;
-    Vec3 last = Vec3::Zero();
-    CurveSample before = from;
+    longestStep_ = kLongestOfSteps * length / looks;
+    farthest_ = largestChange_ = 0;
+    Look before{from, position(*geometry_.mesh, from.point)};
     for (int k = 1; k <= looks; ++k) {
-      Vec3 off = Vec3::Zero();
-      if (k < looks) {
-        before = sample(from.t + (to.t - from.t) * k / looks, before);
-        if (before.status != Status::kConverged) return false;
-        off = offGeodesic(before.point);
-      }
-      farthest = std::max(farthest, off.norm());
-      largestChange = std::max(largestChange, (off - last).norm());
-      if (farthest + largestChange > tolerance_) return false;
-      last = off;
+      const Look next = k < looks ? look(from.t + (to.t - from.t) * k / looks, before.sample)
+                                  : Look{to, position(*geometry_.mesh, to.point)};
+      if (!isFineBetween(before, next, kMostDivisions)) return false;
+      before = next;
     }
     return true;
   }
 
-  bool findGeodesic(const SurfacePoint& from, const SurfacePoint& to) {
-    path_.assign(1, from);
-    double length = 0;
-    return appendLocalPath(geometry_, from, to, workspace_, path_, length);
+  /// Between two looks the curve may pass a face: where it goes faster than elsewhere, and where
+  /// their faces do not meet.
+  bool isFineBetween(const Look& from, const Look& to, int divisions) {
+    if (to.sample.status != Status::kConverged) return false;
+    const int face = from.sample.point.face;
+    const int onward = to.sample.point.face;
+    const bool isLong = (to.position - from.position).norm() > longestStep_;
+    if (divisions > 0 && face != onward && (isLong || !haveCommonEdge(face, onward))) {
+      const Look middle = look((from.sample.t + to.sample.t) / 2, from.sample);
+      return isFineBetween(from, middle, divisions - 1) && isFineBetween(middle, to, divisions - 1);
+    }
+    farthest_ = std::max(farthest_, to.off.norm());
+    largestChange_ = std::max(largestChange_, (to.off - from.off).norm());
+    return farthest_ + largestChange_ <= tolerance_;
+  }
+
+  bool haveCommonEdge(int face, int other) const {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      const int twin = geometry_.mesh->twin[h];
+      if (twin >= 0 && faceOf(twin) == other) return true;
+    }
+    return false;
+  }
+
+  Look look(double t, const CurveSample& before) {
+    Look result{sample(t, before)};
+    result.position = position(*geometry_.mesh, result.sample.point);
+    result.off = offGeodesic(result.position);
+    return result;
   }
 
   /// From the geodesic's nearest point, in space.
-  Vec3 offGeodesic(const SurfacePoint& point) {
+  Vec3 offGeodesic(const Vec3& p) const {
     const TriangleMesh& mesh = *geometry_.mesh;
-    const Vec3 p = position(mesh, point);
     Vec3 nearest = Vec3::Constant(kInfinity);
     Vec3 last = position(mesh, path_[0]);
     for (int i = 1; i < path_.count(); ++i) {
@@ -144,6 +173,10 @@ class AdaptiveTrace {
   Method method_;
   double tolerance_;
   Array<CurveSample> samples_;
+  // Of `isFine`.
+  double longestStep_ = 0;
+  double farthest_ = 0;
+  double largestChange_ = 0;
   LocalPathWorkspace workspace_;
   Array<SurfacePoint> path_;
 };

@@ -14,10 +14,12 @@ void checkTolerance(double tolerance);
 /// Samples of a segment by bisection of t, until between two neighbouring ones the curve lies
 /// within the tolerance, as a part of the bounding box's diagonal, of the geodesic that joins them.
 /// Where the curve jumps at an edge of the mesh (kLongestStep in bridge.h), samples come as near to
-/// the jump as the tolerance needs and a geodesic leads over it. The curve is looked at 12 times or
-/// more between two samples, three times for each face that the geodesic crosses, and its largest
-/// change between two looks counts as deviation too. What is narrower than that may be missed: a
-/// basis that goes out and back between two looks, a jump in one of many faces.
+/// the jump as the tolerance needs and a geodesic leads over it. The curve is looked at 12 to 256
+/// times between two samples, three times for each face that the geodesic crosses, and more often
+/// where it goes fast or from face to face without a common edge; its largest change between two
+/// looks counts as deviation too. That is no proof: a basis that goes out and back between two
+/// looks is missed. In tests no curve was off by more than a tolerance of 1e-3 or 1e-4, at 1e-5 one
+/// of fifty was.
 ///
 /// There is a sample at each of the `nodes` (segment_basis.h). They and the ends are found as
 /// `traceSegment` finds the ends. Where some samples are converged and others not, the border
