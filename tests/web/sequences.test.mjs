@@ -38,6 +38,8 @@ describe('sequences of edits', () => {
       const at = position && 3 * below(position.length / 3);
       return position && Array.from(position.subarray(at, at + 3));
     };
+    /** How far from a click a knot is meant: often one is. */
+    const within = () => (random() < 0.3 ? 0.05 : 0);
     const change = (make) => {
       const { points } = editor.state.document;
       const index = below(points.length);
@@ -53,11 +55,11 @@ describe('sequences of edits', () => {
       },
       insert: () => {
         const near = editor.state.document.points.length < mostPoints && onCurve();
-        return near && edits.atCurve('insert', near);
+        return near && edits.atCurve('insert', near, within());
       },
       split: () => {
         const near = editor.state.document.others.length < 2 && onCurve();
-        return near && edits.atCurve('split', near);
+        return near && edits.atCurve('split', near, within());
       },
       join: () => {
         const { others, kind } = editor.state.document;
