@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "curves/along_path.h"
+#include "curves/branches.h"
 
 namespace karcher {
 namespace {
@@ -36,10 +37,17 @@ class JumpSearch {
         method_(method),
         longest_(kLongestStep * geometry_.meanEdge) {}
 
-  /// Whether the way from one converged sample to the next breaks, and how. `middle`: the weights
-  /// in the middle of it, or none.
+  /// Whether the way from one converged sample to the next breaks in both directions, and how.
+  /// `middle`: the weights in the middle of it, or none.
   std::optional<Status> run(const CurveSample& from, const CurveSample& to, Weights middle) {
     if (!middle.empty() && staysInFace(from.point, to.point, middle)) return std::nullopt;
+    const std::optional<Status> reason = follow(from, to, false);
+    return reason && follow(from, to, true) ? reason : std::nullopt;
+  }
+
+ private:
+  /// Searches start at the earlier end of a step, or at the later one.
+  std::optional<Status> follow(const CurveSample& from, const CurveSample& to, bool backwards) {
     stack_.clear();
     stack_.push_back({{from.t, from.point}, {to.t, to.point}});
     for (int count = 0; !stack_.empty() && count < kMostDivisions; ++count) {
@@ -57,7 +65,8 @@ class JumpSearch {
       const double t = (step.from.t + step.to.t) / 2;
       const Array<double> weights = basis_(t);
       if (staysInFace(step.from.point, step.to.point, weights)) continue;
-      const CenterOfMass center = findCenter(fields_, weights, step.from.point, method_);
+      const SurfacePoint& start = backwards ? step.to.point : step.from.point;
+      const CenterOfMass center = findCenter(fields_, weights, start, method_);
       if (center.status != Status::kConverged) return center.status;
       stack_.push_back({step.from, {t, center.point}});
       stack_.push_back({{t, center.point}, step.to});
@@ -65,7 +74,6 @@ class JumpSearch {
     return stack_.empty() ? std::nullopt : std::optional<Status>(Status::kJump);
   }
 
- private:
   struct Place {
     double t;
     SurfacePoint point;
@@ -86,9 +94,9 @@ class JumpSearch {
       const double height = area / geometry_.edgeLength[3 * from.face + (k + 1) % 3];
       if (least[k] * height < margin) return false;
     }
-    Vec3 zero;
+    FaceZero zero;
     if (!fields_.findZero(from.face, middleWeights, zero)) return false;
-    return lengthInFace(from.face, zero - (from.bary + to.bary) / 2) < margin;
+    return lengthInFace(from.face, zero.bary - (from.bary + to.bary) / 2) < margin;
   }
 
   /// Of a difference of barycentric weights.
@@ -106,6 +114,8 @@ class JumpSearch {
   double longest_;
   Array<Step> stack_;
 };
+
+bool isConverged(const CurveSample& sample) { return sample.status == Status::kConverged; }
 
 /// The steps between converged samples that break, by their first sample, and how.
 Array<std::pair<int, Status>> findJumps(FieldBlend& fields, const Basis& basis,
@@ -297,8 +307,15 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
 Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
                             const WeightTable* middles, Method method,
                             Array<CurveSample>& samples) {
-  const Array<std::pair<int, Status>> jumps =
-      findJumps(fields.blend, basis, middles, method, samples);
+  Array<std::pair<int, Status>> jumps = findJumps(fields.blend, basis, middles, method, samples);
+  const bool isWhole = jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
+  if (isWhole) return {};
+  // Samples that a tolerance placed are dense enough for the branch that they follow.
+  const bool areEven = middles != nullptr;
+  if (areEven) {
+    takeBestBranches(fields, basis, method, samples);
+    jumps = findJumps(fields.blend, basis, middles, method, samples);
+  }
   const Geometry& geometry = fields.blend.geometry();
   Array<Bridge> bridges;
   BridgeBuilder builder(geometry, fields.points, basis, nodes);

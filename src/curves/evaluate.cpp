@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "curves/along_path.h"
+#include "curves/bridge.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
 
@@ -42,6 +43,29 @@ PathPiece pieceAround(Curve& curve, const SegmentParameter& at) {
 
 FieldBlend blendOf(Curve& curve, int segment) {
   return {curve.surface().geometry(), controlFields(curve.fieldsOf(segment))};
+}
+
+/// The center at a parameter between two samples, as the search for jumps (bridge.h) comes there:
+/// by halves of t, each search starting at the earlier end of its part, or at the later one. From a
+/// sample further off it might be another minimum's.
+CenterOfMass centerBetween(const Curve& curve, FieldBlend& fields, const SegmentParameter& at,
+                           CurveSample from, CurveSample to, bool backwards) {
+  const TriangleMesh& mesh = curve.surface().mesh();
+  const double shortest = kLongestStep / 2 * fields.geometry().meanEdge;
+  const auto centerAt = [&](double t) {
+    const CurveSample& start = backwards ? to : from;
+    if (start.status != Status::kConverged) return CenterOfMass{start.point, start.status, 0};
+    return findCenter(fields, curve.weights(at.segment, t), start.point,
+                      curve.options().field.method);
+  };
+  while (to.t - from.t > kFinestDivision &&
+         (position(mesh, to.point) - position(mesh, from.point)).norm() > shortest) {
+    const double t = (from.t + to.t) / 2;
+    const CenterOfMass center = centerAt(t);
+    if (center.status != Status::kConverged) return center;
+    (at.t < t ? to : from) = {t, center.point, center.status};
+  }
+  return centerAt(at.t);
 }
 
 /// Derivatives of the segment's weights by t: differences of second order, inside [0, 1].
@@ -109,13 +133,10 @@ CurvePoint pointAt(Curve& curve, const SegmentParameter& at) {
   }
   Status status = Status::kConverged;
   if (curve.shape().kind != CurveKind::kPolyline) {
-    status = samples[i].status;
-    for (const CurveSample& start : {samples[i - 1], samples[i]}) {
-      if (start.status != Status::kConverged) continue;
-      FieldBlend fields = blendOf(curve, at.segment);
-      const Array<double> weights = curve.weights(at.segment, at.t);
+    FieldBlend fields = blendOf(curve, at.segment);
+    for (const bool backwards : {false, true}) {
       const CenterOfMass center =
-          findCenter(fields, weights, start.point, curve.options().field.method);
+          centerBetween(curve, fields, at, samples[i - 1], samples[i], backwards);
       if (center.status == Status::kConverged) return {parameter, center.point, center.status};
       status = center.status;
     }

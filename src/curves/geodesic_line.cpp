@@ -1,22 +1,43 @@
 #include "curves/geodesic_line.h"
 
+#include <algorithm>
+
 #include "distance/shortest_path.h"
 #include "intrinsic/local_path.h"
 
 namespace karcher {
 
-GeodesicLine geodesicLine(const Geometry& geometry, const SurfacePoint& from,
+namespace {
+
+/// The points of the path by a search that begins at `from`, with their lengths; none if it finds
+/// no strip of faces.
+GeodesicLine searchedFrom(const Geometry& geometry, const SurfacePoint& from,
                           const SurfacePoint& to) {
   GeodesicLine line;
   line.points.push_back(from);
   LocalPathWorkspace workspace;
   double length = 0;
   const LocalPathOptions everywhere{2 * geometry.mesh->faceCount()};
-  if (!appendLocalPath(geometry, from, to, workspace, line.points, length, everywhere)) {
-    line.points = shortestPath(geometry, from, to).points;
-  }
+  if (!appendLocalPath(geometry, from, to, workspace, line.points, length, everywhere)) return {};
   line.lengths = lengthsAlong(*geometry.mesh, line.points);
   return line;
+}
+
+}  // namespace
+
+GeodesicLine geodesicLine(const Geometry& geometry, const SurfacePoint& from,
+                          const SurfacePoint& to) {
+  GeodesicLine line = searchedFrom(geometry, from, to);
+  if (line.points.empty()) {
+    line.points = shortestPath(geometry, from, to).points;
+    line.lengths = lengthsAlong(*geometry.mesh, line.points);
+    return line;
+  }
+  GeodesicLine back = searchedFrom(geometry, to, from);
+  if (back.points.empty() || !(back.length() < line.length())) return line;
+  std::reverse(back.points.begin(), back.points.end());
+  back.lengths = lengthsAlong(*geometry.mesh, back.points);
+  return back;
 }
 
 LineHalves halvesOf(const TriangleMesh& mesh, const GeodesicLine& line) {

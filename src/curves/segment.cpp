@@ -19,16 +19,12 @@ int heaviest(Weights weights) {
   return i;
 }
 
-namespace {
-
 void append(WeightTable& table, const Basis& basis, double t) {
   const Array<double> weights = basis(t);
   table.t.push_back(t);
   table.points = weights.count();
   table.weights.insert(table.weights.end(), weights.begin(), weights.end());
 }
-
-}  // namespace
 
 WeightTable tabulate(const Basis& basis, int count) {
   WeightTable table;

@@ -21,7 +21,7 @@ inline constexpr int kMostSamples = 100'000;
 /// From t in [0, 1] to the weights of a segment's control points, which sum to 1.
 using Basis = std::function<Array<double>(double t)>;
 
-/// A basis at parameters, evenly spaced: made once for all segments with that basis.
+/// A basis at parameters: where they are evenly spaced, made once for all segments with it.
 struct WeightTable {
   int points = 0;
   Array<double> t;
@@ -32,7 +32,9 @@ struct WeightTable {
   }
 };
 
-/// At `count` >= 2 parameters.
+void append(WeightTable& table, const Basis& basis, double t);
+
+/// At `count` >= 2 parameters, evenly spaced from 0 to 1.
 WeightTable tabulate(const Basis& basis, int count);
 
 /// At the middles between the `count` parameters.

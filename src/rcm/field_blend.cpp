@@ -42,7 +42,7 @@ TriangleField FieldBlend::blend(int face, Weights weights) {
   return {{Vec2(sum[0], sum[1]), Vec2(sum[2], sum[3]), Vec2(sum[4], sum[5])}};
 }
 
-bool FieldBlend::findZero(int face, Weights weights, Vec3& zero) {
+bool FieldBlend::findZero(int face, Weights weights, FaceZero& zero) {
   const double* v = transported(face);
   double sum[6] = {};
   for (const double w : weights) {
@@ -61,10 +61,15 @@ bool FieldBlend::findZero(int face, Weights weights, Vec3& zero) {
   const double b0 = x1 * y2 - y1 * x2;
   const double b1 = x2 * y0 - y2 * x0;
   const double b2 = x0 * y1 - y0 * x1;
-  const double scale = 1 / (b0 + b1 + b2);
-  zero[0] = b0 * scale;
-  zero[1] = b1 * scale;
-  zero[2] = b2 * scale;
+  zero.determinant = b0 + b1 + b2;
+  zero.jump = jumps_[lastSlot_];
+  const double scale = 1 / zero.determinant;
+  zero.bary[0] = b0 * scale;
+  zero.bary[1] = b1 * scale;
+  zero.bary[2] = b2 * scale;
+  zero.field.corner[0] = Vec2(x0, y0);
+  zero.field.corner[1] = Vec2(x1, y1);
+  zero.field.corner[2] = Vec2(x2, y2);
   return true;
 }
 
@@ -129,8 +134,11 @@ int FieldBlend::slotOf(int face) {
   const size_t width = static_cast<size_t>(6 * fieldCount());
   const size_t begin = static_cast<size_t>(slotCount_) * width;
   vectors_.resize(begin + width);
+  jumps_.resize(static_cast<size_t>(slotCount_) + 1);
+  double bend = 0;
   for (int k = 0; k < 3; ++k) {
     const int vertex = geometry_.mesh->corner(face, k);
+    bend = std::max(bend, std::abs(geometry_.angleScale[vertex] - 1));
     const Vec2& rotation = geometry_.vertexToFace[3 * face + k];
     double* out = vectors_.data() + begin + 2 * k;
     for (ControlField* field : fields_) {
@@ -140,6 +148,7 @@ int FieldBlend::slotOf(int face) {
       out += 6;
     }
   }
+  jumps_[slotCount_] = std::min(1.0, kPi * bend);
   // Only now, since a field's evaluation may throw.
   table_[place] = {face, slotCount_};
   const int slot = slotCount_++;

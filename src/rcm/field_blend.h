@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "intrinsic/geometry.h"
@@ -60,6 +61,21 @@ struct EdgeField {
   }
 };
 
+/// A triangle's blended field, and its zero as barycentric weights.
+struct FaceZero {
+  TriangleField field;
+  Vec3 bary;
+  /// Of the field's Jacobian, times that of the map from weights to the face.
+  double determinant;
+  /// The values at the ends of an edge are turned, relative to each other, by at most this angle
+  /// from the face on one side of it to that on the other: over pi at both together by their
+  /// angles' scale.
+  double jump;
+
+  /// How far inside the face the zero lies: the smallest weight.
+  double depth() const { return std::min(bary[0], std::min(bary[1], bary[2])); }
+};
+
 class FieldBlend {
  public:
   /// The geometry and the fields must outlive the blend; there must be at least one field.
@@ -71,9 +87,9 @@ class FieldBlend {
   /// The weighted sum of the fields in a face.
   TriangleField blend(int face, Weights weights);
 
-  /// The zero of `blend` as barycentric weights, if its Hessian is positive definite. What a search
-  /// asks for at each sample: all in one, in numbers that stay in registers.
-  bool findZero(int face, Weights weights, Vec3& zero);
+  /// The zero of `blend`, if its Hessian is positive definite: what a search asks for at each
+  /// sample, all in one.
+  bool findZero(int face, Weights weights, FaceZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
   Vec2 atVertex(int vertex, Weights weights);
@@ -99,6 +115,7 @@ class FieldBlend {
   const Geometry& geometry_;
   Array<ControlField*> fields_;
   Array<double> vectors_;
+  Array<double> jumps_;  ///< by slot, see FaceZero
   /// Open addressing, so that nothing the size of the mesh is made: faces, and their slots.
   struct Place {
     int face = -1;

@@ -3,6 +3,7 @@
 
 #include "intrinsic/straightest.h"
 #include "rcm/center_of_mass.h"
+#include "rcm/deepest_zero.h"
 
 namespace karcher {
 
@@ -38,10 +39,9 @@ int smallestCorner(const Vec3& b) {
   return b[0] < b[1] ? (b[0] < b[2] ? 0 : 2) : (b[1] < b[2] ? 1 : 2);
 }
 
-/// The zero of a face's field as barycentric weights; none where the Hessian is not positive
-/// definite.
-std::optional<Vec3> zeroOfFace(FieldBlend& fields, Weights weights, int face) {
-  Vec3 zero;
+/// The zero of a face's field; none where the Hessian is not positive definite.
+std::optional<FaceZero> zeroOfFace(FieldBlend& fields, Weights weights, int face) {
+  FaceZero zero;
   if (!fields.findZero(face, weights, zero)) return std::nullopt;
   return zero;
 }
@@ -55,32 +55,37 @@ CenterOfMass centerAroundVertex(FieldBlend& fields, Weights weights, int vertex)
   double nearest = -kInfinity;
   int h = first;
   do {
-    const std::optional<Vec3> zero = zeroOfFace(fields, weights, faceOf(h));
+    const std::optional<FaceZero> zero = zeroOfFace(fields, weights, faceOf(h));
     definite = definite && zero;
     if (zero) {
-      nearest = std::max(nearest, zero->minCoeff());
-      if (zero->minCoeff() >= -kInsideTolerance) {
-        return {clampedPoint(faceOf(h), *zero), Status::kConverged, 0};
+      nearest = std::max(nearest, zero->depth());
+      if (zero->depth() >= -kInsideTolerance) {
+        return {deepestZero(fields, weights, faceOf(h), *zero), Status::kConverged, 0};
       }
     }
     h = rotateLeft(mesh, h);
   } while (h >= 0 && h != first);
   if (!definite) return {vertexPoint(mesh, vertex), Status::kIndefinite, 0};
 
+  // Of zeros between two faces the one that lies farthest from the ends of its edge.
+  double farthest = 0;
+  SurfacePoint between;
   h = first;
   do {
     const int twin = mesh.twin[h];
     if (twin >= 0) {
-      const Vec3 left = *zeroOfFace(fields, weights, faceOf(h));
-      const Vec3 right = *zeroOfFace(fields, weights, faceOf(twin));
+      const Vec3 left = zeroOfFace(fields, weights, faceOf(h))->bary;
+      const Vec3 right = zeroOfFace(fields, weights, faceOf(twin))->bary;
       const double s = fields.zeroAlongEdge(h, weights);
-      if (left[cornerOf(previous(h))] < 0 && right[cornerOf(previous(twin))] < 0 && s > 0 &&
-          s < 1) {
-        return {edgePoint(h, s), Status::kConverged, 0};
+      if (left[cornerOf(previous(h))] < 0 && right[cornerOf(previous(twin))] < 0 &&
+          std::min(s, 1 - s) > farthest) {
+        farthest = std::min(s, 1 - s);
+        between = edgePoint(h, s);
       }
     }
     h = rotateLeft(mesh, h);
   } while (h >= 0 && h != first);
+  if (farthest > 0) return {between, Status::kConverged, 0};
 
   // The field jumps by a small part of an edge from face to face, no more.
   constexpr double kLargestJump = 0.5;
@@ -96,14 +101,12 @@ class ZeroWalk {
       : fields_(fields), geometry_(fields.geometry()), mesh_(*geometry_.mesh), weights_(weights) {}
 
   CenterOfMass run(const SurfacePoint& start) {
-    Vec3 zero;
+    FaceZero zero;
     if (fields_.findZero(start.face, weights_, zero)) {
-      // A sample's center lies in the face of the one before, most times.
-      const double least = std::min(zero[0], std::min(zero[1], zero[2]));
-      if (least >= -kInsideTolerance) {
-        return {clampedPoint(start.face, zero), Status::kConverged, 1};
+      if (zero.depth() >= -kInsideTolerance) {
+        return {deepestZero(fields_, weights_, start.face, zero), Status::kConverged, 1};
       }
-      if (least >= kFarWeight) return walk(start, zero);
+      if (zero.depth() >= kFarWeight) return walk(start, zero);
     }
     const SurfacePoint near = leap(start);
     CenterOfMass result = walk(near, zeroOfFace(fields_, weights_, near.face));
@@ -123,26 +126,26 @@ class ZeroWalk {
       const Vec2 step = wanted * std::min(1.0, kLongestLeap * geometry_.diagonal / wanted.norm());
       const StraightestPath path = traceStraightest(geometry_, point, step);
       point = path.points.back();
-      const std::optional<Vec3> zero = zeroOfFace(fields_, weights_, point.face);
-      if (zero && zero->minCoeff() > kFarWeight) break;
+      const std::optional<FaceZero> zero = zeroOfFace(fields_, weights_, point.face);
+      if (zero && zero->depth() > kFarWeight) break;
       if (step.norm() < 1e-3 * geometry_.meanEdge) break;
     }
     return point;
   }
 
   /// From a point near the zero, with the zero of its face.
-  CenterOfMass walk(const SurfacePoint& start, std::optional<Vec3> zero) {
+  CenterOfMass walk(const SurfacePoint& start, std::optional<FaceZero> zero) {
     int face = start.face;
     int history[kHistory];
     std::fill(history, history + kHistory, -1);
     for (int step = 1; step <= kMaxFaces; ++step) {
       if (step > 1) zero = zeroOfFace(fields_, weights_, face);
       if (!zero) return {face == start.face ? start : centroid(face), Status::kIndefinite, step};
-      const int corner = smallestCorner(*zero);
-      if ((*zero)[corner] >= -kInsideTolerance) {
-        return {clampedPoint(face, *zero), Status::kConverged, step};
+      const int corner = smallestCorner(zero->bary);
+      if (zero->bary[corner] >= -kInsideTolerance) {
+        return {deepestZero(fields_, weights_, face, *zero), Status::kConverged, step};
       }
-      const int h = exitEdge(face, *zero, corner);
+      const int h = exitEdge(face, zero->bary, corner);
       const int twin = mesh_.twin[h];
       if (twin < 0) {
         return {edgePoint(h, fields_.zeroAlongEdge(h, weights_)), Status::kBoundary, step};
@@ -151,7 +154,7 @@ class ZeroWalk {
       if (onward == history[(step - 1) % kHistory]) return betweenFaces(h, step);
       if (std::find(history, history + kHistory, onward) != history + kHistory) {
         CenterOfMass result =
-            centerAroundVertex(fields_, weights_, mesh_.corner(face, largest(*zero)));
+            centerAroundVertex(fields_, weights_, mesh_.corner(face, largest(zero->bary)));
         result.iterations = step;
         return result;
       }
@@ -207,10 +210,9 @@ class ZeroWalk {
 }  // namespace
 
 bool centerInFace(FieldBlend& fields, Weights weights, int face, SurfacePoint& center) {
-  Vec3 zero;
-  if (!fields.findZero(face, weights, zero)) return false;
-  if (std::min(zero[0], std::min(zero[1], zero[2])) < -kInsideTolerance) return false;
-  center = clampedPoint(face, zero);
+  FaceZero zero;
+  if (!fields.findZero(face, weights, zero) || zero.depth() < -kInsideTolerance) return false;
+  center = deepestZero(fields, weights, face, zero);
   return true;
 }
 

@@ -8,6 +8,8 @@
 
 #include "curve_support.h"
 #include "curves/curve.h"
+#include "generators/random_points.h"
+#include "intrinsic/straightest.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
 #include "support.h"
@@ -146,6 +148,64 @@ TEST(CurveInvariance, WithExactDistancesToRounding) {
   EXPECT_LE(changes.scale, 1e-9);
   EXPECT_LE(changes.renumbering, 1e-9);
   EXPECT_LE(changes.reversal, 1e-9);
+}
+
+/// A curve's samples in the order of its control points reversed or not, and whether it has
+/// bridges.
+struct Traced {
+  Array<Vec3> places;
+  bool bridged = false;
+};
+
+Traced tracedOn(Surface& surface, const CurveShape& shape, const Array<SurfacePoint>& points) {
+  Curve curve(surface, {shape, 17, kExact}, points);
+  update(curve);
+  Traced traced;
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    traced.bridged = traced.bridged || !curve.bridges(j).empty();
+    for (const CurveSample& sample : curve.samples(j)) {
+      traced.places.push_back(position(surface.mesh(), sample.point));
+    }
+  }
+  return traced;
+}
+
+TEST(CurveInvariance, ReversedControlPointsGiveTheSameCurve) {
+  const uint64_t seed = 71;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  int bridged = 0;
+  int bridgedMoved = 0;
+  for (const bool knot : {false, true}) {
+    Surface surface(knot ? importMesh(makeShape(Shape::kKnot, 3000)).mesh : bunnyMesh());
+    const Geometry& geometry = surface.geometry();
+    Random random(seed);
+    for (int polygon = 0; polygon < (longRun() ? 300 : 4); ++polygon) {
+      // From close together to a fifth of the surface.
+      const double spacing = geometry.diagonal * random.uniform(0.02, 0.2);
+      Array<SurfacePoint> points{randomPoint(surface.mesh(), random)};
+      while (points.count() < 6) {
+        const Vec2 step = spacing * unitVector(random.uniform(0, 2 * kPi));
+        points.push_back(traceStraightest(geometry, points.back(), step).points.back());
+      }
+      Array<SurfacePoint> back = points;
+      std::reverse(back.begin(), back.end());
+      for (const CurveShape& shape : everyShape(points.count())) {
+        if (shape.closed) continue;
+        const Traced forth = tracedOn(surface, shape, points);
+        Traced reverse = tracedOn(surface, reversed(shape), back);
+        std::reverse(reverse.places.begin(), reverse.places.end());
+        const double moved = largestDistance(forth.places, reverse.places) / geometry.diagonal;
+        if (forth.bridged || reverse.bridged) {
+          ++bridged;
+          if (moved > 1e-9) ++bridgedMoved;
+          continue;
+        }
+        EXPECT_LE(moved, 1e-9) << "polygon " << polygon << ", " << describe(shape);
+      }
+    }
+  }
+  std::printf("%d curves with bridges, of which %d differ when reversed\n", bridged, bridgedMoved);
+  EXPECT_LE(bridgedMoved, 1 + bridged / 20);
 }
 
 TEST(CurveInvariance, WithTheFastSolverAndTiesWithinAPartOfAnEdge) {
