@@ -190,20 +190,63 @@ describe('the Paper page', () => {
     assert.equal(await box.isChecked(), false);
   });
 
-  test('sliders change a rational curve', async () => {
+  /** The numbers of a figure's first panel. */
+  const firstJson = (id) =>
+    page.evaluate((figure) => {
+      const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === figure);
+      return JSON.parse(panels[0].json());
+    }, id);
+  const numbersOf = ({ lines }, id) => lines.find((line) => line.id === id);
+
+  test('sliders change a rational curve, and a method that was off is measured anew', async () => {
     await open('rational');
     const panel = page.locator('#rational .panel-card').first();
+    const box = panel.locator('tr[data-line="paper"] input');
+    const before = numbersOf(await firstJson('rational'), 'paper');
+    await box.uncheck();
     const slider = panel.locator('input[type="range"]').nth(1);
-    await slider.fill('1');
-    await settled('rational');
-    assert.equal(await panel.locator('output').nth(1).textContent(), '10');
-    const { curve } = await page.evaluate(() => {
-      const { panels } = window.karcherPaper.sections.find(
-        ({ element }) => element.id === 'rational',
+    // At once: what was measured before is not said of this curve.
+    const atOnce = await slider.evaluate((range) => {
+      range.value = '1';
+      range.dispatchEvent(new Event('input', { bubbles: true }));
+      const { panels } = window.karcherPaper.sections.find(({ element }) =>
+        element.contains(range),
       );
       return JSON.parse(panels[0].json());
     });
-    assert.deepEqual(curve.weights, [1, 10, 1, 1]);
+    assert.deepEqual(atOnce.lines, []);
+    await settled('rational');
+    assert.equal(await panel.locator('output').nth(1).textContent(), '10');
+    const changed = await firstJson('rational');
+    assert.deepEqual(changed.curve.weights, [1, 10, 1, 1]);
+    assert.deepEqual(
+      changed.lines.map(({ id }) => id),
+      ['karcher'],
+    );
+    assert.equal((await rows(panel)).paper.join(''), '');
+    await box.check();
+    await settled('rational');
+    const after = numbersOf(await firstJson('rational'), 'paper');
+    assert.notEqual(after.deviation.median, before.deviation.median);
+    await slider.fill('0');
+    await settled('rational');
+    const again = numbersOf(await firstJson('rational'), 'paper');
+    assert.deepEqual(again.deviation, before.deviation);
+  });
+
+  test('a method that was off while a point moved is measured anew', async () => {
+    await open('circles');
+    const panel = page.locator('#circles .panel-card').first();
+    const box = panel.locator('tr[data-line="isolineLinear"] input');
+    const before = numbersOf(await firstJson('circles'), 'isolineLinear');
+    await box.uncheck();
+    await panel.getByRole('button', { name: /^Point q / }).press('ArrowLeft');
+    await settled('circles');
+    assert.equal(numbersOf(await firstJson('circles'), 'isolineLinear'), undefined);
+    await box.check();
+    await settled('circles');
+    const after = numbersOf(await firstJson('circles'), 'isolineLinear');
+    assert.notDeepEqual(after.deviation, before.deviation);
   });
 
   /** What the editor shows of a panel's link, and what the panel shows. */

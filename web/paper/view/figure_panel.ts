@@ -40,7 +40,10 @@ export class FigurePanel {
   readonly #handles: Handles;
   readonly #numbers: NumbersTable;
   readonly #shown: Set<LineId>;
+  /** Of the points and the curve as they are now, but for those that are waited for. */
   readonly #results = new Map<LineId, LineResult>();
+  /** Asked for and not there yet: what is known of these is of earlier points. */
+  readonly #waiting = new Set<LineId>();
   #curve: CurveSpec;
   #mesh: DrawnMesh | null = null;
   #placed: Placed | null = null;
@@ -81,7 +84,7 @@ export class FigurePanel {
       const drawn = await this.context.geometry.make(this.#mesh);
       this.#view.showSurface(drawn);
       this.recolor();
-      this.trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+      this.#renew();
     } catch (error) {
       this.#note.textContent = error instanceof Error ? error.message : `${error}`;
       this.settled = true;
@@ -91,7 +94,7 @@ export class FigurePanel {
   /** Other points in space, of this panel or of one that shares them. */
   setPoints(points: readonly Vector[]): void {
     this.#points = points;
-    if (this.#mesh) this.trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+    this.#renew();
   }
 
   /** The colors of the theme. */
@@ -101,10 +104,31 @@ export class FigurePanel {
     this.#view.requestFrame();
   }
 
-  trace(lines: readonly LineId[]): void {
+  /** Nothing that is there is of the points and the curve as they are now. */
+  #renew(): void {
+    for (const id of this.panel.lines) if (!this.#shown.has(id)) this.#forget(id);
+    this.#trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+  }
+
+  #forget(id: LineId): void {
+    this.#results.delete(id);
+    this.#numbers.clear(id);
+    this.#view.hideLine(id);
+  }
+
+  /** A line's result, unless it is of earlier points. */
+  #result(id: LineId): LineResult | undefined {
+    return this.#waiting.has(id) ? undefined : this.#results.get(id);
+  }
+
+  #trace(lines: readonly LineId[]): void {
+    if (!this.#mesh) return;
     this.#stop?.();
     this.settled = false;
-    for (const id of lines) this.#numbers.wait(id);
+    for (const id of lines) {
+      this.#waiting.add(id);
+      this.#numbers.wait(id);
+    }
     const job = { panel: { ...this.panel, curve: this.#curve }, points: this.#points, lines };
     this.#stop = this.context.client.trace(job, {
       placed: (placed) => this.#showPlaced(placed),
@@ -185,24 +209,25 @@ export class FigurePanel {
 
   #setCurve(curve: CurveSpec): void {
     this.#curve = curve;
-    if (this.#mesh) this.trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+    this.#renew();
   }
 
   #toggle(id: LineId, shown: boolean): void {
     if (shown) this.#shown.add(id);
     else this.#shown.delete(id);
+    if (!shown && this.#waiting.has(id)) this.#forget(id);
     this.#view.hideLine(id);
     this.#placeMarkers();
-    const result = this.#results.get(id);
+    const result = this.#result(id);
     if (shown && result) this.#draw(result);
     // What is under way is asked for again, with the one that was missing.
-    else if (shown && this.#mesh) {
-      const missing = this.panel.lines.filter((one) => this.#shown.has(one));
-      this.trace(this.settled ? [id] : missing);
+    else if (shown) {
+      this.#trace(this.panel.lines.filter((one) => this.#shown.has(one) && !this.#result(one)));
     }
   }
 
   #showLine(line: LineResult): void {
+    this.#waiting.delete(line.id);
     this.#results.set(line.id, line);
     this.#numbers.set(line);
     if (this.#shown.has(line.id)) this.#draw(line);
@@ -271,11 +296,14 @@ export class FigurePanel {
     return foot;
   }
 
-  /** The panel's numbers. */
+  /** The panel's numbers: of all methods that were measured at the points as they are. */
   json(): string {
-    const lines = [...this.#results.values()].map(
-      ({ polylines: _, status: __, marker: ___, ...numbers }) => numbers,
-    );
+    const lines = this.panel.lines.flatMap((id) => {
+      const line = this.#result(id);
+      if (!line) return [];
+      const { polylines: _, status: __, marker: ___, ...numbers } = line;
+      return [numbers];
+    });
     const { mesh, curve: _, samples } = this.panel;
     const { info } = this.#mesh ?? {};
     const { points } = this.#placed ?? {};
@@ -286,7 +314,7 @@ export class FigurePanel {
   svg(): string {
     const { clientWidth: width, clientHeight: height } = this.#stage;
     const shown = this.panel.lines.flatMap((id) => {
-      const line = this.#results.get(id);
+      const line = this.#result(id);
       return line && this.#shown.has(id) ? [line] : [];
     });
     return panelSvg({

@@ -100,6 +100,13 @@ export class NumbersTable {
     this.#rows.get(id)!.dataset.state = 'waiting';
   }
 
+  /** Nothing is known of the line. */
+  clear(id: LineId): void {
+    const row = this.#rows.get(id)!;
+    delete row.dataset.state;
+    this.#fill(row, null);
+  }
+
   set(line: LineResult): void {
     const row = this.#rows.get(line.id)!;
     row.dataset.state = line.ok ? 'done' : 'failed';
