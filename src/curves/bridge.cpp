@@ -37,12 +37,12 @@ class JumpSearch {
         method_(method),
         longest_(kLongestStep * geometry_.meanEdge) {}
 
-  /// Whether the way from one converged sample to the next breaks in both directions, and how.
+  /// Whether the way from one converged sample to the next breaks in either direction, and how.
   /// `middle`: the weights in the middle of it, or none.
   std::optional<Status> run(const CurveSample& from, const CurveSample& to, Weights middle) {
     if (!middle.empty() && staysInFace(from.point, to.point, middle)) return std::nullopt;
     const std::optional<Status> reason = follow(from, to, false);
-    return reason && follow(from, to, true) ? reason : std::nullopt;
+    return reason ? reason : follow(from, to, true);
   }
 
  private:

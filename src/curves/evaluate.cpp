@@ -46,14 +46,14 @@ FieldBlend blendOf(Curve& curve, int segment) {
 }
 
 /// The center at a parameter between two samples, as the search for jumps (bridge.h) comes there:
-/// by halves of t, each search starting at the earlier end of its part, or at the later one. From a
-/// sample further off it might be another minimum's.
+/// by halves of t, each search starting at the earlier end of its part. From a sample further off
+/// it might be another minimum's.
 CenterOfMass centerBetween(const Curve& curve, FieldBlend& fields, const SegmentParameter& at,
-                           CurveSample from, CurveSample to, bool backwards) {
+                           CurveSample from, CurveSample to) {
   const TriangleMesh& mesh = curve.surface().mesh();
   const double shortest = kLongestStep / 2 * fields.geometry().meanEdge;
   const auto centerAt = [&](double t) {
-    const CurveSample& start = backwards ? to : from;
+    const CurveSample& start = from.status == Status::kConverged ? from : to;
     if (start.status != Status::kConverged) return CenterOfMass{start.point, start.status, 0};
     return findCenter(fields, curve.weights(at.segment, t), start.point,
                       curve.options().field.method);
@@ -134,12 +134,9 @@ CurvePoint pointAt(Curve& curve, const SegmentParameter& at) {
   Status status = Status::kConverged;
   if (curve.shape().kind != CurveKind::kPolyline) {
     FieldBlend fields = blendOf(curve, at.segment);
-    for (const bool backwards : {false, true}) {
-      const CenterOfMass center =
-          centerBetween(curve, fields, at, samples[i - 1], samples[i], backwards);
-      if (center.status == Status::kConverged) return {parameter, center.point, center.status};
-      status = center.status;
-    }
+    const CenterOfMass center = centerBetween(curve, fields, at, samples[i - 1], samples[i]);
+    if (center.status == Status::kConverged) return {parameter, center.point, center.status};
+    status = center.status;
   }
   const PathPiece piece = pieceAround(curve, at);
   const SurfacePoint point = pointAlong(curve.surface().mesh(), piece.points, piece.lengths,
