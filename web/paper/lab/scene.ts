@@ -3,6 +3,12 @@ import { CurveMeter, type MethodOptions, type Peers, type PreparedMethod } from 
 import { makeMesh } from '../../worker/made_mesh';
 import type { MeshSpec } from '../figures/types';
 import { NearestPoints } from './nearest';
+import { warm } from './warm';
+
+interface OwnMethod {
+  mesh: Mesh;
+  method: PreparedMethod;
+}
 
 /** A mesh with what was prepared on it, for figures whose points are dragged. */
 export class Scene {
@@ -11,7 +17,7 @@ export class Scene {
   readonly nearest: NearestPoints;
   readonly meter: CurveMeter;
   readonly #peers: Peers;
-  readonly #methods = new Map<string, Promise<PreparedMethod>>();
+  readonly #methods = new Map<string, Promise<OwnMethod>>();
 
   private constructor(
     peers: Peers,
@@ -33,23 +39,40 @@ export class Scene {
     return this.spec.kind === 'plane';
   }
 
-  /** A method on this mesh, prepared once. A failure is kept too, but for an aborted preparation. */
-  method(options: MethodOptions, work: LongWorkOptions): Promise<PreparedMethod> {
+  /**
+   * A method on a copy of the mesh of its own, prepared once: it finds nothing there that another has
+   * made, so that its time is its own. A failure is kept too, but for an aborted preparation.
+   */
+  async method(options: MethodOptions, work: LongWorkOptions): Promise<PreparedMethod> {
     const key = JSON.stringify(options);
     const known = this.#methods.get(key);
-    if (known) return known;
-    const made = this.#peers.prepare(this.mesh, options, work);
+    if (known) return (await known).method;
+    const made = this.#prepare(options, work);
     this.#methods.set(key, made);
     made.catch(() => {
       if (work.signal?.aborted) this.#methods.delete(key);
     });
-    return made;
+    return (await made).method;
+  }
+
+  async #prepare(options: MethodOptions, work: LongWorkOptions): Promise<OwnMethod> {
+    await warm(this.#peers, options);
+    const mesh = this.#peers.karcher.meshFromArrays(this.positions, this.triangles);
+    try {
+      return { mesh, method: await this.#peers.prepare(mesh, options, work) };
+    } catch (error) {
+      mesh.dispose();
+      throw error;
+    }
   }
 
   async dispose(): Promise<void> {
     for (const made of this.#methods.values()) {
       await made.then(
-        (method) => method.dispose(),
+        ({ mesh, method }) => {
+          method.dispose();
+          mesh.dispose();
+        },
         () => {},
       );
     }

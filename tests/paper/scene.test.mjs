@@ -1,0 +1,68 @@
+// What is measured in a figure is measured apart from what else the figure shows.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { loadPeers } from 'karcher/peers';
+import { load } from './load.mjs';
+
+const spec = { kind: 'shape', name: 'torus', triangles: 2_000 };
+
+/** Peers that note the mesh of each preparation. */
+async function notingPeers() {
+  const peers = await loadPeers();
+  const prepared = [];
+  const noting = {
+    karcher: peers.karcher,
+    plan: (...values) => peers.plan(...values),
+    prepare: (mesh, options, work) => {
+      const key = JSON.stringify([options.method, options.solver, options.rings]);
+      prepared.push({ mesh, key, triangles: mesh.info.triangles });
+      return peers.prepare(mesh, options, work);
+    },
+  };
+  return { noting, prepared };
+}
+
+test('every method has a mesh of its own, and was run before on a small one', async () => {
+  const { Scene } = await load('lab/scene.ts');
+  const { lineStyles } = await load('figures/lines.ts');
+  const { noting, prepared } = await notingPeers();
+  const scene = await Scene.make(noting, spec);
+  const chosen = ['paperGraph2', 'paper', 'karcher'];
+  for (const id of chosen) await scene.method(lineStyles[id].options, {});
+  const own = prepared.filter(({ triangles }) => triangles === scene.mesh.info.triangles);
+  assert.equal(own.length, chosen.length);
+  assert.equal(new Set([scene.mesh, ...own.map(({ mesh }) => mesh)]).size, 1 + chosen.length);
+  for (const { key } of own) {
+    const [first] = prepared.filter((one) => one.key === key);
+    assert.ok(first.triangles < 1_000, key);
+  }
+  // Prepared once.
+  const count = prepared.length;
+  await scene.method(lineStyles.paper.options, {});
+  assert.equal(prepared.length, count);
+  await scene.dispose();
+});
+
+test('Table 1 measures nothing that runs for the first time', async () => {
+  const { runTable } = await load('table/run.ts');
+  const { smallRows } = await load('table/rows.ts');
+  const { noting, prepared } = await notingPeers();
+  const triangles = [];
+  const events = {
+    row() {},
+    method() {},
+    progress() {},
+    cell: (cell) => triangles.push(cell.triangles),
+  };
+  // A curve of two points on a mesh of about 1,000 triangles.
+  const [, row] = smallRows(0.02);
+  const methods = ['paper', 'karcher'];
+  await runTable(noting, { rows: [row], methods, samples: 5, budgetMs: 60_000 }, events);
+  assert.equal(triangles.length, methods.length);
+  const keys = [...new Set(prepared.map(({ key }) => key))];
+  assert.equal(keys.length, methods.length);
+  for (const wanted of keys) {
+    const [first] = prepared.filter(({ key }) => key === wanted);
+    assert.notEqual(first.triangles, triangles[0], wanted);
+  }
+});

@@ -1,0 +1,41 @@
+import type { PointLike } from 'karcher';
+import type { MethodOptions, Peers } from 'karcher/peers';
+
+const triangles = 500;
+const rounds = 3;
+const samples = 17;
+/** Enough to run what an embedding runs. */
+const landmarks = 50;
+
+const warmed = new WeakMap<Peers, Map<string, Promise<void>>>();
+
+/**
+ * Runs a method on a small mesh, before it is measured for the first time: its part of the
+ * WebAssembly module is compiled only then, which takes longer than the method itself does on
+ * thousands of triangles.
+ */
+export function warm(peers: Peers, options: MethodOptions): Promise<void> {
+  const done = warmed.get(peers) ?? new Map<string, Promise<void>>();
+  warmed.set(peers, done);
+  const key = JSON.stringify(options);
+  const ready = done.get(key) ?? run(peers, options);
+  done.set(key, ready);
+  return ready;
+}
+
+async function run(peers: Peers, options: MethodOptions): Promise<void> {
+  const few = options.method === 'weightedAverages' ? { landmarks } : {};
+  for (let round = 0; round < rounds; round++) {
+    const mesh = peers.karcher.shape('sphere', triangles);
+    const method = await peers.prepare(mesh, { ...options, ...few });
+    const [a, b] = mesh.triangles();
+    const inside = (face: number): PointLike => ({ face, bary: [0.5, 0.25, 0.25] });
+    const points: PointLike[] = [{ vertex: a! }, inside(8), { vertex: b! }, inside(16)];
+    if (options.method === 'descent') points.length = 2;
+    const curve = method.curve(peers.plan(points, samples));
+    await curve.trace();
+    curve.dispose();
+    method.dispose();
+    mesh.dispose();
+  }
+}
