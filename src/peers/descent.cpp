@@ -68,7 +68,18 @@ class Descent {
     return crossFace(here);
   }
 
-  Vec2 downhill(int f) const { return -faceGradient(geometry_, distances_, f); }
+  /// Distances are asked for only where the path comes by: none belong to other components.
+  double distanceOf(int vertex) const {
+    const double distance = distances_[vertex];
+    if (std::isfinite(distance)) return distance;
+    throw Error(ErrorCode::kNotFinite,
+                "the distance of vertex " + std::to_string(vertex) + " is not a finite number");
+  }
+
+  Vec2 downhill(int f) const {
+    for (int k = 0; k < 3; ++k) distanceOf(mesh_.corner(f, k));
+    return -faceGradient(geometry_, distances_, f);
+  }
 
   /// Whether the way down in the face of h leads away from h into the face.
   bool leadsInside(int h) const {
@@ -86,7 +97,7 @@ class Descent {
   }
 
   bool followEdge(int h) {
-    const double change = distances_[mesh_.head(h)] - distances_[mesh_.tail(h)];
+    const double change = distanceOf(mesh_.head(h)) - distanceOf(mesh_.tail(h));
     if (change == 0) return false;
     path_.points.push_back(change < 0 ? edgePoint(next(h), 0) : edgePoint(h, 0));
     return true;
@@ -138,7 +149,7 @@ class Descent {
   }
 
   void considerEdge(int h, int from, int to, double& steepest, int& bestEdge) const {
-    const double slope = (distances_[from] - distances_[to]) / geometry_.edgeLength[h];
+    const double slope = (distanceOf(from) - distanceOf(to)) / geometry_.edgeLength[h];
     if (slope <= steepest) return;
     steepest = slope;
     bestEdge = h;
@@ -168,12 +179,6 @@ DescentPath descendDistance(const Geometry& geometry, const Array<double>& dista
     throw Error(ErrorCode::kBadArgument,
                 "there are " + std::to_string(distances.count()) + " distances, but the mesh has " +
                     std::to_string(geometry.mesh->vertexCount()) + " vertices");
-  }
-  for (int v = 0; v < distances.count(); ++v) {
-    if (!std::isfinite(distances[v])) {
-      throw Error(ErrorCode::kNotFinite,
-                  "the distance of vertex " + std::to_string(v) + " is not a finite number");
-    }
   }
   return Descent(geometry, distances, source).run(start);
 }

@@ -28,7 +28,8 @@ struct DescentPath {
 /// The gradient of the linear interpolation of `values` (one a vertex) in face f, in its frame.
 Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
 
-/// Descends from `start` to `source`, to which `distances` (one a vertex) belong.
+/// Descends from `start` to `source`, to which `distances` (one a vertex) belong. They need be
+/// finite only where the path comes by, so that other components may have none.
 /// Throws Error: kBadArgument (not one distance a vertex), kNotFinite.
 DescentPath descendDistance(const Geometry& geometry, const Array<double>& distances,
                             const SurfacePoint& source, const SurfacePoint& start);

@@ -106,6 +106,26 @@ TEST(Descent, SaysWhereItIsStuck) {
   EXPECT_EQ(center.status, Status::kNoProgress);
 }
 
+TEST(Descent, DoesNotAskForDistancesOfOtherComponents) {
+  // A square, on whose diagonal the way runs, and beside it a triangle that no distance reaches.
+  const TriangleMesh mesh =
+      buildMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
+                {{0, 1, 3}, {1, 2, 3}, {4, 5, 6}});
+  const Geometry geometry = buildGeometry(mesh);
+  const double h = std::sqrt(2) / 2;
+  // Linear distances along the diagonal from vertex 0.
+  Array<double> distances{0, h, 2 * h, h, kInfinity, kInfinity, kInfinity};
+  const SurfacePoint source = vertexPoint(mesh, 0);
+  const SurfacePoint start = vertexPoint(mesh, 2);
+  const DescentPath path = descendDistance(geometry, distances, source, start);
+  ASSERT_EQ(path.stop, DescentStop::kArrived);
+  EXPECT_NEAR(path.length, std::sqrt(2), 1e-12);
+  distances[3] = kInfinity;
+  EXPECT_THROW(descendDistance(geometry, distances, source, start), Error);
+  distances[3] = std::nan("");
+  EXPECT_THROW(descendDistance(geometry, distances, source, start), Error);
+}
+
 TEST(Descent, RefusesWhatItCannotAverage) {
   const TriangleMesh mesh = planeGrid(3, 3);
   const Geometry geometry = buildGeometry(mesh);

@@ -111,6 +111,22 @@ describe('every method', () => {
     }
   });
 
+  test('joins two points beside another part of the mesh', async () => {
+    const other = [170, 171, 172];
+    const text = `${grid(cells)}\nv 99 0 0\nv 99 1 0\nv 98 0 0\nf ${other.join(' ')}\n`;
+    const mesh = peers.karcher.meshFromObj(text);
+    assert.equal(mesh.info.components, 2);
+    const pair = [{ vertex: 30 }, { vertex: 107 }];
+    for (const name of comparedMethods) {
+      if (name === 'weightedAverages') continue; // it embeds the whole mesh
+      const method = await prepared(name, mesh);
+      const curve = method.curve(peers.plan(pair, 5));
+      curve.finish();
+      assert.equal(curve.samples.status[2], 'converged', name);
+      method.dispose();
+    }
+  });
+
   test('starts where it is told to', async () => {
     for (const name of curved) {
       const method = await prepared(name);
