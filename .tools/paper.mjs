@@ -4,7 +4,8 @@
 //   npm run paper -- [--figure ID] [--detail PART] [--table TRIANGLES] [--samples N] [--built]
 //
 // One figure only (or none); meshes of a part of the triangles; Table 1 too, up to so many triangles
-// and with so many samples a segment; what is in dist/ as it is.
+// and with so many samples a segment; what is in dist/ as it is. Where there is nothing to write, the
+// last report stays.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { runnerImport } from 'vite';
@@ -28,12 +29,32 @@ const load = async (path) => {
   const config = { configFile: inRoot('vite.config.ts'), logLevel: 'error' };
   return (await runnerImport(inRoot(`web/paper/${path}`), config)).module;
 };
+
+/** An option's number. Throws an error that says what it should be. */
+function numberOf(options, name, fits, what) {
+  const value = Number(options[name].trim() || Number.NaN);
+  if (fits(value)) return value;
+  throw new Error(`--${name} is to be ${what}, not '${options[name]}'.\n${usage}`);
+}
+
+/** The command line's options, checked before anything is built. */
+function readOptions() {
+  const options = parseArgs({ options: known }).values;
+  const count = (least) => (value) => Number.isInteger(value) && value >= least;
+  return {
+    ...options,
+    detail: numberOf(options, 'detail', (value) => value > 0 && value <= 1, 'over 0 and up to 1'),
+    table: numberOf(options, 'table', count(0), 'a number of triangles'),
+    samples: numberOf(options, 'samples', count(2), 'a number of samples from 2 on'),
+  };
+}
+
 const tell = (what) => console.error(what);
 
 async function figuresPart({ figure, detail }) {
   const { figures, smallFigures } = await load('figures/index.ts');
   const { report } = await load('report.ts');
-  const all = Number(detail) < 1 ? smallFigures(Number(detail), 33) : figures;
+  const all = detail < 1 ? smallFigures(detail, 33) : figures;
   if (figure === 'none') return '';
   const chosen = all.filter(({ id }) => figure === undefined || figure === id);
   if (chosen.length > 0) return report(chosen, tell);
@@ -43,18 +64,21 @@ async function figuresPart({ figure, detail }) {
 async function tablePart({ table, samples }) {
   const { expectedTriangles, tableRows } = await load('table/rows.ts');
   const { tableReport } = await load('report.ts');
-  const rows = tableRows.filter(({ mesh }) => expectedTriangles(mesh) <= Number(table));
-  return rows.length > 0 ? tableReport({ rows, samples: Number(samples), budgetMs }, tell) : '';
+  const rows = tableRows.filter(({ mesh }) => expectedTriangles(mesh) <= table);
+  return rows.length > 0 ? tableReport({ rows, samples, budgetMs }, tell) : '';
 }
 
 try {
-  const options = parseArgs({ options: known }).values;
+  const options = readOptions();
   if (!options.built) {
     await setUp('build');
     await buildWasm();
     await buildFacade();
   }
   const parts = [await figuresPart(options), await tablePart(options)].filter(Boolean);
+  if (parts.length === 0) {
+    throw new Error('There is nothing to write: no figure, and no row of Table 1 so small.');
+  }
   mkdirSync(inRoot('build'), { recursive: true });
   writeFileSync(inRoot('build/paper.md'), parts.join('\n'));
   console.log('Written to build/paper.md.');

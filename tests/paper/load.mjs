@@ -2,7 +2,7 @@
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
 
-const inRoot = (path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+export const inRoot = (path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
 export async function load(path) {
   const options = { configFile: inRoot('vite.config.ts'), logLevel: 'error' };

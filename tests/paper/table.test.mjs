@@ -1,8 +1,10 @@
 // Table 1 and the report, on small meshes.
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
 import { loadPeers } from 'karcher/peers';
-import { load } from './load.mjs';
+import { inRoot, load } from './load.mjs';
 
 let rows;
 let run;
@@ -195,4 +197,20 @@ test('the report names every figure and every line', async () => {
     for (const panel of panels) assert.ok(text.includes(`### ${panel.title}, `));
   }
   assert.match(text, /\| Karcher \| [^|]+ \| [^|]+ \| [^|]+ \| 0 of 15 \|/);
+});
+
+test('npm run paper refuses what is no number, and leaves the last report', () => {
+  const report = inRoot('build/paper.md');
+  const before = existsSync(report) ? readFileSync(report, 'utf8') : null;
+  for (const [args, reason] of [
+    [['--figure', 'none', '--table', 'abc'], /--table is to be a number of triangles, not 'abc'/],
+    [['--detail', 'abc'], /--detail is to be over 0 and up to 1, not 'abc'/],
+    [['--figure', 'none'], /There is nothing to write/],
+  ]) {
+    const command = [inRoot('.tools/paper.mjs'), '--built', ...args];
+    const { status, stderr } = spawnSync(process.execPath, command, { encoding: 'utf8' });
+    assert.equal(status, 1, `${args}`);
+    assert.match(stderr, reason);
+    assert.equal(existsSync(report) ? readFileSync(report, 'utf8') : null, before);
+  }
 });
