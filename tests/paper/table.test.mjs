@@ -181,6 +181,28 @@ describe('the table', () => {
     assert.match(lines[1], /Vector heat,false,stopped after -?0 s,[0-9.]*,,,/);
   });
 
+  test('has a chart with a gap where nothing was measured', async () => {
+    const { seriesOf } = await load('table/series.ts');
+    const cell = (triangles, method, result) => ({
+      row: '',
+      method,
+      triangles,
+      segments: 4,
+      result,
+    });
+    const cells = [
+      cell(500, 'karcher', { ok: true, traceMs: 2 }),
+      // Less than a clock's step.
+      cell(1000, 'karcher', { ok: true, traceMs: 0 }),
+      cell(2000, 'karcher', { ok: false, traceMs: 3 }),
+      cell(2000, 'paper', { ok: true, traceMs: 4 }),
+    ];
+    const [triangles, ...series] = seriesOf(cells, 'traceMs');
+    assert.deepEqual(triangles, [500, 1000, 2000]);
+    assert.deepEqual(series[rows.tableMethods.indexOf('karcher')], [2, null, null]);
+    assert.deepEqual(series[rows.tableMethods.indexOf('paper')], [null, null, 4]);
+  });
+
   test('ends when it is told to', async () => {
     const signal = AbortSignal.abort(new Error('enough'));
     await assert.rejects(measured(rows.smallRows(0.02), {}, signal), /enough/);

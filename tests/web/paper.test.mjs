@@ -345,6 +345,8 @@ describe('the Paper page', () => {
     }
     assert.equal(await section.locator('.uplot canvas').count(), 1);
     await section.getByText('Update', { exact: true }).click();
+    const save = section.getByRole('button', { name: 'CSV' });
+    assert.equal(await save.isEnabled(), true);
     const csv = await page.evaluate(() => window.karcherPaper.table.csv());
     assert.equal(csv.trim().split('\n').length, 1 + all.length);
     assert.match(csv, /Chrome/);
@@ -378,13 +380,16 @@ describe('the Paper page', () => {
   test('Table 1 is cancelled inside a long step, and runs again', async () => {
     const section = page.locator('#table');
     const status = () => section.getByRole('status').textContent();
+    /** Starts a run; whether there is something to save at once. */
     const start = (triangles) =>
       page.evaluate((count) => {
         const { table } = window.karcherPaper;
         const row = table.rows.find(({ id }) => id === 'knot-500k');
         table.start([{ ...row, mesh: { ...row.mesh, triangles: count } }]);
+        const buttons = [...table.element.querySelectorAll('button')];
+        return !buttons.find(({ textContent }) => textContent === 'CSV').disabled;
       }, triangles);
-    await start(100_000);
+    assert.equal(await start(100_000), false);
     await page.waitForFunction(() =>
       /Vector heat, preparing/.test(document.querySelector('#table [role=status]').textContent),
     );

@@ -1,15 +1,8 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { lineColor } from '../view/theme_colors';
-import { type TableCell, type TableMethod, tableMethodNames, tableMethods } from './rows';
-
-export type Measure = 'prepareMs' | 'traceMs' | 'dragMs';
-
-export const measureNames: Record<Measure, string> = {
-  prepareMs: 'Preprocessing',
-  traceMs: 'Tracing',
-  dragMs: 'Update',
-};
+import { type TableCell, tableMethodNames, tableMethods } from './rows';
+import { type Measure, seriesOf } from './series';
 
 const ticks = (value: number) =>
   value >= 1000 ? `${(value / 1000).toLocaleString('en')} s` : `${value} ms`;
@@ -72,7 +65,7 @@ export class TableChart {
           label: tableMethodNames[method],
           stroke: lineColor(method),
           width: 2,
-          spanGaps: true,
+          spanGaps: false,
           points: { show: true, size: 7 },
           value: (_: uPlot, value: number | null) =>
             value === null ? '–' : `${value.toFixed(1)} ms`,
@@ -95,22 +88,4 @@ function resolved(element: HTMLElement, name: string): string {
   const { color } = getComputedStyle(probe);
   probe.remove();
   return color;
-}
-
-/** B-splines only, by triangles: paths of two points are another kind of work. */
-export function seriesOf(cells: readonly TableCell[], measure: Measure): uPlot.AlignedData {
-  const splines = cells.filter(({ segments }) => segments > 1);
-  const triangles = [...new Set(splines.map((cell) => cell.triangles))].toSorted((a, b) => a - b);
-  const value = (method: TableMethod, count: number) => {
-    const cell = splines.find((one) => one.method === method && one.triangles === count);
-    // What a method took to fail is no time of a curve.
-    const counts = measure === 'prepareMs' || cell?.result.ok;
-    const milliseconds = counts ? (cell?.result[measure] ?? null) : null;
-    // A logarithmic scale has no zero.
-    return milliseconds === null ? null : Math.max(milliseconds, 1e-3);
-  };
-  return [
-    triangles,
-    ...tableMethods.map((method) => triangles.map((count) => value(method, count))),
-  ] as uPlot.AlignedData;
 }

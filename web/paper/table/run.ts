@@ -1,5 +1,12 @@
 import type { LongWorkOptions } from 'karcher';
-import { type CompareOptions, type Peers, runMethod, standardOptions } from 'karcher/peers';
+import {
+  type CompareOptions,
+  type CurvePlan,
+  type MethodOptions,
+  type Peers,
+  runMethod,
+  standardOptions,
+} from 'karcher/peers';
 import { makeMesh } from '../../worker/made_mesh';
 import { NearestPoints } from '../lab/nearest';
 import { warm } from '../lab/warm';
@@ -22,6 +29,12 @@ export interface TableEvents {
   method(cell: Pick<TableCell, 'row' | 'method' | 'triangles' | 'segments'>): void;
   progress(done: number, stage: string): void;
   cell(cell: TableCell): void;
+}
+
+/** Ours has exact distances where the paper's method has them: for two points. */
+function tableOptions(method: TableMethod, plan: CurvePlan): MethodOptions {
+  const exact = method === 'karcher' && plan.points.length === 2;
+  return exact ? { method, solver: 'exact' } : standardOptions(method, plan);
 }
 
 /**
@@ -47,7 +60,7 @@ export async function runTable(
         signal?.throwIfAborted();
         const cell = { row: row.id, method, triangles, segments: plan.first.length };
         events.method(cell);
-        const options = standardOptions(method, plan);
+        const options = tableOptions(method, plan);
         await warm(peers, options);
         const { curve: _, ...result } = await runMethod(peers, mesh, plan, options, null, work);
         events.cell({ ...cell, result });

@@ -1,6 +1,6 @@
 import { make } from '../../panels/elements';
 import { download } from '../view/download';
-import { type Measure, measureNames, TableChart } from './chart';
+import { TableChart } from './chart';
 import { TableClient } from './client';
 import { tableCsv } from './csv';
 import {
@@ -11,6 +11,7 @@ import {
   tableMethods,
 } from './rows';
 import type { TableOptions } from './run';
+import { type Measure, measureNames } from './series';
 import { TableView } from './table_view';
 
 const sampleChoices = [128, 1024, 4096];
@@ -99,6 +100,7 @@ export class TableSection {
   /** Measures these rows, or those up to the chosen size. */
   start(rows = this.#chosen()): void {
     this.cells = [];
+    this.#save.disabled = true;
     this.#view.clear();
     this.#options = {
       rows,
@@ -168,7 +170,7 @@ export class TableSection {
       make('h2', 'Times on your machine'),
       make(
         'p',
-        'Two-point paths with exact distances on two tori, then B-splines with k = 6 graph distances for the paper’s method, with control points at vertices. Preprocessing is what a method does once for the mesh, tracing includes the fields, and an update follows a drag of one point by an edge. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; what was not measured is empty.',
+        'Two-point paths on two tori, with exact distances for the paper’s method and ours; then B-splines, with graph distances of k = 6 for the paper’s method and fast ones for ours, as in the editor. Control points are at vertices. Preprocessing is what a method does once for the mesh, tracing includes the fields, and an update follows a drag of one point by an edge. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; what was not measured is a dash.',
         { className: 'caption' },
       ),
     );

@@ -1,0 +1,28 @@
+import type { AlignedData } from 'uplot';
+import { type TableCell, type TableMethod, tableMethods } from './rows';
+
+export type Measure = 'prepareMs' | 'traceMs' | 'dragMs';
+
+export const measureNames: Record<Measure, string> = {
+  prepareMs: 'Preprocessing',
+  traceMs: 'Tracing',
+  dragMs: 'Update',
+};
+
+/** B-splines only, by triangles: paths of two points are another kind of work. */
+export function seriesOf(cells: readonly TableCell[], measure: Measure): AlignedData {
+  const splines = cells.filter(({ segments }) => segments > 1);
+  const triangles = [...new Set(splines.map((cell) => cell.triangles))].toSorted((a, b) => a - b);
+  const value = (method: TableMethod, count: number) => {
+    const cell = splines.find((one) => one.method === method && one.triangles === count);
+    // What a method took to fail is no time of a curve.
+    const counts = measure === 'prepareMs' || cell?.result.ok;
+    const milliseconds = counts ? (cell?.result[measure] ?? null) : null;
+    // A logarithmic scale has no zero, which is what a clock shows of less than its step.
+    return milliseconds ? milliseconds : null;
+  };
+  return [
+    triangles,
+    ...tableMethods.map((method) => triangles.map((count) => value(method, count))),
+  ] as AlignedData;
+}
