@@ -1,5 +1,5 @@
 import type { Tessellation } from '../../editor/meshes';
-import type { Figure, LineId, MeshSpec } from './types';
+import type { Figure, LineId, MeshSpec, Vector } from './types';
 
 const farMethods: LineId[] = [
   'vectorHeat',
@@ -57,6 +57,16 @@ const methods: LineId[] = [
   'karcher',
 ];
 
+/** In the unit square. */
+export const planeSpline: Vector[] = [
+  [0.16, 0.3, 0],
+  [0.28, 0.72, 0],
+  [0.44, 0.34, 0],
+  [0.58, 0.74, 0],
+  [0.72, 0.3, 0],
+  [0.86, 0.66, 0],
+];
+
 export const planeFigure: Figure = {
   id: 'plane',
   name: 'Figure 8',
@@ -64,14 +74,7 @@ export const planeFigure: Figure = {
   caption:
     'On the plane the cubic B-spline is known. Gradients that are averaged over rings are off wherever rings are not symmetric; log vectors are linear there, and so exact on any tessellation.',
   points: {
-    spline: [
-      [0.16, 0.3, 0],
-      [0.28, 0.72, 0],
-      [0.44, 0.34, 0],
-      [0.58, 0.74, 0],
-      [0.72, 0.3, 0],
-      [0.86, 0.66, 0],
-    ],
+    spline: planeSpline,
   },
   panels: (
     [

@@ -1,3 +1,4 @@
+import { planeSpline } from './limits';
 import { onKnot, onSphere, onTorus } from './surfaces';
 import type { Figure, LineId, Vector } from './types';
 
@@ -48,6 +49,16 @@ export const resolutionFigure: Figure = {
 
 const gallery: LineId[] = ['paper', 'karcher', 'exactLogs'];
 
+const sphere: Vector[] = [
+  onSphere(-50, -30),
+  onSphere(-42, 25),
+  onSphere(-16, 42),
+  onSphere(4, -28),
+  onSphere(24, -40),
+  onSphere(36, 18),
+  onSphere(58, 36),
+];
+
 export const galleryFigure: Figure = {
   id: 'gallery',
   name: 'Figure 5',
@@ -68,15 +79,7 @@ export const galleryFigure: Figure = {
     knot: [0, 18, 36, 54, 72, 90, 108].map((degrees, i) =>
       onKnot(190 + degrees, i % 2 ? 0.1 : -0.1),
     ),
-    sphere: [
-      onSphere(-50, -30),
-      onSphere(-42, 25),
-      onSphere(-16, 42),
-      onSphere(4, -28),
-      onSphere(24, -40),
-      onSphere(36, 18),
-      onSphere(58, 36),
-    ],
+    sphere,
     torus: [
       onTorus(10, 50),
       onTorus(40, 110),
@@ -125,24 +128,37 @@ export const galleryFigure: Figure = {
   })),
 };
 
+const rings: LineId[] = ['paperGraph2', 'paperGraph6', 'paper', 'karcher'];
+
 export const graphFigure: Figure = {
   id: 'graph',
   name: 'Figure 5, inset',
   title: 'Graph distances with k = 2 and k = 6',
   caption:
-    'The paper’s method with distances on the graph that joins each vertex to its k-ring: with k = 2 the distances are too rough for a smooth curve, with k = 6 they come near exact ones.',
-  points: { spline: fourSegments.slice(0, 5) },
+    'The paper’s method with distances on the graph that joins each vertex to its k-ring. With k = 2 paths have few directions to choose from: the farther the points are from each other, in edges, the more the curve strays and turns to and fro. With k = 6 it stays several times nearer, on the plane to the affine curve, on the sphere to the reference; with exact distances it is nearer still.',
+  points: { plane: planeSpline, sphere },
   panels: [
     {
-      id: 'rings',
-      title: 'Genus 3',
-      mesh: { kind: 'shape', name: 'genus3', triangles: 8_000 },
-      points: 'spline',
+      id: 'grid',
+      title: 'Plane, regular grid',
+      mesh: { kind: 'plane', tessellation: 'grid', triangles: 8_000 },
+      points: 'plane',
       curve: { kind: 'bspline' },
-      lines: ['paperGraph2', 'paperGraph6', 'paper', 'karcher', 'exactLogs'],
+      lines: [...rings, 'truth'],
+      off: ['truth'],
+      samples: 128,
+      view: { from: [0, 0, 1] },
+    },
+    {
+      id: 'sphere',
+      title: 'Sphere',
+      mesh: { kind: 'shape', name: 'sphere', triangles: 20_000 },
+      points: 'sphere',
+      curve: { kind: 'bspline' },
+      lines: [...rings, 'exactLogs'],
       off: reference,
       samples: 128,
-      view: { at: 2, distance: 1.1 },
+      view: { from: [0, 0, 1] },
     },
   ],
 };
