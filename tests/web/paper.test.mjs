@@ -9,6 +9,11 @@ const ids = [
   ...['far', 'plane'],
 ];
 
+const numbersOf = ({ lines }, id) => lines.find((line) => line.id === id);
+/** Our line among a panel's. */
+const oursIn = (lines) =>
+  ['karcher', 'karcherExact', 'circleArcs'].find((one) => lines.includes(one));
+
 describe('the Paper page', () => {
   let browser;
   let page;
@@ -74,7 +79,7 @@ describe('the Paper page', () => {
         const numbers = await rows(panel);
         const shown = await panel.locator('tbody tr:has(input:checked)').count();
         assert.ok(shown >= 2);
-        const ours = numbers.karcher ?? numbers.circleArcs;
+        const ours = numbers[oursIn(Object.keys(numbers))];
         assert.match(ours[0], /^(0|[0-9.]+|\d·10⁻[⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/, JSON.stringify(numbers));
         await drawn(panel);
         assert.ok((await panel.locator('.handle').count()) >= 2);
@@ -112,7 +117,7 @@ describe('the Paper page', () => {
         assert.equal(before.error, null);
         assert.equal(before.image, 'data:image/png;base64,');
         assert.deepEqual(before.metadata, before.json);
-        const ours = before.json.lines.find((one) => ['karcher', 'circleArcs'].includes(one.id));
+        const ours = numbersOf(before.json, oursIn(before.json.lines.map((one) => one.id)));
         assert.ok(ours.traceMs >= 0 && ours.deviation.median >= 0);
         // A center of mass is one sample, and does not turn.
         if (before.json.curve.kind !== 'center') assert.ok(ours.turningNoise >= 0);
@@ -196,8 +201,6 @@ describe('the Paper page', () => {
       const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === figure);
       return JSON.parse(panels[0].json());
     }, id);
-  const numbersOf = ({ lines }, id) => lines.find((line) => line.id === id);
-
   test('sliders change a rational curve, and a method that was off is measured anew', async () => {
     await open('rational');
     const panel = page.locator('#rational .panel-card').first();
@@ -215,6 +218,8 @@ describe('the Paper page', () => {
       return JSON.parse(panels[0].json());
     });
     assert.deepEqual(atOnce.lines, []);
+    const title = panel.getByRole('heading', { level: 3 });
+    assert.equal(await title.textContent(), 'Cubic, weights 1, 10, 1, 1');
     await settled('rational');
     assert.equal(await panel.locator('output').nth(1).textContent(), '10');
     const changed = await firstJson('rational');
@@ -232,6 +237,34 @@ describe('the Paper page', () => {
     await settled('rational');
     const again = numbersOf(await firstJson('rational'), 'paper');
     assert.deepEqual(again.deviation, before.deviation);
+    assert.equal(await title.textContent(), 'Cubic, weights 1');
+  });
+
+  test('says where the editor has no such weights', async () => {
+    await open('rational');
+    const panel = page.locator('#rational .panel-card').first();
+    const slider = (i) => panel.locator('input[type="range"]').nth(i);
+    const link = panel.getByText('Open in the editor');
+    const why = panel.getByText(
+      'Not in the editor: the editor’s weights differ by no more than 256',
+    );
+    assert.deepEqual([await link.isVisible(), await why.isVisible()], [true, false]);
+    await slider(0).fill('-2');
+    await slider(1).fill('2');
+    await settled('rational');
+    assert.deepEqual([await link.isVisible(), await why.isVisible()], [false, true]);
+    assert.equal(await link.getAttribute('href'), null);
+    for (const i of [0, 1]) await slider(i).fill('0');
+    await settled('rational');
+    assert.deepEqual([await link.isVisible(), await why.isVisible()], [true, false]);
+  });
+
+  test('the reference tells its own residual', async () => {
+    await open('gallery');
+    const panel = page.locator('#gallery .panel-card').nth(2);
+    await panel.locator('tr[data-line="exactLogs"] input').check();
+    await settled('gallery');
+    assert.match((await rows(panel)).exactLogs.join('; '), /^its own residual: 0\.\d+ h$/);
   });
 
   test('a method that was off while a point moved is measured anew', async () => {

@@ -1,5 +1,6 @@
 import { loadPeers } from 'karcher/peers';
 import { lineStyles } from './figures/lines';
+import { panelTitle } from './figures/titles';
 import type { Figure, LineResult } from './figures/types';
 import { Lab } from './lab/lab';
 import { type TableRow, tableMethodNames } from './table/rows';
@@ -11,6 +12,9 @@ const figure = (value: number | null, digits: number) =>
 /** The numbers of a line as cells of a table; a line that failed has its reason. */
 export function cells(line: LineResult): string[] {
   if (!line.ok) return [`failed: ${line.reason}`, '', '', '', '', ''];
+  if (line.residual !== null) {
+    return [`its own residual: ${figure(line.residual, 3)}`, '', '', '', '', ''];
+  }
   return [
     figure(line.deviation?.median ?? null, 3),
     figure(line.deviation?.max ?? null, 3),
@@ -38,12 +42,13 @@ export async function report(
   for (const { name, title, caption, points, panels } of figures) {
     parts.push(`## ${name}: ${title}`, caption);
     for (const panel of panels) {
-      tell(`${name}, ${panel.title}`);
+      const title = panelTitle(panel, panel.curve);
+      tell(`${name}, ${title}`);
       const { info } = await lab.mesh(panel.mesh);
       const lines = await lab.lines(panel, points[panel.points]!);
       const rows = [heads, ...lines.map((line) => [lineStyles[line.id].label, ...cells(line)])];
       parts.push(
-        `### ${panel.title}, ${info.triangles.toLocaleString('en')} triangles`,
+        `### ${title}, ${info.triangles.toLocaleString('en')} triangles`,
         markdownTable(rows),
       );
     }

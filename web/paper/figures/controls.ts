@@ -27,16 +27,16 @@ export const rationalFigure: Figure = {
     'A rational cubic Bézier curve with all weights 1, then with the inner ones 100 times the outer ones; and a quadratic curve in barycentric form, which passes through its three points. The sliders change the weights; a line is then traced anew, with its fields, so that its time is that of the whole curve. The editor keeps the fields.',
   points: { cubic, quadratic },
   panels: [
-    panel('equal', 'Cubic, weights 1', 'cubic', { kind: 'rational', weights: [1, 1, 1, 1] }),
-    panel('pulled', 'Cubic, weights 0.05, 5, 5, 0.05', 'cubic', {
+    panel('equal', 'Cubic', 'cubic', { kind: 'rational', weights: [1, 1, 1, 1] }),
+    panel('pulled', 'Cubic', 'cubic', {
       kind: 'rational',
       weights: [0.05, 5, 5, 0.05],
     }),
-    panel('barycentric', 'Barycentric, β = 1, 4, 1', 'quadratic', {
+    panel('barycentric', 'Barycentric', 'quadratic', {
       kind: 'barycentric',
       betas: [1, 4, 1],
     }),
-    panel('loose', 'Barycentric, β = 1, 0.5, 1', 'quadratic', {
+    panel('loose', 'Barycentric', 'quadratic', {
       kind: 'barycentric',
       betas: [1, 0.5, 1],
     }),

@@ -20,7 +20,7 @@ export interface LineStyle {
 export const lineStyles: Record<LineId, LineStyle> = {
   truth: { label: 'Ground truth', color: '--line-exact', width: 1.5 },
   exactPath: { label: 'Exact shortest path', color: '--line-exact', width: 1.5 },
-  exactLogs: { label: 'Exact logarithms', color: '--line-exact', width: 1.5 },
+  exactLogs: { label: 'Reference', color: '--line-exact', width: 1.5 },
   spokes: { label: 'Shortest paths', color: '--line-exact', width: 1.5 },
   gradients: {
     label: 'Gradients of the distance',

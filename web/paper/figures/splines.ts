@@ -31,7 +31,7 @@ export const resolutionFigure: Figure = {
   name: 'Figure 4',
   title: 'A B-spline on a coarse and on a fine mesh',
   caption:
-    'A uniform cubic B-spline of four segments on a surface of 1,000 and of 50,000 triangles, the first simplified from the second, by every method. Deviations are measured from the spline of exact logarithms on the same mesh.',
+    'A uniform cubic B-spline of four segments on a surface of 1,000 and of 50,000 triangles, the first simplified from the second, by every method. Deviations are measured from the reference, our spline with exact distances on the same mesh.',
   points: { spline: fourSegments },
   panels: [
     { id: 'coarse', title: 'Coarse', mesh: simplified, edges: true },

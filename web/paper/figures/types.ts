@@ -85,6 +85,8 @@ export interface LineNumbers {
   /** From the reference, in mean edges. */
   deviation: { median: number; max: number } | null;
   turningNoise: number | null;
+  /** Of the reference alone: the median of |sum w_i log(c_i)| by exact shortest paths, in mean edges. */
+  residual: number | null;
 }
 
 export interface LineResult extends LineNumbers {

@@ -1,8 +1,15 @@
 import type { LongWorkOptions } from 'karcher';
-import { KarcherError, type MethodOptions, type ReferenceSamples } from 'karcher/peers';
+import {
+  type ComparedCurve,
+  KarcherError,
+  type MethodOptions,
+  type ReferenceSamples,
+  referenceOptions,
+} from 'karcher/peers';
 import { lineStyles } from '../figures/lines';
 import type { LineId, LineResult, Vector } from '../figures/types';
 import { circleArcs, isolineExact, isolineLinear } from './circles';
+import { medianResidual } from './residual';
 import { affineSamples, emptyLine, planOf, type Task } from './task';
 import { add, at, cross, distance, length, scaled, subtract } from './vectors';
 
@@ -49,12 +56,22 @@ async function traceMethod(
       result.ok = false;
       result.reason = `no sample converged: ${samples.status[0]}`;
     }
-    if (task.curve.kind === 'center') return { ...result, marker: at(samples.position, 0) };
-    const { polyline, status } = curve.path;
-    return { ...result, polylines: [Float32Array.from(polyline)], status: [status] };
+    return { ...result, ...drawn(task, curve) };
   } finally {
     curve.dispose();
   }
+}
+
+/** What is seen of a traced curve: a center of mass is a dot. */
+function drawn(
+  { curve: { kind } }: Task,
+  curve: ComparedCurve,
+): Pick<LineResult, 'polylines' | 'status' | 'marker'> {
+  if (kind === 'center') {
+    return { polylines: [], status: [], marker: at(curve.samples.position, 0) };
+  }
+  const { polyline, status } = curve.path;
+  return { polylines: [Float32Array.from(polyline)], status: [status], marker: null };
 }
 
 const makers: Partial<Record<LineId, Maker>> = {
@@ -71,11 +88,17 @@ const makers: Partial<Record<LineId, Maker>> = {
     return { ...emptyLine(id), traceMs, polylines: [Float32Array.from(polyline)] };
   },
 
-  /** The reference itself: without numbers, which would be those of its own differences. */
-  async exactLogs(task, id, reference, work) {
-    const options = { method: 'karcher', solver: 'exact' } as const;
-    const { polylines, status, marker } = await traceMethod(task, id, options, reference, work);
-    return { ...emptyLine(id), polylines, status, marker };
+  /** The reference itself: its one number is how far it is from what it stands for. */
+  async exactLogs(task, id, _, work) {
+    const method = await task.scene.method(referenceOptions, work);
+    const curve = method.curve(planOf(task));
+    try {
+      await curve.trace(work);
+      const residual = await medianResidual(task, curve.samples, work);
+      return { ...emptyLine(id), ...drawn(task, curve), residual };
+    } finally {
+      curve.dispose();
+    }
   },
 
   /** Our curve as the engine gives it, bridged where there is no center of mass. */

@@ -1,5 +1,11 @@
 import type { LongWorkOptions, SurfacePoint } from 'karcher';
-import { type CurvePlan, KarcherError, type Peers, type ReferenceSamples } from 'karcher/peers';
+import {
+  type CurvePlan,
+  KarcherError,
+  type Peers,
+  type ReferenceSamples,
+  referenceOptions,
+} from 'karcher/peers';
 import type { CurveSpec, LineId, LineResult, Vector } from '../figures/types';
 import { alongPolyline } from './nearest';
 import type { Scene } from './scene';
@@ -26,6 +32,7 @@ export function emptyLine(id: LineId): LineResult {
     lost: null,
     deviation: null,
     turningNoise: null,
+    residual: null,
     polylines: [],
     status: [],
     marker: null,
@@ -89,12 +96,12 @@ function convergedSamples(position: Float64Array): ReferenceSamples {
 
 /**
  * What a panel's lines are measured against: on a plane the affine curve, between two points the
- * exact shortest path, elsewhere the curve of exact log vectors.
+ * exact shortest path, elsewhere our curve of exact distances.
  */
 export async function referenceOf(task: Task, work: LongWorkOptions): Promise<ReferenceSamples> {
   if (task.scene.flat) return affineSamples(task);
   if (task.curve.kind === 'bezier' && task.points.length === 2) return pathSamples(task);
-  const method = await task.scene.method({ method: 'karcher', solver: 'exact' }, work);
+  const method = await task.scene.method(referenceOptions, work);
   const curve = method.curve(planOf(task));
   try {
     await curve.trace(work);

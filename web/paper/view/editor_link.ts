@@ -10,6 +10,9 @@ import { formatLink } from '../../editor/link';
 import { madeKey } from '../../editor/meshes';
 import type { CurveSpec, MeshSpec } from '../figures/types';
 
+/** Why `editorLink` may be null. */
+export const noSuchWeights = `the editor’s weights differ by no more than ${(parameterRange.most / parameterRange.least).toLocaleString('en')} times`;
+
 /** Where the editor shows the same curve; null where it has no such weights. */
 export function editorLink(
   mesh: MeshSpec,

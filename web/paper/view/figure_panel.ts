@@ -2,11 +2,12 @@ import { Color } from 'three';
 import { formatCount, make } from '../../panels/elements';
 import { type Handle, Handles } from '../../viewer/handles';
 import { lineStyles } from '../figures/lines';
+import { panelTitle } from '../figures/titles';
 import type { CurveSpec, LineId, LineResult, Panel, Vector } from '../figures/types';
 import type { LabClient } from '../lab/client';
 import type { DrawnMesh, Placed } from '../lab/protocol';
 import { download } from './download';
-import { editorLink } from './editor_link';
+import { editorLink, noSuchWeights } from './editor_link';
 import type { GeometryMaker } from './geometry';
 import { NumbersTable } from './numbers_table';
 import { panelSvg } from './panel_svg';
@@ -35,7 +36,12 @@ export class FigurePanel {
   readonly #markers = make('div', '', { className: 'markers' });
   readonly #note = make('p', '', { className: 'panel-note' });
   readonly #link = make('a', 'Open in the editor', { className: 'link', hidden: true });
-  readonly #title = make('span', '', { className: 'panel-mesh' });
+  readonly #noLink = make('span', `Not in the editor: ${noSuchWeights}`, {
+    className: 'no-link',
+    hidden: true,
+  });
+  readonly #title = make('h3');
+  readonly #size = make('span', '', { className: 'panel-mesh' });
   readonly #view: PanelView;
   readonly #handles: Handles;
   readonly #numbers: NumbersTable;
@@ -80,7 +86,7 @@ export class FigurePanel {
     this.#note.textContent = 'Making the mesh…';
     try {
       this.#mesh = await this.context.client.mesh(this.panel.mesh);
-      this.#title.textContent = formatCount(this.#mesh.info.triangles, 'triangle');
+      this.#size.textContent = formatCount(this.#mesh.info.triangles, 'triangle');
       const drawn = await this.context.geometry.make(this.#mesh);
       this.#view.showSurface(drawn);
       this.recolor();
@@ -161,7 +167,9 @@ export class FigurePanel {
     this.#showPoints(placed.places);
     const href = editorLink(this.panel.mesh, this.#curve, placed.points);
     this.#link.hidden = href === null;
+    this.#noLink.hidden = href !== null;
     if (href) this.#link.href = href;
+    else this.#link.removeAttribute('href');
   }
 
   #showPoints(places: readonly Vector[]): void {
@@ -209,6 +217,7 @@ export class FigurePanel {
 
   #setCurve(curve: CurveSpec): void {
     this.#curve = curve;
+    this.#title.textContent = panelTitle(this.panel, curve);
     this.#renew();
   }
 
@@ -268,7 +277,8 @@ export class FigurePanel {
 
   #head(): HTMLElement {
     const head = make('header', '', { className: 'panel-head' });
-    head.append(make('h3', this.panel.title), this.#title);
+    this.#title.textContent = panelTitle(this.panel, this.#curve);
+    head.append(this.#title, this.#size);
     return head;
   }
 
@@ -292,6 +302,7 @@ export class FigurePanel {
       button('SVG', () => download(`${name}.svg`, 'image/svg+xml', this.svg())),
       button('JSON', () => download(`${name}.json`, 'application/json', this.json())),
       this.#link,
+      this.#noLink,
     );
     return foot;
   }

@@ -53,6 +53,9 @@ const centerColumns: Column[] = [
   ...times,
 ];
 
+const residualTitle =
+  'Median length of the weighted sum of the exact shortest paths’ log vectors, which is 0 at a center of mass: smaller deviations tell nothing';
+
 /** The legend of a panel, with the numbers of its lines: a box each shows it or not. */
 export class NumbersTable {
   readonly element = make('div', '', { className: 'numbers' });
@@ -110,15 +113,18 @@ export class NumbersTable {
   set(line: LineResult): void {
     const row = this.#rows.get(line.id)!;
     row.dataset.state = line.ok ? 'done' : 'failed';
-    if (!line.ok) {
-      const cell = make('td', line.reason ?? '', {
-        colSpan: this.#columns.length,
-        className: 'reason',
-      });
-      this.#replace(row, [cell]);
-      return;
-    }
-    this.#fill(row, line);
+    if (!line.ok) this.#say(row, line.reason ?? '', 'reason');
+    else if (line.residual !== null) {
+      const note = `its own residual: ${formatDeviation(line.residual)} h`;
+      this.#say(row, note, 'note').title = residualTitle;
+    } else this.#fill(row, line);
+  }
+
+  /** A sentence in place of numbers. */
+  #say(row: HTMLTableRowElement, text: string, className: string): HTMLElement {
+    const cell = make('td', text, { colSpan: this.#columns.length, className });
+    this.#replace(row, [cell]);
+    return cell;
   }
 
   /** A line that is no method's has no numbers. */
