@@ -6,6 +6,7 @@
 
 #include "curves/along_path.h"
 #include "curves/branches.h"
+#include "rcm/deepest_zero.h"
 
 namespace karcher {
 namespace {
@@ -83,8 +84,9 @@ class JumpSearch {
     Place to;
   };
 
-  /// In one face the zero of the field moves continuously, and stays there if the step keeps away
-  /// from the edges and its middle, by the weights there, lies between its ends.
+  /// In one face the zero of the field moves continuously, and stays the center there if the step
+  /// keeps away from the edges, so that no other face has a deeper zero, and its middle, by the
+  /// weights there, lies between its ends.
   bool staysInFace(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
     if (from.face != to.face) return false;
     const double margin = kEdgeMargin * lengthInFace(from.face, to.bary - from.bary);
@@ -96,6 +98,7 @@ class JumpSearch {
     }
     FaceZero zero;
     if (!fields_.findZero(from.face, middleWeights, zero)) return false;
+    if (!isTheOnlyZero(zero, std::min(least.minCoeff(), zero.depth()) / 2)) return false;
     return lengthInFace(from.face, zero.bary - (from.bary + to.bary) / 2) < margin;
   }
 

@@ -7,12 +7,8 @@
 namespace karcher {
 namespace {
 
-/// A zero whose weights are no smaller than this is the only one near by: jumps of the field are a
-/// smaller part of an edge (or are found as jumps of the curve, curves/bridge.h).
-constexpr double kNearEdge = 0.1;
-
 /// Each step goes to a deeper zero: more than two or three only where faces are all slivers.
-constexpr int kMostSteps = 8;
+constexpr int kMostMoves = 8;
 
 class DeepestZero {
  public:
@@ -25,7 +21,7 @@ class DeepestZero {
         best_(zero) {}
 
   SurfacePoint run() {
-    for (int step = 0; step < kMostSteps && best_.depth() < kNearEdge; ++step) {
+    for (int step = 0; step < kMostMoves && best_.depth() < kNearEdge; ++step) {
       if (!goDeeper()) break;
     }
     return clampedPoint(face_, best_.bary);
@@ -43,8 +39,7 @@ class DeepestZero {
     return face_ != face;
   }
 
-  /// Whether the face across the edge opposite to corner k may have a zero as well. Seen from the
-  /// side of a zero, the values at the edge's ends make an angle of less than pi.
+  /// Whether the face across the edge opposite to corner k may have a zero as well (isTheOnlyZero).
   bool isDoubtful(int k) const {
     if (best_.bary[k] >= kNearEdge) return false;
     const int i = k == 2 ? 0 : k + 1;
@@ -88,12 +83,7 @@ class DeepestZero {
 }  // namespace
 
 SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int face, const FaceZero& zero) {
-  // What isDoubtful asks, for all edges in one.
-  const double sine = zero.depth() * zero.determinant;
-  const double most =
-      std::max({zero.field.corner[0].squaredNorm(), zero.field.corner[1].squaredNorm(),
-                zero.field.corner[2].squaredNorm()});
-  if (sine > zero.jump * most) return clampedPoint(face, zero.bary);
+  if (isTheOnlyZero(zero, zero.depth())) return clampedPoint(face, zero.bary);
   return DeepestZero(fields, weights, face, zero).run();
 }
 
