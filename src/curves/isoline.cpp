@@ -9,7 +9,7 @@ namespace karcher {
 namespace {
 
 /// A line shorter than this part of the edges it crosses is none.
-constexpr double kLeastLength = 1e-9;
+constexpr double kShortestLine = 1e-9;
 
 /// One isoline after another, by walking from face to face.
 class LinearIsolines {
@@ -75,7 +75,7 @@ class LinearIsolines {
       h = mesh_.twin[exit];
     }
     // Around a vertex whose value is the level but for rounding.
-    if (line.length > kLeastLength * longestEdge) isolines_.push_back(std::move(line));
+    if (line.length > kShortestLine * longestEdge) isolines_.push_back(std::move(line));
   }
 
   const TriangleMesh& mesh_;

@@ -18,7 +18,7 @@ constexpr int kFewestCuts = 3;
 /// Of the parameter.
 constexpr double kPrecision = 1e-13;
 /// On a curve all of whose points are as near the intervals cannot be told apart.
-constexpr int kMostLooks = 20'000;
+constexpr int kMostEvaluations = 20'000;
 
 class NearestSearch {
  public:
@@ -94,7 +94,7 @@ class NearestSearch {
     const double width = to.parameter - from.parameter;
     const double chord = (to.position - from.position).norm();
     const double least = (from.distance + to.distance - kBend * chord) / 2;
-    if (width <= kPrecision * (1 + to.parameter) || looks_ >= kMostLooks) return;
+    if (width <= kPrecision * (1 + to.parameter) || looks_ >= kMostEvaluations) return;
     if (cuts >= kFewestCuts && least >= best_.distance) return;
     const Look middle = look((from.parameter + to.parameter) / 2);
     const bool inOneFace = from.face == to.face && from.face == middle.face;

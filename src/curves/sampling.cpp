@@ -19,7 +19,7 @@ constexpr int kFewestLooks = 12;
 constexpr int kMostLooks = 256;
 /// A step from look to look into another face that is longer than this many even ones is divided.
 constexpr double kLongestOfSteps = 1.5;
-constexpr int kMostDivisions = 4;
+constexpr int kMostHalvings = 4;
 /// Bisections where samples do not converge.
 constexpr int kMostAtBorder = 8;
 constexpr int kMostInside = 2;
@@ -99,7 +99,7 @@ class AdaptiveTrace {
     for (int k = 1; k <= looks; ++k) {
       const Look next = k < looks ? look(from.t + (to.t - from.t) * k / looks, before.sample)
                                   : Look{to, position(*geometry_.mesh, to.point)};
-      if (!isFineBetween(before, next, kMostDivisions)) return false;
+      if (!isFineBetween(before, next, kMostHalvings)) return false;
       before = next;
     }
     return true;

@@ -13,7 +13,7 @@ constexpr int kDeepest = 6;
 /// Parts of a curve shorter than this, in mean edges, are not cut any more.
 constexpr double kShortest = 0.25;
 /// Weights below this count for nothing: the points of a long Bezier curve far from the parameter.
-constexpr double kLeastWeight = 1e-9;
+constexpr double kNegligible = 1e-9;
 
 /// The average of both, with the sum of their weights.
 WeightedPoint merged(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b) {
@@ -121,8 +121,8 @@ SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>
   Array<WeightedPoint> positive;
   Array<WeightedPoint> negative;
   for (int i = 0; i < points.count(); ++i) {
-    if (weights[i] > kLeastWeight) positive.push_back({points[i], weights[i]});
-    if (weights[i] < -kLeastWeight) negative.push_back({points[i], -weights[i]});
+    if (weights[i] > kNegligible) positive.push_back({points[i], weights[i]});
+    if (weights[i] < -kNegligible) negative.push_back({points[i], -weights[i]});
   }
   const WeightedPoint average = foldedFromEnds(geometry, positive);
   if (negative.empty()) return average.point;

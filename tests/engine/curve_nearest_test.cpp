@@ -13,7 +13,7 @@
 namespace karcher {
 namespace {
 
-constexpr int kPoints = 6;
+constexpr int kPolygonPoints = 6;
 
 /// Curves of all kinds over random points, coarsely, finely and adaptively sampled.
 template <class Action>
@@ -23,10 +23,11 @@ void forRandomCurves(uint64_t seed, const Action& action) {
   Surface sphere(importMesh(icosphere(12)).mesh);
   Random random(seed);
   for (Surface* surface : {&bunny, &grid, &sphere}) {
-    for (const CurveShape& shape : everyShape(kPoints)) {
+    for (const CurveShape& shape : everyShape(kPolygonPoints)) {
       for (const int samples : {9, 33, 128, 0}) {
         Array<SurfacePoint> points;
-        for (int i = 0; i < kPoints; ++i) points.push_back(randomPoint(surface->mesh(), random));
+        for (int i = 0; i < kPolygonPoints; ++i)
+          points.push_back(randomPoint(surface->mesh(), random));
         SCOPED_TRACE("seed " + std::to_string(seed) + ", " + describe(shape) + ", " +
                      std::to_string(surface->mesh().faceCount()) + " faces, samples " +
                      std::to_string(samples));

@@ -78,15 +78,15 @@ TEST(CurveTolerance, TheCurveKeepsToTheLineThatIsDrawnForIt) {
   Surface grid(planeGrid(30, 30));
   const uint64_t seed = 77;
   Random random(seed);
-  constexpr int kPoints = 6;
+  constexpr int kControlPoints = 6;
   for (Surface* surface : {&bunny, &torus, &grid}) {
     for (const double tolerance : {1e-3, 1e-4}) {
       Deviation worst;
       int samples = 0;
       double reach = 0.5;
-      for (const CurveShape& shape : everyShape(kPoints)) {
+      for (const CurveShape& shape : everyShape(kControlPoints)) {
         reach = reach == 0.25 ? 0.5 : 0.25;
-        const Array<SurfacePoint> points = pointsWithin(*surface, reach, kPoints, random);
+        const Array<SurfacePoint> points = pointsWithin(*surface, reach, kControlPoints, random);
         Curve curve = adaptiveCurve(*surface, shape, points, tolerance);
         const Deviation deviation = deviationOf(curve, 2000);
         EXPECT_LE(deviation.most, tolerance)
