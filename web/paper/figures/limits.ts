@@ -15,7 +15,7 @@ export const farFigure: Figure = {
   name: 'Figure 7',
   title: 'Points too far apart',
   caption:
-    'Where control points lie too far apart there is no center of mass near the last, or more than one, and curves break: they jump, or samples are lost, which is dashed. Ours is then bridged by a subdivision curve of the same points: the bridge is dashed too, and holds the curve together.',
+    'Where control points lie too far apart there may be more than one center of mass, or none near the last, and curves break: they jump, or samples are lost, which is dashed. A lost sample tells that the search for it failed, and not that there is no center. Ours is then bridged by a subdivision curve of the same points: the bridge is dashed too, and holds the curve together.',
   points: {
     far: [
       [-1.6, 0, 0.1],
