@@ -1,10 +1,11 @@
 // Circles and what they are drawn as.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { after, before, describe } from 'node:test';
 import { load } from '../../dist/index.js';
 import { openBrowser, Tab } from './browser.mjs';
 import { far, flatGrid, linesOf, typeRadius, vertices } from './circle_views.mjs';
 import { farthestFromSurface, nearestOnSurface } from './on_surface.mjs';
+import { sometimes } from './part.mjs';
 
 const onSurface = 2e-6;
 
@@ -35,7 +36,7 @@ describe('circles', () => {
   });
   after(() => browser.close());
 
-  test('on a plane are circles, of each type', async () => {
+  sometimes('on a plane are circles, of each type', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
     await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 512);
@@ -60,7 +61,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  test('are isolines with all their loops, on the surface and at the radius', async () => {
+  sometimes('are isolines with all their loops, on the surface and at the radius', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=circle');
     // About the hole: near the radius of the tube's way around, the line is in two loops.
     await tab.click([0, 120]);
@@ -95,7 +96,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  test('of each type follow their handles, and a drag shows a draft', async () => {
+  sometimes('of each type follow their handles, and a drag shows a draft', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle');
     await tab.click([0, 40]);
     const surface = await tab.mesh();
@@ -126,7 +127,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  test('have as many arcs as are asked for, live and as one step', async () => {
+  sometimes('have as many arcs as are asked for, live and as one step', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=circle');
     await tab.click([0, 0]);
     const { radius } = (await typeRadius(tab, '0.8')).circle;
@@ -157,7 +158,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  test('take a radius that is typed, and nothing else', async () => {
+  sometimes('take a radius that is typed, and nothing else', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle');
     const field = tab.page.getByRole('textbox', { name: 'Radius' });
     assert.equal(await field.isDisabled(), true, 'there is no circle yet');
@@ -196,7 +197,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  test('are saved with all their loops, and opened again', async () => {
+  sometimes('are saved with all their loops, and opened again', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=circle');
     await tab.click([0, 120]);
     await choose(tab, 'exact');
@@ -236,7 +237,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  test('come back with the link, and go back', async () => {
+  sometimes('come back with the link, and go back', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle');
     await tab.click([0, 40]);
     await tab.page.getByRole('slider', { name: 'Arcs' }).fill('5');

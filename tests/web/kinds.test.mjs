@@ -4,7 +4,7 @@ import { after, before, describe, test } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
 import { openBrowser, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
-import { part } from './part.mjs';
+import { part, sometimes } from './part.mjs';
 
 const places = [
   [-110, 40],
@@ -66,7 +66,7 @@ describe('kinds of curves', () => {
   });
   after(() => browser.close());
 
-  test('lie on the surface, go where they say, and come back with the link', async () => {
+  sometimes('lie on the surface, go where they say, and come back with the link', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0');
     await tab.click(...places);
     const surface = await tab.mesh();
@@ -99,7 +99,7 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  test('are closed and opened', async () => {
+  sometimes('are closed and opened', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places.slice(0, 3));
     const { diagonal } = (await tab.mesh()).info;
@@ -118,7 +118,7 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  test('have the degree and the ends that are asked for', async () => {
+  sometimes('have the degree and the ends that are asked for', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const surface = await tab.mesh();
@@ -219,7 +219,7 @@ describe('kinds of curves', () => {
     });
   }
 
-  test('a B-spline that took a knot takes every edit after it', async () => {
+  sometimes('a B-spline that took a knot takes every edit after it', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -262,7 +262,7 @@ describe('kinds of curves', () => {
     await page.close();
   });
 
-  test('are cut where they are clicked, and joined again', async () => {
+  sometimes('are cut where they are clicked, and joined again', async () => {
     const tab = await Tab.open(browser, 'mesh=openSheet:1500');
     await tab.click(...places, [130, 80]);
     for (const kind of part(['bspline', 'catmullrom', 'polyline', 'bezier'], 2)) {
@@ -299,7 +299,7 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  test('a B-spline has its knots as a list, and wrong ones lose nothing', async () => {
+  sometimes('a B-spline has its knots as a list, and wrong ones lose nothing', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -342,7 +342,7 @@ describe('kinds of curves', () => {
     await page.close();
   });
 
-  test('as many samples as a tolerance takes, and marks evenly along the curve', async () => {
+  sometimes('as many samples as a tolerance takes, and marks evenly along the curve', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -379,7 +379,7 @@ describe('kinds of curves', () => {
     await page.close();
   });
 
-  test('are measured where they are pointed at', async () => {
+  sometimes('are measured where they are pointed at', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -418,7 +418,7 @@ describe('kinds of curves', () => {
     await page.close();
   });
 
-  test('are run backwards', async () => {
+  sometimes('are run backwards', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     for (const kind of ['bspline', 'catmullrom']) {
@@ -438,7 +438,7 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  test('lie beside each other, and a click takes up another one', async () => {
+  sometimes('lie beside each other, and a click takes up another one', async () => {
     const other = encodeURIComponent('kind=catmullrom&points=30,0.3,0.3;200,0.3,0.3;400,0.3,0.3');
     const tab = await Tab.open(browser, `mesh=openSheet:1500&kind=bspline&points=&other=${other}`);
     await tab.click([-110, 90], [-60, 40], [10, 90], [60, 40]);

@@ -1,4 +1,5 @@
 // What a run takes of many like cases.
+import { test } from 'node:test';
 
 /** KARCHER_SEED draws others. */
 export const seed = Number(process.env.KARCHER_SEED ?? 1);
@@ -25,4 +26,15 @@ export function part(cases, count) {
     return index;
   });
   return drawn.sort((a, b) => a - b).map((index) => cases[index]);
+}
+
+/**
+ * A test of a case that is like others of its file: run always in a long run, else by the drawing
+ * of the seed in one of three.
+ */
+export function sometimes(name, run) {
+  let hash = seed;
+  for (const letter of name) hash = (Math.imul(hash, 31) + letter.charCodeAt(0)) >>> 0;
+  const skip = !long && hash % 3 !== 0 && 'in a long run, or drawn with another KARCHER_SEED';
+  test(name, { skip }, run);
 }
