@@ -61,6 +61,9 @@ export type Status =
  * - `catmullrom`: through all points, with continuous tangents;
  * - `polyline`: exact shortest paths from point to point;
  * - `custom`: one segment with a basis of your own.
+ *
+ * On a curved mesh a curve comes within a few hundredths of a mean edge of the points that it goes
+ * through: its fields are estimates. On a plane, and with `polyline`, it goes through them.
  */
 export type CurveKind =
   | 'bspline'
