@@ -38,6 +38,21 @@ WeightTable tabulateMiddles(const Basis& basis, int count) {
   return table;
 }
 
+Array<int> restarts(Weights weights, Method method, bool isEnd) {
+  if (method == Method::kKarcher) return isEnd ? Array<int>{} : Array<int>{heaviest(weights)};
+  Array<int> order;
+  Array<double> left(weights.begin(), weights.end());
+  for (size_t k = 0; k < left.size(); ++k) {
+    const int next = heaviest({left.data(), left.size()});
+    // Points of weight 0 are no part of the next segment, which finds the same center at its start.
+    if (left[next] <= kWeightSumTolerance) break;
+    order.push_back(next);
+    left[next] = -kInfinity;
+  }
+  if (isEnd) order.erase(order.begin());
+  return order;
+}
+
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method) {
   const Array<PointField*>& points = fields.points;
   Array<CurveSample> samples(table.t.size());
@@ -53,9 +68,14 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
                        centerInFace(fields.blend, table.row(i), start->face, sample.point);
     if (!stays) {
       CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
-      if (center.status != Status::kConverged && !isEnd && method == Method::kKarcher) {
-        const SurfacePoint& heaviestPoint = points[heaviest(table.row(i))]->point();
-        center = findCenter(fields.blend, table.row(i), heaviestPoint, method);
+      if (center.status != Status::kConverged) {
+        for (const int k : restarts(table.row(i), method, isEnd)) {
+          const CenterOfMass again =
+              findCenter(fields.blend, table.row(i), points[k]->point(), method);
+          if (again.status != Status::kConverged) continue;
+          center = again;
+          break;
+        }
       }
       sample.point = center.point;
       sample.status = center.status;

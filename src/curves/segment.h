@@ -53,10 +53,16 @@ struct SegmentFields {
   FieldBlend blend;
 };
 
+/// Where a search for a center of mass starts once more if it failed: at control points of positive
+/// weight, the heaviest first, which at the ends of a segment has been tried. Newton's method,
+/// which is the paper's, stops at once where the Hessian is not positive definite, and tries them
+/// all; our walk goes on there, and tries the heaviest alone.
+Array<int> restarts(Weights weights, Method method, bool isEnd);
+
 /// One sample a row of the table. The search for the first and the last starts at the control point
-/// of the largest weight, for each other where the last converged sample lies, and once more at
-/// that control point where this fails: the result depends on the fields and the weights alone, and
-/// the end of one segment is the start of the next.
+/// of the largest weight, for each other where the last converged sample lies, and again at the
+/// control points of `restarts` where this fails: the result depends on the fields and the weights
+/// alone, and the end of one segment is the start of the next.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method);
 
 /// The center of mass of the fields of `points`, by the search that belongs to the method.

@@ -147,8 +147,7 @@ void ComparedCurve::movePoint(int i, const SurfacePoint& point) {
     if (plan_.first[j] <= i && i < plan_.first[j] + plan_.table.points) segments_[j].clear();
   }
   blend_.reset();
-  // A log map holds the logarithms of all points; those kept are of the points before.
-  if (mean_) mean_->setPoints(plan_.points);
+  if (mean_) mean_->movePoint(i, point);
 }
 
 int ComparedCurve::samplesLeft() const {
@@ -200,12 +199,26 @@ void ComparedCurve::traceOn(int segment, int samples) {
     }
     blend_.emplace(method_.surface().geometry(), std::move(fields));
   }
+  // The peers start again as the paper's method does.
+  const ComparedOptions& options = method_.options();
+  const Method method =
+      options.method == ComparedMethod::kFields ? options.field.method : Method::kPaper;
   const int end = static_cast<int>(
       std::min<int64_t>(plan_.table.t.count(), static_cast<int64_t>(traced.count()) + samples));
   for (int i = traced.count(); i < end; ++i) {
     // As traceSegment does: the end of one segment is the start of the next.
-    if (i == plan_.table.t.count() - 1) last_ = startOf(segment, i);
-    const CenterOfMass found = center(segment, plan_.table.row(i), last_);
+    const bool isEnd = i == 0 || i == plan_.table.t.count() - 1;
+    if (isEnd) last_ = startOf(segment, i);
+    const Weights weights = plan_.table.row(i);
+    CenterOfMass found = center(segment, weights, last_);
+    if (found.status != Status::kConverged) {
+      for (const int k : restarts(weights, method, isEnd && !start_)) {
+        const CenterOfMass again = center(segment, weights, plan_.points[plan_.first[segment] + k]);
+        if (again.status != Status::kConverged) continue;
+        found = again;
+        break;
+      }
+    }
     traced.push_back({plan_.table.t[i], found.point, found.status});
     if (found.status == Status::kConverged) last_ = found.point;
   }
