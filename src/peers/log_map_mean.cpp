@@ -13,7 +13,24 @@ LogMapMean::LogMapMean(const Geometry& geometry, LogMapFromVertex logMapFromVert
 
 void LogMapMean::setPoints(Array<SurfacePoint> points) {
   points_ = std::move(points);
-  logarithms_.clear();
+  known_.clear();
+  keptBytes_ = 0;
+  logMapCount_ = 0;
+}
+
+void LogMapMean::movePoint(int i, const SurfacePoint& point) {
+  points_[i] = point;
+  for (auto at = known_.begin(); at != known_.end();) {
+    KnownMap& known = at->second;
+    if (!known.whole.empty()) known.ofPoints[i] = logarithmOf(known.whole, i);
+    if (!known.whole.empty() && known.ofPoints[i].allFinite()) {
+      ++at;
+    } else {
+      // Where the point has no logarithm, the search that asks for it is to say so.
+      keptBytes_ -= known.whole.size() * sizeof(Vec2);
+      at = known_.erase(at);
+    }
+  }
 }
 
 CenterOfMass LogMapMean::centerOfMass(Weights weights, const SurfacePoint& start) {
@@ -75,25 +92,36 @@ LogMapMean::State LogMapMean::stateAt(const SurfacePoint& point, Weights weights
 }
 
 const Array<Vec2>& LogMapMean::logarithmsAt(int vertex) {
-  const auto known = logarithms_.find(vertex);
-  if (known != logarithms_.end()) return known->second;
-  const LogMap logs = logMapFromVertex_(vertex);
-  Array<Vec2> ofPoints;
+  const auto known = known_.find(vertex);
+  if (known != known_.end()) return known->second.ofPoints;
+  KnownMap made{logMapFromVertex_(vertex), {}};
+  ++logMapCount_;
   for (int i = 0; i < points_.count(); ++i) {
-    Vec2 log = Vec2::Zero();
-    for (int k = 0; k < 3; ++k) {
-      const double weight = points_[i].bary[k];
-      if (weight != 0) log += weight * logs[geometry_.mesh->corner(points_[i].face, k)];
-    }
-    if (!log.allFinite()) {
+    made.ofPoints.push_back(logarithmOf(made.whole, i));
+    if (!made.ofPoints[i].allFinite()) {
       throw Error(ErrorCode::kUnreachable,
                   "no heat from vertex " + std::to_string(vertex) + " reaches control point " +
                       std::to_string(i) +
                       ": it lies on another component, or more than 600 mean edges away");
     }
-    ofPoints.push_back(log);
   }
-  return logarithms_.emplace(vertex, std::move(ofPoints)).first->second;
+  const size_t bytes = made.whole.size() * sizeof(Vec2);
+  if (bytes <= options_.mostBytes - keptBytes_) {
+    keptBytes_ += bytes;
+  } else {
+    made.whole = {};
+  }
+  return known_.emplace(vertex, std::move(made)).first->second.ofPoints;
+}
+
+/// Control point i in a log map: interpolated between the corners of its face.
+Vec2 LogMapMean::logarithmOf(const LogMap& logs, int i) const {
+  Vec2 log = Vec2::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double weight = points_[i].bary[k];
+    if (weight != 0) log += weight * logs[geometry_.mesh->corner(points_[i].face, k)];
+  }
+  return log;
 }
 
 }  // namespace karcher

@@ -13,18 +13,25 @@ namespace karcher {
 struct LogMapMeanOptions {
   double tolerance = 1e-6;  ///< of the weighted sum of logarithms, in mean edges
   int maxIterations = 100;
+  /// Of log maps that are kept whole for points that move. Each takes 16 bytes a vertex.
+  size_t mostBytes = size_t{1} << 29;
 };
 
 /// The center of mass of control points that stay the same for many weights. A log map is computed
-/// once for each vertex that a search comes by, and kept are the logarithms of the control points.
+/// once for each vertex that a search comes by. It does not depend on the control points, and is
+/// kept whole while memory lasts: where a point moves, its logarithms are looked up.
 class LogMapMean {
  public:
   /// The geometry must outlive the mean.
   LogMapMean(const Geometry& geometry, LogMapFromVertex logMapFromVertex,
              Array<SurfacePoint> points, const LogMapMeanOptions& options = {});
 
-  /// Replaces the control points and forgets their logarithms.
+  /// Replaces the control points and forgets all log maps.
   void setPoints(Array<SurfacePoint> points);
+
+  /// Replaces control point i, which must be there. Forgotten are the log maps that were not kept
+  /// whole.
+  void movePoint(int i, const SurfacePoint& point);
 
   /// The weights should sum to 1. Statuses: kConverged; kNoProgress where no step lowers the energy
   /// or the weighted sum (log maps of neighbouring faces do not quite agree, and a zero may lie in
@@ -34,7 +41,7 @@ class LogMapMean {
   CenterOfMass centerOfMass(Weights weights, const SurfacePoint& start);
 
   /// How many log maps were computed since the points were set.
-  int logMapCount() const { return static_cast<int>(logarithms_.size()); }
+  int logMapCount() const { return logMapCount_; }
 
  private:
   /// The weighted sum of logarithms, in the frame of the point's face, and the energy (Eq. 1).
@@ -44,15 +51,24 @@ class LogMapMean {
     double energy = 0;
   };
 
+  /// What is known of the log map from a vertex.
+  struct KnownMap {
+    LogMap whole;          ///< empty if there was no memory for it
+    Array<Vec2> ofPoints;  ///< the logarithms of the control points
+  };
+
   State stateAt(const SurfacePoint& point, Weights weights);
   bool descend(State& state, Weights weights);
   const Array<Vec2>& logarithmsAt(int vertex);
+  Vec2 logarithmOf(const LogMap& logs, int i) const;
 
   const Geometry& geometry_;
   LogMapFromVertex logMapFromVertex_;
   LogMapMeanOptions options_;
   Array<SurfacePoint> points_;
-  std::unordered_map<int, Array<Vec2>> logarithms_;
+  std::unordered_map<int, KnownMap> known_;
+  size_t keptBytes_ = 0;
+  int logMapCount_ = 0;
 };
 
 }  // namespace karcher

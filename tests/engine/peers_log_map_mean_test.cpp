@@ -92,6 +92,62 @@ TEST(LogMapMean, SaysWhereTheSurfaceEnds) {
   EXPECT_EQ(center.status, Status::kBoundary);
 }
 
+TEST(LogMapMean, KeepsLogMapsOfPointsThatMove) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  int computed = 0;
+  const LogMapFromVertex logMaps = [&](int v) {
+    ++computed;
+    return vectorHeatLogMap(operators, v);
+  };
+  const Array<double> weights{0.3, 0.45, 0.25};
+  Array<SurfacePoint> points;
+  for (const int v : {561, 301, 1409}) points.push_back(vertexPoint(mesh, v));
+  const size_t mapBytes = mesh.positions.size() * sizeof(Vec2);
+  for (const size_t kept : {size_t{1000}, size_t{0}}) {
+    LogMapMean mean(geometry, logMaps, points, {.mostBytes = kept * mapBytes});
+    const SurfacePoint first = mean.centerOfMass(weights, points[1]).point;
+    const int before = mean.logMapCount();
+    // There and back: the way is known.
+    const SurfacePoint there = edgePoint(mesh.outgoing[1409], 0.5);
+    mean.movePoint(2, there);
+    const CenterOfMass moved = mean.centerOfMass(weights, points[1]);
+    const int after = mean.logMapCount();
+    mean.movePoint(2, points[2]);
+    EXPECT_EQ(position(mesh, mean.centerOfMass(weights, points[1]).point), position(mesh, first));
+    if (kept > 0) {
+      EXPECT_LT(after - before, before);  // the start's at least is the same
+      EXPECT_EQ(mean.logMapCount(), after);
+    } else {
+      EXPECT_GT(after - before, 1);
+      EXPECT_EQ(mean.logMapCount(), after + before);
+    }
+    // What is kept changes nothing.
+    LogMapMean fresh(geometry, logMaps, {points[0], points[1], there});
+    const CenterOfMass expected = fresh.centerOfMass(weights, points[1]);
+    EXPECT_EQ(moved.status, expected.status);
+    EXPECT_EQ(position(mesh, moved.point), position(mesh, expected.point));
+    EXPECT_GE(computed, mean.logMapCount());
+  }
+}
+
+TEST(LogMapMean, SaysThatAMovedPointHasNoLogarithm) {
+  const TriangleMesh mesh = buildMesh(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  const Geometry geometry = buildGeometry(mesh);
+  const HeatOperators operators(geometry);
+  const SurfacePoint here{0, Vec3(0.2, 0.5, 0.3)};
+  const SurfacePoint elsewhere{1, Vec3(0.2, 0.5, 0.3)};
+  const Array<double> weights{0.5, 0.5};
+  LogMapMean mean(geometry, affineHeatOf(operators), {here, here});
+  EXPECT_EQ(mean.centerOfMass(weights, here).status, Status::kConverged);
+  mean.movePoint(1, elsewhere);
+  EXPECT_THROW(mean.centerOfMass(weights, here), Error);
+  mean.movePoint(1, here);
+  EXPECT_EQ(mean.centerOfMass(weights, here).status, Status::kConverged);
+}
+
 TEST(LogMapMean, RefusesWeightsAndPointsThatDoNotFit) {
   const TriangleMesh mesh = buildMesh(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
