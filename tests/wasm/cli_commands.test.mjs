@@ -354,6 +354,12 @@ test('compare prints each method with its measures or its reason', () => {
   const two = folder.write('two.txt', '3 0 0\n200 0.1 0.2\n');
   const pair = printed('compare', gridFile, '--points', two, '--samples', '9', '--landmarks', '40');
   assert.equal(pair.methods.descent.ok, true);
+  // From the exact path, which is straight here; our own is on it.
+  assert.ok(pair.methods.karcher.deviation.max < 1e-8);
+  assert.ok(pair.methods.descent.deviation.max > 0);
+  const delaunay = printed(...args, '--delaunay', '--budget', '60').methods;
+  assert.equal(delaunay.vectorHeat.ok, true);
+  assert.match(failure(...args, '--budget', '-1'), /--budget must be at least 0/);
   assert.match(
     failure('compare', gridFile, '--points', folder.write('one.txt', '3 0 0\n')),
     /2 points/,

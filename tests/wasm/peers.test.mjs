@@ -24,6 +24,14 @@ before(async () => {
 const prepared = (method, mesh = plane, options = {}) =>
   peers.prepare(mesh, { method, landmarks: 40, ...options });
 
+function nearestVertex(mesh, place) {
+  const positions = mesh.positions();
+  let nearest = 0;
+  const away = (v) => distance(Array.from(positions.slice(3 * v, 3 * v + 3)), place);
+  for (let v = 1; 3 * v < positions.length; v++) if (away(v) < away(nearest)) nearest = v;
+  return nearest;
+}
+
 function distance(a, b) {
   return Math.hypot(...a.map((x, i) => x - b[i]));
 }
@@ -248,6 +256,40 @@ describe('a comparison', () => {
     assert.equal(late.ok, false);
     assert.match(late.reason, /stopped after/);
     assert.equal(late.traceMs, null);
+  });
+
+  test('a path is measured from the exact one', async () => {
+    // Over the edge of a roof: there the shortest path bends, unlike what joins its ends in space.
+    const text = grid(cells).replace(
+      /v (\d+) (\d+) 0/g,
+      (_, x, y) => `v ${x} ${y} ${Math.abs(x - 6)}`,
+    );
+    const roof = peers.karcher.meshFromObj(text);
+    const plan = peers.plan([{ vertex: 2 + 3 * 13 }, { vertex: 10 + 8 * 13 }], 5);
+    const { samples, path } = await traceReference(peers, roof, plan);
+    // Unfolded, the slopes are longer by the square root of 2.
+    assert.ok(Math.abs(path.length - Math.hypot(8 * Math.SQRT2, 5)) < 1e-9);
+    const middle = Array.from(samples.position.slice(6, 9));
+    assert.ok(distance(middle, [6, 5.5, 0]) < 1e-9, `${middle}`);
+    const quarter = Array.from(samples.position.slice(3, 6));
+    assert.ok(distance(quarter, [4, 4.25, 2]) < 1e-9, `${quarter}`);
+    const run = await runMethod(peers, roof, plan, { method: 'karcher' }, samples);
+    assert.ok(run.deviation.max < 1e-6, `${run.deviation.max}`);
+  });
+
+  test('what lost most of its samples is no curve', async () => {
+    // Around a sphere there is no center of mass of points so far apart.
+    const sphere = peers.karcher.shape('sphere', 2000);
+    const [top, bottom] = [
+      [0, 0, 1],
+      [0, 0, -1],
+    ].map((place) => nearestVertex(sphere, place));
+    const far = [top, bottom, top, bottom].map((vertex) => ({ vertex }));
+    const plan = peers.plan(far, 17);
+    const run = await runMethod(peers, sphere, plan, { method: 'paper', solver: 'exact' }, null);
+    assert.ok(run.lost > 8, `${run.lost}`);
+    assert.equal(run.ok, false);
+    assert.match(run.reason, /of 17 samples did not converge/);
   });
 
   test('ends when it is told to', async () => {

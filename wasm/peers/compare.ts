@@ -1,12 +1,13 @@
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
 import { nextCorner, toSurfacePoint, wirePoint } from '../points.js';
-import type { CurveSamples, LongWorkOptions } from '../types.js';
+import type { CurveSamples, LongWorkOptions, Path } from '../types.js';
 import type { ComparedCurve } from './compared_curve.js';
-import { type CurveMeasures, CurveMeter, type ReferenceSamples } from './measure.js';
+import { alongPath, type CurveMeasures, CurveMeter, type ReferenceSamples } from './measure.js';
 import type { Peers } from './peers.js';
 import { comparedMethods, type PreparedMethod } from './prepared_method.js';
 import type { ComparedMethod, ComparedPath, CurvePlan, MethodOptions } from './types.js';
+import { warm } from './warm.js';
 
 export { comparedMethods };
 
@@ -46,19 +47,27 @@ export function standardOptions(method: ComparedMethod, plan: CurvePlan): Method
   return { method, solver: plan.points.length === 2 ? 'exact' : 'graph' };
 }
 
-/** Log vectors of exact distances with the quadratic estimator: what all are measured against. */
+/** Log vectors of exact distances with the quadratic estimator: what curves of more than two points
+ * are measured against. */
 export const referenceOptions: MethodOptions = { method: 'karcher', solver: 'exact' };
 
-/** The reference curve. Throws as `Peers.prepare` and `PreparedMethod.curve` do. */
+/**
+ * The reference: for two points the exact shortest path, else the curve of `referenceOptions`.
+ * Throws as `Peers.prepare` and `PreparedMethod.curve` do.
+ */
 export async function traceReference(
   peers: Peers,
   mesh: Mesh,
   plan: CurvePlan,
   work: LongWorkOptions = {},
-): Promise<{ samples: CurveSamples; path: ComparedPath }> {
+): Promise<{ samples: ReferenceSamples; path: Path }> {
   const method = await peers.prepare(mesh, referenceOptions, work);
   try {
     const curve = method.curve(plan);
+    if (plan.points.length === 2) {
+      const path = mesh.shortestPath(plan.points[0]!, plan.points[1]!);
+      return { samples: alongPath(path, plan.table), path };
+    }
     await curve.trace(work);
     return { samples: curve.samples, path: curve.path };
   } finally {
@@ -93,15 +102,17 @@ export async function runMethod(
   const own = peers.karcher.meshFromArrays(mesh.positions(), mesh.triangles());
   let method: PreparedMethod | undefined;
   try {
+    await warm(peers, options);
     method = await peers.prepare(own, options, work);
     run.prepareMs = method.prepareMs;
     const curve = method.curve(plan);
     run.traceMs = await curve.trace(work);
     run.curve = { samples: curve.samples, path: curve.path };
     Object.assign(run, measures(mesh, run.curve.samples, reference));
-    run.ok = run.lost! < run.samples!;
-    if (!run.ok) run.reason = 'no sample converged';
-    if (!once && run.ok) await repeatAndDrag(run, method, curve, own, plan, work);
+    // With fewer it is no curve.
+    run.ok = run.lost! <= run.samples! / 2;
+    if (!run.ok) run.reason = `${run.lost} of ${run.samples} samples did not converge`;
+    if (!once && run.ok) await repeat(run, { peers, method, curve, mesh: own, plan, work });
   } catch (error) {
     signal?.throwIfAborted();
     // A curve that was traced in time stays; what is missing is null.
@@ -162,54 +173,66 @@ function reasonOf(error: unknown): string {
 
 /** What is done in a moment is done again, since a first time is not the usual time. */
 const mostRuns = 5;
-const longEnoughMs = 150;
+const longEnoughMs = 400;
 
-async function repeatAndDrag(
-  run: MethodRun,
-  method: PreparedMethod,
-  curve: ComparedCurve,
-  mesh: Mesh,
-  plan: CurvePlan,
-  work: LongWorkOptions,
-): Promise<void> {
-  run.traceMs = await medianTrace(method, plan, run.traceMs!, work);
-  run.dragMs = await medianDrag(mesh, curve, plan, work);
+interface Repeated {
+  peers: Peers;
+  method: PreparedMethod;
+  curve: ComparedCurve;
+  /** The mesh of the method. */
+  mesh: Mesh;
+  plan: CurvePlan;
+  work: LongWorkOptions;
 }
 
-/** The median of traces by new curves, `first` among them. */
-async function medianTrace(
-  method: PreparedMethod,
-  plan: CurvePlan,
-  first: number,
-  work: LongWorkOptions,
-): Promise<number> {
-  const times = [first];
-  for (let spent = first; spent < longEnoughMs && times.length < mostRuns; ) {
-    const curve = method.curve(plan);
-    times.push(await curve.trace(work));
-    curve.dispose();
-    spent += times.at(-1)!;
-  }
+/** Sets the medians of all that was done once, and of drags. */
+async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
+  const { method, curve, mesh, plan, work } = repeated;
+  // Each on a new curve: a point that comes back to where it was finds what was kept of it.
+  const traces = [run.traceMs!];
+  const drags = [await drag(curve, mesh, plan, work)];
+  run.dragMs = drags[0]!;
+  curve.dispose();
+  await whileQuick(traces[0]! + drags[0]!, async () => {
+    const again = method.curve(plan);
+    traces.push(await again.trace(work));
+    drags.push(await drag(again, mesh, plan, work));
+    again.dispose();
+    return traces.at(-1)! + drags.at(-1)!;
+  });
+  run.traceMs = median(traces);
+  run.dragMs = median(drags);
+  run.prepareMs = await medianPreparation(repeated);
+}
+
+/** The median of preparations on new copies of the mesh, the method's own among them. */
+async function medianPreparation({ peers, method, mesh, work }: Repeated): Promise<number> {
+  const times = [method.prepareMs];
+  await whileQuick(times[0]!, async () => {
+    const copy = peers.karcher.meshFromArrays(mesh.positions(), mesh.triangles());
+    try {
+      const again = await peers.prepare(copy, method.options, work);
+      times.push(again.prepareMs);
+      again.dispose();
+    } finally {
+      copy.dispose();
+    }
+    return times.at(-1)!;
+  });
   return median(times);
 }
 
-/** The middle point moved to the next corner and back: all segments that it touches. */
-async function medianDrag(
-  mesh: Mesh,
-  curve: ComparedCurve,
-  { points }: CurvePlan,
-  work: LongWorkOptions,
-): Promise<number> {
+/** Runs work that gives its milliseconds until it took long enough, what was `spent` included. */
+async function whileQuick(spent: number, run: () => Promise<number>): Promise<void> {
+  for (let all = spent, runs = 1; all < longEnoughMs && runs < mostRuns; runs++) all += await run();
+}
+
+/** The middle point moved to the next corner: all segments that it touches. */
+function drag(curve: ComparedCurve, mesh: Mesh, { points }: CurvePlan, work: LongWorkOptions) {
   const middle = Math.floor(points.length / 2);
   const here = toSurfacePoint(wirePoint(mesh.handle, points[middle]!));
-  const places = [nextCorner(here), here];
-  const times: number[] = [];
-  for (let spent = 0; times.length === 0 || (spent < longEnoughMs && times.length < mostRuns); ) {
-    curve.movePoint(middle, places[times.length % 2]!);
-    times.push(await curve.trace(work));
-    spent += times.at(-1)!;
-  }
-  return median(times);
+  curve.movePoint(middle, nextCorner(here));
+  return curve.trace(work);
 }
 
 function median(values: readonly number[]): number {

@@ -9,6 +9,7 @@ export * from './measure.js';
 export type { Peers } from './peers.js';
 export type { PreparedMethod } from './prepared_method.js';
 export type * from './types.js';
+export { warm } from './warm.js';
 
 /**
  * Loads the engine together with the methods that it is compared with: a larger module than `load`

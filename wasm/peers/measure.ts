@@ -1,5 +1,6 @@
 import type { Mesh } from '../mesh.js';
-import type { CurveSamples } from '../types.js';
+import type { CurveSamples, Path } from '../types.js';
+import type { WeightTable } from './types.js';
 
 /** How a curve differs from a reference that was sampled at the same parameters. */
 export interface CurveMeasures {
@@ -33,6 +34,30 @@ const triple = (flat: ArrayLike<number>, i: number): Vector => [
   flat[3 * i + 1]!,
   flat[3 * i + 2]!,
 ];
+
+/** The centers of mass of the two ends of a path: each at a part of its length. */
+export function alongPath({ polyline }: Path, { t, weights }: WeightTable): ReferenceSamples {
+  const lengths = [0];
+  for (let i = 1; 3 * i < polyline.length; i++) {
+    const step = subtract(triple(polyline, i), triple(polyline, i - 1));
+    lengths.push(lengths[i - 1]! + Math.sqrt(dot(step, step)));
+  }
+  const last = lengths.length - 1;
+  const position = new Float64Array(3 * t.length);
+  for (let i = 0; i < t.length; i++) {
+    const length = weights[2 * i + 1]! * lengths[last]!;
+    let next = 1;
+    while (next < last && lengths[next]! < length) next++;
+    const [before, after] = [triple(polyline, next - 1), triple(polyline, Math.min(next, last))];
+    const step = lengths[next]! - lengths[next - 1]!;
+    const part = step > 0 ? (length - lengths[next - 1]!) / step : 0;
+    position.set(
+      before.map((x, c) => x + part * (after[c]! - x)),
+      3 * i,
+    );
+  }
+  return { count: t.length, position, status: Array.from(t, () => 'converged' as const) };
+}
 
 /** Measures curves on one mesh. */
 export class CurveMeter {

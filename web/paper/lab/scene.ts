@@ -1,9 +1,14 @@
 import type { LongWorkOptions, Mesh } from 'karcher';
-import { CurveMeter, type MethodOptions, type Peers, type PreparedMethod } from 'karcher/peers';
+import {
+  CurveMeter,
+  type MethodOptions,
+  type Peers,
+  type PreparedMethod,
+  warm,
+} from 'karcher/peers';
 import { makeMesh } from '../../worker/made_mesh';
 import type { MeshSpec } from '../figures/types';
 import { NearestPoints } from './nearest';
-import { warm } from './warm';
 
 interface OwnMethod {
   mesh: Mesh;

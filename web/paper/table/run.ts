@@ -9,7 +9,6 @@ import {
 } from 'karcher/peers';
 import { makeMesh } from '../../worker/made_mesh';
 import { NearestPoints } from '../lab/nearest';
-import { warm } from '../lab/warm';
 import { type TableCell, type TableMethod, type TableRow, tableMethods } from './rows';
 
 export interface TableOptions {
@@ -61,7 +60,6 @@ export async function runTable(
         const cell = { row: row.id, method, triangles, segments: plan.first.length };
         events.method(cell);
         const options = tableOptions(method, plan);
-        await warm(peers, options);
         const { curve: _, ...result } = await runMethod(peers, mesh, plan, options, null, work);
         events.cell({ ...cell, result });
       }

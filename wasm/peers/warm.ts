@@ -1,5 +1,6 @@
-import type { PointLike } from 'karcher';
-import type { MethodOptions, Peers } from 'karcher/peers';
+import type { PointLike } from '../types.js';
+import type { Peers } from './peers.js';
+import type { MethodOptions } from './types.js';
 
 const triangles = 500;
 const rounds = 3;
