@@ -199,10 +199,9 @@ void ComparedCurve::traceOn(int segment, int samples) {
     }
     blend_.emplace(method_.surface().geometry(), std::move(fields));
   }
-  // The peers start again as the paper's method does.
   const ComparedOptions& options = method_.options();
-  const Method method =
-      options.method == ComparedMethod::kFields ? options.field.method : Method::kPaper;
+  const bool isPaper =
+      options.method == ComparedMethod::kFields && options.field.method == Method::kPaper;
   const int end = static_cast<int>(
       std::min<int64_t>(plan_.table.t.count(), static_cast<int64_t>(traced.count()) + samples));
   for (int i = traced.count(); i < end; ++i) {
@@ -211,8 +210,8 @@ void ComparedCurve::traceOn(int segment, int samples) {
     if (isEnd) last_ = startOf(segment, i);
     const Weights weights = plan_.table.row(i);
     CenterOfMass found = center(segment, weights, last_);
-    if (found.status != Status::kConverged) {
-      for (const int k : restarts(weights, method, isEnd && !start_)) {
+    if (isPaper && found.status != Status::kConverged) {
+      for (const int k : restarts(weights, Method::kPaper, isEnd && !start_)) {
         const CenterOfMass again = center(segment, weights, plan_.points[plan_.first[segment] + k]);
         if (again.status != Status::kConverged) continue;
         found = again;

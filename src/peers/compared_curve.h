@@ -12,7 +12,8 @@
 
 /// Curves by every method that is compared, our own and the paper's among them, behind the same
 /// steps: prepare the mesh, trace a curve, move a point. All take the same weights and start each
-/// search at the same points, so that times and results can be set side by side.
+/// search at the same points, so that times and results can be set side by side; the paper's method
+/// alone starts again where it fails (`restarts`), since from elsewhere it often finds a way.
 namespace karcher {
 
 enum class ComparedMethod {
