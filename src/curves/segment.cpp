@@ -70,11 +70,8 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
       CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
       if (center.status != Status::kConverged) {
         for (const int k : restarts(table.row(i), method, isEnd)) {
-          const CenterOfMass again =
-              findCenter(fields.blend, table.row(i), points[k]->point(), method);
-          if (again.status != Status::kConverged) continue;
-          center = again;
-          break;
+          center = findCenter(fields.blend, table.row(i), points[k]->point(), method);
+          if (center.status == Status::kConverged) break;
         }
       }
       sample.point = center.point;

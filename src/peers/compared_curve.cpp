@@ -212,10 +212,8 @@ void ComparedCurve::traceOn(int segment, int samples) {
     CenterOfMass found = center(segment, weights, last_);
     if (isPaper && found.status != Status::kConverged) {
       for (const int k : restarts(weights, Method::kPaper, isEnd && !start_)) {
-        const CenterOfMass again = center(segment, weights, plan_.points[plan_.first[segment] + k]);
-        if (again.status != Status::kConverged) continue;
-        found = again;
-        break;
+        found = center(segment, weights, plan_.points[plan_.first[segment] + k]);
+        if (found.status == Status::kConverged) break;
       }
     }
     traced.push_back({plan_.table.t[i], found.point, found.status});
