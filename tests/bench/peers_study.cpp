@@ -187,6 +187,15 @@ void run(const Array<std::string>& paths) {
   std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
   for (Input& input : inputs) studyDeviation(input);
   std::printf(
+      "\nThe range of geometry-central is reproduced in part. With the same control points on "
+      "both\n"
+      "sides ours stays below it on most meshes. At vertices, measured from the spline of points "
+      "in\n"
+      "faces, the lower end is met. No reading that was tried gives both ends, moving the points "
+      "to\n"
+      "the corner of the largest weight or to the first of their faces among them. Where that\n"
+      "library's own spline is at hand, on the npm package's bunny, ours is the same to 1e-4 h.\n");
+  std::printf(
       "\nA log map by vector heat beside its own triangular solves, and weighted averages, of "
       "which\n"
       "one should take a few microseconds after the embedding.\n\n");
