@@ -61,7 +61,7 @@ CenterOfMass centerBetween(const Curve& curve, FieldBlend& fields, const Segment
   while (to.t - from.t > kFinestDivision &&
          (position(mesh, to.point) - position(mesh, from.point)).norm() > shortest) {
     const double t = (from.t + to.t) / 2;
-    const CenterOfMass center = centerAt(t);
+    CenterOfMass center = centerAt(t);
     if (center.status != Status::kConverged) return center;
     (at.t < t ? to : from) = {t, center.point, center.status};
   }

@@ -185,8 +185,7 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
   Array<ControlField*> pointers;
   for (const auto& field : fields.fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), std::move(pointers));
-  const Mean mean =
-      withSoundEnergy(search(blend, weights, points, heaviest(weights), options), weights);
+  Mean mean = withSoundEnergy(search(blend, weights, points, heaviest(weights), options), weights);
   if (values <= options.mostValues / 4) kept = std::move(fields);
   return mean;
 }
