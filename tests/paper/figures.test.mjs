@@ -207,6 +207,18 @@ describe('figures', () => {
     assert.ok(bspline.paper.lost + bezier.paper.lost > 0);
   });
 
+  test('far: starting again, the paper’s method keeps most samples of its figure', async () => {
+    const { figures: full } = await load('figures/index.ts');
+    const { panels, points } = full.find(({ id }) => id === 'far');
+    for (const panel of panels) {
+      await lab.trace(panel, points[panel.points], ['paper'], (line) => {
+        assert.ok(good(line).lost > 0 && line.lost < line.samples / 2, `${line.lost} lost`);
+        // Some are at another center than the reference.
+        assert.ok(line.deviation.max > 3, `${line.deviation.max}`);
+      });
+    }
+  });
+
   test('plane: ours is exact on every tessellation, the paper’s where rings are symmetric', async () => {
     const { delaunay, grid, anisotropic } = await computed('plane');
     for (const panel of [delaunay, grid, anisotropic]) {

@@ -15,7 +15,7 @@ export const farFigure: Figure = {
   name: 'Figure 7',
   title: 'Points too far apart',
   caption:
-    'Where control points lie too far apart there may be more than one center of mass, or none near the last, and curves break: they jump, or samples are lost, which is dashed. A lost sample tells that the search for it failed, and not that there is no center. Ours is then bridged by a subdivision curve of the same points: the bridge is dashed too, and holds the curve together.',
+    'Where control points lie too far apart there may be more than one center of mass, or none near the last, and curves break: they jump from one to another, or samples are lost, which is dashed. A lost sample tells that its searches failed, and not that there is no center. The paper’s method starts again at other control points before it gives a sample up, and may come to a center far off. Where a curve is at another center than the reference, its deviation is large. Ours is then bridged: it takes the better of the centers that it comes to from either end, and a subdivision curve of the same points, dashed too, joins them; its deviation is from the same curve of exact distances.',
   points: {
     far: [
       [-1.6, 0, 0.1],

@@ -170,7 +170,7 @@ export class TableSection {
       make('h2', 'Times on your machine'),
       make(
         'p',
-        'Two-point paths on two tori, with exact distances for the paper’s method and ours; then B-splines, with graph distances of k = 6 for the paper’s method and fast ones for ours, as in the editor. Control points are at vertices. Preprocessing is what a method does once for the mesh, tracing includes the fields, and an update follows a drag of one point by an edge. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; what was not measured is a dash.',
+        'Two-point paths on two tori, with exact distances for the paper’s method and ours; then B-splines, with graph distances of k = 6 for the paper’s method and fast ones for ours, as in the editor. Control points are at vertices. Preprocessing is what a method does once for the mesh, tracing includes the fields, and an update follows a drag of one point by an edge: what does not depend on that point, as the fields of others or log maps, is kept. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; what was not measured is a dash.',
         { className: 'caption' },
       ),
     );
