@@ -49,7 +49,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
-  test('a file is opened, reloaded, and left for a sample and back', async () => {
+  sometimes('a file is opened, reloaded, and left for a sample and back', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('tetrahedron.obj', tetrahedron);
     await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
@@ -231,7 +231,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
-  test('opening a surface is cancelled, and the one before stays', async () => {
+  sometimes('opening a surface is cancelled, and the one before stays', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { polyline } = await tab.view();

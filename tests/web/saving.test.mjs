@@ -41,7 +41,7 @@ describe('saving', () => {
     await tab.page.close();
   });
 
-  test('a JSON file opens the curve again, elsewhere too', async () => {
+  sometimes('a JSON file opens the curve again, elsewhere too', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('2');
     await tab.click(...places);
