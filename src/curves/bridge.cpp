@@ -313,9 +313,10 @@ Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Arr
   Array<std::pair<int, Status>> jumps = findJumps(fields.blend, basis, middles, method, samples);
   const bool isWhole = jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
   if (isWhole) return {};
-  // Samples that a tolerance placed are dense enough for the branch that they follow.
+  // Samples that a tolerance placed are dense enough for the branch that they follow; the paper's
+  // method is from start to end.
   const bool areEven = middles != nullptr;
-  if (areEven) {
+  if (areEven && method == Method::kKarcher) {
     takeBestBranches(fields, basis, method, samples);
     jumps = findJumps(fields.blend, basis, middles, method, samples);
   }

@@ -48,8 +48,8 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// At `nodes`, ascending in (0, 1), all weight is on one control point (segment_basis.h): a bridge
 /// over one passes that point. `middles`: the basis at the middles between the samples' parameters
 /// where these are evenly spaced, else none. Evenly spaced samples of a segment that breaks are
-/// traced anew in both directions (branches.h); samples that a tolerance placed stay where they
-/// are.
+/// traced anew in both directions (branches.h), but for the paper's method; samples that a
+/// tolerance placed stay where they are.
 Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
                             const WeightTable* middles, Method method, Array<CurveSample>& samples);
 

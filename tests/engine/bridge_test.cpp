@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "curve_support.h"
 #include "curves/bases.h"
 #include "curves/curve.h"
+#include "curves/evaluate.h"
 #include "generators/random_points.h"
+#include "intrinsic/straightest.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -144,6 +148,56 @@ TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
     }
   }
   EXPECT_GT(passed, 20);
+}
+
+TEST(Bridge, EvaluationHasNoGapWithoutAMark) {
+  const uint64_t seed = 7;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Surface surface(importMesh(makeShape(Shape::kGenus3, 3000)).mesh);
+  const TriangleMesh& mesh = surface.mesh();
+  const Geometry& geometry = surface.geometry();
+  Random random(seed);
+  constexpr int kLooks = 500;
+  for (int polygon = 0; polygon < (longRun() ? 200 : 12); ++polygon) {
+    Array<SurfacePoint> points{randomPoint(mesh, random)};
+    CurveShape shape{CurveKind::kRational, true};
+    while (points.count() < 5) {
+      const double length = random.uniform(0.05, 0.3) * geometry.diagonal;
+      const Vec2 step = length * unitVector(random.uniform(0, 2 * kPi));
+      points.push_back(traceStraightest(geometry, points.back(), step).points.back());
+    }
+    for (int i = 0; i < points.count(); ++i) {
+      shape.weights.push_back(std::exp(random.uniform(-1.6, 3.2)));
+    }
+    Curve curve(surface, {shape, 3, kFast}, points);
+    update(curve);
+    const auto at = [&](double t) { return pointAt(curve, SegmentParameter{0, t}); };
+    const auto converged = [](const CurvePoint& p) { return p.status == Status::kConverged; };
+    const auto gap = [&](const CurvePoint& a, const CurvePoint& b) {
+      return (position(mesh, a.point) - position(mesh, b.point)).norm();
+    };
+    for (int i = 0; i < kLooks; ++i) {
+      double t0 = static_cast<double>(i) / kLooks;
+      double t1 = static_cast<double>(i + 1) / kLooks;
+      CurvePoint from = at(t0);
+      CurvePoint to = at(t1);
+      // Towards the larger half, down to where a step that is still long is a gap.
+      while (converged(from) && converged(to) && t1 - t0 > 1e-10) {
+        const double t = (t0 + t1) / 2;
+        const CurvePoint middle = at(t);
+        if (!converged(middle) || gap(from, middle) > gap(middle, to)) {
+          t1 = t;
+          to = middle;
+        } else {
+          t0 = t;
+          from = middle;
+        }
+      }
+      if (!converged(from) || !converged(to)) continue;
+      EXPECT_LE(gap(from, to), 1.1 * kLongestStep * geometry.meanEdge)
+          << "polygon " << polygon << ", t " << t0;
+    }
+  }
 }
 
 TEST(Bridge, RoundACornerOfTheBoundaryItIsMarked) {

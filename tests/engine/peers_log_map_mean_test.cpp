@@ -132,9 +132,14 @@ TEST(LogMapMean, KeepsLogMapsOfPointsThatMove) {
   }
 }
 
+/// Two components.
+TriangleMesh twoTriangles() {
+  return buildMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
+                   {{0, 1, 2}, {3, 4, 5}});
+}
+
 TEST(LogMapMean, SaysThatAMovedPointHasNoLogarithm) {
-  const TriangleMesh mesh = buildMesh(
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  const TriangleMesh mesh = twoTriangles();
   const Geometry geometry = buildGeometry(mesh);
   const HeatOperators operators(geometry);
   const SurfacePoint here{0, Vec3(0.2, 0.5, 0.3)};
@@ -149,8 +154,7 @@ TEST(LogMapMean, SaysThatAMovedPointHasNoLogarithm) {
 }
 
 TEST(LogMapMean, RefusesWeightsAndPointsThatDoNotFit) {
-  const TriangleMesh mesh = buildMesh(
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  const TriangleMesh mesh = twoTriangles();
   const Geometry geometry = buildGeometry(mesh);
   const HeatOperators operators(geometry);
   const SurfacePoint here{0, Vec3(0.2, 0.5, 0.3)};
