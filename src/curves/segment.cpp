@@ -64,19 +64,15 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
     // there.
     const bool isEnd = i == 0 || i == samples.count() - 1;
     if (isEnd) start = &points[heaviest(table.row(i))]->point();
-    const bool stays = method == Method::kKarcher &&
-                       centerInFace(fields.blend, table.row(i), start->face, sample.point);
-    if (!stays) {
-      CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
-      if (center.status != Status::kConverged) {
-        for (const int k : restarts(table.row(i), method, isEnd)) {
-          center = findCenter(fields.blend, table.row(i), points[k]->point(), method);
-          if (center.status == Status::kConverged) break;
-        }
+    CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
+    if (center.status != Status::kConverged) {
+      for (const int k : restarts(table.row(i), method, isEnd)) {
+        center = findCenter(fields.blend, table.row(i), points[k]->point(), method);
+        if (center.status == Status::kConverged) break;
       }
-      sample.point = center.point;
-      sample.status = center.status;
     }
+    sample.point = center.point;
+    sample.status = center.status;
     if (sample.status == Status::kConverged) start = &sample.point;
   }
   return samples;

@@ -64,18 +64,6 @@ SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary) 
   return clampedPoint(face, bary);
 }
 
-SurfacePoint clampedPoint(int face, const Vec3& bary) {
-  SurfacePoint point{face, bary};
-  for (int k = 0; k < 3; ++k) {
-    if (point.bary[k] < kOnEdgeTolerance) point.bary[k] = 0;
-  }
-  // Divisions are dear, and most weights come with this sum.
-  constexpr double kRounding = 1e-15;
-  const double sum = point.bary[0] + point.bary[1] + point.bary[2];
-  if (std::abs(sum - 1) > kRounding) point.bary /= sum;
-  return point;
-}
-
 SurfacePoint vertexPoint(const TriangleMesh& mesh, int vertex) {
   if (vertex < 0 || vertex >= mesh.vertexCount()) {
     throw Error(ErrorCode::kBadIndex, "there is no vertex " + std::to_string(vertex) +

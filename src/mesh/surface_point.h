@@ -20,7 +20,17 @@ inline constexpr double kOnEdgeTolerance = 1e-12;
 SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary);
 
 /// The point with these weights, whose rounding below kOnEdgeTolerance is taken for 0.
-SurfacePoint clampedPoint(int face, const Vec3& bary);
+inline SurfacePoint clampedPoint(int face, const Vec3& bary) {
+  SurfacePoint point{face, bary};
+  for (int k = 0; k < 3; ++k) {
+    if (point.bary[k] < kOnEdgeTolerance) point.bary[k] = 0;
+  }
+  // Divisions are dear, and most weights come with this sum.
+  constexpr double kRounding = 1e-15;
+  const double sum = point.bary[0] + point.bary[1] + point.bary[2];
+  if (std::abs(sum - 1) > kRounding) point.bary /= sum;
+  return point;
+}
 
 /// The point at a vertex, in the vertex's first face.
 SurfacePoint vertexPoint(const TriangleMesh& mesh, int vertex);

@@ -34,10 +34,6 @@ struct CenterOfMass {
 /// each place in the other is taken on their edge (FieldBlend::zeroAlongEdge).
 CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
-/// The first step of `walkToCenter` alone: if the center lies in this face, where. Most samples of
-/// a curve lie in the face of the one before.
-bool centerInFace(FieldBlend& fields, Weights weights, int face, SurfacePoint& center);
-
 /// The zero of the blended field by walking from face to face: in each face the zero in closed
 /// form; outside it, on to the face across the edge that it lies behind. From a start near by it
 /// takes one or two faces. Zeros between faces are taken on their edge or vertex.

@@ -26,51 +26,19 @@ Hessian hessian(const Geometry& geometry, int face, const TriangleField& field) 
 }
 
 FieldBlend::FieldBlend(const Geometry& geometry, Array<ControlField*> fields)
-    : geometry_(geometry), fields_(std::move(fields)) {
+    : geometry_(geometry), fields_(std::move(fields)), width_(6 * fields_.count()) {
   table_.resize(256);
-  vectors_.reserve(static_cast<size_t>(64 * 6 * fieldCount()));
 }
 
 TriangleField FieldBlend::blend(int face, Weights weights) {
   // Six components a field side by side, so that the sums vectorise.
-  const double* vectors = transported(face);
+  const double* vectors = vectorsOf(slotOf(face));
   double sum[6] = {};
   for (const double w : weights) {
     for (int c = 0; c < 6; ++c) sum[c] += w * vectors[c];
     vectors += 6;
   }
   return {{Vec2(sum[0], sum[1]), Vec2(sum[2], sum[3]), Vec2(sum[4], sum[5])}};
-}
-
-bool FieldBlend::findZero(int face, Weights weights, FaceZero& zero) {
-  const double* v = transported(face);
-  double sum[6] = {};
-  for (const double w : weights) {
-    for (int c = 0; c < 6; ++c) sum[c] += w * v[c];
-    v += 6;
-  }
-  const double x0 = sum[0], y0 = sum[1], x1 = sum[2], y1 = sum[3], x2 = sum[4], y2 = sum[5];
-  // hessian(...).positiveDefinite(), without its divisions.
-  const double apexX = geometry_.apex[face].x();
-  const double apexY = geometry_.apex[face].y();
-  const double xx = apexY * (x1 - x0);
-  const double yy = geometry_.edgeLength[3 * face] * (y2 - y0) - apexX * (y1 - y0);
-  const double xy =
-      (apexY * (y1 - y0) + geometry_.edgeLength[3 * face] * (x2 - x0) - apexX * (x1 - x0)) / 2;
-  if (!(xx > 0 && xx * yy > xy * xy)) return false;
-  const double b0 = x1 * y2 - y1 * x2;
-  const double b1 = x2 * y0 - y2 * x0;
-  const double b2 = x0 * y1 - y0 * x1;
-  zero.determinant = b0 + b1 + b2;
-  zero.jump = jumps_[lastSlot_];
-  const double scale = 1 / zero.determinant;
-  zero.bary[0] = b0 * scale;
-  zero.bary[1] = b1 * scale;
-  zero.bary[2] = b2 * scale;
-  zero.field.corner[0] = Vec2(x0, y0);
-  zero.field.corner[1] = Vec2(x1, y1);
-  zero.field.corner[2] = Vec2(x2, y2);
-  return true;
 }
 
 Vec2 FieldBlend::atVertex(int vertex, Weights weights) {
@@ -116,31 +84,37 @@ EdgeField FieldBlend::alongEdge(int h) {
   return result;
 }
 
-const double* FieldBlend::transported(int face) {
-  if (face != lastFace_) {
-    lastSlot_ = slotOf(face);
-    lastFace_ = face;
-  }
-  return vectors_.data() + static_cast<size_t>(lastSlot_) * static_cast<size_t>(6 * fieldCount());
-}
-
-int FieldBlend::slotOf(int face) {
+int FieldBlend::findSlot(int face) {
   const size_t mask = table_.size() - 1;
   size_t place = hashOf(face) & mask;
-  while (table_[place].face != -1) {
-    if (table_[place].face == face) return table_[place].slot;
-    place = (place + 1) & mask;
+  while (table_[place].face != face && table_[place].face != -1) place = (place + 1) & mask;
+  int slot = table_[place].slot;
+  if (table_[place].face == -1) {
+    slot = slotCount_;
+    fillSlot(slot, face);
+    // Only now, since a field's evaluation may throw.
+    table_[place] = {face, slot};
+    ++slotCount_;
+    if (2 * static_cast<size_t>(slotCount_) > table_.size()) growTable();
   }
-  const size_t width = static_cast<size_t>(6 * fieldCount());
-  const size_t begin = static_cast<size_t>(slotCount_) * width;
-  vectors_.resize(begin + width);
-  jumps_.resize(static_cast<size_t>(slotCount_) + 1);
+  lastFace_ = face;
+  lastSlot_ = slot;
+  return slot;
+}
+
+void FieldBlend::fillSlot(int slot, int face) {
+  if (slot == shapes_.count()) {
+    // Room for many faces at once: a segment passes some dozens.
+    const size_t room = static_cast<size_t>(slot == 0 ? 32 : 2 * slot);
+    vectors_.resize(room * static_cast<size_t>(width_));
+    shapes_.resize(room);
+  }
   double bend = 0;
   for (int k = 0; k < 3; ++k) {
     const int vertex = geometry_.mesh->corner(face, k);
     bend = std::max(bend, std::abs(geometry_.angleScale[vertex] - 1));
     const Vec2& rotation = geometry_.vertexToFace[3 * face + k];
-    double* out = vectors_.data() + begin + 2 * k;
+    double* out = vectors_.data() + static_cast<ptrdiff_t>(slot) * width_ + 2 * k;
     for (ControlField* field : fields_) {
       const Vec2 vector = rotate(rotation, field->at(vertex).gradient);
       out[0] = vector.x();
@@ -148,12 +122,8 @@ int FieldBlend::slotOf(int face) {
       out += 6;
     }
   }
-  jumps_[slotCount_] = std::min(1.0, kPi * bend);
-  // Only now, since a field's evaluation may throw.
-  table_[place] = {face, slotCount_};
-  const int slot = slotCount_++;
-  if (2 * static_cast<size_t>(slotCount_) > table_.size()) growTable();
-  return slot;
+  const Vec2& apex = geometry_.apex[face];
+  shapes_[slot] = {geometry_.edgeLength[3 * face], apex.x(), apex.y(), std::min(1.0, kPi * bend)};
 }
 
 void FieldBlend::growTable() {

@@ -89,7 +89,7 @@ class FieldBlend {
 
   /// The zero of `blend`, if its Hessian is positive definite: what a search asks for at each
   /// sample, all in one.
-  bool findZero(int face, Weights weights, FaceZero& zero);
+  [[gnu::always_inline]] bool findZero(int face, Weights weights, FaceZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
   Vec2 atVertex(int vertex, Weights weights);
@@ -107,15 +107,30 @@ class FieldBlend {
   EdgeField alongEdge(int h);
 
  private:
-  /// The transported vectors of all fields in `face`: six numbers a field, x and y at each corner.
-  const double* transported(int face);
-  int slotOf(int face);
+  /// What `findZero` asks of a face but its fields, together.
+  struct FaceShape {
+    double edge = 0;  ///< length of the face's first half-edge
+    double apexX = 0;
+    double apexY = 0;
+    double jump = 0;  ///< see FaceZero
+  };
+
+  /// The slot of a face, which is filled if it is asked for the first time.
+  int slotOf(int face) { return face == lastFace_ ? lastSlot_ : findSlot(face); }
+  int findSlot(int face);
+  void fillSlot(int slot, int face);
+  /// The transported vectors of all fields in a slot's face: six numbers a field, x and y at each
+  /// corner.
+  const double* vectorsOf(int slot) const {
+    return vectors_.data() + static_cast<ptrdiff_t>(slot) * width_;
+  }
   void growTable();
 
   const Geometry& geometry_;
   Array<ControlField*> fields_;
-  Array<double> vectors_;
-  Array<double> jumps_;  ///< by slot, see FaceZero
+  int width_;              ///< numbers a slot in vectors_
+  Array<double> vectors_;  ///< by slot, with room for some more
+  Array<FaceShape> shapes_;
   /// Open addressing, so that nothing the size of the mesh is made: faces, and their slots.
   struct Place {
     int face = -1;
@@ -126,5 +141,38 @@ class FieldBlend {
   int lastFace_ = -1;
   int lastSlot_ = 0;
 };
+
+// Here, so that it is compiled into the searches: engines of WebAssembly inline no calls.
+inline bool FieldBlend::findZero(int face, Weights weights, FaceZero& zero) {
+  const int slot = slotOf(face);
+  const double* v = vectorsOf(slot);
+  // Six components a field side by side, so that the sums vectorise.
+  double sum[6] = {};
+  for (const double w : weights) {
+    for (int c = 0; c < 6; ++c) sum[c] += w * v[c];
+    v += 6;
+  }
+  const double x0 = sum[0], y0 = sum[1], x1 = sum[2], y1 = sum[3], x2 = sum[4], y2 = sum[5];
+  // hessian(...).positiveDefinite(), without its divisions.
+  const FaceShape& shape = shapes_[slot];
+  const double xx = shape.apexY * (x1 - x0);
+  const double yy = shape.edge * (y2 - y0) - shape.apexX * (y1 - y0);
+  const double xy =
+      (shape.apexY * (y1 - y0) + shape.edge * (x2 - x0) - shape.apexX * (x1 - x0)) / 2;
+  if (!(xx > 0 && xx * yy > xy * xy)) return false;
+  const double b0 = x1 * y2 - y1 * x2;
+  const double b1 = x2 * y0 - y2 * x0;
+  const double b2 = x0 * y1 - y0 * x1;
+  zero.determinant = b0 + b1 + b2;
+  zero.jump = shape.jump;
+  const double scale = 1 / zero.determinant;
+  zero.bary[0] = b0 * scale;
+  zero.bary[1] = b1 * scale;
+  zero.bary[2] = b2 * scale;
+  zero.field.corner[0] = Vec2(x0, y0);
+  zero.field.corner[1] = Vec2(x1, y1);
+  zero.field.corner[2] = Vec2(x2, y2);
+  return true;
+}
 
 }  // namespace karcher

@@ -100,14 +100,9 @@ class ZeroWalk {
   ZeroWalk(FieldBlend& fields, Weights weights)
       : fields_(fields), geometry_(fields.geometry()), mesh_(*geometry_.mesh), weights_(weights) {}
 
-  CenterOfMass run(const SurfacePoint& start) {
-    FaceZero zero;
-    if (fields_.findZero(start.face, weights_, zero)) {
-      if (zero.depth() >= -kInsideTolerance) {
-        return {deepestZero(fields_, weights_, start.face, zero), Status::kConverged, 1};
-      }
-      if (zero.depth() >= kFarWeight) return walk(start, zero);
-    }
+  /// From a point, with the zero of its face.
+  CenterOfMass run(const SurfacePoint& start, const std::optional<FaceZero>& zero) {
+    if (zero && zero->depth() >= kFarWeight) return walk(start, zero);
     const SurfacePoint near = leap(start);
     CenterOfMass result = walk(near, zeroOfFace(fields_, weights_, near.face));
     result.iterations += leaps_;
@@ -137,7 +132,6 @@ class ZeroWalk {
   CenterOfMass walk(const SurfacePoint& start, std::optional<FaceZero> zero) {
     int face = start.face;
     int history[kHistory];
-    std::fill(history, history + kHistory, -1);
     for (int step = 1; step <= kMaxFaces; ++step) {
       if (step > 1) zero = zeroOfFace(fields_, weights_, face);
       if (!zero) return {face == start.face ? start : centroid(face), Status::kIndefinite, step};
@@ -151,14 +145,15 @@ class ZeroWalk {
         return {edgePoint(h, fields_.zeroAlongEdge(h, weights_)), Status::kBoundary, step};
       }
       const int onward = faceOf(twin);
-      if (onward == history[(step - 1) % kHistory]) return betweenFaces(h, step);
-      if (std::find(history, history + kHistory, onward) != history + kHistory) {
+      if (step > 1 && onward == history[(step - 2) % kHistory]) return betweenFaces(h, step);
+      const int known = std::min(step - 1, kHistory);
+      if (std::find(history, history + known, onward) != history + known) {
         CenterOfMass result =
             centerAroundVertex(fields_, weights_, mesh_.corner(face, largest(zero->bary)));
         result.iterations = step;
         return result;
       }
-      history[step % kHistory] = face;
+      history[(step - 1) % kHistory] = face;
       face = onward;
     }
     return {centroid(face), Status::kLimit, kMaxFaces};
@@ -209,15 +204,18 @@ class ZeroWalk {
 
 }  // namespace
 
-bool centerInFace(FieldBlend& fields, Weights weights, int face, SurfacePoint& center) {
-  FaceZero zero;
-  if (!fields.findZero(face, weights, zero) || zero.depth() < -kInsideTolerance) return false;
-  center = deepestZero(fields, weights, face, zero);
-  return true;
-}
-
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
-  return ZeroWalk(fields, weights).run(start);
+  // Most samples of a curve lie in the face of the one before, and no other zero is near: all that
+  // they need, in one function.
+  FaceZero zero;
+  if (!fields.findZero(start.face, weights, zero)) {
+    return ZeroWalk(fields, weights).run(start, std::nullopt);
+  }
+  const double depth = zero.depth();
+  if (depth >= -kInsideTolerance && isTheOnlyZero(zero, depth)) {
+    return {clampedPoint(start.face, zero.bary), Status::kConverged, 1};
+  }
+  return ZeroWalk(fields, weights).run(start, zero);
 }
 
 }  // namespace karcher
