@@ -9,7 +9,7 @@
 
 /// The center of mass of two points with weights 1 - w and w against the point at the fraction w of
 /// their exact shortest path, in mean edges: 50 random pairs, 5 to 20 % of the diagonal apart, 101
-/// values of w.
+/// values of w. Errors across the path come of the fields' directions, along it of their lengths.
 ///
 ///   two_points_study [MESH.obj ...]
 namespace karcher {
@@ -25,17 +25,25 @@ struct Pair {
   ShortestPath path;
 };
 
-/// The point of a path at a length from its start.
-Vec3 pointAtLength(const TriangleMesh& mesh, const ShortestPath& path, double length) {
+/// A point of a path, and the path's unit direction there.
+struct PathPlace {
+  Vec3 point;
+  Vec3 along = Vec3::Zero();
+};
+
+/// At a length from the path's start.
+PathPlace placeAtLength(const TriangleMesh& mesh, const ShortestPath& path, double length) {
   Vec3 before = position(mesh, path.points.front());
+  Vec3 along = Vec3::Zero();
   for (const SurfacePoint& point : path.points) {
     const Vec3 here = position(mesh, point);
     const double step = (here - before).norm();
-    if (length <= step && step > 0) return before + length / step * (here - before);
+    if (step > 0) along = (here - before) / step;
+    if (length <= step && step > 0) return {before + length * along, along};
     length -= step;
     before = here;
   }
-  return before;
+  return {before, along};
 }
 
 Array<Pair> choosePairs(const Geometry& geometry) {
@@ -49,6 +57,8 @@ Array<Pair> choosePairs(const Geometry& geometry) {
 
 struct Outcome {
   Array<double> errors;
+  Array<double> along;  ///< the part of an error in the path's direction, and the rest
+  Array<double> across;
   int lost = 0;
 };
 
@@ -68,9 +78,14 @@ Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& 
         ++outcome.lost;
         continue;
       }
-      const Vec3 expected = pointAtLength(surface.mesh(), pair.path, sample.t * pair.path.length);
-      const Vec3 found = position(surface.mesh(), sample.point);
-      outcome.errors.push_back((found - expected).norm() / geometry.meanEdge);
+      const PathPlace expected =
+          placeAtLength(surface.mesh(), pair.path, sample.t * pair.path.length);
+      const Vec3 error =
+          (position(surface.mesh(), sample.point) - expected.point) / geometry.meanEdge;
+      const double along = error.dot(expected.along);
+      outcome.errors.push_back(error.norm());
+      outcome.along.push_back(std::abs(along));
+      outcome.across.push_back((error - along * expected.along).norm());
     }
   }
   return outcome;
@@ -92,9 +107,10 @@ void study(const std::string& name, TriangleMesh mesh) {
   for (const Row& row : rows) {
     const Outcome outcome = measure(surface, pairs, row.options);
     const int total = kPairs * kWeights;
-    std::printf("| %s | %d | %s | %.4f | %.4f | %.4f | %.2f %% |\n", name.c_str(),
+    std::printf("| %s | %d | %s | %.4f | %.4f | %.4f | %.4f | %.4f | %.2f %% |\n", name.c_str(),
                 surface.mesh().faceCount(), row.name, median(outcome.errors),
                 quantile(outcome.errors, 0.95), quantile(outcome.errors, 1),
+                quantile(outcome.along, 0.95), quantile(outcome.across, 0.95),
                 100.0 * (total - outcome.lost) / total);
     std::fflush(stdout);
   }
@@ -108,8 +124,11 @@ int main(int argc, char** argv) {
   try {
     std::printf("Two points, %d pairs (seed %d), %d weights: error in mean edges\n\n", kPairs,
                 static_cast<int>(kSeed), kWeights);
-    std::printf("| mesh | triangles | fields | median | 95 %% | maximum | converged |\n");
-    std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
+    std::printf(
+        "| mesh | triangles | fields | median | 95 %% | maximum | along the path, 95 %% | across, "
+        "95 %% | "
+        "converged |\n");
+    std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
     study("icosphere", importMesh(icosphere(32)).mesh);
     for (int i = 1; i < argc; ++i) study(argv[i], loadBenchMesh(argv[i], "").mesh);
   } catch (const std::exception& error) {
