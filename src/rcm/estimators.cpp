@@ -70,6 +70,34 @@ Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
   return ring;
 }
 
+/// How much of an estimate is the vertex's own log vector (Stencil). Vertices of the boundary have
+/// no defect to compare.
+double ownShare(const Geometry& geometry, int vertex) {
+  constexpr double kEven = 0.003;
+  const TriangleMesh& mesh = *geometry.mesh;
+  double sum = 0;
+  double squares = 0;
+  int count = 0;
+  const auto add = [&](int v) {
+    if (mesh.onBoundary[v]) return;
+    const double defect = 2 * kPi - geometry.totalAngle[v];
+    sum += defect;
+    squares += defect * defect;
+    ++count;
+  };
+  add(vertex);
+  const int first = mesh.outgoing[vertex];
+  int h = first;
+  do {
+    add(mesh.head(h));
+    h = rotateLeft(mesh, h);
+  } while (h >= 0 && h != first);
+  if (count == 0) return 0;
+  const double mean = sum / count;
+  const double variance = std::max(0.0, squares / count - mean * mean);
+  return variance / (variance + mean * mean + kEven * kEven);
+}
+
 /// A linear map under which the neighbours' places have unit covariance about the vertex.
 Eigen::Matrix2d whitening(const Array<Neighbour>& ring) {
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
@@ -87,7 +115,7 @@ double wideGaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 
 double narrowGaussian(const Vec2& white) { return std::exp(-2 * white.squaredNorm()); }
 
 /// Terms over log vectors; the vertex's own vector alone where the fit is not determined.
-void linearTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
+void linearTerms(const Array<Neighbour>& ring, double own, Array<StencilTerm>& terms) {
   const Eigen::Matrix2d toWhite = whitening(ring);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   for (const Neighbour& n : ring) {
@@ -100,15 +128,18 @@ void linearTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
     terms.push_back({ring[0].vertex, Vec2(1, 0)});
     return;
   }
+  const size_t first = terms.size();
   for (const Neighbour& n : ring) {
     const Vec2 z = toWhite * n.place;
     const double weight = wideGaussian(z) * (c[0] + c[1] * z.x() + c[2] * z.y());
-    terms.push_back({n.vertex, weight * n.rotation});
+    terms.push_back({n.vertex, (1 - own) * weight * n.rotation});
   }
+  terms[first].coefficient.x() += own;
 }
 
-/// Terms over differences of squared distances; false where the ring does not determine the fit.
-bool quadraticTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
+/// The vertex's own log vector, then terms over differences of squared distances; false where the
+/// ring does not determine the fit.
+bool quadraticTerms(const Array<Neighbour>& ring, double own, Array<StencilTerm>& terms) {
   using Vector5 = Eigen::Matrix<double, 5, 1>;
   using Matrix5 = Eigen::Matrix<double, 5, 5>;
   constexpr int kFewest = 8;
@@ -126,9 +157,10 @@ bool quadraticTerms(const Array<Neighbour>& ring, Array<StencilTerm>& terms) {
   const Vector5 pivots = factor.vectorD();
   constexpr double kWorstCondition = 1e-4;
   if (!(pivots.minCoeff() > kWorstCondition * pivots.maxCoeff())) return false;
+  terms.push_back({ring[0].vertex, Vec2(own, 0)});
   for (int i = 1; i < ring.count(); ++i) {
     const Vec2 z = toWhite * ring[i].place;
-    const Vector5 fit = factor.solve(narrowGaussian(z) * row(z));
+    const Vector5 fit = (1 - own) * factor.solve(narrowGaussian(z) * row(z));
     terms.push_back({ring[i].vertex, toWhite.transpose() * fit.head<2>()});
   }
   return true;
@@ -145,13 +177,16 @@ Stencil StencilTable::at(int vertex) {
     const int64_t begin = static_cast<int64_t>(terms_.size());
     const Array<Neighbour> ring =
         ringsAround(geometry_, vertex, estimator_ == Estimator::kLinear1 ? 1 : 2);
-    place.ofDistances = estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring, terms_);
-    if (!place.ofDistances) linearTerms(ring, terms_);
+    const double own = ownShare(geometry_, vertex);
+    const bool quadratic =
+        estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring, own, terms_);
+    if (!quadratic) linearTerms(ring, own, terms_);
     place.count = static_cast<int>(static_cast<int64_t>(terms_.size()) - begin);
+    place.ofVectors = quadratic ? 1 : place.count;
     place.begin = begin;
   }
   const StencilTerm* begin = terms_.data() + place.begin;
-  return {begin, begin + place.count, place.ofDistances};
+  return {begin, begin + place.ofVectors, begin + place.count};
 }
 
 }  // namespace karcher

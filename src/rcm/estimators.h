@@ -8,6 +8,11 @@
 ///
 /// Neighbours are placed in the plane of the vertex's frame along edges, and weighted by a Gaussian
 /// of the covariance of their places, which makes the weights blind to a mesh's stretch.
+///
+/// A fit averages the noise of single vectors away where triangles stand for a smooth surface. On a
+/// rough one, as a scan, paths keep to the sides of vertices where they are shortest, which a fit
+/// takes for noise. So the vertex's own log vector takes the fit's place by degrees, as angle
+/// defects vary from vertex to vertex (Stencil).
 namespace karcher {
 
 enum class Estimator {
@@ -31,10 +36,27 @@ struct StencilTerm {
   Vec2 coefficient;
 };
 
+/// (1 - r) times the fit plus r times the vertex's own log vector: r = s^2 / (s^2 + m^2 + 0.003^2),
+/// with m the mean and s the standard deviation of the angle defects, in radians, of the vertex and
+/// its neighbours.
 struct Stencil {
-  const StencilTerm* begin = nullptr;
+  const StencilTerm* begin = nullptr;  ///< terms of log vectors
+  const StencilTerm* ofDistances = nullptr;
   const StencilTerm* end = nullptr;
-  bool ofDistances = false;
+
+  /// The estimate from log vectors and squared distances, both functions of the vertex.
+  template <class LogVectorAt, class SquaredDistanceAt>
+  Vec2 apply(double ownSquaredDistance, const LogVectorAt& logVectorAt,
+             const SquaredDistanceAt& squaredDistanceAt) const {
+    Vec2 gradient = Vec2::Zero();
+    for (const StencilTerm* term = begin; term != ofDistances; ++term) {
+      gradient += rotate(term->coefficient, logVectorAt(term->vertex));
+    }
+    for (const StencilTerm* term = ofDistances; term != end; ++term) {
+      gradient += (squaredDistanceAt(term->vertex) - ownSquaredDistance) * term->coefficient;
+    }
+    return gradient;
+  }
 };
 
 /// The stencils of one estimator, each made when it is first asked for.
@@ -49,8 +71,8 @@ class StencilTable {
  private:
   struct Place {
     int64_t begin = -1;
+    int ofVectors = 0;
     int count = 0;
-    bool ofDistances = false;
   };
 
   const Geometry& geometry_;

@@ -108,18 +108,13 @@ const Vec2& PointField::logVectorAt(DistanceSolver& solver, int vertex) {
 template <class DistanceSolver>
 FieldValue PointField::estimate(DistanceSolver& solver, int vertex) {
   const Stencil stencil = surface_.stencils(estimatorOf(options_.solver)).at(vertex);
-  growTo(solver, vertex);
-  const double own = solver.distance(vertex) * solver.distance(vertex);
-  Vec2 gradient = Vec2::Zero();
-  for (const StencilTerm* term = stencil.begin; term != stencil.end; ++term) {
-    if (stencil.ofDistances) {
-      growTo(solver, term->vertex);
-      const double d = solver.distance(term->vertex);
-      gradient += (d * d - own) * term->coefficient;
-    } else {
-      gradient += rotate(term->coefficient, logVectorAt(solver, term->vertex));
-    }
-  }
+  const auto squaredDistanceAt = [&](int v) {
+    growTo(solver, v);
+    return solver.distance(v) * solver.distance(v);
+  };
+  const double own = squaredDistanceAt(vertex);
+  const Vec2 gradient = stencil.apply(
+      own, [&](int v) { return logVectorAt(solver, v); }, squaredDistanceAt);
   return {gradient, own};
 }
 

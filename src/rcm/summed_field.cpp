@@ -53,14 +53,10 @@ ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
     return field;
   }
   field.reset([sums, &stencils = surface.stencils(estimatorOf(options.solver))](int v) {
-    const Stencil stencil = stencils.at(v);
     const double own = sums->squaredDistances[v];
-    Vec2 gradient = Vec2::Zero();
-    for (const StencilTerm* term = stencil.begin; term != stencil.end; ++term) {
-      gradient += stencil.ofDistances
-                      ? Vec2((sums->squaredDistances[term->vertex] - own) * term->coefficient)
-                      : rotate(term->coefficient, sums->logVectors[term->vertex]);
-    }
+    const Vec2 gradient = stencils.at(v).apply(
+        own, [&](int u) { return sums->logVectors[u]; },
+        [&](int u) { return sums->squaredDistances[u]; });
     return FieldValue{gradient, own};
   });
   return field;

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "generators/plane.h"
+#include "generators/random.h"
 #include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
 #include "support.h"
 
 namespace karcher {
@@ -15,18 +17,10 @@ namespace {
 /// plane.
 Vec2 estimate(const Geometry& geometry, StencilTable& table, int vertex, const Vec3& p) {
   const TriangleMesh& mesh = *geometry.mesh;
-  const Stencil stencil = table.at(vertex);
-  const double own = (mesh.positions[vertex] - p).squaredNorm();
-  Vec2 sum = Vec2::Zero();
-  for (const StencilTerm* term = stencil.begin; term != stencil.end; ++term) {
-    const Vec3 away = mesh.positions[term->vertex] - p;
-    if (stencil.ofDistances) {
-      sum += (away.squaredNorm() - own) * term->coefficient;
-    } else {
-      sum += rotate(term->coefficient, inVertexFrame(geometry, term->vertex, 2 * away));
-    }
-  }
-  return sum;
+  const auto away = [&](int v) { return Vec3(mesh.positions[v] - p); };
+  return table.at(vertex).apply(
+      away(vertex).squaredNorm(), [&](int v) { return inVertexFrame(geometry, v, 2 * away(v)); },
+      [&](int v) { return away(v).squaredNorm(); });
 }
 
 class EstimatorOnThePlane : public testing::TestWithParam<Estimator> {};
@@ -71,6 +65,47 @@ TEST(StencilTable, GivesTheSameStencilAgain) {
       EXPECT_EQ(a.begin[i].coefficient, b.begin[i].coefficient);
     }
   }
+}
+
+/// The vertex's own part of an estimate from distances alone: from vectors there is no other part.
+double ownShare(StencilTable& table, int vertex) {
+  const Stencil stencil = table.at(vertex);
+  EXPECT_EQ(stencil.ofDistances - stencil.begin, 1);
+  EXPECT_EQ(stencil.begin->vertex, vertex);
+  EXPECT_EQ(stencil.begin->coefficient.y(), 0);
+  return stencil.begin->coefficient.x();
+}
+
+TEST(StencilTable, KeepsTheFitOnAnEvenSurface) {
+  const TriangleMesh mesh = importMesh(icosphere(32)).mesh;
+  const Geometry geometry = buildGeometry(mesh);
+  StencilTable table(geometry, Estimator::kQuadratic2);
+  for (int v = 0; v < mesh.vertexCount(); ++v) EXPECT_LT(ownShare(table, v), 0.05) << v;
+}
+
+TEST(StencilTable, GivesWayToTheOwnLogVectorOnARoughSurface) {
+  TriangleMesh mesh = planeGrid(12, 12);
+  const uint64_t seed = 8;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (Vec3& p : mesh.positions) p.z() = random.uniform(-0.5, 0.5);
+  const Geometry geometry = buildGeometry(mesh);
+  StencilTable quadratic(geometry, Estimator::kQuadratic2);
+  StencilTable linear(geometry, Estimator::kLinear1);
+  double sum = 0;
+  int inner = 0;
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    if (mesh.onBoundary[v]) continue;
+    const double share = ownShare(quadratic, v);
+    sum += share;
+    ++inner;
+    const Stencil stencil = linear.at(v);
+    EXPECT_EQ(stencil.ofDistances, stencil.end);
+    EXPECT_EQ(stencil.begin->vertex, v);
+    EXPECT_GE(stencil.begin->coefficient.x(), share);
+  }
+  // The rest is where all defects around a vertex happen to be of one sign.
+  EXPECT_GT(sum / inner, 0.8);
 }
 
 }  // namespace
