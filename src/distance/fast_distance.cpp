@@ -7,10 +7,6 @@ namespace {
 /// vertices again and again.
 constexpr double kShorter = 1 - 1e-15;
 
-/// By how much of the longest edge a vertex may be settled later than in its turn. A path that
-/// crosses an edge is known once the nearer end is settled, which is at most half the edge further.
-constexpr double kLateness = 0.5;
-
 /// An end that is not settled yet is waited for if it is expected earlier than the apex by this
 /// part of the edge.
 constexpr double kWait = 0.1;
@@ -34,7 +30,7 @@ FastDistance::FastDistance(const Geometry& geometry, std::shared_ptr<const Verte
     : geometry_(geometry),
       fans_(fans ? std::move(fans) : std::make_shared<const VertexFans>(buildVertexFans(geometry))),
       jets_(geometry.mesh->vertexCount()),
-      queue_(geometry.meanEdge / 32) {}
+      queue_(geometry.meanEdge / 128) {}
 
 void FastDistance::setSource(const SurfacePoint& source) {
   source_ = source;
@@ -43,7 +39,6 @@ void FastDistance::setSource(const SurfacePoint& source) {
   queue_.clear();
   front_ = 0;
   longest_ = 0;
-  barrier_ = -1;
   const TriangleMesh& mesh = *geometry_.mesh;
   const PointLocation place = locate(mesh, source);
   if (place.simplex == Simplex::kVertex) {
@@ -76,6 +71,8 @@ void FastDistance::placeInFace(int face, const Vec2& source) {
     Jet& jet = jets_.touch(v);
     if (start.distance < jet.distance) {
       const double before = jet.distance;
+      start.place = jet.place;
+      start.lateness = jet.lateness;
       jet = start;
       enqueue(v, before);
     }
@@ -83,132 +80,160 @@ void FastDistance::placeInFace(int face, const Vec2& source) {
 }
 
 void FastDistance::grow(double radius) {
-  while (barrier_ < radius) {
-    if (queue_.empty()) {
-      barrier_ = kInfinity;
-      return;
-    }
-    const OrderedQueue::Entry entry = queue_.pop();
-    Jet& jet = jets_.touch(entry.item);
-    // Entries that a shorter way has outdated are left in the queue.
-    if (jet.settled || static_cast<float>(jet.distance) != entry.key) continue;
-    settle(entry.item);
-    barrier_ = std::max(barrier_, front_ - kLateness * longest_);
+  while (reached() < radius) settle(queue_.pop());
+}
+
+bool FastDistance::growTo(int vertex) {
+  const Jet& jet = jets_.touch(vertex);
+  while (!isFinal(jet)) {
+    if (queue_.empty()) return jet.settled;
+    settle(queue_.pop());
   }
+  return true;
 }
 
 void FastDistance::settle(int vertex) {
   Jet& own = jets_.touch(vertex);
   own.settled = true;
+  own.place = kNotWaiting;
   front_ = std::max(front_, own.distance);
   const int begin = fans_->begin[vertex];
   const int count = fans_->end(vertex) - begin;
   const FanEdge* const edges = fans_->edges.data() + begin;
-  if (ends_.count() < count) {
-    ends_.resize(static_cast<size_t>(count));
-    crossings_.resize(static_cast<size_t>(2 * count) + 1);
-  }
+  if (own.alongEdge) own.toSource = fans_->edges[own.corner].vector / fans_->edges[own.corner].length;
+  // Without branches, which would be guessed wrong half the time.
   constexpr double kOpen[2] = {0, kInfinity};
+  // The other way round a vertex of the boundary nothing is seen.
+  const Vec2 turns[2] = {Vec2(1, 0), fans_->onBoundary(vertex)
+                                         ? Vec2::Constant(std::numeric_limits<double>::quiet_NaN())
+                                         : fans_->turn[vertex]};
+  Ring& ring = ring_;
+  double longest = longest_;
   for (int i = 0; i < count; ++i) {
-    Jet& end = jets_.touch(edges[i].head);
-    longest_ = std::max(longest_, edges[i].length);
-    const double before = end.distance;
-    goAlongEdge(own, edges[i], end);
-    ends_[i] = {&end, before, end.distance, end.distance + kOpen[end.settled ? 1 : 0]};
+    const FanEdge& edge = edges[i];
+    Jet& jet = jets_.touch(edge.head);
+    longest = std::max(longest, edge.length);
+    ring.before[i] = jet.distance;
+    const double around = own.distance + edge.length;
+    const bool isNearer = (around < jet.distance * kShorter) & !isFinal(jet);
+    Jet& reached = *(isNearer ? &jet : &nowhere_);
+    reached.distance = around;
+    reached.base = own.distance;
+    reached.corner = edge.reverse;
+    reached.settled = false;
+    reached.alongEdge = true;
+    ring.jet[i] = &jet;
+    ring.distance[i] = jet.distance;
+    const int state = jet.settled ? 1 : 0;
+    ring.open[i] = jet.distance + kOpen[state];
+    ring.back[i] = 2 * state - 1;
+    ring.least[i] = 0.5 * (own.distance + jet.distance - edge.length);
+    ring.length[i] = edge.length;
+    ring.area[i] = edge.cross;
+    const double sine = karcher::cross(own.toSource, edge.vector);
+    const double cosine = own.toSource.dot(edge.vector);
+    const bool isBehind = begin + i <= own.corner;
+    const Vec2& left = turns[isBehind ? 1 : 0];
+    const Vec2& right = turns[isBehind ? 0 : 1];
+    ring.left[i] = sine * left.x() + cosine * left.y();
+    ring.right[i] = cosine * right.y() - sine * right.x();
+    ring.along[i] = cosine;
   }
-  const int crossings = own.distance == 0 ? 0 : listCrossings(own, begin, count);
-  for (int i = 0; i < crossings; ++i) {
-    const int left = crossings_[i] >> 1;
-    const int right = left + 1 == count ? 0 : left + 1;
-    if ((crossings_[i] & 1) == 0) {
-      cross<1>(vertex, own, begin + left, begin + right);
-    } else {
-      cross<-1>(vertex, own, begin + right, begin + left);
+  longest_ = longest;
+  if (own.distance > 0) {
+    listCrossings(own, begin, count);
+    for (int k = 0; k < leftwardCount_; ++k) {
+      const int i = ring.leftward[k];
+      cross<1>(vertex, own, begin, i, i + 1 == count ? 0 : i + 1);
+    }
+    for (int k = 0; k < rightwardCount_; ++k) {
+      const int i = ring.rightward[k];
+      cross<-1>(vertex, own, begin, i, i == 0 ? count - 1 : i - 1);
     }
   }
+  int changed = 0;
   for (int i = 0; i < count; ++i) {
-    if (ends_[i].jet->distance != ends_[i].before) enqueue(edges[i].head, ends_[i].before);
+    ring.leftward[changed] = i;
+    changed += static_cast<int>(ring.jet[i]->distance != ring.before[i]);
+  }
+  for (int k = 0; k < changed; ++k) {
+    enqueue(edges[ring.leftward[k]].head, ring.before[ring.leftward[k]]);
   }
 }
 
-/// Lists the edges that a path may cross, and returns how many they are. No path over an edge is
-/// shorter than (d_v + d_w - length) / 2 and the height above the edge; if that is no less than the
-/// distance of an end that is not settled, the end comes first. Without branches, which would be
-/// guessed wrong half the time.
-int FastDistance::listCrossings(const Jet& own, int begin, int count) {
-  const FanEdge* const edges = fans_->edges.data() + begin;
-  const auto mayCross = [&](const FanEdge& edge, const End& end, const End& apex, double area) {
-    const double limit = std::min(apex.distance, end.open);
-    return area < edge.length * (limit - 0.5 * (own.distance + end.distance - edge.length));
+/// Lists the edges that a path may cross. No path over an edge is shorter than
+/// (d_v + d_w - length) / 2 and the height above the edge; if that is no less than the distance of
+/// an end that is not settled, the end comes first. The line from the vertex's own source must not
+/// miss the edge by much, unless the edge's end may look through it. Without branches, too.
+void FastDistance::listCrossings(const Jet& own, int begin, int count) {
+  Ring& ring = ring_;
+  const auto copy = [count](double* values) { values[count] = values[0]; };
+  copy(ring.distance);
+  copy(ring.open);
+  copy(ring.back);
+  copy(ring.least);
+  copy(ring.length);
+  copy(ring.left);
+  copy(ring.right);
+  const double radius = own.distance - own.base;
+  const int corners = ring.area[count - 1] > 0 ? count : count - 1;
+  const int ownCorner = own.corner - begin;
+  const auto score = [&](int edge, int apex, double area, const double* sines) {
+    const double sine = sines[edge];
+    const double drop = area + radius * sine;
+    const double place = radius * sines[apex];
+    const double inside =
+        std::min(place + kFarBeside * drop, (1 + kFarBeside) * drop - place);
+    const double seen = std::max(std::min(sine, inside), std::min(-sine, ring.back[edge]));
+    const double gain =
+        ring.length[edge] * (std::min(ring.distance[apex], ring.open[edge]) - ring.least[edge]) -
+        area;
+    return gain > 0 ? seen : -1.0;
   };
-  int found = 0;
-  for (int i = 0; i < count; ++i) {
-    const int j = i + 1 == count ? 0 : i + 1;
-    const double area = edges[i].doubleArea;
-    // The boundary's last edge has no corner, and no area.
-    const bool ahead = begin + i != own.corner && area > 0;
-    crossings_[found] = 2 * i;
-    found +=
-        static_cast<int>(mayCross(edges[i], ends_[i], ends_[j], area)) & static_cast<int>(ahead);
-    crossings_[found] = 2 * i + 1;
-    found +=
-        static_cast<int>(mayCross(edges[j], ends_[j], ends_[i], area)) & static_cast<int>(ahead);
+  const int even = (corners + 1) & ~1;
+  for (int i = 0; i < even; ++i) ring.leftScore[i] = score(i, i + 1, ring.area[i], ring.left);
+  for (int i = 0; i < even; ++i) ring.rightScore[i] = score(i + 1, i, ring.area[i], ring.right);
+  int left = 0;
+  int right = 0;
+  for (int i = 0; i < corners; ++i) {
+    const int isOther = i != ownCorner ? 1 : 0;
+    ring.leftward[left] = i;
+    left += static_cast<int>(ring.leftScore[i] >= 0) & isOther;
+    ring.rightward[right] = i + 1 == count ? 0 : i + 1;
+    right += static_cast<int>(ring.rightScore[i] >= 0) & isOther;
   }
-  return found;
-}
-
-void FastDistance::goAlongEdge(const Jet& own, const FanEdge& edge, Jet& end) {
-  const double distance = own.distance + edge.length;
-  if (!(distance < end.distance * kShorter) || distance <= barrier_) return;
-  Jet jet;
-  jet.distance = distance;
-  jet.base = own.distance;
-  jet.toSource = fans_->edges[edge.reverse].vector / edge.length;
-  jet.corner = edge.reverse;
-  jet.alongEdge = true;
-  end = jet;
+  leftwardCount_ = left;
+  rightwardCount_ = right;
 }
 
 /// Goes over an edge if that can be the way to the end of the next edge on the left (kSide = 1) or
 /// on the right (kSide = -1).
 template <int kSide>
-void FastDistance::cross(int vertex, const Jet& own, int edgeNumber, int targetNumber) {
-  const FanEdge& edge = fans_->edges[edgeNumber];
-  const FanEdge& target = fans_->edges[targetNumber];
-  const Jet& other = *ends_[edgeNumber - fans_->begin[vertex]].jet;
-  // The direction to the source, turned so that the angle from it to the edge is on this side.
-  Vec2 toSource = own.toSource;
-  if (kSide > 0 ? edgeNumber <= own.corner : edgeNumber > own.corner) {
-    if (fans_->onBoundary(vertex)) return;
-    const Vec2& turn = fans_->turn[vertex];
-    toSource = kSide > 0 ? rotateBack(turn, toSource) : rotate(turn, toSource);
-  }
-  Vec2 toTarget = target.vector;
-  if (kSide > 0 ? targetNumber < edgeNumber : targetNumber > edgeNumber) {
-    const Vec2& turn = fans_->turn[vertex];
-    toTarget = kSide > 0 ? rotate(turn, toTarget) : rotateBack(turn, toTarget);
-  }
+void FastDistance::cross(int vertex, const Jet& own, int begin, int edgeNumber, int targetNumber) {
+  const FanEdge& edge = fans_->edges[begin + edgeNumber];
+  const FanEdge& target = fans_->edges[begin + targetNumber];
+  const Jet& other = *ring_.jet[edgeNumber];
   const double radius = own.distance - own.base;
   const double length = edge.length;
   const double squared = length * length;
-  const double sine = kSide * karcher::cross(toSource, edge.vector);
-  const double cosine = toSource.dot(edge.vector);
-  const double area = (kSide > 0 ? edge : target).doubleArea;
-  const double dot = edge.vector.dot(toTarget);
-
-  const double drop = area + radius * sine;
-  const double place = radius * (cosine * area + dot * sine);
+  const double sine = (kSide > 0 ? ring_.left : ring_.right)[edgeNumber];
+  const double area = (kSide > 0 ? edge : target).cross;
+  const double dot = (kSide > 0 ? edge : target).dot;
+  double cosine = ring_.along[edgeNumber];
+  if (kSide > 0 ? begin + edgeNumber <= own.corner : begin + edgeNumber > own.corner) {
+    // Turned as the edge is.
+    const Vec2& turn = fans_->turn[vertex];
+    const double plain = karcher::cross(own.toSource, edge.vector);
+    cosine = cosine * turn.x() - kSide * plain * turn.y();
+  }
   const bool faces = sine >= 0;
-  const bool beside =
-      place < -kFarBeside * squared * drop || place > (1 + kFarBeside) * squared * drop;
-  if (faces ? beside : !other.settled) return;
   if (!other.settled) {
     // The bound of listCrossings for straight paths from this vertex's source, without a root.
     const double away = radius - cosine;
     const double gain = (cosine - kWait * length) * squared - dot * cosine + area * sine;
     if (away > 0 && 2 * away * gain > (squared - cosine * cosine) * squared) return;
   }
-  if ((fans_->flags[vertex] & VertexFans::kWide) != 0 && looksTooFar(vertex, edgeNumber, kSide)) {
+  if ((fans_->flags[vertex] & VertexFans::kWide) != 0 && looksTooFar(vertex, begin + edgeNumber, kSide)) {
     return;
   }
   const double inverse = 1 / length;
@@ -258,6 +283,8 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const E
     jet.toSource = rotate(fans_->turn[target.head], jet.toSource);
   }
   jet.corner = arrivalCorner;
+  jet.place = reached.place;
+  jet.lateness = reached.lateness;
   reached = jet;
 }
 
@@ -297,15 +324,23 @@ bool FastDistance::looksTooFar(int vertex, int edge, int side) const {
 }
 
 bool FastDistance::mayArrive(const Jet& jet, double distance, int corner) const {
-  if (!(distance < kInfinity) || distance <= barrier_) return false;
+  if (!(distance < kInfinity) || isFinal(jet)) return false;
   if (distance < jet.distance * kShorter) return true;
   // What came over the same edge when less was known of its ends is replaced.
   return !jet.settled && !jet.alongEdge && jet.corner == corner && distance != jet.distance;
 }
 
 void FastDistance::enqueue(int vertex, double before) {
-  if (before == kInfinity) touched_.push_back(vertex);
-  queue_.push(jets_.find(vertex)->distance, vertex);
+  Jet& jet = jets_.touch(vertex);
+  if (before == kInfinity) {
+    touched_.push_back(vertex);
+    jet.lateness = fans_->lateness[vertex];
+  }
+  if (jet.place == kNotWaiting) {
+    jet.place = queue_.push(jet.distance, vertex);
+  } else {
+    queue_.lower(jet.place, jet.distance);
+  }
 }
 
 double FastDistance::direction(int vertex) const {

@@ -32,11 +32,17 @@ class FastDistance {
   /// where it stopped before: the work, and so every value, is the same as in one go.
   void grow(double radius);
 
+  /// Settles vertices until this one is final; false if nothing comes there.
+  bool growTo(int vertex);
+
   /// Every vertex as near as this is final; kInfinity once the whole component is.
-  double reached() const { return barrier_; }
+  double reached() const { return queue_.empty() ? kInfinity : front_ - kLateness * longest_; }
 
   /// Final values depend on the source alone, not on where `grow` stopped.
-  bool isFinal(int vertex) const { return distance(vertex) <= barrier_; }
+  bool isFinal(int vertex) const {
+    const Jet* jet = jets_.find(vertex);
+    return jet != nullptr && (isFinal(*jet) || (jet->settled && queue_.empty()));
+  }
 
   /// Before it is final an estimate; kInfinity where nothing arrived.
   double distance(int vertex) const {
@@ -60,29 +66,53 @@ class FastDistance {
   const Array<int>& touched() const { return touched_; }
 
  private:
+  /// By how much of the longest edge a vertex may be settled later than in its turn.
+  static constexpr double kLateness = 0.5;
+  static constexpr int kNotWaiting = -1;
+
   struct Jet {
     double distance = kInfinity;
     double base = 0;
     Vec2 toSource = Vec2::Zero();  ///< unit, unscaled in the fan's plane; zero at the source
     int corner = -1;               ///< the corner of the fan through which the path arrives
+    int place = kNotWaiting;       ///< in the queue
+    float lateness = 0;            ///< vertex_fans.h
     bool settled = false;
     bool alongEdge = false;  ///< the path comes along an edge from the vertex at `base`
   };
 
-  /// The vertex at the end of an edge of the vertex that is being settled.
-  struct End {
-    Jet* jet;
-    double before;  ///< its distance until now
-    double distance;
-    double open;  ///< the distance while it is not settled, else kInfinity
+  /// The edges of the vertex that is being settled, in its fan's order, and what is known at their
+  /// ends; in blocks of numbers, for the compiler to take several at once.
+  struct Ring {
+    static constexpr int kMost = 16;
+    Jet* jet[kMost];
+    double before[kMost];  ///< the distance at the end, before
+    double distance[kMost];
+    double open[kMost];   ///< the distance while it is not settled, else kInfinity
+    double back[kMost];   ///< 1 if it is settled, else -1
+    double least[kMost];  ///< no path meets the edge nearer to the source
+    double length[kMost];
+    double area[kMost];
+    /// The direction from the vertex to its source times the edge: cross product, with the edge
+    /// turned counterclockwise from the source on and clockwise, and dot product.
+    double left[kMost];
+    double right[kMost];
+    double along[kMost];
+    double leftScore[kMost];
+    double rightScore[kMost];
+    int leftward[kMost];
+    int rightward[kMost];
   };
 
+  /// Whether the front has gone so far that the vertex's value does not change any more.
+  bool isFinal(const Jet& jet) const {
+    return jet.settled & (jet.distance + static_cast<double>(jet.lateness) <= front_);
+  }
   void placeInFace(int face, const Vec2& source);
   void settle(int vertex);
-  void goAlongEdge(const Jet& own, const FanEdge& edge, Jet& end);
-  int listCrossings(const Jet& own, int begin, int count);
+  void listCrossings(const Jet& own, int begin, int count);
   template <int kSide>
-  void cross(int vertex, const Jet& own, int edgeNumber, int targetNumber);
+  void cross(int vertex, const Jet& own, int begin, int edgeNumber, int targetNumber);
   template <int kSide>
   void crossEdge(const FanEdge& edge, const FanEdge& target, const EdgeEnd& a, const Vec2& apex,
                  double inverse);
@@ -98,13 +128,12 @@ class FastDistance {
   PagedArray<Jet, 6> jets_;
   Array<int> touched_;
   OrderedQueue queue_;
-  /// Of the vertex that is being settled: its edges' ends, and the edges that a path may cross: to
-  /// the left of edge i as 2 i, to the right of the one after it as 2 i + 1.
-  Array<End> ends_;
-  Array<int> crossings_;
+  Ring ring_;
+  int leftwardCount_ = 0;
+  int rightwardCount_ = 0;
+  Jet nowhere_;  ///< takes what is not wanted
   double front_ = 0;     ///< the largest distance settled so far
   double longest_ = 0;   ///< the longest edge met so far
-  double barrier_ = -1;  ///< what is as near as this does not change any more
 };
 
 }  // namespace karcher

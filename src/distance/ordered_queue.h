@@ -1,19 +1,90 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
 
 #include "mesh/types.h"
 
 namespace karcher {
 
-/// A priority queue for keys >= 0 that rise slowly: items wait in buckets of equal width, and a
-/// bucket is sorted when its turn comes. Items come out in the order of their keys, as floats, and
-/// of their numbers where keys are equal; a key below those that came out already comes next.
+/// A priority queue of items with keys >= 0 that rise slowly. Items come out in the order of their
+/// keys, as floats, and of their numbers where keys are equal; a key below those that came out
+/// already comes next. A waiting item's key may be lowered.
+///
+/// Items wait in a ring of buckets of equal width; those beyond it in one of their own. Each bucket
+/// is a linked list, so that nothing is sorted and no outdated entry is left behind. A bit a bucket
+/// says which hold something.
 class OrderedQueue {
  public:
   explicit OrderedQueue(double width)
-      : inverseWidth_(1 / width), buckets_(static_cast<size_t>(kBuckets)) {}
+      : inverseWidth_(1 / width), links_(static_cast<size_t>(kFirstPlace)) {}
 
+  bool empty() const { return count_ == 0; }
+
+  /// Returns the item's place, for `lower`.
+  int push(double key, int item) {
+    int place = free_;
+    if (place == kNone) {
+      place = links_.count();
+      links_.push_back({});
+      entries_.push_back({});
+    } else {
+      free_ = links_[place].next;
+    }
+    entry(place).item = item;
+    link(place, key);
+    ++count_;
+    return place;
+  }
+
+  /// Lowers the key of the item that waits at a place.
+  void lower(int place, double key) {
+    unlink(place);
+    link(place, key);
+  }
+
+  /// Takes out the item that comes next. The queue must not be empty.
+  int pop() {
+    const int head = nextBucket();
+    int best = links_[head].next;
+    for (int place = links_[best].next; place != kNone; place = links_[place].next) {
+      if (entry(place) < entry(best)) best = place;
+    }
+    unlink(best);
+    links_[best].next = free_;
+    free_ = best;
+    --count_;
+    return entry(best).item;
+  }
+
+  /// Forgets all items and their places.
+  void clear() {
+    links_.assign(static_cast<size_t>(kFirstPlace), {});
+    entries_.clear();
+    std::fill(isFilled_, isFilled_ + kWords, 0);
+    free_ = kNone;
+    count_ = 0;
+    current_ = 0;
+    leastFar_ = kNever;
+  }
+
+ private:
+  static constexpr int kBuckets = 1024;
+  static constexpr int64_t kMask = kBuckets - 1;
+  static constexpr int kWords = kBuckets / 64;
+  /// Numbers of nodes: none, the heads of the ring's buckets, that of the far one, then the items.
+  static constexpr int kNone = 0;
+  static constexpr int kFirstHead = 1;
+  static constexpr int kFar = kFirstHead + kBuckets;
+  static constexpr int kFirstPlace = kFar + 1;
+  static constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
+
+  struct Link {
+    int next = kNone;
+    int back = kNone;
+  };
   struct Entry {
     float key = 0;
     int item = 0;
@@ -22,80 +93,84 @@ class OrderedQueue {
     }
   };
 
-  void push(double key, int item) {
-    const Entry entry{static_cast<float>(key), item};
-    const int64_t bucket = place(key);
-    if (bucket <= current_) {
-      open_.insert(std::upper_bound(open_.begin() + next_, open_.end(), entry), entry);
-    } else if (bucket < current_ + kBuckets) {
-      buckets_[bucket & kMask].push_back(entry);
+  Entry& entry(int place) { return entries_.data()[place - kFirstPlace]; }
+
+  int64_t bucketOf(double key) const { return static_cast<int64_t>(key * inverseWidth_); }
+
+  void link(int place, double key) {
+    const int64_t bucket = std::max(bucketOf(key), current_);
+    int head = kFar;
+    if (bucket < current_ + kBuckets) {
+      const int64_t slot = bucket & kMask;
+      isFilled_[slot >> 6] |= uint64_t{1} << (slot & 63);
+      head = kFirstHead + static_cast<int>(slot);
     } else {
-      far_.push_back(entry);
+      leastFar_ = std::min(leastFar_, bucket);
     }
-    ++count_;
+    entry(place).key = static_cast<float>(key);
+    const int next = links_[head].next;
+    links_[place] = {next, head};
+    links_[next].back = place;
+    links_[head].next = place;
   }
 
-  bool empty() const { return count_ == 0; }
-
-  /// The queue must not be empty.
-  Entry pop() {
-    while (next_ == open_.count()) openNext();
-    --count_;
-    return open_[next_++];
-  }
-
-  /// Costs the buckets and what still waits.
-  void clear() {
-    for (Array<Entry>& bucket : buckets_) bucket.clear();
-    open_.clear();
-    far_.clear();
-    current_ = 0;
-    next_ = 0;
-    count_ = 0;
-  }
-
- private:
-  static constexpr int kBuckets = 512;
-  static constexpr int64_t kMask = kBuckets - 1;
-
-  int64_t place(double key) const { return static_cast<int64_t>(key * inverseWidth_); }
-
-  void openNext() {
-    ++current_;
-    if (count_ == static_cast<int64_t>(far_.size())) {
-      // Only far entries wait: no need to look into every bucket on the way.
-      current_ = std::max(current_, place(std::min_element(far_.begin(), far_.end())->key));
-      takeFromFar();
-    } else if ((current_ & kMask) == 0 && !far_.empty()) {
-      takeFromFar();
+  void unlink(int place) {
+    const Link& node = links_[place];
+    links_[node.back].next = node.next;
+    links_[node.next].back = node.back;
+    if (node.next == kNone && node.back < kFar) {
+      const int slot = node.back - kFirstHead;
+      isFilled_[slot >> 6] &= ~(uint64_t{1} << (slot & 63));
     }
-    open_.clear();
-    next_ = 0;
-    std::swap(open_, buckets_[current_ & kMask]);
-    std::sort(open_.begin(), open_.end());
   }
 
-  /// Once a round of the ring: puts into their buckets the far entries that the next rounds reach.
-  void takeFromFar() {
-    Array<Entry> kept;
-    for (const Entry& entry : far_) {
-      const int64_t bucket = std::max(place(entry.key), current_);
-      if (bucket < current_ + kBuckets) {
-        buckets_[bucket & kMask].push_back(entry);
-      } else {
-        kept.push_back(entry);
+  /// Goes on to the first bucket that holds something, and returns its head.
+  int nextBucket() {
+    for (;;) {
+      const int64_t bucket = firstFilled();
+      if (bucket < leastFar_) {
+        current_ = bucket;
+        return kFirstHead + static_cast<int>(bucket & kMask);
       }
+      if (bucket == kNever) current_ = leastFar_;
+      takeFromFar();
     }
-    far_ = std::move(kept);
+  }
+
+  /// The first bucket of the ring that holds something, kNever if none does.
+  int64_t firstFilled() const {
+    const int first = static_cast<int>(current_ & kMask);
+    uint64_t word = isFilled_[first >> 6] >> (first & 63);
+    if (word != 0) return current_ + std::countr_zero(word);
+    int64_t start = current_ - (first & 63);
+    for (int i = 1; i <= kWords; ++i) {
+      start += 64;
+      word = isFilled_[(start & kMask) >> 6];
+      if (word != 0) return start + std::countr_zero(word);
+    }
+    return kNever;
+  }
+
+  /// Puts into the ring the far items that it reaches by now.
+  void takeFromFar() {
+    int place = links_[kFar].next;
+    links_[kFar].next = kNone;
+    leastFar_ = kNever;
+    while (place != kNone) {
+      const int next = links_[place].next;
+      link(place, static_cast<double>(entry(place).key));
+      place = next;
+    }
   }
 
   double inverseWidth_;
-  Array<Array<Entry>> buckets_;
-  Array<Entry> open_;  ///< the bucket whose turn it is, sorted from `next_` on
-  Array<Entry> far_;   ///< entries beyond the ring
-  int64_t current_ = 0;
-  int next_ = 0;
+  Array<Link> links_;
+  Array<Entry> entries_;  ///< by place, from kFirstPlace on
+  uint64_t isFilled_[kWords] = {};
+  int free_ = kNone;  ///< the first of the places that are not taken, linked by `next`
   int64_t count_ = 0;
+  int64_t current_ = 0;          ///< nothing waits in the buckets before
+  int64_t leastFar_ = kNever;  ///< no far item belongs in a bucket before
 };
 
 }  // namespace karcher

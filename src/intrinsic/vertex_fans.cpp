@@ -1,5 +1,7 @@
 #include "intrinsic/vertex_fans.h"
 
+#include <algorithm>
+
 namespace karcher {
 namespace {
 
@@ -29,6 +31,48 @@ int reverseNumber(const TriangleMesh& mesh, const VertexFans& fans, const Array<
   return t >= 0 ? number[t] : fans.end(mesh.head(h)) - 1;
 }
 
+/// By how much later than a corner's vertex the nearer end of the opposite edge is reached at most,
+/// if the shortest path crosses the edge: at its middle, by half the edge less the median.
+double latenessOfCorner(const Geometry& geometry, int h) {
+  const double a = geometry.edgeLength[h];
+  const double b = geometry.edgeLength[previous(h)];
+  const double c = geometry.edgeLength[next(h)];
+  return c / 2 - std::sqrt(std::max(0.0, 2 * a * a + 2 * b * b - c * c)) / 2;
+}
+
+/// A path that crosses an edge is known once the edge's nearer end is, which may be late itself.
+/// Where obtuse corners are rare latenesses do not add up; twice the largest of the 2-ring is ample.
+/// Where they are the rule no path is later than half the longest edge.
+Array<float> latenessOfVertices(const Geometry& geometry) {
+  constexpr double kChain = 2;
+  constexpr int kRings = 1;
+  /// What is reached at the same time is told apart by this part of the longest edge at a vertex.
+  constexpr double kTie = 0.1;
+  const TriangleMesh& mesh = *geometry.mesh;
+  const size_t count = mesh.positions.size();
+  Array<float> largest(count, 0);
+  Array<float> length(count, 0);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const auto raise = [](float& value, double to) { value = std::max(value, static_cast<float>(to)); };
+    raise(largest[mesh.tail(h)], latenessOfCorner(geometry, h));
+    raise(length[mesh.tail(h)], geometry.edgeLength[h]);
+    raise(length[mesh.head(h)], geometry.edgeLength[h]);
+  }
+  const float longest = *std::max_element(length.begin(), length.end());
+  for (int ring = 0; ring < kRings; ++ring) {
+    const Array<float> inner = largest;
+    for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+      float& at = largest[mesh.tail(h)];
+      at = std::max({at, inner[mesh.head(h)], inner[mesh.tail(previous(h))]});
+    }
+  }
+  for (size_t v = 0; v < count; ++v) {
+    largest.data()[v] = static_cast<float>(std::min(
+        longest / 2., kChain * largest.data()[v] + kTie * length.data()[v]));
+  }
+  return largest;
+}
+
 }  // namespace
 
 VertexFans buildVertexFans(const Geometry& geometry) {
@@ -46,10 +90,14 @@ VertexFans buildVertexFans(const Geometry& geometry) {
     for (;;) {
       narrowest = std::min(narrowest, geometry.cornerAngle[h]);
       const double length = geometry.edgeLength[h];
-      fans.edges[number[h]] = {
-          length * unitVector(geometry.cumulatedAngle[h]), length,
-          length * geometry.edgeLength[previous(h)] * std::sin(geometry.cornerAngle[h]),
-          mesh.head(h), reverseNumber(mesh, fans, number, h)};
+      const Vec2 nextEdge =
+          geometry.edgeLength[previous(h)] * unitVector(geometry.cornerAngle[h]);
+      fans.edges[number[h]] = {length * unitVector(geometry.cumulatedAngle[h]),
+                               length,
+                               length * nextEdge.y(),
+                               length * nextEdge.x(),
+                               mesh.head(h),
+                               reverseNumber(mesh, fans, number, h)};
       fans.angles[number[h]] = geometry.cumulatedAngle[h];
       const int left = rotateLeft(mesh, h);
       if (left < 0 || left == first) break;
@@ -60,12 +108,13 @@ VertexFans buildVertexFans(const Geometry& geometry) {
     if (mesh.onBoundary[v]) {
       const int last = previous(h);
       fans.edges[fans.end(v) - 1] = {geometry.edgeLength[last] * fans.turn[v],
-                                     geometry.edgeLength[last], 0, mesh.tail(last), number[last]};
+                                     geometry.edgeLength[last], 0, 0, mesh.tail(last), number[last]};
       fans.angles[fans.end(v) - 1] = total;
       fans.flags[v] |= VertexFans::kBoundary;
     }
     if (total > 2 * kPi + narrowest) fans.flags[v] |= VertexFans::kWide;
   }
+  fans.lateness = latenessOfVertices(geometry);
   return fans;
 }
 

@@ -15,7 +15,10 @@ struct FanEdge {
   /// fan lie flat side by side, with a gap or an overlap after the last where the surface is not.
   Vec2 vector = Vec2::Zero();
   double length = 0;
-  double doubleArea = 0;  ///< twice the area of the triangle of the edge's corner; 0 without one
+  /// Of the edges of the corner that begins here: the cross product, twice the triangle's area, and
+  /// the dot product. Both are 0 without a corner.
+  double cross = 0;
+  double dot = 0;
   int head = -1;          ///< the vertex at the other end
   int reverse = -1;       ///< number of the same edge in the fan of `head`
 };
@@ -31,6 +34,9 @@ struct VertexFans {
   Array<double> angles;  ///< per edge its unscaled direction (geometry.h)
   Array<Vec2> turn;      ///< per vertex, unit: the rotation by the total angle
   Array<uint8_t> flags;  ///< per vertex kBoundary, kWide
+  /// Per vertex by how much a front from the nearest vertices outwards may have passed it when the
+  /// last vertex is reached that its shortest path depends on.
+  Array<float> lateness;
 
   int end(int vertex) const { return begin[vertex + 1]; }
   bool onBoundary(int vertex) const { return (flags[vertex] & kBoundary) != 0; }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "distance/paged_array.h"
@@ -30,23 +32,23 @@ class ControlField {
   }
 
   const FieldValue& at(int vertex) {
-    Entry& entry = entries_.touch(vertex);
-    if (!entry.known) {
-      entry.value = evaluate_(vertex);
-      entry.known = true;
+    FieldValue& value = entries_.touch(vertex).value;
+    if (std::isnan(value.squaredDistance)) {
+      value = evaluate_(vertex);
       ++knownCount_;
     }
-    return entry.value;
+    return value;
   }
 
   /// How many vertices were asked for since the last reset.
   int knownCount() const { return knownCount_; }
 
  private:
+  /// Not a number where the value is not known yet: as little memory as may be.
   struct Entry {
-    FieldValue value;
-    bool known = false;
+    FieldValue value{Vec2::Zero(), kUnknown};
   };
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
   Evaluate evaluate_;
   PagedArray<Entry, 6> entries_;

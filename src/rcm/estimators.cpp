@@ -125,16 +125,17 @@ void linearTerms(const Array<Neighbour>& ring, double own, Array<StencilTerm>& t
   }
   const Eigen::Vector3d c = normal.ldlt().solve(Eigen::Vector3d(1, 0, 0));
   if (!c.allFinite()) {
-    terms.push_back({ring[0].vertex, Vec2(1, 0)});
+    terms.push_back({1, 0, ring[0].vertex});
     return;
   }
   const size_t first = terms.size();
   for (const Neighbour& n : ring) {
     const Vec2 z = toWhite * n.place;
     const double weight = wideGaussian(z) * (c[0] + c[1] * z.x() + c[2] * z.y());
-    terms.push_back({n.vertex, (1 - own) * weight * n.rotation});
+    const Vec2 coefficient = (1 - own) * weight * n.rotation;
+    terms.push_back({coefficient.x(), coefficient.y(), n.vertex});
   }
-  terms[first].coefficient.x() += own;
+  terms[first].x += own;
 }
 
 /// The vertex's own log vector, then terms over differences of squared distances; false where the
@@ -157,11 +158,12 @@ bool quadraticTerms(const Array<Neighbour>& ring, double own, Array<StencilTerm>
   const Vector5 pivots = factor.vectorD();
   constexpr double kWorstCondition = 1e-4;
   if (!(pivots.minCoeff() > kWorstCondition * pivots.maxCoeff())) return false;
-  terms.push_back({ring[0].vertex, Vec2(own, 0)});
+  terms.push_back({own, 0, ring[0].vertex});
   for (int i = 1; i < ring.count(); ++i) {
     const Vec2 z = toWhite * ring[i].place;
     const Vector5 fit = (1 - own) * factor.solve(narrowGaussian(z) * row(z));
-    terms.push_back({ring[i].vertex, toWhite.transpose() * fit.head<2>()});
+    const Vec2 coefficient = toWhite.transpose() * fit.head<2>();
+    terms.push_back({coefficient.x(), coefficient.y(), ring[i].vertex});
   }
   return true;
 }

@@ -32,8 +32,10 @@ enum class Estimator {
 /// complex number; of distances the neighbour's squared distance less the vertex's own, times the
 /// vector `coefficient`.
 struct StencilTerm {
+  /// The coefficient, by its numbers: a Vec2 would be aligned, and take a third more memory.
+  double x;
+  double y;
   int vertex;
-  Vec2 coefficient;
 };
 
 /// (1 - r) times the fit plus r times the vertex's own log vector: r = s^2 / (s^2 + m^2 + 0.003^2),
@@ -48,14 +50,19 @@ struct Stencil {
   template <class LogVectorAt, class SquaredDistanceAt>
   Vec2 apply(double ownSquaredDistance, const LogVectorAt& logVectorAt,
              const SquaredDistanceAt& squaredDistanceAt) const {
-    Vec2 gradient = Vec2::Zero();
+    double x = 0;
+    double y = 0;
     for (const StencilTerm* term = begin; term != ofDistances; ++term) {
-      gradient += rotate(term->coefficient, logVectorAt(term->vertex));
+      const Vec2& vector = logVectorAt(term->vertex);
+      x += term->x * vector.x() - term->y * vector.y();
+      y += term->y * vector.x() + term->x * vector.y();
     }
     for (const StencilTerm* term = ofDistances; term != end; ++term) {
-      gradient += (squaredDistanceAt(term->vertex) - ownSquaredDistance) * term->coefficient;
+      const double difference = squaredDistanceAt(term->vertex) - ownSquaredDistance;
+      x += difference * term->x;
+      y += difference * term->y;
     }
-    return gradient;
+    return {x, y};
   }
 };
 

@@ -73,48 +73,54 @@ void PointField::makeLogField() {
   std::visit(
       [&](auto& solver) {
         solver->setSource(point_);
-        field_.reset([this, growing = solver.get()](int v) { return estimate(*growing, v); });
+        StencilTable& stencils = surface_.stencils(estimatorOf(options_.solver));
+        field_.reset([this, &stencils, growing = solver.get()](int v) {
+          return estimate(*growing, stencils.at(v), v);
+        });
       },
       *solver_);
 }
 
-/// Far enough for the vertex by the straight line, then in steps so small that little is done in
-/// excess.
 template <class DistanceSolver>
 void PointField::growTo(DistanceSolver& solver, int vertex) const {
   const auto known = [&] { return solver.isFinal(vertex) && solver.distance(vertex) != kInfinity; };
   if (known()) return;
-  constexpr double kStep = 1.01;
-  double radius = (surface_.mesh().positions[vertex] - position_).norm();
-  for (; !known(); radius = std::max(kStep * radius, radius + surface_.geometry().meanEdge / 4)) {
-    if (solver.reached() == kInfinity) {
-      throw Error(ErrorCode::kUnreachable,
-                  "a field was read on another component than its control point's");
+  if constexpr (std::is_same_v<DistanceSolver, FastDistance>) {
+    if (solver.growTo(vertex)) return;
+  } else {
+    // Far enough for the vertex by the straight line, then in steps so small that little is done in
+    // excess.
+    constexpr double kStep = 1.01;
+    double radius = (surface_.mesh().positions[vertex] - position_).norm();
+    while (!known() && solver.reached() < kInfinity) {
+      solver.grow(radius);
+      radius = std::max(kStep * radius, radius + surface_.geometry().meanEdge / 4);
     }
-    solver.grow(radius);
+    if (known()) return;
   }
+  throw Error(ErrorCode::kUnreachable,
+              "a field was read on another component than its control point's");
 }
 
 template <class DistanceSolver>
 const Vec2& PointField::logVectorAt(DistanceSolver& solver, int vertex) {
-  LogEntry& entry = logVectors_.touch(vertex);
-  if (!entry.known) {
+  Vec2& vector = logVectors_.touch(vertex).vector;
+  if (std::isnan(vector.x())) {
     growTo(solver, vertex);
-    entry = {logVector(surface_.geometry(), solver, vertex), true};
+    vector = logVector(surface_.geometry(), solver, vertex);
   }
-  return entry.vector;
+  return vector;
 }
 
 template <class DistanceSolver>
-FieldValue PointField::estimate(DistanceSolver& solver, int vertex) {
-  const Stencil stencil = surface_.stencils(estimatorOf(options_.solver)).at(vertex);
+FieldValue PointField::estimate(DistanceSolver& solver, const Stencil& stencil, int vertex) {
   const auto squaredDistanceAt = [&](int v) {
     growTo(solver, v);
     return solver.distance(v) * solver.distance(v);
   };
   const double own = squaredDistanceAt(vertex);
   const Vec2 gradient = stencil.apply(
-      own, [&](int v) { return logVectorAt(solver, v); }, squaredDistanceAt);
+      own, [&](int v) -> const Vec2& { return logVectorAt(solver, v); }, squaredDistanceAt);
   return {gradient, own};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -57,7 +58,7 @@ class PointField {
   void makePaperField();
   void makeLogField();
   template <class DistanceSolver>
-  FieldValue estimate(DistanceSolver& solver, int vertex);
+  FieldValue estimate(DistanceSolver& solver, const Stencil& stencil, int vertex);
   template <class DistanceSolver>
   void growTo(DistanceSolver& solver, int vertex) const;
   template <class DistanceSolver>
@@ -70,8 +71,7 @@ class PointField {
   ControlField field_;
   /// A solver's log vector, which the stencils of several vertices read.
   struct LogEntry {
-    Vec2 vector = Vec2::Zero();
-    bool known = false;
+    Vec2 vector = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());  ///< until it is known
   };
 
   /// Kept for log vectors, which are made as they are read.

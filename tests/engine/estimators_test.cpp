@@ -62,7 +62,8 @@ TEST(StencilTable, GivesTheSameStencilAgain) {
     ASSERT_EQ(a.end - a.begin, b.end - b.begin);
     for (ptrdiff_t i = 0; i < a.end - a.begin; ++i) {
       EXPECT_EQ(a.begin[i].vertex, b.begin[i].vertex);
-      EXPECT_EQ(a.begin[i].coefficient, b.begin[i].coefficient);
+      EXPECT_EQ(a.begin[i].x, b.begin[i].x);
+      EXPECT_EQ(a.begin[i].y, b.begin[i].y);
     }
   }
 }
@@ -72,8 +73,8 @@ double ownShare(StencilTable& table, int vertex) {
   const Stencil stencil = table.at(vertex);
   EXPECT_EQ(stencil.ofDistances - stencil.begin, 1);
   EXPECT_EQ(stencil.begin->vertex, vertex);
-  EXPECT_EQ(stencil.begin->coefficient.y(), 0);
-  return stencil.begin->coefficient.x();
+  EXPECT_EQ(stencil.begin->y, 0);
+  return stencil.begin->x;
 }
 
 TEST(StencilTable, KeepsTheFitOnAnEvenSurface) {
@@ -102,7 +103,7 @@ TEST(StencilTable, GivesWayToTheOwnLogVectorOnARoughSurface) {
     const Stencil stencil = linear.at(v);
     EXPECT_EQ(stencil.ofDistances, stencil.end);
     EXPECT_EQ(stencil.begin->vertex, v);
-    EXPECT_GE(stencil.begin->coefficient.x(), share);
+    EXPECT_GE(stencil.begin->x, share);
   }
   // The rest is where all defects around a vertex happen to be of one sign.
   EXPECT_GT(sum / inner, 0.8);
