@@ -38,7 +38,7 @@ void FastDistance::setSource(const SurfacePoint& source) {
   touched_.clear();
   queue_.clear();
   front_ = 0;
-  longest_ = 0;
+  latest_ = 0;
   const TriangleMesh& mesh = *geometry_.mesh;
   const PointLocation place = locate(mesh, source);
   if (place.simplex == Simplex::kVertex) {
@@ -46,7 +46,7 @@ void FastDistance::setSource(const SurfacePoint& source) {
     start.distance = 0;
     start.corner = fans_->begin[place.vertex];
     jets_.touch(place.vertex) = start;
-    enqueue(place.vertex, kInfinity);
+    enqueue(place.vertex, jets_.touch(place.vertex), kInfinity);
     return;
   }
   placeInFace(place.face, pointInFace(geometry_, source));
@@ -62,7 +62,6 @@ void FastDistance::placeInFace(int face, const Vec2& source) {
     const int v = geometry_.mesh->tail(h);
     const Vec2 edge = halfedgeInFace(geometry_, h);
     const Vec2 toSource = source - cornerInFace(geometry_, face, k);
-    longest_ = std::max(longest_, geometry_.edgeLength[h]);
     Jet start;
     start.distance = toSource.norm();
     start.corner = fanEdge(*fans_, v, geometry_.mesh->head(h));
@@ -74,7 +73,7 @@ void FastDistance::placeInFace(int face, const Vec2& source) {
       start.place = jet.place;
       start.lateness = jet.lateness;
       jet = start;
-      enqueue(v, before);
+      enqueue(v, jet, before);
     }
   }
 }
@@ -97,94 +96,136 @@ void FastDistance::settle(int vertex) {
   own.settled = true;
   own.place = kNotWaiting;
   front_ = std::max(front_, own.distance);
-  const int begin = fans_->begin[vertex];
-  const int count = fans_->end(vertex) - begin;
-  const FanEdge* const edges = fans_->edges.data() + begin;
-  if (own.alongEdge) own.toSource = fans_->edges[own.corner].vector / fans_->edges[own.corner].length;
-  // Without branches, which would be guessed wrong half the time.
-  constexpr double kOpen[2] = {0, kInfinity};
-  // The other way round a vertex of the boundary nothing is seen.
-  const Vec2 turns[2] = {Vec2(1, 0), fans_->onBoundary(vertex)
-                                         ? Vec2::Constant(std::numeric_limits<double>::quiet_NaN())
-                                         : fans_->turn[vertex]};
-  Ring& ring = ring_;
-  double longest = longest_;
-  for (int i = 0; i < count; ++i) {
-    const FanEdge& edge = edges[i];
-    Jet& jet = jets_.touch(edge.head);
-    longest = std::max(longest, edge.length);
-    ring.before[i] = jet.distance;
-    const double around = own.distance + edge.length;
-    const bool isNearer = (around < jet.distance * kShorter) & !isFinal(jet);
-    Jet& reached = *(isNearer ? &jet : &nowhere_);
-    reached.distance = around;
-    reached.base = own.distance;
-    reached.corner = edge.reverse;
-    reached.settled = false;
-    reached.alongEdge = true;
-    ring.jet[i] = &jet;
-    ring.distance[i] = jet.distance;
-    const int state = jet.settled ? 1 : 0;
-    ring.open[i] = jet.distance + kOpen[state];
-    ring.back[i] = 2 * state - 1;
-    ring.least[i] = 0.5 * (own.distance + jet.distance - edge.length);
-    ring.length[i] = edge.length;
-    ring.area[i] = edge.cross;
-    const double sine = karcher::cross(own.toSource, edge.vector);
-    const double cosine = own.toSource.dot(edge.vector);
-    const bool isBehind = begin + i <= own.corner;
-    const Vec2& left = turns[isBehind ? 1 : 0];
-    const Vec2& right = turns[isBehind ? 0 : 1];
-    ring.left[i] = sine * left.x() + cosine * left.y();
-    ring.right[i] = cosine * right.y() - sine * right.x();
-    ring.along[i] = cosine;
+  if (own.alongEdge) {
+    const FanEdge& along = fans_->edges[own.corner];
+    own.toSource = along.vector / along.length;
   }
-  longest_ = longest;
-  if (own.distance > 0) {
-    listCrossings(own, begin, count);
-    for (int k = 0; k < leftwardCount_; ++k) {
-      const int i = ring.leftward[k];
-      cross<1>(vertex, own, begin, i, i + 1 == count ? 0 : i + 1);
-    }
-    for (int k = 0; k < rightwardCount_; ++k) {
-      const int i = ring.rightward[k];
-      cross<-1>(vertex, own, begin, i, i == 0 ? count - 1 : i - 1);
-    }
-  }
-  int changed = 0;
-  for (int i = 0; i < count; ++i) {
-    ring.leftward[changed] = i;
-    changed += static_cast<int>(ring.jet[i]->distance != ring.before[i]);
-  }
-  for (int k = 0; k < changed; ++k) {
-    enqueue(edges[ring.leftward[k]].head, ring.before[ring.leftward[k]]);
+  const int edges = fans_->end(vertex) - fans_->begin[vertex];
+  for (int first = 0; first < edges; first += Ring::kCorners) {
+    goRound(vertex, own, first, std::min(edges - first, Ring::kCorners));
   }
 }
 
-/// Lists the edges that a path may cross. No path over an edge is shorter than
+/// Goes along so many of the vertex's edges from the first on, and over them and the one after
+/// them. What is guessed wrong half the time is done without branches.
+void FastDistance::goRound(int vertex, const Jet& own, int first, int count) {
+  const int begin = fans_->begin[vertex];
+  const int end = fans_->end(vertex);
+  const bool onBoundary = fans_->onBoundary(vertex);
+  // The other way round a vertex of the boundary nothing is seen.
+  const Vec2 turns[2] = {Vec2(1, 0), onBoundary
+                                         ? Vec2::Constant(std::numeric_limits<double>::quiet_NaN())
+                                         : fans_->turn[vertex]};
+  const FanEdge* const edges = fans_->edges.data();
+  const auto go = [&](int number, int place) {
+    goAlongEdge(own, turns, edges[number], number, place);
+  };
+  for (int i = 0; i < count; ++i) go(begin + first + i, i);
+  int met = count;
+  int corners = count;
+  if (begin + first + count < end) {
+    go(begin + first + count, met++);
+  } else if (onBoundary) {
+    --corners;
+  } else if (first > 0) {
+    go(begin, met++);
+  } else {
+    closeRing(count);
+  }
+
+  if (own.distance > 0) {
+    scoreCrossings(own.distance - own.base, corners);
+    const int ownCorner = own.corner - begin - first;
+    if (ownCorner >= 0 && ownCorner < corners) {
+      ring_.leftScore[ownCorner] = -1;
+      ring_.rightScore[ownCorner] = -1;
+    }
+    int left = 0;
+    int right = 0;
+    for (int i = 0; i < corners; ++i) {
+      ring_.leftward[left] = i;
+      ring_.rightward[right] = i;
+      left += static_cast<int>(ring_.leftScore[i] >= 0);
+      right += static_cast<int>(ring_.rightScore[i] >= 0);
+    }
+    for (int k = 0; k < left; ++k) {
+      cross<1>(vertex, own, ring_.leftward[k], ring_.leftward[k] + 1);
+    }
+    for (int k = 0; k < right; ++k) {
+      cross<-1>(vertex, own, ring_.rightward[k] + 1, ring_.rightward[k]);
+    }
+  }
+  int changed = 0;
+  for (int i = 0; i < met; ++i) {
+    ring_.leftward[changed] = i;
+    changed += static_cast<int>(ring_.jet[i]->distance != ring_.before[i]);
+  }
+  for (int k = 0; k < changed; ++k) {
+    const int i = ring_.leftward[k];
+    enqueue(edges[ring_.number[i]].head, *ring_.jet[i], ring_.before[i]);
+  }
+}
+
+/// Goes along an edge, and takes it into the ring.
+inline void FastDistance::goAlongEdge(const Jet& own, const Vec2 (&turns)[2], const FanEdge& edge,
+                                      int number, int place) {
+  Jet& jet = jets_.touch(edge.head);
+  ring_.before[place] = jet.distance;
+  const double distance = own.distance + edge.length;
+  const bool isNearer = (distance < jet.distance * kShorter) & !isFinal(jet);
+  Jet& reached = *(isNearer ? &jet : &nowhere_);
+  reached.distance = distance;
+  reached.base = own.distance;
+  reached.corner = edge.reverse;
+  reached.settled = false;
+  reached.alongEdge = true;
+
+  constexpr double kOpen[2] = {0, kInfinity};
+  const int isSettled = jet.settled ? 1 : 0;
+  ring_.jet[place] = &jet;
+  ring_.number[place] = number;
+  ring_.distance[place] = jet.distance;
+  ring_.open[place] = jet.distance + kOpen[isSettled];
+  ring_.least[place] = 0.5 * (own.distance + jet.distance - edge.length);
+  ring_.length[place] = edge.length;
+  ring_.area[place] = edge.cross;
+  const double sine = karcher::cross(own.toSource, edge.vector);
+  const double cosine = own.toSource.dot(edge.vector);
+  const int isBehind = number <= own.corner ? 1 : 0;
+  const Vec2& left = turns[isBehind];
+  const Vec2& right = turns[1 - isBehind];
+  ring_.dot[place] = cosine;
+  ring_.left[place] = sine * left.x() + cosine * left.y();
+  ring_.right[place] = cosine * right.y() - sine * right.x();
+}
+
+/// Repeats the first edge after the last.
+void FastDistance::closeRing(int place) {
+  ring_.jet[place] = ring_.jet[0];
+  ring_.number[place] = ring_.number[0];
+  ring_.distance[place] = ring_.distance[0];
+  ring_.open[place] = ring_.open[0];
+  ring_.least[place] = ring_.least[0];
+  ring_.length[place] = ring_.length[0];
+  ring_.dot[place] = ring_.dot[0];
+  ring_.left[place] = ring_.left[0];
+  ring_.right[place] = ring_.right[0];
+}
+
+/// Tells which edges a path may cross. No path over an edge is shorter than
 /// (d_v + d_w - length) / 2 and the height above the edge; if that is no less than the distance of
 /// an end that is not settled, the end comes first. The line from the vertex's own source must not
-/// miss the edge by much, unless the edge's end may look through it. Without branches, too.
-void FastDistance::listCrossings(const Jet& own, int begin, int count) {
+/// miss the edge by much, unless the edge's other end looks through it from a source of its own.
+void FastDistance::scoreCrossings(double radius, int corners) {
   Ring& ring = ring_;
-  const auto copy = [count](double* values) { values[count] = values[0]; };
-  copy(ring.distance);
-  copy(ring.open);
-  copy(ring.back);
-  copy(ring.least);
-  copy(ring.length);
-  copy(ring.left);
-  copy(ring.right);
-  const double radius = own.distance - own.base;
-  const int corners = ring.area[count - 1] > 0 ? count : count - 1;
-  const int ownCorner = own.corner - begin;
+  constexpr double kFinite = std::numeric_limits<double>::max();
   const auto score = [&](int edge, int apex, double area, const double* sines) {
     const double sine = sines[edge];
     const double drop = area + radius * sine;
     const double place = radius * sines[apex];
-    const double inside =
-        std::min(place + kFarBeside * drop, (1 + kFarBeside) * drop - place);
-    const double seen = std::max(std::min(sine, inside), std::min(-sine, ring.back[edge]));
+    const double inside = std::min(place + kFarBeside * drop, (1 + kFarBeside) * drop - place);
+    const double seen =
+        std::max(std::min(sine, inside), std::min(-sine, ring.open[edge] - kFinite));
     const double gain =
         ring.length[edge] * (std::min(ring.distance[apex], ring.open[edge]) - ring.least[edge]) -
         area;
@@ -193,38 +234,26 @@ void FastDistance::listCrossings(const Jet& own, int begin, int count) {
   const int even = (corners + 1) & ~1;
   for (int i = 0; i < even; ++i) ring.leftScore[i] = score(i, i + 1, ring.area[i], ring.left);
   for (int i = 0; i < even; ++i) ring.rightScore[i] = score(i + 1, i, ring.area[i], ring.right);
-  int left = 0;
-  int right = 0;
-  for (int i = 0; i < corners; ++i) {
-    const int isOther = i != ownCorner ? 1 : 0;
-    ring.leftward[left] = i;
-    left += static_cast<int>(ring.leftScore[i] >= 0) & isOther;
-    ring.rightward[right] = i + 1 == count ? 0 : i + 1;
-    right += static_cast<int>(ring.rightScore[i] >= 0) & isOther;
-  }
-  leftwardCount_ = left;
-  rightwardCount_ = right;
 }
 
-/// Goes over an edge if that can be the way to the end of the next edge on the left (kSide = 1) or
-/// on the right (kSide = -1).
+/// Goes over an edge of the ring if that can be the way to the end of the next one on the left
+/// (kSide = 1) or on the right (kSide = -1).
 template <int kSide>
-void FastDistance::cross(int vertex, const Jet& own, int begin, int edgeNumber, int targetNumber) {
-  const FanEdge& edge = fans_->edges[begin + edgeNumber];
-  const FanEdge& target = fans_->edges[begin + targetNumber];
-  const Jet& other = *ring_.jet[edgeNumber];
+void FastDistance::cross(int vertex, const Jet& own, int edgeInRing, int targetInRing) {
+  const int edgeNumber = ring_.number[edgeInRing];
+  const FanEdge& edge = fans_->edges[edgeNumber];
+  const FanEdge& target = fans_->edges[ring_.number[targetInRing]];
+  const Jet& other = *ring_.jet[edgeInRing];
   const double radius = own.distance - own.base;
   const double length = edge.length;
   const double squared = length * length;
-  const double sine = (kSide > 0 ? ring_.left : ring_.right)[edgeNumber];
+  const double sine = (kSide > 0 ? ring_.left : ring_.right)[edgeInRing];
   const double area = (kSide > 0 ? edge : target).cross;
   const double dot = (kSide > 0 ? edge : target).dot;
-  double cosine = ring_.along[edgeNumber];
-  if (kSide > 0 ? begin + edgeNumber <= own.corner : begin + edgeNumber > own.corner) {
-    // Turned as the edge is.
+  double cosine = ring_.dot[edgeInRing];
+  if (kSide > 0 ? edgeNumber <= own.corner : edgeNumber > own.corner) {
     const Vec2& turn = fans_->turn[vertex];
-    const double plain = karcher::cross(own.toSource, edge.vector);
-    cosine = cosine * turn.x() - kSide * plain * turn.y();
+    cosine = cosine * turn.x() - kSide * karcher::cross(own.toSource, edge.vector) * turn.y();
   }
   const bool faces = sine >= 0;
   if (!other.settled) {
@@ -233,7 +262,7 @@ void FastDistance::cross(int vertex, const Jet& own, int begin, int edgeNumber, 
     const double gain = (cosine - kWait * length) * squared - dot * cosine + area * sine;
     if (away > 0 && 2 * away * gain > (squared - cosine * cosine) * squared) return;
   }
-  if ((fans_->flags[vertex] & VertexFans::kWide) != 0 && looksTooFar(vertex, begin + edgeNumber, kSide)) {
+  if ((fans_->flags[vertex] & VertexFans::kWide) != 0 && looksTooFar(vertex, edgeNumber, kSide)) {
     return;
   }
   const double inverse = 1 / length;
@@ -244,15 +273,14 @@ void FastDistance::cross(int vertex, const Jet& own, int begin, int edgeNumber, 
   end.distance = own.distance * inverse;
   end.base = own.base * inverse;
   const double inverseSquare = inverse * inverse;
-  crossEdge<kSide>(edge, target, end, Vec2(dot * inverseSquare, area * inverseSquare), inverse);
+  crossEdge<kSide>(edge, target, other, *ring_.jet[targetInRing], end,
+                   Vec2(dot * inverseSquare, area * inverseSquare), inverse);
 }
 
 /// The path to the end of the edge `target`, which lies at `apex` in the crossed edge's frame.
 template <int kSide>
-void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const EdgeEnd& a,
-                             const Vec2& apex, double inverse) {
-  const Jet& other = *jets_.find(edge.head);
-  Jet& reached = jets_.touch(target.head);
+void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const Jet& other,
+                             Jet& reached, const EdgeEnd& a, const Vec2& apex, double inverse) {
   EdgeEnd b;
   b.distance = other.distance * inverse;
   b.base = other.base * inverse;
@@ -330,11 +358,11 @@ bool FastDistance::mayArrive(const Jet& jet, double distance, int corner) const 
   return !jet.settled && !jet.alongEdge && jet.corner == corner && distance != jet.distance;
 }
 
-void FastDistance::enqueue(int vertex, double before) {
-  Jet& jet = jets_.touch(vertex);
+void FastDistance::enqueue(int vertex, Jet& jet, double before) {
   if (before == kInfinity) {
     touched_.push_back(vertex);
     jet.lateness = fans_->lateness[vertex];
+    latest_ = std::max(latest_, jet.lateness);
   }
   if (jet.place == kNotWaiting) {
     jet.place = queue_.push(jet.distance, vertex);

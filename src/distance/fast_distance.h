@@ -36,7 +36,9 @@ class FastDistance {
   bool growTo(int vertex);
 
   /// Every vertex as near as this is final; kInfinity once the whole component is.
-  double reached() const { return queue_.empty() ? kInfinity : front_ - kLateness * longest_; }
+  double reached() const {
+    return queue_.empty() ? kInfinity : front_ - static_cast<double>(latest_);
+  }
 
   /// Final values depend on the source alone, not on where `grow` stopped.
   bool isFinal(int vertex) const {
@@ -66,8 +68,6 @@ class FastDistance {
   const Array<int>& touched() const { return touched_; }
 
  private:
-  /// By how much of the longest edge a vertex may be settled later than in its turn.
-  static constexpr double kLateness = 0.5;
   static constexpr int kNotWaiting = -1;
 
   struct Jet {
@@ -81,46 +81,55 @@ class FastDistance {
     bool alongEdge = false;  ///< the path comes along an edge from the vertex at `base`
   };
 
-  /// The edges of the vertex that is being settled, in its fan's order, and what is known at their
-  /// ends; in blocks of numbers, for the compiler to take several at once.
+  /// Edges of the vertex that is being settled, side by side, and what is known at their ends. A
+  /// number an array, so that the compiler takes several edges at once.
   struct Ring {
-    static constexpr int kMost = 16;
-    Jet* jet[kMost];
-    double before[kMost];  ///< the distance at the end, before
-    double distance[kMost];
-    double open[kMost];   ///< the distance while it is not settled, else kInfinity
-    double back[kMost];   ///< 1 if it is settled, else -1
-    double least[kMost];  ///< no path meets the edge nearer to the source
-    double length[kMost];
-    double area[kMost];
-    /// The direction from the vertex to its source times the edge: cross product, with the edge
-    /// turned counterclockwise from the source on and clockwise, and dot product.
-    double left[kMost];
-    double right[kMost];
-    double along[kMost];
-    double leftScore[kMost];
-    double rightScore[kMost];
-    int leftward[kMost];
-    int rightward[kMost];
+    static constexpr int kCorners = 30;  ///< of wider fans a part at a time
+    static constexpr int kEdges = kCorners + 2;
+    Jet* jet[kEdges];
+    int number[kEdges];       ///< of the edge, among all fans'
+    double before[kEdges];    ///< the distance at the end, before
+    double distance[kEdges];  ///< and after a path along the edge
+    double open[kEdges];      ///< the same while the end is not settled, else kInfinity
+    double least[kEdges];     ///< no path meets the edge nearer to the source
+    double length[kEdges];
+    double area[kEdges];  ///< twice that of the triangle on the left of the edge
+    /// The direction from the vertex to its source times the edge: dot product, and cross product
+    /// with the edge turned counterclockwise from the source on and clockwise (then negated). Not a
+    /// number where it turns beyond the boundary.
+    double dot[kEdges];
+    double left[kEdges];
+    double right[kEdges];
+    /// Whether a path may cross the edge to the end of the next one on its left, or the next one to
+    /// the end of this one: if the score is not negative.
+    double leftScore[kEdges];
+    double rightScore[kEdges];
+    int leftward[kEdges];
+    int rightward[kEdges];
   };
 
   /// Whether the front has gone so far that the vertex's value does not change any more.
   bool isFinal(const Jet& jet) const {
     return jet.settled & (jet.distance + static_cast<double>(jet.lateness) <= front_);
   }
+
   void placeInFace(int face, const Vec2& source);
   void settle(int vertex);
-  void listCrossings(const Jet& own, int begin, int count);
+  void goRound(int vertex, const Jet& own, int first, int count);
+  void goAlongEdge(const Jet& own, const Vec2 (&turns)[2], const FanEdge& edge, int number,
+                   int place);
+  void closeRing(int place);
+  void scoreCrossings(double radius, int corners);
   template <int kSide>
-  void cross(int vertex, const Jet& own, int begin, int edgeNumber, int targetNumber);
+  void cross(int vertex, const Jet& own, int edgeInRing, int targetInRing);
   template <int kSide>
-  void crossEdge(const FanEdge& edge, const FanEdge& target, const EdgeEnd& a, const Vec2& apex,
-                 double inverse);
+  void crossEdge(const FanEdge& edge, const FanEdge& target, const Jet& other, Jet& reached,
+                 const EdgeEnd& a, const Vec2& apex, double inverse);
   template <int kSide>
   bool look(const FanEdge& along, const Jet& jet, double inverseLength, EdgeEnd& end) const;
   bool looksTooFar(int vertex, int edge, int side) const;
   bool mayArrive(const Jet& jet, double distance, int corner) const;
-  void enqueue(int vertex, double before);
+  void enqueue(int vertex, Jet& jet, double before);
 
   const Geometry& geometry_;
   std::shared_ptr<const VertexFans> fans_;
@@ -128,12 +137,10 @@ class FastDistance {
   PagedArray<Jet, 6> jets_;
   Array<int> touched_;
   OrderedQueue queue_;
-  Ring ring_;
-  int leftwardCount_ = 0;
-  int rightwardCount_ = 0;
-  Jet nowhere_;  ///< takes what is not wanted
-  double front_ = 0;     ///< the largest distance settled so far
-  double longest_ = 0;   ///< the longest edge met so far
+  Ring ring_{};
+  Jet nowhere_;       ///< takes what is not wanted
+  double front_ = 0;  ///< the largest distance settled so far
+  float latest_ = 0;  ///< the largest lateness of the vertices met so far
 };
 
 }  // namespace karcher

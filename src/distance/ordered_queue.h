@@ -169,7 +169,7 @@ class OrderedQueue {
   uint64_t isFilled_[kWords] = {};
   int free_ = kNone;  ///< the first of the places that are not taken, linked by `next`
   int64_t count_ = 0;
-  int64_t current_ = 0;          ///< nothing waits in the buckets before
+  int64_t current_ = 0;        ///< nothing waits in the buckets before
   int64_t leastFar_ = kNever;  ///< no far item belongs in a bucket before
 };
 

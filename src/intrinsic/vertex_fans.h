@@ -19,8 +19,8 @@ struct FanEdge {
   /// the dot product. Both are 0 without a corner.
   double cross = 0;
   double dot = 0;
-  int head = -1;          ///< the vertex at the other end
-  int reverse = -1;       ///< number of the same edge in the fan of `head`
+  int head = -1;     ///< the vertex at the other end
+  int reverse = -1;  ///< number of the same edge in the fan of `head`
 };
 
 struct VertexFans {

@@ -147,26 +147,5 @@ TEST(FastDistance, AgreesWithExactDistancesOnTheBunny) {
   }
 }
 
-TEST(FastDistance, ResumedIsTheSame) {
-  const TriangleMesh mesh = bunnyMesh();
-  const Geometry geometry = buildGeometry(mesh);
-  const SurfacePoint source{1000, {0.1, 0.2, 0.7}};
-  FastDistance whole(geometry);
-  whole.setSource(source);
-  whole.grow(kInfinity);
-  FastDistance resumed(geometry);
-  resumed.setSource({3, {1, 0, 0}});
-  resumed.grow(4);
-  resumed.setSource(source);
-  for (const double radius : {0.3, 1.0, 2.5, 6.0, kInfinity}) {
-    resumed.grow(radius);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-      if (resumed.distance(v) == kInfinity || !resumed.isFinal(v)) continue;
-      EXPECT_EQ(resumed.distance(v), whole.distance(v));
-      EXPECT_EQ(resumed.logVector(v), whole.logVector(v));
-    }
-  }
-}
-
 }  // namespace
 }  // namespace karcher

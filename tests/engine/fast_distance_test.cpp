@@ -1,0 +1,203 @@
+#include "distance/fast_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "distance/ordered_queue.h"
+#include "generators/random.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+/// A rectangle of cells, their inner vertices moved at random and each cut by a random diagonal;
+/// then stretched and sheared along x. Its outline stays convex.
+TriangleMesh randomCells(int side, double stretch, double shear, Random& random) {
+  Array<Vec3> positions;
+  for (int j = 0; j <= side; ++j) {
+    for (int i = 0; i <= side; ++i) {
+      const bool inside = i > 0 && j > 0 && i < side && j < side;
+      const double reach = inside ? 0.2 : 0;
+      const double x = i + random.uniform(-reach, reach);
+      const double y = j + random.uniform(-reach, reach);
+      positions.push_back({stretch * x + shear * y, y, 0});
+    }
+  }
+  Array<Triangle> faces;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const int a = j * (side + 1) + i;
+      const int b = a + 1;
+      const int c = b + side;
+      const int d = c + 1;
+      if (random.uniform(0, 1) < 0.5) {
+        faces.push_back({a, b, d});
+        faces.push_back({a, d, c});
+      } else {
+        faces.push_back({a, b, c});
+        faces.push_back({b, d, c});
+      }
+    }
+  }
+  return buildMesh(positions, faces);
+}
+
+/// Straight distances to all vertices of a convex piece of the plane.
+void expectStraightDistances(const TriangleMesh& mesh, FastDistance& distance, int source) {
+  distance.setSource(vertexPoint(mesh, source));
+  distance.grow(kInfinity);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const double expected = (mesh.positions[v] - mesh.positions[source]).norm();
+    EXPECT_NEAR(distance.distance(v), expected, 1e-9 * expected)
+        << "from vertex " << source << " to " << v;
+  }
+}
+
+TEST(FastDistance, IsStraightOnStretchedAndShearedPlanes) {
+  const uint64_t seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (const double stretch : {1.0, 2.5, 10.0, 20.0}) {
+    for (const double shear : {0.0, 0.7 * stretch}) {
+      for (int mesh = 0; mesh < (longRun() ? 60 : 4); ++mesh) {
+        SCOPED_TRACE("stretch " + std::to_string(stretch) + ", shear " + std::to_string(shear));
+        constexpr int kSide = 20;
+        const TriangleMesh cells = randomCells(kSide, stretch, shear, random);
+        const Geometry geometry = buildGeometry(cells);
+        FastDistance distance(geometry);
+        // A corner, a vertex of the boundary, and two anywhere.
+        const int count = cells.vertexCount();
+        for (const int source : {0, 7, random.index(count), random.index(count)}) {
+          expectStraightDistances(cells, distance, source);
+        }
+      }
+    }
+  }
+}
+
+TEST(FastDistance, IsStraightAcrossVerticesOfManyEdges) {
+  // A disk: rings of 100 vertices, equally far apart, around one.
+  constexpr int kRound = 100;
+  Array<Vec3> positions{Vec3::Zero()};
+  for (const int radius : {1, 2, 3}) {
+    for (int i = 0; i < kRound; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kRound;
+      positions.push_back(radius * Vec3(std::cos(angle), std::sin(angle), 0));
+    }
+  }
+  Array<Triangle> faces;
+  for (int i = 0; i < kRound; ++i) {
+    const int j = (i + 1) % kRound;
+    faces.push_back({0, 1 + i, 1 + j});
+    for (const int ring : {0, kRound}) {
+      faces.push_back({1 + ring + i, 1 + ring + kRound + i, 1 + ring + kRound + j});
+      faces.push_back({1 + ring + i, 1 + ring + kRound + j, 1 + ring + j});
+    }
+  }
+  const TriangleMesh mesh = buildMesh(positions, faces);
+  const Geometry geometry = buildGeometry(mesh);
+  FastDistance distance(geometry);
+  for (const int source : {0, 1, 17, 130, 201, 266}) {
+    expectStraightDistances(mesh, distance, source);
+  }
+}
+
+TEST(FastDistance, ResumedIsTheSame) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const SurfacePoint source{1000, {0.1, 0.2, 0.7}};
+  FastDistance whole(geometry);
+  whole.setSource(source);
+  whole.grow(kInfinity);
+  FastDistance resumed(geometry);
+  resumed.setSource({3, {1, 0, 0}});
+  resumed.grow(4);
+  resumed.setSource(source);
+  for (const double radius : {0.3, 1.0, 2.5, 6.0, kInfinity}) {
+    resumed.grow(radius);
+    EXPECT_GE(resumed.reached(), radius);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      if (resumed.distance(v) == kInfinity || !resumed.isFinal(v)) continue;
+      EXPECT_EQ(resumed.distance(v), whole.distance(v));
+      EXPECT_EQ(resumed.logVector(v), whole.logVector(v));
+    }
+  }
+}
+
+TEST(FastDistance, GrownToAVertexItIsTheSame) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const uint64_t seed = 12;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  FastDistance whole(geometry);
+  FastDistance grown(geometry);
+  for (int i = 0; i < 20; ++i) {
+    const SurfacePoint source{random.index(mesh.faceCount()), {0.1, 0.2, 0.7}};
+    whole.setSource(source);
+    whole.grow(kInfinity);
+    grown.setSource(source);
+    for (int k = 0; k < 40; ++k) {
+      const int v = random.index(mesh.vertexCount());
+      ASSERT_TRUE(grown.growTo(v));
+      EXPECT_TRUE(grown.isFinal(v));
+      EXPECT_EQ(grown.distance(v), whole.distance(v));
+      EXPECT_EQ(grown.logVector(v), whole.logVector(v));
+    }
+  }
+}
+
+TEST(FastDistance, GrowsToNoVertexOfAnotherComponent) {
+  const TriangleMesh mesh = buildMesh(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  const Geometry geometry = buildGeometry(mesh);
+  FastDistance distance(geometry);
+  distance.setSource({0, {0.2, 0.3, 0.5}});
+  EXPECT_FALSE(distance.growTo(4));
+  EXPECT_TRUE(distance.growTo(2));
+}
+
+TEST(OrderedQueue, GivesItemsInOrderOfTheirKeys) {
+  const uint64_t seed = 13;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  OrderedQueue queue(0.01);
+  for (int round = 0; round < 20; ++round) {
+    queue.clear();
+    std::map<int, std::pair<float, int>> waiting;  // key and place by item
+    int items = 0;
+    double front = 0;
+    for (int step = 0; step < 2000; ++step) {
+      const double action = random.uniform(0, 1);
+      if (action < 0.5 || waiting.empty()) {
+        // Now and then far beyond the ring of buckets, and below what came out.
+        const double ahead = action < 0.02 ? random.uniform(0, 100) : random.uniform(-0.05, 2);
+        const double key = std::max(0.0, front + ahead);
+        waiting[items] = {static_cast<float>(key), queue.push(key, items)};
+        ++items;
+      } else if (action < 0.7) {
+        auto& [key, place] =
+            std::next(waiting.begin(), random.index(static_cast<int>(waiting.size())))->second;
+        const double lower = static_cast<double>(key) * random.uniform(0.9, 1);
+        key = static_cast<float>(lower);
+        queue.lower(place, lower);
+      } else {
+        auto least = waiting.begin();
+        for (auto i = waiting.begin(); i != waiting.end(); ++i) {
+          if (i->second.first < least->second.first) least = i;
+        }
+        ASSERT_FALSE(queue.empty());
+        ASSERT_EQ(queue.pop(), least->first);
+        front = std::max(front, static_cast<double>(least->second.first));
+        waiting.erase(least);
+      }
+    }
+    EXPECT_EQ(queue.empty(), waiting.empty());
+  }
+}
+
+}  // namespace
+}  // namespace karcher
