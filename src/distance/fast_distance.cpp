@@ -134,19 +134,19 @@ void FastDistance::goRound(int vertex, const Jet& own, int first, int count) {
   }
 
   if (own.distance > 0) {
-    scoreCrossings(own.distance - own.base, corners);
+    findCrossings(own.distance - own.base, corners);
     const int ownCorner = own.corner - begin - first;
     if (ownCorner >= 0 && ownCorner < corners) {
-      ring_.leftScore[ownCorner] = -1;
-      ring_.rightScore[ownCorner] = -1;
+      ring_.crossesLeft[ownCorner] = false;
+      ring_.crossesRight[ownCorner] = false;
     }
     int left = 0;
     int right = 0;
     for (int i = 0; i < corners; ++i) {
       ring_.leftward[left] = i;
       ring_.rightward[right] = i;
-      left += static_cast<int>(ring_.leftScore[i] >= 0);
-      right += static_cast<int>(ring_.rightScore[i] >= 0);
+      left += static_cast<int>(ring_.crossesLeft[i]);
+      right += static_cast<int>(ring_.crossesRight[i]);
     }
     for (int k = 0; k < left; ++k) {
       cross<1>(vertex, own, ring_.leftward[k], ring_.leftward[k] + 1);
@@ -180,13 +180,13 @@ inline void FastDistance::goAlongEdge(const Jet& own, const Vec2 (&turns)[2], co
   reached.settled = false;
   reached.alongEdge = true;
 
-  constexpr double kOpen[2] = {0, kInfinity};
-  const int isSettled = jet.settled ? 1 : 0;
+  constexpr double kRoom[2] = {0, kInfinity};
   ring_.jet[place] = &jet;
   ring_.number[place] = number;
   ring_.distance[place] = jet.distance;
-  ring_.open[place] = jet.distance + kOpen[isSettled];
-  ring_.least[place] = 0.5 * (own.distance + jet.distance - edge.length);
+  const double least = 0.5 * (own.distance + jet.distance - edge.length);
+  ring_.least[place] = edge.length * least;
+  ring_.room[place] = edge.length * (jet.distance - least) + kRoom[jet.settled ? 1 : 0];
   ring_.length[place] = edge.length;
   ring_.area[place] = edge.cross;
   const double sine = karcher::cross(own.toSource, edge.vector);
@@ -204,7 +204,7 @@ void FastDistance::closeRing(int place) {
   ring_.jet[place] = ring_.jet[0];
   ring_.number[place] = ring_.number[0];
   ring_.distance[place] = ring_.distance[0];
-  ring_.open[place] = ring_.open[0];
+  ring_.room[place] = ring_.room[0];
   ring_.least[place] = ring_.least[0];
   ring_.length[place] = ring_.length[0];
   ring_.dot[place] = ring_.dot[0];
@@ -216,24 +216,24 @@ void FastDistance::closeRing(int place) {
 /// (d_v + d_w - length) / 2 and the height above the edge; if that is no less than the distance of
 /// an end that is not settled, the end comes first. The line from the vertex's own source must not
 /// miss the edge by much, unless the edge's other end looks through it from a source of its own.
-void FastDistance::scoreCrossings(double radius, int corners) {
+void FastDistance::findCrossings(double radius, int corners) {
   Ring& ring = ring_;
-  constexpr double kFinite = std::numeric_limits<double>::max();
-  const auto score = [&](int edge, int apex, double area, const double* sines) {
+  const auto mayCross = [&](int edge, int apex, double area, const double* sines) {
     const double sine = sines[edge];
     const double drop = area + radius * sine;
     const double place = radius * sines[apex];
-    const double inside = std::min(place + kFarBeside * drop, (1 + kFarBeside) * drop - place);
-    const double seen =
-        std::max(std::min(sine, inside), std::min(-sine, ring.open[edge] - kFinite));
-    const double gain =
-        ring.length[edge] * (std::min(ring.distance[apex], ring.open[edge]) - ring.least[edge]) -
-        area;
-    return gain > 0 ? seen : -1.0;
+    const bool isBefore = place < -kFarBeside * drop;
+    const bool isBehind = place > (1 + kFarBeside) * drop;
+    const bool crosses = (sine >= 0) & !isBefore & !isBehind;
+    const bool isSeen = (sine < 0) & (ring.room[edge] == kInfinity);
+    const bool isInTurn = area < ring.room[edge];
+    const bool isNearer = area + ring.least[edge] < ring.length[edge] * ring.distance[apex];
+    return isNearer & isInTurn & (crosses | isSeen);
   };
-  const int even = (corners + 1) & ~1;
-  for (int i = 0; i < even; ++i) ring.leftScore[i] = score(i, i + 1, ring.area[i], ring.left);
-  for (int i = 0; i < even; ++i) ring.rightScore[i] = score(i + 1, i, ring.area[i], ring.right);
+  for (int i = 0; i < corners; ++i) {
+    ring.crossesLeft[i] = mayCross(i, i + 1, ring.area[i], ring.left);
+    ring.crossesRight[i] = mayCross(i + 1, i, ring.area[i], ring.right);
+  }
 }
 
 /// Goes over an edge of the ring if that can be the way to the end of the next one on the left

@@ -90,9 +90,11 @@ class FastDistance {
     int number[kEdges];       ///< of the edge, among all fans'
     double before[kEdges];    ///< the distance at the end, before
     double distance[kEdges];  ///< and after a path along the edge
-    double open[kEdges];      ///< the same while the end is not settled, else kInfinity
-    double least[kEdges];     ///< no path meets the edge nearer to the source
     double length[kEdges];
+    double least[kEdges];  ///< no path meets the edge nearer to the source; times its length
+    /// How far from the edge an apex may lie that is reached before the end, twice the area
+    /// between; kInfinity if the end is settled.
+    double room[kEdges];
     double area[kEdges];  ///< twice that of the triangle on the left of the edge
     /// The direction from the vertex to its source times the edge: dot product, and cross product
     /// with the edge turned counterclockwise from the source on and clockwise (then negated). Not a
@@ -101,9 +103,9 @@ class FastDistance {
     double left[kEdges];
     double right[kEdges];
     /// Whether a path may cross the edge to the end of the next one on its left, or the next one to
-    /// the end of this one: if the score is not negative.
-    double leftScore[kEdges];
-    double rightScore[kEdges];
+    /// the end of this one.
+    bool crossesLeft[kEdges];
+    bool crossesRight[kEdges];
     int leftward[kEdges];
     int rightward[kEdges];
   };
@@ -119,7 +121,7 @@ class FastDistance {
   void goAlongEdge(const Jet& own, const Vec2 (&turns)[2], const FanEdge& edge, int number,
                    int place);
   void closeRing(int place);
-  void scoreCrossings(double radius, int corners);
+  void findCrossings(double radius, int corners);
   template <int kSide>
   void cross(int vertex, const Jet& own, int edgeInRing, int targetInRing);
   template <int kSide>
