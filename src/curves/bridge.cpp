@@ -41,7 +41,7 @@ class JumpSearch {
   /// Whether the way from one converged sample to the next breaks in either direction, and how.
   /// `middle`: the weights in the middle of it, or none.
   std::optional<Status> run(const CurveSample& from, const CurveSample& to, Weights middle) {
-    if (!middle.empty() && staysInFace(from.point, to.point, middle)) return std::nullopt;
+    if (!middle.empty() && staysInCell(from.point, to.point, middle)) return std::nullopt;
     const std::optional<Status> reason = follow(from, to, false);
     return reason ? reason : follow(from, to, true);
   }
@@ -65,7 +65,7 @@ class JumpSearch {
       }
       const double t = (step.from.t + step.to.t) / 2;
       const Array<double> weights = basis_(t);
-      if (staysInFace(step.from.point, step.to.point, weights)) continue;
+      if (staysInCell(step.from.point, step.to.point, weights)) continue;
       const SurfacePoint& start = backwards ? step.to.point : step.from.point;
       const CenterOfMass center = findCenter(fields_, weights, start, method_);
       if (center.status != Status::kConverged) return center.status;
@@ -84,22 +84,34 @@ class JumpSearch {
     Place to;
   };
 
-  /// In one face the zero of the field moves continuously, and stays the center there if the step
-  /// keeps away from the edges, so that no other face has a deeper zero, and its middle, by the
+  /// In one cell the zero of the field moves continuously, and stays the center there if the step
+  /// keeps away from the edges, so that no other cell has a deeper zero, and its middle, by the
   /// weights there, lies between its ends.
-  bool staysInFace(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
+  bool staysInCell(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
     if (from.face != to.face) return false;
-    const double margin = kEdgeMargin * lengthInFace(from.face, to.bary - from.bary);
-    const Vec3 least = from.bary.cwiseMin(to.bary);
-    const double area = doubleArea(geometry_, from.face);
+    const Cells& cells = fields_.cells();
+    const CellPoint start = cells.at(from);
+    const CellPoint end = cells.at(to);
+    const int cell = start.cell;
+    if (cell != end.cell) return false;
+    const Vec3& a = start.bary;
+    const Vec3& b = end.bary;
+    const auto length = [&](const Vec3& off) {
+      return lengthInFace(from.face, cells.inFace(cell, off));
+    };
+    const double margin = kEdgeMargin * length(b - a);
+    const Vec3 least = a.cwiseMin(b);
+    const double area = doubleArea(geometry_, from.face) / (cells.cut() ? 4 : 1);
     for (int k = 0; k < 3; ++k) {
-      const double height = area / geometry_.edgeLength[3 * from.face + (k + 1) % 3];
-      if (least[k] * height < margin) return false;
+      const double opposite = cells.cut()
+                                  ? length(Vec3::Unit((k + 2) % 3) - Vec3::Unit((k + 1) % 3))
+                                  : geometry_.edgeLength[3 * from.face + (k + 1) % 3];
+      if (least[k] * area / opposite < margin) return false;
     }
     FaceZero zero;
-    if (!fields_.findZero(from.face, middleWeights, zero)) return false;
+    if (!fields_.findZero(cell, middleWeights, zero)) return false;
     if (!isTheOnlyZero(zero, std::min(least.minCoeff(), zero.depth()) / 2)) return false;
-    return lengthInFace(from.face, zero.bary - (from.bary + to.bary) / 2) < margin;
+    return length(zero.bary - (a + b) / 2) < margin;
   }
 
   /// Of a difference of barycentric weights.

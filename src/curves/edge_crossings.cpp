@@ -81,15 +81,23 @@ bool EdgeCrossings::appendBetween(const CurveSample& from, const CurveSample& to
 }
 
 bool EdgeCrossings::appendCrossing(int h, double t0, double t1) {
-  const EdgeField field = fields_.alongEdge(h);
+  if (!fields_.cells().cut()) return appendCrossing(h, 0, t0, t1, true);
+  return appendCrossing(h, 0, t0, t1, false) || appendCrossing(h, 1, t0, t1, false) ||
+         appendCrossing(h, 0, t0, t1, true) || appendCrossing(h, 1, t0, t1, true);
+}
+
+bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool orNearest) {
+  const EdgeField field = fields_.alongEdge(h, half);
   const auto valueAt = [&](double t) { return field.at(basis_(t)); };
   const auto across = [](const EdgeValues& v) { return cross(v.tail, v.head); };
   double before = across(valueAt(t0));
   double after = across(valueAt(t1));
+  const bool passes = (before < 0) != (after < 0);
+  if (!passes && !orNearest) return false;
   // A sample so near the edge that the faces' own fields place it on this side, the edge's on the
   // other.
   double t = std::abs(before) < std::abs(after) ? t0 : t1;
-  if ((before < 0) != (after < 0)) {
+  if (passes) {
     // Regula falsi, halving the value of an end that stays (the Illinois rule).
     constexpr int kMostSteps = 100;
     constexpr double kSmallest = 1e-15;
@@ -109,8 +117,9 @@ bool EdgeCrossings::appendCrossing(int h, double t0, double t1) {
     }
   }
   const EdgeValues values = valueAt(t);
-  const double s = values.tail.x() / (values.tail.x() - values.head.x());
+  double s = values.tail.x() / (values.tail.x() - values.head.x());
   if (!(s >= 0 && s <= 1)) return false;
+  if (fields_.cells().cut()) s = (half + s) / 2;
   found_.push_back({t, edgePoint(h, s), Status::kConverged});
   return true;
 }

@@ -5,7 +5,8 @@
 /// Where a curve of centers of mass crosses the edges of the mesh.
 ///
 /// Along an edge, in the edge's own frame, which the faces on both sides share, the blended field
-/// is linear between its values X_a(t) and X_b(t) at the ends. It has a zero on the edge's line
+/// is linear between its values X_a(t) and X_b(t) at the ends, or at one end and at its middle
+/// (cells.h). It has a zero on the edge's line
 /// where X_a(t) x X_b(t) = 0: at this t the curve passes from face to face, through the same point
 /// from either side. Inside a face the field differs by its transport, so that the curve there ends
 /// a small part of an edge beside that point (crossing_study): the polyline through the crossings
@@ -32,6 +33,9 @@ class EdgeCrossings {
  private:
   bool appendBetween(const CurveSample& from, const CurveSample& to, int bisections);
   bool appendCrossing(int h, double t0, double t1);
+  /// Through one half of an edge, if faces are cut; where the curve does not pass the edge's line
+  /// between t0 and t1, but for rounding, at the nearer of them or not at all.
+  bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
 
   const Geometry& geometry_;
   const Basis& basis_;

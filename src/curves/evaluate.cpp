@@ -152,14 +152,13 @@ CurveTangent tangentAt(Curve& curve, const SegmentParameter& at) {
   const Geometry& geometry = curve.surface().geometry();
   const int face = point.point.face;
   FieldBlend fields = blendOf(curve, at.segment);
-  const TriangleField field = fields.blend(face, curve.weights(at.segment, at.t));
-  const TriangleField change = fields.blend(face, weightDerivatives(curve, at));
-  const Vec2& apex = geometry.apex[face];
-  const Vec2 alongX = (field.corner[1] - field.corner[0]) / geometry.edgeLength[3 * face];
-  const Vec2 alongY = (field.corner[2] - field.corner[0] - apex.x() * alongX) / apex.y();
-  const Vec2 wanted = -change.at(point.point.bary);
+  const CellPoint place = fields.cells().at(point.point);
+  const auto [alongX, alongY] =
+      fields.jacobian(place.cell, fields.blend(place.cell, curve.weights(at.segment, at.t)));
+  const Vec2 wanted = -fields.blend(place.cell, weightDerivatives(curve, at)).at(place.bary);
   const double determinant = cross(alongX, alongY);
-  const Vec2 inFace = Vec2(cross(wanted, alongY), cross(alongX, wanted)) / determinant;
+  const Vec2 inFace = rotate(fields.axisInFace(place.cell),
+                             Vec2(cross(wanted, alongY), cross(alongX, wanted)) / determinant);
   if (!std::isfinite(inFace.x()) || !std::isfinite(inFace.y())) {
     return tangentOfPath(curve, point, pieceAround(curve, at));
   }

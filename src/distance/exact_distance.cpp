@@ -58,11 +58,13 @@ ExactDistance::ExactDistance(const Geometry& geometry)
       mesh_(*geometry.mesh),
       vertices_(mesh_.vertexCount()),
       faces_(mesh_.faceCount()),
+      middles_(mesh_.faceCount()),
       queue_(kBucketWidth * geometry.meanEdge) {}
 
 void ExactDistance::setSource(const SurfacePoint& source) {
   vertices_.clear();
   faces_.clear();
+  middles_.clear();
   touched_.clear();
   queue_.clear();
   pool_.clear();
@@ -324,6 +326,7 @@ void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arri
 }
 
 void ExactDistance::addWindow(int h, const Window& window) {
+  if (keepsMiddles_) keepMiddle(h, window);
   WaitingWindows& waiting = waitingAt(h);
   const int bucket = queue_.bucketOf(leastDistance(window));
   waiting.first = pool_.add(waiting.first, window);
@@ -331,6 +334,47 @@ void ExactDistance::addWindow(int h, const Window& window) {
     waiting.bucket = bucket;
     queue_.push(h, bucket);
   }
+}
+
+void ExactDistance::keepMiddle(int h, const Window& window) {
+  const double length = geometry_.edgeLength[h];
+  const double middle = length / 2;
+  const double tolerance = kSeenTolerance * length;
+  if (window.begin > middle + tolerance || window.end < middle - tolerance) return;
+  const double distance = distanceAt(window, middle);
+  MiddleRecord& record = middles_.touch(faceOf(h)).edge[cornerOf(h)];
+  if (!(distance < record.distance * (1 - kImprovement)) || record.distance <= queue_.leastKey()) {
+    return;
+  }
+  record = {distance, window.sourceX, window.depth};
+}
+
+ExactDistance::MiddleArrival ExactDistance::middleOf(int h) const {
+  const double middle = geometry_.edgeLength[h] / 2;
+  // The source itself may lie on the edge.
+  const PointLocation place = locate(mesh_, source_);
+  const int t = mesh_.twin[h];
+  if (place.simplex == Simplex::kEdge && (place.halfedge == h || place.halfedge == t)) {
+    const double part = source_.bary[cornerOf(next(place.halfedge))];
+    const double along = (place.halfedge == h ? 2 * part - 1 : 1 - 2 * part) * middle;
+    return {std::abs(along), Vec2(along < 0 ? -1 : 1, 0)};
+  }
+  MiddleArrival best;
+  for (const int side : {h, t}) {
+    const MiddleRecords* records = side < 0 ? nullptr : middles_.find(faceOf(side));
+    if (records == nullptr) continue;
+    const MiddleRecord& record = records->edge[cornerOf(side)];
+    if (!(record.distance < best.distance)) continue;
+    const Vec2 toSource = Vec2(record.sourceX - middle, -record.depth).normalized();
+    best = {record.distance, side == h ? toSource : Vec2(-toSource)};
+  }
+  // Or along the edge, from a vertex that paths turn round.
+  for (const int end : {h, t}) {
+    if (end < 0) continue;
+    const double distance = (this->distance(mesh_.tail(end)) + middle) * (1 + kBentPenalty);
+    if (distance < best.distance) best = {distance, Vec2(end == h ? -1 : 1, 0)};
+  }
+  return best;
 }
 
 void ExactDistance::keepSourceBeam(int face, const SurfacePoint& source) {

@@ -69,6 +69,16 @@ class ExactDistance {
   /// The vertices that something arrived at, in the order in which they were first touched.
   const Array<int>& touched() const { return touched_; }
 
+  /// How the shortest path comes to the middle of an edge that is not on the boundary.
+  struct MiddleArrival {
+    double distance = kInfinity;
+    Vec2 toSource = Vec2(1, 0);  ///< unit, in the half-edge's frame: its direction is the x axis
+  };
+  /// By one of the edge's half-edges, if `keepMiddles` was called before `setSource`. Final once
+  /// the distance is <= reached().
+  MiddleArrival middleOf(int h) const;
+  void keepMiddles() { keepsMiddles_ = true; }
+
   /// Also watches a point of a face or an edge: the distance to it, and how the path arrives. To be
   /// called after `setSource` and before `grow`; the source must not lie in a face of the target.
   /// Throws Error kBadArgument for a point at a vertex.
@@ -103,8 +113,17 @@ class ExactDistance {
     int first = -1;
     int bucket = kNotQueued;
   };
+  /// The window that has come to the half-edge with the least distance at its middle.
+  struct MiddleRecord {
+    double distance = kInfinity;
+    double sourceX = 0;
+    double depth = 0;
+  };
   struct FaceRecord {
     WaitingWindows waiting[3];
+  };
+  struct MiddleRecords {
+    MiddleRecord edge[3];
   };
 
   WaitingWindows& waitingAt(int h) { return faces_.touch(faceOf(h)).waiting[cornerOf(h)]; }
@@ -117,6 +136,7 @@ class ExactDistance {
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
   void addWindow(int h, const Window& window);
+  void keepMiddle(int h, const Window& window);
   bool isTargetFace(int f) const { return f == targetFaces_[0] || f == targetFaces_[1]; }
   Vec2 targetOver(int h) const;
   void arriveAtTarget(int h, const Arrival& arrival, const Vec2& toSource);
@@ -133,6 +153,8 @@ class ExactDistance {
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
   PagedArray<FaceRecord, 7> faces_;
+  bool keepsMiddles_ = false;
+  PagedArray<MiddleRecords, 7> middles_;  ///< by face
   Array<int> touched_;
   BucketQueue queue_;
   WindowPool pool_;

@@ -114,6 +114,13 @@ double directionAtTail(const Geometry& geometry, int h, const Vec2& vector) {
   return geometry.cumulatedAngle[h] + std::atan2(cross(edge, vector), edge.dot(vector));
 }
 
+EdgeDirection directionOfEdge(const Geometry& geometry, int h) {
+  const int onward = next(h);
+  const double back = geometry.cumulatedAngle[onward] + geometry.cornerAngle[onward];
+  return {unitVector(geometry.angleScale[geometry.mesh->tail(h)] * geometry.cumulatedAngle[h]),
+          unitVector(geometry.angleScale[geometry.mesh->head(h)] * back + kPi)};
+}
+
 CornerDirection cornerOfDirection(const Geometry& geometry, int vertex, double direction) {
   const TriangleMesh& mesh = *geometry.mesh;
   const double total = geometry.totalAngle[vertex];

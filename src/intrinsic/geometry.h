@@ -84,6 +84,13 @@ Vec2 toFace(const Geometry& geometry, int f, const Vec3& vector);
 /// into the corner: the cumulated angle of h plus the angle from h to the vector.
 double directionAtTail(const Geometry& geometry, int h, const Vec2& vector);
 
+/// The direction of half-edge h as a unit vector in the frames of its ends; at the head the way on.
+struct EdgeDirection {
+  Vec2 tail;
+  Vec2 head;
+};
+EdgeDirection directionOfEdge(const Geometry& geometry, int h);
+
 /// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and
 /// the angle from that half-edge to it. Directions wrap around at interior vertices. At the
 /// boundary a direction outside [0, totalAngle] leaves the surface: then halfedge is -1.

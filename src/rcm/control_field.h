@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 #include "distance/paged_array.h"
@@ -22,13 +23,20 @@ class ControlField {
   /// Computes the value at a vertex. It must depend on the vertex alone, not on earlier calls.
   using Evaluate = std::function<FieldValue(int vertex)>;
 
+  /// Computes what a field has at the middle of a half-edge beyond the mean of its ends, in the
+  /// half-edge's frame: its direction is the x axis.
+  using EvaluateMiddle = std::function<Vec2(int halfedge)>;
+
   explicit ControlField(int vertexCount) : entries_(vertexCount) {}
 
   /// Forgets all values; from now on `evaluate` computes them. Costs what was touched.
-  void reset(Evaluate evaluate) {
+  /// With `evaluateMiddle` the field has values at the middles of edges as well.
+  void reset(Evaluate evaluate, EvaluateMiddle evaluateMiddle = {}) {
     entries_.clear();
+    middles_.clear();
     knownCount_ = 0;
     evaluate_ = std::move(evaluate);
+    evaluateMiddle_ = std::move(evaluateMiddle);
   }
 
   const FieldValue& at(int vertex) {
@@ -39,6 +47,25 @@ class ControlField {
     }
     return value;
   }
+
+  bool hasMiddles() const { return static_cast<bool>(evaluateMiddle_); }
+
+  /// Of an edge always the same half-edge is to be asked for.
+  const Vec2& middle(int halfedge) {
+    const auto [entry, isNew] = middles_.try_emplace(halfedge);
+    if (isNew) {
+      try {
+        entry->second = evaluateMiddle_(halfedge);
+      } catch (...) {
+        middles_.erase(entry);
+        throw;
+      }
+    }
+    return entry->second;
+  }
+
+  /// The same, for those who read each once.
+  Vec2 middleUnkept(int halfedge) const { return evaluateMiddle_(halfedge); }
 
   /// How many vertices were asked for since the last reset.
   int knownCount() const { return knownCount_; }
@@ -51,7 +78,9 @@ class ControlField {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
   Evaluate evaluate_;
+  EvaluateMiddle evaluateMiddle_;
   PagedArray<Entry, 6> entries_;
+  std::unordered_map<int, Vec2> middles_;
   int knownCount_ = 0;
 };
 

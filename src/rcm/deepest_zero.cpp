@@ -12,34 +12,29 @@ constexpr int kMostMoves = 8;
 
 class DeepestZero {
  public:
-  DeepestZero(FieldBlend& fields, Weights weights, int face, const FaceZero& zero)
-      : fields_(fields),
-        geometry_(fields.geometry()),
-        mesh_(*geometry_.mesh),
-        weights_(weights),
-        face_(face),
-        best_(zero) {}
+  DeepestZero(FieldBlend& fields, Weights weights, int cell, const FaceZero& zero)
+      : fields_(fields), cells_(fields.cells()), weights_(weights), cell_(cell), best_(zero) {}
 
   SurfacePoint run() {
     for (int step = 0; step < kMostMoves && best_.depth() < kNearEdge; ++step) {
       if (!goDeeper()) break;
     }
-    return clampedPoint(face_, best_.bary);
+    return cells_.point(cell_, best_.bary);
   }
 
  private:
   bool goDeeper() {
-    const int face = face_;
+    const int cell = cell_;
     bool doubtful[3];
     for (int k = 0; k < 3; ++k) doubtful[k] = isDoubtful(k);
     for (int k = 0; k < 3; ++k) {
-      if (doubtful[k]) tryAcross(3 * face + (k + 1) % 3);
-      if (doubtful[(k + 1) % 3] && doubtful[(k + 2) % 3]) tryAround(3 * face + k);
+      if (doubtful[k]) tryAcross(3 * cell + (k + 1) % 3);
+      if (doubtful[(k + 1) % 3] && doubtful[(k + 2) % 3]) tryAround(3 * cell + k);
     }
-    return face_ != face;
+    return cell_ != cell;
   }
 
-  /// Whether the face across the edge opposite to corner k may have a zero as well (isTheOnlyZero).
+  /// Whether the cell across the edge opposite to corner k may have a zero as well (isTheOnlyZero).
   bool isDoubtful(int k) const {
     if (best_.bary[k] >= kNearEdge) return false;
     const int i = k == 2 ? 0 : k + 1;
@@ -50,41 +45,40 @@ class DeepestZero {
     return sine * sine <= best_.jump * best_.jump * a.squaredNorm() * b.squaredNorm();
   }
 
-  void tryFace(int face) {
+  void tryCell(int cell) {
     FaceZero other;
-    if (!fields_.findZero(face, weights_, other)) return;
+    if (!fields_.findZero(cell, weights_, other)) return;
     if (other.depth() < -kInsideTolerance || other.depth() <= best_.depth()) return;
     best_ = other;
-    face_ = face;
+    cell_ = cell;
   }
 
   void tryAcross(int h) {
-    const int twin = mesh_.twin[h];
-    if (twin >= 0) tryFace(faceOf(twin));
+    const int twin = cells_.twin(h);
+    if (twin >= 0) tryCell(faceOf(twin));
   }
 
   void tryAround(int h) {
-    const int first = mesh_.outgoing[mesh_.tail(h)];
+    const int first = cells_.firstAround(h);
     int around = first;
     do {
-      if (around != h) tryFace(faceOf(around));
-      around = rotateLeft(mesh_, around);
+      if (around != h) tryCell(faceOf(around));
+      around = cells_.rotateLeft(around);
     } while (around >= 0 && around != first);
   }
 
   FieldBlend& fields_;
-  const Geometry& geometry_;
-  const TriangleMesh& mesh_;
+  const Cells& cells_;
   Weights weights_;
-  int face_;
+  int cell_;
   FaceZero best_;
 };
 
 }  // namespace
 
-SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int face, const FaceZero& zero) {
-  if (isTheOnlyZero(zero, zero.depth())) return clampedPoint(face, zero.bary);
-  return DeepestZero(fields, weights, face, zero).run();
+SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const FaceZero& zero) {
+  if (isTheOnlyZero(zero, zero.depth())) return fields.cells().point(cell, zero.bary);
+  return DeepestZero(fields, weights, cell, zero).run();
 }
 
 }  // namespace karcher

@@ -4,13 +4,13 @@
 
 namespace karcher {
 
-/// The field jumps a little from face to face: near an edge two faces may each have a zero of their
-/// own, or neither. Where both have one, the deeper inside its face counts, so that a center does
+/// The field jumps a little from face to face: near an edge two cells may each have a zero of their
+/// own, or neither. Where both have one, the deeper inside its cell counts, so that a center does
 /// not depend on the face that the search for it found first.
 ///
-/// `zero`: of the blend in `face`, inside it. Returns the deepest of it and those around it.
+/// `zero`: of the blend in `cell`, inside it. Returns the deepest of it and those around it.
 /// With isTheOnlyZero, which is the usual case and quickly told, that is `zero` itself.
-SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int face, const FaceZero& zero);
+SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const FaceZero& zero);
 
 /// A zero whose weights are no smaller than this is the only one near by: jumps of the field are a
 /// smaller part of an edge (or are found as jumps of the curve, curves/bridge.h).

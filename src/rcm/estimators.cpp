@@ -185,10 +185,11 @@ Stencil StencilTable::at(int vertex) {
     if (!quadratic) linearTerms(ring, own, terms_);
     place.count = static_cast<int>(static_cast<int64_t>(terms_.size()) - begin);
     place.ofVectors = quadratic ? 1 : place.count;
+    place.own = own;
     place.begin = begin;
   }
   const StencilTerm* begin = terms_.data() + place.begin;
-  return {begin, begin + place.ofVectors, begin + place.count};
+  return {begin, begin + place.ofVectors, begin + place.count, place.own};
 }
 
 }  // namespace karcher

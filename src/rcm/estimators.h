@@ -45,6 +45,7 @@ struct Stencil {
   const StencilTerm* begin = nullptr;  ///< terms of log vectors
   const StencilTerm* ofDistances = nullptr;
   const StencilTerm* end = nullptr;
+  double own = 0;  ///< r
 
   /// The estimate from log vectors and squared distances, both functions of the vertex.
   template <class LogVectorAt, class SquaredDistanceAt>
@@ -66,6 +67,18 @@ struct Stencil {
   }
 };
 
+/// How much of an estimate is to be the log vector itself, where `own` is so by the mesh alone.
+/// `difference`: of the log vector from what else would stand there. It makes an angle, seen from
+/// the source at `distance`; if that is more than smooth surfaces leave between neighbours, paths
+/// come from both sides of a ridge, and no fit over both is any path's.
+inline double shareOfLogVector(double own, const Vec2& difference, double distance) {
+  constexpr double kAngle = 0.01;  // radians
+  const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);
+  if (!(squaredAngle > 0)) return own;
+  const double relative = kAngle * kAngle / squaredAngle;
+  return own + (1 - own) / (1 + relative * relative);
+}
+
 /// The stencils of one estimator, each made when it is first asked for.
 class StencilTable {
  public:
@@ -80,6 +93,7 @@ class StencilTable {
     int64_t begin = -1;
     int ofVectors = 0;
     int count = 0;
+    double own = 0;
   };
 
   const Geometry& geometry_;

@@ -6,14 +6,30 @@
 namespace karcher {
 namespace {
 
-size_t hashOf(int face) { return static_cast<size_t>(static_cast<uint32_t>(face) * 2654435761u); }
+size_t hashOf(int cell) { return static_cast<size_t>(static_cast<uint32_t>(cell) * 2654435761u); }
 
-/// The direction of half-edge h, in the frames of its ends; at the head the way on.
-EdgeValues directionOfEdge(const Geometry& geometry, int h) {
-  const int onward = next(h);
-  const double back = geometry.cumulatedAngle[onward] + geometry.cornerAngle[onward];
-  return {unitVector(geometry.angleScale[geometry.mesh->tail(h)] * geometry.cumulatedAngle[h]),
-          unitVector(geometry.angleScale[geometry.mesh->head(h)] * back + kPi)};
+/// Values at the ends of half-edge h, in its frame.
+EdgeValues valuesAtEnds(const Geometry& geometry, ControlField& field, int h) {
+  const EdgeDirection direction = directionOfEdge(geometry, h);
+  return {rotateBack(direction.tail, field.at(geometry.mesh->tail(h)).gradient),
+          rotateBack(direction.head, field.at(geometry.mesh->head(h)).gradient)};
+}
+
+/// What a field has at the middle of half-edge h beyond the mean of its ends, in its frame.
+Vec2 beyondMean(const TriangleMesh& mesh, ControlField& field, int h) {
+  const int t = mesh.twin[h];
+  if (t < 0 || !field.hasMiddles()) return Vec2::Zero();
+  return h < t ? field.middle(h) : Vec2(-field.middle(t));
+}
+
+Vec2 middleInEdge(const Geometry& geometry, ControlField& field, int h) {
+  const EdgeValues ends = valuesAtEnds(geometry, field, h);
+  return (ends.tail + ends.head) / 2 + beyondMean(*geometry.mesh, field, h);
+}
+
+bool anyHasMiddles(const Array<ControlField*>& fields) {
+  return std::any_of(fields.begin(), fields.end(),
+                     [](const ControlField* field) { return field->hasMiddles(); });
 }
 
 }  // namespace
@@ -26,19 +42,27 @@ Hessian hessian(const Geometry& geometry, int face, const TriangleField& field) 
 }
 
 FieldBlend::FieldBlend(const Geometry& geometry, Array<ControlField*> fields)
-    : geometry_(geometry), fields_(std::move(fields)), width_(6 * fields_.count()) {
+    : geometry_(geometry),
+      fields_(std::move(fields)),
+      cells_(*geometry.mesh, anyHasMiddles(fields_)),
+      width_(6 * fields_.count()) {
   table_.resize(256);
 }
 
-TriangleField FieldBlend::blend(int face, Weights weights) {
+TriangleField FieldBlend::blend(int cell, Weights weights) {
   // Six components a field side by side, so that the sums vectorise.
-  const double* vectors = vectorsOf(slotOf(face));
+  const double* vectors = vectorsOf(slotOf(cell));
   double sum[6] = {};
   for (const double w : weights) {
     for (int c = 0; c < 6; ++c) sum[c] += w * vectors[c];
     vectors += 6;
   }
   return {{Vec2(sum[0], sum[1]), Vec2(sum[2], sum[3]), Vec2(sum[4], sum[5])}};
+}
+
+Vec2 FieldBlend::at(const SurfacePoint& point, Weights weights) {
+  const CellPoint place = cells_.at(point);
+  return rotate(axisInFace(place.cell), blend(place.cell, weights).at(place.bary));
 }
 
 Vec2 FieldBlend::atVertex(int vertex, Weights weights) {
@@ -49,7 +73,6 @@ Vec2 FieldBlend::atVertex(int vertex, Weights weights) {
 }
 
 double FieldBlend::energy(const SurfacePoint& point, Weights weights) {
-  const TriangleField field = blend(point.face, weights);
   const Vec2 x = pointInFace(geometry_, point);
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
@@ -59,80 +82,157 @@ double FieldBlend::energy(const SurfacePoint& point, Weights weights) {
     for (int i = 0; i < fields_.count(); ++i) {
       corner += weights.data()[i] * fields_[i]->at(vertex).squaredDistance;
     }
+    const Vec2 gradient =
+        rotate(geometry_.vertexToFace[3 * point.face + k], atVertex(vertex, weights));
     const Vec2 step = x - cornerInFace(geometry_, point.face, k);
-    sum += point.bary[k] * (corner + field.corner[k].dot(step) / 2);
+    sum += point.bary[k] * (corner + gradient.dot(step) / 2);
   }
   return sum;
 }
 
 double FieldBlend::zeroAlongEdge(int h, Weights weights) {
-  const EdgeValues direction = directionOfEdge(geometry_, h);
-  const double alongA = atVertex(geometry_.mesh->tail(h), weights).dot(direction.tail);
-  const double alongB = atVertex(geometry_.mesh->head(h), weights).dot(direction.head);
+  double alongA = 0;
+  double alongB = 0;
+  const int cell = faceOf(h);
+  if (!cells_.cut() || (cell % 4 < 3 && cornerOf(h) != 1)) {
+    // Of an edge of the mesh, or a half of it.
+    const int edge = !cells_.cut() ? h : 3 * (cell / 4) + (cell % 4 + cornerOf(h)) % 3;
+    const EdgeValues values = alongEdge(edge, cornerOf(h) == 2).at(weights);
+    alongA = values.tail.x();
+    alongB = values.head.x();
+  } else {
+    const TriangleField field = blend(cell, weights);
+    const CellShape& shape = shapes_[slotOf(cell)];
+    const Vec2 corners[3] = {Vec2::Zero(), Vec2(shape.edge, 0), Vec2(shape.apexX, shape.apexY)};
+    const int a = cornerOf(h);
+    const int b = cornerOf(next(h));
+    alongA = field.corner[a].dot(corners[b] - corners[a]);
+    alongB = field.corner[b].dot(corners[b] - corners[a]);
+  }
   if (alongA == alongB) return 0.5;
   return std::clamp(alongA / (alongA - alongB), 0.0, 1.0);
 }
 
-EdgeField FieldBlend::alongEdge(int h) {
-  const EdgeValues direction = directionOfEdge(geometry_, h);
+EdgeField FieldBlend::alongEdge(int h, int half) {
   EdgeField result;
   for (ControlField* field : fields_) {
-    result.fields.push_back(
-        {rotateBack(direction.tail, field->at(geometry_.mesh->tail(h)).gradient),
-         rotateBack(direction.head, field->at(geometry_.mesh->head(h)).gradient)});
+    EdgeValues values = valuesAtEnds(geometry_, *field, h);
+    if (cells_.cut()) (half == 0 ? values.head : values.tail) = middleInEdge(geometry_, *field, h);
+    result.fields.push_back(values);
   }
   return result;
 }
 
-int FieldBlend::findSlot(int face) {
+FieldBlend::CellJacobian FieldBlend::jacobian(int cell, const TriangleField& field) const {
+  const CellShape shape = shapeOf(cell);
+  const Vec2 alongX = (field.corner[1] - field.corner[0]) / shape.edge;
+  return {alongX, (field.corner[2] - field.corner[0] - shape.apexX * alongX) / shape.apexY};
+}
+
+Vec2 FieldBlend::axisInFace(int cell) const {
+  if (!cells_.cut()) return Vec2(1, 0);
+  const int face = cell / 4;
+  if (cell % 4 == 3) return geometry_.apex[face].normalized();
+  return halfedgeInFace(geometry_, 3 * face + cell % 4).normalized();
+}
+
+FieldBlend::CellShape FieldBlend::shapeOf(int cell) const {
+  const auto jump = [&](int face, int k) {
+    const double bend = std::abs(geometry_.angleScale[geometry_.mesh->corner(face, k)] - 1);
+    return std::min(1.0, kPi * bend);
+  };
+  if (!cells_.cut()) {
+    const Vec2& apex = geometry_.apex[cell];
+    return {geometry_.edgeLength[3 * cell], apex.x(), apex.y(),
+            std::max({jump(cell, 0), jump(cell, 1), jump(cell, 2)})};
+  }
+  const int face = cell / 4;
+  const int k = cell % 4;
+  if (k < 3) {
+    const Vec2 apex = oppositeOverHalfedge(geometry_, 3 * face + k) / 2;
+    return {geometry_.edgeLength[3 * face + k] / 2, apex.x(), apex.y(), jump(face, k)};
+  }
+  const Vec2& side = geometry_.apex[face];
+  const double length = side.norm();
+  const Vec2 apex = rotateBack(side / length, side - Vec2(geometry_.edgeLength[3 * face], 0)) / 2;
+  // Within a face the cells' fields fit together.
+  return {length / 2, apex.x(), apex.y(), 0};
+}
+
+int FieldBlend::findSlot(int cell) {
   const size_t mask = table_.size() - 1;
-  size_t place = hashOf(face) & mask;
-  while (table_[place].face != face && table_[place].face != -1) place = (place + 1) & mask;
+  size_t place = hashOf(cell) & mask;
+  while (table_[place].cell != cell && table_[place].cell != -1) place = (place + 1) & mask;
   int slot = table_[place].slot;
-  if (table_[place].face == -1) {
+  if (table_[place].cell == -1) {
     slot = slotCount_;
-    fillSlot(slot, face);
+    fillSlot(slot, cell);
     // Only now, since a field's evaluation may throw.
-    table_[place] = {face, slot};
+    table_[place] = {cell, slot};
     ++slotCount_;
     if (2 * static_cast<size_t>(slotCount_) > table_.size()) growTable();
   }
-  lastFace_ = face;
+  lastCell_ = cell;
   lastSlot_ = slot;
   return slot;
 }
 
-void FieldBlend::fillSlot(int slot, int face) {
+void FieldBlend::fillSlot(int slot, int cell) {
   if (slot == shapes_.count()) {
-    // Room for many faces at once: a segment passes some dozens.
+    // Room for many cells at once: a segment passes some dozens.
     const size_t room = static_cast<size_t>(slot == 0 ? 32 : 2 * slot);
     vectors_.resize(room * static_cast<size_t>(width_));
     shapes_.resize(room);
   }
+  double* out = vectors_.data() + static_cast<ptrdiff_t>(slot) * width_;
+  if (cells_.cut()) {
+    fillCut(out, cell);
+    shapes_[slot] = shapeOf(cell);
+    return;
+  }
   double bend = 0;
   for (int k = 0; k < 3; ++k) {
-    const int vertex = geometry_.mesh->corner(face, k);
+    const int vertex = geometry_.mesh->corner(cell, k);
     bend = std::max(bend, std::abs(geometry_.angleScale[vertex] - 1));
-    const Vec2& rotation = geometry_.vertexToFace[3 * face + k];
-    double* out = vectors_.data() + static_cast<ptrdiff_t>(slot) * width_ + 2 * k;
+    const Vec2& rotation = geometry_.vertexToFace[3 * cell + k];
+    double* at = out + 2 * k;
     for (ControlField* field : fields_) {
       const Vec2 vector = rotate(rotation, field->at(vertex).gradient);
-      out[0] = vector.x();
-      out[1] = vector.y();
-      out += 6;
+      at[0] = vector.x();
+      at[1] = vector.y();
+      at += 6;
     }
   }
-  const Vec2& apex = geometry_.apex[face];
-  shapes_[slot] = {geometry_.edgeLength[3 * face], apex.x(), apex.y(), std::min(1.0, kPi * bend)};
+  const Vec2& apex = geometry_.apex[cell];
+  shapes_[slot] = {geometry_.edgeLength[3 * cell], apex.x(), apex.y(), std::min(1.0, kPi * bend)};
+}
+
+/// The vectors of all fields in a cell of a face that is cut.
+void FieldBlend::fillCut(double* out, int cell) {
+  const Vec2 axis = axisInFace(cell);
+  const int first = 3 * (cell / 4);
+  const int c = cell % 4;
+  for (ControlField* field : fields_) {
+    for (int k = 0; k < 3; ++k) {
+      const int h = first + (c == 3 ? k : k == 2 ? (c + 2) % 3 : c);
+      const Vec2 inFace = c < 3 && k == 0 ? rotate(geometry_.vertexToFace[h],
+                                                   field->at(geometry_.mesh->tail(h)).gradient)
+                                          : rotate(halfedgeInFace(geometry_, h).normalized(),
+                                                   middleInEdge(geometry_, *field, h));
+      const Vec2 vector = rotateBack(axis, inFace);
+      *out++ = vector.x();
+      *out++ = vector.y();
+    }
+  }
 }
 
 void FieldBlend::growTable() {
   Array<Place> larger(2 * table_.size());
   const size_t mask = larger.size() - 1;
   for (const Place& old : table_) {
-    if (old.face == -1) continue;
-    size_t place = hashOf(old.face) & mask;
-    while (larger[place].face != -1) place = (place + 1) & mask;
+    if (old.cell == -1) continue;
+    size_t place = hashOf(old.cell) & mask;
+    while (larger[place].cell != -1) place = (place + 1) & mask;
     larger[place] = old;
   }
   table_ = std::move(larger);

@@ -4,10 +4,13 @@
 #include <span>
 
 #include "intrinsic/geometry.h"
+#include "rcm/cells.h"
 #include "rcm/control_field.h"
 
 /// The weighted sum of control points' fields, which is grad K for the energy
-/// K(p) = sum_i w_i d(p, p_i)^2 (Mancinelli, Puppo, Eq. 1), linear in each triangle.
+/// K(p) = sum_i w_i d(p, p_i)^2 (Mancinelli, Puppo, Eq. 1), linear in each cell: in each face, or,
+/// if a field has values at the middles of edges, in each of the four triangles that these cut it
+/// into.
 namespace karcher {
 
 /// One weight a field; they should sum to 1.
@@ -41,13 +44,14 @@ struct Hessian {
 
 Hessian hessian(const Geometry& geometry, int face, const TriangleField& field);
 
-/// Values of a field at the ends of an edge, in the edge's frame: its direction is the x axis.
+/// Values of a field at the ends of an edge or of its half, in the edge's frame: its direction is
+/// the x axis.
 struct EdgeValues {
   Vec2 tail = Vec2::Zero();
   Vec2 head = Vec2::Zero();
 };
 
-/// Fields along an edge, linear between their values at the ends.
+/// Fields along an edge or its half, linear between their values at the ends.
 struct EdgeField {
   Array<EdgeValues> fields;
 
@@ -61,18 +65,18 @@ struct EdgeField {
   }
 };
 
-/// A triangle's blended field, and its zero as barycentric weights.
+/// A cell's blended field, in the cell's frame, and its zero as barycentric weights.
 struct FaceZero {
   TriangleField field;
   Vec3 bary;
-  /// Of the field's Jacobian, times that of the map from weights to the face.
+  /// Of the field's Jacobian, times that of the map from weights to the cell.
   double determinant;
   /// The values at the ends of an edge are turned, relative to each other, by at most this angle
   /// from the face on one side of it to that on the other: over pi at both together by their
   /// angles' scale.
   double jump;
 
-  /// How far inside the face the zero lies: the smallest weight.
+  /// How far inside the cell the zero lies: the smallest weight.
   double depth() const { return std::min(bary[0], std::min(bary[1], bary[2])); }
 };
 
@@ -83,13 +87,17 @@ class FieldBlend {
 
   const Geometry& geometry() const { return geometry_; }
   int fieldCount() const { return fields_.count(); }
+  const Cells& cells() const { return cells_; }
 
-  /// The weighted sum of the fields in a face.
-  TriangleField blend(int face, Weights weights);
+  /// The weighted sum of the fields in a cell, in its frame.
+  TriangleField blend(int cell, Weights weights);
+
+  /// The weighted sum of the fields at a point, in the frame of its face.
+  Vec2 at(const SurfacePoint& point, Weights weights);
 
   /// The zero of `blend`, if its Hessian is positive definite: what a search asks for at each
   /// sample, all in one.
-  [[gnu::always_inline]] bool findZero(int face, Weights weights, FaceZero& zero);
+  [[gnu::always_inline]] bool findZero(int cell, Weights weights, FaceZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
   Vec2 atVertex(int vertex, Weights weights);
@@ -98,28 +106,40 @@ class FieldBlend {
   /// gradient, blended. Exact where squared distances are quadratic.
   double energy(const SurfacePoint& point, Weights weights);
 
-  /// The parameter s in [0, 1] along half-edge h at which the component of the field along the edge
-  /// vanishes, in the edge's own frame, which the faces on both sides share: the same point of the
-  /// surface from either.
+  /// The parameter s in [0, 1] along half-edge h of a cell at which the component of the field
+  /// along the edge vanishes, in the edge's own frame, which the cells on both sides share: the
+  /// same point of the surface from either.
   double zeroAlongEdge(int h, Weights weights);
 
-  /// The fields along half-edge h.
-  EdgeField alongEdge(int h);
+  /// The fields along half-edge h of a face; where faces are cut, along its first half from the
+  /// tail (0) or its second (1).
+  EdgeField alongEdge(int h, int half = 0);
+
+  /// The rate of change of a blend along the axes of its cell, and the cell's first edge in the
+  /// frame of its face: turns the one frame into the other.
+  struct CellJacobian {
+    Vec2 alongX;
+    Vec2 alongY;
+  };
+  CellJacobian jacobian(int cell, const TriangleField& field) const;
+  Vec2 axisInFace(int cell) const;
 
  private:
-  /// What `findZero` asks of a face but its fields, together.
-  struct FaceShape {
-    double edge = 0;  ///< length of the face's first half-edge
+  /// What `findZero` asks of a cell but its fields, together.
+  struct CellShape {
+    double edge = 0;  ///< length of the cell's first half-edge
     double apexX = 0;
     double apexY = 0;
     double jump = 0;  ///< see FaceZero
   };
 
-  /// The slot of a face, which is filled if it is asked for the first time.
-  int slotOf(int face) { return face == lastFace_ ? lastSlot_ : findSlot(face); }
-  int findSlot(int face);
-  void fillSlot(int slot, int face);
-  /// The transported vectors of all fields in a slot's face: six numbers a field, x and y at each
+  /// The slot of a cell, which is filled if it is asked for the first time.
+  int slotOf(int cell) { return cell == lastCell_ ? lastSlot_ : findSlot(cell); }
+  int findSlot(int cell);
+  void fillSlot(int slot, int cell);
+  CellShape shapeOf(int cell) const;
+  void fillCut(double* out, int cell);
+  /// The transported vectors of all fields in a slot's cell: six numbers a field, x and y at each
   /// corner.
   const double* vectorsOf(int slot) const {
     return vectors_.data() + static_cast<ptrdiff_t>(slot) * width_;
@@ -128,23 +148,24 @@ class FieldBlend {
 
   const Geometry& geometry_;
   Array<ControlField*> fields_;
+  Cells cells_;
   int width_;              ///< numbers a slot in vectors_
   Array<double> vectors_;  ///< by slot, with room for some more
-  Array<FaceShape> shapes_;
-  /// Open addressing, so that nothing the size of the mesh is made: faces, and their slots.
+  Array<CellShape> shapes_;
+  /// Open addressing, so that nothing the size of the mesh is made: cells, and their slots.
   struct Place {
-    int face = -1;
+    int cell = -1;
     int slot = 0;
   };
   Array<Place> table_;
   int slotCount_ = 0;
-  int lastFace_ = -1;
+  int lastCell_ = -1;
   int lastSlot_ = 0;
 };
 
 // Here, so that it is compiled into the searches: engines of WebAssembly inline no calls.
-inline bool FieldBlend::findZero(int face, Weights weights, FaceZero& zero) {
-  const int slot = slotOf(face);
+inline bool FieldBlend::findZero(int cell, Weights weights, FaceZero& zero) {
+  const int slot = slotOf(cell);
   const double* v = vectorsOf(slot);
   // Six components a field side by side, so that the sums vectorise.
   double sum[6] = {};
@@ -154,7 +175,7 @@ inline bool FieldBlend::findZero(int face, Weights weights, FaceZero& zero) {
   }
   const double x0 = sum[0], y0 = sum[1], x1 = sum[2], y1 = sum[3], x2 = sum[4], y2 = sum[5];
   // hessian(...).positiveDefinite(), without its divisions.
-  const FaceShape& shape = shapes_[slot];
+  const CellShape& shape = shapes_[slot];
   const double xx = shape.apexY * (x1 - x0);
   const double yy = shape.edge * (y2 - y0) - shape.apexX * (y1 - y0);
   const double xy =

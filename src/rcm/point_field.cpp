@@ -1,6 +1,7 @@
 #include "rcm/point_field.h"
 
 #include <string>
+#include <type_traits>
 #include <unordered_set>
 #include <utility>
 
@@ -72,11 +73,17 @@ void PointField::makeLogField() {
   logVectors_.clear();
   std::visit(
       [&](auto& solver) {
+        const auto growing = solver.get();
+        ControlField::EvaluateMiddle middle;
+        if constexpr (std::is_same_v<decltype(growing), ExactDistance* const>) {
+          solver->keepMiddles();
+          middle = [this, growing](int h) { return estimateMiddle(*growing, h); };
+        }
         solver->setSource(point_);
         StencilTable& stencils = surface_.stencils(estimatorOf(options_.solver));
-        field_.reset([this, &stencils, growing = solver.get()](int v) {
-          return estimate(*growing, stencils.at(v), v);
-        });
+        field_.reset(
+            [this, &stencils, growing](int v) { return estimate(*growing, stencils.at(v), v); },
+            std::move(middle));
       },
       *solver_);
 }
@@ -121,7 +128,33 @@ FieldValue PointField::estimate(DistanceSolver& solver, const Stencil& stencil, 
   const double own = squaredDistanceAt(vertex);
   const Vec2 gradient = stencil.apply(
       own, [&](int v) -> const Vec2& { return logVectorAt(solver, v); }, squaredDistanceAt);
+  if constexpr (std::is_same_v<DistanceSolver, ExactDistance>) {
+    const Vec2& log = logVectorAt(solver, vertex);
+    // The fit is what the stencil makes of the rest.
+    const Vec2 difference = (log - gradient) / (1 - stencil.own);
+    const double share = shareOfLogVector(stencil.own, difference, std::sqrt(own));
+    return {log - (1 - share) * difference, own};
+  }
   return {gradient, own};
+}
+
+Vec2 PointField::estimateMiddle(ExactDistance& solver, int h) {
+  const Geometry& geometry = surface_.geometry();
+  const int tail = surface_.mesh().tail(h);
+  const int head = surface_.mesh().head(h);
+  const EdgeDirection direction = directionOfEdge(geometry, h);
+  const Vec2 mean = (rotateBack(direction.tail, logVectorAt(solver, tail)) +
+                     rotateBack(direction.head, logVectorAt(solver, head))) /
+                    2;
+  // No farther from the source than the ends are, and half the edge.
+  const double farthest =
+      std::min(solver.distance(tail), solver.distance(head)) + geometry.edgeLength[h];
+  if (solver.reached() < farthest) solver.grow(farthest);
+  const ExactDistance::MiddleArrival arrival = solver.middleOf(h);
+  const Vec2 difference = -2 * arrival.distance * arrival.toSource - mean;
+  StencilTable& stencils = surface_.stencils(estimatorOf(options_.solver));
+  const double own = (stencils.at(tail).own + stencils.at(head).own) / 2;
+  return shareOfLogVector(own, difference, arrival.distance) * difference;
 }
 
 Array<ControlField*> controlFields(const Array<PointField*>& points) {

@@ -22,7 +22,7 @@ enum class Method {
 /// How distances are found, and with log vectors which estimator (estimators.h) smooths them.
 enum class Solver {
   kFast,   ///< virtual sources; kLinear1
-  kExact,  ///< windows; kQuadratic2
+  kExact,  ///< windows; kQuadratic2, and log vectors at the middles of edges as well
   kGraph,  ///< arcs of the k-ring graph; kLinear1
 };
 
@@ -59,6 +59,7 @@ class PointField {
   void makeLogField();
   template <class DistanceSolver>
   FieldValue estimate(DistanceSolver& solver, const Stencil& stencil, int vertex);
+  Vec2 estimateMiddle(ExactDistance& solver, int h);
   template <class DistanceSolver>
   void growTo(DistanceSolver& solver, int vertex) const;
   template <class DistanceSolver>

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "rcm/distance_solver.h"
+#include "rcm/point_field.h"
 
 namespace karcher {
 namespace {
@@ -26,12 +27,47 @@ void addPoint(const Geometry& geometry, DistanceSolver& solver, const SurfacePoi
   }
 }
 
+/// Whether a half-edge is the one of its edge that a field is asked for (FieldBlend).
+bool isAskedFor(const TriangleMesh& mesh, int h) { return h < mesh.twin[h]; }
+
+/// The sum of fields with values at the middles of edges. How much log vectors count in those
+/// depends on the vectors, so that each field is estimated before it is added.
+ControlField sumOfEstimates(Surface& surface, const Array<SurfacePoint>& points,
+                            const Array<double>& weights, const FieldOptions& options) {
+  const TriangleMesh& mesh = surface.mesh();
+  const auto values = std::make_shared<Array<FieldValue>>();
+  const auto middles = std::make_shared<Array<Vec2>>();
+  values->resize(static_cast<size_t>(mesh.vertexCount()));
+  middles->assign(static_cast<size_t>(mesh.halfedgeCount()), Vec2::Zero());
+  PointField point(surface, options);
+  for (int i = 0; i < points.count(); ++i) {
+    point.setPoint(points[i]);
+    const int component = surface.component(mesh.corner(points[i].face, 0));
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      if (surface.component(v) != component) continue;
+      const FieldValue& value = point.field().at(v);
+      (*values)[v].gradient += weights[i] * value.gradient;
+      (*values)[v].squaredDistance += weights[i] * value.squaredDistance;
+    }
+    for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+      if (!isAskedFor(mesh, h) || surface.component(mesh.tail(h)) != component) continue;
+      (*middles)[h] += weights[i] * point.field().middleUnkept(h);
+    }
+  }
+  ControlField field(mesh.vertexCount());
+  field.reset([values](int v) { return (*values)[v]; }, [middles](int h) { return (*middles)[h]; });
+  return field;
+}
+
 }  // namespace
 
 ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
                          const Array<double>& weights, const FieldOptions& options) {
   const size_t count = static_cast<size_t>(surface.mesh().vertexCount());
   const bool paper = options.method == Method::kPaper;
+  if (!paper && options.solver == Solver::kExact) {
+    return sumOfEstimates(surface, points, weights, options);
+  }
   const auto sums = std::make_shared<Sums>();
   sums->squaredDistances.assign(count, 0);
   if (!paper) sums->logVectors.assign(count, Vec2::Zero());

@@ -39,23 +39,23 @@ int smallestCorner(const Vec3& b) {
   return b[0] < b[1] ? (b[0] < b[2] ? 0 : 2) : (b[1] < b[2] ? 1 : 2);
 }
 
-/// The zero of a face's field; none where the Hessian is not positive definite.
-std::optional<FaceZero> zeroOfFace(FieldBlend& fields, Weights weights, int face) {
+/// The zero of a cell's field; none where the Hessian is not positive definite.
+std::optional<FaceZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell) {
   FaceZero zero;
-  if (!fields.findZero(face, weights, zero)) return std::nullopt;
+  if (!fields.findZero(cell, weights, zero)) return std::nullopt;
   return zero;
 }
 
-/// The zero among the faces and edges around a vertex: the same answer whichever face the search
-/// came from. The vertex itself where each face places its zero in another.
-CenterOfMass centerAroundVertex(FieldBlend& fields, Weights weights, int vertex) {
-  const TriangleMesh& mesh = *fields.geometry().mesh;
-  const int first = mesh.outgoing[vertex];
+/// The zero among the cells and edges around the tail of a half-edge: the same answer whichever
+/// cell the search came from. The tail itself where each cell places its zero in another.
+CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge) {
+  const Cells& cells = fields.cells();
+  const int first = cells.firstAround(halfedge);
   bool definite = true;
   double nearest = -kInfinity;
   int h = first;
   do {
-    const std::optional<FaceZero> zero = zeroOfFace(fields, weights, faceOf(h));
+    const std::optional<FaceZero> zero = zeroOfCell(fields, weights, faceOf(h));
     definite = definite && zero;
     if (zero) {
       nearest = std::max(nearest, zero->depth());
@@ -63,48 +63,48 @@ CenterOfMass centerAroundVertex(FieldBlend& fields, Weights weights, int vertex)
         return {deepestZero(fields, weights, faceOf(h), *zero), Status::kConverged, 0};
       }
     }
-    h = rotateLeft(mesh, h);
+    h = cells.rotateLeft(h);
   } while (h >= 0 && h != first);
-  if (!definite) return {vertexPoint(mesh, vertex), Status::kIndefinite, 0};
+  if (!definite) return {cells.tailOf(first), Status::kIndefinite, 0};
 
-  // Of zeros between two faces the one that lies farthest from the ends of its edge.
+  // Of zeros between two cells the one that lies farthest from the ends of its edge.
   double farthest = 0;
   SurfacePoint between;
   h = first;
   do {
-    const int twin = mesh.twin[h];
+    const int twin = cells.twin(h);
     if (twin >= 0) {
-      const Vec3 left = zeroOfFace(fields, weights, faceOf(h))->bary;
-      const Vec3 right = zeroOfFace(fields, weights, faceOf(twin))->bary;
+      const Vec3 left = zeroOfCell(fields, weights, faceOf(h))->bary;
+      const Vec3 right = zeroOfCell(fields, weights, faceOf(twin))->bary;
       const double s = fields.zeroAlongEdge(h, weights);
       if (left[cornerOf(previous(h))] < 0 && right[cornerOf(previous(twin))] < 0 &&
           std::min(s, 1 - s) > farthest) {
         farthest = std::min(s, 1 - s);
-        between = edgePoint(h, s);
+        between = cells.pointOnEdge(h, s);
       }
     }
-    h = rotateLeft(mesh, h);
+    h = cells.rotateLeft(h);
   } while (h >= 0 && h != first);
   if (farthest > 0) return {between, Status::kConverged, 0};
 
-  // The field jumps by a small part of an edge from face to face, no more.
+  // The field jumps by a small part of an edge from cell to cell, no more.
   constexpr double kLargestJump = 0.5;
-  const Status status = mesh.onBoundary[vertex]    ? Status::kBoundary
+  const Status status = cells.twin(first) < 0      ? Status::kBoundary
                         : nearest >= -kLargestJump ? Status::kConverged
                                                    : Status::kNoProgress;
-  return {vertexPoint(mesh, vertex), status, 0};
+  return {cells.tailOf(first), status, 0};
 }
 
 class ZeroWalk {
  public:
   ZeroWalk(FieldBlend& fields, Weights weights)
-      : fields_(fields), geometry_(fields.geometry()), mesh_(*geometry_.mesh), weights_(weights) {}
+      : fields_(fields), geometry_(fields.geometry()), cells_(fields.cells()), weights_(weights) {}
 
   /// From a point, with the zero of its face.
   CenterOfMass run(const SurfacePoint& start, const std::optional<FaceZero>& zero) {
     if (zero && zero->depth() >= kFarWeight) return walk(start, zero);
     const SurfacePoint near = leap(start);
-    CenterOfMass result = walk(near, zeroOfFace(fields_, weights_, near.face));
+    CenterOfMass result = walk(near, zeroOfCell(fields_, weights_, cells_.at(near).cell));
     result.iterations += leaps_;
     return result;
   }
@@ -115,13 +115,12 @@ class ZeroWalk {
   SurfacePoint leap(SurfacePoint point) {
     while (leaps_ < kMaxLeaps) {
       ++leaps_;
-      const TriangleField field = fields_.blend(point.face, weights_);
       // Weights far from 0 and 1 ask for steps that would wind round the surface again and again.
-      const Vec2 wanted = -field.at(point.bary) / 2;
+      const Vec2 wanted = -fields_.at(point, weights_) / 2;
       const Vec2 step = wanted * std::min(1.0, kLongestLeap * geometry_.diagonal / wanted.norm());
       const StraightestPath path = traceStraightest(geometry_, point, step);
       point = path.points.back();
-      const std::optional<FaceZero> zero = zeroOfFace(fields_, weights_, point.face);
+      const std::optional<FaceZero> zero = zeroOfCell(fields_, weights_, cells_.at(point).cell);
       if (zero && zero->depth() > kFarWeight) break;
       if (step.norm() < 1e-3 * geometry_.meanEdge) break;
     }
@@ -130,55 +129,54 @@ class ZeroWalk {
 
   /// From a point near the zero, with the zero of its face.
   CenterOfMass walk(const SurfacePoint& start, std::optional<FaceZero> zero) {
-    int face = start.face;
+    const int first = cells_.at(start).cell;
+    int cell = first;
     int history[kHistory];
     for (int step = 1; step <= kMaxFaces; ++step) {
-      if (step > 1) zero = zeroOfFace(fields_, weights_, face);
-      if (!zero) return {face == start.face ? start : centroid(face), Status::kIndefinite, step};
+      if (step > 1) zero = zeroOfCell(fields_, weights_, cell);
+      if (!zero) return {cell == first ? start : centroid(cell), Status::kIndefinite, step};
       const int corner = smallestCorner(zero->bary);
       if (zero->bary[corner] >= -kInsideTolerance) {
-        return {deepestZero(fields_, weights_, face, *zero), Status::kConverged, step};
+        return {deepestZero(fields_, weights_, cell, *zero), Status::kConverged, step};
       }
-      const int h = exitEdge(face, zero->bary, corner);
-      const int twin = mesh_.twin[h];
+      const int h = exitEdge(cell, zero->bary, corner);
+      const int twin = cells_.twin(h);
       if (twin < 0) {
-        return {edgePoint(h, fields_.zeroAlongEdge(h, weights_)), Status::kBoundary, step};
+        return {cells_.pointOnEdge(h, fields_.zeroAlongEdge(h, weights_)), Status::kBoundary, step};
       }
       const int onward = faceOf(twin);
       if (step > 1 && onward == history[(step - 2) % kHistory]) return betweenFaces(h, step);
       const int known = std::min(step - 1, kHistory);
       if (std::find(history, history + known, onward) != history + known) {
-        CenterOfMass result =
-            centerAroundVertex(fields_, weights_, mesh_.corner(face, largest(zero->bary)));
+        CenterOfMass result = centerAroundTail(fields_, weights_, 3 * cell + largest(zero->bary));
         result.iterations = step;
         return result;
       }
-      history[(step - 1) % kHistory] = face;
-      face = onward;
+      history[(step - 1) % kHistory] = cell;
+      cell = onward;
     }
-    return {centroid(face), Status::kLimit, kMaxFaces};
+    return {centroid(cell), Status::kLimit, kMaxFaces};
   }
 
-  /// Two faces that each place the zero behind their common edge.
+  /// Two cells that each place the zero behind their common edge.
   CenterOfMass betweenFaces(int h, int step) {
     const double s = fields_.zeroAlongEdge(h, weights_);
-    if (s > 0 && s < 1) return {edgePoint(h, s), Status::kConverged, step};
-    CenterOfMass result =
-        centerAroundVertex(fields_, weights_, s > 0 ? mesh_.head(h) : mesh_.tail(h));
+    if (s > 0 && s < 1) return {cells_.pointOnEdge(h, s), Status::kConverged, step};
+    CenterOfMass result = centerAroundTail(fields_, weights_, s > 0 ? next(h) : h);
     result.iterations = step;
     return result;
   }
 
   /// The edge behind which the zero lies farthest; an edge of the boundary only where the zero lies
   /// behind no other.
-  int exitEdge(int face, const Vec3& zero, int corner) const {
-    const int h = 3 * face + (corner + 1) % 3;
-    if (mesh_.twin[h] >= 0) return h;
+  int exitEdge(int cell, const Vec3& zero, int corner) const {
+    const int h = 3 * cell + (corner + 1) % 3;
+    if (cells_.twin(h) >= 0) return h;
     int best = h;
     double weight = 0;
     for (int k = 0; k < 3; ++k) {
-      const int other = 3 * face + (k + 1) % 3;
-      if (zero[k] < weight && mesh_.twin[other] >= 0) {
+      const int other = 3 * cell + (k + 1) % 3;
+      if (zero[k] < weight && cells_.twin(other) >= 0) {
         weight = zero[k];
         best = other;
       }
@@ -190,21 +188,27 @@ class ZeroWalk {
     return b[0] > b[1] ? (b[0] > b[2] ? 0 : 2) : (b[1] > b[2] ? 1 : 2);
   }
 
-  static SurfacePoint centroid(int face) { return {face, Vec3::Constant(1.0 / 3)}; }
+  SurfacePoint centroid(int cell) const { return cells_.point(cell, Vec3::Constant(1.0 / 3)); }
 
-  /// Faces left in the last steps: coming back to one means that the zero lies between faces.
+  /// Cells left in the last steps: coming back to one means that the zero lies between faces.
   static constexpr int kHistory = 16;
 
   FieldBlend& fields_;
   const Geometry& geometry_;
-  const TriangleMesh& mesh_;
+  const Cells& cells_;
   Weights weights_;
   int leaps_ = 0;
 };
 
+CenterOfMass walkThroughCuts(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
+  return ZeroWalk(fields, weights)
+      .run(start, zeroOfCell(fields, weights, fields.cells().at(start).cell));
+}
+
 }  // namespace
 
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
+  if (fields.cells().cut()) return walkThroughCuts(fields, weights, start);
   // Most samples of a curve lie in the face of the one before, and no other zero is near: all that
   // they need, in one function.
   FaceZero zero;

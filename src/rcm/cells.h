@@ -1,0 +1,69 @@
+#pragma once
+
+#include "mesh/surface_point.h"
+
+/// The triangles in which a blended field is linear: the faces of the mesh, or the four triangles
+/// into which the middles of its edges cut each.
+///
+/// Cut, face f has the cells 4 f + k at its corners k and 4 f + 3 in its middle:
+///
+///             2
+///            / \            Corners of cell k: corner k of the face, the middle of the edge that
+///           / 2 \           leaves it, that of the edge that enters it.
+///         m2 --- m1         Corners of cell 3: m0, m1, m2, where mk is the middle of half-edge
+///         / \ 3 / \         3 f + k.
+///        / 0 \ / 1 \        .
+///       0 --- m0 --- 1
+///
+/// Half-edge 3 c + k runs along cell c from its corner k, as in a mesh.
+namespace karcher {
+
+/// A point in a cell.
+struct CellPoint {
+  int cell = 0;
+  Vec3 bary = Vec3::Zero();
+};
+
+class Cells {
+ public:
+  /// The mesh must outlive the object.
+  Cells(const TriangleMesh& mesh, bool cut) : mesh_(mesh), cut_(cut) {}
+
+  bool cut() const { return cut_; }
+
+  CellPoint at(const SurfacePoint& point) const {
+    return cut_ ? cutAt(point) : CellPoint{point.face, point.bary};
+  }
+
+  /// The point of the surface with these weights in a cell, cleaned by `clampedPoint`.
+  SurfacePoint point(int cell, const Vec3& bary) const {
+    return cut_ ? clampedPoint(cell / 4, toFaceWeights(cell, bary)) : clampedPoint(cell, bary);
+  }
+
+  /// Of weights in a cell, or differences of them, those in its face.
+  Vec3 inFace(int cell, const Vec3& bary) const { return cut_ ? toFaceWeights(cell, bary) : bary; }
+
+  /// At parameter s in [0, 1] along half-edge h.
+  SurfacePoint pointOnEdge(int h, double s) const;
+
+  /// The tail of half-edge h, in the same face whichever of its half-edges is given.
+  SurfacePoint tailOf(int h) const;
+
+  /// The half-edge that runs the other way in the cell across h; -1 at the boundary.
+  int twin(int h) const { return cut_ ? cutTwin(h) : mesh_.twin[h]; }
+
+  /// The first of the half-edges that leave h's tail: TriangleMesh::outgoing.
+  int firstAround(int h) const;
+  /// The next of them, counterclockwise; -1 past the boundary.
+  int rotateLeft(int h) const { return twin(previous(h)); }
+
+ private:
+  static CellPoint cutAt(const SurfacePoint& point);
+  static Vec3 toFaceWeights(int cell, const Vec3& bary);
+  int cutTwin(int h) const;
+
+  const TriangleMesh& mesh_;
+  bool cut_;
+};
+
+}  // namespace karcher
