@@ -115,13 +115,14 @@ class FieldBlend {
   /// tail (0) or its second (1).
   EdgeField alongEdge(int h, int half = 0);
 
-  /// The rate of change of a blend along the axes of its cell, and the cell's first edge in the
-  /// frame of its face: turns the one frame into the other.
+  /// The rate of change of a blend along the axes of its cell.
   struct CellJacobian {
     Vec2 alongX;
     Vec2 alongY;
   };
   CellJacobian jacobian(int cell, const TriangleField& field) const;
+
+  /// The cell's first edge in the frame of its face, unit: turns the cell's frame into the face's.
   Vec2 axisInFace(int cell) const;
 
  private:

@@ -176,8 +176,8 @@ describe('parts of a curve without a center', () => {
       assert.ok(segment >= 0 && segment < 3 && 0 <= from && from <= to && to <= 1);
       assert.ok(samples <= (to - from) * 127 + 1);
     }
-    assert.equal(curve.polylineStatus[0], 0);
-    assert.ok(Object.values(curve.polylineStatus).includes(1), 'it is drawn otherwise');
+    const drawn = Object.values(curve.polylineStatus);
+    assert.ok(drawn.includes(0) && drawn.includes(1), 'it is drawn otherwise');
     const badge = tab.page.locator('#status-lost');
     assert.equal(await badge.textContent(), `${lost} samples without a center`);
 
