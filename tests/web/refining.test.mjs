@@ -179,10 +179,11 @@ describe('parts of a curve without a center', () => {
     const drawn = Object.values(curve.polylineStatus);
     assert.ok(drawn.includes(0) && drawn.includes(1), 'it is drawn otherwise');
     const badge = tab.page.locator('#status-lost');
-    assert.equal(await badge.textContent(), `${lost} samples without a center`);
+    const count = lost === 1 ? '1 sample' : `${lost} samples`;
+    assert.equal(await badge.textContent(), `${count} without a center`);
 
     const list = tab.page.locator('#lost');
-    assert.equal(await list.locator('#lost-count').textContent(), `${lost} samples`);
+    assert.equal(await list.locator('#lost-count').textContent(), count);
     const rows = list.locator('li button');
     assert.equal(await rows.count(), curve.lost.length);
     assert.equal(
