@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "curves/bases.h"
+#include "curves/spec/bases.h"
 #include "distance/exact_distance.h"
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"

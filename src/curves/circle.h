@@ -1,6 +1,6 @@
 #pragma once
 
-#include "curves/joined_path.h"
+#include "curves/trace/joined_path.h"
 
 namespace karcher {
 

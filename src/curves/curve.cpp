@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "curves/bases.h"
-#include "curves/polyline.h"
-#include "curves/sampling.h"
+#include "curves/spec/bases.h"
+#include "curves/trace/polyline.h"
+#include "curves/trace/sampling.h"
 #include "mesh/error.h"
 
 namespace karcher {

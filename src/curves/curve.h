@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "curves/curve_layout.h"
-#include "curves/joined_path.h"
+#include "curves/spec/curve_layout.h"
+#include "curves/trace/joined_path.h"
 
 namespace karcher {
 

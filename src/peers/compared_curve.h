@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include "curves/segment.h"
+#include "curves/trace/segment.h"
 #include "peers/affine_heat.h"
 #include "peers/descent.h"
 #include "peers/log_map_mean.h"

@@ -2,10 +2,10 @@
 #include <string>
 
 #include "bench_support.h"
-#include "curves/along_path.h"
 #include "curves/circle.h"
 #include "curves/isoline.h"
 #include "distance/shortest_path.h"
+#include "intrinsic/along_path.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"

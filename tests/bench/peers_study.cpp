@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bench_support.h"
-#include "curves/bases.h"
+#include "curves/spec/bases.h"
 #include "peers/compared_curve.h"
 
 /// How far the splines of the peers are from the spline of exact log vectors, in mean edges, and

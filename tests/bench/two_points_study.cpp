@@ -2,7 +2,7 @@
 #include <string>
 
 #include "bench_support.h"
-#include "curves/segment.h"
+#include "curves/trace/segment.h"
 #include "distance/shortest_path.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"

@@ -1,4 +1,4 @@
-#include "curves/bases.h"
+#include "curves/spec/bases.h"
 
 #include <gtest/gtest.h>
 

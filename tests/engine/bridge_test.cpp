@@ -1,4 +1,4 @@
-#include "curves/bridge.h"
+#include "curves/trace/bridge.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <string>
 
 #include "curve_support.h"
-#include "curves/bases.h"
 #include "curves/curve.h"
-#include "curves/evaluate.h"
+#include "curves/query/evaluate.h"
+#include "curves/spec/bases.h"
 #include "generators/random_points.h"
 #include "intrinsic/straightest.h"
 #include "intrinsic/strip_path.h"

@@ -1,4 +1,4 @@
-#include "curves/curve_layout.h"
+#include "curves/spec/curve_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <string>
 
 #include "curve_support.h"
-#include "curves/bases.h"
-#include "curves/knots.h"
+#include "curves/spec/bases.h"
+#include "curves/spec/knots.h"
 #include "support.h"
 
 namespace karcher {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "curve_support.h"
-#include "curves/measure.h"
+#include "curves/query/measure.h"
 #include "generators/random_points.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "curve_support.h"
-#include "curves/evaluate.h"
-#include "curves/knots.h"
-#include "curves/refine.h"
+#include "curves/query/evaluate.h"
+#include "curves/refine/refine.h"
+#include "curves/spec/knots.h"
 #include "generators/plane.h"
 #include "mesh/mesh_import.h"
 #include "support.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "curve_support.h"
-#include "curves/bases.h"
+#include "curves/spec/bases.h"
 #include "mesh/error.h"
 #include "support.h"
 

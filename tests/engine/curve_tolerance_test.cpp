@@ -4,7 +4,7 @@
 #include <string>
 
 #include "curve_support.h"
-#include "curves/evaluate.h"
+#include "curves/query/evaluate.h"
 #include "generators/random_points.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"

@@ -1,4 +1,4 @@
-#include "curves/edge_crossings.h"
+#include "curves/trace/edge_crossings.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <random>
 #include <string>
 
-#include "curves/bases.h"
 #include "curves/curve.h"
+#include "curves/spec/bases.h"
 #include "generators/plane.h"
 #include "mesh/mesh_import.h"
 #include "support.h"

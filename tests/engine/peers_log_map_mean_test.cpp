@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "curves/bases.h"
+#include "curves/spec/bases.h"
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "peers/affine_heat.h"

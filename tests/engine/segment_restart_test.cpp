@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "curves/bases.h"
-#include "curves/segment.h"
+#include "curves/spec/bases.h"
+#include "curves/trace/segment.h"
 #include "generators/random_points.h"
 #include "mesh/shapes.h"
 #include "support.h"

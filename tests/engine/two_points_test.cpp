@@ -4,9 +4,9 @@
 #include <string>
 
 #include "curve_support.h"
-#include "curves/along_path.h"
 #include "distance/shortest_path.h"
 #include "generators/random_points.h"
+#include "intrinsic/along_path.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
 #include "support.h"

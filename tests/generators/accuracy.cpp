@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "curves/bases.h"
 #include "curves/curve.h"
+#include "curves/spec/bases.h"
 #include "generators/plane.h"
 #include "generators/sphere.h"
 #include "generators/torus.h"

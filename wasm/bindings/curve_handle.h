@@ -6,7 +6,7 @@
 
 #include "bindings/curve_shape.h"
 #include "bindings/mesh_handle.h"
-#include "curves/measure.h"
+#include "curves/query/measure.h"
 
 namespace karcher::bindings {
 

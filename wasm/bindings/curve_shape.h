@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bindings/wire.h"
-#include "curves/refine.h"
+#include "curves/refine/refine.h"
 
 namespace karcher::bindings {
 

@@ -4,7 +4,7 @@
 
 #include "bindings/curve_handle.h"
 #include "bindings/field_options.h"
-#include "curves/bases.h"
+#include "curves/spec/bases.h"
 #include "mesh/error.h"
 
 namespace karcher::bindings {

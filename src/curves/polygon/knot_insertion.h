@@ -1,0 +1,54 @@
+#pragma once
+
+#include "distance/geodesic_line.h"
+
+/// The classical refinements of B-splines and Bezier curves, with averages of two points along
+/// shortest paths. On the plane they leave the curve as it is; on a curved surface they leave it so
+/// up to the curvature, since averages of averages depend on their order there.
+namespace karcher {
+
+/// A control point with its weight: the average of two is weighted too.
+struct WeightedPoint {
+  SurfacePoint point;
+  double weight = 1;
+};
+
+/// Control points and knots of a B-spline (knots.h).
+struct ControlPolygon {
+  Array<WeightedPoint> points;
+  Array<double> knots;
+  int degree = 3;
+  bool closed = false;
+};
+
+/// (1 - s) a + s b of weighted points, s in [0, 1].
+WeightedPoint average(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b,
+                      double s);
+
+/// How often a knot occurs; of a closed curve up to the period.
+int multiplicity(const ControlPolygon& polygon, double knot);
+
+/// Inserts a knot u between the first and the last of the spans (W. Boehm, "Inserting new knots
+/// into B-spline curves", 1980): of degree p, p minus its multiplicity new points take the place of
+/// the inner ones. Returns the number of the first of them. The multiplicity must be less than p.
+int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
+
+/// The same curve of one degree more: a point more.
+Array<WeightedPoint> elevated(const Geometry& geometry, const Array<WeightedPoint>& bezier);
+
+/// The parts of a Bezier curve before and after t, by de Casteljau's algorithm.
+struct BezierParts {
+  Array<WeightedPoint> before;
+  Array<WeightedPoint> after;
+};
+BezierParts divided(const Geometry& geometry, const Array<WeightedPoint>& bezier, double t);
+
+/// The parts of an open B-spline before and after knot u, clamped there; at an end of the spans one
+/// of them is the whole curve, clamped.
+ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double u);
+ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u);
+
+/// A closed B-spline cut at knot u: open, clamped, from u once around.
+ControlPolygon cutOpen(const Geometry& geometry, ControlPolygon closed, double u);
+
+}  // namespace karcher

@@ -1,0 +1,117 @@
+#include "curves/query/measure.h"
+
+#include <algorithm>
+#include <string>
+
+#include "intrinsic/along_path.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// Where value lies between the numbers around it in an array that does not fall: piece and part.
+struct Place {
+  int piece = 0;
+  double s = 0;
+};
+
+Place placeOf(const Array<double>& values, double value) {
+  const int k = pieceAt(values, value);
+  const double width = values[k + 1] - values[k];
+  return {k, width > 0 ? std::clamp((value - values[k]) / width, 0.0, 1.0) : 0};
+}
+
+double between(const Array<double>& values, const Place& place) {
+  return values[place.piece] + place.s * (values[place.piece + 1] - values[place.piece]);
+}
+
+Status statusAt(const Curve& curve, double parameter) {
+  const SegmentParameter at = segmentParameter(curve, parameter);
+  for (const CurveSample& sample : curve.samples(at.segment)) {
+    if (sample.t >= at.t) return sample.status;
+  }
+  return Status::kConverged;
+}
+
+CurvePoint pointOfLine(const Curve& curve, const CurveLine& line, const Place& place) {
+  const double parameter = between(line.parameters, place);
+  const TriangleMesh& mesh = curve.surface().mesh();
+  const SurfacePoint point =
+      pointBetween(mesh, line.points[place.piece], line.points[place.piece + 1], place.s);
+  return {parameter, point, statusAt(curve, parameter)};
+}
+
+}  // namespace
+
+CurveLine lineOf(const Curve& curve) {
+  const TriangleMesh& mesh = curve.surface().mesh();
+  CurveLine line;
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    const Array<CurveSample>& samples = curve.samples(j);
+    const JoinedPath& path = curve.path(j);
+    int first = line.points.count();  // of the points that lead to a sample
+    for (int i = 0; i < path.points.count(); ++i) {
+      const Vec3 here = position(mesh, path.points[i]);
+      const double step = line.points.empty() ? 0 : (here - line.positions.back()).norm();
+      line.lengths.push_back(line.points.empty() ? 0 : line.lengths.back() + step);
+      line.points.push_back(path.points[i]);
+      line.positions.push_back(here);
+      line.parameters.push_back(j + samples[path.sample[i]].t);
+      const bool atSample = i + 1 == path.points.count() || path.sample[i + 1] != path.sample[i];
+      if (!atSample) continue;
+      const int last = line.points.count() - 1;
+      if (first > 0 && i > 0) {
+        const double start = line.lengths[first - 1];
+        const double whole = line.lengths[last] - start;
+        const double from = line.parameters[first - 1];
+        const double to = line.parameters[last];
+        for (int k = first; k < last; ++k) {
+          const double part = whole > 0 ? (line.lengths[k] - start) / whole : 1;
+          line.parameters[k] = from + part * (to - from);
+        }
+      }
+      first = last + 1;
+    }
+  }
+  return line;
+}
+
+double lengthAt(const Curve& curve, const CurveLine& line, double parameter) {
+  const SegmentParameter at = segmentParameter(curve, parameter);
+  const double inside = at.segment + at.t;
+  // Once around a closed curve is its end here, though it is the point of its start.
+  if (parameter > 0 && inside == 0) return line.lengths.back();
+  return between(line.lengths, placeOf(line.parameters, inside));
+}
+
+CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length) {
+  const double whole = line.lengths.back();
+  double inside = length;
+  if (curve.shape().closed && whole > 0 && std::isfinite(length)) {
+    inside = length - whole * std::floor(length / whole);
+  }
+  // The sum of the segments' own lengths may differ by rounding.
+  constexpr double kRounding = 1e-9;
+  if (!(inside >= 0 && inside <= (1 + kRounding) * whole)) {
+    throw Error(ErrorCode::kBadArgument, "the curve has no point at the length " + inFull(length) +
+                                             ": it is " + inFull(whole) + " long");
+  }
+  return pointOfLine(curve, line, placeOf(line.lengths, inside));
+}
+
+Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int count) {
+  constexpr int kMost = 1'000'000;
+  if (count < 2 || count > kMost) {
+    throw Error(ErrorCode::kBadArgument,
+                "a curve is divided by 2 to 1000000 points, not " + std::to_string(count));
+  }
+  const int parts = curve.shape().closed ? count : count - 1;
+  Array<CurvePoint> points;
+  for (int i = 0; i < count; ++i) {
+    const double length = line.lengths.back() * i / parts;
+    points.push_back(pointOfLine(curve, line, placeOf(line.lengths, length)));
+  }
+  return points;
+}
+
+}  // namespace karcher

@@ -1,0 +1,146 @@
+#include <algorithm>
+
+#include "curves/query/measure.h"
+#include "intrinsic/along_path.h"
+
+/// The drawn line tells how near a curve comes in each interval between samples. The intervals that
+/// may hold the nearest point are searched, the most promising first, by bisection down to parts
+/// inside one face of the mesh, where the curve is smooth and nearly straight, and there by golden
+/// sections: at edges the curve may jump by a small part of them, with a minimum on either side.
+namespace karcher {
+namespace {
+
+/// A curve bends between samples, and between the ends of a part: it is taken to be at most so
+/// often as long as its chord.
+constexpr double kBend = 2;
+/// An interval between samples is cut at least so often.
+constexpr int kFewestCuts = 3;
+/// Of the parameter.
+constexpr double kPrecision = 1e-13;
+/// On a curve all of whose points are as near the intervals cannot be told apart.
+constexpr int kMostEvaluations = 20'000;
+
+class NearestSearch {
+ public:
+  NearestSearch(Curve& curve, const Vec3& place) : curve_(curve), place_(place) {
+    best_.distance = kInfinity;
+  }
+
+  NearestOnCurve run(const CurveLine& line) {
+    Array<Interval> intervals = intervalsOf(line);
+    std::stable_sort(intervals.begin(), intervals.end(),
+                     [](const Interval& a, const Interval& b) { return a.distance < b.distance; });
+    look(intervals[0].nearest);
+    for (const Interval& interval : intervals) {
+      if (interval.distance - kBend * interval.length > best_.distance) continue;
+      search(look(interval.from), look(interval.to), 0);
+    }
+    return best_;
+  }
+
+ private:
+  /// Between two samples, with the line's least distance.
+  struct Interval {
+    double from = 0;
+    double to = 0;
+    double nearest = 0;
+    double distance = kInfinity;
+    double length = 0;
+  };
+  struct Look {
+    double parameter = 0;
+    double distance = 0;
+    int face = -1;
+    Vec3 position = Vec3::Zero();
+  };
+
+  Array<Interval> intervalsOf(const CurveLine& line) const {
+    Array<Interval> intervals;
+    int k = 0;  // of the line's pieces
+    for (int j = 0; j < curve_.segmentCount(); ++j) {
+      const Array<CurveSample>& samples = curve_.samples(j);
+      for (int i = 1; i < samples.count(); ++i) {
+        Interval interval{j + samples[i - 1].t, j + samples[i].t};
+        interval.nearest = interval.from;
+        for (; k + 1 < line.points.count() && line.parameters[k + 1] <= interval.to; ++k) {
+          const Vec3& a = line.positions[k];
+          const Vec3 along = line.positions[k + 1] - a;
+          const double squared = along.squaredNorm();
+          const double s =
+              squared > 0 ? std::clamp((place_ - a).dot(along) / squared, 0.0, 1.0) : 0;
+          const double distance = (a + s * along - place_).norm();
+          interval.length += std::sqrt(squared);
+          if (distance >= interval.distance) continue;
+          interval.distance = distance;
+          interval.nearest = line.parameters[k] + s * (line.parameters[k + 1] - line.parameters[k]);
+        }
+        intervals.push_back(interval);
+      }
+    }
+    return intervals;
+  }
+
+  Look look(double parameter) {
+    const CurvePoint point = pointAt(curve_, parameter);
+    const Vec3 here = position(curve_.surface().mesh(), point.point);
+    const double distance = (here - place_).norm();
+    if (distance < best_.distance) best_ = {point, distance};
+    ++looks_;
+    return {parameter, distance, point.point.face, here};
+  }
+
+  /// The part between two looks.
+  void search(const Look& from, const Look& to, int cuts) {
+    const double width = to.parameter - from.parameter;
+    const double chord = (to.position - from.position).norm();
+    const double least = (from.distance + to.distance - kBend * chord) / 2;
+    if (width <= kPrecision * (1 + to.parameter) || looks_ >= kMostEvaluations) return;
+    if (cuts >= kFewestCuts && least >= best_.distance) return;
+    const Look middle = look((from.parameter + to.parameter) / 2);
+    const bool inOneFace = from.face == to.face && from.face == middle.face;
+    if (cuts >= kFewestCuts && inOneFace) {
+      goldenSections(from.parameter, to.parameter);
+      return;
+    }
+    const bool firstIsNearer = from.distance < to.distance;
+    if (firstIsNearer) search(from, middle, cuts + 1);
+    search(middle, to, cuts + 1);
+    if (!firstIsNearer) search(from, middle, cuts + 1);
+  }
+
+  void goldenSections(double from, double to) {
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    double left = to - golden * (to - from);
+    double right = from + golden * (to - from);
+    double atLeft = look(left).distance;
+    double atRight = look(right).distance;
+    while (to - from > kPrecision * (1 + to)) {
+      if (atLeft < atRight) {
+        to = right;
+        right = left;
+        atRight = atLeft;
+        left = to - golden * (to - from);
+        atLeft = look(left).distance;
+      } else {
+        from = left;
+        left = right;
+        atLeft = atRight;
+        right = from + golden * (to - from);
+        atRight = look(right).distance;
+      }
+    }
+  }
+
+  Curve& curve_;
+  Vec3 place_;
+  NearestOnCurve best_;
+  int looks_ = 0;
+};
+
+}  // namespace
+
+NearestOnCurve nearestOnCurve(Curve& curve, const CurveLine& line, const Vec3& place) {
+  return NearestSearch(curve, place).run(line);
+}
+
+}  // namespace karcher

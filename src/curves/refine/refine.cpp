@@ -1,0 +1,322 @@
+#include "curves/refine/refine.h"
+
+#include <algorithm>
+#include <string>
+
+#include "curves/polygon/knot_insertion.h"
+#include "curves/query/evaluate.h"
+#include "curves/spec/knots.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
+
+Array<WeightedPoint> weightedPoints(const Curve& curve) {
+  const bool weighted = takesWeights(curve.shape().kind) && !curve.shape().weights.empty();
+  Array<WeightedPoint> points;
+  for (int i = 0; i < curve.pointCount(); ++i) {
+    points.push_back({curve.point(i), weighted ? curve.shape().weights[i] : 1});
+  }
+  return points;
+}
+
+/// Splits weighted points; all weights 1 are none.
+void setPoints(CurveParts& parts, const Array<WeightedPoint>& points) {
+  parts.points.clear();
+  parts.shape.weights.clear();
+  bool weighted = false;
+  for (const WeightedPoint& point : points) {
+    parts.points.push_back(point.point);
+    parts.shape.weights.push_back(point.weight);
+    weighted = weighted || point.weight != 1;
+  }
+  if (!weighted) parts.shape.weights.clear();
+}
+
+ControlPolygon polygonOf(const Curve& curve) {
+  const CurveShape& shape = curve.shape();
+  return {weightedPoints(curve), knotsOf(shape, curve.pointCount()), shape.degree, shape.closed};
+}
+
+CurveParts partsOf(const ControlPolygon& polygon) {
+  CurveParts parts{{CurveKind::kBSpline, polygon.closed, polygon.degree, KnotRule::kOwn}, {}};
+  parts.shape.knots = polygon.knots;
+  setPoints(parts, polygon.points);
+  return parts;
+}
+
+/// The knot of a B-spline at a parameter: segments are the spans that are not empty.
+double knotAtParameter(const ControlPolygon& polygon, const SegmentParameter& at) {
+  const auto knot = [&](int j) {
+    return knotOfSpan(polygon.knots, polygon.degree, polygon.closed, j);
+  };
+  int span = -1;
+  for (int segment = -1; segment < at.segment;) segment += knot(span + 2) > knot(span + 1), ++span;
+  if (at.t == 0) return knot(span);
+  if (at.t == 1) return knot(span + 1);
+  return knot(span) + at.t * (knot(span + 1) - knot(span));
+}
+
+/// The control points of a curve of one segment: a closed one ends at its first point.
+Array<WeightedPoint> bezierPoints(const Curve& curve) {
+  Array<WeightedPoint> points = weightedPoints(curve);
+  if (curve.shape().closed) points.push_back(WeightedPoint(points[0]));
+  return points;
+}
+
+/// Betas from their logarithms: a common factor changes no curve. The largest is 1, or where that
+/// leaves the least too small for a beta, both are as far from 1.
+void setBetas(Array<double>& logs) {
+  const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
+  const double range = *most - *least;
+  const double limit = -std::log(kLeastWeight);
+  if (!(range <= 2 * limit)) {
+    refuse("a barycentric curve of these " + std::to_string(logs.count()) +
+           " points would need betas that differ by a factor of 1e" +
+           inSentence(std::ceil(range / std::log(10.0))) + "; betas go from 1e-12 to 1e12");
+  }
+  const double unit = range <= limit ? *most : (*least + *most) / 2;
+  // Rounding must not lead beyond the limits.
+  for (double& beta : logs) {
+    beta = std::clamp(std::exp(beta - unit), kLeastWeight, 1 / kLeastWeight);
+  }
+}
+
+/// A curve in barycentric form is p / q with polynomials of the degree of its nodes. On other nodes
+/// it is the one through its points there with betas |q| times those of a polynomial: here for
+/// `nodes` of them, evenly from `from` to `to`.
+CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
+  Array<double> betas = curve.shape().betas;
+  betas.resize(static_cast<size_t>(curve.pointCount()), 1);
+  if (curve.shape().closed) betas.push_back(double(betas[0]));
+  const int degree = betas.count() - 1;
+  // log |q| at t, up to a constant.
+  const auto logDenominator = [&](double t) {
+    double product = 0;
+    double sum = 0;
+    for (int i = 0; i <= degree; ++i) {
+      const double gap = t - static_cast<double>(i) / degree;
+      if (std::abs(gap) < 1e-14) {
+        double others = std::log(betas[i]);
+        for (int k = 0; k <= degree; ++k) {
+          if (k != i) others += std::log(std::abs(i - k) / static_cast<double>(degree));
+        }
+        return others;
+      }
+      product += std::log(std::abs(gap));
+      sum += (i % 2 == 0 ? betas[i] : -betas[i]) / gap;
+    }
+    return product + std::log(std::abs(sum));
+  };
+  CurveParts parts{{CurveKind::kBarycentric}, {}};
+  const int last = nodes - 1;
+  double binomial = 0;
+  for (int k = 0; k <= last; ++k) {
+    const double t = k == last ? to : from + (to - from) * k / last;
+    parts.points.push_back(pointAt(curve, {0, t}).point);
+    parts.shape.betas.push_back(binomial + logDenominator(t));
+    binomial += std::log(static_cast<double>(last - k) / (k + 1));
+  }
+  setBetas(parts.shape.betas);
+  return parts;
+}
+
+[[noreturn]] void refuseOwnBasis() {
+  refuse("a curve with its own basis can be neither refined, split nor joined");
+}
+
+/// Points through which a curve runs, from number `from` to `to`; beyond the last around.
+Array<SurfacePoint> pointsFrom(const Curve& curve, int from, int to) {
+  Array<SurfacePoint> points;
+  for (int i = from; i <= to; ++i) points.push_back(curve.point(i % curve.pointCount()));
+  return points;
+}
+
+/// The parts of a Catmull-Rom curve or polyline.
+Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
+  CurveShape shape{curve.shape().kind};
+  shape.centripetal = curve.shape().centripetal;
+  const SurfacePoint cut = pointAt(curve, at).point;
+  const int before = at.segment + (at.t == 1 ? 1 : 0);
+  const bool atPoint = at.t == 0 || at.t == 1;
+  if (curve.shape().closed) {
+    // Once around, from the cut to the cut.
+    const int first = atPoint ? before : before + 1;
+    CurveParts open{shape, pointsFrom(curve, first, before + curve.pointCount())};
+    if (!atPoint) {
+      open.points.insert(open.points.begin(), cut);
+      open.points.push_back(cut);
+    }
+    return {open};
+  }
+  Array<CurveParts> parts{{shape, pointsFrom(curve, 0, before)},
+                          {shape, pointsFrom(curve, before + 1, curve.pointCount() - 1)}};
+  if (!atPoint) parts[0].points.push_back(cut);
+  parts[1].points.insert(parts[1].points.begin(), cut);
+  return parts;
+}
+
+/// Two clamped B-splines of one degree as one. Where they do not meet a geodesic joins them.
+ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& first,
+                              const ControlPolygon& second) {
+  const int p = first.degree;
+  ControlPolygon result = first;
+  Array<WeightedPoint> points = second.points;
+  const double factor = first.points.back().weight / points.front().weight;
+  for (WeightedPoint& point : points) point.weight *= factor;
+  const WeightedPoint from = first.points.back();
+  const WeightedPoint to = points.front();
+  const double gap =
+      (position(*geometry.mesh, from.point) - position(*geometry.mesh, to.point)).norm();
+  result.knots.pop_back();
+  double start = first.knots.back();
+  constexpr double kMeeting = 1e-9;
+  const bool meet = gap <= kMeeting * geometry.diagonal;
+  if (!meet) {
+    for (int k = 1; k < p; ++k) {
+      result.points.push_back(average(geometry, from, to, static_cast<double>(k) / p));
+    }
+    // A span as long as the others are on the average.
+    start += (first.knots.back() - first.knots.front()) / (first.knots.count() - 2 * p - 1);
+    result.knots.insert(result.knots.end(), static_cast<size_t>(p), start);
+  }
+  result.points.insert(result.points.end(), points.begin() + (meet ? 1 : 0), points.end());
+  for (int k = p + 1; k < second.knots.count(); ++k) {
+    result.knots.push_back(start + second.knots[k] - second.knots[p]);
+  }
+  return result;
+}
+
+}  // namespace
+
+RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
+  const SegmentParameter at = segmentParameter(curve, parameter);
+  const CurveShape& shape = curve.shape();
+  const Geometry& geometry = curve.surface().geometry();
+  if (shape.kind == CurveKind::kOwn) refuseOwnBasis();
+  if (shape.kind == CurveKind::kBSpline) {
+    ControlPolygon polygon = polygonOf(curve);
+    const double knot = knotAtParameter(polygon, at);
+    const int repeats = multiplicity(polygon, knot);
+    if (repeats >= shape.degree) {
+      refuse("the curve has a knot there that is repeated " + std::to_string(repeats) +
+             " times; in degree " + std::to_string(shape.degree) + " it takes no more");
+    }
+    const int first = insertKnot(geometry, polygon, knot);
+    return {partsOf(polygon), (first + (shape.degree - repeats - 1) / 2) % polygon.points.count()};
+  }
+  if (isBezier(shape.kind) || shape.kind == CurveKind::kBarycentric) {
+    RefinedCurve refined;
+    const int points = bezierPoints(curve).count() + 1;
+    if (isBezier(shape.kind)) {
+      refined.curve.shape = {shape.kind, shape.closed};
+      setPoints(refined.curve, elevated(geometry, bezierPoints(curve)));
+    } else {
+      refined.curve = barycentricPart(curve, 0, 1, points);
+      refined.curve.shape.closed = shape.closed;
+    }
+    if (shape.closed) {
+      refined.curve.points.pop_back();
+      if (!refined.curve.shape.weights.empty()) refined.curve.shape.weights.pop_back();
+      if (!refined.curve.shape.betas.empty()) refined.curve.shape.betas.pop_back();
+    }
+    refined.point = std::clamp(static_cast<int>(std::lround(at.t * (points - 1))), 1, points - 2);
+    return refined;
+  }
+  if (at.t == 0 || at.t == 1) refuse("the curve has a control point there");
+  RefinedCurve refined{{withPoint(shape, at.segment + 1), curve.points()}, at.segment + 1};
+  refined.curve.points.insert(refined.curve.points.begin() + refined.point,
+                              pointAt(curve, at).point);
+  return refined;
+}
+
+Array<CurveParts> splitAt(Curve& curve, double parameter) {
+  const SegmentParameter at = segmentParameter(curve, parameter);
+  const CurveShape& shape = curve.shape();
+  const Geometry& geometry = curve.surface().geometry();
+  if (shape.kind == CurveKind::kOwn) refuseOwnBasis();
+  const bool atStart = at.segment == 0 && at.t == 0;
+  const bool atEnd = at.segment == curve.segmentCount() - 1 && at.t == 1;
+  const bool onePiece = isBezier(shape.kind) || shape.kind == CurveKind::kBarycentric;
+  // A closed curve of one segment is only continuous where it starts.
+  if ((!shape.closed || onePiece) && (atStart || atEnd)) {
+    refuse("a curve is split between its ends, not at one");
+  }
+  if (shape.kind == CurveKind::kBSpline) {
+    const ControlPolygon polygon = polygonOf(curve);
+    const double knot = knotAtParameter(polygon, at);
+    if (shape.closed) return {partsOf(cutOpen(geometry, polygon, knot))};
+    return {partsOf(partBefore(geometry, polygon, knot)),
+            partsOf(partAfter(geometry, polygon, knot))};
+  }
+  if (isBezier(shape.kind)) {
+    const BezierParts halves = divided(geometry, bezierPoints(curve), at.t);
+    Array<CurveParts> parts(2, {{shape.kind}, {}});
+    setPoints(parts[0], halves.before);
+    setPoints(parts[1], halves.after);
+    return parts;
+  }
+  if (shape.kind == CurveKind::kBarycentric) {
+    const int nodes = curve.pointCount() + (shape.closed ? 1 : 0);
+    return {barycentricPart(curve, 0, at.t, nodes), barycentricPart(curve, at.t, 1, nodes)};
+  }
+  return splitThroughPoint(curve, at);
+}
+
+CurveParts joined(const Curve& first, const Curve& second) {
+  const CurveShape& shape = first.shape();
+  const Geometry& geometry = first.surface().geometry();
+  if (shape.kind == CurveKind::kOwn || second.shape().kind == CurveKind::kOwn) refuseOwnBasis();
+  if (shape.closed || second.shape().closed) refuse("a closed curve has no end to join");
+  if (shape.kind != second.shape().kind) {
+    refuse(std::string("curves of different kinds cannot be joined: ") + curveKindName(shape.kind) +
+           " and " + curveKindName(second.shape().kind));
+  }
+  checkOneComponent(first.surface(), {first.point(0), second.point(0)});
+  if (shape.kind == CurveKind::kBSpline) {
+    if (shape.degree != second.shape().degree) {
+      refuse("B-splines of different degrees cannot be joined: " + std::to_string(shape.degree) +
+             " and " + std::to_string(second.shape().degree));
+    }
+    const ControlPolygon a = polygonOf(first);
+    const ControlPolygon b = polygonOf(second);
+    return partsOf(joinedPolygons(geometry, partBefore(geometry, a, a.knots[a.points.count()]),
+                                  partAfter(geometry, b, b.knots[b.degree])));
+  }
+  if (isBezier(shape.kind)) {
+    Array<WeightedPoint> ends[2] = {weightedPoints(first), weightedPoints(second)};
+    const int points = std::max(ends[0].count(), ends[1].count());
+    if (points > kMostSplineDegree + 1) {
+      refuse("Bezier curves can be joined up to degree 5, as a B-spline, not of degree " +
+             std::to_string(points - 1));
+    }
+    ControlPolygon polygons[2];
+    for (int k = 0; k < 2; ++k) {
+      while (ends[k].count() < points) ends[k] = elevated(geometry, ends[k]);
+      polygons[k] = {ends[k], clampedKnots(points, points - 1), points - 1, false};
+    }
+    return partsOf(joinedPolygons(geometry, polygons[0], polygons[1]));
+  }
+  CurveParts parts{shape, first.points()};
+  const Array<SurfacePoint> more = second.points();
+  const double gap =
+      (position(*geometry.mesh, parts.points.back()) - position(*geometry.mesh, more.front()))
+          .norm();
+  const int from = gap <= 1e-9 * geometry.diagonal ? 1 : 0;
+  parts.points.insert(parts.points.end(), more.begin() + from, more.end());
+  parts.shape.weights.clear();
+  parts.shape.betas.clear();
+  if (takesBetas(shape.kind)) {
+    for (const Curve* curve : {&first, &second}) {
+      Array<double> betas = curve->shape().betas;
+      betas.resize(static_cast<size_t>(curve->pointCount()), 1);
+      const int skipped = curve == &second ? from : 0;
+      parts.shape.betas.insert(parts.shape.betas.end(), betas.begin() + skipped, betas.end());
+    }
+  }
+  return parts;
+}
+
+}  // namespace karcher

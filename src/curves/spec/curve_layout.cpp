@@ -1,0 +1,141 @@
+#include "curves/spec/curve_layout.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "curves/spec/knots.h"
+
+namespace karcher {
+namespace {
+
+/// A segment that blends `numbers`, one a weight of the basis; a number may come several times.
+/// Then the segment goes all round a closed curve, and its points have the order that they have in
+/// its other segments, so that these agree where they meet.
+SegmentLayout segmentOf(SegmentBasis basis, const Array<int>& numbers) {
+  SegmentLayout segment;
+  for (const int number : numbers) {
+    const auto end = segment.points.end();
+    if (std::find(segment.points.begin(), end, number) == end) segment.points.push_back(number);
+  }
+  if (segment.points.count() < numbers.count()) {
+    std::sort(segment.points.begin(), segment.points.end());
+    for (int k = 0; k < numbers.count(); ++k) {
+      const auto place = std::find(segment.points.begin(), segment.points.end(), numbers[k]);
+      basis.folds.push_back({k, static_cast<int>(place - segment.points.begin()), 1});
+    }
+  }
+  basis.points = segment.points.count();
+  segment.basis = std::move(basis);
+  return segment;
+}
+
+Array<int> consecutive(int first, int count, int points) {
+  Array<int> numbers;
+  for (int k = first; k < first + count; ++k) numbers.push_back(k % points);
+  return numbers;
+}
+
+Array<SegmentLayout> bsplineSegments(const CurveShape& shape, int points) {
+  const int degree = shape.degree;
+  const Array<double> knots = knotsOf(shape, points);
+  Array<SegmentLayout> segments;
+  for (int j = 0; j < spanCount(knots, degree, shape.closed); ++j) {
+    const auto knot = [&](int k) { return knotOfSpan(knots, degree, shape.closed, k); };
+    const double start = knot(j);
+    const double length = knot(j + 1) - start;
+    if (!(length > 0)) continue;
+    SegmentBasis basis{BasisForm::kBSpline, degree};
+    bool uniform = degree == 3;
+    for (int k = -degree; k <= degree + 1; ++k) {
+      // The outermost two only fill their places: no weight depends on them.
+      const int used = std::clamp(k, 1 - degree, degree);
+      basis.numbers.push_back((knot(j + used) - start) / length);
+      uniform = uniform && basis.numbers.back() == used;
+    }
+    // Its weights at a joint are the same numbers from both sides.
+    if (uniform) basis = {BasisForm::kUniformCubic, degree};
+    segments.push_back(segmentOf(std::move(basis), consecutive(j, degree + 1, points)));
+  }
+  return segments;
+}
+
+Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points,
+                                        const Array<double>& gaps) {
+  const int count = shape.closed ? points : points - 1;
+  // Coincident points would leave no knots between them, and nearly so cost digits.
+  constexpr double kLeastGap = 1e-4;
+  double largest = 0;
+  for (const double gap : gaps) largest = std::max(largest, gap);
+  const auto spacing = [&](int j) {
+    if (!shape.centripetal || !(largest > 0)) return 1.0;
+    return std::sqrt(std::max(gaps[((j % count) + count) % count] / largest, kLeastGap));
+  };
+  Array<SegmentLayout> segments;
+  for (int j = 0; j < count; ++j) {
+    const bool first = !shape.closed && j == 0;
+    const bool last = !shape.closed && j == count - 1;
+    const double own = spacing(j);
+    const double before = first ? own : spacing(j - 1);
+    const double after = last ? own : spacing(j + 1);
+    SegmentBasis basis{BasisForm::kCatmullRom, 3, {-before / own, 0, 1, 1 + after / own}};
+    if (!first && !last) {
+      segments.push_back(segmentOf(std::move(basis), consecutive(j + points - 1, 4, points)));
+      continue;
+    }
+    // Beyond an end the curve goes on as if the second point were reflected at the first.
+    SegmentLayout segment;
+    const int begin = first ? 0 : j - 1;
+    const int end = last ? points - 1 : j + 2;
+    for (int k = begin; k <= end; ++k) segment.points.push_back(k);
+    const int start = j - begin;
+    using Fold = SegmentBasis::Fold;
+    if (first) {
+      basis.folds.insert(basis.folds.end(), {Fold{0, 0, 2}, Fold{0, 1, -1}});
+    } else {
+      basis.folds.push_back({0, 0, 1});
+    }
+    basis.folds.insert(basis.folds.end(), {Fold{1, start, 1}, Fold{2, start + 1, 1}});
+    if (last) {
+      basis.folds.insert(basis.folds.end(), {Fold{3, start + 1, 2}, Fold{3, start, -1}});
+    } else {
+      basis.folds.push_back({3, start + 2, 1});
+    }
+    basis.points = segment.points.count();
+    segment.basis = std::move(basis);
+    segments.push_back(std::move(segment));
+  }
+  return segments;
+}
+
+}  // namespace
+
+Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps) {
+  // A closed curve of one segment ends at its first point.
+  const Array<int> all = consecutive(0, shape.closed ? points + 1 : points, points);
+  const int last = all.count() - 1;
+  switch (shape.kind) {
+    case CurveKind::kBSpline:
+      return bsplineSegments(shape, points);
+    case CurveKind::kCatmullRom:
+      return catmullRomSegments(shape, points, gaps);
+    case CurveKind::kPolyline: {
+      Array<SegmentLayout> segments;
+      for (int j = 0; j < last; ++j) segments.push_back(segmentOf({}, {all[j], all[j + 1]}));
+      return segments;
+    }
+    case CurveKind::kBarycentric: {
+      Array<double> betas = shape.betas;
+      betas.resize(static_cast<size_t>(points), 1);
+      if (shape.closed) betas.push_back(betas[0]);
+      return {segmentOf({BasisForm::kBarycentric, last, betas}, all)};
+    }
+    case CurveKind::kOwn:
+      return {segmentOf({BasisForm::kOwn, last, {}, shape.basis}, all)};
+    case CurveKind::kBezier:
+    case CurveKind::kRational:
+      break;
+  }
+  return {segmentOf({BasisForm::kBernstein, last}, all)};
+}
+
+}  // namespace karcher

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "curves/spec/segment_basis.h"
+
+/// The segments of a curve: which control points each blends, and by which basis. Pure: it knows
+/// counts and numbers, no surface.
+namespace karcher {
+
+struct SegmentLayout {
+  Array<int> points;  ///< numbers of different control points
+  SegmentBasis basis;
+};
+
+/// The segments of a curve with a shape that `checkShape` passes. A segment runs from t = 0 to 1,
+/// and its end is the start of the next one; spans without length are left out. `gaps`, for
+/// centripetal curves: the distance from each point to the next, at a closed curve also from the
+/// last to the first; without them knots are even.
+Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps = {});
+
+}  // namespace karcher

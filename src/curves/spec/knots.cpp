@@ -1,0 +1,178 @@
+#include "curves/spec/knots.h"
+
+#include <algorithm>
+#include <string>
+
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// Knots divided by a span must stay finite.
+constexpr double kMostKnot = 1e100;
+constexpr double kLeastSpan = 1e-100;
+
+/// k modulo n, from 0 to n - 1.
+int wrapped(int k, int n) { return ((k % n) + n) % n; }
+
+Array<double> spansOf(const Array<double>& knots) {
+  Array<double> spans;
+  for (int k = 1; k < knots.count(); ++k) spans.push_back(knots[k] - knots[k - 1]);
+  return spans;
+}
+
+Array<double> knotsOfSpans(double first, const Array<double>& spans) {
+  Array<double> knots{first};
+  for (const double span : spans) knots.push_back(knots.back() + span);
+  return knots;
+}
+
+/// The span in the middle of control point i's own: of a closed curve any, of an open one one of
+/// those that bound segments.
+int middleSpan(int i, int degree, bool closed, int spans) {
+  const int middle = i - (degree + 1) / 2;
+  return closed ? wrapped(middle, spans) : std::clamp(middle, 0, spans - 1);
+}
+
+void checkRepeats(const Array<double>& knots, int degree, bool closed) {
+  const int first = closed ? 0 : degree;
+  const int last = knots.count() - 1 - (closed ? 0 : degree);
+  for (int k = 0; k < knots.count(); ++k) {
+    // Of a closed curve's knots the last is the first again.
+    if (closed && k == last) break;
+    int repeats = 0;
+    for (const double knot : knots) repeats += knot == knots[k];
+    if (closed && knots[k] == knots[0]) {
+      for (const double knot : knots) repeats += knot == knots[last];
+      repeats -= 1;
+    }
+    const bool atEnd = !closed && (knots[k] == knots[first] || knots[k] == knots[last]);
+    const int most = atEnd ? degree + 1 : degree;
+    if (repeats > most) {
+      refuse("knot " + std::to_string(k) + " repeats " + std::to_string(repeats) +
+             " times; in degree " + std::to_string(degree) + " at most " + std::to_string(most) +
+             " may be equal there");
+    }
+  }
+}
+
+}  // namespace
+
+Array<double> uniformKnots(int points, int degree, bool closed) {
+  Array<double> knots;
+  const int first = closed ? 0 : -degree;
+  for (int k = first; k <= points; ++k) knots.push_back(k);
+  return knots;
+}
+
+Array<double> clampedKnots(int points, int degree) {
+  Array<double> knots;
+  for (int k = -degree; k <= points; ++k) knots.push_back(std::clamp(k, 0, points - degree));
+  return knots;
+}
+
+void checkKnots(const Array<double>& knots, int points, int degree, bool closed) {
+  const int needed = closed ? points + 1 : points + degree + 1;
+  if (knots.count() != needed) {
+    refuse((closed ? "a closed B-spline of " : "a B-spline of ") + std::to_string(points) +
+           " points and degree " + std::to_string(degree) + " takes " + std::to_string(needed) +
+           " knots, not " + std::to_string(knots.count()));
+  }
+  for (int k = 0; k < knots.count(); ++k) {
+    if (!std::isfinite(knots[k])) {
+      throw Error(ErrorCode::kNotFinite, "knot " + std::to_string(k) + " is not a finite number");
+    }
+    if (std::abs(knots[k]) > kMostKnot) {
+      refuse("knot " + std::to_string(k) + " is " + inSentence(knots[k]) +
+             "; knots go from -1e100 to 1e100");
+    }
+    if (k == 0) continue;
+    if (knots[k] < knots[k - 1]) {
+      refuse("knot " + std::to_string(k) + " is less than the one before it");
+    }
+    if (knots[k] > knots[k - 1] && knots[k] - knots[k - 1] < kLeastSpan) {
+      refuse("knot " + std::to_string(k) + " lies " + inSentence(knots[k] - knots[k - 1]) +
+             " after the one before it; knots are equal or at least 1e-100 apart");
+    }
+  }
+  const int spans = spanCount(knots, degree, closed);
+  if (!(knotOfSpan(knots, degree, closed, spans) > knotOfSpan(knots, degree, closed, 0))) {
+    refuse("the knots leave no span for a segment: those in the middle are all equal");
+  }
+  checkRepeats(knots, degree, closed);
+}
+
+int spanCount(const Array<double>& knots, int degree, bool closed) {
+  return closed ? knots.count() - 1 : knots.count() - 1 - 2 * degree;
+}
+
+double knotOfSpan(const Array<double>& knots, int degree, bool closed, int j) {
+  if (!closed) return knots[j + degree];
+  const int spans = knots.count() - 1;
+  const int k = wrapped(j, spans);
+  const int turns = (j - k) / spans;
+  // Added only where it is needed, so that uniform knots stay whole.
+  return turns == 0 ? knots[k] : knots[k] + turns * (knots.back() - knots.front());
+}
+
+Array<double> knotsWithPoint(const Array<double>& knots, int degree, bool closed, int i) {
+  const int spans = spanCount(knots, degree, closed);
+  int span = middleSpan(i, degree, closed, spans);
+  const auto lengthOf = [&](int j) {
+    return knotOfSpan(knots, degree, closed, j + 1) - knotOfSpan(knots, degree, closed, j);
+  };
+  // The nearest span that is not empty.
+  for (int away = 0; away < spans; ++away) {
+    const int before = std::max(span - away, 0);
+    const int after = std::min(span + away, spans - 1);
+    if (lengthOf(before) > 0 || lengthOf(after) > 0) {
+      span = lengthOf(before) > 0 ? before : after;
+      break;
+    }
+  }
+  const int k = span + (closed ? 0 : degree);
+  Array<double> result = knots;
+  result.insert(result.begin() + k + 1, (knots[k] + knots[k + 1]) / 2);
+  return result;
+}
+
+Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool closed, int i) {
+  const int spans = spanCount(knots, degree, closed);
+  Array<double> result = knots;
+  if (closed) {
+    // Never the first or last, which are the same.
+    const int k = middleSpan(i, degree, closed, spans);
+    result.erase(result.begin() + std::max(k, 1));
+  } else {
+    const int span = std::clamp(middleSpan(i, degree, closed, spans) + 1, 1, spans - 1);
+    result.erase(result.begin() + degree + span);
+  }
+  return result;
+}
+
+Array<double> reversedKnots(const Array<double>& knots, int degree, bool closed) {
+  Array<double> spans = spansOf(knots);
+  std::reverse(spans.begin(), spans.end());
+  if (closed) {
+    // Span j blends the points j to j + p, which become n - j - p to n - j: span n - j - p.
+    std::rotate(spans.begin(), spans.begin() + wrapped(degree - 1, spans.count()), spans.end());
+  }
+  return knotsOfSpans(knots.front(), spans);
+}
+
+Array<double> closedKnots(const Array<double>& open, int degree) {
+  const Array<double> inner(open.begin() + degree, open.end() - degree);
+  Array<double> spans = spansOf(inner);
+  const double mean = (inner.back() - inner.front()) / static_cast<double>(spans.size());
+  spans.insert(spans.end(), static_cast<size_t>(degree), mean);
+  return knotsOfSpans(inner.front(), spans);
+}
+
+Array<double> openKnots(const Array<double>& closed, int degree) {
+  Array<double> knots;
+  const int points = closed.count() - 1;
+  for (int j = -degree; j <= points; ++j) knots.push_back(knotOfSpan(closed, degree, true, j));
+  return knots;
+}
+
+}  // namespace karcher

@@ -1,0 +1,59 @@
+#include "curves/spec/segment_basis.h"
+
+#include "curves/spec/bases.h"
+#include "mesh/error.h"
+#include "rcm/field_blend.h"
+
+namespace karcher {
+namespace {
+
+Array<double> ownWeights(const SegmentBasis& basis, double t) {
+  Array<double> weights = (*basis.own)(basis.points, t);
+  double sum = 0;
+  for (const double weight : weights) sum += weight;
+  if (weights.count() == basis.points && std::abs(sum - 1) <= kWeightSumTolerance) return weights;
+  throw Error(ErrorCode::kBadWeights, "the basis gives " + std::to_string(weights.count()) +
+                                          " weights of sum " + inSentence(sum, 12) +
+                                          " at t = " + inSentence(t) + "; there must be " +
+                                          std::to_string(basis.points) + ", of sum 1 within 1e-9");
+}
+
+Array<double> unfolded(const SegmentBasis& basis, double t) {
+  switch (basis.form) {
+    case BasisForm::kUniformCubic:
+      return uniformCubicBasis(t);
+    case BasisForm::kBSpline:
+      return bsplineBasis(basis.numbers, basis.degree, basis.degree, t);
+    case BasisForm::kBarycentric:
+      return barycentricBasis(basis.numbers, t);
+    case BasisForm::kCatmullRom:
+      return catmullRomBasis(basis.numbers, t);
+    case BasisForm::kOwn:
+      return ownWeights(basis, t);
+    case BasisForm::kBernstein:
+      break;
+  }
+  return bernsteinBasis(basis.degree, t);
+}
+
+}  // namespace
+
+Array<double> weightsAt(const SegmentBasis& basis, double t) {
+  Array<double> raw = unfolded(basis, t);
+  if (basis.folds.empty()) return raw;
+  Array<double> weights(static_cast<size_t>(basis.points), 0.0);
+  for (const SegmentBasis::Fold& fold : basis.folds) {
+    weights[fold.to] += fold.factor * raw[fold.from];
+  }
+  return weights;
+}
+
+Array<double> nodesOf(const SegmentBasis& basis) {
+  Array<double> nodes;
+  if (basis.form != BasisForm::kBarycentric) return nodes;
+  const int last = basis.numbers.count() - 1;
+  for (int i = 1; i < last; ++i) nodes.push_back(static_cast<double>(i) / last);
+  return nodes;
+}
+
+}  // namespace karcher

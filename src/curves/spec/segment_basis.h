@@ -1,0 +1,40 @@
+#pragma once
+
+#include "curves/spec/curve_shape.h"
+
+/// The bases that the segments of all kinds of curves have (bases.h), as data.
+namespace karcher {
+
+enum class BasisForm { kBernstein, kUniformCubic, kBSpline, kBarycentric, kCatmullRom, kOwn };
+
+/// The basis of one segment as data, so that segments with equal bases can share their weights.
+struct SegmentBasis {
+  BasisForm form = BasisForm::kBernstein;
+  int degree = 1;  ///< kBernstein, kBSpline
+  /// kBSpline: 2 degree + 2 knots around the span, of which [degree] is 0 and [degree + 1] is 1;
+  /// kCatmullRom: 4 knots, the middle ones 0 and 1; kBarycentric: betas.
+  Array<double> numbers = {};
+  std::shared_ptr<const OwnBasis> own = {};
+  /// Where weight `from` of the basis goes: `factor` times to point `to` of the segment. Empty:
+  /// each to the point of its own number.
+  struct Fold {
+    int from = 0;
+    int to = 0;
+    double factor = 1;
+    bool operator==(const Fold&) const = default;
+  };
+  Array<Fold> folds = {};
+  int points = 0;  ///< weights that the segment has after folding
+
+  bool operator==(const SegmentBasis&) const = default;
+};
+
+/// The weights of the segment's points at t in [0, 1]; they sum to 1. Throws Error kBadWeights
+/// where a caller's basis gives others.
+Array<double> weightsAt(const SegmentBasis& basis, double t);
+
+/// The parameters between 0 and 1, ascending, at which all weight is on one point, so that the
+/// curve passes it.
+Array<double> nodesOf(const SegmentBasis& basis);
+
+}  // namespace karcher

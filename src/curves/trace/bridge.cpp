@@ -1,0 +1,356 @@
+#include "curves/trace/bridge.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "curves/trace/branches.h"
+#include "intrinsic/along_path.h"
+#include "rcm/deepest_zero.h"
+
+namespace karcher {
+namespace {
+
+/// A step is divided at most so often: enough for one over the whole of a large surface.
+constexpr int kMostDivisions = 200'000;
+/// Over a shorter part of the segment the scheme's curve is as good as its chord.
+constexpr double kShortInterval = 1.0 / 32;
+constexpr int kMostPieces = 8;
+/// A step in a face that comes nearer to an edge than this part of its length may bend across it.
+constexpr double kEdgeMargin = 0.25;
+
+/// An interval that is to be bridged, by its samples. An end that is not kept is lost itself.
+struct Interval {
+  int first = 0;
+  int last = 0;
+  bool keepsFirst = true;
+  bool keepsLast = true;
+  Status reason = Status::kJump;
+};
+
+class JumpSearch {
+ public:
+  JumpSearch(FieldBlend& fields, const Basis& basis, Method method)
+      : geometry_(fields.geometry()),
+        mesh_(*geometry_.mesh),
+        fields_(fields),
+        basis_(basis),
+        method_(method),
+        longest_(kLongestStep * geometry_.meanEdge) {}
+
+  /// Whether the way from one converged sample to the next breaks in either direction, and how.
+  /// `middle`: the weights in the middle of it, or none.
+  std::optional<Status> run(const CurveSample& from, const CurveSample& to, Weights middle) {
+    if (!middle.empty() && staysInCell(from.point, to.point, middle)) return std::nullopt;
+    const std::optional<Status> reason = follow(from, to, false);
+    return reason ? reason : follow(from, to, true);
+  }
+
+ private:
+  /// Searches start at the earlier end of a step, or at the later one.
+  std::optional<Status> follow(const CurveSample& from, const CurveSample& to, bool backwards) {
+    stack_.clear();
+    stack_.push_back({{from.t, from.point}, {to.t, to.point}});
+    for (int count = 0; !stack_.empty() && count < kMostDivisions; ++count) {
+      const Step step = stack_.back();
+      stack_.pop_back();
+      const Vec3 a = position(mesh_, step.from.point);
+      const Vec3 b = position(mesh_, step.to.point);
+      const double length = (b - a).norm();
+      // A short step may hide a jump back that is a little longer.
+      if (length <= longest_ / 2) continue;
+      if (step.to.t - step.from.t <= kFinestDivision) {
+        if (length > longest_) return Status::kJump;
+        continue;
+      }
+      const double t = (step.from.t + step.to.t) / 2;
+      const Array<double> weights = basis_(t);
+      if (staysInCell(step.from.point, step.to.point, weights)) continue;
+      const SurfacePoint& start = backwards ? step.to.point : step.from.point;
+      const CenterOfMass center = findCenter(fields_, weights, start, method_);
+      if (center.status != Status::kConverged) return center.status;
+      stack_.push_back({step.from, {t, center.point}});
+      stack_.push_back({{t, center.point}, step.to});
+    }
+    return stack_.empty() ? std::nullopt : std::optional<Status>(Status::kJump);
+  }
+
+  struct Place {
+    double t;
+    SurfacePoint point;
+  };
+  struct Step {
+    Place from;
+    Place to;
+  };
+
+  /// In one cell the zero of the field moves continuously, and stays the center there if the step
+  /// keeps away from the edges, so that no other cell has a deeper zero, and its middle, by the
+  /// weights there, lies between its ends.
+  bool staysInCell(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
+    if (from.face != to.face) return false;
+    const Cells& cells = fields_.cells();
+    const CellPoint start = cells.at(from);
+    const CellPoint end = cells.at(to);
+    const int cell = start.cell;
+    if (cell != end.cell) return false;
+    const Vec3& a = start.bary;
+    const Vec3& b = end.bary;
+    const auto length = [&](const Vec3& off) {
+      return lengthInFace(from.face, cells.inFace(cell, off));
+    };
+    const double margin = kEdgeMargin * length(b - a);
+    const Vec3 least = a.cwiseMin(b);
+    const double area = doubleArea(geometry_, from.face) / (cells.cut() ? 4 : 1);
+    for (int k = 0; k < 3; ++k) {
+      const double opposite = cells.cut()
+                                  ? length(Vec3::Unit((k + 2) % 3) - Vec3::Unit((k + 1) % 3))
+                                  : geometry_.edgeLength[3 * from.face + (k + 1) % 3];
+      if (least[k] * area / opposite < margin) return false;
+    }
+    FaceZero zero;
+    if (!fields_.findZero(cell, middleWeights, zero)) return false;
+    if (!isTheOnlyZero(zero, std::min(least.minCoeff(), zero.depth()) / 2)) return false;
+    return length(zero.bary - (a + b) / 2) < margin;
+  }
+
+  /// Of a difference of barycentric weights.
+  double lengthInFace(int face, const Vec3& off) const {
+    const Vec2 vector =
+        off[1] * cornerInFace(geometry_, face, 1) + off[2] * cornerInFace(geometry_, face, 2);
+    return vector.norm();
+  }
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  FieldBlend& fields_;
+  const Basis& basis_;
+  Method method_;
+  double longest_;
+  Array<Step> stack_;
+};
+
+bool isConverged(const CurveSample& sample) { return sample.status == Status::kConverged; }
+
+/// The steps between converged samples that break, by their first sample, and how.
+Array<std::pair<int, Status>> findJumps(FieldBlend& fields, const Basis& basis,
+                                        const WeightTable* middles, Method method,
+                                        const Array<CurveSample>& samples) {
+  JumpSearch search(fields, basis, method);
+  Array<std::pair<int, Status>> jumps;
+  for (int i = 0; i + 1 < samples.count(); ++i) {
+    const bool converged =
+        samples[i].status == Status::kConverged && samples[i + 1].status == Status::kConverged;
+    if (!converged) continue;
+    const std::optional<Status> reason =
+        search.run(samples[i], samples[i + 1], middles ? middles->row(i) : Weights());
+    if (reason) jumps.emplace_back(i, *reason);
+  }
+  return jumps;
+}
+
+/// Appends an interval, as one with the last where they meet.
+void addInterval(Array<Interval>& intervals, const Interval& interval) {
+  if (!intervals.empty() && intervals.back().last >= interval.first) {
+    intervals.back().last = interval.last;
+    intervals.back().keepsLast = interval.keepsLast;
+  } else {
+    intervals.push_back(interval);
+  }
+}
+
+Array<Interval> intervalsToBridge(const Array<CurveSample>& samples,
+                                  const Array<std::pair<int, Status>>& jumps) {
+  Array<Interval> intervals;
+  const int count = samples.count();
+  auto jump = jumps.begin();
+  for (int i = 0; i < count; ++i) {
+    if (samples[i].status != Status::kConverged) {
+      int end = i;
+      while (end < count && samples[end].status != Status::kConverged) ++end;
+      addInterval(intervals, {std::max(i - 1, 0), std::min(end, count - 1), i > 0, end < count,
+                              samples[i].status});
+      i = end;
+    }
+    if (jump != jumps.end() && jump->first == i) {
+      addInterval(intervals, {i, i + 1, true, true, jump->second});
+      ++jump;
+    }
+  }
+  return intervals;
+}
+
+/// The weights of the control points of the cubic Bezier curve that interpolates a basis at four
+/// parameters of [t0, t1]: the curve itself where the basis is of degree 3 at most.
+Array<Array<double>> bezierWeights(const Basis& basis, double t0, double t1) {
+  const Array<double> at[] = {basis(t0), basis(t0 + (t1 - t0) / 3), basis(t0 + (t1 - t0) * 2 / 3),
+                              basis(t1)};
+  Array<Array<double>> weights{at[0], at[1], at[2], at[3]};
+  for (int i = 0; i < at[0].count(); ++i) {
+    weights[1][i] = (-5 * at[0][i] + 18 * at[1][i] - 9 * at[2][i] + 2 * at[3][i]) / 6;
+    weights[2][i] = (2 * at[0][i] - 9 * at[1][i] + 18 * at[2][i] - 5 * at[3][i]) / 6;
+  }
+  return weights;
+}
+
+/// Lays bridges over one segment.
+class BridgeBuilder {
+ public:
+  BridgeBuilder(const Geometry& geometry, const Array<PointField*>& points, const Basis& basis,
+                const Array<double>& nodes)
+      : geometry_(geometry), basis_(basis), nodes_(nodes) {
+    for (const PointField* point : points) points_.push_back(point->point());
+  }
+
+  /// Null ends are the scheme's own. Between neighbouring samples the line is straight.
+  ParametricLine build(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to,
+                       bool betweenNeighbours) {
+    ParametricLine line;
+    double start = t0;
+    for (const double node : nodes_) {
+      if (!(node > t0 && node < t1)) continue;
+      const SurfacePoint& passed = points_[heaviest(basis_(node))];
+      append(start, node, from, &passed, betweenNeighbours, line);
+      start = node;
+      from = &passed;
+    }
+    append(start, t1, from, to, betweenNeighbours, line);
+    return line;
+  }
+
+ private:
+  void append(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to,
+              bool betweenNeighbours, ParametricLine& line) {
+    if (from != nullptr && to != nullptr && (betweenNeighbours || t1 - t0 <= kShortInterval)) {
+      appendBezier(geometry_, {*from, *to}, t0, t1, line);
+      return;
+    }
+    Array<SurfacePoint> polygon = schemePolygon(t0, t1);
+    pullEnds(polygon, from, to);
+    const int pieces = (polygon.count() - 1) / 3;
+    for (int j = 0; j < pieces; ++j) {
+      const Array<SurfacePoint> piece(polygon.begin() + 3 * j, polygon.begin() + 3 * j + 4);
+      appendBezier(geometry_, piece, t0 + (t1 - t0) * j / pieces, t0 + (t1 - t0) * (j + 1) / pieces,
+                   line);
+    }
+    line.t.back() = t1;
+  }
+
+  /// The control points of cubic pieces one after the other, ends shared.
+  Array<SurfacePoint> schemePolygon(double t0, double t1) {
+    const double wanted = (t1 - t0) * (points_.count() - 1) / 3;
+    const int pieces =
+        points_.count() <= 4 ? 1 : std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostPieces);
+    Array<SurfacePoint> polygon;
+    for (int j = 0; j < pieces; ++j) {
+      const Array<Array<double>> weights =
+          bezierWeights(basis_, t0 + (t1 - t0) * j / pieces, t0 + (t1 - t0) * (j + 1) / pieces);
+      for (int k = j == 0 ? 0 : 1; k < 4; ++k) {
+        polygon.push_back(repeatedAverage(geometry_, points_, weights[k]));
+      }
+    }
+    return polygon;
+  }
+
+  /// Moves the polygon's ends to the given points. The farther these are, as a part of the
+  /// polygon's length, the nearer come its other points to the path between the ends, so that a
+  /// short bridge makes no long way round.
+  void pullEnds(Array<SurfacePoint>& polygon, const SurfacePoint* from, const SurfacePoint* to) {
+    double length = 0;
+    for (int i = 1; i < polygon.count(); ++i) length += distance(polygon[i - 1], polygon[i]);
+    double pull = 0;
+    if (from != nullptr) pull += distance(polygon.front(), *from);
+    if (to != nullptr) pull += distance(polygon.back(), *to);
+    if (!(pull > 0)) return;
+    if (from != nullptr) polygon.front() = *from;
+    if (to != nullptr) polygon.back() = *to;
+    const GeodesicLine chord = geodesicLine(geometry_, polygon.front(), polygon.back());
+    const double kept = length / (length + pull);
+    const int last = polygon.count() - 1;
+    for (int i = 1; i < last; ++i) {
+      const SurfacePoint onChord =
+          pointAlong(*geometry_.mesh, chord.points, chord.lengths, chord.length() * i / last);
+      polygon[i] = averageAlongGeodesic(geometry_, onChord, polygon[i], kept);
+    }
+  }
+
+  double distance(const SurfacePoint& a, const SurfacePoint& b) {
+    return geodesicLine(geometry_, a, b).length();
+  }
+
+  const Geometry& geometry_;
+  const Basis& basis_;
+  const Array<double>& nodes_;
+  Array<SurfacePoint> points_;
+};
+
+}  // namespace
+
+SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t) {
+  const ParametricLine& line = bridge.line;
+  const auto after = std::upper_bound(line.t.begin() + 1, line.t.end() - 1, t);
+  const int i = static_cast<int>(after - line.t.begin());
+  const double duration = line.t[i] - line.t[i - 1];
+  const double s = duration > 0 ? std::clamp((t - line.t[i - 1]) / duration, 0.0, 1.0) : 1;
+  return pointBetween(mesh, line.points[i - 1], line.points[i], s);
+}
+
+void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, double to,
+                Array<SurfacePoint>& out, double& length) {
+  const ParametricLine& line = bridge.line;
+  Vec3 last = position(mesh, pointAt(mesh, bridge, from));
+  const auto append = [&](const SurfacePoint& point) {
+    const Vec3 here = position(mesh, point);
+    length += (here - last).norm();
+    last = here;
+    out.push_back(point);
+  };
+  const auto first = std::upper_bound(line.t.begin(), line.t.end(), from) - line.t.begin();
+  for (int i = static_cast<int>(first); i < line.t.count() && line.t[i] < to; ++i) {
+    append(line.points[i]);
+  }
+  append(pointAt(mesh, bridge, to));
+}
+
+const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
+  for (const Bridge& bridge : bridges) {
+    if (bridge.t0 <= t && t <= bridge.t1) return &bridge;
+  }
+  return nullptr;
+}
+
+Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
+                            const WeightTable* middles, Method method,
+                            Array<CurveSample>& samples) {
+  Array<std::pair<int, Status>> jumps = findJumps(fields.blend, basis, middles, method, samples);
+  const bool isWhole = jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
+  if (isWhole) return {};
+  // Samples that a tolerance placed are dense enough for the branch that they follow; the paper's
+  // method is from start to end.
+  const bool areEven = middles != nullptr;
+  if (areEven && method == Method::kKarcher) {
+    takeBestBranches(fields, basis, method, samples);
+    jumps = findJumps(fields.blend, basis, middles, method, samples);
+  }
+  const Geometry& geometry = fields.blend.geometry();
+  Array<Bridge> bridges;
+  BridgeBuilder builder(geometry, fields.points, basis, nodes);
+  for (const Interval& interval : intervalsToBridge(samples, jumps)) {
+    CurveSample& first = samples[interval.first];
+    CurveSample& last = samples[interval.last];
+    Bridge bridge{first.t, last.t, interval.reason, {}};
+    bridge.line = builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
+                                interval.keepsLast ? &last.point : nullptr,
+                                interval.last - interval.first == 1);
+    for (int i = interval.first; i <= interval.last; ++i) {
+      if (i == interval.first && interval.keepsFirst) continue;
+      if (i == interval.last && interval.keepsLast) continue;
+      samples[i].point = pointAt(*geometry.mesh, bridge, samples[i].t);
+      samples[i].status = Status::kBridged;
+    }
+    bridges.push_back(std::move(bridge));
+  }
+  return bridges;
+}
+
+}  // namespace karcher

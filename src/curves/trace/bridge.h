@@ -1,0 +1,56 @@
+#pragma once
+
+#include "curves/polygon/subdivision.h"
+#include "curves/trace/segment.h"
+
+/// Curves that do not break.
+///
+/// Where control points lie too far apart, the center of mass is not found or jumps from one local
+/// minimum to another. There the samples leave the center of mass: over the interval between the
+/// last sample before and the first one after, they follow a bridge, which is the subdivision curve
+/// of the segment's own control points (subdivision.h) with its ends pulled to those samples. So
+/// the curve is continuous everywhere, and says where and why it is no center of mass.
+namespace karcher {
+
+/// A step that does not become shorter than this, in mean edges, however finely t is divided, is a
+/// jump. Steps of a small part of it happen on all edges, where the interpolated field jumps.
+inline constexpr double kLongestStep = 0.05;
+/// The finest division of t.
+inline constexpr double kFinestDivision = 1e-9;
+
+struct Bridge {
+  double t0 = 0;
+  double t1 = 1;
+  /// kJump, or the status of the first sample in the interval.
+  Status reason = Status::kJump;
+  /// Over [t0, t1].
+  ParametricLine line;
+};
+
+/// The bridge's point at t, which is clamped to [t0, t1].
+SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t);
+
+/// Appends the bridge's points between the parameters, without the first and with the last.
+void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, double to,
+                Array<SurfacePoint>& out, double& length);
+
+/// The bridge over t, or none.
+const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
+
+/// Makes a traced segment whole: finds where its samples (two at least, ascending in t) are not
+/// converged or jump, bridges these intervals, and moves the samples inside onto the bridges with
+/// the status kBridged. Returns the bridges, ascending in t.
+///
+/// Between two neighbouring samples a bridge is the geodesic that joins them. A step well inside a
+/// face costs nothing, nor one shorter than half of `kLongestStep`; others are divided until their
+/// parts are one or the other.
+///
+/// At `nodes`, ascending in (0, 1), all weight is on one control point (segment_basis.h): a bridge
+/// over one passes that point. `middles`: the basis at the middles between the samples' parameters
+/// where these are evenly spaced, else none. Evenly spaced samples of a segment that breaks are
+/// traced anew in both directions (branches.h), but for the paper's method; samples that a
+/// tolerance placed stay where they are.
+Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
+                            const WeightTable* middles, Method method, Array<CurveSample>& samples);
+
+}  // namespace karcher

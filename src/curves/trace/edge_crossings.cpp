@@ -1,0 +1,127 @@
+#include "curves/trace/edge_crossings.h"
+
+#include <algorithm>
+
+namespace karcher {
+namespace {
+
+/// The faces that hold a point: one, two at an edge; a vertex's faces.
+Array<int> facesAt(const TriangleMesh& mesh, const SurfacePoint& point) {
+  const PointLocation place = locate(mesh, point);
+  Array<int> faces{place.face};
+  if (place.simplex == Simplex::kEdge && mesh.twin[place.halfedge] >= 0) {
+    faces.push_back(faceOf(mesh.twin[place.halfedge]));
+  } else if (place.simplex == Simplex::kVertex) {
+    faces.clear();
+    const int first = mesh.outgoing[place.vertex];
+    int h = first;
+    do {
+      faces.push_back(faceOf(h));
+      h = rotateLeft(mesh, h);
+    } while (h >= 0 && h != first);
+  }
+  return faces;
+}
+
+/// Whether the points share a face; else the half-edge of a face of `a` to a face of `b`, or -1.
+struct Passage {
+  bool sharesFace = false;
+  int halfedge = -1;
+};
+
+Passage passageBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  if (a.face == b.face) return {true, -1};
+  const Array<int> from = facesAt(mesh, a);
+  const Array<int> to = facesAt(mesh, b);
+  const auto holdsB = [&](int face) { return std::find(to.begin(), to.end(), face) != to.end(); };
+  Passage passage;
+  for (const int face : from) {
+    if (holdsB(face)) return {true, -1};
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      if (mesh.twin[h] >= 0 && holdsB(faceOf(mesh.twin[h]))) passage.halfedge = h;
+    }
+  }
+  return passage;
+}
+
+}  // namespace
+
+EdgeCrossings::EdgeCrossings(SegmentFields& fields, const Basis& basis, Method method)
+    : geometry_(fields.blend.geometry()), basis_(basis), method_(method), fields_(fields.blend) {}
+
+bool EdgeCrossings::append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out,
+                           double& length) {
+  found_.clear();
+  if (!appendBetween(from, to, 0)) return false;
+  const TriangleMesh& mesh = *geometry_.mesh;
+  Vec3 last = position(mesh, from.point);
+  for (const CurveSample& sample : found_) {
+    const Vec3 here = position(mesh, sample.point);
+    length += (here - last).norm();
+    last = here;
+    out.push_back(sample.point);
+  }
+  return true;
+}
+
+bool EdgeCrossings::appendBetween(const CurveSample& from, const CurveSample& to, int bisections) {
+  const Passage passage = passageBetween(*geometry_.mesh, from.point, to.point);
+  if (passage.sharesFace ||
+      (passage.halfedge >= 0 && appendCrossing(passage.halfedge, from.t, to.t))) {
+    found_.push_back(to);
+    return true;
+  }
+  if (bisections == kMostBisections) return false;
+  const double t = (from.t + to.t) / 2;
+  const Array<double> weights = basis_(t);
+  const CenterOfMass center = findCenter(fields_, weights, from.point, method_);
+  if (center.status != Status::kConverged) return false;
+  const CurveSample middle{t, center.point, center.status};
+  return appendBetween(from, middle, bisections + 1) && appendBetween(middle, to, bisections + 1);
+}
+
+bool EdgeCrossings::appendCrossing(int h, double t0, double t1) {
+  if (!fields_.cells().cut()) return appendCrossing(h, 0, t0, t1, true);
+  return appendCrossing(h, 0, t0, t1, false) || appendCrossing(h, 1, t0, t1, false) ||
+         appendCrossing(h, 0, t0, t1, true) || appendCrossing(h, 1, t0, t1, true);
+}
+
+bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool orNearest) {
+  const EdgeField field = fields_.alongEdge(h, half);
+  const auto valueAt = [&](double t) { return field.at(basis_(t)); };
+  const auto across = [](const EdgeValues& v) { return cross(v.tail, v.head); };
+  double before = across(valueAt(t0));
+  double after = across(valueAt(t1));
+  const bool passes = (before < 0) != (after < 0);
+  if (!passes && !orNearest) return false;
+  // A sample so near the edge that the faces' own fields place it on this side, the edge's on the
+  // other.
+  double t = std::abs(before) < std::abs(after) ? t0 : t1;
+  if (passes) {
+    // Regula falsi, halving the value of an end that stays (the Illinois rule).
+    constexpr int kMostSteps = 100;
+    constexpr double kSmallest = 1e-15;
+    for (int step = 0; step < kMostSteps && t1 - t0 > kSmallest; ++step) {
+      t = (before * t1 - after * t0) / (before - after);
+      const double value = across(valueAt(t));
+      if (value == 0) break;
+      if ((value < 0) == (after < 0)) {
+        t1 = t;
+        after = value;
+        before /= 2;
+      } else {
+        t0 = t;
+        before = value;
+        after /= 2;
+      }
+    }
+  }
+  const EdgeValues values = valueAt(t);
+  double s = values.tail.x() / (values.tail.x() - values.head.x());
+  if (!(s >= 0 && s <= 1)) return false;
+  if (fields_.cells().cut()) s = (half + s) / 2;
+  found_.push_back({t, edgePoint(h, s), Status::kConverged});
+  return true;
+}
+
+}  // namespace karcher

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "curves/trace/segment.h"
+
+/// Where a curve of centers of mass crosses the edges of the mesh.
+///
+/// Along an edge, in the edge's own frame, which the faces on both sides share, the blended field
+/// is linear between its values X_a(t) and X_b(t) at the ends, or at one end and at its middle
+/// (cells.h). It has a zero on the edge's line
+/// where X_a(t) x X_b(t) = 0: at this t the curve passes from face to face, through the same point
+/// from either side. Inside a face the field differs by its transport, so that the curve there ends
+/// a small part of an edge beside that point (crossing_study): the polyline through the crossings
+/// closes what the samples leave open.
+namespace karcher {
+
+class EdgeCrossings {
+ public:
+  /// All must outlive the object.
+  EdgeCrossings(SegmentFields& fields, const Basis& basis, Method method);
+
+  /// Appends the crossings between two converged samples, in ascending t, and the later sample, and
+  /// adds the length. Where the samples' faces do not share an edge, more samples are found and
+  /// appended. Returns false, and changes neither, where 2^-kMostBisections of the interval is not
+  /// fine enough to tell which edges the curve crosses: as it passes a vertex.
+  bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out,
+              double& length);
+
+  /// What the last call found: the crossings, on edges, and the samples between them.
+  const Array<CurveSample>& found() const { return found_; }
+
+  static constexpr int kMostBisections = 10;
+
+ private:
+  bool appendBetween(const CurveSample& from, const CurveSample& to, int bisections);
+  bool appendCrossing(int h, double t0, double t1);
+  /// Through one half of an edge, if faces are cut; where the curve does not pass the edge's line
+  /// between t0 and t1, but for rounding, at the nearer of them or not at all.
+  bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
+
+  const Geometry& geometry_;
+  const Basis& basis_;
+  Method method_;
+  FieldBlend& fields_;
+  Array<CurveSample> found_;
+};
+
+}  // namespace karcher

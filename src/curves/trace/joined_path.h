@@ -1,0 +1,30 @@
+#pragma once
+
+#include "curves/trace/bridge.h"
+#include "curves/trace/edge_crossings.h"
+
+namespace karcher {
+
+/// What lies between consecutive samples.
+enum class CurveGeometry {
+  kGeodesic,  ///< the locally shortest path
+  kExact,     ///< the curve's own crossings of edges (edge_crossings.h)
+};
+
+/// A polyline on the surface through the samples: consecutive points lie in one face. Points of
+/// consecutive samples are joined by geodesics or by the curve's crossings, and along the bridges
+/// where there are any.
+struct JoinedPath {
+  Array<SurfacePoint> points;
+  /// Per point the number of the sample that its piece leads to.
+  Array<int> sample;
+  /// Per point whether its piece lies on a bridge or leads to a sample that is not converged.
+  Array<uint8_t> unconverged;
+  double length = 0;
+};
+
+/// With `crossings` exact; geodesics join what those leave open.
+JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
+                       const Array<Bridge>& bridges = {}, EdgeCrossings* crossings = nullptr);
+
+}  // namespace karcher

@@ -1,0 +1,199 @@
+#include "curves/trace/sampling.h"
+
+#include <algorithm>
+
+#include "intrinsic/local_path.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// Intervals of a segment before any bisection, a control point: fewer would miss a bend between
+/// their ends.
+constexpr int kIntervalsAPoint = 2;
+constexpr int kFewestIntervals = 8;
+constexpr int kMostBisections = 20;
+/// Between the ends of an interval the curve is looked at so often.
+constexpr int kLooksAFace = 3;
+constexpr int kFewestLooks = 12;
+constexpr int kMostLooks = 256;
+/// A step from look to look into another face that is longer than this many even ones is divided.
+constexpr double kLongestOfSteps = 1.5;
+constexpr int kMostHalvings = 4;
+/// Bisections where samples do not converge.
+constexpr int kMostAtBorder = 8;
+constexpr int kMostInside = 2;
+
+Vec3 offLine(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double squared = along.squaredNorm();
+  const double s = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0;
+  return p - (a + s * along);
+}
+
+class AdaptiveTrace {
+ public:
+  AdaptiveTrace(SegmentFields& fields, const Basis& basis, Method method, double tolerance)
+      : geometry_(fields.blend.geometry()),
+        points_(fields.points),
+        fields_(fields.blend),
+        basis_(basis),
+        method_(method),
+        tolerance_(tolerance * geometry_.diagonal) {}
+
+  Array<CurveSample> run(const Array<double>& nodes) {
+    samples_.push_back(fromHeaviest(0));
+    const CurveSample last = fromHeaviest(1);
+    const int pieces = nodes.count() + 1;
+    const int wanted = std::max(kFewestIntervals, kIntervalsAPoint * points_.count());
+    const int intervals = std::max((wanted + pieces - 1) / pieces, kIntervalsAPoint);
+    double start = 0;
+    for (int piece = 0; piece < pieces; ++piece) {
+      const double stop = piece + 1 < pieces ? nodes[piece] : 1;
+      for (int k = 1; k <= intervals; ++k) {
+        const double t = k == intervals ? stop : start + (stop - start) * k / intervals;
+        const CurveSample next = t == 1           ? last
+                                 : k == intervals ? fromHeaviest(t)
+                                                  : sample(t, samples_.back());
+        refine(CurveSample(samples_.back()), next, 0);
+        samples_.push_back(next);
+      }
+      start = stop;
+    }
+    return std::move(samples_);
+  }
+
+ private:
+  /// Appends the samples that are needed between two.
+  void refine(const CurveSample& from, const CurveSample& to, int bisections) {
+    const CurveSample middle = sample((from.t + to.t) / 2, from);
+    const int lost = (from.status != Status::kConverged) + (middle.status != Status::kConverged) +
+                     (to.status != Status::kConverged);
+    const int most = lost == 0 ? kMostBisections : lost < 3 ? kMostAtBorder : kMostInside;
+    if (bisections >= most || samples_.count() >= kMostSamples) return;
+    if (lost == 0 && isFine(from, middle, to)) return;
+    refine(from, middle, bisections + 1);
+    samples_.push_back(middle);
+    refine(middle, to, bisections + 1);
+  }
+
+  /// A point of the curve, and from where on the geodesic.
+  struct Look {
+    CurveSample sample;
+    Vec3 position = Vec3::Zero();
+    Vec3 off = Vec3::Zero();
+  };
+
+  /// Whether the curve keeps to the geodesic, looked at in each face that this crosses, since the
+  /// curve may bend or jump at the edges. Between two looks it is taken to go off further by as
+  /// much as it does from one to the other.
+  bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
+    path_.assign(1, from.point);
+    double length = 0;
+    if (!appendLocalPath(geometry_, from.point, to.point, workspace_, path_, length)) return false;
+    if (offGeodesic(position(*geometry_.mesh, middle.point)).norm() > tolerance_) return false;
+    const int looks = std::clamp(kLooksAFace * (path_.count() - 1), kFewestLooks, kMostLooks);
+    longestStep_ = kLongestOfSteps * length / looks;
+    farthest_ = largestChange_ = 0;
+    Look before{from, position(*geometry_.mesh, from.point)};
+    for (int k = 1; k <= looks; ++k) {
+      const Look next = k < looks ? look(from.t + (to.t - from.t) * k / looks, before.sample)
+                                  : Look{to, position(*geometry_.mesh, to.point)};
+      if (!isFineBetween(before, next, kMostHalvings)) return false;
+      before = next;
+    }
+    return true;
+  }
+
+  /// Between two looks the curve may pass a face: where it goes faster than elsewhere, and where
+  /// their faces do not meet.
+  bool isFineBetween(const Look& from, const Look& to, int divisions) {
+    if (to.sample.status != Status::kConverged) return false;
+    const int face = from.sample.point.face;
+    const int onward = to.sample.point.face;
+    const bool isLong = (to.position - from.position).norm() > longestStep_;
+    if (divisions > 0 && face != onward && (isLong || !haveCommonEdge(face, onward))) {
+      const Look middle = look((from.sample.t + to.sample.t) / 2, from.sample);
+      return isFineBetween(from, middle, divisions - 1) && isFineBetween(middle, to, divisions - 1);
+    }
+    farthest_ = std::max(farthest_, to.off.norm());
+    largestChange_ = std::max(largestChange_, (to.off - from.off).norm());
+    return farthest_ + largestChange_ <= tolerance_;
+  }
+
+  bool haveCommonEdge(int face, int other) const {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      const int twin = geometry_.mesh->twin[h];
+      if (twin >= 0 && faceOf(twin) == other) return true;
+    }
+    return false;
+  }
+
+  Look look(double t, const CurveSample& before) {
+    Look result{sample(t, before)};
+    result.position = position(*geometry_.mesh, result.sample.point);
+    result.off = offGeodesic(result.position);
+    return result;
+  }
+
+  /// From the geodesic's nearest point, in space.
+  Vec3 offGeodesic(const Vec3& p) const {
+    const TriangleMesh& mesh = *geometry_.mesh;
+    Vec3 nearest = Vec3::Constant(kInfinity);
+    Vec3 last = position(mesh, path_[0]);
+    for (int i = 1; i < path_.count(); ++i) {
+      const Vec3 here = position(mesh, path_[i]);
+      const Vec3 off = offLine(p, last, here);
+      if (off.squaredNorm() < nearest.squaredNorm()) nearest = off;
+      last = here;
+    }
+    return nearest;
+  }
+
+  CurveSample fromHeaviest(double t) {
+    const Array<double> weights = basis_(t);
+    return find(t, weights, points_[heaviest(weights)]->point());
+  }
+
+  CurveSample sample(double t, const CurveSample& before) {
+    const Array<double> weights = basis_(t);
+    const bool warm = before.status == Status::kConverged;
+    return find(t, weights, warm ? before.point : points_[heaviest(weights)]->point());
+  }
+
+  CurveSample find(double t, Weights weights, const SurfacePoint& start) {
+    const CenterOfMass center = findCenter(fields_, weights, start, method_);
+    return {t, center.point, center.status};
+  }
+
+  const Geometry& geometry_;
+  const Array<PointField*>& points_;
+  FieldBlend& fields_;
+  const Basis& basis_;
+  Method method_;
+  double tolerance_;
+  Array<CurveSample> samples_;
+  // Of `isFine`.
+  double longestStep_ = 0;
+  double farthest_ = 0;
+  double largestChange_ = 0;
+  LocalPathWorkspace workspace_;
+  Array<SurfacePoint> path_;
+};
+
+}  // namespace
+
+void checkTolerance(double tolerance) {
+  constexpr double kLeast = 1e-7;
+  if (tolerance >= kLeast && tolerance <= 1) return;
+  throw Error(
+      ErrorCode::kBadArgument,
+      "a tolerance is a part of the bounding box, from 1e-7 to 1, not " + inSentence(tolerance));
+}
+
+Array<CurveSample> traceAdaptively(SegmentFields& fields, const Basis& basis,
+                                   const Array<double>& nodes, Method method, double tolerance) {
+  return AdaptiveTrace(fields, basis, method, tolerance).run(nodes);
+}
+
+}  // namespace karcher

@@ -1,0 +1,81 @@
+#include "curves/trace/segment.h"
+
+#include <algorithm>
+
+namespace karcher {
+
+CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
+                        Method method) {
+  return method == Method::kPaper ? newtonCenter(fields, weights, start)
+                                  : walkToCenter(fields, weights, start);
+}
+
+int heaviest(Weights weights) {
+  // Weights that should be equal may differ by rounding.
+  constexpr double kEqual = 1e-9;
+  const double most = *std::max_element(weights.begin(), weights.end());
+  int i = 0;
+  while (weights.data()[i] < most - kEqual) ++i;
+  return i;
+}
+
+void append(WeightTable& table, const Basis& basis, double t) {
+  const Array<double> weights = basis(t);
+  table.t.push_back(t);
+  table.points = weights.count();
+  table.weights.insert(table.weights.end(), weights.begin(), weights.end());
+}
+
+WeightTable tabulate(const Basis& basis, int count) {
+  WeightTable table;
+  for (int i = 0; i < count; ++i) append(table, basis, static_cast<double>(i) / (count - 1));
+  return table;
+}
+
+WeightTable tabulateMiddles(const Basis& basis, int count) {
+  WeightTable table;
+  for (int i = 0; i + 1 < count; ++i) append(table, basis, (i + 0.5) / (count - 1));
+  return table;
+}
+
+Array<int> restarts(Weights weights, Method method, bool isEnd) {
+  if (method == Method::kKarcher) return isEnd ? Array<int>{} : Array<int>{heaviest(weights)};
+  Array<int> order;
+  Array<double> left(weights.begin(), weights.end());
+  for (size_t k = 0; k < left.size(); ++k) {
+    const int next = heaviest({left.data(), left.size()});
+    // Points of weight 0 are no part of the next segment, which finds the same center at its start.
+    if (left[next] <= kWeightSumTolerance) break;
+    order.push_back(next);
+    left[next] = -kInfinity;
+  }
+  if (isEnd) order.erase(order.begin());
+  return order;
+}
+
+Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method) {
+  const Array<PointField*>& points = fields.points;
+  Array<CurveSample> samples(table.t.size());
+  const SurfacePoint* start = nullptr;
+  for (int i = 0; i < samples.count(); ++i) {
+    CurveSample& sample = samples[i];
+    sample.t = table.t[i];
+    // The ends are found from their control points alone: as the segments find them that meet
+    // there.
+    const bool isEnd = i == 0 || i == samples.count() - 1;
+    if (isEnd) start = &points[heaviest(table.row(i))]->point();
+    CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
+    if (center.status != Status::kConverged) {
+      for (const int k : restarts(table.row(i), method, isEnd)) {
+        center = findCenter(fields.blend, table.row(i), points[k]->point(), method);
+        if (center.status == Status::kConverged) break;
+      }
+    }
+    sample.point = center.point;
+    sample.status = center.status;
+    if (sample.status == Status::kConverged) start = &sample.point;
+  }
+  return samples;
+}
+
+}  // namespace karcher

@@ -1,0 +1,70 @@
+#include "distance/geodesic_line.h"
+
+#include <algorithm>
+
+#include "distance/shortest_path.h"
+#include "intrinsic/local_path.h"
+
+namespace karcher {
+
+namespace {
+
+/// The points of the path by a search that begins at `from`, with their lengths; none if it finds
+/// no strip of faces.
+GeodesicLine searchedFrom(const Geometry& geometry, const SurfacePoint& from,
+                          const SurfacePoint& to) {
+  GeodesicLine line;
+  line.points.push_back(from);
+  LocalPathWorkspace workspace;
+  double length = 0;
+  const LocalPathOptions everywhere{2 * geometry.mesh->faceCount()};
+  if (!appendLocalPath(geometry, from, to, workspace, line.points, length, everywhere)) return {};
+  line.lengths = lengthsAlong(*geometry.mesh, line.points);
+  return line;
+}
+
+}  // namespace
+
+GeodesicLine geodesicLine(const Geometry& geometry, const SurfacePoint& from,
+                          const SurfacePoint& to) {
+  GeodesicLine line = searchedFrom(geometry, from, to);
+  if (line.points.empty()) {
+    line.points = shortestPath(geometry, from, to).points;
+    line.lengths = lengthsAlong(*geometry.mesh, line.points);
+    return line;
+  }
+  GeodesicLine back = searchedFrom(geometry, to, from);
+  if (back.points.empty() || !(back.length() < line.length())) return line;
+  std::reverse(back.points.begin(), back.points.end());
+  back.lengths = lengthsAlong(*geometry.mesh, back.points);
+  return back;
+}
+
+LineHalves halvesOf(const TriangleMesh& mesh, const GeodesicLine& line) {
+  const double half = line.length() / 2;
+  const int after = pieceAt(line.lengths, half) + 1;
+  const SurfacePoint middle = pointAlong(mesh, line.points, line.lengths, half);
+  LineHalves halves;
+  halves.first.points.assign(line.points.begin(), line.points.begin() + after);
+  halves.first.lengths.assign(line.lengths.begin(), line.lengths.begin() + after);
+  halves.first.points.push_back(middle);
+  halves.first.lengths.push_back(half);
+  halves.second.points.push_back(middle);
+  halves.second.lengths.push_back(0);
+  for (int i = after; i < line.points.count(); ++i) {
+    halves.second.points.push_back(line.points[i]);
+    halves.second.lengths.push_back(line.lengths[i] - half);
+  }
+  return halves;
+}
+
+SurfacePoint averageOf(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b,
+                       double s) {
+  if (s <= 0) return a;
+  if (s >= 1) return b;
+  const Array<SurfacePoint> path = shortestPath(geometry, a, b).points;
+  const Array<double> lengths = lengthsAlong(*geometry.mesh, path);
+  return pointAlong(*geometry.mesh, path, lengths, s * lengths.back());
+}
+
+}  // namespace karcher
