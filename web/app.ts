@@ -2,11 +2,12 @@ import { messageOf, polylinesOf } from './editor/compute';
 import { CurveEdits } from './editor/curve_edits';
 import { Editor } from './editor/editor';
 import { Gestures } from './editor/gestures';
-import { formatLink, parseLink } from './editor/link';
 import { Measure } from './editor/measure';
-import { isMethod } from './editor/methods';
 import { Session } from './editor/session';
 import { exposeState } from './inspection';
+import { formatLink, parseLink } from './model/link';
+import { isMethod } from './model/methods';
+import { recall } from './model/storage';
 import { Opening } from './opening';
 import { CurvePanel } from './panels/curve_panel';
 import { showDetailsOnDemand } from './panels/details';
@@ -18,7 +19,6 @@ import { Status } from './panels/status';
 import { SurfacePanel } from './panels/surface_panel';
 import { Tools } from './panels/tools';
 import { saveChanges } from './saving';
-import { recall } from './storage';
 import { Viewer } from './viewer/viewer';
 
 /** Lets the browser start what was asked for, before work that holds the page up. */

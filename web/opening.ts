@@ -1,7 +1,9 @@
 import type { Vector3 } from 'three';
-import { type CurveDocument, emptyDocument } from './editor/document';
 import type { Editor } from './editor/editor';
-import { fitting, formatLink, type Link, lostOf, parseLink } from './editor/link';
+import type { Session } from './editor/session';
+import { linkOfJson } from './export/curve_file';
+import { type CurveDocument, emptyDocument } from './model/document';
+import { fitting, formatLink, type Link, lostOf, parseLink } from './model/link';
 import {
   defaultMesh,
   fileKey,
@@ -11,19 +13,17 @@ import {
   parseKey,
   sameSurface,
   sampleSource,
-} from './editor/meshes';
-import { methodOptions } from './editor/methods';
-import type { Session } from './editor/session';
-import { linkOfJson } from './export/curve_file';
+} from './model/meshes';
+import { methodOptions } from './model/methods';
+import { keepFile, keptFile, recall, remember } from './model/storage';
 import { formatCount } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
 import { startingLink } from './saving';
-import { keepFile, keptFile, recall, remember } from './storage';
+import { drawnGeometry } from './viewer/drawn_geometry';
 import type { Surface } from './viewer/surface';
 import type { Viewer } from './viewer/viewer';
 import { EngineClient } from './worker/client';
-import { drawnGeometry } from './worker/draw';
 
 /** How often an engine that stopped by itself is started again for one surface. */
 const mostRestarts = 2;

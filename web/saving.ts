@@ -1,6 +1,6 @@
 import type { Editor, State } from './editor/editor';
-import { formatLink, type Link, parseLink } from './editor/link';
-import { recall, recallInTab, remember, rememberInTab } from './storage';
+import { formatLink, type Link, parseLink } from './model/link';
+import { recall, recallInTab, remember, rememberInTab } from './model/storage';
 
 const delayMilliseconds = 200;
 

@@ -36,7 +36,7 @@ const ellipse = { ...circle, across: { radius: 0.2 } };
 describe('commands', () => {
   let module;
   before(async () => {
-    module = await load('editor/document.ts');
+    module = { ...(await load('model/document.ts')), ...(await load('model/commands.ts')) };
   });
 
   test('the inverse takes a command back', () => {
@@ -141,7 +141,7 @@ describe('the smallest edit between two curves', () => {
 describe('keys of surfaces', () => {
   let meshes;
   before(async () => {
-    meshes = await load('editor/meshes.ts');
+    meshes = await load('model/meshes.ts');
   });
 
   test('say how a surface is made', () => {
@@ -193,7 +193,7 @@ describe('keys of surfaces', () => {
 describe('links', () => {
   let link;
   before(async () => {
-    link = await load('editor/link.ts');
+    link = await load('model/link.ts');
   });
 
   test('say what they were made of', () => {
@@ -310,7 +310,7 @@ describe('links', () => {
 describe('the shape of a circle and an ellipse', () => {
   let module;
   before(async () => {
-    module = await load('editor/circle.ts');
+    module = await load('model/circle.ts');
   });
   const drawn = { radius: 0.7, direction: [0, 1, 0], across: null };
   const rim = { radius: 0.7, direction: [0, 1, 0] };
@@ -370,7 +370,7 @@ describe('the shape of a circle and an ellipse', () => {
 
 describe('the newest request', () => {
   test('waits for the running one, and older ones are dropped', async () => {
-    const { Newest } = await load('worker/newest.ts');
+    const { Newest } = await load('editor/newest.ts');
     const ran = [];
     let idle = 2;
     let release;
@@ -401,7 +401,7 @@ describe('the newest request', () => {
 
 describe('parts of a curve without a center', () => {
   test('are what is bridged, and runs of samples that are not converged', async () => {
-    const { lostIntervals, lostSamples } = await load('worker/lost.ts');
+    const { lostIntervals, lostSamples } = await load('model/lost.ts');
     const [c, b, i, n] = ['converged', 'bridged', 'indefinite', 'noProgress'];
     const status = [c, b, b, c, i, i, n, c, c];
     const segment = [0, 0, 0, 0, 1, 1, 1, 1, 1];

@@ -1,9 +1,9 @@
 /** What the engine makes of a circle or an ellipse: where its handles are, and its lines. */
 import type { FieldOptions, SurfacePoint } from 'karcher';
+import { acrossDirection, defaultAcross, reachAlong } from '../model/circle';
+import type { Across, CircleForm, CircleShape, Vector } from '../model/document';
+import type { TracedCurve, TracedIsolines } from '../model/traced';
 import type { EngineClient } from '../worker/client';
-import type { TracedCurve, TracedIsolines } from '../worker/protocol';
-import { acrossDirection, defaultAcross, reachAlong } from './circle';
-import type { Across, CircleForm, CircleShape, Vector } from './document';
 
 /** A radius that has a handle. */
 export interface ShownRadius {

@@ -1,10 +1,10 @@
-import type { CenterOfMass, CurveOptions, FieldOptions } from 'karcher';
+import type { CenterOfMass, FieldOptions } from 'karcher';
+import { type CurveDocument, isRound, pointsNeeded } from '../model/document';
+import { curveOptions, splineOf } from '../model/splines';
+import type { TracedCurve } from '../model/traced';
 import { type EngineClient, EngineError } from '../worker/client';
-import type { TracedCurve } from '../worker/protocol';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
-import { type CurveDocument, isRound, parameterOf, pointsNeeded, type Spline } from './document';
 import { type Shift, shiftBetween } from './shift';
-import { splineOf } from './splines';
 
 /** What the engine makes of a document: a curve, isolines or a center, with a circle's handles. */
 export interface Shown {
@@ -49,29 +49,6 @@ export function compute(
   return client
     .curve(curveOptions(spline, options), { keep: true, marks })
     .then((curve) => ({ ...nothing, curve }));
-}
-
-/** A spline as the engine takes it: with what its kind has a use for. */
-export function curveOptions(
-  { kind, points, settings }: Spline,
-  options: FieldOptions,
-): CurveOptions {
-  const { closed, degree, clamped, knots, parametrization, samples, tolerance } = settings;
-  const rule = clamped && !closed ? 'clamped' : 'uniform';
-  const parameter = parameterOf(kind);
-  const numbers = points.map((point) => (parameter && point[parameter]) ?? 1);
-  const plain = numbers.every((number) => number === 1);
-  return {
-    ...options,
-    kind,
-    points: points.map(({ face, bary }) => ({ face, bary })),
-    ...(tolerance === null ? { samples } : { tolerance }),
-    closed,
-    ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
-    ...(kind === 'catmullrom' && { parametrization }),
-    ...(parameter === 'weight' && !plain && { weights: numbers }),
-    ...(parameter === 'beta' && !plain && { betas: numbers }),
-  };
 }
 
 async function computeCenter(

@@ -1,8 +1,9 @@
 import type { SurfacePoint } from 'karcher';
-import { apply, type Command, type CurveDocument, knotsFit, type Vector } from './document';
+import { apply, type Command } from '../model/commands';
+import { type CurveDocument, knotsFit, type Vector } from '../model/document';
+import { activated, inPieces, joined, splineOf, withSpline } from '../model/splines';
 import type { CurveTool, Editor, Selection } from './editor';
 import type { Session } from './session';
-import { activated, inPieces, joined, splineOf, withSpline } from './splines';
 
 /** How often an edit is begun anew because another one, as a drag, overtook it. */
 const mostAttempts = 20;

@@ -1,19 +1,17 @@
-import type { CircleHandle } from './circle';
+import type { CircleHandle } from '../model/circle';
+import { apply, type Command, invert } from '../model/commands';
 import {
-  apply,
   type CircleForm,
-  type Command,
   type CurveDocument,
   type CurveSettings,
   cleared,
   emptyDocument,
-  invert,
   isEmpty,
   isRound,
   type Kind,
   withFittingKnots,
-} from './document';
-import { defaultMethod, type MethodId } from './methods';
+} from '../model/document';
+import { defaultMethod, type MethodId } from '../model/methods';
 
 /** A control point by its number, or one of a circle's or ellipse's handles. */
 export type Selection = number | CircleHandle | null;

@@ -1,10 +1,11 @@
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
+import { byRadii, newCircle, withHandle } from '../model/circle';
+import type { Command } from '../model/commands';
+import { type CircleShape, isRound, type Vector } from '../model/document';
 import { Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
-import { byRadii, newCircle, withHandle } from './circle';
-import { type CircleShape, type Command, isRound, type Vector } from './document';
 import type { CurveTool, Editor } from './editor';
 import { handlesOf, idOf, selectionOf } from './handle_list';
 import type { Session } from './session';

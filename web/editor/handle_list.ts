@@ -1,8 +1,8 @@
 import type { SurfacePoint } from 'karcher';
+import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle';
+import { isRound } from '../model/document';
 import type { Handle } from '../viewer/handles';
 import type { Surface } from '../viewer/surface';
-import { type CircleHandle, handleNames, isCircleHandle } from './circle';
-import { isRound } from './document';
 import type { Selection, State } from './editor';
 import type { View } from './session';
 

@@ -1,6 +1,6 @@
 import type { SurfacePoint } from 'karcher';
+import { type CurveDocument, isRound } from '../model/document';
 import type { EngineClient } from '../worker/client';
-import { type CurveDocument, isRound } from './document';
 
 export type Ends = readonly [SurfacePoint, SurfacePoint];
 

@@ -1,6 +1,6 @@
-import { Newest } from '../worker/newest';
-import type { Measured } from '../worker/protocol';
-import type { Vector } from './document';
+import type { Vector } from '../model/document';
+import type { Measured } from '../model/traced';
+import { Newest } from './newest';
 import type { Session } from './session';
 
 /** What is measured of the edited curve, at the newest place that was asked for. */

@@ -1,5 +1,5 @@
 import { EngineClient } from '../worker/client';
-import { Newest } from '../worker/newest';
+import { Newest } from './newest';
 
 /** What to compute, on whatever engine it is given, and what takes the answer. */
 export interface RefinementJob<Result> {

@@ -1,17 +1,29 @@
 import type { CurveOptions } from 'karcher';
+import {
+  type CurveDocument,
+  isRound,
+  pointsNeeded,
+  type Spline,
+  type Vector,
+} from '../model/document';
+import {
+  type MethodId,
+  methodOptions,
+  type Quality,
+  qualityOf,
+  refinedOptions,
+} from '../model/methods';
+import { curveOptions, splineFrom, splineOf } from '../model/splines';
+import type { Measured, TracedCurve } from '../model/traced';
 import type { EngineClient } from '../worker/client';
-import { Newest } from '../worker/newest';
-import type { Measured, TracedCurve } from '../worker/protocol';
 import type { Reshape } from '../worker/reshape';
-import { compute, curveOptions, messageOf, nothing, type Shown, shiftOf } from './compute';
-import { type CurveDocument, isRound, pointsNeeded, type Spline, type Vector } from './document';
+import { compute, messageOf, nothing, type Shown, shiftOf } from './compute';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
-import { type MethodId, methodOptions, type Quality, qualityOf, refinedOptions } from './methods';
+import { Newest } from './newest';
 import { Others } from './others';
 import { Refinement } from './refinement';
 import type { Shift } from './shift';
-import { splineFrom, splineOf } from './splines';
 
 /** What the engine made of a state of the editor. */
 export interface View extends Shown {

@@ -1,7 +1,7 @@
 import type { Vector3 } from 'three';
+import { isSpline } from '../model/document';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
-import { isSpline } from './document';
 import type { State } from './editor';
 
 /** What a click at a place of the window would act on. */

@@ -1,10 +1,10 @@
 /** What the page makes, as text for other programs. */
 import type { CurvePoints } from 'karcher';
-import { isRound } from '../editor/document';
 import type { State } from '../editor/editor';
-import { formatLink, type Link, parseLink } from '../editor/link';
 import type { View } from '../editor/session';
-import type { TracedCurve } from '../worker/protocol';
+import { isRound } from '../model/document';
+import { formatLink, type Link, parseLink } from '../model/link';
+import type { TracedCurve } from '../model/traced';
 
 const format = 'karcher-curve';
 

@@ -1,9 +1,4 @@
-/** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
-export interface SeenLine {
-  x: number[];
-  y: number[];
-  hidden: boolean[];
-}
+import type { SeenLine } from '../viewer/viewer';
 
 export interface DrawnLine extends SeenLine {
   color: string;

@@ -1,7 +1,7 @@
-import { handleNames, withRadius } from '../editor/circle';
-import { type CircleType, isRound } from '../editor/document';
 import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/session';
+import { handleNames, withRadius } from '../model/circle';
+import { type CircleType, isRound } from '../model/document';
 import { byId, make } from './elements';
 import { NumberField } from './number_field';
 

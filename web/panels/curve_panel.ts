@@ -1,8 +1,8 @@
 import type { CurveEdits } from '../editor/curve_edits';
-import { isEmpty, isSpline, type Kind, kinds } from '../editor/document';
 import type { Editor, State } from '../editor/editor';
-import { type MethodId, methods } from '../editor/methods';
 import type { View } from '../editor/session';
+import { isEmpty, isSpline, type Kind, kinds } from '../model/document';
+import { type MethodId, methods } from '../model/methods';
 import { CircleSettings } from './circle_settings';
 import { byId, make } from './elements';
 import { FineSettings } from './fine_settings';

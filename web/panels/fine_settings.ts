@@ -1,13 +1,13 @@
 import type { CurveEdits } from '../editor/curve_edits';
+import type { Editor, State } from '../editor/editor';
+import type { View } from '../editor/session';
 import {
   defaultSettings,
   isSpline,
   marksRange,
   samplesRange,
   toleranceRange,
-} from '../editor/document';
-import type { Editor, State } from '../editor/editor';
-import type { View } from '../editor/session';
+} from '../model/document';
 import { byId } from './elements';
 import { sentenceOf } from './messages';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';

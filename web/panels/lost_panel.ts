@@ -1,5 +1,5 @@
 import type { View } from '../editor/session';
-import { type LostInterval, type LostReason, lostSamples } from '../worker/lost';
+import { type LostInterval, type LostReason, lostSamples } from '../model/lost';
 import { byId, formatCount, make } from './elements';
 
 /** Why a part of a curve is no center of mass. */

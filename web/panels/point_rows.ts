@@ -1,5 +1,7 @@
 import type { SurfacePoint } from 'karcher';
-import { type CircleHandle, handleNames, isCircleHandle } from '../editor/circle';
+import type { Editor, Selection, State } from '../editor/editor';
+import type { View } from '../editor/session';
+import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle';
 import {
   type ControlPoint,
   type CurveDocument,
@@ -9,9 +11,7 @@ import {
   parameterOf,
   parameterRange,
   withParameter,
-} from '../editor/document';
-import type { Editor, Selection, State } from '../editor/editor';
-import type { View } from '../editor/session';
+} from '../model/document';
 import { byId, formatInteger, make } from './elements';
 
 const names: Record<ParameterName, string> = { weight: 'Weight', beta: 'Beta' };

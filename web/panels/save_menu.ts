@@ -1,11 +1,11 @@
 import type { SurfacePoint } from 'karcher';
 import { polylinesOf } from '../editor/compute';
-import { isRound } from '../editor/document';
 import type { Editor } from '../editor/editor';
-import { meshLabel } from '../editor/meshes';
 import type { Session } from '../editor/session';
 import { jsonOf, objOf } from '../export/curve_file';
 import { type DrawnLine, svgOf } from '../export/svg';
+import { isRound } from '../model/document';
+import { meshLabel } from '../model/meshes';
 import type { Viewer } from '../viewer/viewer';
 import { byId, make } from './elements';
 import { showNote } from './messages';

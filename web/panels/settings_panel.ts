@@ -1,7 +1,7 @@
 import type { Parametrization } from 'karcher';
 import type { CurveEdits } from '../editor/curve_edits';
-import { type CurveSettings, isSpline, type Kind } from '../editor/document';
 import type { Editor, State } from '../editor/editor';
+import { type CurveSettings, isSpline, type Kind } from '../model/document';
 import { byId, make } from './elements';
 
 const degrees = ['1, linear', '2, quadratic', '3, cubic', '4, quartic', '5, quintic'];

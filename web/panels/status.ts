@@ -1,12 +1,12 @@
 import type { MeshInfo } from 'karcher';
 import type { ShownCenter } from '../editor/compute';
-import { isRound, type Kind, parameterOf, pointsNeeded } from '../editor/document';
 import type { Editor, Selection, State } from '../editor/editor';
-import type { Quality } from '../editor/methods';
 import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
-import type { LostReason } from '../worker/lost';
-import type { Measured } from '../worker/protocol';
+import { isRound, type Kind, parameterOf, pointsNeeded } from '../model/document';
+import type { LostReason } from '../model/lost';
+import type { Quality } from '../model/methods';
+import type { Measured } from '../model/traced';
 import { byId, formatCount } from './elements';
 import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';

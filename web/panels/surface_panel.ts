@@ -1,5 +1,5 @@
 import type { MeshInfo } from 'karcher';
-import { detailLabels, meshLabel, parseKey, samples } from '../editor/meshes';
+import { detailLabels, meshLabel, parseKey, samples } from '../model/meshes';
 import { byId, formatInteger, make } from './elements';
 
 export interface SurfaceEvents {

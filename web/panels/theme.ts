@@ -1,5 +1,5 @@
 /** Light or dark: as the system has it, until it is chosen here. */
-import { recall, remember } from '../storage';
+import { recall, remember } from '../model/storage';
 import type { ViewerColors } from '../viewer/viewer';
 
 export type Theme = 'light' | 'dark';

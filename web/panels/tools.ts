@@ -1,6 +1,6 @@
 import type { CurveEdits } from '../editor/curve_edits';
-import { isSpline, kinds } from '../editor/document';
 import type { Editor } from '../editor/editor';
+import { isSpline, kinds } from '../model/document';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
 import { showNote } from './messages';

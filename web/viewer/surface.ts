@@ -14,8 +14,8 @@ import {
   Vector3,
 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
-import { surfacePoint, type Vector } from '../editor/document';
-import type { DrawnGeometry, Frame } from '../worker/geometry';
+import { surfacePoint, type Vector } from '../model/document';
+import type { DrawnGeometry, Frame } from './drawn_geometry';
 
 /** Digits after the point that the weights of a picked point have, so that links are short. */
 const shortened = (weight: number) => Math.floor(weight * 1e9) / 1e9;

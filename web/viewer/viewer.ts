@@ -1,7 +1,6 @@
 import { Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import type { SeenLine } from '../export/svg';
-import type { DrawnGeometry } from '../worker/geometry';
 import { nearestOnScreen } from './curve_pick';
+import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine } from './fat_line';
 import { OrbitView } from './orbit_view';
 import { colorSurface, type Pick, Surface } from './surface';
@@ -19,6 +18,13 @@ export interface ViewerColors {
   polygon: string;
   marks: string;
   center: string;
+}
+
+/** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
+export interface SeenLine {
+  x: number[];
+  y: number[];
+  hidden: boolean[];
 }
 
 /** How long a tangent is drawn, in the scene; a surface's diagonal is 2. */

@@ -12,20 +12,15 @@ import type {
   PointLike,
   Solver,
 } from 'karcher';
-import type { MeshSource } from '../editor/meshes';
+import type { MeshSource } from '../model/meshes';
 import type {
-  CallName,
-  Calls,
-  CurveWork,
-  LoadedMesh,
   Measured,
-  Reply,
-  Request,
   TracedCurve,
   TracedIsolines,
   TracedPath,
   TracedStraightestPath,
-} from './protocol';
+} from '../model/traced';
+import type { CallName, Calls, CurveWork, LoadedMesh, Reply, Request } from './protocol';
 import type { Reshape, Reshaped } from './reshape';
 
 /** A failure that the engine names, or `stopped` where its worker ended. */

@@ -9,10 +9,11 @@ import {
   load,
   type Mesh,
 } from 'karcher';
-import type { MeshSource } from '../editor/meshes';
+import { lostIntervals } from '../model/lost';
+import type { MeshSource } from '../model/meshes';
+import type { TracedCurve } from '../model/traced';
 import { type Change, changeBetween } from './change';
-import { lostIntervals } from './lost';
-import type { Calls, Failure, Reply, Request, TracedCurve } from './protocol';
+import type { Calls, Failure, Reply, Request } from './protocol';
 import { reshaped } from './reshape';
 
 let mesh: Mesh | null = null;
@@ -164,11 +165,11 @@ async function meshOf(
       return karcher.meshFromArrays(source.positions, source.triangles);
     case 'bunny':
     case 'shape': {
-      const { makeSample } = await import('./sample_mesh');
+      const { makeSample } = await import('../model/sample_mesh');
       return makeSample(karcher, source, progress);
     }
     default: {
-      const { makeMesh } = await import('./made_mesh');
+      const { makeMesh } = await import('../model/made_mesh');
       return makeMesh(karcher, source, progress);
     }
   }

@@ -1,4 +1,4 @@
-import type { Tessellation } from '../../editor/meshes';
+import type { Tessellation } from '../../model/meshes';
 import type { Figure, LineId, MeshSpec, Vector } from './types';
 
 const farMethods: LineId[] = [

@@ -1,4 +1,4 @@
-import type { MadeSource } from '../../editor/meshes';
+import type { MadeSource } from '../../model/meshes';
 
 /** What a figure shows, as data: the page draws it, the report and the tests read its numbers. */
 

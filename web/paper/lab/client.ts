@@ -1,4 +1,4 @@
-import { madeKey } from '../../editor/meshes';
+import { madeKey } from '../../model/meshes';
 import { slowLines } from '../figures/lines';
 import type { LineId, LineResult, MeshSpec } from '../figures/types';
 import type { DrawnMesh, Placed, Reply, Request, TraceJob } from './protocol';

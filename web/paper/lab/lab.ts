@@ -1,6 +1,6 @@
 import type { LongWorkOptions } from 'karcher';
 import type { Peers, ReferenceSamples } from 'karcher/peers';
-import { madeKey } from '../../editor/meshes';
+import { madeKey } from '../../model/meshes';
 import type { LineId, LineResult, MeshSpec, Panel, Vector } from '../figures/types';
 import { traceLine } from './lines';
 import type { DrawnMesh, Placed } from './protocol';

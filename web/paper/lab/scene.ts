@@ -6,7 +6,7 @@ import {
   type PreparedMethod,
   warm,
 } from 'karcher/peers';
-import { makeMesh } from '../../worker/made_mesh';
+import { makeMesh } from '../../model/made_mesh';
 import type { MeshSpec } from '../figures/types';
 import { NearestPoints } from './nearest';
 

@@ -1,4 +1,4 @@
-import { madeKey } from '../../editor/meshes';
+import { madeKey } from '../../model/meshes';
 import { type TableCell, type TableRow, tableMethodNames } from './rows';
 
 const heads = [

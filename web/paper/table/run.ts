@@ -7,7 +7,7 @@ import {
   runMethod,
   standardOptions,
 } from 'karcher/peers';
-import { makeMesh } from '../../worker/made_mesh';
+import { makeMesh } from '../../model/made_mesh';
 import { NearestPoints } from '../lab/nearest';
 import { type TableCell, type TableMethod, type TableRow, tableMethods } from './rows';
 

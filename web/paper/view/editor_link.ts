@@ -5,9 +5,9 @@ import {
   emptyDocument,
   type ParameterName,
   parameterRange,
-} from '../../editor/document';
-import { formatLink } from '../../editor/link';
-import { madeKey } from '../../editor/meshes';
+} from '../../model/document';
+import { formatLink } from '../../model/link';
+import { madeKey } from '../../model/meshes';
 import type { CurveSpec, MeshSpec } from '../figures/types';
 
 /** Why `editorLink` may be null. */

@@ -1,9 +1,9 @@
-import type { DrawnGeometry, GeometryRequest } from '../../worker/geometry';
+import type { DrawnGeometry, GeometryRequest } from '../../viewer/drawn_geometry';
 import type { DrawnMesh } from '../lab/protocol';
 
 /** Prepares meshes for drawing and picking in a worker, one after the other. */
 export class GeometryMaker {
-  readonly #worker = new Worker(new URL('../../worker/geometry.ts', import.meta.url), {
+  readonly #worker = new Worker(new URL('../../viewer/geometry_worker.ts', import.meta.url), {
     type: 'module',
   });
   #last: Promise<unknown> = Promise.resolve();

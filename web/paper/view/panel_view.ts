@@ -10,9 +10,9 @@ import {
   Vector3,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { DrawnGeometry } from '../../viewer/drawn_geometry';
 import { FatLine } from '../../viewer/fat_line';
 import { Surface } from '../../viewer/surface';
-import type { DrawnGeometry } from '../../worker/geometry';
 import type { LineResult, Panel, Vector } from '../figures/types';
 import type { SharedRenderer } from './shared_renderer';
 

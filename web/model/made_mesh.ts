@@ -1,6 +1,6 @@
 import type { Karcher, Mesh } from 'karcher';
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
-import type { MadeSource } from '../editor/meshes';
+import type { MadeSource } from './meshes';
 import { planeArrays } from './planes';
 import { makeSample, type Tell } from './sample_mesh';
 

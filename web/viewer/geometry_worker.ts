@@ -1,32 +1,9 @@
 /** The worker that prepares a surface for drawing and picking, so that the page never waits. */
 import { BufferAttribute, BufferGeometry } from 'three';
-import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
-
-/** Takes a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2. */
-export interface Frame {
-  center: [number, number, number];
-  scale: number;
-}
-
-export interface DrawnGeometry {
-  frame: Frame;
-  /** In the scene's coordinates. */
-  positions: Float32Array;
-  normals: Float32Array;
-  triangles: Uint32Array;
-  tree: SerializedBVH;
-  /** Which sides of the triangles are seen from outside. */
-  outside: 'front' | 'back' | 'both';
-}
+import { MeshBVH } from 'three-mesh-bvh';
+import type { DrawnGeometry, Frame, GeometryRequest } from './drawn_geometry';
 
 type Corners = [number, number, number];
-
-export interface GeometryRequest {
-  positions: Float64Array;
-  triangles: Int32Array;
-  /** Without a boundary. */
-  closed: boolean;
-}
 
 /** The frame of the vertices that triangles use. */
 function frameOf({ positions, triangles }: GeometryRequest): Frame {

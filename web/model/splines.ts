@@ -1,5 +1,5 @@
 /** Documents with several splines: one is edited, the others lie beside it. */
-import type { CurveOptions } from 'karcher';
+import type { CurveOptions, FieldOptions } from 'karcher';
 import {
   type ControlPoint,
   type CurveDocument,
@@ -40,6 +40,29 @@ export function inPieces(document: CurveDocument, pieces: readonly Spline[]): Cu
 /** The document with the edited spline and another one joined. */
 export function joined(document: CurveDocument, index: number, whole: Spline): CurveDocument {
   return { ...withSpline(document, whole), others: document.others.toSpliced(index, 1) };
+}
+
+/** A spline as the engine takes it: with what its kind has a use for. */
+export function curveOptions(
+  { kind, points, settings }: Spline,
+  options: FieldOptions,
+): CurveOptions {
+  const { closed, degree, clamped, knots, parametrization, samples, tolerance } = settings;
+  const rule = clamped && !closed ? 'clamped' : 'uniform';
+  const parameter = parameterOf(kind);
+  const numbers = points.map((point) => (parameter && point[parameter]) ?? 1);
+  const plain = numbers.every((number) => number === 1);
+  return {
+    ...options,
+    kind,
+    points: points.map(({ face, bary }) => ({ face, bary })),
+    ...(tolerance === null ? { samples } : { tolerance }),
+    closed,
+    ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
+    ...(kind === 'catmullrom' && { parametrization }),
+    ...(parameter === 'weight' && !plain && { weights: numbers }),
+    ...(parameter === 'beta' && !plain && { betas: numbers }),
+  };
 }
 
 /** What the engine made of a spline, as one; settings that its kind has no use for are kept. */

@@ -1,6 +1,6 @@
 import bunny from 'bunny';
 import type { Karcher, Mesh } from 'karcher';
-import type { SampleSource } from '../editor/meshes';
+import type { SampleSource } from './meshes';
 
 export type Tell = (done: number, stage: string) => void;
 

@@ -1,5 +1,5 @@
 import Delaunator from 'delaunator';
-import type { Tessellation } from '../editor/meshes';
+import type { Tessellation } from './meshes';
 import { randomFrom } from './random';
 
 /** Positions and triangles, as `Karcher.meshFromArrays` takes them. */

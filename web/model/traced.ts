@@ -1,0 +1,53 @@
+/** What the engine makes of a document, as the page draws and shows it. */
+import type { CurvePoints, CurveSamples, SurfacePoint } from 'karcher';
+import type { LostInterval } from './lost';
+
+/** A curve as the page draws it. */
+export interface TracedCurve {
+  polyline: Float32Array;
+  /** One a polyline vertex; 1 where its sample is not converged. */
+  polylineStatus: Uint8Array;
+  /** Without the statuses: `lost` has those. */
+  samples: Omit<CurveSamples, 'status'>;
+  /** A B-spline's knots, also where they follow a rule; of other curves none. */
+  knots: Float64Array;
+  /** Points with the same length of curve between them, as many as were asked for. */
+  marks: CurvePoints | null;
+  /** Where the curve is no center of mass: it is bridged there, by subdivision. */
+  lost: LostInterval[];
+  /** A circle's arcs whose geodesics from the center stopped being shortest. */
+  arcsNotShortest: number;
+  length: number;
+  milliseconds: number;
+}
+
+/** The lines of points at one distance, as the page draws them. */
+export interface TracedIsolines {
+  /** Open ones end at the boundary. */
+  lines: { closed: boolean; length: number; polyline: Float32Array }[];
+  /** Of all of them. */
+  length: number;
+  milliseconds: number;
+}
+
+/** A point of a curve, with what is worth knowing there. */
+export interface Measured {
+  parameter: number;
+  position: [number, number, number];
+  /** From the curve's start, and of all of it. */
+  length: number;
+  wholeLength: number;
+  /** The derivative by the parameter. */
+  tangent: [number, number, number];
+}
+
+export interface TracedPath {
+  length: number;
+  polyline: Float32Array;
+}
+
+export interface TracedStraightestPath {
+  end: SurfacePoint;
+  remaining: number;
+  polyline: Float32Array;
+}

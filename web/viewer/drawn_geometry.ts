@@ -1,0 +1,40 @@
+import type { SerializedBVH } from 'three-mesh-bvh';
+
+/** Takes a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2. */
+export interface Frame {
+  center: [number, number, number];
+  scale: number;
+}
+
+export interface DrawnGeometry {
+  frame: Frame;
+  /** In the scene's coordinates. */
+  positions: Float32Array;
+  normals: Float32Array;
+  triangles: Uint32Array;
+  tree: SerializedBVH;
+  /** Which sides of the triangles are seen from outside. */
+  outside: 'front' | 'back' | 'both';
+}
+
+export interface GeometryRequest {
+  positions: Float64Array;
+  triangles: Int32Array;
+  /** Without a boundary. */
+  closed: boolean;
+}
+
+/** Prepares a surface for drawing and picking in a worker of its own. */
+export function drawnGeometry(mesh: GeometryRequest, signal?: AbortSignal): Promise<DrawnGeometry> {
+  const worker = new Worker(new URL('./geometry_worker.ts', import.meta.url), { type: 'module' });
+  return new Promise<DrawnGeometry>((resolve, reject) => {
+    signal?.throwIfAborted();
+    signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
+    worker.onmessage = ({ data }) => resolve(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      reject(new Error(event.message || 'the surface could not be drawn'));
+    };
+    worker.postMessage(mesh);
+  }).finally(() => worker.terminate());
+}
