@@ -1,0 +1,191 @@
+// What a person can click on a page, and whether they hit it: for any page, whatever its controls.
+import assert from 'node:assert/strict';
+
+/** What is clicked, but for the handles on the stage, which are dragged and may lie on each other. */
+const controls = 'button, select, input, textarea, summary, a[href]';
+const apart = '.stage, noscript';
+
+/** Put into a page: `window.reach` finds its controls, and where they are clicked. */
+function install([all, without]) {
+  /** Stays the same while words change, and for a control that is made anew; a list's are alike. */
+  const nameOf = (element) => {
+    if (element.id) return `#${element.id}`;
+    const { localName, className, name, value, dataset } = element;
+    const which = name ? `${name} ${value}` : (dataset.save ?? className);
+    return `${localName} '${which}' in #${element.parentElement.closest('[id]')?.id}`;
+  };
+
+  /** An input that is not seen is clicked by its label. */
+  const isUnseen = (element) => getComputedStyle(element).opacity === '0';
+
+  const middle = ({ left, right, top, bottom }) => ({
+    x: (left + right) / 2,
+    y: (top + bottom) / 2,
+  });
+
+  /** Where a person would click it. */
+  const targetsOf = (element) => {
+    const label = element.labels?.[0];
+    const targets = label && element.localName === 'input' && isUnseen(element) ? [] : [element];
+    if (!label || !['checkbox', 'radio'].includes(element.type)) return targets;
+    const words = document.createRange();
+    words.selectNodeContents(label);
+    if (label.contains(element)) words.setStartAfter(element);
+    return [...targets, words];
+  };
+
+  const isScroller = (element) =>
+    /auto|scroll/.test(getComputedStyle(element).overflowY) &&
+    element.scrollHeight > element.clientHeight;
+
+  /** Scrolls what a wheel or a finger would, until a target's middle is within. */
+  const bringIntoView = (element, target) => {
+    for (let box = element.parentElement; box; box = box.parentElement) {
+      const isRoot = box === document.documentElement;
+      const scrolls = isRoot
+        ? getComputedStyle(document.body).overflowY !== 'hidden'
+        : isScroller(box);
+      if (!scrolls) continue;
+      const { y } = middle(target.getBoundingClientRect());
+      const { top, bottom } = isRoot
+        ? { top: 0, bottom: innerHeight }
+        : box.getBoundingClientRect();
+      if (y < top + 4 || y > bottom - 4) {
+        box.scrollBy({ top: y - (top + bottom) / 2, behavior: 'instant' });
+      }
+    }
+  };
+
+  const isOfIt = (element, hit) =>
+    element.contains(hit) || [...(element.labels ?? [])].some((label) => label.contains(hit));
+
+  const told = (hit) => (hit ? `${hit.localName}${hit.id && `#${hit.id}`}.${hit.className}` : 'no');
+
+  /** What is in front of the others has the clicks. */
+  const front = () =>
+    document.querySelector('dialog:modal') ?? document.querySelector(':popover-open') ?? document;
+
+  const visible = () =>
+    [...front().querySelectorAll(all)].filter(
+      (element) =>
+        !element.closest(without) &&
+        element.checkVisibility({ visibilityProperty: true }) &&
+        element.getBoundingClientRect().width > 0,
+    );
+
+  const panels = '.group, [role="toolbar"], [role="menu"], dialog, .notices, .status, .messages';
+  const panelOf = (element) => {
+    const panel = element.closest(panels);
+    return panel && (panel.id || panel.className);
+  };
+
+  window.reach = {
+    visible,
+    /** Every control that there is, seen or not. */
+    names: () =>
+      [...document.querySelectorAll(all)]
+        .filter((element) => !element.closest(without) && element.type !== 'file')
+        .map(nameOf),
+    panels: () =>
+      [...document.querySelectorAll(panels)].map((panel) => panel.id || panel.className),
+    /** The controls that are seen, and of each that is not hit where it is clicked what is. */
+    look: () =>
+      visible().map((element) => {
+        const covered = targetsOf(element).flatMap((target) => {
+          bringIntoView(element, target);
+          const { x, y } = middle(target.getBoundingClientRect());
+          const hit = document.elementFromPoint(x, y);
+          return hit && isOfIt(element, hit)
+            ? []
+            : [`${told(hit)} is at ${Math.round(x)}, ${Math.round(y)}`];
+        });
+        return { name: nameOf(element), panel: panelOf(element), covered };
+      }),
+    /** Where a control that is seen is clicked, in the window. */
+    placesOf(element) {
+      if (!visible().includes(element)) throw new Error(`${nameOf(element)} is not seen`);
+      return targetsOf(element).map((target) => {
+        bringIntoView(element, target);
+        return middle(target.getBoundingClientRect());
+      });
+    },
+    /**
+     * From here on clicks do nothing but tell whether they hit the control of that number; gives how
+     * many places it is clicked at.
+     */
+    arm(number) {
+      const element = visible()[number];
+      const hits = [];
+      const watch = (event) => {
+        event.preventDefault();
+        event.stopImmediatePropagation();
+        if (event.type === 'pointerdown') hits.push(isOfIt(element, event.target));
+      };
+      const events = ['pointerdown', 'mousedown', 'pointerup', 'mouseup', 'click', 'dblclick'];
+      for (const type of events) window.addEventListener(type, watch, { capture: true });
+      Object.assign(window.reach, {
+        place: (which) => window.reach.placesOf(element)[which],
+        hits: () => hits.splice(0),
+        disarm() {
+          for (const type of events) window.removeEventListener(type, watch, { capture: true });
+        },
+      });
+      return targetsOf(element).length;
+    },
+  };
+}
+
+/** The controls of one page, as they are come upon in its states. */
+export class Controls {
+  /** The names of those that were hit where they are clicked. */
+  reached = new Set();
+  panels = new Set();
+  constructor(page) {
+    this.page = page;
+  }
+
+  async install() {
+    await this.page.evaluate(install, [controls, apart]);
+  }
+
+  /**
+   * Looks at all that are seen, and fails where one is not hit; those that are new are clicked with
+   * the mouse, without an effect. Gives how many there are.
+   */
+  async look(state) {
+    const seen = await this.page.evaluate(() => window.reach.look());
+    const covered = seen.filter((one) => one.covered.length > 0);
+    assert.deepEqual(
+      covered.map((one) => `${one.name}: ${one.covered.join('; ')}`),
+      [],
+      `${state}: something else is on top`,
+    );
+    for (const [number, { name, panel }] of seen.entries()) {
+      if (this.reached.has(name)) continue;
+      assert.ok(await this.#isHit(number), `${state}: a click hits ${name}`);
+      this.reached.add(name);
+      if (panel) this.panels.add(panel);
+    }
+    return seen.length;
+  }
+
+  async #isHit(number) {
+    const { page } = this;
+    const count = await page.evaluate((at) => window.reach.arm(at), number);
+    const hits = [];
+    for (let which = 0; which < count; which++) {
+      const { x, y } = await page.evaluate((one) => window.reach.place(one), which);
+      await page.mouse.click(x, y);
+      hits.push(...(await page.evaluate(() => window.reach.hits())));
+    }
+    await page.evaluate(() => window.reach.disarm());
+    return hits.length === count && hits.every((hit) => hit);
+  }
+
+  /** Clicks a control in the middle, as a person would; or its words, where it has a place for both. */
+  async click(locator, { words } = { words: false }) {
+    const places = await locator.evaluate((element) => window.reach.placesOf(element));
+    const { x, y } = places.at(words ? -1 : 0);
+    await this.page.mouse.click(x, y);
+  }
+}

@@ -1,0 +1,156 @@
+// Every control of every panel is hit where a person would click it, in a wide and a narrow window.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+import { Controls } from './controls.mjs';
+
+const sizes = {
+  wide: { width: 1280, height: 800 },
+  narrow: { width: 390, height: 844 },
+};
+
+const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
+/** A curve with parts that are no center of mass, another one beside it, and a circle. */
+const fragment = [
+  'mesh=genus3:5000&method=karcher-fast&kind=bspline',
+  `points=${at([3713, 2975, 4071, 3269, 3294, 1757])}`,
+  `other=${encodeURIComponent(`kind=polyline&points=${at([10, 500])}`)}`,
+  'circle=100,0.3,0.3;0.1,1,0,0',
+].join('&');
+
+describe('every control is hit where it is clicked', () => {
+  const looked = [];
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  for (const [name, viewport] of Object.entries(sizes)) {
+    test(`in a ${name} window`, async (t) => {
+      const tab = await Tab.open(browser, fragment);
+      const { page } = tab;
+      await page.setViewportSize(viewport);
+      const controls = new Controls(page);
+      await controls.install();
+      looked.push({
+        controls,
+        names: await page.evaluate(() => window.reach.names()),
+        panels: await page.evaluate(() => window.reach.panels()),
+      });
+      await controls.look('at first');
+      await unfold(controls);
+      await controls.click(page.locator('#points button').first());
+      const chosen = new Set();
+      for (const radio of await page.locator('[name="kind"]').all()) {
+        await controls.click(radio);
+        await tab.settled();
+        const { kind } = (await tab.state()).document;
+        assert.equal(kind, await radio.inputValue());
+        assert.ok((await controls.look(kind)) > 10, kind);
+        await checkBoxes(tab, controls, kind);
+        await chooseAll(tab, controls, kind, chosen);
+      }
+      for (const opener of await all(controls, '[aria-haspopup]')) {
+        await controls.click(opener);
+        assert.ok((await controls.look('opened')) > 0);
+        await page.keyboard.press('Escape');
+      }
+      await tab.drop('bad.obj', 'nothing');
+      await page.getByRole('alert').waitFor();
+      await controls.look('a message');
+      const open = await holdEngine(page);
+      await page.locator('#surface').selectOption('torus');
+      await page.locator('#progress').waitFor();
+      await controls.look('while a surface opens');
+      open();
+      await page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
+
+      t.diagnostic(`${controls.reached.size} kinds of controls`);
+      assert.deepEqual(tab.logged, []);
+      await page.close();
+    });
+  }
+
+  test('and none, and no panel, is left out', () => {
+    assert.equal(looked.length, 2);
+    const [names, panels, reached, withControls] = [
+      looked.flatMap((one) => one.names),
+      looked.flatMap((one) => one.panels),
+      looked.flatMap((one) => [...one.controls.reached]),
+      looked.flatMap((one) => [...one.controls.panels]),
+    ];
+    assert.deepEqual(
+      [...new Set(names)].filter((name) => !reached.includes(name)),
+      [],
+    );
+    assert.ok(panels.length > 0);
+    assert.deepEqual(
+      [...new Set(panels)].filter((panel) => !withControls.includes(panel)),
+      [],
+    );
+  });
+});
+
+/** Keeps engines that start from now on from being loaded, until what is given back is called. */
+async function holdEngine(page) {
+  let open;
+  const opened = new Promise((resolve) => {
+    open = resolve;
+  });
+  await page.context().route('**/*.wasm', async (route) => {
+    await opened;
+    await route.continue();
+  });
+  return open;
+}
+
+/** Shows what is folded, by clicks. */
+async function unfold(controls) {
+  const folded = '[aria-expanded="false"]:not([aria-haspopup]), details:not([open]) > summary';
+  for (;;) {
+    const next = controls.page.locator(folded).filter({ visible: true }).first();
+    if ((await next.count()) === 0) return;
+    const element = await next.elementHandle();
+    await controls.click(element);
+    const shown = await element.evaluate(
+      (one) => one.getAttribute('aria-expanded') === 'true' || one.parentElement.open,
+    );
+    assert.ok(shown, 'a click shows what is folded');
+    await controls.look('unfolded');
+  }
+}
+
+const all = (controls, selector) =>
+  controls.page.locator(selector).filter({ visible: true }).elementHandles();
+
+/** A click on a box, and one on its words, changes the curve and is kept. */
+async function checkBoxes(tab, controls, kind) {
+  for (const box of await all(controls, 'input[type="checkbox"]')) {
+    for (const words of [false, true]) {
+      const before = await box.isChecked();
+      const { revision } = await tab.state();
+      await controls.click(box, { words });
+      await tab.settled();
+      assert.equal(await box.isChecked(), !before, `${kind}: the ${words ? 'words' : 'box'}`);
+      assert.ok((await tab.state()).revision > revision, `${kind}: the curve is another one`);
+      await controls.look(`${kind}, checked`);
+    }
+  }
+}
+
+/** Every choice of the settings that no kind before had, which may show others. */
+async function chooseAll(tab, controls, kind, chosen) {
+  for (const select of await all(controls, '.settings select')) {
+    const id = await select.getAttribute('id');
+    if (chosen.has(id)) continue;
+    chosen.add(id);
+    const values = await select.evaluate((one) => [...one.options].map(({ value }) => value));
+    const first = await select.inputValue();
+    for (const value of [...values.filter((one) => one !== first), first]) {
+      await select.selectOption(value);
+      await tab.settled();
+      await controls.look(`${kind}, ${value}`);
+    }
+  }
+}
