@@ -1,0 +1,51 @@
+#pragma once
+
+#include "intrinsic/geometry.h"
+#include "measures/polyline_distance.h"
+
+/// How still a curve is under the hand: while a control point is dragged in small steps, how far
+/// the whole curve moves a step.
+namespace karcher {
+
+/// A vertex of positive curvature that came from one side of a leg to the other. No geodesic passes
+/// through it, so the leg's middle leaps by about length * curvature / 4 there.
+struct VertexPassage {
+  int vertex = -1;
+  double curvature = 0;  ///< 2 pi less the vertex's total angle
+};
+
+/// The vertices of positive curvature between two paths on the surface with about the same ends,
+/// among those next to both. Consecutive points of a path share a face.
+Array<VertexPassage> passedVertices(const Geometry& geometry, const Array<SurfacePoint>& before,
+                                    const Array<SurfacePoint>& after);
+
+/// Lengths in steps of the hand.
+struct DragFigures {
+  /// A motion of more than this is a shiver.
+  static constexpr double kShiver = 5;
+  static constexpr double kTolerance = 1e-2;
+
+  int steps = 0;  ///< that count
+  int shivers = 0;
+  double largestLeap = 0;
+  /// Steps that do not count: a leg passed over vertices that allow it to leap that far.
+  int passing = 0;
+  /// The largest of their leaps, as a part of what the passages allow.
+  double largestPassing = 0;
+
+  double shiverShare() const { return steps > 0 ? static_cast<double>(shivers) / steps : 0; }
+  double passingShare() const {
+    return steps + passing > 0 ? static_cast<double>(passing) / (steps + passing) : 0;
+  }
+};
+
+/// Counts one step of the hand. `allowedLeap`: half of length * curvature, summed over the passages
+/// of the legs in this step, in the mesh's units as `step` is. Where that is less than a shiver the
+/// step counts like any other. Returns the motion.
+double countStep(DragFigures& figures, const MeasuredPolyline& before,
+                 const MeasuredPolyline& after, double step, double allowedLeap = 0);
+
+/// Adds the figures of other drags.
+void add(DragFigures& sum, const DragFigures& figures);
+
+}  // namespace karcher

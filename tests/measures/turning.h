@@ -1,0 +1,49 @@
+#pragma once
+
+#include "measures/box_tree.h"
+#include "mesh/surface_point.h"
+
+/// How much a curve on a mesh turns to the sides, by its positions alone: one measure for curves of
+/// every origin.
+namespace karcher {
+
+/// The points of a mesh nearest to places in space, by a tree of boxes around its faces.
+class NearestOnMesh {
+ public:
+  /// The mesh must outlive the object.
+  explicit NearestOnMesh(const TriangleMesh& mesh);
+  SurfacePoint at(const Vec3& place) const;
+
+ private:
+  const TriangleMesh* mesh_;
+  BoxTree tree_;
+};
+
+/// Unit normals of a mesh taken for smooth: those at the vertices are the sums of the normals of
+/// the faces around, weighted by area, and inside faces they are interpolated.
+class SmoothNormals {
+ public:
+  /// The mesh must outlive the object.
+  explicit SmoothNormals(const TriangleMesh& mesh);
+  Vec3 at(const SurfacePoint& point) const;
+
+ private:
+  const TriangleMesh* mesh_;
+  Array<Vec3> atVertex_;
+};
+
+struct TurningMeasure {
+  explicit TurningMeasure(const TriangleMesh& mesh) : nearest(mesh), normals(mesh) {}
+  NearestOnMesh nearest;
+  SmoothNormals normals;
+};
+
+/// `count` places with the same length of the polyline between consecutive ones, its ends included.
+Array<Vec3> evenlySpaced(const Array<Vec3>& polyline, int count);
+
+/// The sum of the angles, in degrees, between consecutive pieces of the polyline through
+/// `pieces` + 1 places that are evenly spaced on a curve, the two pieces at a place projected to
+/// the mesh's tangent plane there.
+double turning(const TurningMeasure& measure, const Array<Vec3>& curve, int pieces = 32);
+
+}  // namespace karcher
