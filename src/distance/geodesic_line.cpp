@@ -15,7 +15,7 @@ GeodesicLine searchedFrom(const Geometry& geometry, const SurfacePoint& from,
                           const SurfacePoint& to) {
   GeodesicLine line;
   line.points.push_back(from);
-  LocalPathWorkspace workspace;
+  StripWorkspace workspace;
   double length = 0;
   const LocalPathOptions everywhere{2 * geometry.mesh->faceCount()};
   if (!appendLocalPath(geometry, from, to, workspace, line.points, length, everywhere)) return {};

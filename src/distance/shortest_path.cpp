@@ -38,7 +38,7 @@ void followBack(const Geometry& geometry, const ExactDistance& distance, int ver
 ShortestPath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked, double length) {
   const TriangleMesh& mesh = *geometry.mesh;
   ShortestPath path{{walked.back()}, length};
-  LocalPathWorkspace workspace;
+  StripWorkspace workspace;
   for (int i = walked.count() - 2; i >= 0; --i) {
     const SurfacePoint& last = path.points.back();
     const SurfacePoint& point = walked[i];

@@ -1,13 +1,7 @@
 #include "intrinsic/local_path.h"
 
-#include <algorithm>
-
 namespace karcher {
 namespace {
-
-using Node = LocalPathWorkspace::Node;
-using QueueEntry = LocalPathWorkspace::QueueEntry;
-using Slot = LocalPathWorkspace::Slot;
 
 /// Joins two points of faces that share the edge of half-edge h, if the straight line crosses it.
 bool joinAcross(const Geometry& geometry, const SurfacePoint& from, int h, const SurfacePoint& to,
@@ -31,143 +25,10 @@ bool joinAcross(const Geometry& geometry, const SurfacePoint& from, int h, const
   return true;
 }
 
-/// The point of the edge a-b nearest to the line through p and q, kept off the edge's ends.
-Vec3 entryPoint(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
-  const Vec3 d = q - p;
-  const Vec3 e = b - a;
-  const Vec3 w = a - p;
-  const double dd = d.squaredNorm();
-  const double de = d.dot(e);
-  const double determinant = dd * e.squaredNorm() - de * de;
-  const double s = (de * d.dot(w) - dd * e.dot(w)) / determinant;
-  return a + (determinant > 0 ? std::clamp(s, 0.01, 0.99) : 0.5) * e;
-}
-
-/// A* over faces, towards the target in space.
-class StripSearch {
- public:
-  StripSearch(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to,
-              LocalPathWorkspace& workspace, int maxFaces)
-      : mesh_(mesh),
-        toLocation_(locate(mesh, to)),
-        target_(position(mesh, to)),
-        workspace_(workspace),
-        maxFaces_(maxFaces) {
-    workspace_.nodes.clear();
-    workspace_.queue.clear();
-    if (++workspace_.stamp == 0 || workspace_.slots.empty()) {
-      workspace_.slots.assign(std::max<size_t>(workspace_.slots.size(), 64), Slot{});
-      workspace_.stamp = 1;
-    }
-    start(from);
-  }
-
-  /// Writes the strip to the workspace; false if none was found.
-  bool run() {
-    // Each face is expanded once, and enters the queue at most once for each of its edges.
-    while (found_ < 0 && !workspace_.queue.empty()) {
-      std::pop_heap(workspace_.queue.begin(), workspace_.queue.end(), later);
-      const QueueEntry top = workspace_.queue.back();
-      workspace_.queue.pop_back();
-      if (workspace_.nodes[top.node].expanded) continue;
-      workspace_.nodes[top.node].expanded = true;
-      const Node node = workspace_.nodes[top.node];
-      if (liesInFace(mesh_, toLocation_, node.face)) {
-        found_ = top.node;
-        break;
-      }
-      if (workspace_.nodes.count() > maxFaces_) return false;
-      for (int k = 0; k < 3; ++k) {
-        const int h = 3 * node.face + k;
-        const int t = mesh_.twin[h];
-        if (t < 0 || t == node.enteredBy) continue;
-        const Vec3 entry = entryPoint(mesh_.positions[mesh_.tail(h)],
-                                      mesh_.positions[mesh_.head(h)], node.entry, target_);
-        reach(faceOf(t), h, node.length + (entry - node.entry).norm(), entry);
-      }
-    }
-    if (found_ < 0) return false;
-    StripWorkspace& strip = workspace_.strip;
-    strip.crossings.clear();
-    int node = found_;
-    while (workspace_.nodes[node].enteredBy >= 0) {
-      const int h = workspace_.nodes[node].enteredBy;
-      strip.crossings.push_back(h);
-      node = findSlot(faceOf(h)).node;
-    }
-    strip.face = workspace_.nodes[node].face;
-    std::reverse(strip.crossings.begin(), strip.crossings.end());
-    return true;
-  }
-
- private:
-  static bool later(const QueueEntry& a, const QueueEntry& b) { return a.key > b.key; }
-
-  void start(const SurfacePoint& from) {
-    const Vec3 entry = position(mesh_, from);
-    const PointLocation location = locate(mesh_, from);
-    if (location.simplex != Simplex::kVertex) {
-      reach(from.face, -1, 0, entry);
-      const int t = location.simplex == Simplex::kEdge ? mesh_.twin[location.halfedge] : -1;
-      if (t >= 0) reach(faceOf(t), -1, 0, entry);
-      return;
-    }
-    int h = mesh_.outgoing[location.vertex];
-    do {
-      reach(faceOf(h), -1, 0, entry);
-      h = rotateLeft(mesh_, h);
-    } while (h >= 0 && h != mesh_.outgoing[location.vertex]);
-  }
-
-  /// Takes a face into the queue, if this is the shortest way to it so far.
-  void reach(int face, int enteredBy, double length, const Vec3& entry) {
-    Slot* slot = &findSlot(face);
-    if (slot->stamp != workspace_.stamp) {
-      if (4 * workspace_.nodes.count() > 3 * workspace_.slots.count()) {
-        growSlots();
-        slot = &findSlot(face);
-      }
-      *slot = {workspace_.stamp, workspace_.nodes.count()};
-      workspace_.nodes.push_back({face, enteredBy, false, length, entry});
-    } else {
-      Node& node = workspace_.nodes[slot->node];
-      if (node.expanded || !(length < node.length)) return;
-      node = {face, enteredBy, false, length, entry};
-    }
-    workspace_.queue.push_back({length + (target_ - entry).norm(), slot->node});
-    std::push_heap(workspace_.queue.begin(), workspace_.queue.end(), later);
-  }
-
-  /// The slot of a face, or the empty one where it belongs.
-  Slot& findSlot(int face) {
-    const uint32_t mask = static_cast<uint32_t>(workspace_.slots.size()) - 1;
-    uint32_t at = (static_cast<uint32_t>(face) * 2654435769u) >> 7 & mask;
-    while (workspace_.slots[at].stamp == workspace_.stamp &&
-           workspace_.nodes[workspace_.slots[at].node].face != face) {
-      at = (at + 1) & mask;
-    }
-    return workspace_.slots[at];
-  }
-
-  void growSlots() {
-    workspace_.slots.assign(2 * workspace_.slots.size(), Slot{});
-    for (int i = 0; i < workspace_.nodes.count(); ++i) {
-      findSlot(workspace_.nodes[i].face) = {workspace_.stamp, i};
-    }
-  }
-
-  const TriangleMesh& mesh_;
-  PointLocation toLocation_;
-  Vec3 target_;
-  LocalPathWorkspace& workspace_;
-  int maxFaces_;
-  int found_ = -1;
-};
-
 }  // namespace
 
 bool appendLocalPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
-                     LocalPathWorkspace& workspace, Array<SurfacePoint>& out, double& length,
+                     StripWorkspace& workspace, Array<SurfacePoint>& out, double& length,
                      const LocalPathOptions& options) {
   if (from.face == to.face) {
     out.push_back(to);
@@ -181,9 +42,11 @@ bool appendLocalPath(const Geometry& geometry, const SurfacePoint& from, const S
       return true;
     }
   }
-  StripSearch search(mesh, from, to, workspace, options.maxFaces);
-  if (!search.run()) return false;
-  length += appendStripPath(geometry, from, to, workspace.strip, out);
+  if (!searchStrip(mesh, from, to, {.maxFaces = options.maxFaces}, workspace.search,
+                   workspace.strip)) {
+    return false;
+  }
+  length += appendStripPath(geometry, from, to, workspace, out);
   return true;
 }
 

@@ -8,31 +8,6 @@
 /// on the faces between the points, not on the mesh.
 namespace karcher {
 
-/// Scratch memory of the search; reuse one to spare the allocations.
-struct LocalPathWorkspace {
-  struct Node {
-    int face = -1;
-    int enteredBy = -1;  ///< half-edge of the face before, -1 where the search starts
-    bool expanded = false;
-    double length = 0;  ///< of the polyline from the start through the points of entry
-    Vec3 entry;
-  };
-  struct QueueEntry {
-    double key = 0;
-    int node = 0;
-  };
-  StripWorkspace strip;
-  Array<Node> nodes;
-  Array<QueueEntry> queue;
-  /// Open addressing from a face to its node, emptied by a new stamp.
-  struct Slot {
-    uint32_t stamp = 0;
-    int node = 0;
-  };
-  Array<Slot> slots;
-  uint32_t stamp = 0;
-};
-
 struct LocalPathOptions {
   int maxFaces = 4096;  ///< the search gives up after this many
 };
@@ -43,7 +18,7 @@ struct LocalPathOptions {
 /// Returns false, and changes neither, where the search ends without reaching `to`: then the points
 /// are far apart or on different components.
 bool appendLocalPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
-                     LocalPathWorkspace& workspace, Array<SurfacePoint>& out, double& length,
+                     StripWorkspace& workspace, Array<SurfacePoint>& out, double& length,
                      const LocalPathOptions& options = {});
 
 }  // namespace karcher

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "intrinsic/geometry.h"
+#include "intrinsic/strip_search.h"
 
 /// The locally shortest path in a strip of faces.
 ///
@@ -10,15 +11,13 @@
 /// away from the strip, the strip is led round that side and pulled tight again (S. Xin, G. Wang,
 /// "Efficiently determining a locally exact shortest path on polyhedral surfaces", 2007; N. Sharp,
 /// K. Crane, "You Can Find Geodesic Paths in Triangle Meshes by Just Flipping Edges", 2020). Each
-/// turn shortens the path, until no vertex lets it.
+/// turn shortens the path, until no vertex lets it; only the legs beside it are pulled tight anew.
 namespace karcher {
 
 /// A strip to pull tight, and the scratch memory for it; reuse one to spare the allocations.
 struct StripWorkspace {
-  /// The strip's first face and the half-edges that it crosses, in order, each in the face that the
-  /// strip leaves. Input; afterwards the strip that holds the path.
-  int face = -1;
-  Array<int> crossings;
+  /// Input; afterwards the strip that holds the path.
+  Strip strip;
 
   /// A crossing unfolded: the ends of its half-edge, as the strip passes between them.
   struct Portal {
@@ -27,19 +26,28 @@ struct StripWorkspace {
   };
   /// A vertex where the path touches the strip's side.
   struct Bend {
-    int portal = 0;
+    int portal = 0;  ///< one of the crossings of edges that end there
     bool onLeft = false;
+    double before =
+        0;             ///< angle from the path's leg before it to the first of those edges, radians
+    double after = 0;  ///< angle from the last of them to the leg after it
+    double outside =
+        0;  ///< of the surface's angle there, what lies on the side away from the strip
   };
   Array<Portal> portals;
   Array<Bend> bends;
+  Array<Bend> newBends;
   Array<int> turned;
+
+  StripSearchWorkspace search;
+  Strip motion;  ///< of an end of a path (surface_path.h)
 };
 
 /// Appends to `out` the path from `from`, in the strip's first face, to `to`, in its last: where it
 /// crosses edges, the vertices it bends at, and `to`, but not `from`. Consecutive points share a
 /// face. Returns the length of what was appended.
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
-                       StripWorkspace& strip, Array<SurfacePoint>& out);
+                       StripWorkspace& workspace, Array<SurfacePoint>& out);
 
 /// True if `point` lies in face f, its edges and corners included.
 bool liesInFace(const TriangleMesh& mesh, const PointLocation& point, int f);

@@ -18,7 +18,7 @@ struct Path {
 
 Path joined(const MeasuredMesh& surface, const SurfacePoint& from, const SurfacePoint& to,
             const LocalPathOptions& options = {}) {
-  LocalPathWorkspace workspace;
+  StripWorkspace workspace;
   Path path;
   path.points.push_back(from);
   path.found =

@@ -8,7 +8,7 @@ namespace karcher {
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                        const Array<Bridge>& bridges, EdgeCrossings* crossings) {
   JoinedPath path;
-  LocalPathWorkspace workspace;
+  StripWorkspace workspace;
   path.points.push_back(samples.front().point);
   path.sample.push_back(0);
   path.unconverged.push_back(samples.front().status != Status::kConverged);

@@ -177,7 +177,7 @@ class AdaptiveTrace {
   double longestStep_ = 0;
   double farthest_ = 0;
   double largestChange_ = 0;
-  LocalPathWorkspace workspace_;
+  StripWorkspace workspace_;
   Array<SurfacePoint> path_;
 };
 

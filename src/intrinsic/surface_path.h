@@ -1,0 +1,47 @@
+#pragma once
+
+#include "intrinsic/strip_path.h"
+
+/// A path on the surface: the one type for all of them, be they shortest, straightest, of a curve
+/// or of a caller.
+namespace karcher {
+
+struct SurfacePath {
+  /// At least one; consecutive points share a face.
+  Array<SurfacePoint> points;
+  /// Per point the length of the path up to it, from 0.
+  Array<double> lengths;
+
+  double length() const { return lengths.back(); }
+  const SurfacePoint& start() const { return points.front(); }
+  const SurfacePoint& end() const { return points.back(); }
+};
+
+/// The path through points of which consecutive ones share a face.
+SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points);
+
+/// The point at a length from the start, which is clamped to the path.
+SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, double length);
+
+/// Appends to `out` the part of a path between two lengths from its start; backwards where
+/// `from` > `to`. A first point that is `out`'s last is not repeated.
+void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
+                SurfacePath& out);
+
+SurfacePath reversed(const SurfacePath& path);
+
+/// Replaces a path by the locally shortest one that it can be shortened to continuously: it is
+/// pulled tight between its ends (strip_path.h). Costs by the faces that it crosses. What bends,
+/// doubles back or touches vertices is shortened; a path that is locally shortest stays.
+/// With the path reversed the result is the reversed result, but for ties.
+void straighten(const Geometry& geometry, SurfacePath& path, StripWorkspace& workspace);
+
+/// Moves the end of a path to `end`, which lies near the old one, and straightens: the path that
+/// the moving end draws out, in the old one's class. Returns false, and changes nothing, where no
+/// strip of faces joins the ends.
+bool moveEnd(const Geometry& geometry, const SurfacePoint& end, SurfacePath& path,
+             StripWorkspace& workspace);
+bool moveStart(const Geometry& geometry, const SurfacePoint& start, SurfacePath& path,
+               StripWorkspace& workspace);
+
+}  // namespace karcher
