@@ -1,8 +1,7 @@
-import type { Vector3 } from 'three';
 import type { Editor } from './editor/editor';
 import type { Session } from './editor/session';
 import { linkOfJson } from './export/curve_file';
-import { type CurveDocument, emptyDocument } from './model/document';
+import { type CurveDocument, emptyDocument, withPlaces } from './model/document';
 import { fitting, formatLink, type Link, lostOf, parseLink } from './model/link';
 import {
   defaultMesh,
@@ -282,33 +281,5 @@ const stageNames: Record<string, string> = { graph: 'Building the graph' };
 const stageName = (stage: string) => stageNames[stage] ?? 'Preparing';
 
 /** A document taken to another mesh of the same surface: to the nearest points. */
-function carried(document: CurveDocument, from: Surface, to: Surface): CurveDocument {
-  const { center, scale } = from.frame;
-  const move = (point: CurveDocument['points'][number]) => {
-    const position = from.position(point).divideScalar(scale);
-    position.x += center[0];
-    position.y += center[1];
-    position.z += center[2];
-    return to.nearest(toScene(position, to));
-  };
-  const { circle } = document;
-  return {
-    ...document,
-    points: document.points.map((point) => ({ ...point, ...move(point) })),
-    others: document.others.map((other) => ({
-      ...other,
-      points: other.points.map((point) => ({ ...point, ...move(point) })),
-    })),
-    circle: circle && {
-      center: move(circle.center),
-      rim: 'face' in circle.rim ? move(circle.rim) : circle.rim,
-    },
-  };
-}
-
-function toScene(position: Vector3, { frame }: Surface): Vector3 {
-  position.x -= frame.center[0];
-  position.y -= frame.center[1];
-  position.z -= frame.center[2];
-  return position.multiplyScalar(frame.scale);
-}
+const carried = (document: CurveDocument, from: Surface, to: Surface) =>
+  withPlaces(document, (point) => to.nearest(to.inScene(from.fromScene(from.position(point)))));

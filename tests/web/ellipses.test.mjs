@@ -1,6 +1,6 @@
 // Ellipses: their handles, and what becomes of them.
 import assert from 'node:assert/strict';
-import { after, before, describe } from 'node:test';
+import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { far, flatGrid, typeRadius, vertices } from './circle_views.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
@@ -171,6 +171,31 @@ describe('ellipses', () => {
     await tab.drop(name, text);
     await tab.page.waitForFunction(() => window.karcherPage.state().document.circle !== null);
     assert.deepEqual((await tab.view()).polyline, wider.polyline);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('keep both radii on another mesh of their surface', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=ellipse');
+    await tab.click([0, 0]);
+    const onFiner = async (triangles) => {
+      await tab.page.locator('#detail').selectOption(`${triangles}`);
+      await tab.page.waitForFunction(
+        (mesh) => window.karcherPage.state().mesh === mesh,
+        `sphere:${triangles}`,
+      );
+      return tab.view();
+    };
+    const typed = await typeRadius(tab, '0.1', 'Across');
+    assert.deepEqual(radiiOf(await onFiner(20000)), radiiOf(typed), 'lengths stay');
+    // By its handle it is as long as the way to a point, which lies elsewhere in other triangles.
+    await tab.dragHandle(acrossHandle, 0, -14);
+    const dragged = await tab.view();
+    const { meanEdge } = (await tab.mesh()).info;
+    const carried = radiiOf(await onFiner(5000));
+    for (const [i, radius] of radiiOf(dragged).entries()) {
+      assert.ok(Math.abs(carried[i] - radius) < 0.5 * meanEdge, `${carried[i]}, was ${radius}`);
+    }
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });

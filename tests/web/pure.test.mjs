@@ -33,6 +33,35 @@ const document = {
 const circle = { center: point(5), rim: { radius: 0.5, direction: [0, 0, 1] } };
 const ellipse = { ...circle, across: { radius: 0.2 } };
 
+describe('a document', () => {
+  test('has all of its places taken elsewhere, and nothing else', async () => {
+    const { withPlaces } = await load('model/document.ts');
+    const other = { kind: 'bezier', settings, points: [point(11), { ...point(12), beta: 2 }] };
+    const whole = {
+      ...document,
+      points: [point(1), { ...point(2), weight: 3 }],
+      circle: { center: point(5), rim: point(6), across: point(7) },
+      others: [other],
+    };
+    const move = ({ face }) => point(face + 100, 0.125, 0.25);
+    const moved = withPlaces(whole, move);
+    assert.deepEqual(moved.points, [move(point(1)), { ...move(point(2)), weight: 3 }]);
+    assert.deepEqual(moved.circle, {
+      center: move(point(5)),
+      rim: move(point(6)),
+      across: move(point(7)),
+    });
+    assert.deepEqual(moved.others, [
+      { ...other, points: [move(point(11)), { ...move(point(12)), beta: 2 }] },
+    ]);
+    const { points: _, circle: __, others: ___, ...rest } = document;
+    assert.deepEqual({ ...moved, ...rest }, moved);
+    const byLengths = withPlaces({ ...document, circle: ellipse }, move);
+    assert.deepEqual(byLengths.circle, { ...ellipse, center: move(ellipse.center) });
+    assert.equal('across' in withPlaces({ ...document, circle }, move).circle, false);
+  });
+});
+
 describe('commands', () => {
   let module;
   before(async () => {

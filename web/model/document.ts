@@ -177,6 +177,27 @@ export function cleared(document: CurveDocument): CurveDocument {
   return withFittingKnots({ ...document, points: [], others: [] });
 }
 
+/** The document with each of its places on the surface taken to another one. */
+export function withPlaces(
+  document: CurveDocument,
+  move: (point: SurfacePoint) => SurfacePoint,
+): CurveDocument {
+  const { circle } = document;
+  const moved = (point: ControlPoint): ControlPoint => ({ ...point, ...move(point) });
+  const reached = <Place extends object>(place: Place | SurfacePoint) =>
+    'face' in place ? move(place) : place;
+  return {
+    ...document,
+    points: document.points.map(moved),
+    others: document.others.map((other) => ({ ...other, points: other.points.map(moved) })),
+    circle: circle && {
+      center: move(circle.center),
+      rim: reached(circle.rim),
+      ...(circle.across && { across: reached(circle.across) }),
+    },
+  };
+}
+
 /** Whether there are as many knots as the points take: in place of them all that follow a rule do. */
 export function knotsFit({ settings, points }: Pick<Spline, 'settings' | 'points'>): boolean {
   const { knots, closed, degree } = settings;

@@ -174,6 +174,12 @@ export class Surface {
     return polyline.map((value, i) => (value - center[i % 3]!) * scale);
   }
 
+  /** A place in the surface's coordinates, in the scene. */
+  inScene(place: Vector): Vector3 {
+    const { center, scale } = this.frame;
+    return new Vector3().fromArray(place.map((value, axis) => (value - center[axis]!) * scale));
+  }
+
   /** A place of the scene in the surface's coordinates. */
   fromScene(position: Vector3): Vector {
     const { center, scale } = this.frame;
