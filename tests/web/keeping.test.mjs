@@ -93,6 +93,39 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
+  test('a drawing context that the browser takes away and gives back is drawn in again', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { width, height } = tab.page.viewportSize();
+    const picture = () =>
+      tab.page.screenshot({ clip: { x: 280, y: 60, width: width - 280, height: height - 120 } });
+    /** Until the stage looks like a picture, or does not any more. */
+    const untilLike = async (wanted, like) => {
+      const until = performance.now() + 30_000;
+      while ((await picture()).equals(wanted) !== like) {
+        assert.ok(performance.now() < until, like ? 'it is drawn again' : 'it is gone');
+        await tab.page.evaluate(() => new Promise(requestAnimationFrame));
+      }
+    };
+    await tab.page.mouse.move(0, 0);
+    const whole = await picture();
+    const lost = await tab.page.evaluateHandle(() => {
+      const context = document.getElementById('canvas').getContext('webgl2');
+      const switched = context.getExtension('WEBGL_lose_context');
+      switched.loseContext();
+      return switched;
+    });
+    await untilLike(whole, false);
+    await lost.evaluate((switched) => switched.restoreContext());
+    await untilLike(whole, true);
+    // The surface and the lines of before are given up, and others drawn.
+    await tab.page.locator('#surface').selectOption('torus');
+    await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
+    await tab.click([0, 100], [60, 100]);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   test('reload and the link alone restore what was made', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('2');

@@ -1,4 +1,5 @@
 import { Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { outliveContextLoss } from './context_loss';
 import { nearestOnScreen } from './curve_pick';
 import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine } from './fat_line';
@@ -72,6 +73,11 @@ export class Viewer {
       );
     }
     this.#renderer = new WebGLRenderer({ canvas, context });
+    outliveContextLoss(
+      canvas,
+      () => [this.#scene],
+      () => this.requestFrame(),
+    );
     this.#scene.add(...this.#lines.map((line) => line.object));
     this.#view = new OrbitView(stage, () => this.requestFrame());
     new ResizeObserver(() => this.#resize()).observe(stage);

@@ -61,6 +61,7 @@ export class PanelView {
     stage.style.touchAction = 'pan-y';
     stage.addEventListener('wheel', (event) => this.#zoom(event), { passive: false });
     this.#controls.addEventListener('change', () => this.requestFrame());
+    renderer.onRestored(() => this.requestFrame());
     new ResizeObserver(() => this.#resize()).observe(stage);
     new IntersectionObserver(([entry]) => {
       this.#seen = entry!.isIntersecting;

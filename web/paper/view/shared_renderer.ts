@@ -1,4 +1,5 @@
 import { type Camera, type Scene, WebGLRenderer } from 'three';
+import { outliveContextLoss } from '../../viewer/context_loss';
 
 /**
  * One WebGL context for all panels, since a page may have only a few: each panel is drawn here and
@@ -6,6 +7,8 @@ import { type Camera, type Scene, WebGLRenderer } from 'three';
  */
 export class SharedRenderer {
   readonly #renderer: WebGLRenderer;
+  readonly #scenes = new Set<Scene>();
+  readonly #onRestored: (() => void)[] = [];
   #width = 0;
   #height = 0;
 
@@ -19,10 +22,24 @@ export class SharedRenderer {
       );
     }
     this.#renderer = new WebGLRenderer({ canvas, context });
+    outliveContextLoss(
+      canvas,
+      () => this.#scenes,
+      () => {
+        for (const listener of this.#onRestored) listener();
+      },
+    );
   }
 
-  /** Draws a scene into a canvas of that size in CSS pixels. */
+  /** Called when what was to be drawn while there was no context can be drawn again. */
+  onRestored(listener: () => void): void {
+    this.#onRestored.push(listener);
+  }
+
+  /** Draws a scene into a canvas of that size in CSS pixels; without a context what is there stays. */
   draw(scene: Scene, camera: Camera, canvas: HTMLCanvasElement, width: number, height: number) {
+    this.#scenes.add(scene);
+    if (this.#renderer.getContext().isContextLost()) return;
     const ratio = Math.min(2, devicePixelRatio);
     if (width > this.#width || height > this.#height || this.#renderer.getPixelRatio() !== ratio) {
       this.#width = Math.max(width, this.#width);
