@@ -13,23 +13,6 @@ namespace {
 
 constexpr int kSamples = 257;
 
-/// The rows of the array "positions" of a JSON file.
-Array<Vec3> readPositions(const std::string& json) {
-  Array<Vec3> positions;
-  size_t at = json.find("\"positions\"");
-  if (at == std::string::npos) throw std::runtime_error("the file has no positions");
-  at = json.find('[', at) + 1;
-  const size_t end = json.find("]]", at);
-  while ((at = json.find('[', at)) < end) {
-    Vec3& p = positions.emplace_back();
-    if (std::sscanf(json.c_str() + at, "[%lf, %lf, %lf]", &p[0], &p[1], &p[2]) != 3) {
-      throw std::runtime_error("a position is not three numbers");
-    }
-    ++at;
-  }
-  return positions;
-}
-
 void study(const std::string& meshPath, const std::string& pointsPath,
            const std::string& authorsPath, Solver solver) {
   BenchMesh input = loadBenchMesh(meshPath, pointsPath);
@@ -38,7 +21,8 @@ void study(const std::string& meshPath, const std::string& pointsPath,
   Curve curve(surface, options, input.points);
   curve.updateFields();
   curve.trace();
-  const Array<Vec3> theirs = readPositions(readFile(authorsPath));
+  size_t at = 0;
+  const Array<Vec3> theirs = readPositions(readFile(authorsPath), "positions", at);
   Array<double> errors;
   int lost = 0;
   int total = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -33,6 +35,29 @@ BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPat
   }
   result.mesh = std::move(imported.mesh);
   return result;
+}
+
+Array<Vec3> readPositions(const std::string& json, const std::string& name, size_t& at) {
+  Array<Vec3> positions;
+  at = json.find('"' + name + '"', at);
+  if (at == std::string::npos) throw std::runtime_error("the file has no " + name);
+  at = json.find('[', at) + 1;
+  const size_t end = json.find("]]", at);
+  while ((at = json.find('[', at)) < end) {
+    Vec3& p = positions.emplace_back();
+    if (std::sscanf(json.c_str() + at, "[%lf, %lf, %lf]", &p[0], &p[1], &p[2]) != 3) {
+      throw std::runtime_error("a row of " + name + " is not three numbers");
+    }
+    ++at;
+  }
+  at = end;
+  return positions;
+}
+
+double processorMilliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
 double quantile(Array<double> values, double rank) {

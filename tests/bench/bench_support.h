@@ -21,6 +21,10 @@ struct BenchMesh {
 };
 BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPath);
 
+/// The rows of three numbers of the next array of a name in a JSON text from place `at` on, which
+/// then is the array's end. Throws std::runtime_error if there is none or it holds something else.
+Array<Vec3> readPositions(const std::string& json, const std::string& name, size_t& at);
+
 inline double milliseconds() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
@@ -32,6 +36,17 @@ double timed(const Work& work) {
   const double start = milliseconds();
   work();
   return milliseconds() - start;
+}
+
+/// Milliseconds of the processor that the program has used: what others do at the same time does
+/// not count.
+double processorMilliseconds();
+
+template <class Work>
+double processorTimed(const Work& work) {
+  const double start = processorMilliseconds();
+  work();
+  return processorMilliseconds() - start;
 }
 
 double median(Array<double> values);

@@ -13,7 +13,8 @@ constexpr double kRight = 150;
 constexpr double kTop = 40;
 constexpr double kBottom = 50;
 constexpr double kSmallest = 1e-17;
-const char* const kColors[] = {"#c2412d", "#d98e04", "#2563eb", "#12805c", "#7c3aed"};
+const char* const kColors[] = {"#c2412d", "#d98e04", "#2563eb", "#12805c",
+                               "#7c3aed", "#0f766e", "#111827", "#be185d"};
 
 struct Range {
   double low = kInfinity;

@@ -173,12 +173,15 @@ TEST(CountStep, TellsShiversFromPassages) {
   countStep(figures, lineAt(0), lineAt(0.72), 0.1, 0.8);
   EXPECT_EQ(figures.steps, 2);
   EXPECT_EQ(figures.passing, 1);
+  EXPECT_EQ(figures.beyond, 0);
   EXPECT_NEAR(figures.largestPassing, 0.9, 1e-2);
+  countStep(figures, lineAt(0), lineAt(0.9), 0.1, 0.8);
+  EXPECT_EQ(figures.beyond, 1);
   // One that allows less than a shiver excuses none.
   countStep(figures, lineAt(0), lineAt(0.72), 0.1, 0.4);
   EXPECT_EQ(figures.shivers, 2);
   EXPECT_NEAR(figures.shiverShare(), 2.0 / 3, 1e-15);
-  EXPECT_NEAR(figures.passingShare(), 1.0 / 4, 1e-15);
+  EXPECT_NEAR(figures.passingShare(), 2.0 / 5, 1e-15);
 }
 
 TEST(PassedVertices, AreThoseBetweenTwoPaths) {

@@ -54,6 +54,7 @@ double countStep(DragFigures& figures, const MeasuredPolyline& before,
   const double allowed = allowedLeap / step;
   if (allowed > DragFigures::kShiver) {
     ++figures.passing;
+    figures.beyond += motion > allowed;
     figures.largestPassing = std::max(figures.largestPassing, motion / allowed);
     return motion;
   }
@@ -67,6 +68,7 @@ void add(DragFigures& sum, const DragFigures& figures) {
   sum.steps += figures.steps;
   sum.shivers += figures.shivers;
   sum.passing += figures.passing;
+  sum.beyond += figures.beyond;
   sum.largestLeap = std::max(sum.largestLeap, figures.largestLeap);
   sum.largestPassing = std::max(sum.largestPassing, figures.largestPassing);
 }

@@ -32,8 +32,12 @@ struct DragFigures {
   int passing = 0;
   /// The largest of their leaps, as a part of what the passages allow.
   double largestPassing = 0;
+  int beyond = 0;  ///< of them, those that leapt farther than that
 
   double shiverShare() const { return steps > 0 ? static_cast<double>(shivers) / steps : 0; }
+  double beyondShare() const {
+    return steps + passing > 0 ? static_cast<double>(beyond) / (steps + passing) : 0;
+  }
   double passingShare() const {
     return steps + passing > 0 ? static_cast<double>(passing) / (steps + passing) : 0;
   }

@@ -1,0 +1,110 @@
+#include "steadiness.h"
+
+#include <algorithm>
+
+#include "bench_support.h"
+#include "intrinsic/along_path.h"
+
+namespace karcher {
+namespace {
+
+double lengthOf(const Array<Vec3>& polyline) {
+  double sum = 0;
+  for (int i = 1; i < polyline.count(); ++i) sum += (polyline[i] - polyline[i - 1]).norm();
+  return sum;
+}
+
+double partMoved(const Array<Vec3>& from, const Array<Vec3>& to) {
+  const double length = lengthOf(from);
+  constexpr double kTolerance = 1e-5;
+  return hausdorffDistance(MeasuredPolyline(from), MeasuredPolyline(to), kTolerance * length) /
+         length;
+}
+
+/// What passages of the legs between two tracings allow the curve to leap.
+double allowedLeap(const Geometry& geometry, const TracedCurve& before, const TracedCurve& after) {
+  double sum = 0;
+  for (int i = 0; i < std::min(before.legs.count(), after.legs.count()); ++i) {
+    const Array<SurfacePoint>& leg = after.legs[i];
+    const double length = lengthsAlong(*geometry.mesh, leg).back();
+    for (const VertexPassage& passage : passedVertices(geometry, before.legs[i], leg)) {
+      sum += length * passage.curvature / 2;
+    }
+  }
+  return sum;
+}
+
+void addStages(HandFigures& figures, const TracedCurve& traced) {
+  double sum = 0;
+  for (const StageTime& stage : traced.stages) {
+    if (figures.stageMs.count(stage.name) == 0) figures.stages.push_back(stage.name);
+    figures.stageMs[stage.name].push_back(stage.ms);
+    sum += stage.ms;
+  }
+  figures.ms.push_back(sum);
+}
+
+}  // namespace
+
+CurveFigures measureCurves(const TurningMeasure& measure, Surface& surface,
+                           const SteadyVariant& variant,
+                           const Array<Array<SurfacePoint>>& polygons) {
+  CurveFigures figures;
+  for (const Array<SurfacePoint>& polygon : polygons) {
+    TracedCurve traced;
+    // With what a first tracing allocates and makes for the mesh.
+    figures.ms.push_back(processorTimed([&] { traced = variant.trace(surface, polygon); }));
+    figures.turnings.push_back(turning(measure, traced.polyline));
+    figures.bridged.push_back(traced.bridged);
+    figures.corners.push_back(traced.corner);
+    figures.levels.push_back(traced.levels);
+    figures.lost += traced.lost;
+    figures.polylines.push_back(std::move(traced.polyline));
+  }
+  return figures;
+}
+
+Array<double> partsMoved(const CurveFigures& from, const CurveFigures& to) {
+  Array<double> parts;
+  for (int i = 0; i < from.polylines.count(); ++i) {
+    parts.push_back(partMoved(from.polylines[i], to.polylines[i]));
+  }
+  return parts;
+}
+
+Drag randomDrag(const Geometry& geometry, Random& random, const ControlPolygonOptions& options,
+                int steps) {
+  Drag drag;
+  while (drag.path.empty()) {
+    drag.polygon = randomControlPolygon(geometry, random, options);
+    const Vec2 direction = unitVector(random.uniform(-kPi, kPi));
+    drag.path = dragPath(geometry, drag.polygon[Drag::kPoint], direction,
+                         Drag::kStep * geometry.meanEdge, steps);
+  }
+  return drag;
+}
+
+HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const Array<Drag>& drags) {
+  const Geometry& geometry = surface.geometry();
+  HandFigures figures;
+  for (const Drag& drag : drags) {
+    HeldCurve curve = variant.hold(surface, drag.polygon);
+    TracedCurve before = curve.drag(Drag::kPoint, drag.path[0]);
+    MeasuredPolyline lineBefore(before.polyline);
+    for (int i = 1; i < drag.path.count(); ++i) {
+      TracedCurve after = curve.drag(Drag::kPoint, drag.path[i]);
+      addStages(figures, after);
+      figures.bridged += after.bridged;
+      figures.lost += after.lost;
+      MeasuredPolyline lineAfter(after.polyline);
+      countStep(figures.motion, lineBefore, lineAfter, Drag::kStep * geometry.meanEdge,
+                allowedLeap(geometry, before, after));
+      before = std::move(after);
+      lineBefore = std::move(lineAfter);
+    }
+    figures.released.push_back(partMoved(before.polyline, curve.release().polyline));
+  }
+  return figures;
+}
+
+}  // namespace karcher

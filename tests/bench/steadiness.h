@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "generators/control_polygons.h"
+#include "measures/drag.h"
+#include "measures/turning.h"
+#include "steady_variants.h"
+
+/// What the study of steadiness measures of one variant on one mesh, with control points of one
+/// spacing.
+namespace karcher {
+
+/// Of traced curves, an entry a polygon.
+struct CurveFigures {
+  Array<double> turnings;  ///< degrees
+  Array<double> bridged;   ///< parts of the curve
+  Array<double> corners;   ///< degrees
+  Array<double> levels;
+  Array<double> ms;
+  int lost = 0;
+  Array<Array<Vec3>> polylines;
+};
+
+CurveFigures measureCurves(const TurningMeasure& measure, Surface& surface,
+                           const SteadyVariant& variant,
+                           const Array<Array<SurfacePoint>>& polygons);
+
+/// Hausdorff distances between the curves of two variants, each as a part of the first one's
+/// length.
+Array<double> partsMoved(const CurveFigures& from, const CurveFigures& to);
+
+/// A control polygon and the places through which its third point is dragged.
+struct Drag {
+  static constexpr int kPoint = 2;
+  /// A step of the hand, in mean edges.
+  static constexpr double kStep = 0.1;
+
+  Array<SurfacePoint> polygon;
+  Array<SurfacePoint> path;
+};
+
+/// In a random direction; drags that meet the boundary are drawn again.
+Drag randomDrag(const Geometry& geometry, Random& random, const ControlPolygonOptions& options,
+                int steps);
+
+struct HandFigures {
+  DragFigures motion;
+  Array<double> ms;  ///< a step
+  std::map<std::string, Array<double>> stageMs;
+  Array<std::string> stages;  ///< their order
+  double bridged = 0;         ///< sum over the steps
+  int lost = 0;
+  /// How far release moves the curve, as a part of its length; a drag.
+  Array<double> released;
+};
+
+HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const Array<Drag>& drags);
+
+}  // namespace karcher

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "curves/curve.h"
+
+/// The curves that the study of steadiness compares, each as what it measures of them.
+namespace karcher {
+
+struct StageTime {
+  std::string name;
+  double ms = 0;
+};
+
+struct TracedCurve {
+  Array<Vec3> polyline;
+  /// Of the control polygon as the curve has them, consecutive points sharing a face; none where
+  /// the curve has no legs.
+  Array<Array<SurfacePoint>> legs;
+  int levels = 0;
+  double bridged = 0;  ///< the part of the parameter over which the curve is no center of mass
+  int lost = 0;        ///< samples that are neither converged nor on a bridge
+  double corner = 0;   ///< the largest angle at a joint of two pieces, degrees
+  Array<StageTime> stages;
+};
+
+/// A curve under the hand.
+struct HeldCurve {
+  /// Moves a control point and carries it out.
+  std::function<TracedCurve(int point, const SurfacePoint& place)> drag;
+  /// Lets go: what the curve is from then on.
+  std::function<TracedCurve()> release;
+};
+
+struct SteadyVariant {
+  std::string name;
+  /// The cubic Bezier curve of these points.
+  std::function<TracedCurve(Surface&, const Array<SurfacePoint>&)> trace;
+  /// Takes hold of it.
+  std::function<HeldCurve(Surface&, const Array<SurfacePoint>&)> hold;
+};
+
+/// From the curve of means to the curve of subdivision to the end, which is the last.
+Array<SteadyVariant> steadyVariants();
+
+}  // namespace karcher
