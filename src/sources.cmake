@@ -1,0 +1,67 @@
+# The engine's sources, in two lists: KARCHER_FAST_SOURCES and KARCHER_SMALL_SOURCES.
+#
+# What runs once a sample or a vertex is made fast, what runs once a curve or a mesh is made small (in
+# WebAssembly only, as a page loads it). A room is one of the two as a whole, but for the files named
+# below. Nothing is told from a file's name, so nothing is lost when it changes: a source in no room,
+# and a named file that is not there, end the configuration.
+set(KARCHER_FAST_ROOMS
+  intrinsic distance rcm curves/trace)
+set(KARCHER_SMALL_ROOMS
+  mesh curves curves/spec curves/polygon curves/query curves/refine)
+set(KARCHER_FAST_IN_SMALL_ROOMS
+  curves/spec/bases.cpp
+  curves/spec/segment_basis.cpp
+  mesh/decimal.cpp
+  mesh/obj_lines.cpp
+  mesh/surface_point.cpp
+  mesh/triangle_mesh.cpp)
+set(KARCHER_SMALL_IN_FAST_ROOMS
+  curves/trace/branches.cpp
+  curves/trace/edge_crossings.cpp
+  curves/trace/polyline.cpp)
+# Libraries of their own.
+set(KARCHER_OTHER_ROOMS
+  peers)
+
+# Sets `sources` to the files of the rooms without those of `exceptions`, each of which must be there.
+function(karcher_sources sources rooms exceptions)
+  set(found)
+  foreach(room ${rooms})
+    file(GLOB files RELATIVE ${CMAKE_CURRENT_FUNCTION_LIST_DIR} CONFIGURE_DEPENDS
+      ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${room}/*.cpp)
+    if(NOT files)
+      message(FATAL_ERROR "src/sources.cmake names the room src/${room}, which has no source")
+    endif()
+    list(APPEND found ${files})
+  endforeach()
+  foreach(exception ${exceptions})
+    if(NOT exception IN_LIST found)
+      message(FATAL_ERROR
+        "src/sources.cmake names src/${exception}, which is not among the sources of: ${rooms}")
+    endif()
+    list(REMOVE_ITEM found ${exception})
+  endforeach()
+  set(${sources} ${found} PARENT_SCOPE)
+endfunction()
+
+karcher_sources(KARCHER_FAST_SOURCES "${KARCHER_FAST_ROOMS}" "${KARCHER_SMALL_IN_FAST_ROOMS}")
+karcher_sources(KARCHER_SMALL_SOURCES "${KARCHER_SMALL_ROOMS}" "${KARCHER_FAST_IN_SMALL_ROOMS}")
+karcher_sources(KARCHER_OTHER_SOURCES "${KARCHER_OTHER_ROOMS}" "")
+list(APPEND KARCHER_FAST_SOURCES ${KARCHER_FAST_IN_SMALL_ROOMS})
+list(APPEND KARCHER_SMALL_SOURCES ${KARCHER_SMALL_IN_FAST_ROOMS})
+
+file(GLOB_RECURSE KARCHER_UNLISTED RELATIVE ${CMAKE_CURRENT_LIST_DIR} CONFIGURE_DEPENDS
+  ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
+set(KARCHER_LISTED ${KARCHER_FAST_SOURCES} ${KARCHER_SMALL_SOURCES} ${KARCHER_OTHER_SOURCES})
+list(LENGTH KARCHER_LISTED KARCHER_LISTED_COUNT)
+list(REMOVE_ITEM KARCHER_UNLISTED ${KARCHER_LISTED})
+if(KARCHER_UNLISTED)
+  message(FATAL_ERROR "src/sources.cmake names no room of: ${KARCHER_UNLISTED}")
+endif()
+list(REMOVE_DUPLICATES KARCHER_LISTED)
+list(LENGTH KARCHER_LISTED KARCHER_UNIQUE_COUNT)
+if(NOT KARCHER_UNIQUE_COUNT EQUAL KARCHER_LISTED_COUNT)
+  message(FATAL_ERROR "src/sources.cmake names a room twice")
+endif()
+list(TRANSFORM KARCHER_FAST_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
+list(TRANSFORM KARCHER_SMALL_SOURCES PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
