@@ -22,10 +22,16 @@ export async function buildNative(preset, ...targets) {
   await run('cmake', ['--build', '--preset', preset, '--parallel', `${cores}`, ...named]);
 }
 
+const emscriptenEnv = () => (existsSync(debianNodeModules) ? { NODE_PATH: debianNodeModules } : {});
+
+/** Configures the preset of the WebAssembly module, with more arguments for CMake. */
+export const configureWasm = (...args) =>
+  run('emcmake', ['cmake', '--preset', 'wasm', ...args], { env: emscriptenEnv() });
+
 /** The engine as dist/karcher-engine.mjs and .wasm. */
 export async function buildWasm() {
-  const env = existsSync(debianNodeModules) ? { NODE_PATH: debianNodeModules } : {};
-  await run('emcmake', ['cmake', '--preset', 'wasm'], { env });
+  const env = emscriptenEnv();
+  await configureWasm();
   await run('cmake', ['--build', '--preset', 'wasm', '--parallel', `${cores}`], { env });
   await minify('dist/karcher-engine.mjs', 'dist/peers/karcher-peers.mjs');
 }
