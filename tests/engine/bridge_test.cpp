@@ -201,15 +201,8 @@ TEST(Bridge, EvaluationHasNoGapWithoutAMark) {
 }
 
 TEST(Bridge, RoundACornerOfTheBoundaryItIsMarked) {
-  // An L: the center of mass of points in both arms leaves the surface at the inner corner.
-  const TriangleMesh square = planeGrid(12, 12);
-  Array<Triangle> faces;
-  for (const Triangle& face : square.faces) {
-    Vec3 middle = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) middle += square.positions[face[k]] / 3;
-    if (middle.x() < 4 || middle.y() < 4) faces.push_back(face);
-  }
-  Surface surface(importMesh({square.positions, faces}).mesh);
+  // The center of mass of points in both arms leaves the surface at the inner corner.
+  Surface surface(gridWithCorner());
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{2.1, 11.3, 0}, {3.6, 8.2, 0}, {8.2, 3.7, 0}, {11.2, 2.2, 0}});
   Curve curve(surface, {{CurveKind::kBezier}, 64, kFast}, points);

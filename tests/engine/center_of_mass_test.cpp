@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <random>
 #include <string>
 
+#include "generators/random.h"
 #include "rcm/gradient_operator.h"
 #include "support.h"
 
@@ -50,14 +50,19 @@ class CenterOfMassOnThePlane : public testing::TestWithParam<Search> {};
 TEST_P(CenterOfMassOnThePlane, IsTheAffineAverage) {
   const uint64_t seed = 7;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
+  Random random(seed);
+  int checked = 0;
   for (int i = 0; i < 200; ++i) {
     Array<Vec3> points;
-    for (int k = 0; k < 4; ++k) points.emplace_back(3 + 6 * unit(random), 2 + 5 * unit(random), 0);
+    for (int k = 0; k < 4; ++k) {
+      const double x = random.uniform(3, 9);
+      points.emplace_back(x, random.uniform(2, 7), 0);
+    }
     const FlatCase plane(points);
     // One weight may be negative: only their sum must be positive.
-    Array<double> weights{unit(random), unit(random), unit(random), -0.3 * unit(random)};
+    Array<double> weights;
+    for (int k = 0; k < 3; ++k) weights.push_back(random.uniform());
+    weights.push_back(random.uniform(-0.3, 0));
     const double sum = weights[0] + weights[1] + weights[2] + weights[3];
     for (double& w : weights) w /= sum;
     const Vec3 expected = plane.average(weights);
@@ -72,7 +77,10 @@ TEST_P(CenterOfMassOnThePlane, IsTheAffineAverage) {
     double energy = 0;
     for (int k = 0; k < 4; ++k) energy += weights[k] * (points[k] - expected).squaredNorm();
     EXPECT_NEAR(blend.energy(center.point, weights), energy, 1e-11);
+    ++checked;
   }
+  // The others' sums are too small, or their averages off the plane.
+  EXPECT_GT(checked, 150);
 }
 
 TEST_P(CenterOfMassOnThePlane, OfOnePointIsThePointEvenAtAVertexOrOnAnEdge) {
@@ -112,10 +120,12 @@ INSTANTIATE_TEST_SUITE_P(BothSearches, CenterOfMassOnThePlane,
 TEST(FieldBlend, FindsTheSameZeroOnAnEdgeFromBothSides) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
-  std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> unit(-1, 1);
+  Random random(11);
   Array<Vec2> values;
-  for (int v = 0; v < mesh.vertexCount(); ++v) values.emplace_back(unit(random), unit(random));
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const double x = random.uniform(-1, 1);
+    values.emplace_back(x, random.uniform(-1, 1));
+  }
   ControlField field(mesh.vertexCount());
   field.reset([&](int v) { return FieldValue{values[v], 0}; });
   FieldBlend blend(geometry, {&field});

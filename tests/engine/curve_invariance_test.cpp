@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
-#include <random>
 #include <string>
 
 #include "curve_support.h"
@@ -32,22 +31,22 @@ Scene moved(const Scene& scene, const Eigen::Affine3d& motion) {
 
 /// The same mesh with vertices and faces in another order, and each face from another corner.
 Scene renumbered(const Scene& scene, uint64_t seed) {
-  std::mt19937_64 random(seed);
+  Random random(seed);
   const int vertices = scene.mesh.vertexCount();
   const int faces = scene.mesh.faceCount();
   Array<int> newVertex(static_cast<size_t>(vertices));
   Array<int> oldFace(static_cast<size_t>(faces));
   std::iota(newVertex.begin(), newVertex.end(), 0);
   std::iota(oldFace.begin(), oldFace.end(), 0);
-  std::shuffle(newVertex.begin(), newVertex.end(), random);
-  std::shuffle(oldFace.begin(), oldFace.end(), random);
+  random.shuffle(newVertex);
+  random.shuffle(oldFace);
   Array<Vec3> positions(static_cast<size_t>(vertices));
   for (int v = 0; v < vertices; ++v) positions[newVertex[v]] = scene.mesh.positions[v];
   Array<Triangle> triangles;
   Array<int> newFace(static_cast<size_t>(faces));
   Array<int> shift;
   for (int f = 0; f < faces; ++f) {
-    shift.push_back(static_cast<int>(random() % 3));
+    shift.push_back(random.index(3));
     newFace[oldFace[f]] = f;
     Triangle triangle;
     for (int k = 0; k < 3; ++k) {

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <string>
 
 #include "curve_support.h"
 #include "curves/curve.h"
 #include "generators/plane.h"
+#include "generators/random.h"
 #include "mesh/mesh_import.h"
 #include "support.h"
 
@@ -122,20 +122,19 @@ TEST(CurveKinds, AfterAnyEditsAreTheCurveTracedAnew) {
   const TriangleMesh& mesh = surface.mesh();
   for (const uint64_t seed : {1u, 2u, 3u, 4u}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937_64 random(seed);
-    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<uint64_t>(n)); };
-    const auto unit = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+    Random random(seed);
     const auto somewhere = [&] {
-      return nearestPoint(mesh, Vec3(-4 + 2 * unit(), 6.5 + 2 * unit(), 4));
+      const double x = random.uniform(-4, -2);
+      return nearestPoint(mesh, Vec3(x, random.uniform(6.5, 8.5), 4));
     };
     CurveOptions options{{CurveKind::kBSpline}, 12, seed % 2 == 0 ? kFast : kExact};
     if (seed == 4) options.tolerance = 1e-3;
     Curve curve(surface, options, ring(mesh, 6, 1));
     update(curve);
     for (int edit = 0; edit < 60; ++edit) {
-      const int i = below(curve.pointCount());
+      const int i = random.index(curve.pointCount());
       try {
-        switch (below(10)) {
+        switch (random.index(10)) {
           case 0:
             curve.insertPoint(i, somewhere());
             break;
@@ -143,7 +142,7 @@ TEST(CurveKinds, AfterAnyEditsAreTheCurveTracedAnew) {
             curve.removePoint(i);
             break;
           case 2:
-            curve.setKind(kCurveKinds[below(6)]);
+            curve.setKind(kCurveKinds[random.index(6)]);
             break;
           case 3:
             curve.setClosed(!curve.shape().closed);
@@ -152,11 +151,11 @@ TEST(CurveKinds, AfterAnyEditsAreTheCurveTracedAnew) {
             curve.reverse();
             break;
           case 5:
-            curve.movePointInOrder(i, below(curve.pointCount()));
+            curve.movePointInOrder(i, random.index(curve.pointCount()));
             break;
           case 6:
-            if (takesWeights(curve.shape().kind)) curve.setWeight(i, 0.3 + 2 * unit());
-            if (takesBetas(curve.shape().kind)) curve.setBeta(i, 0.3 + 2 * unit());
+            if (takesWeights(curve.shape().kind)) curve.setWeight(i, random.uniform(0.3, 2.3));
+            if (takesBetas(curve.shape().kind)) curve.setBeta(i, random.uniform(0.3, 2.3));
             break;
           default:
             curve.movePoint(i, somewhere());

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 
 #include "curve_support.h"
 #include "curves/spec/bases.h"
 #include "curves/spec/knots.h"
+#include "generators/random.h"
 #include "support.h"
 
 namespace karcher {
@@ -194,14 +194,14 @@ TEST(CurveLayout, ReversedCurvesRunBackwards) {
 TEST(CurveLayout, KeepsOwnKnotsValidThroughEdits) {
   const uint64_t seed = 11;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random(seed);
+  Random random(seed);
   CurveShape shape = bspline(3, false, KnotRule::kOwn, kOwnKnots);
   int points = kPoints;
   for (int edit = 0; edit < 300; ++edit) {
-    const int i = static_cast<int>(random() % static_cast<uint64_t>(points));
+    const int i = random.index(points);
     CurveShape changed = shape;
     int count = points;
-    switch (random() % 5) {
+    switch (random.index(5)) {
       case 0:
       case 1:
         changed = withPoint(shape, i);

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 
 #include "curve_support.h"
 #include "curves/spec/bases.h"
+#include "generators/random.h"
 #include "mesh/error.h"
 #include "support.h"
 
@@ -72,6 +72,7 @@ TEST(Curve, ConsecutiveSegmentsMeet) {
   Surface surface(bunnyMesh());
   Curve curve(surface, {{CurveKind::kBSpline}, 40, kPaperExact}, bunnyPoints(surface.mesh(), 6));
   update(curve);
+  int met = 0;
   for (int j = 1; j < curve.segmentCount(); ++j) {
     const CurveSample& before = curve.samples(j - 1).back();
     const CurveSample& after = curve.samples(j).front();
@@ -79,7 +80,9 @@ TEST(Curve, ConsecutiveSegmentsMeet) {
     EXPECT_LT(
         (position(surface.mesh(), before.point) - position(surface.mesh(), after.point)).norm(),
         1e-9 * surface.geometry().diagonal);
+    ++met;
   }
+  EXPECT_EQ(met, curve.segmentCount() - 1);
 }
 
 TEST(Curve, IsJoinedOnTheSurface) {
@@ -113,17 +116,17 @@ TEST(Curve, AfterAnyEditsIsTheCurveTracedAnew) {
   const TriangleMesh& mesh = surface.mesh();
   const uint64_t seed = 3;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random(seed);
+  Random random(seed);
   const CurveOptions options{{CurveKind::kBSpline}, 16, kPaperExact};
   Curve curve(surface, options, bunnyPoints(mesh, 6));
   update(curve);
   const auto somewhere = [&] {
-    std::uniform_real_distribution<double> unit(0, 1);
-    return nearestPoint(mesh, Vec3(-3 + 6 * unit(random), 7 + 3 * unit(random), 4));
+    const double x = random.uniform(-3, 3);
+    return nearestPoint(mesh, Vec3(x, random.uniform(7, 10), 4));
   };
   for (int edit = 0; edit < 12; ++edit) {
-    const int kind = static_cast<int>(random() % 4);
-    const int i = static_cast<int>(random() % static_cast<uint64_t>(curve.pointCount()));
+    const int kind = random.index(4);
+    const int i = random.index(curve.pointCount());
     if (kind == 0) curve.insertPoint(i, somewhere());
     if (kind == 1 && curve.pointCount() > 4) curve.removePoint(i);
     if (kind >= 2) curve.movePoint(i, somewhere());
@@ -158,12 +161,7 @@ TEST(Curve, RefusesWhatIsNoCurveAndKeepsWhatItWas) {
 }
 
 TEST(Curve, RefusesPointsOnSeveralComponents) {
-  const TriangleMesh one = planeGrid(3, 3);
-  Array<Vec3> positions = one.positions;
-  Array<Triangle> faces = one.faces;
-  for (const Vec3& p : one.positions) positions.push_back(p + Vec3(10, 0, 0));
-  for (const Triangle& f : one.faces) faces.push_back(f.array() + one.vertexCount());
-  Surface surface(buildMesh(positions, faces));
+  Surface surface(twoGrids());
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{1, 1, 0}, {2, 2, 0}, {11, 1, 0}, {12, 2, 0}});
   EXPECT_EQ(codeOf([&] {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "curve_support.h"
 #include "curves/curve.h"
 #include "generators/plane.h"
 #include "mesh/mesh_import.h"
@@ -13,15 +14,9 @@ namespace karcher {
 namespace {
 
 CurveOptions exactOptions(int samples) {
-  CurveOptions options{{CurveKind::kBSpline}, samples, {Method::kKarcher, Solver::kFast, 6}};
+  CurveOptions options{{CurveKind::kBSpline}, samples, kFast};
   options.geometry = CurveGeometry::kExact;
   return options;
-}
-
-Array<SurfacePoint> nearestPoints(const TriangleMesh& mesh, const Array<Vec3>& places) {
-  Array<SurfacePoint> points;
-  for (const Vec3& place : places) points.push_back(nearestPoint(mesh, place));
-  return points;
 }
 
 /// The crossings that lie inside edges, with their parameters.
@@ -52,7 +47,7 @@ TEST(EdgeCrossings, LieOnTheTrueCurveOfThePlane) {
     for (const Vec2& p : {Vec2(0.3, 0.35), Vec2(0.42, 0.62), Vec2(0.52, 0.4), Vec2(0.7, 0.66)}) {
       places.emplace_back(p.x() + shear * p.y(), p.y(), 0);
     }
-    Curve curve(surface, exactOptions(16), nearestPoints(surface.mesh(), places));
+    Curve curve(surface, exactOptions(16), pointsNear(surface.mesh(), places));
     curve.updateFields();
     curve.trace();
     int left = 0;
@@ -75,7 +70,7 @@ TEST(EdgeCrossings, DoNotDependOnTheSamples) {
   const TriangleMesh& mesh = surface.mesh();
   Array<Vec3> places;
   for (int i = 0; i < 6; ++i) places.emplace_back(-3 + 0.9 * i, 7.5 + (i % 2), 4);
-  const Array<SurfacePoint> points = nearestPoints(mesh, places);
+  const Array<SurfacePoint> points = pointsNear(mesh, places);
   Array<Array<CurveSample>> found;
   Array<Array<CurveSample>> onEdges;
   double lengths[2] = {0, 0};

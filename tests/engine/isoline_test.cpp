@@ -57,15 +57,8 @@ TEST(Isoline, OnThePlaneTheExactOneIsTheCircle) {
 }
 
 TEST(Isoline, EndsAtTheBoundaryAndTurnsRoundItsCorners) {
-  // An L: behind its inner corner the circle goes on about the corner.
-  const TriangleMesh square = planeGrid(12, 12);
-  Array<Triangle> faces;
-  for (const Triangle& face : square.faces) {
-    Vec3 middle = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) middle += square.positions[face[k]] / 3;
-    if (middle.x() < 4 || middle.y() < 4) faces.push_back(face);
-  }
-  const TriangleMesh mesh = importMesh({square.positions, faces}).mesh;
+  // Behind the inner corner the circle goes on about the corner.
+  const TriangleMesh mesh = gridWithCorner();
   const Geometry geometry = buildGeometry(mesh);
   const Vec3 center(2, 10, 0);
   const double toCorner = std::sqrt(4.0 + 36);

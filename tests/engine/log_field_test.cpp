@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 
 #include "curves/curve.h"
 #include "curves/spec/bases.h"
 #include "generators/plane.h"
+#include "generators/random.h"
 #include "mesh/mesh_import.h"
 #include "support.h"
 
@@ -82,12 +82,12 @@ TEST_P(LogFields, LoseNoSampleOnTheBunny) {
   const TriangleMesh& mesh = surface.mesh();
   const uint64_t seed = 21;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(-1, 1);
+  Random random(seed);
   for (int curveNumber = 0; curveNumber < 8; ++curveNumber) {
     Array<SurfacePoint> points;
-    Vec3 place = mesh.positions[static_cast<int>(random() % mesh.positions.size())];
-    const Vec3 step = 0.04 * surface.geometry().diagonal * Vec3(unit(random), unit(random), 0.5);
+    Vec3 place = mesh.positions[random.index(mesh.vertexCount())];
+    const double x = random.uniform(-1, 1);
+    const Vec3 step = 0.04 * surface.geometry().diagonal * Vec3(x, random.uniform(-1, 1), 0.5);
     for (int i = 0; i < 7; ++i) {
       points.push_back(nearestPoint(mesh, place));
       if (curveNumber % 2 == 1) {

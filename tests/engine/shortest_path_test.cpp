@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 
 #include "distance_meshes.h"
 #include "generators/plane.h"
+#include "generators/random.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
 #include "support.h"
@@ -105,10 +105,10 @@ TEST(ShortestPath, IsTheSameBothWaysAndObeysTheTriangleInequality) {
   const Geometry geometry = buildGeometry(mesh);
   const uint64_t seed = 12;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random(seed);
+  Random random(seed);
   const auto somewhere = [&] {
-    const int face = static_cast<int>(random() % static_cast<uint64_t>(mesh.faceCount()));
-    return random() % 3 == 0 ? edgePoint(3 * face, 0.37) : SurfacePoint{face, {0.2, 0.5, 0.3}};
+    const int face = random.index(mesh.faceCount());
+    return random.index(3) == 0 ? edgePoint(3 * face, 0.37) : SurfacePoint{face, {0.2, 0.5, 0.3}};
   };
   for (int i = 0; i < (longRun() ? 500 : 12); ++i) {
     const SurfacePoint a = somewhere();
@@ -154,12 +154,7 @@ TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
 }
 
 TEST(ShortestPath, RefusesPointsOnSeveralComponents) {
-  const TriangleMesh one = planeGrid(3, 3);
-  Array<Vec3> positions = one.positions;
-  Array<Triangle> faces = one.faces;
-  for (const Vec3& p : one.positions) positions.push_back(p + Vec3(10, 0, 0));
-  for (const Triangle& f : one.faces) faces.push_back(f.array() + one.vertexCount());
-  const TriangleMesh mesh = buildMesh(positions, faces);
+  const TriangleMesh mesh = twoGrids();
   const Geometry geometry = buildGeometry(mesh);
   const SurfacePoint a = nearestPoint(mesh, Vec3(1, 1, 0));
   for (const Vec3& b : {Vec3(11, 1, 0), Vec3(11.3, 1.2, 0)}) {

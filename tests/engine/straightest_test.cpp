@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <random>
 #include <sstream>
 #include <string>
 
 #include "distance_meshes.h"
+#include "generators/random.h"
 #include "mesh/error.h"
 #include "support.h"
 
@@ -26,11 +26,14 @@ TEST(Straightest, IsAStraightLineInThePlane) {
   const Geometry geometry = buildGeometry(mesh);
   const uint64_t seed = 20260101;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
+  Random random(seed);
+  const auto somewhere = [&] {
+    const double x = random.uniform(0.2, 6.8);
+    return Vec3(x, random.uniform(0.2, 4.8), 0);
+  };
   for (int i = 0; i < (longRun() ? 100'000 : 200); ++i) {
-    const Vec3 a(0.2 + 6.6 * unit(random), 0.2 + 4.6 * unit(random), 0);
-    const Vec3 b(0.2 + 6.6 * unit(random), 0.2 + 4.6 * unit(random), 0);
+    const Vec3 a = somewhere();
+    const Vec3 b = somewhere();
     const SurfacePoint start = nearestPoint(mesh, a);
     const StraightestPath path =
         traceStraightest(geometry, start, toFace(geometry, start.face, b - a));

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "mesh/mesh_import.h"
+
 namespace karcher {
 
 TriangleMesh planeGrid(int columns, int rows) {
@@ -24,6 +26,26 @@ TriangleMesh planeGrid(int columns, int rows) {
     }
   }
   return buildMesh(positions, faces);
+}
+
+TriangleMesh twoGrids() {
+  const TriangleMesh one = planeGrid(3, 3);
+  Array<Vec3> positions = one.positions;
+  Array<Triangle> faces = one.faces;
+  for (const Vec3& p : one.positions) positions.push_back(p + Vec3(10, 0, 0));
+  for (const Triangle& f : one.faces) faces.push_back(f.array() + one.vertexCount());
+  return buildMesh(positions, faces);
+}
+
+TriangleMesh gridWithCorner() {
+  const TriangleMesh square = planeGrid(12, 12);
+  Array<Triangle> faces;
+  for (const Triangle& face : square.faces) {
+    Vec3 middle = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) middle += square.positions[face[k]] / 3;
+    if (middle.x() < 4 || middle.y() < 4) faces.push_back(face);
+  }
+  return importMesh({square.positions, faces}).mesh;
 }
 
 TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions, soup.triangles); }

@@ -13,6 +13,14 @@ namespace karcher {
 /// its upper right corner. Vertex i + (columns + 1) j lies at (i, j).
 TriangleMesh planeGrid(int columns, int rows);
 
+/// Two of planeGrid(3, 3) side by side, the second 10 to the right: points of both are unreachable
+/// from each other.
+TriangleMesh twoGrids();
+
+/// An L of unit squares: of those from (0, 0) to (12, 12), the ones left of x = 4 or below y = 4.
+/// The boundary has a corner at (4, 4) that points inwards.
+TriangleMesh gridWithCorner();
+
 TriangleMesh meshOf(const TriangleSoup& soup);
 
 /// A vector in space, at a vertex of a flat mesh, in the vertex's frame.

@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <random>
+#include <utility>
+
+#include "mesh/types.h"
 
 namespace karcher {
 
@@ -16,6 +19,10 @@ class Random {
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Uniform in 0, ..., count - 1.
   int index(int count) { return static_cast<int>(uniform() * count); }
+  /// Into any order.
+  void shuffle(Array<int>& values) {
+    for (int i = values.count() - 1; i > 0; --i) std::swap(values[i], values[index(i + 1)]);
+  }
 
  private:
   std::mt19937_64 engine_;

@@ -3,14 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
-
-const lengthOf = (polyline) => {
-  let length = 0;
-  for (let i = 3; i < polyline.length; i += 3) {
-    length += Math.hypot(...[0, 1, 2].map((axis) => polyline[i + axis] - polyline[i - 3 + axis]));
-  }
-  return length;
-};
+import { lengthOf } from './polylines.mjs';
 
 describe('a center of mass', () => {
   let browser;

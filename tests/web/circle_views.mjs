@@ -19,11 +19,6 @@ export function flatGrid(cells) {
 export const linesOf = ({ isolines, polyline }) =>
   isolines ? isolines.lines.map((line) => Object.values(line.polyline)) : [polyline];
 
-export const vertices = (line) =>
-  Array.from({ length: line.length / 3 }, (_, i) => line.slice(3 * i, 3 * i + 3));
-
-export const far = (a, b) => Math.hypot(...a.map((value, axis) => value - b[axis]));
-
 /** Types a number into one of the fields, and returns the view that comes of it. */
 export async function typeRadius(tab, text, name = 'Radius') {
   const field = tab.page.getByRole('textbox', { name });

@@ -3,9 +3,10 @@ import assert from 'node:assert/strict';
 import { after, before, describe } from 'node:test';
 import { load } from '../../dist/index.js';
 import { openBrowser, Tab } from './browser.mjs';
-import { far, flatGrid, linesOf, typeRadius, vertices } from './circle_views.mjs';
+import { flatGrid, linesOf, typeRadius } from './circle_views.mjs';
 import { farthestFromSurface, nearestOnSurface } from './on_surface.mjs';
 import { sometimes } from './part.mjs';
+import { far, vertices } from './polylines.mjs';
 
 const onSurface = 2e-6;
 

@@ -2,9 +2,10 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { far, flatGrid, typeRadius, vertices } from './circle_views.mjs';
+import { flatGrid, typeRadius } from './circle_views.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
 import { sometimes } from './part.mjs';
+import { far, vertices } from './polylines.mjs';
 
 const onSurface = 2e-6;
 const alongHandle = 'Radius along and direction of the ellipse';

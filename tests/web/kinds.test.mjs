@@ -5,6 +5,7 @@ import { isDeepStrictEqual } from 'node:util';
 import { openBrowser, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
 import { part, sometimes } from './part.mjs';
+import { far, lengthOf, vertices } from './polylines.mjs';
 
 const places = [
   [-110, 40],
@@ -37,24 +38,10 @@ function placesOf(points, { positions, triangles }) {
 }
 
 /** The distance of a place from a polyline's vertices. */
-function distanceTo(polyline, [x, y, z]) {
-  let least = Number.POSITIVE_INFINITY;
-  for (let i = 0; i < polyline.length; i += 3) {
-    least = Math.min(least, Math.hypot(polyline[i] - x, polyline[i + 1] - y, polyline[i + 2] - z));
-  }
-  return least;
-}
-
-function lengthOf(polyline) {
-  let length = 0;
-  for (let i = 3; i < polyline.length; i += 3) {
-    length += far(polyline.slice(i - 3, i), polyline.slice(i, i + 3));
-  }
-  return length;
-}
+const distanceTo = (polyline, place) =>
+  Math.min(...vertices(polyline).map((vertex) => far(vertex, place)));
 
 const ends = (polyline) => [polyline.slice(0, 3), polyline.slice(-3)];
-const far = (a, b) => Math.hypot(...a.map((value, axis) => value - b[axis]));
 
 const choose = (tab, kind) =>
   tab.page.getByLabel(names[kind], { exact: true }).check({ force: true });
