@@ -71,10 +71,11 @@ export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {
       endGroup(signal);
       process.exit(1);
     };
-    const timer = setTimeout(() => {
+    const end = () => {
       late = true;
       endGroup('SIGKILL');
-    }, minutes * 60_000);
+    };
+    const timer = minutes < Infinity ? setTimeout(end, minutes * 60_000) : undefined;
     process.on('SIGINT', passOn).on('SIGTERM', passOn);
     const settle = (problem) => {
       clearTimeout(timer);
@@ -96,9 +97,9 @@ export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {
 /**
  * Runs stages one after another, prints each one's time and a table at the end.
  *
- * A stage is `{ name, run }`. `run` may return `{ passed, failed }`, the tests it counted; else the
- * stage counts as one. A stage that throws, or counts no test, has failed; the ones after it still
- * run. Returns the sums.
+ * A stage is `{ name, run, isBuild }`. `run` may return `{ passed, failed }`, the tests it counted;
+ * else the stage counts as one. A stage that throws, or counts no test, has failed; the ones after it
+ * still run. Returns the sums, and the seconds of builds apart.
  */
 export async function runStages(stages) {
   const rows = [];
@@ -117,7 +118,8 @@ export async function runStages(stages) {
       console.error(error instanceof CommandError ? error.message : error);
       counts = { passed: 0, failed: 1 };
     }
-    rows.push({ name: stage.name, seconds: (performance.now() - start) / 1000, ...counts });
+    const seconds = (performance.now() - start) / 1000;
+    rows.push({ name: stage.name, isBuild: stage.isBuild, seconds, ...counts });
   }
   const width = Math.max(...rows.map((row) => row.name.length));
   console.log('');
@@ -125,13 +127,27 @@ export async function runStages(stages) {
     const time = seconds.toFixed(1).padStart(7);
     console.log(`${name.padEnd(width)} ${time} s  ${passed} passed, ${failed} failed`);
   }
-  const sum = (key) => rows.reduce((total, row) => total + row[key], 0);
-  return { passed: sum('passed'), failed: sum('failed'), seconds: sum('seconds') };
+  const sum = (key, of = rows) => of.reduce((total, row) => total + row[key], 0);
+  return {
+    passed: sum('passed'),
+    failed: sum('failed'),
+    seconds: sum('seconds'),
+    buildSeconds: sum(
+      'seconds',
+      rows.filter(({ isBuild }) => isBuild),
+    ),
+  };
 }
 
+const inMinutes = (seconds) => `${(seconds / 60).toFixed(1)} minutes`;
+
 /** Prints the closing line that scripts read, and sets the exit status. */
-export function closeWith({ passed, failed, seconds }) {
-  console.log(`\nIn ${(seconds / 60).toFixed(1)} minutes:`);
+export function closeWith({ passed, failed, seconds, buildSeconds }) {
+  const parts =
+    buildSeconds > 0
+      ? ` (builds ${inMinutes(buildSeconds)}, the rest ${inMinutes(seconds - buildSeconds)})`
+      : '';
+  console.log(`\nIn ${inMinutes(seconds)}${parts}:`);
   console.log(`${passed} passed, ${failed} failed`);
   process.exitCode = failed > 0 ? 1 : 0;
 }

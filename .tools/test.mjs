@@ -3,6 +3,7 @@
 // KARCHER_LONG=1.
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
+import { runGoogleTest } from './gtest.mjs';
 import { chromiumPath, setUp } from './setup.mjs';
 import { closeWith, cores, filesBelow, inRoot, run, runStages } from './shell.mjs';
 
@@ -11,59 +12,12 @@ const longCases = long ? { KARCHER_LONG: '1' } : {};
 const minutes = long ? 120 : 15;
 const reports = inRoot('build/reports');
 
-/** Runs one part of a GoogleTest program and returns what its report counted. */
-async function runShard(preset, shard, shards) {
-  const report = `${reports}/${preset}-${shard}.json`;
-  rmSync(report, { force: true });
-  const env = {
-    GTEST_TOTAL_SHARDS: `${shards}`,
-    GTEST_SHARD_INDEX: `${shard}`,
-    UBSAN_OPTIONS: 'print_stacktrace=1',
-    ...longCases,
-  };
-  const args = [`--gtest_output=json:${report}`];
-  let problem;
-  let output;
-  try {
-    output = await run(inRoot(`build/${preset}/karcher_tests`), args, {
-      env,
-      quiet: true,
-      minutes,
-    });
-  } catch (error) {
-    problem = error;
-    output = error.output ?? '';
-  }
-  // Of a good run only what the tests print themselves; of a bad one also which test was last.
-  const lines = output
-    .split('\n')
-    .filter((line) => line && (problem || !/^\[[ =\-A-Z]+\]/.test(line)));
-  console.log(lines.join('\n'));
-  let counts = { passed: 0, failed: 0 };
-  try {
-    const { testsuites } = JSON.parse(readFileSync(report, 'utf8'));
-    const tests = testsuites.flatMap((suite) => suite.testsuite);
-    const ran = tests.filter((test) => test.status === 'RUN' && test.result !== 'SKIPPED');
-    const failed = ran.filter((test) => test.failures?.length > 0).length;
-    counts = { passed: ran.length - failed, failed };
-  } catch {
-    problem ??= new Error(`${preset}: the tests wrote no report`);
-  }
-  if (problem && counts.failed === 0) {
-    console.error(problem.message);
-    counts.failed = 1;
-  }
-  return counts;
-}
-
-async function runNative(preset) {
-  // More than there are cores: some take longer than others.
-  const shards = 2 * cores;
-  const running = Array.from({ length: shards }, (_, shard) => runShard(preset, shard, shards));
-  const counts = await Promise.all(running);
-  const sum = (key) => counts.reduce((total, count) => total + count[key], 0);
-  return { passed: sum('passed'), failed: sum('failed') };
-}
+const runNative = (preset) =>
+  runGoogleTest(inRoot(`build/${preset}/karcher_tests`), {
+    reports: `${reports}/${preset}`,
+    env: { UBSAN_OPTIONS: 'print_stacktrace=1', ...longCases },
+    minutes,
+  });
 
 /** Runs the node:test files of a folder and returns what they counted. */
 async function runNode(folder, env = {}) {
@@ -94,26 +48,34 @@ async function runNode(folder, env = {}) {
   return counts;
 }
 
-const nativeTests = (preset) => async () => {
+const build = (what, work, more) => ({
+  name: `build of ${what}`,
+  run: work,
+  isBuild: true,
+  ...more,
+});
+const tests = (what, work, more) => ({ name: `tests of ${what}`, run: work, ...more });
+// A long run draws many cases: with the sanitizers it would take hours.
+const short = { short: true };
+
+async function buildNativeTests(preset) {
   await writeBunny();
   await buildNative(preset, 'karcher_tests');
-  return runNative(preset);
-};
+}
 
-await setUp('build', 'test');
 mkdirSync(reports, { recursive: true });
-
 const stages = [
-  { name: 'native tests, g++', run: nativeTests('native') },
-  { name: 'native tests, clang++ with sanitizers', run: nativeTests('sanitize'), short: true },
-  { name: 'build of the WebAssembly module', run: buildWasm },
-  { name: 'build of the facade', run: buildFacade },
-  { name: 'build of the page', run: buildPage },
-  { name: 'tests of the module and the command line', run: () => runNode('tests/wasm') },
-  { name: 'tests of the figures', run: () => runNode('tests/paper') },
-  {
-    name: 'tests of the page',
-    run: () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases }),
-  },
+  { name: 'set-up', run: () => setUp('build', 'test'), isBuild: true },
+  build('the engine’s tests, g++', () => buildNativeTests('native')),
+  build('the engine’s tests, clang++ with sanitizers', () => buildNativeTests('sanitize'), short),
+  build('the WebAssembly module', buildWasm),
+  build('the facade', buildFacade),
+  build('the page', buildPage),
+  tests('the tools', () => runNode('tests/tools'), short),
+  tests('the engine, g++', () => runNative('native')),
+  tests('the engine, clang++ with sanitizers', () => runNative('sanitize'), short),
+  tests('the module and the command line', () => runNode('tests/wasm')),
+  tests('the figures', () => runNode('tests/paper')),
+  tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];
 closeWith(await runStages(stages.filter((stage) => !long || !stage.short)));
