@@ -8,7 +8,6 @@
 // last report stays.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
-import { runnerImport } from 'vite';
 import { buildFacade, buildWasm } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { inRoot } from './shell.mjs';
@@ -26,6 +25,7 @@ const known = {
 };
 
 const load = async (path) => {
+  const { runnerImport } = await import('vite');
   const config = { configFile: inRoot('vite.config.ts'), logLevel: 'error' };
   return (await runnerImport(inRoot(`web/paper/${path}`), config)).module;
 };
@@ -70,8 +70,8 @@ async function tablePart({ table, samples }) {
 
 try {
   const options = readOptions();
+  await setUp('build');
   if (!options.built) {
-    await setUp('build');
     await buildWasm();
     await buildFacade();
   }

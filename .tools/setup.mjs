@@ -187,17 +187,33 @@ async function installSystemPackages(purposes, noInstall) {
   throw new SetupError(`Still missing; install these and run this again:\n${list.join('\n')}`);
 }
 
-async function installNpmPackages(noInstall) {
+/** Whether all that package.json names is installed, as the lock file has it. */
+function npmPackagesAreThere() {
   const installed = inRoot('node_modules/.package-lock.json');
   const lock = inRoot('package-lock.json');
-  if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;
+  if (!existsSync(installed) || statSync(installed).mtimeMs < statSync(lock).mtimeMs) return false;
+  const { dependencies, devDependencies } = JSON.parse(
+    readFileSync(inRoot('package.json'), 'utf8'),
+  );
+  return Object.keys({ ...dependencies, ...devDependencies }).every((name) =>
+    existsSync(inRoot(`node_modules/${name}/package.json`)),
+  );
+}
+
+async function installNpmPackages(noInstall) {
+  if (npmPackagesAreThere()) return;
+  // With NODE_ENV=production npm would leave out what the build is made with.
+  const args = ['ci', '--include=dev'];
+  const command = `npm ${args.join(' ')}`;
   if (noInstall) {
-    throw new SetupError('Not installing, as KARCHER_NO_INSTALL is set. The command is:\n  npm ci');
+    throw new SetupError(
+      `Not installing, as KARCHER_NO_INSTALL is set. The command is:\n  ${command}`,
+    );
   }
-  console.log('Installing npm packages into node_modules: npm ci');
+  console.log(`Installing npm packages into node_modules: ${command}`);
   const npm = process.env.npm_execpath;
-  if (npm?.endsWith('.js')) await run(process.execPath, [npm, 'ci']);
-  else await run('npm', ['ci']);
+  if (npm?.endsWith('.js')) await run(process.execPath, [npm, ...args]);
+  else await run('npm', args);
 }
 
 /**
