@@ -8,6 +8,8 @@ import type { Viewer } from './viewer/viewer';
 export interface Inspection {
   /** Whether the engine has answered the newest state, control polygon included. */
   readonly settled: boolean;
+  /** Whether the newest view is drawn, and nothing moves. */
+  readonly still: boolean;
   state(): State;
   view(): View;
   /** Where a place in the surface's coordinates is seen in the window; null where it is hidden. */
@@ -25,6 +27,9 @@ export function exposeState(editor: Editor, session: Session, viewer: Viewer): v
   const inspection: Inspection = {
     get settled() {
       return session.settled && session.view.revision === editor.state.revision;
+    },
+    get still() {
+      return viewer.still;
     },
     state: () => structuredClone(editor.state),
     view: () => structuredClone(session.view),

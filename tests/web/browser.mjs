@@ -3,6 +3,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join, normalize } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -29,6 +30,15 @@ const flags = [
 ];
 /** Generous: software graphics on a busy machine start slowly. */
 const patience = 60_000;
+
+/** Until a condition holds that the page cannot wait for itself; fails where it never does. */
+export async function until(condition, what) {
+  const end = performance.now() + patience;
+  while (!(await condition())) {
+    if (performance.now() > end) throw new Error(`waited in vain until ${what}`);
+    await setTimeout(20);
+  }
+}
 
 function servePage() {
   const server = createServer((request, response) => {
@@ -104,6 +114,19 @@ export class Tab {
     await this.page.waitForFunction(
       () => window.karcherPage?.settled && window.karcherPage.mesh() !== null,
     );
+  }
+
+  /** Until the view has come to rest. */
+  async still() {
+    await this.page.waitForFunction(() => window.karcherPage.still);
+  }
+
+  /** The workers that run an engine: the page's, and once it was needed the one that refines. */
+  engines = () => this.page.workers().filter((worker) => worker.url().includes('engine'));
+
+  /** For longer than saving waits, by the page's own clock: what waited there has run. */
+  async pastSaving() {
+    await this.page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)));
   }
 
   state = () => this.page.evaluate(() => window.karcherPage.state());

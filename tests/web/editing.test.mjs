@@ -148,7 +148,7 @@ describe('editing a curve', () => {
     assert.ok(Math.hypot(turned.x - handle.x, turned.y - handle.y) > 5);
 
     await tab.page.keyboard.press('r');
-    await tab.page.waitForTimeout(600);
+    await tab.still();
     const reset = await tab.handle('Control point 1 of 4');
     assert.ok(Math.hypot(reset.x - handle.x, reset.y - handle.y) < 0.5);
     await tab.page.close();

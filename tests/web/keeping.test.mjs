@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, Tab, until } from './browser.mjs';
 import { part, sometimes } from './part.mjs';
 
 const places = [
@@ -59,7 +59,20 @@ describe('nothing that was made is lost', () => {
     assert.equal(document.points.length, 2);
     await tab.page.waitForFunction(() => location.hash.includes('points='));
     // The browser keeps the file after it is shown.
-    await tab.page.waitForTimeout(1000);
+    await tab.page.waitForFunction(
+      (key) =>
+        new Promise((resolve) => {
+          const opening = indexedDB.open('karcher', 1);
+          // To make it is the page's part.
+          opening.onupgradeneeded = () => opening.transaction.abort();
+          opening.onerror = () => resolve(false);
+          opening.onsuccess = () => {
+            const files = opening.result.transaction('files').objectStore('files');
+            files.getKey(key).onsuccess = ({ target }) => resolve(target.result === key);
+          };
+        }),
+      mesh,
+    );
 
     await tab.page.reload();
     await tab.settled();
@@ -80,7 +93,7 @@ describe('nothing that was made is lost', () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { polyline } = await tab.view();
-    const [engine] = tab.page.workers();
+    const [engine] = tab.engines();
     await engine.evaluate(() => {
       setTimeout(() => {
         throw new Error('out of luck');
@@ -99,14 +112,6 @@ describe('nothing that was made is lost', () => {
     const { width, height } = tab.page.viewportSize();
     const picture = () =>
       tab.page.screenshot({ clip: { x: 280, y: 60, width: width - 280, height: height - 120 } });
-    /** Until the stage looks like a picture, or does not any more. */
-    const untilLike = async (wanted, like) => {
-      const until = performance.now() + 30_000;
-      while ((await picture()).equals(wanted) !== like) {
-        assert.ok(performance.now() < until, like ? 'it is drawn again' : 'it is gone');
-        await tab.page.evaluate(() => new Promise(requestAnimationFrame));
-      }
-    };
     await tab.page.mouse.move(0, 0);
     const whole = await picture();
     const lost = await tab.page.evaluateHandle(() => {
@@ -115,9 +120,9 @@ describe('nothing that was made is lost', () => {
       switched.loseContext();
       return switched;
     });
-    await untilLike(whole, false);
+    await until(async () => !(await picture()).equals(whole), 'the stage is empty');
     await lost.evaluate((switched) => switched.restoreContext());
-    await untilLike(whole, true);
+    await until(async () => (await picture()).equals(whole), 'it is drawn again');
     // The surface and the lines of before are given up, and others drawn.
     await tab.page.locator('#surface').selectOption('torus');
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
@@ -202,8 +207,7 @@ describe('nothing that was made is lost', () => {
           const alert = elsewhere.page.getByRole('alert');
           await alert.waitFor();
           assert.match(await alert.textContent(), /The curve is on tetrahedron\.obj\./);
-          // Longer than saving waits.
-          await elsewhere.page.waitForTimeout(1000);
+          await elsewhere.pastSaving();
           assert.ok(await alert.isVisible(), 'it stays');
           assert.equal(elsewhere.page.url().split('#')[1], fragment);
         };
@@ -238,7 +242,7 @@ describe('nothing that was made is lost', () => {
       const fragment = `mesh=${mesh}&kind=bezier&points=1,0.2,0.3`;
       const tab = await Tab.open(browser, fragment);
       const alert = tab.page.getByRole('alert');
-      await tab.page.waitForTimeout(1000);
+      await tab.pastSaving();
       assert.match(await alert.locator('p').textContent(), sentence);
       assert.equal((await tab.state()).mesh, 'bunny:1');
       assert.equal(tab.page.url().split('#')[1], fragment);
@@ -268,6 +272,7 @@ describe('nothing that was made is lost', () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { polyline } = await tab.view();
+    const engines = tab.engines().length;
     await tab.page.evaluate(() => {
       const surface = document.getElementById('surface');
       surface.value = 'genus3';
@@ -275,7 +280,7 @@ describe('nothing that was made is lost', () => {
       document.getElementById('cancel').click();
     });
     await tab.page.waitForFunction(() => document.getElementById('progress').hidden);
-    await tab.page.waitForTimeout(300);
+    await until(() => tab.engines().length === engines, 'its engine has ended');
     assert.equal((await tab.state()).mesh, 'sphere:1500');
     assert.deepEqual((await tab.view()).polyline, polyline);
     assert.equal(await tab.page.locator('#surface').inputValue(), 'sphere');

@@ -162,7 +162,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
       await touch('touchMove', [x - 30 - step, y + 80], [x + 30 + step, y + 80]);
     }
     await touch('touchEnd');
-    await tab.page.waitForTimeout(300);
+    await tab.still();
     assert.ok((await apart()) > 1.3 * near, 'nearer');
     assert.equal((await tab.state()).document.points.length, 2, 'and no point is added');
     assert.deepEqual(tab.logged, []);

@@ -87,15 +87,19 @@ describe('the exact curve after the draft', () => {
     const from = await tab.handle('Control point 2 of 4');
     await tab.drag(from, { x: from.x + 10, y: from.y });
 
-    // The engine that refines is kept busy for longer than a drag takes.
-    const refining = tab.page.workers().filter((worker) => worker.url().includes('engine'))[1];
-    let busy = true;
-    const end = refining.evaluate(() => {
-      const until = performance.now() + 6000;
-      while (performance.now() < until);
+    // The engine that refines is held until an answer comes that is not given before the drags are over.
+    let release;
+    const released = new Promise((resolve) => {
+      release = resolve;
     });
-    const ended = end.then(() => {
-      busy = false;
+    await browser.context.route('**/held', async (route) => {
+      await released;
+      await route.fulfill({ body: '' });
+    });
+    const held = tab.engines()[1].evaluate(() => {
+      const request = new XMLHttpRequest();
+      request.open('GET', '/held', false);
+      request.send();
     });
     const answered = () =>
       tab.page.waitForFunction(() => {
@@ -120,9 +124,9 @@ describe('the exact curve after the draft', () => {
       const { quality } = await tab.page.evaluate(() => window.karcherPage.view());
       assert.equal(quality, 'draft', `drag ${step}`);
     }
-    assert.ok(busy, 'the drags were answered before the exact curve');
     assert.notDeepEqual(drafts[0], drafts[2]);
-    await ended;
+    release();
+    await held;
     const last = await tab.view();
     assert.equal(last.quality, 'exact');
     const { meanEdge } = (await tab.mesh()).info;
@@ -147,7 +151,7 @@ describe('the exact curve after the draft', () => {
   test('is made by another engine where the first one stopped', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&method=karcher');
     await tab.click(...places);
-    const refining = tab.page.workers().filter((worker) => worker.url().includes('engine'))[1];
+    const refining = tab.engines()[1];
     await refining.evaluate(() => {
       setTimeout(() => {
         throw new Error('out of luck');
@@ -196,7 +200,7 @@ describe('parts of a curve without a center', () => {
     const beacon = tab.page.locator('.beacon');
     await beacon.waitFor();
     // The view flies there: the mark comes to rest in the middle of the stage.
-    await tab.page.waitForTimeout(500);
+    await tab.still();
     const box = await beacon.boundingBox();
     const middle = await tab.middle();
     assert.ok(Math.hypot(box.x + 22 - middle.x, box.y + 22 - middle.y) < 2);

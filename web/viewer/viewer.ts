@@ -100,6 +100,11 @@ export class Viewer {
     });
   }
 
+  /** Whether the newest view is drawn, and nothing moves. */
+  get still(): boolean {
+    return this.#frame === 0;
+  }
+
   get surface(): Surface | null {
     return this.#surface;
   }
