@@ -123,7 +123,8 @@ TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
   const uint64_t seed = 8;
   Random random(seed);
   int passed = 0;
-  for (int i = 0; i < 24; ++i) {
+  const int curves = longRun() ? 24 : 10;
+  for (int i = 0; i < curves; ++i) {
     CurveShape shape{CurveKind::kBarycentric, i % 2 == 1};
     Array<SurfacePoint> points;
     for (int k = 0; k < 5; ++k) points.push_back(randomPoint(mesh, random));
@@ -147,7 +148,7 @@ TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
       }
     }
   }
-  EXPECT_GT(passed, 20);
+  EXPECT_GT(passed, 20 * curves / 24);
 }
 
 TEST(Bridge, EvaluationHasNoGapWithoutAMark) {

@@ -35,7 +35,7 @@ TEST(Circle, OnARegularGridIsTheCircleOfThePlane) {
 }
 
 TEST(Circle, OnTheSphereComesNearerToEquidistanceWithMoreArcs) {
-  Surface surface(importMesh(icosphere(20)).mesh);
+  Surface surface(importMesh(icosphere(14)).mesh);
   const Vec3 pole = Vec3(0.3, -0.2, 1).normalized();
   const SurfacePoint center = nearestPoint(surface.mesh(), pole);
   const Vec3 truth = position(surface.mesh(), center).normalized();

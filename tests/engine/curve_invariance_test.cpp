@@ -178,7 +178,7 @@ TEST(CurveInvariance, ReversedControlPointsGiveTheSameCurve) {
     Surface surface(knot ? importMesh(makeShape(Shape::kKnot, 3000)).mesh : bunnyMesh());
     const Geometry& geometry = surface.geometry();
     Random random(seed);
-    for (int polygon = 0; polygon < (longRun() ? 300 : 4); ++polygon) {
+    for (int polygon = 0; polygon < (longRun() ? 300 : 2); ++polygon) {
       // From close together to a fifth of the surface.
       const double spacing = geometry.diagonal * random.uniform(0.02, 0.2);
       Array<SurfacePoint> points{randomPoint(surface.mesh(), random)};

@@ -88,7 +88,7 @@ TEST(CurveTolerance, TheCurveKeepsToTheLineThatIsDrawnForIt) {
         reach = reach == 0.25 ? 0.5 : 0.25;
         const Array<SurfacePoint> points = pointsWithin(*surface, reach, kControlPoints, random);
         Curve curve = adaptiveCurve(*surface, shape, points, tolerance);
-        const Deviation deviation = deviationOf(curve, longRun() ? 2000 : 700);
+        const Deviation deviation = deviationOf(curve, longRun() ? 2000 : 350);
         EXPECT_LE(deviation.most, tolerance)
             << describe(shape) << ", " << surface->mesh().faceCount() << " faces, seed " << seed
             << ", t " << deviation.at;

@@ -27,8 +27,8 @@ test('help, of the program and of each command', () => {
   ]);
   assert.equal(karcher('-h').stdout, general.stdout);
   for (const command of commands) {
-    assert.equal(karcher(command, '-h').stdout, karcher(command, '--help').stdout);
     const { status, stdout, stderr } = karcher(command, '--help');
+    assert.equal(karcher(command, '-h').stdout, stdout);
     assert.equal(status, 0);
     assert.equal(stderr, '');
     assert.match(stdout, new RegExp(`^karcher ${command} MESH.obj`));
