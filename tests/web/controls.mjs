@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 
 /** What is clicked, but for the handles on the stage, which are dragged and may lie on each other. */
 const controls = 'button, select, input, textarea, summary, a[href]';
-const apart = '.stage, noscript';
+const apart = '.stage, .handle, noscript';
 
 /** Put into a page: `window.reach` finds its controls, and where they are clicked. */
 function install([all, without]) {
@@ -41,16 +41,14 @@ function install([all, without]) {
   /** Scrolls what a wheel or a finger would, until a target's middle is within. */
   const bringIntoView = (element, target) => {
     for (let box = element.parentElement; box; box = box.parentElement) {
-      const isRoot = box === document.documentElement;
-      const scrolls = isRoot
-        ? getComputedStyle(document.body).overflowY !== 'hidden'
-        : isScroller(box);
-      if (!scrolls) continue;
       const { y } = middle(target.getBoundingClientRect());
-      const { top, bottom } = isRoot
-        ? { top: 0, bottom: innerHeight }
-        : box.getBoundingClientRect();
-      if (y < top + 4 || y > bottom - 4) {
+      if (box === document.documentElement) {
+        if (getComputedStyle(document.body).overflowY === 'hidden') continue;
+        // To the middle, away from what stays at an edge.
+        window.scrollBy({ top: y - innerHeight / 2, behavior: 'instant' });
+      } else if (isScroller(box)) {
+        const { top, bottom } = box.getBoundingClientRect();
+        if (y > top + 4 && y < bottom - 4) continue;
         box.scrollBy({ top: y - (top + bottom) / 2, behavior: 'instant' });
       }
     }
@@ -73,7 +71,8 @@ function install([all, without]) {
         element.getBoundingClientRect().width > 0,
     );
 
-  const panels = '.group, [role="toolbar"], [role="menu"], dialog, .notices, .status, .messages';
+  const panels =
+    '.group, [role="toolbar"], [role="menu"], dialog, .notices, .status, .messages, .site-head, .figure';
   const panelOf = (element) => {
     const panel = element.closest(panels);
     return panel && (panel.id || panel.className);

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { isComplaint, openBrowser } from './browser.mjs';
+import { Controls } from './controls.mjs';
 import { part } from './part.mjs';
 
 const ids = [
@@ -435,6 +436,30 @@ describe('the Paper page', () => {
     assert.equal(await page.evaluate(() => window.karcherPaper.table.cells.length), 4);
     assert.deepEqual(logged, []);
   });
+
+  for (const viewport of [
+    { width: 1280, height: 800 },
+    { width: 390, height: 844 },
+  ]) {
+    test(`every control is hit where it is clicked, ${viewport.width} wide`, async (t) => {
+      await page.setViewportSize(viewport);
+      await page.evaluate(() => {
+        for (const details of document.querySelectorAll('details')) details.open = true;
+      });
+      for (const id of ids) await open(id);
+      const controls = new Controls(page);
+      await controls.install();
+      assert.ok((await controls.look('all figures')) > 100);
+      const panels = await page.evaluate(() => window.reach.panels());
+      assert.ok(panels.length > ids.length);
+      assert.deepEqual(
+        panels.filter((panel) => !controls.panels.has(panel)),
+        [],
+      );
+      t.diagnostic(`${controls.reached.size} kinds of controls`);
+      assert.deepEqual(logged, []);
+    });
+  }
 
   test('a narrow window has no sideways scroll', async () => {
     await page.setViewportSize({ width: 390, height: 844 });
