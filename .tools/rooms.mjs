@@ -118,6 +118,7 @@ function importsOf(text) {
 /** The name of the package that an import or include is of; undefined for the standard library. */
 function packageOf(target, isCpp) {
   if (target.startsWith('node:')) return 'node';
+  if (target === 'tiny_obj_loader.h') return 'tinyobjloader';
   if (isCpp) return /[/.]/.test(target) ? target.split('/')[0] : undefined;
   const parts = target.split('/');
   return target.startsWith('@') ? parts.slice(0, 2).join('/') : parts[0];
@@ -181,16 +182,32 @@ export function wrongUses(rooms, files) {
   return wrong;
 }
 
+/** The files that a text names in backticks, by path or by name alone, and that are not among `paths`. */
+export function namesOfNoFile(markdown, paths) {
+  const named = [...markdown.matchAll(/`([\w./-]+\/)?([\w-]+\.(?:h|cpp|mjs|ts|cmake|html))`/g)];
+  return named
+    .map(([, folder = '', name]) => folder + name)
+    .filter((name) => !paths.some((path) => `/${path}`.endsWith(`/${name}`)));
+}
+
 /** Checks the project's own files, prints what is wrong, and returns what it counted. */
 export function checkRooms() {
-  const rooms = readRooms(readFileSync(inRoot('ARCHITECTURE.md'), 'utf8'));
+  const markdown = readFileSync(inRoot('ARCHITECTURE.md'), 'utf8');
+  const rooms = readRooms(markdown);
   const files = folders
     .flatMap((folder) => filesBelow(folder, sources))
     .map((file) => ({
       path: file.slice(root.length),
       text: readFileSync(file, 'utf8'),
     }));
-  const wrong = wrongUses(rooms, files);
+  const all = [...folders, 'tests', '.tools'].flatMap((folder) => filesBelow(folder, /./));
+  const wrong = [
+    ...wrongUses(rooms, files),
+    ...namesOfNoFile(
+      markdown,
+      all.map((file) => file.slice(root.length)),
+    ).map((name) => `ARCHITECTURE.md: names ${name}, which is not there`),
+  ];
   for (const sentence of wrong) console.error(sentence);
   const failed = new Set(wrong.map((sentence) => sentence.split(':')[0])).size;
   return { passed: files.length - failed, failed };

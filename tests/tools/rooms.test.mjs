@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
-import { readRooms, wrongUses } from '../../.tools/rooms.mjs';
+import { namesOfNoFile, readRooms, wrongUses } from '../../.tools/rooms.mjs';
 import { inRoot } from '../../.tools/shell.mjs';
 
 const head = '| room | what it holds | may use |\n| --- | --- | --- |\n';
@@ -122,6 +122,15 @@ describe('rooms', () => {
       () => readRooms(`${tables}| \`web/a\` | a | \`web/none\` |\n`),
       /no room 'web\/none'/,
     );
+  });
+
+  test('come with a text whose files are there', () => {
+    const text = 'See `src/mesh/mesh.h`, `exact.h`, `a.b()` and `link/read.ts`, not `mesh/gone.h`.';
+    assert.deepEqual(namesOfNoFile(text, Object.keys(files)), ['mesh/gone.h']);
+    assert.deepEqual(namesOfNoFile('`esh.h` `src/exact.h`', Object.keys(files)), [
+      'esh.h',
+      'src/exact.h',
+    ]);
   });
 
   test('of this project keep the engine free of what is built on it', () => {
