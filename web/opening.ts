@@ -112,7 +112,7 @@ export class Opening {
     const bytes = await keptFile(mesh);
     if (bytes) return this.#openLink(link, { kind: 'file', bytes });
     this.#await(mesh, formatLink(mesh, method ?? this.editor.state.method, link.document));
-    this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to go on with it.`);
+    this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to continue.`);
     return false;
   }
 
@@ -244,10 +244,12 @@ export class Opening {
   /** An engine that ended by itself, as when memory ran out, is replaced; the document stays. */
   #restart(key: string, source: MeshSource): void {
     if (this.#restarts++ >= mostRestarts) {
-      showError('The engine stopped again. Your curve is kept; open the surface again to go on.');
+      showError(
+        'The engine stopped again. Your curve is kept; open the surface again to continue.',
+      );
       return;
     }
-    showError('The engine stopped, and was started again. Your curve is kept.');
+    showError('The engine stopped and was restarted. Your curve is kept.');
     const { standIn } = this.editor.state;
     void this.#open(key, source, () => null, { standIn });
   }
@@ -260,9 +262,9 @@ function wantedOf(link: Link) {
     const { points, circle } = lostOf(link, fit);
     if (points > 0) {
       const counted = formatCount(points, 'point of the link is', 'points of the link are');
-      showNote(`${counted} not on this surface, and left out.`);
+      showNote(`${counted} not on this surface and ${points === 1 ? 'was' : 'were'} left out.`);
     }
-    if (circle) showNote('The circle of the link is not on this surface, and left out.');
+    if (circle) showNote('The circle of the link is not on this surface and was left out.');
     return fit;
   };
 }

@@ -179,7 +179,7 @@ describe('nothing that was made is lost', () => {
       [1, 700],
       'points beyond the surface are left out',
     );
-    const note = tab.page.getByText('1 point of the link is not on this surface, and left out.');
+    const note = tab.page.getByText('1 point of the link is not on this surface and was left out.');
     await note.waitFor();
     await tab.page.keyboard.press('Control+z');
     assert.deepEqual((await tab.state()).document, document);

@@ -118,7 +118,7 @@ describe('kinds of curves', () => {
     assert.equal((await tab.view()).curve, null);
     assert.equal(await tab.page.locator('#hint').textContent(), '1 more point makes a curve');
     await tab.page.locator('#degree').selectOption('3');
-    await tab.page.getByLabel('Reaches its ends').check();
+    await tab.page.getByLabel('Clamped ends').check();
     const { polyline } = await tab.view();
     const points = placesOf((await tab.state()).document.points, surface);
     const meets = 0.05 * surface.info.meanEdge;
@@ -258,7 +258,7 @@ describe('kinds of curves', () => {
       await tab.page.keyboard.press('s');
       assert.equal(
         await tab.page.locator('#hint').textContent(),
-        'Click the curve where it is to be cut',
+        'Click the curve where you want to cut it',
       );
       const at = await tab.onCurve(0.4);
       await tab.page.mouse.click(at.x, at.y);

@@ -357,7 +357,7 @@ describe('the Paper page', () => {
   test('Table 1 is measured, saved and cancelled', async () => {
     const section = page.locator('#table');
     await section.scrollIntoViewIfNeeded();
-    await section.getByLabel('Samples a segment').selectOption('128');
+    await section.getByLabel('Samples per segment').selectOption('128');
     const idle = () => page.waitForFunction(() => window.karcherPaper.table.settled);
     const cells = () => page.evaluate(() => window.karcherPaper.table.cells);
     await section.getByRole('button', { name: 'Run' }).click();

@@ -12,12 +12,12 @@ const typeNames: Record<CircleType, string> = {
 };
 
 const typeNotes: Record<CircleType, string> = {
-  arcs: 'Smooth curves, joined; the more there are, the closer all of it is to the radius.',
-  linear: 'Straight in each triangle, by distances interpolated between its corners.',
+  arcs: 'Smooth arcs, joined. With more arcs the curve stays closer to its radius.',
+  linear: 'Straight in each triangle: distances are interpolated between its corners.',
   exact: 'Exactly the points at the radius: circular arcs in each triangle.',
 };
 
-const ellipseNote = 'Smooth curves, joined. Its handle Along also turns it.';
+const ellipseNote = 'Smooth arcs, joined. The handle Along also turns the ellipse.';
 
 /** What circles and ellipses have beside their handles: what they are drawn as, and their radii. */
 export class CircleSettings {

@@ -72,10 +72,10 @@ export const kindNotes: Record<Kind, string> = {
   bspline: 'A smooth curve near its control points; with weights, a NURBS curve',
   bezier: 'One segment from the first point to the last',
   catmullrom: 'Smooth, through all points',
-  rational: 'A Bézier curve that weights pull to its points',
+  rational: 'A Bézier curve whose weights pull it to its points',
   barycentric: 'One rational segment through all points, shaped by betas',
   polyline: 'Shortest paths from point to point',
   circle: 'All points at one distance from a center',
-  ellipse: 'Two radii around a center, one across the other',
+  ellipse: 'Two radii around a center, at right angles',
   center: 'The center of mass of the points',
 };

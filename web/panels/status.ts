@@ -112,8 +112,8 @@ function nameOf(kind: Kind, selection: Selection): string {
 
 function hintOf({ mesh, document, tool }: State, view: View, measured: Measured | null): string {
   if (!mesh) return '';
-  if (tool === 'split') return 'Click the curve where it is to be cut';
-  if (tool === 'join') return 'Click the curve that is to be joined';
+  if (tool === 'split') return 'Click the curve where you want to cut it';
+  if (tool === 'join') return 'Click the curve to join with this one';
   if (tool === 'measure') {
     return measured ? measuredText(measured) : 'Point at the curve, or tap it, to measure it there';
   }
@@ -136,11 +136,11 @@ function qualityText(
   notRefined: string | null,
 ): string {
   if (notRefined) return `The exact curve could not be made. ${sentenceOf(notRefined)}`;
-  if (refining) return 'By fast distances; the exact curve is on its way.';
-  if (quality === 'draft') return 'By fast distances.';
-  if (!shift) return 'By exact distances.';
+  if (refining) return 'Computed with fast distances; the exact curve follows.';
+  if (quality === 'draft') return 'Computed with fast distances.';
+  if (!shift) return 'Computed with exact distances.';
   const [median, largest] = [formatShift(shift.median), formatShift(shift.largest)];
-  return `By exact distances: ${median} from the draft (median), ${largest} at most.`;
+  return `Computed with exact distances: ${median} from the draft (median), at most ${largest}.`;
 }
 
 const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
@@ -148,7 +148,7 @@ const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 /** What is worth knowing about a center that is not simply the center. */
 function centerHint({ status, otherMinima }: ShownCenter): string {
   if (status !== 'converged') return `No center was found: ${reasons[status as LostReason]}`;
-  return otherMinima ? 'One of several minima: the lowest that was found' : '';
+  return otherMinima ? 'One of several minima: the lowest one found' : '';
 }
 
 /** What a curve consists of. */

@@ -71,10 +71,12 @@ export class Tools {
     try {
       await navigator.clipboard.writeText(address);
       showNote(
-        complete ? 'Link copied.' : 'Link copied. It opens in this browser, which keeps the file.',
+        complete
+          ? 'Link copied.'
+          : 'Link copied. It opens only in this browser, which keeps the file.',
       );
     } catch {
-      showNote('The browser kept the link from being copied; it is in the address bar.');
+      showNote('The browser did not allow copying the link; it is in the address bar.');
     }
   }
 

@@ -24,7 +24,7 @@ export const rationalFigure: Figure = {
   name: 'Figure 6',
   title: 'Rational curves',
   caption:
-    'A rational cubic Bézier curve with all weights 1, then with the inner ones 100 times the outer ones; and a quadratic curve in barycentric form, which passes through its three points. The sliders change the weights; a line is then traced anew, with its fields, so that its time is that of the whole curve. The editor keeps the fields.',
+    'A rational cubic Bézier curve with all weights 1, then with the inner ones 100 times the outer ones; and a quadratic curve in barycentric form, which passes through its three points. The sliders change the weights. A line is then traced anew together with its fields, so its time is that of the whole curve; the editor keeps the fields.',
   points: { cubic, quadratic },
   panels: [
     panel('equal', 'Cubic', 'cubic', { kind: 'rational', weights: [1, 1, 1, 1] }),
@@ -48,7 +48,7 @@ export const circleFigure: Figure = {
   name: 'Section 5, inset',
   title: 'A circle on a coarse mesh',
   caption:
-    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are of the distance from the radius, turning noise is measured from the exact isoline.',
+    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are differences between the distance to the center and the radius; turning noise is measured against the exact isoline.',
   points: { circle: [onSphere(8, 12), onSphere(48, 20)] },
   panels: [
     {

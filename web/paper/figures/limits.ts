@@ -15,7 +15,7 @@ export const farFigure: Figure = {
   name: 'Figure 7',
   title: 'Points too far apart',
   caption:
-    'Where control points lie too far apart there may be more than one center of mass, or none near the last, and curves break: they jump from one to another, or samples are lost, which is dashed. A lost sample tells that its searches failed, and not that there is no center. The paper’s method starts again at other control points before it gives a sample up, and may come to a center far off. Where a curve is at another center than the reference, its deviation is large. Ours is then bridged: it takes the better of the centers that it comes to from either end, and a subdivision curve of the same points, dashed too, joins them; its deviation is from the same curve of exact distances.',
+    'Where control points lie too far apart, there may be more than one center of mass, or none near the last one. Curves then break: they jump from one center to another, or samples are lost, which is drawn dashed. A lost sample means that its searches failed, not that there is no center. Before it gives up a sample, the paper’s method starts again at other control points, and may reach a center far away. Where a curve is at another center than the reference, its deviation is large. Our curve is bridged there: it takes the better of the centers reached from either end, and a subdivision curve of the same points, also dashed, joins them. Its deviation is measured from the same curve with exact distances.',
   points: {
     far: [
       [-1.6, 0, 0.1],
@@ -72,7 +72,7 @@ export const planeFigure: Figure = {
   name: 'Figure 8',
   title: 'A B-spline on the plane',
   caption:
-    'On the plane the cubic B-spline is known. Gradients that are averaged over rings are off wherever rings are not symmetric; log vectors are linear there, and so exact on any tessellation.',
+    'On the plane the cubic B-spline is known. Gradients averaged over rings are wrong wherever the rings are not symmetric; log vectors are linear there, and therefore exact on any tessellation.',
   points: {
     spline: planeSpline,
   },

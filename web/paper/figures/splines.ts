@@ -135,7 +135,7 @@ export const graphFigure: Figure = {
   name: 'Figure 5, inset',
   title: 'Graph distances with k = 2 and k = 6',
   caption:
-    'The paper’s method with distances on the graph that joins each vertex to its k-ring. With k = 2 paths have few directions to choose from: the farther the points are from each other, in edges, the more the curve strays and turns to and fro. With k = 6 it stays several times nearer, on the plane to the affine curve, on the sphere to the reference; with exact distances it is nearer still.',
+    'The paper’s method with distances on the graph that joins each vertex to its k-ring. With k = 2, paths have few directions to choose from: the farther apart the points are, in edges, the more the curve strays and wiggles. With k = 6 it is several times closer, on the plane to the affine curve and on the sphere to the reference; with exact distances it is closer still.',
   points: { plane: planeSpline, sphere },
   panels: [
     {
@@ -168,7 +168,7 @@ export const averagesFigure: Figure = {
   name: 'Figure 5, inset',
   title: 'Weighted averages and the paper’s curve',
   caption:
-    'Weighted averages are taken in an embedding whose straight lines are about as long as shortest paths; where they are not, the curve is another one.',
+    'Weighted averages are taken in an embedding whose straight lines are about as long as shortest paths. Where they are not, the curve is a different one.',
   points: {
     spline: [
       [-1.35, -0.55, 0.2],

@@ -41,7 +41,7 @@ export class TableSection {
   readonly #view: TableView;
   readonly #chart = new TableChart();
   readonly #samples = select(
-    'Samples a segment',
+    'Samples per segment',
     sampleChoices.map((count) => [count, count.toLocaleString('en')]),
     4096,
   );
@@ -170,7 +170,7 @@ export class TableSection {
       make('h2', 'Times on your machine'),
       make(
         'p',
-        'Two-point paths on two tori, with exact distances for the paper’s method and ours; then B-splines, with graph distances of k = 6 for the paper’s method and fast ones for ours, as in the editor. Control points are at vertices. Preprocessing is what a method does once for the mesh, tracing includes the fields, and an update follows a drag of one point by an edge: what does not depend on that point, as the fields of others or log maps, is kept. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; what was not measured is a dash.',
+        'Two-point paths on two tori, with exact distances for the paper’s method and ours; then B-splines, with graph distances of k = 6 for the paper’s method and fast ones for ours, as in the editor. Control points are at vertices. Preprocessing is what a method does once for the mesh. Tracing includes the fields. An update follows a drag of one point by an edge and keeps what does not depend on that point, such as the fields of the others or log maps. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; a dash marks what was not measured.',
         { className: 'caption' },
       ),
     );

@@ -54,7 +54,7 @@ const centerColumns: Column[] = [
 ];
 
 const residualTitle =
-  'Median length of the weighted sum of the exact shortest paths’ log vectors, which is 0 at a center of mass: smaller deviations tell nothing';
+  'Median length of the weighted sum of the exact shortest paths’ log vectors, which is 0 at a center of mass. Deviations smaller than this tell nothing';
 
 /** The legend of a panel, with the numbers of its lines: a box each shows it or not. */
 export class NumbersTable {
