@@ -54,7 +54,6 @@ export interface EngineMesh {
   hasRingGraph(rings: number): boolean;
   graphBuilder(rings: number): EngineGraphBuilder;
   prepareFields(field: EngineFieldOptions): void;
-  benchmark(): EngineBenchmark;
   /** `start` is empty for the engine's choice. */
   centerOfMass(
     points: Float64Array,
@@ -213,21 +212,6 @@ export interface EngineGraphBuilder {
   advance(vertices: number): boolean;
   /** From 0 to 1. */
   progress(): number;
-}
-
-/** Steps to be timed. */
-export interface EngineBenchmark {
-  delete(): void;
-  prepare(): void;
-  edgeDijkstra(): void;
-  ringGraph(rings: number): void;
-  gradientOperator(): void;
-  field(point: Float64Array, field: EngineFieldOptions): void;
-  /** Chooses a field and the vertices within a radius of its point: their number. */
-  chooseField(point: Float64Array, field: EngineFieldOptions, radius: number): number;
-  /** Makes the chosen field anew and reads it at these vertices. */
-  readField(): void;
-  gradient(): void;
 }
 
 export interface EngineOptions {

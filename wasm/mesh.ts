@@ -10,7 +10,7 @@ import {
 import { Curve } from './curve.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
-import type { EngineBenchmark, EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
+import type { EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
 import {
   centerOptionNames,
   checkLongWork,
@@ -300,15 +300,6 @@ export class Mesh {
     const vector = toVector(direction, 'the direction');
     const path = this.#handle.call((mesh) => mesh.straightest(wire, vector, length));
     return { ...path, end: toSurfacePoint(path.end) };
-  }
-
-  /**
-   * The steps that `karcher bench` times.
-   * @internal
-   */
-  benchmark(): Handle<EngineBenchmark> {
-    const target = this.#handle.call((mesh) => mesh.benchmark());
-    return new Handle(this.#engine, 'the benchmark', target);
   }
 
   /** Gives the memory back, that of the mesh's curves too. Safe to repeat. */

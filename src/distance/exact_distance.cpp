@@ -65,7 +65,6 @@ void ExactDistance::setSource(const SurfacePoint& source) {
   vertices_.clear();
   faces_.clear();
   middles_.clear();
-  touched_.clear();
   queue_.clear();
   pool_.clear();
   windowsLeft_ = static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount();
@@ -77,7 +76,6 @@ void ExactDistance::setSource(const SurfacePoint& source) {
   if (location.simplex == Simplex::kVertex) {
     VertexRecord& record = vertices_.touch(location.vertex);
     record.arrival.distance = 0;
-    touched_.push_back(location.vertex);
     leaveVertex(location.vertex);
     return;
   }
@@ -313,7 +311,6 @@ void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arri
                            double crossing) {
   const double before = record.arrival.distance;
   if (!(arrival.distance < before * (1 - kImprovement)) || before <= queue_.leastKey()) return;
-  if (before == kInfinity) touched_.push_back(vertex);
   record.arrival = arrival;
   record.crossing = crossing;
   record.via = via;
@@ -349,7 +346,7 @@ void ExactDistance::keepMiddle(int h, const Window& window) {
   record = {distance, window.sourceX, window.depth};
 }
 
-ExactDistance::MiddleArrival ExactDistance::middleOf(int h) const {
+MiddleArrival ExactDistance::middleOf(int h) const {
   const double middle = geometry_.edgeLength[h] / 2;
   // The source itself may lie on the edge.
   const PointLocation place = locate(mesh_, source_);

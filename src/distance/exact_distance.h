@@ -2,6 +2,7 @@
 
 #include "distance/beam.h"
 #include "distance/bucket_queue.h"
+#include "distance/distance_solver.h"
 #include "distance/paged_array.h"
 #include "distance/window.h"
 #include "intrinsic/geometry.h"
@@ -29,32 +30,27 @@ struct Arrival {
   int pseudoSource = -1;            ///< that vertex, or -1: straight from the source
 };
 
-class ExactDistance {
+class ExactDistance final : public DistanceSolver {
  public:
   /// The geometry must outlive the solver.
   explicit ExactDistance(const Geometry& geometry);
 
-  /// Starts anew from a point of a face, an edge or a vertex. Costs what was touched before.
-  void setSource(const SurfacePoint& source);
+  void setSource(const SurfacePoint& source) override;
   const SurfacePoint& source() const { return source_; }
 
-  /// Carries windows on until all vertices within `radius` (any number up to kInfinity) are final.
-  /// Goes on where it stopped before: the work, and so every value, is the same as in one go.
+  /// Carries windows on. Steps are taken in one fixed order, and none changes a vertex nearer than
+  /// its least key.
   /// Throws Error kBadArgument if that takes more than kMostWindowsPerFace windows a face, which
   /// only a surface whose shape is rounding noise comes near (ordinary meshes take 10 to 100).
-  void grow(double radius);
+  void grow(double radius) override;
   static constexpr int kMostWindowsPerFace = 10'000;
+  double growTo(int vertex) override { return growInSteps(*this, geometry_, source_, vertex); }
 
-  /// Every vertex as near as this is final; kInfinity once the whole component is.
-  double reached() const { return queue_.empty() ? kInfinity : queue_.leastKey(); }
+  double reached() const override { return queue_.empty() ? kInfinity : queue_.leastKey(); }
+  bool isFinal(int vertex) const override { return distance(vertex) <= reached(); }
 
-  /// Final values depend on the source alone, not on where `grow` stopped: steps are taken in one
-  /// fixed order, and none changes a vertex nearer than its least key.
-  bool isFinal(int vertex) const { return distance(vertex) <= reached(); }
-
-  /// Length of the shortest path. Before it is final an upper bound; kInfinity where nothing
-  /// arrived.
-  double distance(int vertex) const {
+  /// Before it is final an upper bound.
+  double distance(int vertex) const override {
     const VertexRecord* record = vertices_.find(vertex);
     return record == nullptr ? kInfinity : record->arrival.distance;
   }
@@ -65,19 +61,12 @@ class ExactDistance {
   /// Unscaled direction (geometry.h), in [0, total angle], in which the shortest path leaves the
   /// vertex towards the source; 0 at the source itself. Meaningless where nothing arrived.
   double direction(int vertex) const;
+  Vec2 logVector(int vertex) const override {
+    return logVectorAlong(geometry_, vertex, distance(vertex), direction(vertex));
+  }
 
-  /// The vertices that something arrived at, in the order in which they were first touched.
-  const Array<int>& touched() const { return touched_; }
-
-  /// How the shortest path comes to the middle of an edge that is not on the boundary.
-  struct MiddleArrival {
-    double distance = kInfinity;
-    Vec2 toSource = Vec2(1, 0);  ///< unit, in the half-edge's frame: its direction is the x axis
-  };
-  /// By one of the edge's half-edges, if `keepMiddles` was called before `setSource`. Final once
-  /// the distance is <= reached().
-  MiddleArrival middleOf(int h) const;
-  void keepMiddles() { keepsMiddles_ = true; }
+  bool keepMiddles() override { return keepsMiddles_ = true; }
+  MiddleArrival middleOf(int h) const override;
 
   /// Also watches a point of a face or an edge: the distance to it, and how the path arrives. To be
   /// called after `setSource` and before `grow`; the source must not lie in a face of the target.
@@ -155,7 +144,6 @@ class ExactDistance {
   PagedArray<FaceRecord, 7> faces_;
   bool keepsMiddles_ = false;
   PagedArray<MiddleRecords, 7> middles_;  ///< by face
-  Array<int> touched_;
   BucketQueue queue_;
   WindowPool pool_;
   int64_t windowsLeft_ = 0;

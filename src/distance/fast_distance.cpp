@@ -33,9 +33,7 @@ FastDistance::FastDistance(const Geometry& geometry, std::shared_ptr<const Verte
       queue_(geometry.meanEdge / 128) {}
 
 void FastDistance::setSource(const SurfacePoint& source) {
-  source_ = source;
   jets_.clear();
-  touched_.clear();
   queue_.clear();
   front_ = 0;
   latest_ = 0;
@@ -82,13 +80,10 @@ void FastDistance::grow(double radius) {
   while (reached() < radius) settle(queue_.pop());
 }
 
-bool FastDistance::growTo(int vertex) {
+double FastDistance::growTo(int vertex) {
   const Jet& jet = jets_.touch(vertex);
-  while (!isFinal(jet)) {
-    if (queue_.empty()) return jet.settled;
-    settle(queue_.pop());
-  }
-  return true;
+  while (!isFinal(jet) && !queue_.empty()) settle(queue_.pop());
+  return jet.distance;
 }
 
 void FastDistance::settle(int vertex) {
@@ -360,7 +355,6 @@ bool FastDistance::mayArrive(const Jet& jet, double distance, int corner) const 
 
 void FastDistance::enqueue(int vertex, Jet& jet, double before) {
   if (before == kInfinity) {
-    touched_.push_back(vertex);
     jet.lateness = fans_->lateness[vertex];
     latest_ = std::max(latest_, jet.lateness);
   }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "distance/distance_solver.h"
 #include "distance/edge_crossing.h"
 #include "distance/ordered_queue.h"
 #include "distance/paged_array.h"
@@ -18,54 +19,34 @@
 /// exact on any tessellation; elsewhere errors are about 5e-4 of the distance.
 namespace karcher {
 
-class FastDistance {
+class FastDistance final : public DistanceSolver {
  public:
   /// The geometry must outlive the solver. Fans may be shared between solvers of one geometry;
   /// without them the solver builds its own.
   explicit FastDistance(const Geometry& geometry, std::shared_ptr<const VertexFans> fans = nullptr);
 
-  /// Starts anew from a point of a face, an edge or a vertex. Costs what was touched before.
-  void setSource(const SurfacePoint& source);
-  const SurfacePoint& source() const { return source_; }
+  void setSource(const SurfacePoint& source) override;
+  void grow(double radius) override;
+  double growTo(int vertex) override;
 
-  /// Settles vertices until all within `radius` (any number up to kInfinity) are final. Goes on
-  /// where it stopped before: the work, and so every value, is the same as in one go.
-  void grow(double radius);
-
-  /// Settles vertices until this one is final; false if nothing comes there.
-  bool growTo(int vertex);
-
-  /// Every vertex as near as this is final; kInfinity once the whole component is.
-  double reached() const {
+  double reached() const override {
     return queue_.empty() ? kInfinity : front_ - static_cast<double>(latest_);
   }
-
-  /// Final values depend on the source alone, not on where `grow` stopped.
-  bool isFinal(int vertex) const {
+  bool isFinal(int vertex) const override {
     const Jet* jet = jets_.find(vertex);
     return jet != nullptr && (isFinal(*jet) || (jet->settled && queue_.empty()));
   }
 
-  /// Before it is final an estimate; kInfinity where nothing arrived.
-  double distance(int vertex) const {
+  /// Before it is final an estimate.
+  double distance(int vertex) const override {
     const Jet* jet = jets_.find(vertex);
     return jet == nullptr ? kInfinity : jet->distance;
   }
 
-  /// Distance of the last vertex that the path turns round; 0 where it comes straight from the
-  /// source.
-  double pseudoSourceDistance(int vertex) const { return jets_.find(vertex)->base; }
-
   /// Unscaled direction (geometry.h), in [0, total angle], in which the path leaves the vertex
   /// towards the source; 0 at the source itself. Meaningless where nothing arrived.
   double direction(int vertex) const;
-
-  /// -2 log_v(source) = grad d^2 in the frame of the vertex: of length 2 d, pointing on along the
-  /// path that arrives. Meaningless where nothing arrived.
-  Vec2 logVector(int vertex) const;
-
-  /// The vertices that something arrived at, in the order in which they were first touched.
-  const Array<int>& touched() const { return touched_; }
+  Vec2 logVector(int vertex) const override;
 
  private:
   static constexpr int kNotWaiting = -1;
@@ -135,9 +116,7 @@ class FastDistance {
 
   const Geometry& geometry_;
   std::shared_ptr<const VertexFans> fans_;
-  SurfacePoint source_;
   PagedArray<Jet, 6> jets_;
-  Array<int> touched_;
   OrderedQueue queue_;
   Ring ring_{};
   Jet nowhere_;       ///< takes what is not wanted

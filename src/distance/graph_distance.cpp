@@ -9,6 +9,7 @@ GraphDistance::GraphDistance(const Geometry& geometry, const RingGraph& graph)
 }
 
 void GraphDistance::setSource(const SurfacePoint& source) {
+  source_ = source;
   for (const int v : touched_) {
     distance_[v] = kInfinity;
     direction_[v] = 0;

@@ -4,31 +4,32 @@
 #include <utility>
 #include <vector>
 
+#include "distance/distance_solver.h"
 #include "distance/ring_graph.h"
 
 namespace karcher {
 
 /// Approximate distances by Dijkstra's algorithm on the k-ring graph. A source inside a face or on
 /// an edge is joined to the vertices that it sees in the faces around it.
-class GraphDistance {
+class GraphDistance final : public DistanceSolver {
  public:
   /// Both must outlive the solver.
   GraphDistance(const Geometry& geometry, const RingGraph& graph);
 
-  /// Starts anew. Costs what was touched before.
-  void setSource(const SurfacePoint& source);
+  void setSource(const SurfacePoint& source) override;
+  void grow(double radius) override;
+  double growTo(int vertex) override { return growInSteps(*this, geometry_, source_, vertex); }
 
-  /// Goes on until every vertex within `radius` is final.
-  void grow(double radius);
+  double reached() const override { return queue_.empty() ? kInfinity : queue_.top().first; }
+  bool isFinal(int vertex) const override { return distance(vertex) <= reached(); }
 
-  /// Every vertex as near as this is final.
-  double reached() const { return queue_.empty() ? kInfinity : queue_.top().first; }
-  bool isFinal(int vertex) const { return distance(vertex) <= reached(); }
-
-  /// Length of the shortest path of arcs; kInfinity where there is none (yet).
-  double distance(int vertex) const { return distance_[vertex]; }
-  /// Unscaled direction in which that path leaves the vertex towards the source; 0 at the source.
+  double distance(int vertex) const override { return distance_[vertex]; }
+  /// Unscaled direction (geometry.h) in which the path leaves the vertex towards the source; 0 at
+  /// the source.
   double direction(int vertex) const { return direction_[vertex]; }
+  Vec2 logVector(int vertex) const override {
+    return logVectorAlong(geometry_, vertex, distance(vertex), direction(vertex));
+  }
 
  private:
   using Entry = std::pair<double, int>;
@@ -38,6 +39,7 @@ class GraphDistance {
   const Geometry& geometry_;
   const RingGraph& graph_;
   Visibility visibility_;
+  SurfacePoint source_;
   Array<double> distance_;
   Array<double> direction_;
   Array<int> touched_;

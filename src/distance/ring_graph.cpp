@@ -7,13 +7,16 @@
 
 namespace karcher {
 
+void checkRings(int rings) {
+  constexpr int kMostRings = 10;
+  if (rings >= 1 && rings <= kMostRings) return;
+  throw Error(ErrorCode::kBadArgument, "the graph takes 1 to " + std::to_string(kMostRings) +
+                                           " rings, not " + std::to_string(rings));
+}
+
 RingGraphBuilder::RingGraphBuilder(const Geometry& geometry, int rings)
     : geometry_(geometry), visibility_(geometry) {
-  constexpr int kMostRings = 10;
-  if (rings < 1 || rings > kMostRings) {
-    throw Error(ErrorCode::kBadArgument, "the graph takes 1 to " + std::to_string(kMostRings) +
-                                             " rings, not " + std::to_string(rings));
-  }
+  checkRings(rings);
   graph_.rings = rings;
   graph_.start.push_back(0);
 }

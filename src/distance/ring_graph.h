@@ -18,10 +18,13 @@ struct RingGraph {
   Array<float> backDirection;
 };
 
+/// Throws Error kBadArgument for a number of rings outside 1 to 10.
+void checkRings(int rings);
+
 /// Builds the graph some vertices at a time, so that progress can be shown and the work be stopped.
 class RingGraphBuilder {
  public:
-  /// The geometry must outlive the builder. Throws Error kBadArgument for rings outside 1 to 10.
+  /// The geometry must outlive the builder. Throws as `checkRings` does.
   RingGraphBuilder(const Geometry& geometry, int rings);
 
   /// Does the next `vertices` vertices; true when all are done.

@@ -5,28 +5,17 @@
 #include <string>
 #include <utility>
 
+#include "distance/exact_distance.h"
 #include "mesh/error.h"
 
 namespace karcher {
-namespace {
-
-template <class DistanceSolver>
-Array<double> allDistances(DistanceSolver& solver, const SurfacePoint& source, int vertexCount) {
-  solver.setSource(source);
-  solver.grow(kInfinity);
-  Array<double> distances;
-  distances.reserve(static_cast<size_t>(vertexCount));
-  for (int v = 0; v < vertexCount; ++v) distances.push_back(solver.distance(v));
-  return distances;
-}
-
-}  // namespace
 
 PreparedMethod::PreparedMethod(Surface& surface, const ComparedOptions& options)
     : surface_(surface), options_(options) {
   switch (options.method) {
     case ComparedMethod::kFields:
-      prepareFields();
+      checkFieldOptions(options.field);
+      prepareFields(surface, options.field);
       break;
     case ComparedMethod::kVectorHeat:
     case ComparedMethod::kAffineHeat:
@@ -37,17 +26,6 @@ PreparedMethod::PreparedMethod(Surface& surface, const ComparedOptions& options)
       break;
     case ComparedMethod::kDescent:
       break;
-  }
-}
-
-void PreparedMethod::prepareFields() {
-  const FieldOptions& field = options_.field;
-  checkFieldOptions(field);
-  if (field.solver == Solver::kGraph) surface_.ringGraph(field.rings);
-  if (field.method == Method::kPaper) {
-    surface_.gradientOperator();
-  } else if (field.solver == Solver::kFast) {
-    surface_.vertexFans();
   }
 }
 
@@ -65,20 +43,15 @@ void PreparedMethod::factorise() {
 
 void PreparedMethod::embed() {
   const TriangleMesh& mesh = surface_.mesh();
+  const std::unique_ptr<DistanceSolver> solver =
+      makeDistanceSolver(surface_, {Method::kKarcher, options_.landmarkDistances});
   int landmarks = 0;
-  const auto embedWith = [&](auto&& solver) {
-    const auto distancesFrom = [&](int v) {
-      if (options_.progress) options_.progress(landmarks++);
-      return allDistances(solver, vertexPoint(mesh, v), mesh.vertexCount());
-    };
-    averages_ = std::make_unique<WeightedAverages>(
-        mesh, embedSurface(surface_.geometry(), distancesFrom, options_.embedding));
+  const auto landmarkDistances = [&](int v) {
+    if (options_.progress) options_.progress(landmarks++);
+    return distancesFrom(*solver, vertexPoint(mesh, v), mesh.vertexCount());
   };
-  if (options_.landmarkDistances == Solver::kExact) {
-    embedWith(ExactDistance(surface_.geometry()));
-  } else {
-    embedWith(FastDistance(surface_.geometry(), surface_.vertexFans()));
-  }
+  averages_ = std::make_unique<WeightedAverages>(
+      mesh, embedSurface(surface_.geometry(), landmarkDistances, options_.embedding));
 }
 
 LogMapFromVertex PreparedMethod::logMaps() const {
@@ -181,7 +154,7 @@ bool ComparedCurve::makeNextField() {
   const Geometry& geometry = method_.surface().geometry();
   ExactDistance solver(geometry);
   const Array<double> distances =
-      allDistances(solver, plan_.points[0], method_.surface().mesh().vertexCount());
+      distancesFrom(solver, plan_.points[0], method_.surface().mesh().vertexCount());
   path_ = descendDistance(geometry, distances, plan_.points[0], plan_.points[1]);
   return true;
 }

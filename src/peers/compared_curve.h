@@ -50,7 +50,6 @@ class PreparedMethod {
   const WeightedAverages& averages() const { return *averages_; }
 
  private:
-  void prepareFields();
   void factorise();
   void embed();
 

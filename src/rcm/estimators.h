@@ -17,16 +17,21 @@ namespace karcher {
 
 enum class Estimator {
   /// Linear least-squares fit of the log vectors of the 1-ring, carried into the vertex's frame:
-  /// its
-  /// value at the vertex. Exact for fields that are linear, as on the plane; halves the noise of
-  /// single vectors.
+  /// its value at the vertex. Exact for fields that are linear, as on the plane; halves the noise
+  /// of single vectors.
   kLinear1,
   /// The same over the 2-ring.
   kLinear2,
   /// Quadratic least-squares fit of squared distances over the 2-ring, through the vertex's own
   /// value: its gradient there. Second order; kLinear2 where the ring does not determine the fit.
+  /// For log vectors that are exact: how much of the fit they replace depends on the field as well
+  /// (shareOfLogVector).
   kQuadratic2,
 };
+
+/// Whether estimates are linear in what a solver found, so that the estimate of a sum of fields is
+/// the sum of their estimates.
+inline bool isLinear(Estimator estimator) { return estimator != Estimator::kQuadratic2; }
 
 /// A term of a stencil: of vectors the neighbour's vector, turned and scaled by `coefficient` as a
 /// complex number; of distances the neighbour's squared distance less the vertex's own, times the

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "rcm/distance_solver.h"
 #include "rcm/point_field.h"
 
 namespace karcher {
@@ -14,16 +13,15 @@ struct Sums {
   Array<Vec2> logVectors;  ///< of -2 log
 };
 
-template <class DistanceSolver>
-void addPoint(const Geometry& geometry, DistanceSolver& solver, const SurfacePoint& point,
-              double weight, bool withVectors, Sums& sums) {
+void addPoint(DistanceSolver& solver, const SurfacePoint& point, double weight, bool withVectors,
+              Sums& sums) {
   solver.setSource(point);
   solver.grow(kInfinity);
   for (int v = 0; v < sums.squaredDistances.count(); ++v) {
     const double d = solver.distance(v);
     if (d == kInfinity) continue;
     sums.squaredDistances[v] += weight * d * d;
-    if (withVectors) sums.logVectors[v] += weight * logVector(geometry, solver, v);
+    if (withVectors) sums.logVectors[v] += weight * solver.logVector(v);
   }
 }
 
@@ -65,20 +63,17 @@ ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
                          const Array<double>& weights, const FieldOptions& options) {
   const size_t count = static_cast<size_t>(surface.mesh().vertexCount());
   const bool paper = options.method == Method::kPaper;
-  if (!paper && options.solver == Solver::kExact) {
+  const Estimator estimator = estimatorOf(options.solver);
+  if (!paper && !isLinear(estimator)) {
     return sumOfEstimates(surface, points, weights, options);
   }
   const auto sums = std::make_shared<Sums>();
   sums->squaredDistances.assign(count, 0);
   if (!paper) sums->logVectors.assign(count, Vec2::Zero());
-  AnyDistanceSolver anySolver = makeDistanceSolver(surface, options);
-  std::visit(
-      [&](auto& solver) {
-        for (int i = 0; i < points.count(); ++i) {
-          addPoint(surface.geometry(), *solver, points[i], weights[i], !paper, *sums);
-        }
-      },
-      anySolver);
+  const std::unique_ptr<DistanceSolver> solver = makeDistanceSolver(surface, options);
+  for (int i = 0; i < points.count(); ++i) {
+    addPoint(*solver, points[i], weights[i], !paper, *sums);
+  }
 
   ControlField field(surface.mesh().vertexCount());
   if (paper) {
@@ -88,7 +83,7 @@ ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
     });
     return field;
   }
-  field.reset([sums, &stencils = surface.stencils(estimatorOf(options.solver))](int v) {
+  field.reset([sums, &stencils = surface.stencils(estimator)](int v) {
     const double own = sums->squaredDistances[v];
     const Vec2 gradient = stencils.at(v).apply(
         own, [&](int u) { return sums->logVectors[u]; },

@@ -6,8 +6,7 @@ namespace karcher {
 
 /// The weighted sum of the fields of any number of points as one field, by one solver that takes
 /// them in turn: in the memory of one field over the whole surface, and in the time of as many.
-/// The estimator of the solvers kFast and kGraph is linear in what they find, so log vectors and
-/// squared distances are summed before it.
+/// Where the estimator is linear, log vectors and squared distances are summed before it.
 ///
 /// One weight a point. The values are those of the weighted sum of `PointField`s but for rounding.
 /// The surface must outlive the field.

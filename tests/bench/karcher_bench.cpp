@@ -6,6 +6,7 @@
 #include "bench_support.h"
 #include "curve_times.h"
 #include "distance/edge_dijkstra.h"
+#include "peers/timed_field.h"
 
 /// The timings of a mesh and a B-spline on it, as one JSON object: the native twin of
 /// `karcher bench MESH.obj --points FILE --samples N`, whose help says what each number is. Medians
@@ -20,16 +21,9 @@ struct FieldTimes {
 };
 
 FieldTimes timeField(Surface& surface, const SurfacePoint& point, Solver solver, double radius) {
-  PointField field(surface, {Method::kKarcher, solver, 6});
-  field.setPoint(point);
-  const Array<int> within = verticesWithin(surface, field, radius);
-  const double ms = medianTime(
-      [&] {
-        field.setPoint(point);
-        for (const int v : within) field.field().at(v);
-      },
-      kQuickRuns);
-  return {ms, within.count()};
+  TimedField field(surface, {Method::kKarcher, solver, 6}, point, radius);
+  const double ms = medianTime([&] { field.read(); }, kQuickRuns);
+  return {ms, field.vertexCount()};
 }
 
 void run(const std::string& meshPath, const std::string& pointsPath, int samples) {

@@ -9,6 +9,7 @@
 #include "intrinsic/straightest.h"
 #include "mesh/loop_subdivision.h"
 #include "mesh/mesh_import.h"
+#include "peers/timed_field.h"
 
 /// Whether an edit's cost grows with the mesh: B-splines at several places of a mesh after LEVELS
 /// steps of Loop subdivision and after two steps less. Their points lie 4 % of the diagonal apart
@@ -69,9 +70,9 @@ Subject prepare(TriangleSoup soup) {
 double fieldVertices(const Subject& subject, double spacing) {
   double sum = 0;
   for (int place = 1; place <= kPlaces; ++place) {
-    PointField field(*subject.surface, kField);
-    field.setPoint(zigzag(subject.geometry(), spacing, static_cast<uint64_t>(place))[kPoints / 2]);
-    sum += verticesWithin(*subject.surface, field, spacing).count();
+    const Array<SurfacePoint> points =
+        zigzag(subject.geometry(), spacing, static_cast<uint64_t>(place));
+    sum += TimedField(*subject.surface, kField, points[kPoints / 2], spacing).vertexCount();
   }
   return sum / kPlaces;
 }

@@ -106,11 +106,11 @@ TEST(ExactDistance, ToTheMiddlesOfEdgesIsThatOfTheCutMesh) {
     ofCut.grow(kInfinity);
     for (int h = 0; h < mesh.halfedgeCount(); ++h) {
       if (mesh.twin[h] < 0) continue;
-      const ExactDistance::MiddleArrival arrival = solver.middleOf(h);
+      const MiddleArrival arrival = solver.middleOf(h);
       const double expected = ofCut.distance(middle[h]);
       ASSERT_NEAR(arrival.distance, expected, 1e-9 * geometry.diagonal) << "half-edge " << h;
       EXPECT_NEAR(arrival.toSource.norm(), 1, 1e-12);
-      const ExactDistance::MiddleArrival other = solver.middleOf(mesh.twin[h]);
+      const MiddleArrival other = solver.middleOf(mesh.twin[h]);
       EXPECT_EQ(arrival.distance, other.distance);
       EXPECT_LT((arrival.toSource + other.toSource).norm(), 1e-12);
     }

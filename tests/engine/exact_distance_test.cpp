@@ -238,7 +238,6 @@ TEST(ExactDistance, StaysOnItsComponent) {
   ExactDistance solver(surface.geometry);
   solver.setSource({2, Vec3(0.3, 0.3, 0.4)});
   solver.grow(kInfinity);
-  EXPECT_EQ(solver.touched().count(), sphere.mesh.vertexCount());
   for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
     EXPECT_EQ(solver.distance(v) == kInfinity, v >= sphere.mesh.vertexCount());
   }
@@ -249,8 +248,10 @@ TEST(ExactDistance, TouchesOnlyTheNeighbourhood) {
   ExactDistance solver(surface.geometry);
   solver.setSource(nearestPoint(surface.mesh, Vec3(50.2, 49.9, 0)));
   solver.grow(5);
-  EXPECT_LT(solver.touched().count(), 200);
-  EXPECT_GT(solver.touched().count(), 78);
+  int reached = 0;
+  for (int v = 0; v < surface.mesh.vertexCount(); ++v) reached += solver.distance(v) < kInfinity;
+  EXPECT_LT(reached, 200);
+  EXPECT_GT(reached, 78);
 }
 
 TEST(ExactDistance, RefusesATargetAtAVertex) {

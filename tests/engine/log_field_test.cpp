@@ -4,9 +4,12 @@
 
 #include "curves/curve.h"
 #include "curves/spec/bases.h"
+#include "distance/exact_distance.h"
+#include "distance/fast_distance.h"
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "mesh/mesh_import.h"
+#include "peers/timed_field.h"
 #include "support.h"
 
 namespace karcher {
@@ -108,10 +111,18 @@ TEST_P(LogFields, LoseNoSampleOnTheBunny) {
 
 TEST_P(LogFields, AreReadInTheNeighbourhoodOnly) {
   Surface surface(planeGrid(300, 300));
-  PointField field(surface, options());
-  field.setPoint(nearestPoint(surface.mesh(), Vec3(150.3, 150.2, 0)));
-  EXPECT_LT(verticesWithin(surface, field, 10).count(), 400);
-  EXPECT_LT(field.field().knownCount(), 500);
+  const SurfacePoint point = nearestPoint(surface.mesh(), Vec3(150.3, 150.2, 0));
+  EXPECT_LT(TimedField(surface, options(), point, 10).vertexCount(), 400);
+  EXPECT_GT(TimedField(surface, options(), point, 10).vertexCount(), 300);
+
+  PointField near(surface, options());
+  near.setPoint(point);
+  PointField far(surface, options());
+  far.setPoint(nearestPoint(surface.mesh(), Vec3(158.1, 144.2, 0)));
+  FieldBlend fields(surface.geometry(), {&near.field(), &far.field()});
+  EXPECT_EQ(walkToCenter(fields, Array<double>{0.5, 0.5}, point).status, Status::kConverged);
+  EXPECT_LT(near.field().knownCount(), 500);
+  EXPECT_LT(far.field().knownCount(), 500);
 }
 
 std::string solverName(const testing::TestParamInfo<Solver>& solver) {

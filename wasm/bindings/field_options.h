@@ -2,7 +2,7 @@
 
 #include <emscripten/val.h>
 
-#include "rcm/point_field.h"
+#include "rcm/field_options.h"
 
 namespace karcher::bindings {
 

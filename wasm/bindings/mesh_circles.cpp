@@ -3,7 +3,6 @@
 #include "bindings/mesh_handle.h"
 #include "curves/circle.h"
 #include "curves/isoline.h"
-#include "rcm/distance_solver.h"
 
 namespace karcher::bindings {
 namespace {
@@ -26,22 +25,6 @@ val circleToJs(const MeshHandle& mesh, const GeodesicCircle& circle) {
   return result;
 }
 
-Array<double> distancesAtVertices(Surface& surface, const SurfacePoint& source,
-                                  const FieldOptions& options) {
-  Array<double> distances;
-  AnyDistanceSolver anySolver = makeDistanceSolver(surface, options);
-  std::visit(
-      [&](auto& solver) {
-        solver->setSource(source);
-        solver->grow(kInfinity);
-        for (int v = 0; v < surface.mesh().vertexCount(); ++v) {
-          distances.push_back(solver->distance(v));
-        }
-      },
-      anySolver);
-  return distances;
-}
-
 }  // namespace
 
 val MeshHandle::circle(const val& center, double radius, int arcs, int samples, const val& field) {
@@ -61,8 +44,7 @@ val MeshHandle::isolines(const val& center, double radius, bool exact, const val
   const SurfacePoint source = pointFromJs(numbering_, mesh(), center);
   const Array<Isoline> lines =
       exact ? exactIsolines(surface_.geometry(), source, radius)
-            : linearIsolines(
-                  mesh(), distancesAtVertices(surface_, source, fieldOptionsFromJs(field)), radius);
+            : linearIsolines(mesh(), distancesFromPoint(source, field), radius);
   val list = val::array();
   for (const Isoline& line : lines) {
     val one = val::object();

@@ -7,8 +7,6 @@
 #include "bindings/curve_handle.h"
 #include "bindings/field_options.h"
 #include "curves/circle.h"
-#include "distance/exact_distance.h"
-#include "distance/graph_distance.h"
 #include "distance/shortest_path.h"
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
@@ -17,23 +15,6 @@
 #include "rcm/mean.h"
 
 namespace karcher::bindings {
-namespace {
-
-/// Distances in the caller's order; NaN at vertices that were dropped or are not reached.
-template <class DistanceSolver>
-val distancesToJs(const Numbering& numbering, DistanceSolver& solver, const SurfacePoint& source) {
-  solver.setSource(source);
-  solver.grow(kInfinity);
-  Array<double> result;
-  result.reserve(numbering.engineVertex.size());
-  for (const int v : numbering.engineVertex) {
-    const double distance = v < 0 ? kInfinity : solver.distance(v);
-    result.push_back(distance == kInfinity ? std::nan("") : distance);
-  }
-  return toJs(result);
-}
-
-}  // namespace
 
 MeshHandle::MeshHandle(ImportedMesh imported)
     : numbering_(std::move(imported.numbering)),
@@ -144,28 +125,24 @@ val MeshHandle::shortestPath(const val& from, const val& to) const {
   return result;
 }
 
+Array<double> MeshHandle::distancesFromPoint(const SurfacePoint& source, const val& field) {
+  return distancesFrom(*makeDistanceSolver(surface_, fieldOptionsFromJs(field)), source,
+                       mesh().vertexCount());
+}
+
 val MeshHandle::distance(const val& from, const val& field) {
-  const SurfacePoint source = pointFromJs(numbering_, mesh(), from);
-  const FieldOptions options = fieldOptionsFromJs(field);
-  if (options.solver == Solver::kExact) {
-    ExactDistance solver(surface_.geometry());
-    return distancesToJs(numbering_, solver, source);
+  const Array<double> distances = distancesFromPoint(pointFromJs(numbering_, mesh(), from), field);
+  Array<double> result;
+  result.reserve(numbering_.engineVertex.size());
+  for (const int v : numbering_.engineVertex) {
+    const double distance = v < 0 ? kInfinity : distances[v];
+    result.push_back(distance == kInfinity ? std::nan("") : distance);
   }
-  if (options.solver == Solver::kFast) {
-    FastDistance solver(surface_.geometry(), surface_.vertexFans());
-    return distancesToJs(numbering_, solver, source);
-  }
-  GraphDistance solver(surface_.geometry(), surface_.ringGraph(options.rings));
-  return distancesToJs(numbering_, solver, source);
+  return toJs(result);
 }
 
 void MeshHandle::prepareFields(const val& field) {
-  const FieldOptions options = fieldOptionsFromJs(field);
-  if (options.method == Method::kPaper) {
-    surface_.gradientOperator();
-  } else if (options.solver == Solver::kFast) {
-    surface_.vertexFans();
-  }
+  karcher::prepareFields(surface_, fieldOptionsFromJs(field));
 }
 
 val MeshHandle::centerOfMass(const val& points, const val& weights, const val& start,

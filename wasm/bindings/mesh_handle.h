@@ -36,7 +36,7 @@ class MeshHandle {
   // `field` is {method, solver, rings}.
   val distance(const val& from, const val& field);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
-  /// Makes what fields need of the mesh, but for the graph.
+  /// Makes what fields share; the graph too, unless it was built in slices.
   void prepareFields(const val& field);
   /// `start` is a point, or an empty array for the engine's choice.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
@@ -53,6 +53,8 @@ class MeshHandle {
 
  private:
   Vec2 directionInFace(int face, const val& direction) const;
+  /// Per vertex of the engine; kInfinity where no path leads.
+  Array<double> distancesFromPoint(const SurfacePoint& source, const val& field);
   MeanOptions meanOptions(const val& start, bool normalize) const;
   val meanToJs(const Mean& mean) const;
   Array<double> engineDistances(const Array<double>& distances, size_t field) const;

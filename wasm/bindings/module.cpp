@@ -1,6 +1,5 @@
 #include <emscripten/bind.h>
 
-#include "bindings/benchmark_handle.h"
 #include "bindings/curve_handle.h"
 #include "bindings/field_options.h"
 #include "bindings/graph_builder_handle.h"
@@ -44,10 +43,6 @@ std::unique_ptr<GraphBuilderHandle> makeGraphBuilder(MeshHandle& mesh, int rings
   return std::make_unique<GraphBuilderHandle>(mesh, rings);
 }
 
-std::unique_ptr<BenchmarkHandle> makeBenchmark(MeshHandle& mesh) {
-  return std::make_unique<BenchmarkHandle>(mesh);
-}
-
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(karcher) {
@@ -79,8 +74,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("ellipse", &Guarded<&MeshHandle::ellipse>::call)
       .function("isolines", &Guarded<&MeshHandle::isolines>::call)
       .function("curve", &Guarded<&makeCurve>::call)
-      .function("graphBuilder", &Guarded<&makeGraphBuilder>::call)
-      .function("benchmark", &Guarded<&makeBenchmark>::call);
+      .function("graphBuilder", &Guarded<&makeGraphBuilder>::call);
   class_<CurveHandle>("Curve")
       .function("keep", &Guarded<&CurveHandle::keep>::call)
       .function("restore", &Guarded<&CurveHandle::restore>::call)
@@ -120,15 +114,6 @@ EMSCRIPTEN_BINDINGS(karcher) {
   class_<GraphBuilderHandle>("GraphBuilder")
       .function("advance", &Guarded<&GraphBuilderHandle::advance>::call)
       .function("progress", &Guarded<&GraphBuilderHandle::progress>::call);
-  class_<BenchmarkHandle>("Benchmark")
-      .function("prepare", &Guarded<&BenchmarkHandle::prepare>::call)
-      .function("edgeDijkstra", &Guarded<&BenchmarkHandle::edgeDijkstra>::call)
-      .function("ringGraph", &Guarded<&BenchmarkHandle::ringGraph>::call)
-      .function("gradientOperator", &Guarded<&BenchmarkHandle::gradientOperator>::call)
-      .function("field", &Guarded<&BenchmarkHandle::field>::call)
-      .function("chooseField", &Guarded<&BenchmarkHandle::chooseField>::call)
-      .function("readField", &Guarded<&BenchmarkHandle::readField>::call)
-      .function("gradient", &Guarded<&BenchmarkHandle::gradient>::call);
 }
 
 }  // namespace karcher::bindings

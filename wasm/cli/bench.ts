@@ -1,6 +1,7 @@
-import type { EngineBenchmark } from '../karcher-engine.mjs';
 import type { Mesh } from '../mesh.js';
 import { engineFieldOptions } from '../options.js';
+import type { Peers } from '../peers/index.js';
+import type { EngineBenchmark } from '../peers/karcher-peers.mjs';
 import { nextCorner } from '../points.js';
 import type { FieldOptions, Solver, SurfacePoint } from '../types.js';
 import { type Command, pointsOption } from './command.js';
@@ -24,11 +25,15 @@ export const bench: Command = {
   async run(args) {
     const samples = args.integer('samples');
     const points = await args.points();
-    const mesh = await args.mesh();
+    const bytes = await args.meshBytes();
+    // Only here: the other commands need not wait for a second module.
+    const { loadPeers } = await import('../peers/index.js');
+    const peers = await loadPeers();
+    const mesh = peers.karcher.meshFromObj(bytes);
     const { vertices, triangles } = mesh.info;
     // First, so that wrong points are told before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });
-    const steps = timeSteps(mesh, points[0]!);
+    const steps = timeSteps(peers, mesh, points[0]!);
     const paperCurve = timeCurve(mesh, points, samples, {
       method: 'paper',
       solver: 'graph',
@@ -55,8 +60,8 @@ export const bench: Command = {
 };
 
 /** Milliseconds of a mesh's preparation and of the fields of its first point. */
-function timeSteps(mesh: Mesh, { face, bary }: SurfacePoint) {
-  const benchmark = mesh.benchmark();
+function timeSteps(peers: Peers, mesh: Mesh, { face, bary }: SurfacePoint) {
+  const benchmark = peers.benchmark(mesh);
   const time = (work: (steps: EngineBenchmark) => void, times = runs) =>
     median(Array.from({ length: times }, () => elapsed(() => benchmark.call(work))));
   const source = Float64Array.of(face, ...bary);

@@ -22,11 +22,27 @@ export interface PeersModule extends EngineModule {
     t: Float64Array,
     weights: Float64Array,
   ): EngineComparedCurve;
+  benchmark(mesh: EngineMesh): EngineBenchmark;
   basisWeights(
     name: string,
     parameters: Float64Array,
     samples: number,
   ): { points: number; t: Float64Array; weights: Float64Array };
+}
+
+/** Steps to be timed. */
+export interface EngineBenchmark {
+  delete(): void;
+  prepare(): void;
+  edgeDijkstra(): void;
+  ringGraph(rings: number): void;
+  gradientOperator(): void;
+  field(point: Float64Array, field: EngineFieldOptions): void;
+  /** Chooses a field and the vertices within a radius of its point: their number. */
+  chooseField(point: Float64Array, field: EngineFieldOptions, radius: number): number;
+  /** Makes the chosen field anew and reads it at these vertices. */
+  readField(): void;
+  gradient(): void;
 }
 
 export interface EngineMethodOptions {

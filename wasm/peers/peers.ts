@@ -1,10 +1,10 @@
 import { checkArray, checkInteger, toFloat64 } from '../check.js';
-import { Engine } from '../engine.js';
+import { Engine, Handle } from '../engine.js';
 import { KarcherError } from '../errors.js';
 import { Karcher } from '../karcher.js';
 import { Mesh } from '../mesh.js';
 import type { LongWorkOptions } from '../types.js';
-import type { PeersModule } from './karcher-peers.mjs';
+import type { EngineBenchmark, PeersModule } from './karcher-peers.mjs';
 import { type PreparedMethod, prepareMethod } from './prepared_method.js';
 import type { CurvePlan, MethodOptions, WeightTable } from './types.js';
 
@@ -35,12 +35,7 @@ export class Peers {
     options: MethodOptions,
     work: LongWorkOptions = {},
   ): Promise<PreparedMethod> {
-    if (!(mesh instanceof Mesh) || mesh.engine !== this.#engine) {
-      throw new KarcherError(
-        'badArgument',
-        'the mesh must be one that `karcher` of these peers made',
-      );
-    }
+    this.#checkMesh(mesh);
     return prepareMethod(this.#engine, this.#module, mesh, options, work);
   }
 
@@ -78,6 +73,24 @@ export class Peers {
     }
     const first = Array.from({ length: points.length - 3 }, (_, j) => j);
     return { points, first, table: this.bspline(samples) };
+  }
+
+  /**
+   * The steps that `karcher bench` times, on a mesh that is to live as long.
+   * @internal
+   */
+  benchmark(mesh: Mesh): Handle<EngineBenchmark> {
+    this.#checkMesh(mesh);
+    const target = mesh.handle.call((engineMesh) => this.#module.benchmark(engineMesh));
+    return new Handle(this.#engine, 'the benchmark', target);
+  }
+
+  #checkMesh(mesh: Mesh): void {
+    if (mesh instanceof Mesh && mesh.engine === this.#engine) return;
+    throw new KarcherError(
+      'badArgument',
+      'the mesh must be one that `karcher` of these peers made',
+    );
   }
 
   #table(name: string, parameters: readonly number[], samples: number): WeightTable {

@@ -1,6 +1,7 @@
 #include <emscripten/bind.h>
 
 #include "bindings/guard.h"
+#include "peers/bindings/benchmark_handle.h"
 #include "peers/bindings/compared_curve_handle.h"
 
 namespace karcher::bindings {
@@ -13,6 +14,7 @@ EMSCRIPTEN_BINDINGS(karcher_peers) {
   function("prepareMethod", &Guarded<&prepareMethod>::call);
   function("comparedCurve", &Guarded<&comparedCurve>::call);
   function("basisWeights", &Guarded<&basisWeights>::call);
+  function("benchmark", &Guarded<&makeBenchmark>::call);
   class_<PreparedMethodHandle>("PreparedMethod");
   class_<ComparedCurveHandle>("ComparedCurve")
       .function("movePoint", &Guarded<&ComparedCurveHandle::movePoint>::call)
@@ -21,6 +23,15 @@ EMSCRIPTEN_BINDINGS(karcher_peers) {
       .function("samplesLeft", &Guarded<&ComparedCurveHandle::samplesLeft>::call)
       .function("samples", &Guarded<&ComparedCurveHandle::samples>::call)
       .function("path", &Guarded<&ComparedCurveHandle::path>::call);
+  class_<BenchmarkHandle>("Benchmark")
+      .function("prepare", &Guarded<&BenchmarkHandle::prepare>::call)
+      .function("edgeDijkstra", &Guarded<&BenchmarkHandle::edgeDijkstra>::call)
+      .function("ringGraph", &Guarded<&BenchmarkHandle::ringGraph>::call)
+      .function("gradientOperator", &Guarded<&BenchmarkHandle::gradientOperator>::call)
+      .function("field", &Guarded<&BenchmarkHandle::field>::call)
+      .function("chooseField", &Guarded<&BenchmarkHandle::chooseField>::call)
+      .function("readField", &Guarded<&BenchmarkHandle::readField>::call)
+      .function("gradient", &Guarded<&BenchmarkHandle::gradient>::call);
 }
 
 }  // namespace karcher::bindings

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "bindings/mesh_handle.h"
-#include "rcm/point_field.h"
+#include "peers/timed_field.h"
 
 namespace karcher::bindings {
 
@@ -31,8 +32,9 @@ class BenchmarkHandle {
 
  private:
   MeshHandle& mesh_;
-  std::optional<PointField> field_;
-  Array<int> within_;
+  std::optional<TimedField> field_;
 };
+
+std::unique_ptr<BenchmarkHandle> makeBenchmark(MeshHandle& mesh);
 
 }  // namespace karcher::bindings

@@ -1,6 +1,4 @@
-#include "bindings/benchmark_handle.h"
-
-#include <utility>
+#include "peers/bindings/benchmark_handle.h"
 
 #include "bindings/field_options.h"
 #include "distance/edge_dijkstra.h"
@@ -24,20 +22,20 @@ void BenchmarkHandle::field(const val& point, const val& options) {
 }
 
 int BenchmarkHandle::chooseField(const val& point, const val& options, double radius) {
-  field_.emplace(mesh_.surface(), fieldOptionsFromJs(options));
-  field_->setPoint(pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
-  within_ = verticesWithin(mesh_.surface(), *field_, radius);
-  return within_.count();
+  field_.emplace(mesh_.surface(), fieldOptionsFromJs(options),
+                 pointFromJs(mesh_.numbering(), mesh_.mesh(), point), radius);
+  return field_->vertexCount();
 }
 
-void BenchmarkHandle::readField() {
-  field_->setPoint(SurfacePoint(field_->point()));
-  for (const int v : within_) field_->field().at(v);
-}
+void BenchmarkHandle::readField() { field_->read(); }
 
 void BenchmarkHandle::gradient() {
   const Array<double> values(mesh_.mesh().positions.size(), 1.0);
   applyGradient(mesh_.surface().gradientOperator(), values);
+}
+
+std::unique_ptr<BenchmarkHandle> makeBenchmark(MeshHandle& mesh) {
+  return std::make_unique<BenchmarkHandle>(mesh);
 }
 
 }  // namespace karcher::bindings

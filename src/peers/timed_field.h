@@ -1,0 +1,26 @@
+#pragma once
+
+#include "rcm/point_field.h"
+
+namespace karcher {
+
+/// A field of log vectors and all vertices within a radius of its point: what benchmarks time, in
+/// native code and in WebAssembly.
+class TimedField {
+ public:
+  /// The surface must outlive the field.
+  TimedField(Surface& surface, const FieldOptions& options, const SurfacePoint& point,
+             double radius);
+
+  int vertexCount() const { return within_.count(); }
+
+  /// Makes the field anew and reads it at these vertices, as a curve does.
+  void read();
+
+ private:
+  PointField field_;
+  SurfacePoint point_;
+  Array<int> within_;
+};
+
+}  // namespace karcher

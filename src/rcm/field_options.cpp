@@ -1,0 +1,43 @@
+#include "rcm/field_options.h"
+
+#include <string>
+
+#include "distance/exact_distance.h"
+#include "distance/fast_distance.h"
+#include "distance/graph_distance.h"
+#include "mesh/error.h"
+
+namespace karcher {
+
+void checkFieldOptions(const FieldOptions& options) {
+  checkRings(options.rings);
+  if (options.method == Method::kPaper && options.solver == Solver::kFast) {
+    throw Error(ErrorCode::kBadArgument,
+                "the paper's method takes the solver 'exact' or 'graph', not 'fast'");
+  }
+}
+
+void prepareFields(Surface& surface, const FieldOptions& options) {
+  if (options.method == Method::kPaper) surface.gradientOperator();
+  if (options.solver == Solver::kGraph) surface.ringGraph(options.rings);
+  if (options.solver == Solver::kFast) surface.vertexFans();
+}
+
+std::unique_ptr<DistanceSolver> makeDistanceSolver(Surface& surface, const FieldOptions& options) {
+  const Geometry& geometry = surface.geometry();
+  switch (options.solver) {
+    case Solver::kExact:
+      return std::make_unique<ExactDistance>(geometry);
+    case Solver::kGraph:
+      return std::make_unique<GraphDistance>(geometry, surface.ringGraph(options.rings));
+    case Solver::kFast:
+      break;
+  }
+  return std::make_unique<FastDistance>(geometry, surface.vertexFans());
+}
+
+Estimator estimatorOf(Solver solver) {
+  return solver == Solver::kExact ? Estimator::kQuadratic2 : Estimator::kLinear1;
+}
+
+}  // namespace karcher

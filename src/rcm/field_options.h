@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "distance/distance_solver.h"
+#include "rcm/surface.h"
+
+/// How the fields of points are made, and all that follows from the choice of a solver. No other
+/// file tells solvers apart.
+namespace karcher {
+
+/// How the field of a control point is made.
+enum class Method {
+  kKarcher,  ///< log vectors: the directions in which shortest paths arrive
+  kPaper,    ///< gradients of squared distances (Mancinelli, Puppo, Eq. 3)
+};
+
+/// How distances are found, and which estimator (estimators.h) smooths log vectors.
+enum class Solver {
+  kFast,   ///< virtual sources; kLinear1
+  kExact,  ///< windows; kQuadratic2, and log vectors at the middles of edges as well
+  kGraph,  ///< arcs of the k-ring graph; kLinear1
+};
+
+struct FieldOptions {
+  Method method = Method::kKarcher;
+  Solver solver = Solver::kFast;
+  int rings = 6;  ///< of the graph, 1 to 10
+
+  bool operator==(const FieldOptions&) const = default;
+};
+
+/// Throws Error kBadArgument for a combination that does not exist.
+void checkFieldOptions(const FieldOptions& options);
+
+/// Makes what fields with these options share, which is otherwise made when it is first needed.
+void prepareFields(Surface& surface, const FieldOptions& options);
+
+/// The solver of these options. The surface must outlive it.
+std::unique_ptr<DistanceSolver> makeDistanceSolver(Surface& surface, const FieldOptions& options);
+
+/// The estimator that smooths a solver's log vectors.
+Estimator estimatorOf(Solver solver);
+
+}  // namespace karcher
