@@ -5,9 +5,9 @@
 #include "distance/exact_distance.h"
 #include "mesh/error.h"
 
-/// In a face the points nearer than the radius are the union of the parts of discs that beams
+/// In a face the points nearer than the radius are the union of the parts of discs that images
 /// reach. Its border consists of arcs: each circle is cut where it crosses the face's edges and its
-/// own beam's rays, and of the pieces inside both those parts are taken away that another beam
+/// own image's rays, and of the pieces inside both those parts are taken away that another image
 /// undercuts, cut by that one's circle and rays. The arcs of all faces are then put together where
 /// their ends meet.
 namespace karcher {
@@ -36,13 +36,13 @@ class FaceArcs {
   FaceArcs(const Geometry& geometry, double distance)
       : geometry_(geometry), distance_(distance), rounding_(kLeastLength * geometry.meanEdge) {}
 
-  /// Appends the arcs of one face by its beams.
-  void append(const Beam* begin, const Beam* end, Array<Arc>& arcs) {
+  /// Appends the arcs of one face by its images.
+  void append(const SourceImage* begin, const SourceImage* end, Array<Arc>& arcs) {
     begin_ = begin;
     end_ = end;
-    for (const Beam* beam = begin; beam != end; ++beam) {
-      const double radius = distance_ - beam->offset;
-      if (radius > rounding_) appendOf(*beam, radius, arcs);
+    for (const SourceImage* image = begin; image != end; ++image) {
+      const double radius = distance_ - image->offset;
+      if (radius > rounding_) appendOf(*image, radius, arcs);
     }
   }
 
@@ -52,9 +52,9 @@ class FaceArcs {
     double end = 0;
   };
 
-  void appendOf(const Beam& own, double radius, Array<Arc>& arcs) {
+  void appendOf(const SourceImage& own, double radius, Array<Arc>& arcs) {
     findPieces(own, radius);
-    for (const Beam* other = begin_; other != end_ && !pieces_.empty(); ++other) {
+    for (const SourceImage* other = begin_; other != end_ && !pieces_.empty(); ++other) {
       if (other != &own) takeUndercut(own, radius, *other);
     }
     const int first = arcs.count();
@@ -64,8 +64,8 @@ class FaceArcs {
     joinRound(first, arcs);
   }
 
-  /// The pieces of the circle that lie in the face and in its own beam.
-  void findPieces(const Beam& own, double radius) {
+  /// The pieces of the circle that lie in the face and in its own image.
+  void findPieces(const SourceImage& own, double radius) {
     cuts_.clear();
     for (int k = 0; k < 3; ++k) {
       const Vec2 corner = cornerInFace(geometry_, own.face, k);
@@ -85,8 +85,8 @@ class FaceArcs {
     });
   }
 
-  /// Takes from the pieces what another beam undercuts.
-  void takeUndercut(const Beam& own, double radius, const Beam& other) {
+  /// Takes from the pieces what another image undercuts.
+  void takeUndercut(const SourceImage& own, double radius, const SourceImage& other) {
     cuts_.clear();
     cutByCircle(own, radius, other);
     if (!other.isFull) {
@@ -140,7 +140,8 @@ class FaceArcs {
     }
   }
 
-  void cutByLine(const Beam& own, double radius, const Vec2& through, const Vec2& direction) {
+  void cutByLine(const SourceImage& own, double radius, const Vec2& through,
+                 const Vec2& direction) {
     const Vec2 along = direction.normalized();
     const Vec2 to = through - own.source;
     const double height = cross(along, to);
@@ -150,7 +151,7 @@ class FaceArcs {
     for (const double sign : {-1.0, 1.0}) addCut(foot + sign * std::sqrt(squared) * along);
   }
 
-  void cutByCircle(const Beam& own, double radius, const Beam& other) {
+  void cutByCircle(const SourceImage& own, double radius, const SourceImage& other) {
     const double otherRadius = distance_ - other.offset;
     const Vec2 to = other.source - own.source;
     const double apart = to.norm();
@@ -169,26 +170,26 @@ class FaceArcs {
     cuts_.push_back(angle < 0 ? angle + 2 * kPi : angle);
   }
 
-  /// Whether another beam leads to a point of the circle on a shorter way; of equal ones the first
+  /// Whether another image leads to a point of the circle on a shorter way; of equal ones the first
   /// counts.
-  bool undercuts(const Beam& other, const Beam& own, const Vec2& x) const {
+  bool undercuts(const SourceImage& other, const SourceImage& own, const Vec2& x) const {
     if (!holds(other, x, rounding_)) return false;
     const double way = other.offset + (x - other.source).norm();
     return way < distance_ - rounding_ || (way <= distance_ + rounding_ && &other < &own);
   }
 
-  static bool holds(const Beam& beam, const Vec2& x, double margin) {
-    if (beam.isFull) return true;
-    const Vec2 to = x - beam.source;
-    return cross(beam.right, to) >= -margin && cross(to, beam.left) >= -margin &&
-           (beam.right + beam.left).dot(to) >= 0;
+  static bool holds(const SourceImage& image, const Vec2& x, double margin) {
+    if (image.isFull) return true;
+    const Vec2 to = x - image.source;
+    return cross(image.right, to) >= -margin && cross(to, image.left) >= -margin &&
+           (image.right + image.left).dot(to) >= 0;
   }
 
   const Geometry& geometry_;
   double distance_;
   double rounding_;
-  const Beam* begin_ = nullptr;
-  const Beam* end_ = nullptr;
+  const SourceImage* begin_ = nullptr;
+  const SourceImage* end_ = nullptr;
   Array<double> cuts_;
   /// Of the circle that is cut; angles from `first_` to a full turn on.
   Array<Piece> pieces_;
@@ -319,12 +320,12 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
     throw Error(ErrorCode::kBadArgument, "an isoline's tolerance must be a positive number");
   }
   ExactDistance distance(geometry);
-  distance.keepBeams(radius);
+  distance.keepImages(radius);
   distance.setSource(source);
   distance.grow(radius + geometry.meanEdge);
-  Array<Beam> beams = distance.beams();
-  std::stable_sort(beams.begin(), beams.end(),
-                   [](const Beam& a, const Beam& b) { return a.face < b.face; });
+  Array<SourceImage> images = distance.images();
+  std::stable_sort(images.begin(), images.end(),
+                   [](const SourceImage& a, const SourceImage& b) { return a.face < b.face; });
   Array<Arc> arcs;
   FaceArcs faceArcs(geometry, radius);
   // Whether all of a face is nearer than the radius, by the way over one of its corners.
@@ -336,11 +337,12 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
     }
     return false;
   };
-  for (int i = 0; i < beams.count();) {
+  for (int i = 0; i < images.count();) {
     int end = i;
-    while (end < beams.count() && beams[end].face == beams[i].face) ++end;
-    // Of a face without a point at the radius not all beams are kept: others would not be undercut.
-    if (!isNearer(beams[i].face)) faceArcs.append(beams.data() + i, beams.data() + end, arcs);
+    while (end < images.count() && images[end].face == images[i].face) ++end;
+    // Of a face without a point at the radius not all images are kept: others would not be
+    // undercut.
+    if (!isNearer(images[i].face)) faceArcs.append(images.data() + i, images.data() + end, arcs);
     i = end;
   }
   return ArcChains(geometry, arcs, tolerance).run();

@@ -22,8 +22,8 @@ void checkIsolineRadius(double radius);
 Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level);
 
 /// The points at distance `radius` from the source, exactly: in each face the arcs about the
-/// source's images (beam.h) that no other path undercuts, cut so finely that chords keep to them
-/// within `tolerance` mean edges. Lengths are those of the arcs.
+/// source's images (source_images.h) that no other path undercuts, cut so finely that chords keep
+/// to them within `tolerance` mean edges. Lengths are those of the arcs.
 /// Throws Error: kBadArgument (radius or tolerance not positive and finite).
 Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& source, double radius,
                              double tolerance = 1e-3);

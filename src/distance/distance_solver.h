@@ -8,8 +8,8 @@
 /// not ask which one it is.
 namespace karcher {
 
-/// How a shortest path reaches the middle of an edge.
-struct MiddleArrival {
+/// How a shortest path reaches the midpoint of an edge.
+struct MidpointArrival {
   double distance = kInfinity;
   Vec2 toSource = Vec2(1, 0);  ///< unit, in the half-edge's frame: its direction is the x axis
 };
@@ -44,13 +44,13 @@ class DistanceSolver {
   /// 2 d, it points on along the path that arrives. Meaningless where no path has arrived.
   virtual Vec2 logVector(int vertex) const = 0;
 
-  /// From the next `setSource` on also finds the middles of edges. Returns false if the solver
+  /// From the next `setSource` on also finds the midpoints of edges. Returns false if the solver
   /// cannot.
-  virtual bool keepMiddles() { return false; }
+  virtual bool keepMidpoints() { return false; }
 
-  /// The arrival at the middle of an edge that is not on the boundary, by one of its half-edges.
-  /// Final once its distance is <= reached(). Requires `keepMiddles`.
-  virtual MiddleArrival middleOf(int) const { return {}; }
+  /// The arrival at the midpoint of an edge that is not on the boundary, by one of its half-edges.
+  /// Final once its distance is <= reached(). Requires `keepMidpoints`.
+  virtual MidpointArrival midpointOf(int) const { return {}; }
 
  protected:
   DistanceSolver() = default;

@@ -9,8 +9,8 @@
 /// the triangle behind it, from what is known at the edge's ends.
 ///
 /// All is in the frame of the edge, with its length as unit: ends a at (0, 0) and b at (1, 0), the
-/// apex above, sources below. Where the ends are equals, b is looked at in the mirror image, in
-/// which it lies at (0, 0) too.
+/// apex above, sources below. A function that is used for either end sees b in the mirror image,
+/// where it lies at (0, 0) too.
 namespace karcher {
 
 /// What is known at one end of the edge: a straight line of length `distance - base` to a source,
@@ -58,7 +58,7 @@ inline constexpr double kOneFront = -0.5;
 /// then goes through the end. Further out another edge is its way.
 inline constexpr double kBeside = 1e-3;
 
-/// If the line to the middle of the sources passes this far beside, so does the shortest way.
+/// If the line to the midpoint of the sources passes this far beside, so does the shortest way.
 inline constexpr double kFarBeside = 0.5;
 
 inline ApexArrival mirrored(ApexArrival arrival) {
@@ -107,7 +107,7 @@ inline bool aroundCorner(const EdgeEnd& a, const EdgeEnd& b, const Vec2& apex,
 }
 
 /// The shortest way over the edge where the squared distance along it is the cubic through the
-/// values and slopes at its ends: one Newton step from the crossing of the line to the middle of
+/// values and slopes at its ends: one Newton step from the crossing of the line to the midpoint of
 /// both sources. Exact where both sources are one.
 inline ApexArrival throughFront(const EdgeEnd& a, const EdgeEnd& b, const Vec2& apex) {
   const double base = std::min(a.base, b.base);

@@ -21,14 +21,11 @@ Array<double> edgeDijkstra(const Geometry& geometry, int source) {
     const auto [d, v] = queue.top();
     queue.pop();
     if (d > distance[v]) continue;
-    const int first = mesh.outgoing[v];
-    int h = first;
-    do {
+    for (const int h : outgoingHalfedges(mesh, v)) {
       reach(mesh.head(h), d + geometry.edgeLength[h]);
       const int back = previous(h);
       if (mesh.twin[back] < 0) reach(mesh.tail(back), d + geometry.edgeLength[back]);
-      h = rotateLeft(mesh, h);
-    } while (h >= 0 && h != first);
+    }
   }
   return distance;
 }

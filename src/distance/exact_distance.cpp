@@ -15,16 +15,6 @@ constexpr double kBucketWidth = 0.5;
 /// How much wider than its wedge a vertex sends out windows, radians: the rounding of directions.
 constexpr double kWedgeMargin = 1e-9;
 
-/// A line that misses its window by this part of the edge still counts as seen through it.
-constexpr double kSeenTolerance = 1e-10;
-
-/// Paths with a slight bend, at the end of a window, are counted longer by this part: so that the
-/// straight path wins, whose direction is exact.
-constexpr double kBentPenalty = 1e-12;
-
-/// An arrival must be better by this part to count: not by rounding alone.
-constexpr double kImprovement = 1e-14;
-
 /// Shortest paths turn round vertices with more angle than this.
 bool spreadsPaths(const Geometry& geometry, int vertex) {
   const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
@@ -58,19 +48,20 @@ ExactDistance::ExactDistance(const Geometry& geometry)
       mesh_(*geometry.mesh),
       vertices_(mesh_.vertexCount()),
       faces_(mesh_.faceCount()),
-      middles_(mesh_.faceCount()),
-      queue_(kBucketWidth * geometry.meanEdge) {}
+      midpoints_(geometry),
+      queue_(kBucketWidth * geometry.meanEdge),
+      target_(geometry),
+      images_(geometry) {}
 
 void ExactDistance::setSource(const SurfacePoint& source) {
   vertices_.clear();
   faces_.clear();
-  middles_.clear();
+  midpoints_.clear();
   queue_.clear();
   pool_.clear();
   windowsLeft_ = static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount();
-  targetFaces_[0] = targetFaces_[1] = -1;
-  target_ = {};
-  beams_.clear();
+  target_.clear();
+  images_.clear();
   source_ = source;
   const PointLocation location = locate(mesh_, source);
   if (location.simplex == Simplex::kVertex) {
@@ -116,7 +107,7 @@ double ExactDistance::direction(int vertex) const {
 
 /// From a point of a face to its corners, and through its edges but the one the point lies on.
 void ExactDistance::leaveSourceFace(int face, const SurfacePoint& source, int ownEdge) {
-  if (beamDistance_ >= 0) keepSourceBeam(face, source);
+  if (images_.areKept()) images_.addSource(face, source);
   for (int k = 0; k < 3; ++k) {
     const int h = 3 * face + k;
     const double length = geometry_.edgeLength[h];
@@ -138,8 +129,7 @@ void ExactDistance::leaveVertex(int vertex) {
   const double back = isSource ? 0 : direction(vertex);
   const double ahead = back + kPi - kWedgeMargin;
   const double width = total - 2 * kPi + 2 * kWedgeMargin;
-  int h = mesh_.outgoing[vertex];
-  do {
+  for (const int h : outgoingHalfedges(mesh_, vertex)) {
     const double right = geometry_.cumulatedAngle[h];
     if (isSource) {
       leaveThroughCorner(vertex, h, 0, geometry_.cornerAngle[h]);
@@ -150,16 +140,15 @@ void ExactDistance::leaveVertex(int vertex) {
       leaveThroughCorner(vertex, h, ahead - right, ahead + width - right);
       leaveThroughCorner(vertex, h, ahead - right - total, ahead + width - right - total);
     }
-    h = rotateLeft(mesh_, h);
-  } while (h >= 0 && h != mesh_.outgoing[vertex]);
+  }
 }
 
 /// The part of a vertex's wedge in the corner of half-edge h; angles are measured from h.
 void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
   const double angle = geometry_.cornerAngle[h];
   if (!(from <= angle && to >= 0)) return;
-  if (beamDistance_ >= 0) keepCornerBeam(vertex, h, from, to);
   const double distance = vertices_.touch(vertex).arrival.distance;
+  if (images_.areKept()) images_.addCorner(h, distance, from, to);
   const auto arriveAlong = [&](int neighbour, double edge, int via, double crossing) {
     arrive(neighbour, vertices_.touch(neighbour), {distance + edge, distance, vertex}, via,
            crossing);
@@ -169,10 +158,7 @@ void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to
     arriveAlong(mesh_.head(h), geometry_.edgeLength[h], via, geometry_.edgeLength[via]);
   }
   if (to >= angle) arriveAlong(mesh_.opposite(h), geometry_.edgeLength[previous(h)], h, 0);
-  if (isTargetFace(faceOf(h))) {
-    const Vec2 toVertex = -targetOver(h);
-    arriveAtTarget(h, {distance + toVertex.norm(), distance, vertex}, toVertex);
-  }
+  if (target_.liesIn(faceOf(h))) target_.arriveFromCorner(h, vertex, distance);
 
   const int edge = next(h);
   const int t = mesh_.twin[edge];
@@ -250,9 +236,9 @@ void ExactDistance::carryAcross(int h) {
     rightCount += crossing < window.end;
   }
   if (!seen) arriveBent(apexVertex, top, h, apex);
-  if (beamDistance_ >= 0) keepWindowBeams(h);
-  if (isTargetFace(faceOf(h))) {
-    for (const Window& window : batch_) arriveAtTargetThrough(h, window);
+  if (images_.areKept()) images_.addWindows(h, batch_, tail);
+  if (target_.liesIn(faceOf(h))) {
+    for (const Window& window : batch_) target_.arriveThrough(h, window);
   }
 
   // The way to the right is the mirror image of the way to the left. Unit vectors are normalized,
@@ -323,134 +309,13 @@ void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arri
 }
 
 void ExactDistance::addWindow(int h, const Window& window) {
-  if (keepsMiddles_) keepMiddle(h, window);
+  if (keepsMidpoints_) midpoints_.take(h, window, queue_.leastKey());
   WaitingWindows& waiting = waitingAt(h);
   const int bucket = queue_.bucketOf(leastDistance(window));
   waiting.first = pool_.add(waiting.first, window);
   if (bucket < waiting.bucket) {
     waiting.bucket = bucket;
     queue_.push(h, bucket);
-  }
-}
-
-void ExactDistance::keepMiddle(int h, const Window& window) {
-  const double length = geometry_.edgeLength[h];
-  const double middle = length / 2;
-  const double tolerance = kSeenTolerance * length;
-  if (window.begin > middle + tolerance || window.end < middle - tolerance) return;
-  const double distance = distanceAt(window, middle);
-  MiddleRecord& record = middles_.touch(faceOf(h)).edge[cornerOf(h)];
-  if (!(distance < record.distance * (1 - kImprovement)) || record.distance <= queue_.leastKey()) {
-    return;
-  }
-  record = {distance, window.sourceX, window.depth};
-}
-
-MiddleArrival ExactDistance::middleOf(int h) const {
-  const double middle = geometry_.edgeLength[h] / 2;
-  // The source itself may lie on the edge.
-  const PointLocation place = locate(mesh_, source_);
-  const int t = mesh_.twin[h];
-  if (place.simplex == Simplex::kEdge && (place.halfedge == h || place.halfedge == t)) {
-    const double part = source_.bary[cornerOf(next(place.halfedge))];
-    const double along = (place.halfedge == h ? 2 * part - 1 : 1 - 2 * part) * middle;
-    return {std::abs(along), Vec2(along < 0 ? -1 : 1, 0)};
-  }
-  MiddleArrival best;
-  for (const int side : {h, t}) {
-    const MiddleRecords* records = side < 0 ? nullptr : middles_.find(faceOf(side));
-    if (records == nullptr) continue;
-    const MiddleRecord& record = records->edge[cornerOf(side)];
-    if (!(record.distance < best.distance)) continue;
-    const Vec2 toSource = Vec2(record.sourceX - middle, -record.depth).normalized();
-    best = {record.distance, side == h ? toSource : Vec2(-toSource)};
-  }
-  // Or along the edge, from a vertex that paths turn round.
-  for (const int end : {h, t}) {
-    if (end < 0) continue;
-    const double distance = (this->distance(mesh_.tail(end)) + middle) * (1 + kBentPenalty);
-    if (distance < best.distance) best = {distance, Vec2(end == h ? -1 : 1, 0)};
-  }
-  return best;
-}
-
-void ExactDistance::keepSourceBeam(int face, const SurfacePoint& source) {
-  Beam beam;
-  beam.face = face;
-  beam.source = pointInFace(geometry_, source);
-  beam.isFull = true;
-  beams_.push_back(beam);
-}
-
-/// Of the batch that is carried across the face of half-edge h, if the face may have points so far.
-/// A beam may matter that has none: where it undercuts another.
-void ExactDistance::keepWindowBeams(int h) {
-  const double tail = vertices_.touch(mesh_.tail(h)).arrival.distance;
-  const double diameter = std::max(
-      {geometry_.edgeLength[h], geometry_.edgeLength[next(h)], geometry_.edgeLength[previous(h)]});
-  if (tail + diameter < beamDistance_) return;
-  const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
-  const Vec2 origin = cornerInFace(geometry_, faceOf(h), cornerOf(h));
-  for (const Window& window : batch_) {
-    if (leastDistance(window) > beamDistance_) continue;
-    const Vec2 source(window.sourceX, -window.depth);
-    const Vec2 toEnd = Vec2(window.end, 0) - source;
-    const Vec2 toBegin = Vec2(window.begin, 0) - source;
-    beams_.push_back({faceOf(h), origin + rotate(along, source), window.offset,
-                      rotate(along, toEnd.normalized()), rotate(along, toBegin.normalized()),
-                      false});
-  }
-}
-
-/// Of the wedge behind a vertex in the corner of half-edge h; angles are measured from h.
-void ExactDistance::keepCornerBeam(int vertex, int h, double from, double to) {
-  const double offset = vertices_.touch(vertex).arrival.distance;
-  const double longest = std::max(geometry_.edgeLength[h], geometry_.edgeLength[previous(h)]);
-  if (offset > beamDistance_ || offset + longest < beamDistance_) return;
-  const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
-  beams_.push_back({faceOf(h), cornerInFace(geometry_, faceOf(h), cornerOf(h)), offset,
-                    rotate(along, unitVector(std::max(from, 0.0))),
-                    rotate(along, unitVector(std::min(to, geometry_.cornerAngle[h]))), false});
-}
-
-void ExactDistance::setTarget(const SurfacePoint& target) {
-  const PointLocation location = locate(mesh_, target);
-  if (location.simplex == Simplex::kVertex) {
-    throw Error(ErrorCode::kBadArgument, "a target at a vertex: ask for the vertex's distance");
-  }
-  targetPoint_ = target;
-  target_ = {};
-  targetFaces_[0] = target.face;
-  const int t = location.simplex == Simplex::kEdge ? mesh_.twin[location.halfedge] : -1;
-  targetFaces_[1] = t >= 0 ? faceOf(t) : -1;
-}
-
-/// The target in the frame of half-edge h of one of its faces.
-Vec2 ExactDistance::targetOver(int h) const {
-  const SurfacePoint target = inFace(mesh_, targetPoint_, faceOf(h));
-  return Vec2(target.bary[cornerOf(next(h))] * geometry_.edgeLength[h], 0) +
-         target.bary[cornerOf(previous(h))] * oppositeOverHalfedge(geometry_, h);
-}
-
-/// Takes an arrival at the target along `toSource`, in the frame of half-edge h.
-void ExactDistance::arriveAtTarget(int h, const Arrival& arrival, const Vec2& toSource) {
-  if (!(arrival.distance < target_.arrival.distance * (1 - kImprovement))) return;
-  const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
-  target_ = {arrival, faceOf(h), rotate(along, toSource.normalized())};
-}
-
-void ExactDistance::arriveAtTargetThrough(int h, const Window& window) {
-  const Vec2 point = targetOver(h);
-  const Vec2 toSource = Vec2(window.sourceX, -window.depth) - point;
-  Arrival arrival{window.offset + toSource.norm(), window.offset, window.pseudoSource};
-  const double crossing = point.y() > 0 ? crossingTowards(window, point) : point.x();
-  const double nearest = std::clamp(crossing, window.begin, window.end);
-  if (std::abs(crossing - nearest) <= kSeenTolerance * geometry_.edgeLength[h]) {
-    arriveAtTarget(h, arrival, toSource);
-  } else {
-    const Vec2 toBend = Vec2(nearest, 0) - point;
-    arrival.distance = (distanceAt(window, nearest) + toBend.norm()) * (1 + kBentPenalty);
-    arriveAtTarget(h, arrival, toBend);
   }
 }
 

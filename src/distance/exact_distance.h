@@ -1,9 +1,11 @@
 #pragma once
 
-#include "distance/beam.h"
 #include "distance/bucket_queue.h"
 #include "distance/distance_solver.h"
+#include "distance/edge_midpoints.h"
 #include "distance/paged_array.h"
+#include "distance/source_images.h"
+#include "distance/watched_target.h"
 #include "distance/window.h"
 #include "intrinsic/geometry.h"
 
@@ -22,13 +24,6 @@
 /// A vertex that shortest paths turn round sends windows only into the wedge that lies straight
 /// behind it, at least pi from the path that reached it on both sides.
 namespace karcher {
-
-/// Where a shortest path ends, and how it comes there.
-struct Arrival {
-  double distance = kInfinity;
-  double pseudoSourceDistance = 0;  ///< distance of the last vertex that the path turns round
-  int pseudoSource = -1;            ///< that vertex, or -1: straight from the source
-};
 
 class ExactDistance final : public DistanceSolver {
  public:
@@ -65,26 +60,22 @@ class ExactDistance final : public DistanceSolver {
     return logVectorAlong(geometry_, vertex, distance(vertex), direction(vertex));
   }
 
-  bool keepMiddles() override { return keepsMiddles_ = true; }
-  MiddleArrival middleOf(int h) const override;
+  bool keepMidpoints() override { return keepsMidpoints_ = true; }
+  MidpointArrival midpointOf(int h) const override {
+    return midpoints_.arrival(h, source_, distance(mesh_.tail(h)), distance(mesh_.head(h)));
+  }
 
-  /// Also watches a point of a face or an edge: the distance to it, and how the path arrives. To be
-  /// called after `setSource` and before `grow`; the source must not lie in a face of the target.
+  /// Also finds the distance of a point of a face or an edge. To be called after `setSource` and
+  /// before `grow`; the source must not lie in a face of the target.
   /// Throws Error kBadArgument for a point at a vertex.
-  void setTarget(const SurfacePoint& target);
-
-  struct TargetArrival {
-    Arrival arrival;
-    int face = -1;                ///< the face through which the path arrives
-    Vec2 direction = Vec2(1, 0);  ///< unit, towards the source, in the frame of that face
-  };
+  void setTarget(const SurfacePoint& target) { target_.set(target); }
   /// Final once `arrival.distance` <= reached().
-  const TargetArrival& targetArrival() const { return target_; }
+  const TargetArrival& targetArrival() const { return target_.best(); }
 
-  /// From the next `setSource` on keeps the beams that pass points at this distance: once all
-  /// within it is grown, the least of their lengths to such a point is its distance.
-  void keepBeams(double distance) { beamDistance_ = distance; }
-  const Array<Beam>& beams() const { return beams_; }
+  /// From the next `setSource` on keeps the images whose paths pass points at this distance: once
+  /// all within it is grown, the least of their lengths to such a point is its distance.
+  void keepImages(double distance) { images_.keep(distance); }
+  const Array<SourceImage>& images() const { return images_.all(); }
 
  private:
   static constexpr int kNotQueued = std::numeric_limits<int>::max();
@@ -102,17 +93,8 @@ class ExactDistance final : public DistanceSolver {
     int first = -1;
     int bucket = kNotQueued;
   };
-  /// The window that has come to the half-edge with the least distance at its middle.
-  struct MiddleRecord {
-    double distance = kInfinity;
-    double sourceX = 0;
-    double depth = 0;
-  };
   struct FaceRecord {
     WaitingWindows waiting[3];
-  };
-  struct MiddleRecords {
-    MiddleRecord edge[3];
   };
 
   WaitingWindows& waitingAt(int h) { return faces_.touch(faceOf(h)).waiting[cornerOf(h)]; }
@@ -125,25 +107,14 @@ class ExactDistance final : public DistanceSolver {
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
   void addWindow(int h, const Window& window);
-  void keepMiddle(int h, const Window& window);
-  bool isTargetFace(int f) const { return f == targetFaces_[0] || f == targetFaces_[1]; }
-  Vec2 targetOver(int h) const;
-  void arriveAtTarget(int h, const Arrival& arrival, const Vec2& toSource);
-  void arriveAtTargetThrough(int h, const Window& window);
-
-  void keepSourceBeam(int face, const SurfacePoint& source);
-  void keepWindowBeams(int h);
-  void keepCornerBeam(int vertex, int h, double from, double to);
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  double beamDistance_ = -1;  ///< none are kept
-  Array<Beam> beams_;
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
   PagedArray<FaceRecord, 7> faces_;
-  bool keepsMiddles_ = false;
-  PagedArray<MiddleRecords, 7> middles_;  ///< by face
+  bool keepsMidpoints_ = false;
+  EdgeMidpoints midpoints_;
   BucketQueue queue_;
   WindowPool pool_;
   int64_t windowsLeft_ = 0;
@@ -154,9 +125,8 @@ class ExactDistance final : public DistanceSolver {
   };
   Array<AimedWindow> leftward_;
   Array<AimedWindow> rightward_;
-  SurfacePoint targetPoint_;
-  int targetFaces_[2] = {-1, -1};
-  TargetArrival target_;
+  WatchedTarget target_;
+  SourceImages images_;
 };
 
 }  // namespace karcher

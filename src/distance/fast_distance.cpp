@@ -29,22 +29,22 @@ Vec2 unitVectorOfSmall(double angle) {
 FastDistance::FastDistance(const Geometry& geometry, std::shared_ptr<const VertexFans> fans)
     : geometry_(geometry),
       fans_(fans ? std::move(fans) : std::make_shared<const VertexFans>(buildVertexFans(geometry))),
-      jets_(geometry.mesh->vertexCount()),
+      vertices_(geometry.mesh->vertexCount()),
       queue_(geometry.meanEdge / 128) {}
 
 void FastDistance::setSource(const SurfacePoint& source) {
-  jets_.clear();
+  vertices_.clear();
   queue_.clear();
   front_ = 0;
-  latest_ = 0;
+  longestDelay_ = 0;
   const TriangleMesh& mesh = *geometry_.mesh;
   const PointLocation place = locate(mesh, source);
   if (place.simplex == Simplex::kVertex) {
-    Jet start;
+    VertexRecord start;
     start.distance = 0;
     start.corner = fans_->begin[place.vertex];
-    jets_.touch(place.vertex) = start;
-    enqueue(place.vertex, jets_.touch(place.vertex), kInfinity);
+    vertices_.touch(place.vertex) = start;
+    enqueue(place.vertex, vertices_.touch(place.vertex), kInfinity);
     return;
   }
   placeInFace(place.face, pointInFace(geometry_, source));
@@ -60,18 +60,18 @@ void FastDistance::placeInFace(int face, const Vec2& source) {
     const int v = geometry_.mesh->tail(h);
     const Vec2 edge = halfedgeInFace(geometry_, h);
     const Vec2 toSource = source - cornerInFace(geometry_, face, k);
-    Jet start;
+    VertexRecord start;
     start.distance = toSource.norm();
     start.corner = fanEdge(*fans_, v, geometry_.mesh->head(h));
     const Vec2 inFan = rotate(fans_->edges[start.corner].vector, rotateBack(edge, toSource));
     start.toSource = inFan.normalized();
-    Jet& jet = jets_.touch(v);
-    if (start.distance < jet.distance) {
-      const double before = jet.distance;
-      start.place = jet.place;
-      start.lateness = jet.lateness;
-      jet = start;
-      enqueue(v, jet, before);
+    VertexRecord& record = vertices_.touch(v);
+    if (start.distance < record.distance) {
+      const double before = record.distance;
+      start.place = record.place;
+      start.delay = record.delay;
+      record = start;
+      enqueue(v, record, before);
     }
   }
 }
@@ -81,29 +81,29 @@ void FastDistance::grow(double radius) {
 }
 
 double FastDistance::growTo(int vertex) {
-  const Jet& jet = jets_.touch(vertex);
-  while (!isFinal(jet) && !queue_.empty()) settle(queue_.pop());
-  return jet.distance;
+  const VertexRecord& record = vertices_.touch(vertex);
+  while (!isFinal(record) && !queue_.empty()) settle(queue_.pop());
+  return record.distance;
 }
 
 void FastDistance::settle(int vertex) {
-  Jet& own = jets_.touch(vertex);
-  own.settled = true;
-  own.place = kNotWaiting;
-  front_ = std::max(front_, own.distance);
-  if (own.alongEdge) {
-    const FanEdge& along = fans_->edges[own.corner];
-    own.toSource = along.vector / along.length;
+  VertexRecord& from = vertices_.touch(vertex);
+  from.settled = true;
+  from.place = kNotWaiting;
+  front_ = std::max(front_, from.distance);
+  if (from.alongEdge) {
+    const FanEdge& along = fans_->edges[from.corner];
+    from.toSource = along.vector / along.length;
   }
   const int edges = fans_->end(vertex) - fans_->begin[vertex];
   for (int first = 0; first < edges; first += Ring::kCorners) {
-    goRound(vertex, own, first, std::min(edges - first, Ring::kCorners));
+    goRound(vertex, from, first, std::min(edges - first, Ring::kCorners));
   }
 }
 
 /// Goes along so many of the vertex's edges from the first on, and over them and the one after
 /// them. What is guessed wrong half the time is done without branches.
-void FastDistance::goRound(int vertex, const Jet& own, int first, int count) {
+void FastDistance::goRound(int vertex, const VertexRecord& from, int first, int count) {
   const int begin = fans_->begin[vertex];
   const int end = fans_->end(vertex);
   const bool onBoundary = fans_->onBoundary(vertex);
@@ -113,7 +113,7 @@ void FastDistance::goRound(int vertex, const Jet& own, int first, int count) {
                                          : fans_->turn[vertex]};
   const FanEdge* const edges = fans_->edges.data();
   const auto go = [&](int number, int place) {
-    goAlongEdge(own, turns, edges[number], number, place);
+    goAlongEdge(from, turns, edges[number], number, place);
   };
   for (int i = 0; i < count; ++i) go(begin + first + i, i);
   int met = count;
@@ -128,12 +128,12 @@ void FastDistance::goRound(int vertex, const Jet& own, int first, int count) {
     closeRing(count);
   }
 
-  if (own.distance > 0) {
-    findCrossings(own.distance - own.base, corners);
-    const int ownCorner = own.corner - begin - first;
-    if (ownCorner >= 0 && ownCorner < corners) {
-      ring_.crossesLeft[ownCorner] = false;
-      ring_.crossesRight[ownCorner] = false;
+  if (from.distance > 0) {
+    findCrossings(from.distance - from.base, corners);
+    const int arrivalCorner = from.corner - begin - first;
+    if (arrivalCorner >= 0 && arrivalCorner < corners) {
+      ring_.crossesLeft[arrivalCorner] = false;
+      ring_.crossesRight[arrivalCorner] = false;
     }
     int left = 0;
     int right = 0;
@@ -144,49 +144,49 @@ void FastDistance::goRound(int vertex, const Jet& own, int first, int count) {
       right += static_cast<int>(ring_.crossesRight[i]);
     }
     for (int k = 0; k < left; ++k) {
-      cross<1>(vertex, own, ring_.leftward[k], ring_.leftward[k] + 1);
+      cross<1>(vertex, from, ring_.leftward[k], ring_.leftward[k] + 1);
     }
     for (int k = 0; k < right; ++k) {
-      cross<-1>(vertex, own, ring_.rightward[k] + 1, ring_.rightward[k]);
+      cross<-1>(vertex, from, ring_.rightward[k] + 1, ring_.rightward[k]);
     }
   }
   int changed = 0;
   for (int i = 0; i < met; ++i) {
     ring_.leftward[changed] = i;
-    changed += static_cast<int>(ring_.jet[i]->distance != ring_.before[i]);
+    changed += static_cast<int>(ring_.record[i]->distance != ring_.before[i]);
   }
   for (int k = 0; k < changed; ++k) {
     const int i = ring_.leftward[k];
-    enqueue(edges[ring_.number[i]].head, *ring_.jet[i], ring_.before[i]);
+    enqueue(edges[ring_.number[i]].head, *ring_.record[i], ring_.before[i]);
   }
 }
 
 /// Goes along an edge, and takes it into the ring.
-inline void FastDistance::goAlongEdge(const Jet& own, const Vec2 (&turns)[2], const FanEdge& edge,
-                                      int number, int place) {
-  Jet& jet = jets_.touch(edge.head);
-  ring_.before[place] = jet.distance;
-  const double distance = own.distance + edge.length;
-  const bool isNearer = (distance < jet.distance * kShorter) & !isFinal(jet);
-  Jet& reached = *(isNearer ? &jet : &nowhere_);
+inline void FastDistance::goAlongEdge(const VertexRecord& from, const Vec2 (&turns)[2],
+                                      const FanEdge& edge, int number, int place) {
+  VertexRecord& record = vertices_.touch(edge.head);
+  ring_.before[place] = record.distance;
+  const double distance = from.distance + edge.length;
+  const bool isNearer = (distance < record.distance * kShorter) & !isFinal(record);
+  VertexRecord& reached = *(isNearer ? &record : &nowhere_);
   reached.distance = distance;
-  reached.base = own.distance;
+  reached.base = from.distance;
   reached.corner = edge.reverse;
   reached.settled = false;
   reached.alongEdge = true;
 
   constexpr double kRoom[2] = {0, kInfinity};
-  ring_.jet[place] = &jet;
+  ring_.record[place] = &record;
   ring_.number[place] = number;
-  ring_.distance[place] = jet.distance;
-  const double least = 0.5 * (own.distance + jet.distance - edge.length);
+  ring_.distance[place] = record.distance;
+  const double least = 0.5 * (from.distance + record.distance - edge.length);
   ring_.least[place] = edge.length * least;
-  ring_.room[place] = edge.length * (jet.distance - least) + kRoom[jet.settled ? 1 : 0];
+  ring_.room[place] = edge.length * (record.distance - least) + kRoom[record.settled ? 1 : 0];
   ring_.length[place] = edge.length;
   ring_.area[place] = edge.cross;
-  const double sine = karcher::cross(own.toSource, edge.vector);
-  const double cosine = own.toSource.dot(edge.vector);
-  const int isBehind = number <= own.corner ? 1 : 0;
+  const double sine = karcher::cross(from.toSource, edge.vector);
+  const double cosine = from.toSource.dot(edge.vector);
+  const int isBehind = number <= from.corner ? 1 : 0;
   const Vec2& left = turns[isBehind];
   const Vec2& right = turns[1 - isBehind];
   ring_.dot[place] = cosine;
@@ -196,7 +196,7 @@ inline void FastDistance::goAlongEdge(const Jet& own, const Vec2 (&turns)[2], co
 
 /// Repeats the first edge after the last.
 void FastDistance::closeRing(int place) {
-  ring_.jet[place] = ring_.jet[0];
+  ring_.record[place] = ring_.record[0];
   ring_.number[place] = ring_.number[0];
   ring_.distance[place] = ring_.distance[0];
   ring_.room[place] = ring_.room[0];
@@ -234,30 +234,30 @@ void FastDistance::findCrossings(double radius, int corners) {
 /// Goes over an edge of the ring if that can be the way to the end of the next one on the left
 /// (kSide = 1) or on the right (kSide = -1).
 template <int kSide>
-void FastDistance::cross(int vertex, const Jet& own, int edgeInRing, int targetInRing) {
+void FastDistance::cross(int vertex, const VertexRecord& from, int edgeInRing, int targetInRing) {
   const int edgeNumber = ring_.number[edgeInRing];
   const FanEdge& edge = fans_->edges[edgeNumber];
   const FanEdge& target = fans_->edges[ring_.number[targetInRing]];
-  const Jet& other = *ring_.jet[edgeInRing];
-  const double radius = own.distance - own.base;
+  const VertexRecord& other = *ring_.record[edgeInRing];
+  const double radius = from.distance - from.base;
   const double length = edge.length;
   const double squared = length * length;
   const double sine = (kSide > 0 ? ring_.left : ring_.right)[edgeInRing];
   const double area = (kSide > 0 ? edge : target).cross;
   const double dot = (kSide > 0 ? edge : target).dot;
   double cosine = ring_.dot[edgeInRing];
-  if (kSide > 0 ? edgeNumber <= own.corner : edgeNumber > own.corner) {
+  if (kSide > 0 ? edgeNumber <= from.corner : edgeNumber > from.corner) {
     const Vec2& turn = fans_->turn[vertex];
-    cosine = cosine * turn.x() - kSide * karcher::cross(own.toSource, edge.vector) * turn.y();
+    cosine = cosine * turn.x() - kSide * karcher::cross(from.toSource, edge.vector) * turn.y();
   }
   const bool faces = sine >= 0;
   if (!other.settled) {
-    // The bound of listCrossings for straight paths from this vertex's source, without a root.
+    // The bound of findCrossings for straight paths from this vertex's source, without a root.
     const double away = radius - cosine;
     const double gain = (cosine - kWait * length) * squared - dot * cosine + area * sine;
     if (away > 0 && 2 * away * gain > (squared - cosine * cosine) * squared) return;
   }
-  if ((fans_->flags[vertex] & VertexFans::kWide) != 0 && looksTooFar(vertex, edgeNumber, kSide)) {
+  if ((fans_->flags[vertex] & VertexFans::kWide) != 0 && turnsTooFar(vertex, edgeNumber, kSide)) {
     return;
   }
   const double inverse = 1 / length;
@@ -265,23 +265,24 @@ void FastDistance::cross(int vertex, const Jet& own, int edgeInRing, int targetI
   end.cosine = cosine * inverse;
   end.sine = sine * inverse;
   end.seen = faces;
-  end.distance = own.distance * inverse;
-  end.base = own.base * inverse;
+  end.distance = from.distance * inverse;
+  end.base = from.base * inverse;
   const double inverseSquare = inverse * inverse;
-  crossEdge<kSide>(edge, target, other, *ring_.jet[targetInRing], end,
+  crossEdge<kSide>(edge, target, other, *ring_.record[targetInRing], end,
                    Vec2(dot * inverseSquare, area * inverseSquare), inverse);
 }
 
 /// The path to the end of the edge `target`, which lies at `apex` in the crossed edge's frame.
 template <int kSide>
-void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const Jet& other,
-                             Jet& reached, const EdgeEnd& a, const Vec2& apex, double inverse) {
+void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const VertexRecord& other,
+                             VertexRecord& reached, const EdgeEnd& a, const Vec2& apex,
+                             double inverse) {
   EdgeEnd b;
   b.distance = other.distance * inverse;
   b.base = other.base * inverse;
   ApexArrival best;
   if (other.settled) {
-    b.seen = look<-kSide>(edge, other, inverse, b);
+    b.seen = findSourceAngle<-kSide>(edge, other, inverse, b);
     best = crossSettledEdge(a, b, apex);
   } else {
     if (!other.alongEdge && edge_crossing::hides(a, b)) return;
@@ -295,39 +296,40 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const J
   if (!mayArrive(reached, distance, arrivalCorner)) return;
 
   // At the apex the edge to this vertex has the direction of -apex here, and of `reverse` there.
-  Jet jet;
-  jet.distance = distance;
-  jet.base = best.base * edge.length;
+  VertexRecord record;
+  record.distance = distance;
+  record.base = best.base * edge.length;
   const Vec2 relative = rotateBack(Vec2(-apex.x(), -kSide * apex.y()),
                                    Vec2(best.toSource.x(), kSide * best.toSource.y()));
-  jet.toSource = rotate(fans_->edges[reverse].vector, relative) *
-                 (edge.length / (target.length * target.length));
+  record.toSource = rotate(fans_->edges[reverse].vector, relative) *
+                    (edge.length / (target.length * target.length));
   if (kSide < 0 && reverse == fans_->begin[target.head]) {
-    jet.toSource = rotate(fans_->turn[target.head], jet.toSource);
+    record.toSource = rotate(fans_->turn[target.head], record.toSource);
   }
-  jet.corner = arrivalCorner;
-  jet.place = reached.place;
-  jet.lateness = reached.lateness;
-  reached = jet;
+  record.corner = arrivalCorner;
+  record.place = reached.place;
+  record.delay = reached.delay;
+  reached = record;
 }
 
-/// Looks back from the end of an edge along it: the angle to the end's source, on the right
+/// Finds the angle at the end of an edge from the edge to the end's source, on the right
 /// (kSide = -1) or on the left (kSide = 1). Returns false if it is more than pi.
 template <int kSide>
-bool FastDistance::look(const FanEdge& along, const Jet& jet, double inverseLength,
-                        EdgeEnd& end) const {
-  if (jet.distance == 0) return true;
+bool FastDistance::findSourceAngle(const FanEdge& along, const VertexRecord& record,
+                                   double inverseLength, EdgeEnd& end) const {
+  if (record.distance == 0) return true;
   const int vertex = along.head;
   const int edge = along.reverse;
   // In the corner beside the edge on the wrong side.
-  if (jet.corner == (kSide > 0 ? edge : fans_->before(vertex, edge))) return false;
+  if (record.corner == (kSide > 0 ? edge : fans_->before(vertex, edge))) return false;
   const uint8_t flags = fans_->flags[vertex];
-  double x = jet.toSource.x();
-  double y = jet.toSource.y();
-  if (kSide > 0 ? jet.corner >= edge : jet.corner < edge) {
+  double x = record.toSource.x();
+  double y = record.toSource.y();
+  if (kSide > 0 ? record.corner >= edge : record.corner < edge) {
     if ((flags & VertexFans::kBoundary) != 0) return false;
     const Vec2& turn = fans_->turn[vertex];
-    const Vec2 turned = kSide > 0 ? rotateBack(turn, jet.toSource) : rotate(turn, jet.toSource);
+    const Vec2 turned =
+        kSide > 0 ? rotateBack(turn, record.toSource) : rotate(turn, record.toSource);
     x = turned.x();
     y = turned.y();
   }
@@ -335,48 +337,50 @@ bool FastDistance::look(const FanEdge& along, const Jet& jet, double inverseLeng
   end.sine = kSide * (x * vector.y() - y * vector.x()) * inverseLength;
   if (end.sine < 0) return false;
   end.cosine = (x * vector.x() + y * vector.y()) * inverseLength;
-  return (flags & VertexFans::kWide) == 0 || !looksTooFar(vertex, edge, kSide);
+  return (flags & VertexFans::kWide) == 0 || !turnsTooFar(vertex, edge, kSide);
 }
 
 /// Whether the angle from an edge to the vertex's source, on the right (side = 1) or on the left
 /// (side = -1), is more than 3/2 pi, though its sine is that of a smaller one.
-bool FastDistance::looksTooFar(int vertex, int edge, int side) const {
+bool FastDistance::turnsTooFar(int vertex, int edge, int side) const {
   double angle = side * (fans_->angles[edge] - direction(vertex));
   if (angle < 0) angle += geometry_.totalAngle[vertex];
   return angle > 1.5 * kPi;
 }
 
-bool FastDistance::mayArrive(const Jet& jet, double distance, int corner) const {
-  if (!(distance < kInfinity) || isFinal(jet)) return false;
-  if (distance < jet.distance * kShorter) return true;
+bool FastDistance::mayArrive(const VertexRecord& record, double distance, int corner) const {
+  if (!(distance < kInfinity) || isFinal(record)) return false;
+  if (distance < record.distance * kShorter) return true;
   // What came over the same edge when less was known of its ends is replaced.
-  return !jet.settled && !jet.alongEdge && jet.corner == corner && distance != jet.distance;
+  return !record.settled && !record.alongEdge && record.corner == corner &&
+         distance != record.distance;
 }
 
-void FastDistance::enqueue(int vertex, Jet& jet, double before) {
+void FastDistance::enqueue(int vertex, VertexRecord& record, double before) {
   if (before == kInfinity) {
-    jet.lateness = fans_->lateness[vertex];
-    latest_ = std::max(latest_, jet.lateness);
+    record.delay = fans_->delay[vertex];
+    longestDelay_ = std::max(longestDelay_, record.delay);
   }
-  if (jet.place == kNotWaiting) {
-    jet.place = queue_.push(jet.distance, vertex);
+  if (record.place == kNotWaiting) {
+    record.place = queue_.push(record.distance, vertex);
   } else {
-    queue_.lower(jet.place, jet.distance);
+    queue_.lower(record.place, record.distance);
   }
 }
 
 double FastDistance::direction(int vertex) const {
-  const Jet& jet = *jets_.find(vertex);
-  const Vec2& edge = fans_->edges[jet.corner].vector;
-  const double inCorner = std::atan2(karcher::cross(edge, jet.toSource), edge.dot(jet.toSource));
-  return fans_->angles[jet.corner] + inCorner;
+  const VertexRecord& record = *vertices_.find(vertex);
+  const Vec2& edge = fans_->edges[record.corner].vector;
+  const double inCorner =
+      std::atan2(karcher::cross(edge, record.toSource), edge.dot(record.toSource));
+  return fans_->angles[record.corner] + inCorner;
 }
 
 Vec2 FastDistance::logVector(int vertex) const {
-  const Jet& jet = *jets_.find(vertex);
+  const VertexRecord& record = *vertices_.find(vertex);
   // The frame's angles are the fan's, scaled: a small turn where the surface bends little.
   const double turn = (geometry_.angleScale[vertex] - 1) * direction(vertex);
-  return -2 * jet.distance * rotate(unitVectorOfSmall(turn), jet.toSource);
+  return -2 * record.distance * rotate(unitVectorOfSmall(turn), record.toSource);
 }
 
 }  // namespace karcher

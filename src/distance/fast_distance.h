@@ -30,17 +30,17 @@ class FastDistance final : public DistanceSolver {
   double growTo(int vertex) override;
 
   double reached() const override {
-    return queue_.empty() ? kInfinity : front_ - static_cast<double>(latest_);
+    return queue_.empty() ? kInfinity : front_ - static_cast<double>(longestDelay_);
   }
   bool isFinal(int vertex) const override {
-    const Jet* jet = jets_.find(vertex);
-    return jet != nullptr && (isFinal(*jet) || (jet->settled && queue_.empty()));
+    const VertexRecord* record = vertices_.find(vertex);
+    return record != nullptr && (isFinal(*record) || (record->settled && queue_.empty()));
   }
 
   /// Before it is final an estimate.
   double distance(int vertex) const override {
-    const Jet* jet = jets_.find(vertex);
-    return jet == nullptr ? kInfinity : jet->distance;
+    const VertexRecord* record = vertices_.find(vertex);
+    return record == nullptr ? kInfinity : record->distance;
   }
 
   /// Unscaled direction (geometry.h), in [0, total angle], in which the path leaves the vertex
@@ -51,13 +51,13 @@ class FastDistance final : public DistanceSolver {
  private:
   static constexpr int kNotWaiting = -1;
 
-  struct Jet {
+  struct VertexRecord {
     double distance = kInfinity;
     double base = 0;
     Vec2 toSource = Vec2::Zero();  ///< unit, unscaled in the fan's plane; zero at the source
     int corner = -1;               ///< the corner of the fan through which the path arrives
     int place = kNotWaiting;       ///< in the queue
-    float lateness = 0;            ///< vertex_fans.h
+    float delay = 0;               ///< VertexFans::delay
     bool settled = false;
     bool alongEdge = false;  ///< the path comes along an edge from the vertex at `base`
   };
@@ -67,7 +67,7 @@ class FastDistance final : public DistanceSolver {
   struct Ring {
     static constexpr int kCorners = 30;  ///< of wider fans a part at a time
     static constexpr int kEdges = kCorners + 2;
-    Jet* jet[kEdges];
+    VertexRecord* record[kEdges];
     int number[kEdges];       ///< of the edge, among all fans'
     double before[kEdges];    ///< the distance at the end, before
     double distance[kEdges];  ///< and after a path along the edge
@@ -92,36 +92,37 @@ class FastDistance final : public DistanceSolver {
   };
 
   /// Whether the front has gone so far that the vertex's value does not change any more.
-  bool isFinal(const Jet& jet) const {
-    return jet.settled & (jet.distance + static_cast<double>(jet.lateness) <= front_);
+  bool isFinal(const VertexRecord& record) const {
+    return record.settled & (record.distance + static_cast<double>(record.delay) <= front_);
   }
 
   void placeInFace(int face, const Vec2& source);
   void settle(int vertex);
-  void goRound(int vertex, const Jet& own, int first, int count);
-  void goAlongEdge(const Jet& own, const Vec2 (&turns)[2], const FanEdge& edge, int number,
-                   int place);
+  void goRound(int vertex, const VertexRecord& from, int first, int count);
+  void goAlongEdge(const VertexRecord& from, const Vec2 (&turns)[2], const FanEdge& edge,
+                   int number, int place);
   void closeRing(int place);
   void findCrossings(double radius, int corners);
   template <int kSide>
-  void cross(int vertex, const Jet& own, int edgeInRing, int targetInRing);
+  void cross(int vertex, const VertexRecord& from, int edgeInRing, int targetInRing);
   template <int kSide>
-  void crossEdge(const FanEdge& edge, const FanEdge& target, const Jet& other, Jet& reached,
-                 const EdgeEnd& a, const Vec2& apex, double inverse);
+  void crossEdge(const FanEdge& edge, const FanEdge& target, const VertexRecord& other,
+                 VertexRecord& reached, const EdgeEnd& a, const Vec2& apex, double inverse);
   template <int kSide>
-  bool look(const FanEdge& along, const Jet& jet, double inverseLength, EdgeEnd& end) const;
-  bool looksTooFar(int vertex, int edge, int side) const;
-  bool mayArrive(const Jet& jet, double distance, int corner) const;
-  void enqueue(int vertex, Jet& jet, double before);
+  bool findSourceAngle(const FanEdge& along, const VertexRecord& record, double inverseLength,
+                       EdgeEnd& end) const;
+  bool turnsTooFar(int vertex, int edge, int side) const;
+  bool mayArrive(const VertexRecord& record, double distance, int corner) const;
+  void enqueue(int vertex, VertexRecord& record, double before);
 
   const Geometry& geometry_;
   std::shared_ptr<const VertexFans> fans_;
-  PagedArray<Jet, 6> jets_;
+  PagedArray<VertexRecord, 6> vertices_;
   OrderedQueue queue_;
   Ring ring_{};
-  Jet nowhere_;       ///< takes what is not wanted
-  double front_ = 0;  ///< the largest distance settled so far
-  float latest_ = 0;  ///< the largest lateness of the vertices met so far
+  VertexRecord nowhere_;    ///< takes what is not wanted
+  double front_ = 0;        ///< the largest distance settled so far
+  float longestDelay_ = 0;  ///< the largest delay of the vertices met so far
 };
 
 }  // namespace karcher

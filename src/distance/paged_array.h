@@ -33,9 +33,6 @@ class PagedArray {
     used_.clear();
   }
 
-  /// Bytes of the pages made so far.
-  size_t bytes() const { return pages_.size() * sizeof(T) << kPageBits; }
-
  private:
   static constexpr int kMask = (1 << kPageBits) - 1;
 

@@ -102,7 +102,7 @@ ShortestPath shortestPath(const Geometry& geometry, const SurfacePoint& from,
     return distance.targetArrival().arrival.distance <= distance.reached() &&
            distance.targetArrival().arrival.distance != kInfinity;
   });
-  const ExactDistance::TargetArrival& target = distance.targetArrival();
+  const TargetArrival& target = distance.targetArrival();
   if (target.arrival.distance == kInfinity) throwUnreachable();
 
   Array<SurfacePoint> points{to};

@@ -12,17 +12,15 @@ constexpr int kMostWindows = 200'000;
 
 Visibility::Visibility(const Geometry& geometry) : geometry_(geometry), mesh_(*geometry.mesh) {
   const size_t vertices = mesh_.positions.size();
-  ringStamp_.assign(vertices, 0);
-  sightStamp_.assign(vertices, 0);
+  ringCall_.assign(vertices, 0);
+  sightCall_.assign(vertices, 0);
   sightOf_.assign(vertices, 0);
 }
 
 const Array<Visibility::Sight>& Visibility::fromVertex(int vertex, int rings) {
   start();
   allowRing(vertex, rings);
-  const int first = mesh_.outgoing[vertex];
-  int h = first;
-  do {
+  for (const int h : outgoingHalfedges(mesh_, vertex)) {
     const int onward = next(h);
     const int back = previous(h);
     see(mesh_.head(h), geometry_.edgeLength[h],
@@ -37,8 +35,7 @@ const Array<Visibility::Sight>& Visibility::fromVertex(int vertex, int rings) {
       const double length = geometry_.edgeLength[t];
       addWindow(t, {0, length, length - apex.x(), apex.y()});
     }
-    h = rotateLeft(mesh_, h);
-  } while (h >= 0 && h != first);
+  }
   run();
   return sights_;
 }
@@ -70,39 +67,36 @@ const Array<Visibility::Sight>& Visibility::fromPoint(const SurfacePoint& point)
 }
 
 void Visibility::start() {
-  ++stamp_;
+  ++call_;
   sights_.clear();
   windows_.clear();
 }
 
 void Visibility::allowRing(int vertex, int rings) {
   ring_.assign(1, vertex);
-  ringStamp_[vertex] = stamp_;
+  ringCall_[vertex] = call_;
   int begin = 0;
   for (int ring = 0; ring < rings; ++ring) {
     const int end = ring_.count();
     for (; begin < end; ++begin) {
-      const int first = mesh_.outgoing[ring_[begin]];
-      int h = first;
-      do {
+      for (const int h : outgoingHalfedges(mesh_, ring_[begin])) {
         for (const int w : {mesh_.head(h), mesh_.opposite(h)}) {
           if (allowed(w)) continue;
-          ringStamp_[w] = stamp_;
+          ringCall_[w] = call_;
           ring_.push_back(w);
         }
-        h = rotateLeft(mesh_, h);
-      } while (h >= 0 && h != first);
+      }
     }
   }
 }
 
 double Visibility::seen(int vertex) const {
-  return sightStamp_[vertex] == stamp_ ? sights_[sightOf_[vertex]].length : kInfinity;
+  return sightCall_[vertex] == call_ ? sights_[sightOf_[vertex]].length : kInfinity;
 }
 
 void Visibility::see(int vertex, double length, double direction) {
-  if (sightStamp_[vertex] != stamp_) {
-    sightStamp_[vertex] = stamp_;
+  if (sightCall_[vertex] != call_) {
+    sightCall_[vertex] = call_;
     sightOf_[vertex] = sights_.count();
     sights_.push_back({vertex, length, direction});
   } else if (Sight& sight = sights_[sightOf_[vertex]]; length < sight.length) {

@@ -36,7 +36,7 @@ class Visibility {
 
   void start();
   void allowRing(int vertex, int rings);
-  bool allowed(int vertex) const { return ringStamp_[vertex] == stamp_; }
+  bool allowed(int vertex) const { return ringCall_[vertex] == call_; }
   void see(int vertex, double length, double direction);
   double seen(int vertex) const;
   void addWindow(int h, Window window);
@@ -45,11 +45,12 @@ class Visibility {
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  /// Marks of the current call, by its number; made once for the mesh.
-  Array<int> ringStamp_;
-  Array<int> sightStamp_;
-  Array<int> sightOf_;
-  int stamp_ = 0;
+  /// Per vertex the number of the last call that allowed it, and of the last that saw it: a new
+  /// call need not clear them.
+  Array<int> ringCall_;
+  Array<int> sightCall_;
+  Array<int> sightOf_;  ///< per vertex, its number in sights_
+  int call_ = 0;
   Array<int> ring_;
   Array<WaitingWindow> windows_;
   Array<Sight> sights_;

@@ -35,12 +35,10 @@ void cumulateAngles(const TriangleMesh& mesh, Geometry& geometry) {
   geometry.angleScale.resize(mesh.positions.size());
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     double angle = 0;
-    int h = mesh.outgoing[v];
-    do {
+    for (const int h : outgoingHalfedges(mesh, v)) {
       geometry.cumulatedAngle[h] = angle;
       angle += geometry.cornerAngle[h];
-      h = rotateLeft(mesh, h);
-    } while (h >= 0 && h != mesh.outgoing[v]);
+    }
     geometry.totalAngle[v] = angle;
     geometry.angleScale[v] = mesh.onBoundary[v] ? 1 : 2 * kPi / angle;
   }

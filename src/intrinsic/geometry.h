@@ -8,8 +8,8 @@
 /// Frame of a face: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above it.
 /// Frame of a vertex: directions are measured counterclockwise from its `outgoing` half-edge, by
 /// the cumulated corner angle times `angleScale` = 2 pi / total angle; at the boundary the scale
-/// is 1, since anything else would bend the plane. Where a direction is to be followed on the
-/// surface it is given unscaled, as the cumulated corner angle itself.
+/// is 1, since anything else would bend the plane. A direction that is followed on the surface is
+/// unscaled: the cumulated corner angle itself.
 ///
 /// Connection: F. Knoppel, K. Crane, U. Pinkall, P. Schroder, "Globally Optimal Direction Fields"
 /// (2013), section 3, taken to the centroids of faces.

@@ -13,7 +13,7 @@ enum class TraceStop {
   kLimit,     ///< the path crossed `maxCrossings` edges; `remaining` is left
 };
 
-/// The name of a stop, as in the JavaScript API: "boundary".
+/// The name of a stop in reports: "boundary".
 const char* traceStopName(TraceStop stop);
 
 struct StraightestOptions {

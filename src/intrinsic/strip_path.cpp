@@ -479,11 +479,9 @@ int commonFace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoi
     const int t = onA.simplex == Simplex::kEdge ? mesh.twin[onA.halfedge] : -1;
     return t >= 0 && liesInFace(mesh, onB, faceOf(t)) ? faceOf(t) : -1;
   }
-  int h = mesh.outgoing[onA.vertex];
-  do {
+  for (const int h : outgoingHalfedges(mesh, onA.vertex)) {
     if (liesInFace(mesh, onB, faceOf(h))) return faceOf(h);
-    h = rotateLeft(mesh, h);
-  } while (h >= 0 && h != mesh.outgoing[onA.vertex]);
+  }
   return -1;
 }
 

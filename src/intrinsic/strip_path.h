@@ -14,7 +14,8 @@
 /// turn shortens the path, until no vertex lets it; only the legs beside it are pulled tight anew.
 namespace karcher {
 
-/// A strip to pull tight, and the scratch memory for it; reuse one to spare the allocations.
+/// A strip to pull tight, and the scratch memory for it. A workspace that is used again spares the
+/// allocations.
 struct StripWorkspace {
   /// Input; afterwards the strip that holds the path.
   Strip strip;

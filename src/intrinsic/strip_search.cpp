@@ -9,7 +9,6 @@ namespace {
 
 using Node = StripSearchWorkspace::Node;
 using QueueEntry = StripSearchWorkspace::QueueEntry;
-using Slot = StripSearchWorkspace::Slot;
 
 /// The point of the edge a-b nearest to the line through p and q, kept off the edge's ends.
 Vec3 entryPoint(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
@@ -35,10 +34,7 @@ class StripSearch {
         maxFaces_(options.maxFaces) {
     workspace_.nodes.clear();
     workspace_.queue.clear();
-    if (++workspace_.stamp == 0 || workspace_.slots.empty()) {
-      workspace_.slots.assign(std::max<size_t>(workspace_.slots.size(), 64), Slot{});
-      workspace_.stamp = 1;
-    }
+    workspace_.nodeOf.clear();
     if (options.firstFace >= 0) {
       reach(options.firstFace, -1, 0, position(mesh, from));
     } else {
@@ -75,7 +71,7 @@ class StripSearch {
     while (workspace_.nodes[node].enteredBy >= 0) {
       const int h = workspace_.nodes[node].enteredBy;
       strip.crossings.push_back(h);
-      node = findSlot(faceOf(h)).node;
+      node = workspace_.nodeOf.find(faceOf(h));
     }
     strip.face = workspace_.nodes[node].face;
     std::reverse(strip.crossings.begin(), strip.crossings.end());
@@ -94,48 +90,25 @@ class StripSearch {
       if (t >= 0) reach(faceOf(t), -1, 0, entry);
       return;
     }
-    int h = mesh_.outgoing[location.vertex];
-    do {
+    for (const int h : outgoingHalfedges(mesh_, location.vertex)) {
       reach(faceOf(h), -1, 0, entry);
-      h = rotateLeft(mesh_, h);
-    } while (h >= 0 && h != mesh_.outgoing[location.vertex]);
+    }
   }
 
   /// Takes a face into the queue, if this is the shortest way to it so far.
   void reach(int face, int enteredBy, double length, const Vec3& entry) {
-    Slot* slot = &findSlot(face);
-    if (slot->stamp != workspace_.stamp) {
-      if (4 * workspace_.nodes.count() > 3 * workspace_.slots.count()) {
-        growSlots();
-        slot = &findSlot(face);
-      }
-      *slot = {workspace_.stamp, workspace_.nodes.count()};
+    int number = workspace_.nodeOf.find(face);
+    if (number < 0) {
+      number = workspace_.nodes.count();
+      workspace_.nodeOf.add(face);
       workspace_.nodes.push_back({face, enteredBy, false, length, entry});
     } else {
-      Node& node = workspace_.nodes[slot->node];
+      Node& node = workspace_.nodes[number];
       if (node.expanded || !(length < node.length)) return;
       node = {face, enteredBy, false, length, entry};
     }
-    workspace_.queue.push_back({length + (target_ - entry).norm(), slot->node});
+    workspace_.queue.push_back({length + (target_ - entry).norm(), number});
     std::push_heap(workspace_.queue.begin(), workspace_.queue.end(), later);
-  }
-
-  /// The slot of a face, or the empty one where it belongs.
-  Slot& findSlot(int face) {
-    const uint32_t mask = static_cast<uint32_t>(workspace_.slots.size()) - 1;
-    uint32_t at = (static_cast<uint32_t>(face) * 2654435769u) >> 7 & mask;
-    while (workspace_.slots[at].stamp == workspace_.stamp &&
-           workspace_.nodes[workspace_.slots[at].node].face != face) {
-      at = (at + 1) & mask;
-    }
-    return workspace_.slots[at];
-  }
-
-  void growSlots() {
-    workspace_.slots.assign(2 * workspace_.slots.size(), Slot{});
-    for (int i = 0; i < workspace_.nodes.count(); ++i) {
-      findSlot(workspace_.nodes[i].face) = {workspace_.stamp, i};
-    }
   }
 
   const TriangleMesh& mesh_;

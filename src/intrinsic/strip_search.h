@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/sparse_index.h"
 #include "mesh/surface_point.h"
 
 /// A strip of faces between two points, by an A* search over faces towards the target in space.
@@ -12,7 +13,7 @@ struct Strip {
   Array<int> crossings;
 };
 
-/// Scratch memory of the search; reuse one to spare the allocations.
+/// Scratch memory of the search. A workspace that is used again spares the allocations.
 struct StripSearchWorkspace {
   struct Node {
     int face = -1;
@@ -27,13 +28,7 @@ struct StripSearchWorkspace {
   };
   Array<Node> nodes;
   Array<QueueEntry> queue;
-  /// Open addressing from a face to its node, emptied by a new stamp.
-  struct Slot {
-    uint32_t stamp = 0;
-    int node = 0;
-  };
-  Array<Slot> slots;
-  uint32_t stamp = 0;
+  SparseIndex nodeOf;  ///< per face that was met, the number of its node
 };
 
 struct StripSearchOptions {

@@ -12,13 +12,8 @@ Array<int> numberEdges(const TriangleMesh& mesh, VertexFans& fans) {
   fans.begin.push_back(0);
   int count = 0;
   for (int v = 0; v < mesh.vertexCount(); ++v) {
-    const int first = mesh.outgoing[v];
-    int h = first;
-    do {
-      number[h] = count++;
-      h = rotateLeft(mesh, h);
-    } while (h >= 0 && h != first);
-    if (h < 0) ++count;
+    for (const int h : outgoingHalfedges(mesh, v)) number[h] = count++;
+    if (mesh.onBoundary[v]) ++count;
     fans.begin.push_back(count);
   }
   return number;
@@ -31,9 +26,10 @@ int reverseNumber(const TriangleMesh& mesh, const VertexFans& fans, const Array<
   return t >= 0 ? number[t] : fans.end(mesh.head(h)) - 1;
 }
 
-/// By how much later than a corner's vertex the nearer end of the opposite edge is reached at most,
-/// if the shortest path crosses that edge: at its middle, by half the edge less the median.
-double latenessOfCorner(const Geometry& geometry, int h) {
+/// How much later than a corner's vertex the nearer end of the opposite edge is reached at most, if
+/// the shortest path crosses that edge: half the edge less the median, for a path over its
+/// midpoint.
+double delayOfCorner(const Geometry& geometry, int h) {
   const double a = geometry.edgeLength[h];
   const double b = geometry.edgeLength[previous(h)];
   const double c = geometry.edgeLength[next(h)];
@@ -42,9 +38,9 @@ double latenessOfCorner(const Geometry& geometry, int h) {
 
 /// A path that crosses an edge is known once the edge's nearer end is, which may be late itself.
 /// That adds up over few obtuse corners, and to no more than half the longest edge: twice the
-/// largest lateness of a corner in the 1-ring was enough on planes of all kinds of triangles,
+/// largest delay of a corner in the 1-ring was enough on planes of all kinds of triangles,
 /// stretched up to 20:1; once was not.
-Array<float> latenessOfVertices(const Geometry& geometry) {
+Array<float> delaysOfVertices(const Geometry& geometry) {
   constexpr double kChain = 2;
   /// Rounding must not decide what is late: this part of the longest edge at a vertex is always
   /// granted.
@@ -55,7 +51,7 @@ Array<float> latenessOfVertices(const Geometry& geometry) {
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
     const int tail = mesh.tail(h);
     const int head = mesh.head(h);
-    ofCorners[tail] = std::max(ofCorners[tail], latenessOfCorner(geometry, h));
+    ofCorners[tail] = std::max(ofCorners[tail], delayOfCorner(geometry, h));
     length[tail] = std::max(length[tail], geometry.edgeLength[h]);
     length[head] = std::max(length[head], geometry.edgeLength[h]);
   }
@@ -67,12 +63,12 @@ Array<float> latenessOfVertices(const Geometry& geometry) {
     ofRing[head] = std::max(ofRing[head], ofCorners[tail]);
   }
   const double most = *std::max_element(length.begin(), length.end()) / 2;
-  Array<float> lateness;
-  lateness.reserve(mesh.positions.size());
+  Array<float> delay;
+  delay.reserve(mesh.positions.size());
   for (int v = 0; v < mesh.vertexCount(); ++v) {
-    lateness.push_back(static_cast<float>(std::min(most, kChain * ofRing[v] + kTie * length[v])));
+    delay.push_back(static_cast<float>(std::min(most, kChain * ofRing[v] + kTie * length[v])));
   }
-  return lateness;
+  return delay;
 }
 
 }  // namespace
@@ -86,10 +82,9 @@ VertexFans buildVertexFans(const Geometry& geometry) {
   fans.turn.reserve(mesh.positions.size());
   fans.flags.assign(mesh.positions.size(), 0);
   for (int v = 0; v < mesh.vertexCount(); ++v) {
-    const int first = mesh.outgoing[v];
     double narrowest = kInfinity;
-    int h = first;
-    for (;;) {
+    int last = -1;
+    for (const int h : outgoingHalfedges(mesh, v)) {
       narrowest = std::min(narrowest, geometry.cornerAngle[h]);
       const double length = geometry.edgeLength[h];
       const Vec2 nextEdge = geometry.edgeLength[previous(h)] * unitVector(geometry.cornerAngle[h]);
@@ -100,14 +95,11 @@ VertexFans buildVertexFans(const Geometry& geometry) {
                                mesh.head(h),
                                reverseNumber(mesh, fans, number, h)};
       fans.angles[number[h]] = geometry.cumulatedAngle[h];
-      const int left = rotateLeft(mesh, h);
-      if (left < 0 || left == first) break;
-      h = left;
+      last = previous(h);
     }
     const double total = geometry.totalAngle[v];
     fans.turn.push_back(unitVector(total));
     if (mesh.onBoundary[v]) {
-      const int last = previous(h);
       fans.edges[fans.end(v) - 1] = {geometry.edgeLength[last] * fans.turn[v],
                                      geometry.edgeLength[last],
                                      0,
@@ -119,7 +111,7 @@ VertexFans buildVertexFans(const Geometry& geometry) {
     }
     if (total > 2 * kPi + narrowest) fans.flags[v] |= VertexFans::kWide;
   }
-  fans.lateness = latenessOfVertices(geometry);
+  fans.delay = delaysOfVertices(geometry);
   return fans;
 }
 

@@ -2,8 +2,8 @@
 
 #include "intrinsic/geometry.h"
 
-/// The triangles around each vertex laid flat, in one array: what a solver that goes from vertex to
-/// vertex reads of the mesh, without a sine or a square root of its own.
+/// The triangles around each vertex laid flat, in one array. A solver that goes from vertex to
+/// vertex reads all it needs here, and computes no sine or square root of the mesh.
 ///
 /// A vertex's fan lists its edges counterclockwise from its `outgoing` half-edge; edge i and the
 /// next one bound a corner, which has the number i. At an interior vertex the last edge and the
@@ -25,8 +25,8 @@ struct FanEdge {
 
 struct VertexFans {
   static constexpr uint8_t kBoundary = 1;
-  /// More than 2 pi + a corner's angle: an unscaled direction is not told by its cosine and sine
-  /// and the neighbourhood of an edge.
+  /// The total angle exceeds 2 pi by more than a corner: the cosine and the sine of an unscaled
+  /// direction do not tell on which turn it lies, not even near an edge.
   static constexpr uint8_t kWide = 2;
 
   Array<int> begin;      ///< per vertex its first edge; one entry more at the end
@@ -34,9 +34,10 @@ struct VertexFans {
   Array<double> angles;  ///< per edge its unscaled direction (geometry.h)
   Array<Vec2> turn;      ///< per vertex, unit: the rotation by the total angle
   Array<uint8_t> flags;  ///< per vertex kBoundary, kWide
-  /// Per vertex by how much a front from the nearest vertices outwards may have passed it when the
-  /// last vertex is reached that its shortest path depends on.
-  Array<float> lateness;
+  /// Per vertex how far beyond its distance a front must go, from the nearest vertices outwards,
+  /// before the distance is final: the last vertex that its shortest path depends on may be so
+  /// late.
+  Array<float> delay;
 
   int end(int vertex) const { return begin[vertex + 1]; }
   bool onBoundary(int vertex) const { return (flags[vertex] & kBoundary) != 0; }

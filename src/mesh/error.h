@@ -5,7 +5,7 @@
 
 namespace karcher {
 
-/// What went wrong. `errorCodeName` gives the name that callers in JavaScript see.
+/// What went wrong.
 enum class ErrorCode {
   kBadFile,            ///< the file cannot be read as OBJ, or holds no faces
   kBadIndex,           ///< a face or a point names a vertex or face that does not exist
@@ -23,13 +23,13 @@ enum class ErrorCode {
   kNoEmbedding,        ///< weighted averages: no acceptable embedding of the mesh was found
 };
 
-/// The name of a code, as in `error.code` of the JavaScript API: "nonManifoldEdge".
+/// The name of a code, for callers in other languages: "nonManifoldEdge".
 const char* errorCodeName(ErrorCode code);
 
 /// A number as a sentence gives it: 0.25, 1e-07.
 std::string inSentence(double value, int digits = 6);
 
-/// The same with as many digits as tell it from other doubles, six at least: 3.000000000001.
+/// The same with as many digits as tell it from all other doubles, at least six: 3.000000000001.
 std::string inFull(double value);
 
 /// Every failure of the engine: a code, and a sentence that names the thing and the limit.

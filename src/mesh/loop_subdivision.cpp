@@ -20,18 +20,16 @@ Vec3 movedVertex(const TriangleMesh& mesh, int v) {
   if (mesh.onBoundary[v]) {
     // The boundary leaves along `first` and comes in along the last face's far side.
     int last = first;
-    while (rotateLeft(mesh, last) >= 0) last = rotateLeft(mesh, last);
+    for (const int h : outgoingHalfedges(mesh, v)) last = h;
     return 0.75 * p +
            0.125 * (mesh.positions[mesh.head(first)] + mesh.positions[mesh.tail(previous(last))]);
   }
   Vec3 sum = Vec3::Zero();
   int valence = 0;
-  int h = first;
-  do {
+  for (const int h : outgoingHalfedges(mesh, v)) {
     sum += mesh.positions[mesh.head(h)];
     ++valence;
-    h = rotateLeft(mesh, h);
-  } while (h != first);
+  }
   const double weight = neighbourWeight(valence);
   return (1 - valence * weight) * p + weight * sum;
 }

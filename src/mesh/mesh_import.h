@@ -13,7 +13,7 @@ namespace karcher {
 /// Between the caller's (input) numbers and the engine's. The corners of a face keep their order,
 /// so barycentric weights are the same on both sides.
 struct Numbering {
-  Array<int> engineVertex;  ///< per input vertex; -1 if dropped, the vertex it was welded to if so
+  Array<int> engineVertex;  ///< per input vertex; welded ones share a number, dropped ones have -1
   Array<int> inputVertex;   ///< per engine vertex, the first input vertex that became it
   Array<int> engineFace;    ///< per input triangle
   Array<int> inputFace;     ///< per engine face
@@ -31,7 +31,7 @@ struct Repair {
   std::string sentence;
 };
 
-/// The name of a kind, as in the JavaScript API: "welded".
+/// The name of a kind of repair in reports: "welded".
 const char* repairName(Repair::Kind kind);
 
 struct ImportedMesh {

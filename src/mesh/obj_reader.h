@@ -15,8 +15,9 @@ struct ObjContents {
   int polygonsCut = 0;  ///< faces with more than three corners
 };
 
-/// `bytes` is the content of the file, with any line ends. The numbers are read by tinyobjloader,
-/// whose parser takes what it does not understand for 0; so every line is checked first.
+/// `bytes` is the content of the file, with any line ends. Every line is checked first. Then each
+/// coordinate becomes the double nearest to its decimal number (decimal.h), and tinyobjloader reads
+/// the corners of faces: it takes what it does not understand for 0.
 /// Throws Error with the number of the line, from 1: kBadFile (not text, no faces, a vertex or face
 /// that cannot be read), kNotFinite (a coordinate nan or inf), kBadIndex (a face uses a vertex
 /// that the file does not have), kDegenerateFace (a polygon that cannot be cut into triangles).

@@ -16,7 +16,7 @@ enum class Shape {
 inline constexpr Shape kShapes[] = {Shape::kSphere, Shape::kTorus, Shape::kKnot, Shape::kGenus3,
                                     Shape::kOpenSheet};
 
-/// The name of a shape, as in the JavaScript API: "genus3".
+/// The name by which callers ask for a shape: "genus3".
 const char* shapeName(Shape shape);
 
 inline constexpr int kFewestShapeTriangles = 500;

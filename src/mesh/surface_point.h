@@ -14,12 +14,12 @@ struct SurfacePoint {
 /// Weights below this, from rounding, are taken for 0: the point lies on the edge or vertex.
 inline constexpr double kOnEdgeTolerance = 1e-12;
 
-/// Checks a caller's point and cleans it: weights within 1e-6 of the triangle are clamped to it,
-/// those below kOnEdgeTolerance become 0, and the sum becomes 1.
+/// Checks a caller's point and cleans it. Weights within 1e-6 of the triangle are clamped to it,
+/// weights below kOnEdgeTolerance become 0, and the sum becomes 1.
 /// Throws Error: kBadIndex (no such face), kNotFinite, kBadPoint.
 SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary);
 
-/// The point with these weights, whose rounding below kOnEdgeTolerance is taken for 0.
+/// The point with these weights. Weights below kOnEdgeTolerance become 0, and the sum becomes 1.
 inline SurfacePoint clampedPoint(int face, const Vec3& bary) {
   SurfacePoint point{face, bary};
   for (int k = 0; k < 3; ++k) {
@@ -52,8 +52,8 @@ PointLocation locate(const TriangleMesh& mesh, const SurfacePoint& point);
 /// The point at parameter s in [0, 1] along half-edge h, in h's face.
 SurfacePoint edgePoint(int h, double s);
 
-/// The same point seen from face `face`, which must hold it; the face is found by `locate`:
-/// an edge's other face, or any face around a vertex. Throws Error kBadArgument if it does not.
+/// The same point with the weights of another face that holds it: the other face of its edge, or
+/// any face around its vertex. Throws Error kBadArgument if `face` does not hold the point.
 SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& point, int face);
 
 /// The point of the mesh nearest to q by brute force over all faces: for tests and tools.

@@ -89,11 +89,7 @@ void findOutgoing(TriangleMesh& mesh, const MeshNames& names) {
                   "vertex " + std::to_string(names.ofVertex(v)) + " belongs to no face");
     }
     int seen = 0;
-    int h = mesh.outgoing[v];
-    do {
-      ++seen;
-      h = rotateLeft(mesh, h);
-    } while (h >= 0 && h != mesh.outgoing[v] && seen <= valence[v]);
+    for ([[maybe_unused]] const int h : outgoingHalfedges(mesh, v)) ++seen;
     if (seen != valence[v]) {
       throw Error(ErrorCode::kNonManifoldVertex,
                   "vertex " + std::to_string(names.ofVertex(v)) +
@@ -164,15 +160,12 @@ Array<int> componentOfVertices(const TriangleMesh& mesh) {
     while (!stack.empty()) {
       const int v = stack.back();
       stack.pop_back();
-      const int first = mesh.outgoing[v];
-      for (int h = first; h >= 0;) {
+      for (const int h : outgoingHalfedges(mesh, v)) {
         for (const int w : {mesh.head(h), mesh.opposite(h)}) {
           if (component[w] >= 0) continue;
           component[w] = count;
           stack.push_back(w);
         }
-        h = rotateLeft(mesh, h);
-        if (h == first) break;
       }
     }
     ++count;

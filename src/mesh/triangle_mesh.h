@@ -1,5 +1,7 @@
 #pragma once
 
+#include <iterator>
+
 #include "mesh/types.h"
 
 /// A manifold, consistently oriented triangle mesh with half-edge adjacency.
@@ -14,7 +16,7 @@ struct TriangleMesh {
   /// Per half-edge the one that runs the other way in the neighbouring face; -1 at the boundary.
   Array<int> twin;
   /// Per vertex one half-edge that leaves it. At a boundary vertex it is the one without a twin,
-  /// the first counterclockwise, so that a turn with `rotateLeft` sees every face.
+  /// the first counterclockwise, so that `outgoingHalfedges` meets every face.
   Array<int> outgoing;
   /// Per vertex 1 where it lies on the boundary.
   Array<uint8_t> onBoundary;
@@ -39,15 +41,51 @@ inline int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 /// The half-edge after h, counterclockwise, among those that leave h's tail; -1 past the boundary.
 inline int rotateLeft(const TriangleMesh& mesh, int h) { return mesh.twin[previous(h)]; }
 
+/// The half-edges that leave a vertex of a mesh (or of another `Connectivity` with `rotateLeft`),
+/// counterclockwise from the first: for (const int h : ...).
+template <class Connectivity>
+class HalfedgesAround {
+ public:
+  HalfedgesAround(const Connectivity& mesh, int first) : mesh_(mesh), first_(first) {}
+
+  class Iterator {
+   public:
+    Iterator(const Connectivity& mesh, int first) : mesh_(mesh), first_(first), here_(first) {}
+    int operator*() const { return here_; }
+    Iterator& operator++() {
+      here_ = rotateLeft(mesh_, here_);
+      if (here_ == first_) here_ = -1;
+      return *this;
+    }
+    bool operator!=(std::default_sentinel_t) const { return here_ >= 0; }
+
+   private:
+    const Connectivity& mesh_;
+    int first_;
+    int here_;
+  };
+
+  Iterator begin() const { return {mesh_, first_}; }
+  std::default_sentinel_t end() const { return {}; }
+
+ private:
+  const Connectivity& mesh_;
+  int first_;
+};
+
+/// All half-edges that leave a vertex, from `outgoing` on.
+inline HalfedgesAround<TriangleMesh> outgoingHalfedges(const TriangleMesh& mesh, int vertex) {
+  return {mesh, mesh.outgoing[vertex]};
+}
+
 /// Builds adjacency. Every vertex must belong to a face; components and boundaries may be many.
 /// Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kBadArgument (size), kDegenerateFace,
 /// kNonManifoldEdge, kNonManifoldVertex, each naming the place by the indices that were passed in.
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 
-/// The two halves of buildMesh, for those who renumber in between.
-///
-/// Checks positions and triangles one by one: everything that buildMesh throws but the manifold
-/// errors and vertices without a face.
+/// The first half of `buildMesh`, for callers who renumber before the second. Checks positions and
+/// triangles one by one. Throws what `buildMesh` throws, but for the manifold errors and vertices
+/// without a face.
 void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles);
 
 /// The numbers by which errors name vertices and faces, where they are not the mesh's own.
@@ -59,7 +97,7 @@ struct MeshNames {
   int ofFace(int f) const { return face ? (*face)[f] : f; }
 };
 
-/// Builds the adjacency of checked triangles.
+/// The second half of `buildMesh`: the adjacency of checked triangles.
 /// Throws Error: kNonManifoldEdge, kNonManifoldVertex, kBadIndex (a vertex without a face).
 TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names);
 

@@ -52,11 +52,9 @@ class Descent {
       const int twin = here.simplex == Simplex::kEdge ? mesh_.twin[here.halfedge] : -1;
       return twin >= 0 && endIn(faceOf(twin));
     }
-    int h = mesh_.outgoing[here.vertex];
-    do {
+    for (const int h : outgoingHalfedges(mesh_, here.vertex)) {
       if (endIn(faceOf(h))) return true;
-      h = rotateLeft(mesh_, h);
-    } while (h >= 0 && h != mesh_.outgoing[here.vertex]);
+    }
     return false;
   }
 
@@ -129,8 +127,7 @@ class Descent {
     double steepest = 0;
     int bestCorner = -1;
     int bestEdge = -1;
-    int h = mesh_.outgoing[vertex];
-    for (;;) {
+    for (const int h : outgoingHalfedges(mesh_, vertex)) {
       const Vec2 direction = downhill(faceOf(h));
       const bool inCorner = cross(halfedgeInFace(geometry_, h), direction) > 0 &&
                             cross(halfedgeInFace(geometry_, previous(h)), direction) > 0;
@@ -139,10 +136,8 @@ class Descent {
         bestCorner = h;
       }
       considerEdge(h, vertex, mesh_.head(h), steepest, bestEdge);
-      const int left = rotateLeft(mesh_, h);
-      if (left < 0) considerEdge(previous(h), vertex, mesh_.tail(previous(h)), steepest, bestEdge);
-      if (left < 0 || left == mesh_.outgoing[vertex]) break;
-      h = left;
+      const int last = previous(h);
+      if (mesh_.twin[last] < 0) considerEdge(last, vertex, mesh_.tail(last), steepest, bestEdge);
     }
     if (bestEdge >= 0) return followEdge(bestEdge);
     return bestCorner >= 0 && crossFace(edgePoint(bestCorner, 0));

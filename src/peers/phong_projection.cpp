@@ -91,16 +91,11 @@ Array<TangentPlane> tangentPlanes(const Geometry& geometry, const Array<Embedded
       normal += along * along.transpose();
       sum += along * (positions[other] - positions[v]).transpose();
     };
-    int h = mesh.outgoing[v];
-    for (;;) {
+    for (const int h : outgoingHalfedges(mesh, v)) {
       addEdge(geometry.cumulatedAngle[h], geometry.edgeLength[h], mesh.head(h));
-      const int left = rotateLeft(mesh, h);
-      if (left < 0) {
-        const int last = previous(h);
-        addEdge(geometry.totalAngle[v], geometry.edgeLength[last], mesh.tail(last));
-      }
-      if (left < 0 || left == mesh.outgoing[v]) break;
-      h = left;
+      const int last = previous(h);
+      if (mesh.twin[last] >= 0) continue;
+      addEdge(geometry.totalAngle[v], geometry.edgeLength[last], mesh.tail(last));
     }
     planes.push_back(orthonormal(normal.inverse() * sum));
   }
@@ -247,16 +242,14 @@ int PhongSurface::nearestVertex(const EmbeddedPoint& p, int vertex) const {
   double least = (positions_[vertex] - p).squaredNorm();
   for (int step = 0; step < mesh_.vertexCount(); ++step) {
     int best = vertex;
-    int h = mesh_.outgoing[vertex];
-    do {
+    for (const int h : outgoingHalfedges(mesh_, vertex)) {
       for (const int neighbour : {mesh_.head(h), mesh_.opposite(h)}) {
         const double distance = (positions_[neighbour] - p).squaredNorm();
         if (distance >= least) continue;
         least = distance;
         best = neighbour;
       }
-      h = rotateLeft(mesh_, h);
-    } while (h >= 0 && h != mesh_.outgoing[vertex]);
+    }
     if (best == vertex) break;
     vertex = best;
   }

@@ -39,9 +39,6 @@ class SparseFactor {
 
   int rows() const { return inversePivots_.count(); }
 
-  /// Entries of L below the diagonal.
-  int nonZeros() const { return static_cast<int>(lower().nonZeros()); }
-
   /// Columns of right-hand sides to columns of solutions.
   template <int kColumns>
   Columns<Scalar, kColumns> solve(const Columns<Scalar, kColumns>& right) const {

@@ -20,13 +20,10 @@ Array<int> verticesWithin(const TriangleMesh& mesh, PointField& field, double ra
     stack.pop_back();
     if (std::sqrt(field.field().at(v).squaredDistance) > radius) continue;
     within.push_back(v);
-    const int first = mesh.outgoing[v];
-    int h = first;
-    do {
+    for (const int h : outgoingHalfedges(mesh, v)) {
       visit(mesh.head(h));
       visit(mesh.opposite(h));
-      h = rotateLeft(mesh, h);
-    } while (h >= 0 && h != first);
+    }
   }
   return within;
 }

@@ -3,14 +3,14 @@
 #include "mesh/surface_point.h"
 
 /// The triangles in which a blended field is linear: the faces of the mesh, or the four triangles
-/// into which the middles of its edges cut each.
+/// into which the midpoints of its edges cut each.
 ///
 /// Cut, face f has the cells 4 f + k at its corners k and 4 f + 3 in its middle:
 ///
 ///             2
-///            / \            Corners of cell k: corner k of the face, the middle of the edge that
+///            / \            Corners of cell k: corner k of the face, the midpoint of the edge that
 ///           / 2 \           leaves it, that of the edge that enters it.
-///         m2 --- m1         Corners of cell 3: m0, m1, m2, where mk is the middle of half-edge
+///         m2 --- m1         Corners of cell 3: m0, m1, m2, where mk is the midpoint of half-edge
 ///         / \ 3 / \         3 f + k.
 ///        / 0 \ / 1 \        .
 ///       0 --- m0 --- 1
@@ -54,8 +54,8 @@ class Cells {
 
   /// The first of the half-edges that leave h's tail: TriangleMesh::outgoing.
   int firstAround(int h) const;
-  /// The next of them, counterclockwise; -1 past the boundary.
-  int rotateLeft(int h) const { return twin(previous(h)); }
+  /// The half-edges that leave h's tail, counterclockwise from `firstAround`.
+  HalfedgesAround<Cells> around(int h) const { return {*this, firstAround(h)}; }
 
  private:
   static CellPoint cutAt(const SurfacePoint& point);
@@ -65,5 +65,8 @@ class Cells {
   const TriangleMesh& mesh_;
   bool cut_;
 };
+
+/// The half-edge after h, counterclockwise, among those that leave h's tail; -1 past the boundary.
+inline int rotateLeft(const Cells& cells, int h) { return cells.twin(previous(h)); }
 
 }  // namespace karcher

@@ -6,8 +6,8 @@
 namespace karcher {
 
 /// How a search ended. Only kConverged is a center of mass (a local minimum of K); with the others
-/// the point is where the search stood. The last two are no outcomes of a search but of a curve
-/// that was made whole (curves/bridge.h).
+/// the point is where the search stood. No search ends with the last two: they are of a curve's
+/// samples and intervals (curves/trace/bridge.h).
 enum class Status {
   kConverged,
   kIndefinite,  ///< the Hessian is not positive definite: the points lie too far apart
@@ -18,7 +18,7 @@ enum class Status {
   kBridged,     ///< the sample lies on a bridge
 };
 
-/// The name of a status, as in the JavaScript API: "converged".
+/// The name of a status in reports: "converged".
 const char* statusName(Status status);
 
 /// A zero whose barycentric weights go no further below 0 lies in the face.

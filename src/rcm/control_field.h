@@ -10,7 +10,7 @@
 
 namespace karcher {
 
-/// What a control point p leaves at a vertex v.
+/// The value of a control point p's field at a vertex v.
 struct FieldValue {
   Vec2 gradient = Vec2::Zero();  ///< of d(., p)^2, in the frame of v: -2 log_v(p)
   double squaredDistance = 0;    ///< d(v, p)^2
@@ -23,20 +23,20 @@ class ControlField {
   /// Computes the value at a vertex. It must depend on the vertex alone, not on earlier calls.
   using Evaluate = std::function<FieldValue(int vertex)>;
 
-  /// Computes what a field has at the middle of a half-edge beyond the mean of its ends, in the
+  /// Computes what a field has at the midpoint of a half-edge beyond the mean of its ends, in the
   /// half-edge's frame: its direction is the x axis.
-  using EvaluateMiddle = std::function<Vec2(int halfedge)>;
+  using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
   explicit ControlField(int vertexCount) : entries_(vertexCount) {}
 
   /// Forgets all values; from now on `evaluate` computes them. Costs what was touched.
-  /// With `evaluateMiddle` the field has values at the middles of edges as well.
-  void reset(Evaluate evaluate, EvaluateMiddle evaluateMiddle = {}) {
+  /// With `evaluateMidpoint` the field has values at the midpoints of edges as well.
+  void reset(Evaluate evaluate, EvaluateMidpoint evaluateMidpoint = {}) {
     entries_.clear();
-    middles_.clear();
+    corrections_.clear();
     knownCount_ = 0;
     evaluate_ = std::move(evaluate);
-    evaluateMiddle_ = std::move(evaluateMiddle);
+    evaluateMidpoint_ = std::move(evaluateMidpoint);
   }
 
   const FieldValue& at(int vertex) {
@@ -48,24 +48,24 @@ class ControlField {
     return value;
   }
 
-  bool hasMiddles() const { return static_cast<bool>(evaluateMiddle_); }
+  bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
 
   /// Of an edge always the same half-edge is to be asked for.
-  const Vec2& middle(int halfedge) {
-    const auto [entry, isNew] = middles_.try_emplace(halfedge);
+  const Vec2& midpointCorrection(int halfedge) {
+    const auto [entry, isNew] = corrections_.try_emplace(halfedge);
     if (isNew) {
       try {
-        entry->second = evaluateMiddle_(halfedge);
+        entry->second = evaluateMidpoint_(halfedge);
       } catch (...) {
-        middles_.erase(entry);
+        corrections_.erase(entry);
         throw;
       }
     }
     return entry->second;
   }
 
-  /// The same, for those who read each once.
-  Vec2 middleUnkept(int halfedge) const { return evaluateMiddle_(halfedge); }
+  /// The same without keeping it, for a caller who reads each once.
+  Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
   /// How many vertices were asked for since the last reset.
   int knownCount() const { return knownCount_; }
@@ -78,9 +78,9 @@ class ControlField {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
   Evaluate evaluate_;
-  EvaluateMiddle evaluateMiddle_;
+  EvaluateMidpoint evaluateMidpoint_;
   PagedArray<Entry, 6> entries_;
-  std::unordered_map<int, Vec2> middles_;
+  std::unordered_map<int, Vec2> corrections_;
   int knownCount_ = 0;
 };
 

@@ -12,7 +12,7 @@ constexpr int kMostMoves = 8;
 
 class DeepestZero {
  public:
-  DeepestZero(FieldBlend& fields, Weights weights, int cell, const FaceZero& zero)
+  DeepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero)
       : fields_(fields), cells_(fields.cells()), weights_(weights), cell_(cell), best_(zero) {}
 
   SurfacePoint run() {
@@ -42,11 +42,11 @@ class DeepestZero {
     const Vec2& a = best_.field.corner[i];
     const Vec2& b = best_.field.corner[j];
     const double sine = cross(a, b);
-    return sine * sine <= best_.jump * best_.jump * a.squaredNorm() * b.squaredNorm();
+    return sine * sine <= best_.holonomy * best_.holonomy * a.squaredNorm() * b.squaredNorm();
   }
 
   void tryCell(int cell) {
-    FaceZero other;
+    CellZero other;
     if (!fields_.findZero(cell, weights_, other)) return;
     if (other.depth() < -kInsideTolerance || other.depth() <= best_.depth()) return;
     best_ = other;
@@ -59,24 +59,21 @@ class DeepestZero {
   }
 
   void tryAround(int h) {
-    const int first = cells_.firstAround(h);
-    int around = first;
-    do {
+    for (const int around : cells_.around(h)) {
       if (around != h) tryCell(faceOf(around));
-      around = cells_.rotateLeft(around);
-    } while (around >= 0 && around != first);
+    }
   }
 
   FieldBlend& fields_;
   const Cells& cells_;
   Weights weights_;
   int cell_;
-  FaceZero best_;
+  CellZero best_;
 };
 
 }  // namespace
 
-SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const FaceZero& zero) {
+SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero) {
   if (isTheOnlyZero(zero, zero.depth())) return fields.cells().point(cell, zero.bary);
   return DeepestZero(fields, weights, cell, zero).run();
 }

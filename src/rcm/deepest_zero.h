@@ -4,27 +4,28 @@
 
 namespace karcher {
 
-/// The field jumps a little from face to face: near an edge two cells may each have a zero of their
-/// own, or neither. Where both have one, the deeper inside its cell counts, so that a center does
-/// not depend on the face that the search for it found first.
+/// The field is not continuous across edges: near an edge two cells may each have a zero, or
+/// neither of them. Where both have one, the zero that lies deeper inside its cell counts, so that
+/// a center does not depend on the cell that the search met first.
 ///
-/// `zero`: of the blend in `cell`, inside it. Returns the deepest of it and those around it.
-/// With isTheOnlyZero, which is the usual case and quickly told, that is `zero` itself.
-SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const FaceZero& zero);
+/// `zero` is the blend's zero in `cell` and lies inside it. Returns the deepest of it and the zeros
+/// around it. Where `isTheOnlyZero` holds, which is usual and quickly told, that is `zero` itself.
+SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero);
 
-/// A zero whose weights are no smaller than this is the only one near by: jumps of the field are a
-/// smaller part of an edge (or are found as jumps of the curve, curves/bridge.h).
+/// A zero whose weights are no smaller than this is the only one near by: the field's discontinuity
+/// moves a zero by a smaller part of an edge (or makes the curve jump, which curves/trace/bridge.h
+/// finds).
 inline constexpr double kNearEdge = 0.1;
 
 /// Whether no face beside an edge can have another zero where the blend is that of `zero` and the
 /// zero so far inside the face.
-inline bool isTheOnlyZero(const FaceZero& zero, double depth) {
+inline bool isTheOnlyZero(const CellZero& zero, double depth) {
   // Seen from the side of a zero, the values at an edge's ends make an angle of less than pi. Seen
-  // from the other face they are turned by `jump` at most.
+  // from the other face they are turned by `holonomy` at most.
   const double most =
       std::max({zero.field.corner[0].squaredNorm(), zero.field.corner[1].squaredNorm(),
                 zero.field.corner[2].squaredNorm()});
-  return depth >= kNearEdge || depth * zero.determinant > zero.jump * most;
+  return depth >= kNearEdge || depth * zero.determinant > zero.holonomy * most;
 }
 
 }  // namespace karcher

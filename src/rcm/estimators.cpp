@@ -44,9 +44,7 @@ Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
     for (; begin < end; ++begin) {
       const Neighbour from = ring[begin];
       const double scale = geometry.angleScale[from.vertex];
-      const int first = mesh.outgoing[from.vertex];
-      int h = first;
-      do {
+      for (const int h : outgoingHalfedges(mesh, from.vertex)) {
         const int to = mesh.head(h);
         const int onward = next(h);
         carry(ring, end, ways, from, to, geometry.edgeLength[h], scale * geometry.cumulatedAngle[h],
@@ -59,8 +57,7 @@ Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
                 scale * (geometry.cumulatedAngle[h] + geometry.cornerAngle[h]),
                 geometry.angleScale[last] * geometry.cumulatedAngle[back]);
         }
-        h = rotateLeft(mesh, h);
-      } while (h >= 0 && h != first);
+      }
     }
     for (int i = end; i < ring.count(); ++i) {
       ring[i].place /= ways[i - end];
@@ -72,7 +69,7 @@ Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
 
 /// How much of an estimate is the vertex's own log vector (Stencil). Vertices of the boundary have
 /// no defect to compare.
-double ownShare(const Geometry& geometry, int vertex) {
+double logVectorShareOf(const Geometry& geometry, int vertex) {
   constexpr double kEven = 0.003;
   const TriangleMesh& mesh = *geometry.mesh;
   double sum = 0;
@@ -86,12 +83,9 @@ double ownShare(const Geometry& geometry, int vertex) {
     ++count;
   };
   add(vertex);
-  const int first = mesh.outgoing[vertex];
-  int h = first;
-  do {
+  for (const int h : outgoingHalfedges(mesh, vertex)) {
     add(mesh.head(h));
-    h = rotateLeft(mesh, h);
-  } while (h >= 0 && h != first);
+  }
   if (count == 0) return 0;
   const double mean = sum / count;
   const double variance = std::max(0.0, squares / count - mean * mean);
@@ -115,7 +109,7 @@ double wideGaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 
 double narrowGaussian(const Vec2& white) { return std::exp(-2 * white.squaredNorm()); }
 
 /// Terms over log vectors; the vertex's own vector alone where the fit is not determined.
-void linearTerms(const Array<Neighbour>& ring, double own, Array<StencilTerm>& terms) {
+void linearTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>& terms) {
   const Eigen::Matrix2d toWhite = whitening(ring);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   for (const Neighbour& n : ring) {
@@ -132,15 +126,15 @@ void linearTerms(const Array<Neighbour>& ring, double own, Array<StencilTerm>& t
   for (const Neighbour& n : ring) {
     const Vec2 z = toWhite * n.place;
     const double weight = wideGaussian(z) * (c[0] + c[1] * z.x() + c[2] * z.y());
-    const Vec2 coefficient = (1 - own) * weight * n.rotation;
+    const Vec2 coefficient = (1 - share) * weight * n.rotation;
     terms.push_back({coefficient.x(), coefficient.y(), n.vertex});
   }
-  terms[first].x += own;
+  terms[first].x += share;
 }
 
 /// The vertex's own log vector, then terms over differences of squared distances; false where the
 /// ring does not determine the fit.
-bool quadraticTerms(const Array<Neighbour>& ring, double own, Array<StencilTerm>& terms) {
+bool quadraticTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>& terms) {
   using Vector5 = Eigen::Matrix<double, 5, 1>;
   using Matrix5 = Eigen::Matrix<double, 5, 5>;
   constexpr int kFewest = 8;
@@ -158,10 +152,10 @@ bool quadraticTerms(const Array<Neighbour>& ring, double own, Array<StencilTerm>
   const Vector5 pivots = factor.vectorD();
   constexpr double kWorstCondition = 1e-4;
   if (!(pivots.minCoeff() > kWorstCondition * pivots.maxCoeff())) return false;
-  terms.push_back({own, 0, ring[0].vertex});
+  terms.push_back({share, 0, ring[0].vertex});
   for (int i = 1; i < ring.count(); ++i) {
     const Vec2 z = toWhite * ring[i].place;
-    const Vector5 fit = (1 - own) * factor.solve(narrowGaussian(z) * row(z));
+    const Vector5 fit = (1 - share) * factor.solve(narrowGaussian(z) * row(z));
     const Vec2 coefficient = toWhite.transpose() * fit.head<2>();
     terms.push_back({coefficient.x(), coefficient.y(), ring[i].vertex});
   }
@@ -179,17 +173,17 @@ Stencil StencilTable::at(int vertex) {
     const int64_t begin = static_cast<int64_t>(terms_.size());
     const Array<Neighbour> ring =
         ringsAround(geometry_, vertex, estimator_ == Estimator::kLinear1 ? 1 : 2);
-    const double own = ownShare(geometry_, vertex);
+    const double share = logVectorShareOf(geometry_, vertex);
     const bool quadratic =
-        estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring, own, terms_);
-    if (!quadratic) linearTerms(ring, own, terms_);
+        estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring, share, terms_);
+    if (!quadratic) linearTerms(ring, share, terms_);
     place.count = static_cast<int>(static_cast<int64_t>(terms_.size()) - begin);
     place.ofVectors = quadratic ? 1 : place.count;
-    place.own = own;
+    place.logVectorShare = share;
     place.begin = begin;
   }
   const StencilTerm* begin = terms_.data() + place.begin;
-  return {begin, begin + place.ofVectors, begin + place.count, place.own};
+  return {begin, begin + place.ofVectors, begin + place.count, place.logVectorShare};
 }
 
 }  // namespace karcher

@@ -33,11 +33,11 @@ enum class Estimator {
 /// the sum of their estimates.
 inline bool isLinear(Estimator estimator) { return estimator != Estimator::kQuadratic2; }
 
-/// A term of a stencil: of vectors the neighbour's vector, turned and scaled by `coefficient` as a
-/// complex number; of distances the neighbour's squared distance less the vertex's own, times the
-/// vector `coefficient`.
+/// A term of a stencil. A term of vectors is the neighbour's vector times (x, y) as a complex
+/// number. A term of distances is the neighbour's squared distance less that of the vertex, times
+/// the vector (x, y).
 struct StencilTerm {
-  /// The coefficient, by its numbers: a Vec2 would be aligned, and take a third more memory.
+  /// Two numbers: a Vec2 would be aligned, and take a third more memory.
   double x;
   double y;
   int vertex;
@@ -50,7 +50,7 @@ struct Stencil {
   const StencilTerm* begin = nullptr;  ///< terms of log vectors
   const StencilTerm* ofDistances = nullptr;
   const StencilTerm* end = nullptr;
-  double own = 0;  ///< r
+  double logVectorShare = 0;  ///< r
 
   /// The estimate from log vectors and squared distances, both functions of the vertex.
   template <class LogVectorAt, class SquaredDistanceAt>
@@ -72,16 +72,16 @@ struct Stencil {
   }
 };
 
-/// How much of an estimate is to be the log vector itself, where `own` is so by the mesh alone.
-/// `difference`: of the log vector from what else would stand there. It makes an angle, seen from
-/// the source at `distance`; if that is more than smooth surfaces leave between neighbours, paths
-/// come from both sides of a ridge, and no fit over both is any path's.
-inline double shareOfLogVector(double own, const Vec2& difference, double distance) {
+/// The part of the log vector itself in an estimate, whose part by the mesh alone is `share`.
+/// `difference` is the log vector less what else would stand there. Seen from the source, at
+/// `distance`, it makes an angle. If the angle is more than smooth surfaces leave between
+/// neighbours, paths come from both sides of a ridge, and no fit over both is any path's.
+inline double shareOfLogVector(double share, const Vec2& difference, double distance) {
   constexpr double kAngle = 0.01;  // radians
   const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);
-  if (!(squaredAngle > 0)) return own;
+  if (!(squaredAngle > 0)) return share;
   const double relative = kAngle * kAngle / squaredAngle;
-  return own + (1 - own) / (1 + relative * relative);
+  return share + (1 - share) / (1 + relative * relative);
 }
 
 /// The stencils of one estimator, each made when it is first asked for.
@@ -98,7 +98,7 @@ class StencilTable {
     int64_t begin = -1;
     int ofVectors = 0;
     int count = 0;
-    double own = 0;
+    double logVectorShare = 0;
   };
 
   const Geometry& geometry_;

@@ -6,8 +6,6 @@
 namespace karcher {
 namespace {
 
-size_t hashOf(int cell) { return static_cast<size_t>(static_cast<uint32_t>(cell) * 2654435761u); }
-
 /// Values at the ends of half-edge h, in its frame.
 EdgeValues valuesAtEnds(const Geometry& geometry, ControlField& field, int h) {
   const EdgeDirection direction = directionOfEdge(geometry, h);
@@ -15,21 +13,21 @@ EdgeValues valuesAtEnds(const Geometry& geometry, ControlField& field, int h) {
           rotateBack(direction.head, field.at(geometry.mesh->head(h)).gradient)};
 }
 
-/// What a field has at the middle of half-edge h beyond the mean of its ends, in its frame.
-Vec2 beyondMean(const TriangleMesh& mesh, ControlField& field, int h) {
+/// What a field has at the midpoint of half-edge h beyond the mean of its ends, in its frame.
+Vec2 midpointCorrection(const TriangleMesh& mesh, ControlField& field, int h) {
   const int t = mesh.twin[h];
-  if (t < 0 || !field.hasMiddles()) return Vec2::Zero();
-  return h < t ? field.middle(h) : Vec2(-field.middle(t));
+  if (t < 0 || !field.hasMidpoints()) return Vec2::Zero();
+  return h < t ? field.midpointCorrection(h) : Vec2(-field.midpointCorrection(t));
 }
 
-Vec2 middleInEdge(const Geometry& geometry, ControlField& field, int h) {
+Vec2 midpointInEdge(const Geometry& geometry, ControlField& field, int h) {
   const EdgeValues ends = valuesAtEnds(geometry, field, h);
-  return (ends.tail + ends.head) / 2 + beyondMean(*geometry.mesh, field, h);
+  return (ends.tail + ends.head) / 2 + midpointCorrection(*geometry.mesh, field, h);
 }
 
-bool anyHasMiddles(const Array<ControlField*>& fields) {
+bool anyHasMidpoints(const Array<ControlField*>& fields) {
   return std::any_of(fields.begin(), fields.end(),
-                     [](const ControlField* field) { return field->hasMiddles(); });
+                     [](const ControlField* field) { return field->hasMidpoints(); });
 }
 
 }  // namespace
@@ -44,10 +42,8 @@ Hessian hessian(const Geometry& geometry, int face, const TriangleField& field) 
 FieldBlend::FieldBlend(const Geometry& geometry, Array<ControlField*> fields)
     : geometry_(geometry),
       fields_(std::move(fields)),
-      cells_(*geometry.mesh, anyHasMiddles(fields_)),
-      width_(6 * fields_.count()) {
-  table_.resize(256);
-}
+      cells_(*geometry.mesh, anyHasMidpoints(fields_)),
+      width_(6 * fields_.count()) {}
 
 TriangleField FieldBlend::blend(int cell, Weights weights) {
   // Six components a field side by side, so that the sums vectorise.
@@ -117,7 +113,8 @@ EdgeField FieldBlend::alongEdge(int h, int half) {
   EdgeField result;
   for (ControlField* field : fields_) {
     EdgeValues values = valuesAtEnds(geometry_, *field, h);
-    if (cells_.cut()) (half == 0 ? values.head : values.tail) = middleInEdge(geometry_, *field, h);
+    if (cells_.cut())
+      (half == 0 ? values.head : values.tail) = midpointInEdge(geometry_, *field, h);
     result.fields.push_back(values);
   }
   return result;
@@ -137,20 +134,20 @@ Vec2 FieldBlend::axisInFace(int cell) const {
 }
 
 FieldBlend::CellShape FieldBlend::shapeOf(int cell) const {
-  const auto jump = [&](int face, int k) {
+  const auto holonomy = [&](int face, int k) {
     const double bend = std::abs(geometry_.angleScale[geometry_.mesh->corner(face, k)] - 1);
     return std::min(1.0, kPi * bend);
   };
   if (!cells_.cut()) {
     const Vec2& apex = geometry_.apex[cell];
     return {geometry_.edgeLength[3 * cell], apex.x(), apex.y(),
-            std::max({jump(cell, 0), jump(cell, 1), jump(cell, 2)})};
+            std::max({holonomy(cell, 0), holonomy(cell, 1), holonomy(cell, 2)})};
   }
   const int face = cell / 4;
   const int k = cell % 4;
   if (k < 3) {
     const Vec2 apex = oppositeOverHalfedge(geometry_, 3 * face + k) / 2;
-    return {geometry_.edgeLength[3 * face + k] / 2, apex.x(), apex.y(), jump(face, k)};
+    return {geometry_.edgeLength[3 * face + k] / 2, apex.x(), apex.y(), holonomy(face, k)};
   }
   const Vec2& side = geometry_.apex[face];
   const double length = side.norm();
@@ -160,17 +157,12 @@ FieldBlend::CellShape FieldBlend::shapeOf(int cell) const {
 }
 
 int FieldBlend::findSlot(int cell) {
-  const size_t mask = table_.size() - 1;
-  size_t place = hashOf(cell) & mask;
-  while (table_[place].cell != cell && table_[place].cell != -1) place = (place + 1) & mask;
-  int slot = table_[place].slot;
-  if (table_[place].cell == -1) {
-    slot = slotCount_;
+  int slot = slots_.find(cell);
+  if (slot < 0) {
+    slot = slots_.count();
     fillSlot(slot, cell);
     // Only now, since a field's evaluation may throw.
-    table_[place] = {cell, slot};
-    ++slotCount_;
-    if (2 * static_cast<size_t>(slotCount_) > table_.size()) growTable();
+    slots_.add(cell);
   }
   lastCell_ = cell;
   lastSlot_ = slot;
@@ -218,24 +210,12 @@ void FieldBlend::fillCut(double* out, int cell) {
       const Vec2 inFace = c < 3 && k == 0 ? rotate(geometry_.vertexToFace[h],
                                                    field->at(geometry_.mesh->tail(h)).gradient)
                                           : rotate(halfedgeInFace(geometry_, h).normalized(),
-                                                   middleInEdge(geometry_, *field, h));
+                                                   midpointInEdge(geometry_, *field, h));
       const Vec2 vector = rotateBack(axis, inFace);
       *out++ = vector.x();
       *out++ = vector.y();
     }
   }
-}
-
-void FieldBlend::growTable() {
-  Array<Place> larger(2 * table_.size());
-  const size_t mask = larger.size() - 1;
-  for (const Place& old : table_) {
-    if (old.cell == -1) continue;
-    size_t place = hashOf(old.cell) & mask;
-    while (larger[place].cell != -1) place = (place + 1) & mask;
-    larger[place] = old;
-  }
-  table_ = std::move(larger);
 }
 
 }  // namespace karcher

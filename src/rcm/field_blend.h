@@ -4,12 +4,13 @@
 #include <span>
 
 #include "intrinsic/geometry.h"
+#include "mesh/sparse_index.h"
 #include "rcm/cells.h"
 #include "rcm/control_field.h"
 
 /// The weighted sum of control points' fields, which is grad K for the energy
 /// K(p) = sum_i w_i d(p, p_i)^2 (Mancinelli, Puppo, Eq. 1), linear in each cell: in each face, or,
-/// if a field has values at the middles of edges, in each of the four triangles that these cut it
+/// if a field has values at the midpoints of edges, in each of the four triangles that these cut it
 /// into.
 namespace karcher {
 
@@ -65,16 +66,16 @@ struct EdgeField {
   }
 };
 
-/// A cell's blended field, in the cell's frame, and its zero as barycentric weights.
-struct FaceZero {
+/// The zero of a cell's blended field, as barycentric weights, with the field in the cell's frame.
+struct CellZero {
   TriangleField field;
   Vec3 bary;
   /// Of the field's Jacobian, times that of the map from weights to the cell.
   double determinant;
-  /// The values at the ends of an edge are turned, relative to each other, by at most this angle
-  /// from the face on one side of it to that on the other: over pi at both together by their
-  /// angles' scale.
-  double jump;
+  /// From the face on one side of an edge to the face on the other, the values at the edge's ends
+  /// are turned relative to each other by at most this angle: corners of pi at both ends together
+  /// are scaled to their vertices' frames.
+  double holonomy;
 
   /// How far inside the cell the zero lies: the smallest weight.
   double depth() const { return std::min(bary[0], std::min(bary[1], bary[2])); }
@@ -95,9 +96,9 @@ class FieldBlend {
   /// The weighted sum of the fields at a point, in the frame of its face.
   Vec2 at(const SurfacePoint& point, Weights weights);
 
-  /// The zero of `blend`, if its Hessian is positive definite: what a search asks for at each
-  /// sample, all in one.
-  [[gnu::always_inline]] bool findZero(int cell, Weights weights, FaceZero& zero);
+  /// Finds the zero of `blend`; false where its Hessian is not positive definite. All that a search
+  /// asks for at each sample, in one function.
+  [[gnu::always_inline]] bool findZero(int cell, Weights weights, CellZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
   Vec2 atVertex(int vertex, Weights weights);
@@ -126,12 +127,12 @@ class FieldBlend {
   Vec2 axisInFace(int cell) const;
 
  private:
-  /// What `findZero` asks of a cell but its fields, together.
+  /// What `findZero` reads of a cell beside its fields.
   struct CellShape {
     double edge = 0;  ///< length of the cell's first half-edge
     double apexX = 0;
     double apexY = 0;
-    double jump = 0;  ///< see FaceZero
+    double holonomy = 0;  ///< see CellZero
   };
 
   /// The slot of a cell, which is filled if it is asked for the first time.
@@ -145,27 +146,19 @@ class FieldBlend {
   const double* vectorsOf(int slot) const {
     return vectors_.data() + static_cast<ptrdiff_t>(slot) * width_;
   }
-  void growTable();
-
   const Geometry& geometry_;
   Array<ControlField*> fields_;
   Cells cells_;
   int width_;              ///< numbers a slot in vectors_
   Array<double> vectors_;  ///< by slot, with room for some more
   Array<CellShape> shapes_;
-  /// Open addressing, so that nothing the size of the mesh is made: cells, and their slots.
-  struct Place {
-    int cell = -1;
-    int slot = 0;
-  };
-  Array<Place> table_;
-  int slotCount_ = 0;
+  SparseIndex slots_;  ///< of cells
   int lastCell_ = -1;
   int lastSlot_ = 0;
 };
 
 // Here, so that it is compiled into the searches: engines of WebAssembly inline no calls.
-inline bool FieldBlend::findZero(int cell, Weights weights, FaceZero& zero) {
+inline bool FieldBlend::findZero(int cell, Weights weights, CellZero& zero) {
   const int slot = slotOf(cell);
   const double* v = vectorsOf(slot);
   // Six components a field side by side, so that the sums vectorise.
@@ -186,7 +179,7 @@ inline bool FieldBlend::findZero(int cell, Weights weights, FaceZero& zero) {
   const double b1 = x2 * y0 - y2 * x0;
   const double b2 = x0 * y1 - y0 * x1;
   zero.determinant = b0 + b1 + b2;
-  zero.jump = shape.jump;
+  zero.holonomy = shape.holonomy;
   const double scale = 1 / zero.determinant;
   zero.bary[0] = b0 * scale;
   zero.bary[1] = b1 * scale;

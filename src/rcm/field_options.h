@@ -18,7 +18,7 @@ enum class Method {
 /// How distances are found, and which estimator (estimators.h) smooths log vectors.
 enum class Solver {
   kFast,   ///< virtual sources; kLinear1
-  kExact,  ///< windows; kQuadratic2, and log vectors at the middles of edges as well
+  kExact,  ///< windows; kQuadratic2, and log vectors at the midpoints of edges as well
   kGraph,  ///< arcs of the k-ring graph; kLinear1
 };
 

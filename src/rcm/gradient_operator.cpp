@@ -71,13 +71,10 @@ GradientOperator buildGradientOperator(const Geometry& geometry) {
   for (int v = 0; v < vertexCount; ++v) {
     row.entries.clear();
     row.area = 0;
-    const int first = mesh.outgoing[v];
-    int h = first;
-    do {
+    for (const int h : outgoingHalfedges(mesh, v)) {
       addFace(geometry, h, row);
       addOuterFace(geometry, h, row);
-      h = rotateLeft(mesh, h);
-    } while (h >= 0 && h != first);
+    }
     std::sort(row.entries.begin(), row.entries.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     for (int component = 0; component < 2; ++component) {

@@ -37,10 +37,10 @@ void PointField::makeLogField() {
   if (!solver_) solver_ = makeDistanceSolver(surface_, options_);
   stencils_ = &surface_.stencils(estimator_);
   logVectors_.clear();
-  ControlField::EvaluateMiddle middle;
-  if (solver_->keepMiddles()) middle = [this](int h) { return estimateMiddle(h); };
+  ControlField::EvaluateMidpoint midpoint;
+  if (solver_->keepMidpoints()) midpoint = [this](int h) { return estimateMidpoint(h); };
   solver_->setSource(point_);
-  field_.reset([this](int v) { return estimate(v); }, std::move(middle));
+  field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
 }
 
 double PointField::distanceAt(int vertex) const {
@@ -71,12 +71,12 @@ FieldValue PointField::estimate(int vertex) {
   if (isLinear(estimator_)) return {gradient, own};
   const Vec2& log = logVectorAt(vertex);
   // The fit is what the stencil makes of the rest.
-  const Vec2 difference = (log - gradient) / (1 - stencil.own);
-  const double share = shareOfLogVector(stencil.own, difference, std::sqrt(own));
+  const Vec2 difference = (log - gradient) / (1 - stencil.logVectorShare);
+  const double share = shareOfLogVector(stencil.logVectorShare, difference, std::sqrt(own));
   return {log - (1 - share) * difference, own};
 }
 
-Vec2 PointField::estimateMiddle(int halfedge) {
+Vec2 PointField::estimateMidpoint(int halfedge) {
   const Geometry& geometry = surface_.geometry();
   const int tail = surface_.mesh().tail(halfedge);
   const int head = surface_.mesh().head(halfedge);
@@ -88,9 +88,9 @@ Vec2 PointField::estimateMiddle(int halfedge) {
   const double farthest =
       std::min(solver_->distance(tail), solver_->distance(head)) + geometry.edgeLength[halfedge];
   if (solver_->reached() < farthest) solver_->grow(farthest);
-  const MiddleArrival arrival = solver_->middleOf(halfedge);
+  const MidpointArrival arrival = solver_->midpointOf(halfedge);
   const Vec2 difference = -2 * arrival.distance * arrival.toSource - mean;
-  const double own = (stencils_->at(tail).own + stencils_->at(head).own) / 2;
+  const double own = (stencils_->at(tail).logVectorShare + stencils_->at(head).logVectorShare) / 2;
   return shareOfLogVector(own, difference, arrival.distance) * difference;
 }
 
@@ -111,7 +111,8 @@ ControlField fieldFromDistances(Surface& surface, const Array<double>& distances
   for (int v = 0; v < vertexCount; ++v) {
     if (!std::isfinite(distances[v]) || distances[v] < 0) {
       throw Error(ErrorCode::kNotFinite, "the distance at vertex " + std::to_string(v) +
-                                             " must be a finite number of at least 0");
+                                             " must be a finite number of at least 0, not " +
+                                             inSentence(distances[v]));
     }
     (*squares)[v] *= distances[v];
   }

@@ -34,7 +34,7 @@ class PointField {
   void makePaperField();
   void makeLogField();
   FieldValue estimate(int vertex);
-  Vec2 estimateMiddle(int halfedge);
+  Vec2 estimateMidpoint(int halfedge);
   double distanceAt(int vertex) const;
   const Vec2& logVectorAt(int vertex);
 

@@ -28,15 +28,15 @@ void addPoint(DistanceSolver& solver, const SurfacePoint& point, double weight, 
 /// Whether a half-edge is the one of its edge that a field is asked for (FieldBlend).
 bool isAskedFor(const TriangleMesh& mesh, int h) { return h < mesh.twin[h]; }
 
-/// The sum of fields with values at the middles of edges. How much log vectors count in those
+/// The sum of fields with values at the midpoints of edges. How much log vectors count in those
 /// depends on the vectors, so that each field is estimated before it is added.
 ControlField sumOfEstimates(Surface& surface, const Array<SurfacePoint>& points,
                             const Array<double>& weights, const FieldOptions& options) {
   const TriangleMesh& mesh = surface.mesh();
   const auto values = std::make_shared<Array<FieldValue>>();
-  const auto middles = std::make_shared<Array<Vec2>>();
+  const auto corrections = std::make_shared<Array<Vec2>>();
   values->resize(static_cast<size_t>(mesh.vertexCount()));
-  middles->assign(static_cast<size_t>(mesh.halfedgeCount()), Vec2::Zero());
+  corrections->assign(static_cast<size_t>(mesh.halfedgeCount()), Vec2::Zero());
   PointField point(surface, options);
   for (int i = 0; i < points.count(); ++i) {
     point.setPoint(points[i]);
@@ -49,11 +49,12 @@ ControlField sumOfEstimates(Surface& surface, const Array<SurfacePoint>& points,
     }
     for (int h = 0; h < mesh.halfedgeCount(); ++h) {
       if (!isAskedFor(mesh, h) || surface.component(mesh.tail(h)) != component) continue;
-      (*middles)[h] += weights[i] * point.field().middleUnkept(h);
+      (*corrections)[h] += weights[i] * point.field().midpointCorrectionUnkept(h);
     }
   }
   ControlField field(mesh.vertexCount());
-  field.reset([values](int v) { return (*values)[v]; }, [middles](int h) { return (*middles)[h]; });
+  field.reset([values](int v) { return (*values)[v]; },
+              [corrections](int h) { return (*corrections)[h]; });
   return field;
 }
 

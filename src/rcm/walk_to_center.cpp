@@ -30,9 +30,9 @@ const char* statusName(Status status) {
 namespace {
 
 constexpr int kMaxFaces = 400;
-constexpr int kMaxLeaps = 60;
-constexpr double kLongestLeap = 0.5;  ///< of the bounding box's diagonal
-/// A zero whose weights in a face go below this is far away: leap instead of walking there.
+constexpr int kMostDescents = 60;
+constexpr double kLongestDescent = 0.5;  ///< of the bounding box's diagonal
+/// A zero whose weights in a face go below this is far away: descend instead of walking there.
 constexpr double kFarWeight = -6;
 
 int smallestCorner(const Vec3& b) {
@@ -40,8 +40,8 @@ int smallestCorner(const Vec3& b) {
 }
 
 /// The zero of a cell's field; none where the Hessian is not positive definite.
-std::optional<FaceZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell) {
-  FaceZero zero;
+std::optional<CellZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell) {
+  CellZero zero;
   if (!fields.findZero(cell, weights, zero)) return std::nullopt;
   return zero;
 }
@@ -53,9 +53,8 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
   const int first = cells.firstAround(halfedge);
   bool definite = true;
   double nearest = -kInfinity;
-  int h = first;
-  do {
-    const std::optional<FaceZero> zero = zeroOfCell(fields, weights, faceOf(h));
+  for (const int h : HalfedgesAround<Cells>(cells, first)) {
+    const std::optional<CellZero> zero = zeroOfCell(fields, weights, faceOf(h));
     definite = definite && zero;
     if (zero) {
       nearest = std::max(nearest, zero->depth());
@@ -63,35 +62,31 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
         return {deepestZero(fields, weights, faceOf(h), *zero), Status::kConverged, 0};
       }
     }
-    h = cells.rotateLeft(h);
-  } while (h >= 0 && h != first);
+  }
   if (!definite) return {cells.tailOf(first), Status::kIndefinite, 0};
 
   // Of zeros between two cells the one that lies farthest from the ends of its edge.
   double farthest = 0;
   SurfacePoint between;
-  h = first;
-  do {
+  for (const int h : HalfedgesAround<Cells>(cells, first)) {
     const int twin = cells.twin(h);
-    if (twin >= 0) {
-      const Vec3 left = zeroOfCell(fields, weights, faceOf(h))->bary;
-      const Vec3 right = zeroOfCell(fields, weights, faceOf(twin))->bary;
-      const double s = fields.zeroAlongEdge(h, weights);
-      if (left[cornerOf(previous(h))] < 0 && right[cornerOf(previous(twin))] < 0 &&
-          std::min(s, 1 - s) > farthest) {
-        farthest = std::min(s, 1 - s);
-        between = cells.pointOnEdge(h, s);
-      }
+    if (twin < 0) continue;
+    const Vec3 left = zeroOfCell(fields, weights, faceOf(h))->bary;
+    const Vec3 right = zeroOfCell(fields, weights, faceOf(twin))->bary;
+    const double s = fields.zeroAlongEdge(h, weights);
+    if (left[cornerOf(previous(h))] < 0 && right[cornerOf(previous(twin))] < 0 &&
+        std::min(s, 1 - s) > farthest) {
+      farthest = std::min(s, 1 - s);
+      between = cells.pointOnEdge(h, s);
     }
-    h = cells.rotateLeft(h);
-  } while (h >= 0 && h != first);
+  }
   if (farthest > 0) return {between, Status::kConverged, 0};
 
-  // The field jumps by a small part of an edge from cell to cell, no more.
-  constexpr double kLargestJump = 0.5;
-  const Status status = cells.twin(first) < 0      ? Status::kBoundary
-                        : nearest >= -kLargestJump ? Status::kConverged
-                                                   : Status::kNoProgress;
+  // The field's discontinuity moves a zero by a small part of an edge, no more.
+  constexpr double kMostMoved = 0.5;
+  const Status status = cells.twin(first) < 0    ? Status::kBoundary
+                        : nearest >= -kMostMoved ? Status::kConverged
+                                                 : Status::kNoProgress;
   return {cells.tailOf(first), status, 0};
 }
 
@@ -101,26 +96,27 @@ class ZeroWalk {
       : fields_(fields), geometry_(fields.geometry()), cells_(fields.cells()), weights_(weights) {}
 
   /// From a point, with the zero of its face.
-  CenterOfMass run(const SurfacePoint& start, const std::optional<FaceZero>& zero) {
+  CenterOfMass run(const SurfacePoint& start, const std::optional<CellZero>& zero) {
     if (zero && zero->depth() >= kFarWeight) return walk(start, zero);
-    const SurfacePoint near = leap(start);
+    const SurfacePoint near = descend(start);
     CenterOfMass result = walk(near, zeroOfCell(fields_, weights_, cells_.at(near).cell));
-    result.iterations += leaps_;
+    result.iterations += descents_;
     return result;
   }
 
  private:
   /// Gradient descent by the natural step, p <- exp_p(sum_i w_i log_p(p_i)), until the zero is
   /// near.
-  SurfacePoint leap(SurfacePoint point) {
-    while (leaps_ < kMaxLeaps) {
-      ++leaps_;
+  SurfacePoint descend(SurfacePoint point) {
+    while (descents_ < kMostDescents) {
+      ++descents_;
       // Weights far from 0 and 1 ask for steps that would wind round the surface again and again.
       const Vec2 wanted = -fields_.at(point, weights_) / 2;
-      const Vec2 step = wanted * std::min(1.0, kLongestLeap * geometry_.diagonal / wanted.norm());
+      const Vec2 step =
+          wanted * std::min(1.0, kLongestDescent * geometry_.diagonal / wanted.norm());
       const StraightestPath path = traceStraightest(geometry_, point, step);
       point = path.points.back();
-      const std::optional<FaceZero> zero = zeroOfCell(fields_, weights_, cells_.at(point).cell);
+      const std::optional<CellZero> zero = zeroOfCell(fields_, weights_, cells_.at(point).cell);
       if (zero && zero->depth() > kFarWeight) break;
       if (step.norm() < 1e-3 * geometry_.meanEdge) break;
     }
@@ -128,7 +124,7 @@ class ZeroWalk {
   }
 
   /// From a point near the zero, with the zero of its face.
-  CenterOfMass walk(const SurfacePoint& start, std::optional<FaceZero> zero) {
+  CenterOfMass walk(const SurfacePoint& start, std::optional<CellZero> zero) {
     const int first = cells_.at(start).cell;
     int cell = first;
     int history[kHistory];
@@ -197,7 +193,7 @@ class ZeroWalk {
   const Geometry& geometry_;
   const Cells& cells_;
   Weights weights_;
-  int leaps_ = 0;
+  int descents_ = 0;
 };
 
 CenterOfMass walkThroughCuts(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
@@ -211,7 +207,7 @@ CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoin
   if (fields.cells().cut()) return walkThroughCuts(fields, weights, start);
   // Most samples of a curve lie in the face of the one before, and no other zero is near: all that
   // they need, in one function.
-  FaceZero zero;
+  CellZero zero;
   if (!fields.findZero(start.face, weights, zero)) {
     return ZeroWalk(fields, weights).run(start, std::nullopt);
   }

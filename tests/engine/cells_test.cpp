@@ -11,7 +11,7 @@
 #include "rcm/point_field.h"
 #include "support.h"
 
-/// Faces cut by the middles of their edges, and fields with values there.
+/// Faces cut by the midpoints of their edges, and fields with values there.
 namespace karcher {
 namespace {
 
@@ -58,18 +58,16 @@ TEST(Cells, AroundAPointStartAtTheSameHalfedge) {
     const Vec3 tail = position(mesh, cells.tailOf(h));
     EXPECT_LT((tail - position(mesh, cells.pointOnEdge(h, 0))).norm(), 1e-14);
     bool found = false;
-    int around = first;
-    do {
+    for (const int around : cells.around(h)) {
       found = found || around == h;
       EXPECT_EQ(cells.firstAround(around), first);
-      around = cells.rotateLeft(around);
-    } while (around >= 0 && around != first);
+    }
     EXPECT_TRUE(found);
   }
 }
 
-/// Distances to the middles of edges are those to the vertices there when all faces are cut flat.
-TEST(ExactDistance, ToTheMiddlesOfEdgesIsThatOfTheCutMesh) {
+/// Distances to the midpoints of edges are those to the vertices there when all faces are cut flat.
+TEST(ExactDistance, ToTheMidpointsOfEdgesIsThatOfTheCutMesh) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   Array<Vec3> positions = mesh.positions;
@@ -95,7 +93,7 @@ TEST(ExactDistance, ToTheMiddlesOfEdgesIsThatOfTheCutMesh) {
   const Cells cells(mesh, true);
   Random random(11);
   ExactDistance solver(geometry);
-  solver.keepMiddles();
+  solver.keepMidpoints();
   ExactDistance ofCut(cutGeometry);
   for (int i = 0; i < 6; ++i) {
     const SurfacePoint source = randomPlace(mesh, random);
@@ -106,19 +104,19 @@ TEST(ExactDistance, ToTheMiddlesOfEdgesIsThatOfTheCutMesh) {
     ofCut.grow(kInfinity);
     for (int h = 0; h < mesh.halfedgeCount(); ++h) {
       if (mesh.twin[h] < 0) continue;
-      const MiddleArrival arrival = solver.middleOf(h);
+      const MidpointArrival arrival = solver.midpointOf(h);
       const double expected = ofCut.distance(middle[h]);
       ASSERT_NEAR(arrival.distance, expected, 1e-9 * geometry.diagonal) << "half-edge " << h;
       EXPECT_NEAR(arrival.toSource.norm(), 1, 1e-12);
-      const MiddleArrival other = solver.middleOf(mesh.twin[h]);
+      const MidpointArrival other = solver.midpointOf(mesh.twin[h]);
       EXPECT_EQ(arrival.distance, other.distance);
       EXPECT_LT((arrival.toSource + other.toSource).norm(), 1e-12);
     }
   }
 }
 
-/// At the middles of edges fields do not jump from face to face, as they may elsewhere.
-TEST(FieldBlend, WithMiddlesIsTheSameFromBothSidesOfAnEdge) {
+/// At the midpoints of edges fields do not jump from face to face, as they may elsewhere.
+TEST(FieldBlend, WithMidpointsIsTheSameFromBothSidesOfAnEdge) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
   PointField field(surface, kExact);

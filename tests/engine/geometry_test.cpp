@@ -69,15 +69,12 @@ TEST(Geometry, CumulatesAnglesCounterclockwise) {
   const TriangleMesh mesh = meshOf(makeShape(Shape::kOpenSheet, 500));
   const Geometry geometry = buildGeometry(mesh);
   for (int v = 0; v < mesh.vertexCount(); ++v) {
-    const int first = mesh.outgoing[v];
-    EXPECT_EQ(geometry.cumulatedAngle[first], 0);
+    EXPECT_EQ(geometry.cumulatedAngle[mesh.outgoing[v]], 0);
     double angle = 0;
-    int h = first;
-    do {
+    for (const int h : outgoingHalfedges(mesh, v)) {
       EXPECT_NEAR(geometry.cumulatedAngle[h], angle, 1e-14);
       angle += geometry.cornerAngle[h];
-      h = rotateLeft(mesh, h);
-    } while (h >= 0 && h != first);
+    }
     EXPECT_NEAR(geometry.totalAngle[v], angle, 1e-14);
     EXPECT_NEAR(geometry.angleScale[v], mesh.onBoundary[v] ? 1 : 2 * kPi / angle, 1e-14);
   }
@@ -128,11 +125,9 @@ TEST(AcrossEdge, TurnsAroundAVertexByItsCurvature) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
       if (mesh.onBoundary[v]) continue;
       Vec2 vector(1, 0);
-      int h = mesh.outgoing[v];
-      do {
+      for (const int h : outgoingHalfedges(mesh, v)) {
         vector = acrossEdge(geometry, previous(h), vector);
-        h = rotateLeft(mesh, h);
-      } while (h != mesh.outgoing[v]);
+      }
       const Vec2 expected = unitVector(2 * kPi - geometry.totalAngle[v]);
       EXPECT_NEAR((vector - expected).norm(), 0, 1e-11);
     }

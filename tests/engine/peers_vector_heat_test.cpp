@@ -78,11 +78,9 @@ TEST(VectorHeat, TransportOnThePlaneKeepsVectors) {
 /// A vector at a vertex as a vector in space: the mean of what it is in the faces around.
 Vec3 inSpace(const Geometry& geometry, int vertex, const Vec2& vector) {
   Vec3 sum = Vec3::Zero();
-  int h = geometry.mesh->outgoing[vertex];
-  do {
+  for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
     sum += toSpace(geometry, faceOf(h), rotate(geometry.vertexToFace[h], vector));
-    h = rotateLeft(*geometry.mesh, h);
-  } while (h != geometry.mesh->outgoing[vertex]);
+  }
   return vector.norm() * sum.normalized();
 }
 

@@ -82,13 +82,11 @@ TEST(InFace, IsTheSamePlaceFromEveryFaceAround) {
     EXPECT_EQ(inFace(mesh, onEdge, faceOf(h)).bary, onEdge.bary);
   }
   for (int v = 0; v < mesh.vertexCount(); ++v) {
-    int h = mesh.outgoing[v];
-    do {
+    for (const int h : outgoingHalfedges(mesh, v)) {
       const SurfacePoint p = inFace(mesh, vertexPoint(mesh, v), faceOf(h));
       EXPECT_EQ(p.face, faceOf(h));
       EXPECT_EQ(position(mesh, p), mesh.positions[v]);
-      h = rotateLeft(mesh, h);
-    } while (h != mesh.outgoing[v]);
+    }
   }
 }
 

@@ -24,7 +24,7 @@ inline constexpr CurveKind kCurveKinds[] = {
     CurveKind::kBSpline,    CurveKind::kBezier,   CurveKind::kRational, CurveKind::kBarycentric,
     CurveKind::kCatmullRom, CurveKind::kPolyline, CurveKind::kOwn};
 
-/// The name of a kind, as in the JavaScript API: "catmullrom".
+/// The name by which callers ask for a kind: "catmullrom".
 const char* curveKindName(CurveKind kind);
 
 inline constexpr int kMostSplineDegree = 5;

@@ -108,7 +108,7 @@ class JumpSearch {
                                   : geometry_.edgeLength[3 * from.face + (k + 1) % 3];
       if (least[k] * area / opposite < margin) return false;
     }
-    FaceZero zero;
+    CellZero zero;
     if (!fields_.findZero(cell, middleWeights, zero)) return false;
     if (!isTheOnlyZero(zero, std::min(least.minCoeff(), zero.depth()) / 2)) return false;
     return length(zero.bary - (a + b) / 2) < margin;

@@ -13,12 +13,9 @@ Array<int> facesAt(const TriangleMesh& mesh, const SurfacePoint& point) {
     faces.push_back(faceOf(mesh.twin[place.halfedge]));
   } else if (place.simplex == Simplex::kVertex) {
     faces.clear();
-    const int first = mesh.outgoing[place.vertex];
-    int h = first;
-    do {
+    for (const int h : outgoingHalfedges(mesh, place.vertex)) {
       faces.push_back(faceOf(h));
-      h = rotateLeft(mesh, h);
-    } while (h >= 0 && h != first);
+    }
   }
   return faces;
 }

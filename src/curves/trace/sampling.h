@@ -5,9 +5,6 @@
 /// As many samples as a curve needs.
 namespace karcher {
 
-/// The tolerance that a caller gets who asks for adaptive samples without naming one.
-inline constexpr double kDefaultTolerance = 1e-4;
-
 /// Throws Error kBadArgument for a tolerance that is not from 1e-7 to 1.
 void checkTolerance(double tolerance);
 

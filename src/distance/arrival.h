@@ -1,0 +1,25 @@
+#pragma once
+
+#include "mesh/types.h"
+
+/// How exact shortest paths end, and what of them is decided by more than rounding.
+namespace karcher {
+
+/// The end of a shortest path.
+struct Arrival {
+  double distance = kInfinity;
+  double pseudoSourceDistance = 0;  ///< distance of the last vertex that the path turns round
+  int pseudoSource = -1;            ///< that vertex, or -1: straight from the source
+};
+
+/// A line that misses its window by this part of the edge still counts as seen through it.
+inline constexpr double kSeenTolerance = 1e-10;
+
+/// Paths with a slight bend, at the end of a window, count as longer by this part: the straight
+/// path wins, whose direction is exact.
+inline constexpr double kBentPenalty = 1e-12;
+
+/// An arrival counts only if it is better by this part: not by rounding alone.
+inline constexpr double kImprovement = 1e-14;
+
+}  // namespace karcher

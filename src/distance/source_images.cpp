@@ -1,0 +1,41 @@
+#include "distance/source_images.h"
+
+#include <algorithm>
+
+namespace karcher {
+
+void SourceImages::addSource(int face, const SurfacePoint& source) {
+  SourceImage image;
+  image.face = face;
+  image.source = pointInFace(geometry_, source);
+  image.isFull = true;
+  images_.push_back(image);
+}
+
+void SourceImages::addWindows(int h, const Array<Window>& windows, double tailDistance) {
+  const double diameter = std::max(
+      {geometry_.edgeLength[h], geometry_.edgeLength[next(h)], geometry_.edgeLength[previous(h)]});
+  if (tailDistance + diameter < distance_) return;
+  const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
+  const Vec2 origin = cornerInFace(geometry_, faceOf(h), cornerOf(h));
+  for (const Window& window : windows) {
+    if (leastDistance(window) > distance_) continue;
+    const Vec2 source(window.sourceX, -window.depth);
+    const Vec2 toEnd = Vec2(window.end, 0) - source;
+    const Vec2 toBegin = Vec2(window.begin, 0) - source;
+    images_.push_back({faceOf(h), origin + rotate(along, source), window.offset,
+                       rotate(along, toEnd.normalized()), rotate(along, toBegin.normalized()),
+                       false});
+  }
+}
+
+void SourceImages::addCorner(int h, double distance, double from, double to) {
+  const double longest = std::max(geometry_.edgeLength[h], geometry_.edgeLength[previous(h)]);
+  if (distance > distance_ || distance + longest < distance_) return;
+  const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
+  images_.push_back({faceOf(h), cornerInFace(geometry_, faceOf(h), cornerOf(h)), distance,
+                     rotate(along, unitVector(std::max(from, 0.0))),
+                     rotate(along, unitVector(std::min(to, geometry_.cornerAngle[h]))), false});
+}
+
+}  // namespace karcher

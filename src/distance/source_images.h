@@ -1,0 +1,50 @@
+#pragma once
+
+#include "distance/window.h"
+#include "intrinsic/geometry.h"
+
+namespace karcher {
+
+/// An image of the source in the plane of a face: the source itself or a vertex that paths turn
+/// round, unfolded across the edges that its straight paths into the face cross. In the frame of
+/// the face.
+struct SourceImage {
+  int face = -1;
+  Vec2 source = Vec2::Zero();
+  double offset = 0;  ///< distance of the point that the paths come from
+  /// The paths lie in a sector, counterclockwise from the unit vector `right` to `left`; in all
+  /// directions if the image lies in the face itself.
+  Vec2 right = Vec2(1, 0);
+  Vec2 left = Vec2(1, 0);
+  bool isFull = false;
+};
+
+/// The images whose paths pass points at one distance from the source.
+class SourceImages {
+ public:
+  /// The geometry must outlive the object.
+  explicit SourceImages(const Geometry& geometry) : geometry_(geometry) {}
+
+  /// From now on keeps images for points at this distance.
+  void keep(double distance) { distance_ = distance; }
+  bool areKept() const { return distance_ >= 0; }
+  void clear() { images_.clear(); }
+  const Array<SourceImage>& all() const { return images_; }
+
+  /// The source in one of its own faces.
+  void addSource(int face, const SurfacePoint& source);
+  /// The sources of windows that are carried across the face of half-edge h, if the face may have
+  /// points at the distance. An image may matter that has none: where its paths undercut another's.
+  /// `tailDistance` is that of h's tail.
+  void addWindows(int h, const Array<Window>& windows, double tailDistance);
+  /// A vertex at `distance` that paths turn round, in the corner of half-edge h, between the angles
+  /// `from` and `to`, which are measured from h.
+  void addCorner(int h, double distance, double from, double to);
+
+ private:
+  const Geometry& geometry_;
+  double distance_ = -1;  ///< none are kept
+  Array<SourceImage> images_;
+};
+
+}  // namespace karcher

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "distance/arrival.h"
+#include "distance/window.h"
+#include "intrinsic/geometry.h"
+
+namespace karcher {
+
+/// How the shortest path reaches a target inside a face or on an edge.
+struct TargetArrival {
+  Arrival arrival;
+  int face = -1;                ///< the face through which the path arrives
+  Vec2 direction = Vec2(1, 0);  ///< unit, towards the source, in the frame of that face
+};
+
+/// A point of a face or an edge that windows are carried past.
+class WatchedTarget {
+ public:
+  /// The geometry must outlive the object.
+  explicit WatchedTarget(const Geometry& geometry) : geometry_(geometry) {}
+
+  /// Watches no point.
+  void clear();
+  /// Throws Error kBadArgument for a point at a vertex.
+  void set(const SurfacePoint& point);
+
+  bool liesIn(int face) const { return face == faces_[0] || face == faces_[1]; }
+  const TargetArrival& best() const { return best_; }
+
+  /// The straight path through the corner of half-edge h, from its tail, which is at `distance`.
+  void arriveFromCorner(int h, int vertex, double distance);
+  /// The path through a window of half-edge h.
+  void arriveThrough(int h, const Window& window);
+
+ private:
+  Vec2 pointOver(int h) const;
+  void arrive(int h, const Arrival& arrival, const Vec2& toSource);
+
+  const Geometry& geometry_;
+  SurfacePoint point_;
+  int faces_[2] = {-1, -1};
+  TargetArrival best_;
+};
+
+}  // namespace karcher
