@@ -6,9 +6,10 @@
 
 namespace karcher {
 
-/// A queue of items with keys >= 0 that come out in the order of their keys, up to the width of a
-/// bucket; within a bucket first in, first out. An item may be pushed into the bucket that is being
-/// emptied. A key too far ahead for the ring of buckets comes out early, never late.
+/// A queue of items with keys >= 0. Items come out in the order of their keys, up to the width of a
+/// bucket; within a bucket the first in is the first out. An item may be pushed into the bucket
+/// that is being emptied. An item whose key is too far ahead for the ring of buckets comes out
+/// early, never late.
 class BucketQueue {
  public:
   explicit BucketQueue(double width)

@@ -62,8 +62,8 @@ class FastDistance final : public DistanceSolver {
     bool alongEdge = false;  ///< the path comes along an edge from the vertex at `base`
   };
 
-  /// Edges of the vertex that is being settled, side by side, and what is known at their ends. A
-  /// number an array, so that the compiler takes several edges at once.
+  /// The edges of the vertex that is being settled, side by side, and what is known at their ends.
+  /// Each number has an array, so that the compiler treats several edges at once.
   struct Ring {
     static constexpr int kCorners = 30;  ///< of wider fans a part at a time
     static constexpr int kEdges = kCorners + 2;
@@ -73,8 +73,8 @@ class FastDistance final : public DistanceSolver {
     double distance[kEdges];  ///< and after a path along the edge
     double length[kEdges];
     double least[kEdges];  ///< no path meets the edge nearer to the source; times its length
-    /// How far from the edge an apex may lie that is reached before the end, twice the area
-    /// between; kInfinity if the end is settled.
+    /// How far from the edge an apex may lie that is reached before the edge's end, as twice the
+    /// area between; kInfinity if the end is settled.
     double room[kEdges];
     double area[kEdges];  ///< twice that of the triangle on the left of the edge
     /// The direction from the vertex to its source times the edge: dot product, and cross product

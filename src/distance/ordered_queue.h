@@ -10,12 +10,12 @@
 namespace karcher {
 
 /// A priority queue of items with keys >= 0 that rise slowly. Items come out in the order of their
-/// keys, as floats, and of their numbers where keys are equal; a key below those that came out
-/// already comes next. A waiting item's key may be lowered.
+/// keys, as floats, and of their numbers where keys are equal. An item whose key is below those
+/// that came out already comes next. The key of a waiting item may be lowered.
 ///
-/// Items wait in a ring of buckets of equal width; those beyond it in one of their own. Each bucket
-/// is a linked list, so that nothing is sorted and no outdated entry is left behind. A bit a bucket
-/// says which hold something.
+/// Items wait in a ring of buckets of equal width; items beyond the ring wait in a bucket of their
+/// own. Each bucket is a linked list: nothing is sorted, and no outdated entry is left behind. One
+/// bit for each bucket says whether it holds something.
 class OrderedQueue {
  public:
   explicit OrderedQueue(double width)
@@ -151,7 +151,7 @@ class OrderedQueue {
     return kNever;
   }
 
-  /// Puts into the ring the far items that it reaches by now.
+  /// Moves the far items that the ring now reaches into it.
   void takeFromFar() {
     int place = links_[kFar].next;
     links_[kFar].next = kNone;

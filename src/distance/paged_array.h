@@ -6,9 +6,9 @@
 
 namespace karcher {
 
-/// An array indexed by vertex or face of which only the touched pages exist: a search that stays in
-/// a neighbourhood takes and clears memory for the neighbourhood, not for the mesh. References stay
-/// valid until `clear`.
+/// An array indexed by vertex or face, of which only the touched pages exist. A search that stays
+/// in a neighbourhood takes and clears memory for the neighbourhood, not for the mesh. References
+/// stay valid until `clear`.
 template <class T, int kPageBits>
 class PagedArray {
  public:
@@ -27,7 +27,7 @@ class PagedArray {
     return page == nullptr ? nullptr : page + (i & kMask);
   }
 
-  /// Forgets every element; costs what was touched. The memory is kept for reuse.
+  /// Forgets every element. Costs what was touched; the memory is kept.
   void clear() {
     for (const int page : used_) pageOf_[page] = nullptr;
     used_.clear();

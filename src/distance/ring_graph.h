@@ -21,17 +21,17 @@ struct RingGraph {
 /// Throws Error kBadArgument for a number of rings outside 1 to 10.
 void checkRings(int rings);
 
-/// Builds the graph some vertices at a time, so that progress can be shown and the work be stopped.
+/// Builds the graph some vertices at a time: a caller can show the progress and stop the work.
 class RingGraphBuilder {
  public:
   /// The geometry must outlive the builder. Throws as `checkRings` does.
   RingGraphBuilder(const Geometry& geometry, int rings);
 
-  /// Does the next `vertices` vertices; true when all are done.
+  /// Does the next `vertices` vertices. Returns true when all are done.
   bool advance(int vertices);
   /// The part that is done, from 0 to 1.
   double progress() const;
-  /// The graph; call it once, when all is done.
+  /// The graph, once, when all vertices are done.
   RingGraph take() { return std::move(graph_); }
 
  private:

@@ -6,7 +6,7 @@
 #include "mesh/triangle_mesh.h"
 #include "mesh/triangle_soup.h"
 
-/// From what a caller has to the mesh that the engine works on: checked, repaired, and renumbered
+/// The mesh that the engine works on, made of what a caller has: checked, repaired, and renumbered
 /// along a Morton curve, so that neighbours on the surface are neighbours in memory.
 namespace karcher {
 

@@ -16,8 +16,8 @@ struct FieldValue {
   double squaredDistance = 0;    ///< d(v, p)^2
 };
 
-/// The field of one control point: a value at each vertex that is asked for, kept once it is known.
-/// A field takes memory and time for its neighbourhood and not for the mesh.
+/// The field of one control point. The value at a vertex is computed when it is first asked for,
+/// and kept: a field takes memory and time for its neighbourhood, not for the mesh.
 class ControlField {
  public:
   /// Computes the value at a vertex. It must depend on the vertex alone, not on earlier calls.
@@ -50,7 +50,8 @@ class ControlField {
 
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
 
-  /// Of an edge always the same half-edge is to be asked for.
+  /// What the field has at the midpoint of a half-edge beyond the mean of its ends. A caller asks
+  /// for the same half-edge of an edge each time.
   const Vec2& midpointCorrection(int halfedge) {
     const auto [entry, isNew] = corrections_.try_emplace(halfedge);
     if (isNew) {
@@ -71,7 +72,7 @@ class ControlField {
   int knownCount() const { return knownCount_; }
 
  private:
-  /// Not a number where the value is not known yet: as little memory as may be.
+  /// A value that is not known yet is not a number, which takes no memory of its own.
   struct Entry {
     FieldValue value{Vec2::Zero(), kUnknown};
   };

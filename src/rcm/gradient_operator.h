@@ -16,8 +16,8 @@ using GradientOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// of the face that they lie behind). Apply it to squared distances, which are smooth at the
 /// source.
 ///
-/// The wider star is what the paper's authors' program takes; with it we trace their curves to 1e-4
-/// of an edge, and with the vertex's own faces alone to 0.03 to 0.11 (tests/bench/authors_study).
+/// The program of the paper's authors takes this wider star. With it our curves are theirs to 1e-4
+/// of an edge, with the vertex's own faces alone to 0.03 to 0.11 (tests/bench/authors_study).
 GradientOperator buildGradientOperator(const Geometry& geometry);
 
 /// A gradient a vertex, in the vertices' frames. `values` has one entry a vertex.

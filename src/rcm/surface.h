@@ -12,8 +12,9 @@
 
 namespace karcher {
 
-/// A mesh with what is derived from it: the geometry at once, and what only some methods need when
-/// it is first asked for. Neither copied nor moved, since its parts point to one another.
+/// A mesh with what is derived from it. The geometry is made at once; what only some methods need
+/// is made when it is first asked for. A surface is neither copied nor moved, since its parts point
+/// to one another.
 class Surface {
  public:
   explicit Surface(TriangleMesh mesh);
