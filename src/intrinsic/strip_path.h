@@ -29,16 +29,25 @@ struct StripWorkspace {
   struct Bend {
     int portal = 0;  ///< one of the crossings of edges that end there
     bool onLeft = false;
-    double before =
-        0;             ///< angle from the path's leg before it to the first of those edges, radians
-    double after = 0;  ///< angle from the last of them to the leg after it
-    double outside =
-        0;  ///< of the surface's angle there, what lies on the side away from the strip
+    double leg = 0;     ///< the length of the path from the bend before it
+    double before = 0;  ///< radians, from that leg to the first of those edges
+    double after = 0;   ///< and from the last of them to the leg after it
+    /// Of the surface's angle at the vertex, what lies on the side away from the strip.
+    double outside = 0;
+  };
+  /// A vertex beside the path on whose other side it may be shorter, and by how much.
+  struct Passage {
+    int portal = 0;
+    bool onLeft = false;
+    double gain = 0;
   };
   Array<Portal> portals;
   Array<Bend> bends;
   Array<Bend> newBends;
   Array<int> turned;
+  Array<Passage> passages;
+  Strip keptStrip;
+  Array<Bend> keptBends;
 
   StripSearchWorkspace search;
   Strip motion;  ///< of an end of a path (surface_path.h)
@@ -49,6 +58,12 @@ struct StripWorkspace {
 /// face. Returns the length of what was appended.
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                        StripWorkspace& workspace, Array<SurfacePoint>& out);
+
+/// The same, but the strip is also led over vertices beside the path, wherever that makes the path
+/// shorter, until none does.
+double appendShorterStripPath(const Geometry& geometry, const SurfacePoint& from,
+                              const SurfacePoint& to, StripWorkspace& workspace,
+                              Array<SurfacePoint>& out);
 
 /// True if `point` lies in face f, its edges and corners included.
 bool liesInFace(const TriangleMesh& mesh, const PointLocation& point, int f);

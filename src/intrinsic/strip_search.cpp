@@ -31,7 +31,8 @@ class StripSearch {
         toLocation_(locate(mesh, to)),
         target_(position(mesh, to)),
         workspace_(workspace),
-        maxFaces_(options.maxFaces) {
+        maxFaces_(options.maxFaces),
+        weight_(options.weight) {
     workspace_.nodes.clear();
     workspace_.queue.clear();
     workspace_.nodeOf.clear();
@@ -59,7 +60,7 @@ class StripSearch {
       for (int k = 0; k < 3; ++k) {
         const int h = 3 * node.face + k;
         const int t = mesh_.twin[h];
-        if (t < 0 || t == node.enteredBy) continue;
+        if (t < 0 || t == node.enteredBy || isExpanded(faceOf(t))) continue;
         const Vec3 entry = entryPoint(mesh_.positions[mesh_.tail(h)],
                                       mesh_.positions[mesh_.head(h)], node.entry, target_);
         reach(faceOf(t), h, node.length + (entry - node.entry).norm(), entry);
@@ -107,8 +108,13 @@ class StripSearch {
       if (node.expanded || !(length < node.length)) return;
       node = {face, enteredBy, false, length, entry};
     }
-    workspace_.queue.push_back({length + (target_ - entry).norm(), number});
+    workspace_.queue.push_back({length + weight_ * (target_ - entry).norm(), number});
     std::push_heap(workspace_.queue.begin(), workspace_.queue.end(), later);
+  }
+
+  bool isExpanded(int face) const {
+    const int number = workspace_.nodeOf.find(face);
+    return number >= 0 && workspace_.nodes[number].expanded;
   }
 
   const TriangleMesh& mesh_;
@@ -116,6 +122,7 @@ class StripSearch {
   Vec3 target_;
   StripSearchWorkspace& workspace_;
   int maxFaces_;
+  double weight_;
   int found_ = -1;
 };
 

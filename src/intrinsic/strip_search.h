@@ -35,6 +35,8 @@ struct StripSearchOptions {
   int maxFaces = 4096;  ///< the search gives up after this many
   /// The face to begin in, which holds the start; -1 for any that does.
   int firstFace = -1;
+  /// Of the way that is left: above 1 the search is faster, and the strip's path longer.
+  double weight = 1;
 };
 
 /// Writes a strip from a face that holds `from` to one that holds `to`. Returns false where the

@@ -39,14 +39,10 @@ class ChainStrip {
   void build(const Array<SurfacePoint>& points) {
     const int count = points.count();
     begin(count > 1 ? sharedFace(points, 0) : points[0].face);
-    // The last point that was elsewhere than the one before `i`.
-    int from = -1;
     for (int i = 1; i < count; ++i) {
+      if (points[i].face == face_) continue;
       const PointLocation to = locate(mesh_, points[i]);
-      if (!liesInFace(mesh_, to, face_)) {
-        leave(points, from, i - 1, to);
-      }
-      if (!samePlace(mesh_, points[i - 1], points[i])) from = i - 1;
+      if (!liesInFace(mesh_, to, face_)) leave(points, i - 1, to);
     }
   }
 
@@ -86,9 +82,12 @@ class ChainStrip {
 
   /// Leaves the last face through point `at` of the chain, which lies in it, for a face that holds
   /// the point after it.
-  void leave(const Array<SurfacePoint>& points, int from, int at, const PointLocation& to) {
+  void leave(const Array<SurfacePoint>& points, int at, const PointLocation& to) {
     const PointLocation here = locate(mesh_, points[at]);
     if (here.simplex == Simplex::kVertex) {
+      // The last point that lies elsewhere.
+      int from = at - 1;
+      while (from >= 0 && samePlace(mesh_, points[from], points[at])) --from;
       const int target = sharedFace(points, at);
       turnAround(here.vertex, to, turnsLeft(points, from, here.vertex, points[at + 1], target));
     } else if (here.simplex == Simplex::kEdge) {
@@ -153,6 +152,17 @@ class ChainStrip {
   int face_ = -1;
 };
 
+/// Replaces a path by the tight one in the workspace's strip.
+void replaceByTight(const Geometry& geometry, const SurfacePoint from, const SurfacePoint to,
+                    StripWorkspace& workspace, SurfacePath& path) {
+  path.points.clear();
+  path.points.push_back(from);
+  appendStripPath(geometry, from, to, workspace, path.points);
+  measure(*geometry.mesh, path);
+}
+
+}  // namespace
+
 void measure(const TriangleMesh& mesh, SurfacePath& path) {
   path.lengths.clear();
   path.lengths.push_back(0);
@@ -164,16 +174,16 @@ void measure(const TriangleMesh& mesh, SurfacePath& path) {
   }
 }
 
-/// Replaces a path by the tight one in the workspace's strip.
-void replaceByTight(const Geometry& geometry, const SurfacePoint from, const SurfacePoint to,
-                    StripWorkspace& workspace, SurfacePath& path) {
-  path.points.clear();
-  path.points.push_back(from);
-  appendStripPath(geometry, from, to, workspace, path.points);
-  measure(*geometry.mesh, path);
+void appendPoint(const TriangleMesh& mesh, const SurfacePoint& point, SurfacePath& path) {
+  if (path.points.empty()) {
+    path.points.push_back(point);
+    path.lengths.assign(1, 0.0);
+  } else if (!samePlace(mesh, path.points.back(), point)) {
+    const double piece = (position(mesh, point) - position(mesh, path.points.back())).norm();
+    path.lengths.push_back(path.lengths.back() + piece);
+    path.points.push_back(point);
+  }
 }
-
-}  // namespace
 
 SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points) {
   SurfacePath path;
@@ -189,16 +199,7 @@ SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, doubl
 
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 SurfacePath& out) {
-  const auto append = [&](const SurfacePoint& point) {
-    if (out.points.empty()) {
-      out.points.push_back(point);
-      out.lengths.assign(1, 0.0);
-    } else if (!samePlace(mesh, out.points.back(), point)) {
-      const double piece = (position(mesh, point) - position(mesh, out.points.back())).norm();
-      out.lengths.push_back(out.lengths.back() + piece);
-      out.points.push_back(point);
-    }
-  };
+  const auto append = [&](const SurfacePoint& point) { appendPoint(mesh, point, out); };
   append(pointAlong(mesh, path, from));
   if (path.points.count() == 1) return;
   const int first = pieceAt(path.lengths, from);

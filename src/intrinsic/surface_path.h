@@ -17,6 +17,13 @@ struct SurfacePath {
   const SurfacePoint& end() const { return points.back(); }
 };
 
+/// Sets the lengths of a path by its points; with this, a path that is written anew spares the
+/// allocations.
+void measure(const TriangleMesh& mesh, SurfacePath& path);
+
+/// Appends a point that shares a face with the last one, if it is another.
+void appendPoint(const TriangleMesh& mesh, const SurfacePoint& point, SurfacePath& path);
+
 /// The path through points of which consecutive ones share a face.
 SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points);
 

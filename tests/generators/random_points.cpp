@@ -24,18 +24,19 @@ SurfacePoint randomPlace(const TriangleMesh& mesh, Random& random) {
 }
 
 Array<PointPair> randomPairs(const Geometry& geometry, Random& random, int count,
-                             SurfacePoint (*choose)(const TriangleMesh&, Random&)) {
+                             SurfacePoint (*choose)(const TriangleMesh&, Random&), double least,
+                             double most) {
   const TriangleMesh& mesh = *geometry.mesh;
   ExactDistance distance(geometry);
   Array<PointPair> pairs;
   while (pairs.count() < count) {
     const SurfacePoint from = choose(mesh, random);
     distance.setSource(from);
-    distance.grow(0.2 * geometry.diagonal);
+    distance.grow(most * geometry.diagonal);
     for (int attempt = 0; attempt < 10'000; ++attempt) {
       const SurfacePoint to = choose(mesh, random);
       const double d = distance.distance(mesh.corner(to.face, 0));
-      if (d < 0.05 * geometry.diagonal || d > 0.2 * geometry.diagonal) continue;
+      if (d < least * geometry.diagonal || d > most * geometry.diagonal) continue;
       pairs.push_back({from, to});
       break;
     }

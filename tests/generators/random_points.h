@@ -17,9 +17,10 @@ struct PointPair {
   SurfacePoint to;
 };
 
-/// Points 5 to 20 % of the diagonal apart by exact distances, each as `choose` (one of the above)
-/// gives it.
+/// Points `least` to `most` of the diagonal apart by exact distances (from the vertex of the second
+/// one's face), each as `choose` (one of the above) gives it.
 Array<PointPair> randomPairs(const Geometry& geometry, Random& random, int count,
-                             SurfacePoint (*choose)(const TriangleMesh&, Random&));
+                             SurfacePoint (*choose)(const TriangleMesh&, Random&),
+                             double least = 0.05, double most = 0.2);
 
 }  // namespace karcher

@@ -1,0 +1,142 @@
+#include "distance/find_path.h"
+
+#include <algorithm>
+
+#include "distance/shortest_path.h"
+#include "intrinsic/along_path.h"
+
+namespace karcher {
+namespace {
+
+/// How many mean edges apart points may lie for the thorough searches.
+constexpr double kNear = 100;
+
+/// Of searches between points that lie farther apart (strip_search.h).
+constexpr double kGreedyWeight = 1.2;
+
+/// The length of the pieces in which such paths are searched again, in mean edges.
+constexpr double kPiece = 24;
+
+/// Paths that differ by less than this part of their length are the same but for rounding.
+constexpr double kSameLength = 1e-12;
+
+/// The same order for both directions of a path.
+bool isBefore(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+class PathFinder {
+ public:
+  PathFinder(const Geometry& geometry, FindPathWorkspace& workspace, SurfacePath& path)
+      : geometry_(geometry), mesh_(*geometry.mesh), workspace_(workspace), path_(path) {}
+
+  bool run(const SurfacePoint& from, const SurfacePoint& to) {
+    const double chord = (position(mesh_, to) - position(mesh_, from)).norm();
+    const bool isNear = chord <= kNear * geometry_.meanEdge;
+    const double weight = isNear ? 1 : kGreedyWeight;
+    length_ = kInfinity;
+    if (!searchStrip(mesh_, from, to, {.maxFaces = mesh_.faceCount(), .weight = weight},
+                     workspace_.strip.search, workspace_.strip.strip)) {
+      return false;
+    }
+    take(from, to, false);
+    if (!isNear) {
+      searchPieces(0);
+      searchPieces(0.5);
+      return true;
+    }
+    searchStrip(mesh_, to, from, {.maxFaces = mesh_.faceCount(), .weight = weight},
+                workspace_.strip.search, workspace_.strip.strip);
+    take(to, from, true);
+    searchTautStrip(geometry_, from, to, workspace_.taut, workspace_.strip.strip);
+    take(from, to, false);
+    searchTautStrip(geometry_, to, from, workspace_.taut, workspace_.strip.strip);
+    take(to, from, true);
+    searchPieces(0);
+    searchPieces(0.5);
+    return true;
+  }
+
+ private:
+  /// Takes the path in the strip that was found, if it is shorter than the one so far.
+  void take(const SurfacePoint& from, const SurfacePoint& to, bool reversed) {
+    Array<SurfacePoint>& points = workspace_.points;
+    points.clear();
+    points.push_back(from);
+    const double length = appendShorterStripPath(geometry_, from, to, workspace_.strip, points);
+    if (!(length < length_ * (1 - kSameLength))) return;
+    length_ = length;
+    if (reversed) std::reverse(points.begin(), points.end());
+    path_.points.assign(points.begin(), points.end());
+    measure(mesh_, path_);
+  }
+
+  /// Searches even pieces of the path again, the first of which is this part of the others.
+  void searchPieces(double first) {
+    const int count = std::max(1, static_cast<int>(path_.length() / (kPiece * geometry_.meanEdge)));
+    const double step = path_.length() / count;
+    SurfacePath& pieces = workspace_.pieces;
+    pieces.points.clear();
+    pieces.lengths.clear();
+    double at = 0;
+    for (double end = first > 0 ? first * step : step; at < path_.length(); end += step) {
+      const double to = end < path_.length() - step / 4 ? end : path_.length();
+      appendSearched(at, to, pieces);
+      at = to;
+    }
+    straighten(geometry_, pieces, workspace_.strip);
+    if (pieces.length() < path_.length() * (1 - kSameLength)) std::swap(pieces, path_);
+  }
+
+  /// Appends the part of the path between two lengths, or a shorter one that a search finds.
+  void appendSearched(double from, double to, SurfacePath& out) {
+    const SurfacePoint start = pointAlong(mesh_, path_, from);
+    const SurfacePoint end = pointAlong(mesh_, path_, to);
+    Array<SurfacePoint>& piece = workspace_.piece;
+    piece.clear();
+    piece.push_back(start);
+    if (!haveCommonFace(mesh_, start, end) &&
+        searchStrip(mesh_, start, end, {.maxFaces = mesh_.faceCount()}, workspace_.strip.search,
+                    workspace_.strip.strip) &&
+        appendShorterStripPath(geometry_, start, end, workspace_.strip, piece) <
+            (to - from) * (1 - kSameLength)) {
+      for (const SurfacePoint& point : piece) appendPoint(mesh_, point, out);
+    } else {
+      appendPart(mesh_, path_, from, to, out);
+    }
+  }
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  FindPathWorkspace& workspace_;
+  SurfacePath& path_;
+  double length_ = kInfinity;
+};
+
+}  // namespace
+
+bool findPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+              FindPathWorkspace& workspace, SurfacePath& out, const FindPathOptions& options) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  if (haveCommonFace(mesh, from, to)) {
+    out.points.assign({from, to});
+    measure(mesh, out);
+    return true;
+  }
+  // Always from the same end, so that both directions find the same path.
+  const bool backwards = isBefore(position(mesh, to), position(mesh, from));
+  const SurfacePoint first = backwards ? to : from;
+  const SurfacePoint last = backwards ? from : to;
+  if (!PathFinder(geometry, workspace, out).run(first, last)) return false;
+  if (options.certified) {
+    const ShortestPath shortest = shortestPath(geometry, first, last);
+    if (shortest.length < out.length() * (1 - kSameLength)) {
+      out.points = shortest.points;
+    }
+  }
+  if (backwards) std::reverse(out.points.begin(), out.points.end());
+  measure(mesh, out);
+  return true;
+}
+
+}  // namespace karcher

@@ -1,0 +1,129 @@
+#pragma once
+
+#include "intrinsic/strip_path.h"
+
+/// What strip_path.h does, for the files that do it.
+namespace karcher {
+
+inline bool touches(const TriangleMesh& mesh, int h, int vertex) {
+  return mesh.tail(h) == vertex || mesh.head(h) == vertex;
+}
+
+/// The angle between two vectors, radians.
+inline double angleBetween(const Vec2& a, const Vec2& b) {
+  return std::atan2(std::abs(cross(a, b)), a.dot(b));
+}
+
+/// One strip between two points, being pulled tight.
+class Tightening {
+ public:
+  using Portal = StripWorkspace::Portal;
+  using Bend = StripWorkspace::Bend;
+  using Passage = StripWorkspace::Passage;
+
+  Tightening(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+             StripWorkspace& workspace)
+      : geometry_(geometry),
+        mesh_(*geometry.mesh),
+        from_(from),
+        to_(to),
+        fromLocation_(locate(mesh_, from)),
+        toLocation_(locate(mesh_, to)),
+        workspace_(workspace),
+        strip_(workspace.strip),
+        bends_(workspace.bends) {}
+
+  void run(bool shorten) {
+    // Each turn shortens the path; the bound is for angles that rounding cannot tell from pi. A
+    // strip around a corner passes over the vertices in between, up to a quarter of the square.
+    const int64_t crossings = crossingCount();
+    turnsLeft_ = 64 + 16 * crossings + crossings * crossings / 4;
+    trimEnds();
+    // The whole path in one frame, from which it is read.
+    pullAllTight();
+    while (turnSharpBends() || shorten) {
+      if (shorten) passOverVertices();
+      shorten = false;
+      trimEnds();
+      pullAllTight();
+    }
+  }
+
+  double append(Array<SurfacePoint>& out) const;
+
+ private:
+  struct Trimmed {
+    int front;
+    int back;
+  };
+  Trimmed trimEnds();
+
+  Vec2 unfold(int first, int last);
+  Vec2 endBeyond(const Vec2& apex) const;
+  void pullTight(int first, int last, const Vec2& start, const Vec2& end, Array<Bend>& bends);
+  void measureBends(int first, int last, const Vec2& start, const Vec2& end, Array<Bend>& bends);
+  void pullAllTight();
+  void pullBetween(int before, int after);
+
+  int sharpestBend() const;
+  bool turnSharpBends();
+  bool turnRound(const Bend& bend, int before, int after);
+  void pullTightAround(int before, int after, int first, int last, int count);
+  double length() const;
+  void passOverVertices();
+  bool shortenLeg(int leg);
+  bool passOver(const Passage& passage, int leg);
+  void updateOutside(Bend& bend);
+
+  int crossing(int i) const { return strip_.crossings[i]; }
+  int crossingCount() const { return strip_.crossings.count(); }
+
+  int vertexOf(const Bend& bend) const {
+    const int h = crossing(bend.portal);
+    return bend.onLeft ? mesh_.head(h) : mesh_.tail(h);
+  }
+  Vec2 positionOf(const Bend& bend) const {
+    const Portal& portal = workspace_.portals[bend.portal];
+    return bend.onLeft ? portal.left : portal.right;
+  }
+  /// The other end of a portal that a bend's vertex is an end of.
+  Vec2 acrossFrom(const Bend& bend, int portal) const {
+    return bend.onLeft ? workspace_.portals[portal].right : workspace_.portals[portal].left;
+  }
+  /// The angle of the surface between the two legs of the path at a bend, in the strip.
+  double angleInside(const Bend& bend) const {
+    return geometry_.totalAngle[vertexOf(bend)] - bend.outside;
+  }
+
+  /// The portals around a bend's vertex: [first, last].
+  struct Run {
+    int first;
+    int last;
+  };
+  Run runAround(const Bend& bend) const {
+    const int vertex = vertexOf(bend);
+    Run run{bend.portal, bend.portal};
+    while (run.first > 0 && touches(mesh_, crossing(run.first - 1), vertex)) --run.first;
+    while (run.last + 1 < crossingCount() && touches(mesh_, crossing(run.last + 1), vertex)) {
+      ++run.last;
+    }
+    return run;
+  }
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  const SurfacePoint& from_;
+  const SurfacePoint& to_;
+  PointLocation fromLocation_;
+  PointLocation toLocation_;
+  StripWorkspace& workspace_;
+  Strip& strip_;
+  Array<Bend>& bends_;
+  Vec2 start_;  ///< from_, unfolded by pullAllTight
+  Vec2 end_;
+  double lastLeg_ = 0;  ///< the length of the path after the last bend
+  int64_t turnsLeft_ = 0;
+  int passagesLeft_ = 0;
+};
+
+}  // namespace karcher
