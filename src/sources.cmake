@@ -9,6 +9,7 @@ set(KARCHER_FAST_ROOMS
 set(KARCHER_SMALL_ROOMS
   mesh curves curves/spec curves/polygon curves/query curves/refine)
 set(KARCHER_FAST_IN_SMALL_ROOMS
+  curves/polygon/levels.cpp
   curves/spec/bases.cpp
   curves/spec/segment_basis.cpp
   mesh/decimal.cpp

@@ -1,19 +1,40 @@
 #include "curves/curve.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
+#include "curves/automatic_levels.h"
 #include "curves/spec/bases.h"
 #include "curves/trace/polyline.h"
 #include "curves/trace/sampling.h"
+#include "distance/find_path.h"
+#include "distance/shortest_path.h"
 #include "mesh/error.h"
 
 namespace karcher {
 namespace {
 
+bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.face == b.face && a.bary == b.bary;
+}
+
+bool areSame(const Array<SurfacePoint>& a, const Array<SurfacePoint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
+}
+
 bool isCentripetal(const CurveShape& shape) {
   return shape.kind == CurveKind::kCatmullRom && shape.centripetal;
+}
+
+/// Whether what was traced with one still holds with the other.
+bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
+  return a.samples == b.samples && a.tolerance == b.tolerance && a.geometry == b.geometry &&
+         a.shape.kind == b.shape.kind && (a.levels == kLimitLevels) == (b.levels == kLimitLevels);
+}
+
+bool mayHaveLevels(const CurveOptions& options) {
+  return options.levels != 0 && options.field.method == Method::kKarcher &&
+         takesLevels(options.shape.kind);
 }
 
 void checkOptions(const CurveOptions& options) {
@@ -23,319 +44,445 @@ void checkOptions(const CurveOptions& options) {
                                              " samples, not " + std::to_string(options.samples));
   }
   if (options.tolerance != 0) checkTolerance(options.tolerance);
+  if (options.field.method == Method::kPaper && options.levels != 0 &&
+      options.levels != kAutomaticLevels) {
+    throw Error(ErrorCode::kBadArgument,
+                "the paper's method is one center of mass a segment: it takes 0 levels");
+  }
 }
 
-/// The rows of a table times the points' weights, each divided by its sum.
-WeightTable weighted(const WeightTable& table, const Array<double>& pointWeights) {
-  WeightTable result = table;
-  for (int row = 0; row < table.t.count(); ++row) {
-    double* weights = result.weights.data() + static_cast<ptrdiff_t>(row) * table.points;
-    double sum = 0;
-    for (int k = 0; k < table.points; ++k) sum += weights[k] *= pointWeights[k];
-    for (int k = 0; k < table.points; ++k) weights[k] /= sum;
+/// Throws where legs are given that do not join the points.
+void checkLegs(const TriangleMesh& mesh, const CurveValue& value) {
+  if (value.legs.empty()) return;
+  const int points = value.points.count();
+  const int wanted = legCount(value.options.shape, points);
+  if (value.legs.count() != wanted) {
+    throw Error(ErrorCode::kBadArgument, "the control polygon has " + std::to_string(wanted) +
+                                             " legs, not " + std::to_string(value.legs.count()));
   }
-  return result;
+  for (int i = 0; i < wanted; ++i) {
+    const SurfacePath& leg = value.legs[i];
+    if (leg.points.empty()) continue;
+    const auto isAt = [&](const SurfacePoint& end, int point) {
+      const SurfacePoint& p = value.points[point % points];
+      return isSame(end, p) || (position(mesh, end) - position(mesh, p)).norm() == 0;
+    };
+    if (!isAt(leg.start(), i) || !isAt(leg.end(), i + 1)) {
+      throw Error(ErrorCode::kBadArgument, "leg " + std::to_string(i) + " does not join points " +
+                                               std::to_string(i) + " and " +
+                                               std::to_string((i + 1) % points));
+    }
+  }
+}
+
+SurfacePath shortestLeg(const Geometry& geometry, const SurfacePoint& from,
+                        const SurfacePoint& to) {
+  FindPathWorkspace workspace;
+  SurfacePath leg;
+  // The points lie on one component.
+  findPath(geometry, from, to, workspace, leg);
+  return leg;
+}
+
+/// Of a polyline, whose shortest legs are the curve.
+SurfacePath exactLeg(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to) {
+  SurfacePath leg = pathThrough(*geometry.mesh, shortestPath(geometry, from, to).points);
+  leg.points.front() = from;
+  leg.points.back() = to;
+  return leg;
 }
 
 }  // namespace
 
-Curve::Curve(Surface& surface, CurveOptions options, const Array<SurfacePoint>& points)
-    : surface_(surface), options_(std::move(options)) {
-  checkOptions(options_);
-  checkGivenShape(options_.shape, points.count());
-  change(options_.shape, points);
+Array<double> Curve::Piece::weights(double t) const {
+  if (pointWeights_.empty()) return weightsAt(basis_, t);
+  return rationalBasis(weightsAt(basis_, t), pointWeights_);
 }
 
-void Curve::movePoint(int i, const SurfacePoint& point) {
-  checkIndex(i, pointCount());
-  Array<ControlPoint> points = points_;
-  points[i].position = point;
-  points[i].stamp = ++lastStamp_;
-  apply(shape(), std::move(points));
+Curve::Curve(Surface& surface, CurveValue value)
+    : Curve(std::make_shared<FieldSet>(surface, value.options.field), std::move(value)) {}
+
+Curve::Curve(std::shared_ptr<FieldSet> fields, CurveValue value) : fieldSet_(std::move(fields)) {
+  checkOptions(value.options);
+  checkGivenShape(value.options.shape, value.points.count());
+  set(std::move(value));
 }
 
-void Curve::insertPoint(int i, const SurfacePoint& point) {
-  checkIndex(i, pointCount() + 1);
-  Array<ControlPoint> points = points_;
-  points.insert(points.begin() + i, makePoint(point));
-  apply(withPoint(shape(), i), std::move(points));
-}
-
-void Curve::removePoint(int i) {
-  checkIndex(i, pointCount());
-  Array<ControlPoint> points = points_;
-  points.erase(points.begin() + i);
-  apply(withoutPoint(shape(), pointCount(), i), std::move(points));
-}
-
-void Curve::movePointInOrder(int from, int to) {
-  checkIndex(from, pointCount());
-  checkIndex(to, pointCount());
-  Array<ControlPoint> points = points_;
-  moveEntry(points, from, to);
-  apply(withPointMoved(shape(), from, to), std::move(points));
-}
-
-void Curve::reverse() {
-  Array<ControlPoint> points = points_;
-  reverseEntries(points, shape().closed);
-  apply(reversed(shape()), std::move(points));
-}
-
-void Curve::setKind(CurveKind kind) { apply(withKind(shape(), kind), points_); }
-
-void Curve::setClosed(bool closed) { apply(withClosed(shape(), closed), points_); }
-
-void Curve::setWeight(int i, double weight) {
-  checkIndex(i, pointCount());
-  apply(withWeight(shape(), pointCount(), i, weight), points_);
-}
-
-void Curve::setBeta(int i, double beta) {
-  checkIndex(i, pointCount());
-  apply(withBeta(shape(), pointCount(), i, beta), points_);
-}
-
-void Curve::change(const CurveShape& shape, const Array<SurfacePoint>& positions) {
-  Array<ControlPoint> points;
-  Array<uint8_t> taken(points_.size(), 0);
-  for (const SurfacePoint& position : positions) {
-    const auto isThere = [&](int i) {
-      const SurfacePoint& known = points_[i].position;
-      return !taken[i] && known.face == position.face && known.bary == position.bary;
-    };
-    int i = 0;
-    while (i < points_.count() && !isThere(i)) ++i;
-    if (i < points_.count()) taken[i] = 1;
-    points.push_back(i < points_.count() ? points_[i] : makePoint(position));
+void Curve::set(CurveValue value) {
+  check(value);
+  if (!(value.options.field == fieldSet_->options())) {
+    // Other fields: nothing of this curve holds.
+    Curve other(surface(), std::move(value));
+    other.clock_ = std::move(clock_);
+    *this = std::move(other);
+    return;
   }
-  apply(shape, std::move(points));
+  StageTimes times;
+  double last = clock_ ? clock_() : 0;
+  const auto timed = [&](double& stage) {
+    if (!clock_) return;
+    const double now = clock_();
+    stage = now - last;
+    last = now;
+  };
+  Next next;
+  next.value = std::move(value);
+  makeLegs(next);
+  makeSegments(next);
+  timed(times.polygon);
+  makeFields(next);
+  timed(times.fields);
+  findSamples(next);
+  timed(times.samples);
+  layBridges(next);
+  timed(times.bridges);
+  join(next);
+  merge(next);
+  timed(times.joins);
+  value_ = std::move(next.value);
+  levels_ = next.levels;
+  legs_ = std::move(next.legs);
+  segments_ = std::move(next.segments);
+  times_ = times;
 }
 
 void Curve::retrace() {
+  Array<Segment> before = segments_;
   for (Segment& segment : segments_) {
-    segment.traced->isSampled = segment.traced->isBridged = segment.traced->isJoined = false;
-    segment.traced->fields.reset();
+    segment.whole.reset();
+    for (Piece& piece : segment.pieces) piece.isTraced_ = false;
+  }
+  try {
+    set(value_);
+  } catch (...) {
+    segments_ = std::move(before);
+    throw;
   }
 }
 
-void Curve::updateFields() {
-  // Shortest paths need none.
-  if (shape().kind == CurveKind::kPolyline) return;
-  for (const ControlPoint& point : points_) {
-    if (point.field->stamp == point.stamp) continue;
-    point.field->field.setPoint(point.position);
-    point.field->stamp = point.stamp;
-    ++fieldsComputed_;
+const Array<SurfacePath>& Curve::legs() {
+  if (legs_.empty()) legs_ = legsOf(value_);
+  return legs_;
+}
+
+CurveValue Curve::withPointDragged(int i, const SurfacePoint& point) {
+  CurveValue dragged = withPointAt(value_, i, point);
+  const Array<SurfacePath>& before = legs();
+  const int count = before.count();
+  dragged.legs = before;
+  StripWorkspace workspace;
+  const auto drag = [&](int leg, bool isStart) {
+    SurfacePath& path = dragged.legs[leg];
+    const bool goesOn = isStart ? moveStart(surface().geometry(), point, path, workspace)
+                                : moveEnd(surface().geometry(), point, path, workspace);
+    if (!goesOn) path = {};
+  };
+  if (shape().closed || i > 0) drag((i + count - 1) % count, false);
+  if (shape().closed || i < count) drag(i, true);
+  return dragged;
+}
+
+Array<PointField*> Curve::fieldsOf(int segment, int k) {
+  Piece& piece = segments_[segment].pieces[k];
+  if (piece.fields_.empty()) {
+    for (const SurfacePoint& point : piece.points_) piece.fields_.push_back(fieldSet_->at(point));
   }
-}
-
-void Curve::findSamples() {
-  if (stale_) {
-    updateGaps();
-    segments_ = makeSegments(shape(), points_);
-    stale_ = false;
-  }
-  for (int j = 0; j < segmentCount(); ++j) {
-    Traced& traced = *segments_[j].traced;
-    if (traced.isSampled) continue;
-    findSamplesOf(j);
-    traced.isSampled = true;
-    traced.isBridged = traced.isJoined = false;
-  }
-}
-
-void Curve::bridge() {
-  for (int j = 0; j < segmentCount(); ++j) {
-    Traced& traced = *segments_[j].traced;
-    if (traced.isBridged) continue;
-    // Shortest paths are whole.
-    if (shape().kind != CurveKind::kPolyline) {
-      const Basis basis = [&](double t) { return weights(j, t); };
-      const auto& table = segments_[j].table;
-      traced.bridges = bridgeSegment(blendedFieldsOf(j), basis, nodesOf(segments_[j].layout.basis),
-                                     options_.tolerance == 0 && table ? &table->middles : nullptr,
-                                     options_.field.method, traced.samples);
-    }
-    traced.isBridged = true;
-  }
-}
-
-void Curve::join() {
-  for (int j = 0; j < segmentCount(); ++j) {
-    Traced& traced = *segments_[j].traced;
-    if (traced.isJoined) continue;
-    // A polyline's paths were found with its samples.
-    if (shape().kind != CurveKind::kPolyline) {
-      const Basis basis = [&](double t) { return weights(j, t); };
-      std::optional<EdgeCrossings> crossings;
-      if (options_.geometry == CurveGeometry::kExact) {
-        crossings.emplace(blendedFieldsOf(j), basis, options_.field.method);
-      }
-      traced.path =
-          joinSamples(surface_, traced.samples, traced.bridges, crossings ? &*crossings : nullptr);
-      traced.fields.reset();
-    }
-    traced.isJoined = true;
-  }
-}
-
-Array<SurfacePoint> Curve::points() const {
-  Array<SurfacePoint> result;
-  for (const ControlPoint& point : points_) result.push_back(point.position);
-  return result;
-}
-
-Array<double> Curve::weights(int segment, double t) const {
-  const Segment& of = segments_[segment];
-  if (of.pointWeights.empty()) return weightsAt(of.layout.basis, t);
-  return rationalBasis(weightsAt(of.layout.basis, t), of.pointWeights);
-}
-
-Array<PointField*> Curve::fieldsOf(int segment) const {
   Array<PointField*> fields;
-  for (const int i : pointsOf(segment)) fields.push_back(&points_[i].field->field);
+  for (const auto& field : piece.fields_) fields.push_back(field.get());
   return fields;
 }
 
-void Curve::apply(CurveShape shape, Array<ControlPoint> points) {
-  checkShape(shape, points.count());
-  Array<SurfacePoint> positions;
-  for (const ControlPoint& point : points) positions.push_back(point.position);
-  checkOneComponent(surface_, positions);
-  const bool stale = isCentripetal(shape);
-  // The gaps wait for the fields; until then evenly spaced knots give the right number of segments.
-  if (!stale || segments_.empty()) segments_ = makeSegments(shape, points);
-  points_ = std::move(points);
-  options_.shape = std::move(shape);
-  stale_ = stale;
+bool Curve::isOfCenters(const CurveOptions& options) {
+  if (options.shape.kind == CurveKind::kPolyline) return false;
+  return options.levels != kLimitLevels || !mayHaveLevels(options);
 }
 
-void Curve::checkIndex(int i, int count) const {
-  if (i >= 0 && i < count) return;
-  throw Error(ErrorCode::kBadIndex, "there is no control point " + std::to_string(i) +
-                                        ": the curve has " + std::to_string(pointCount()) +
-                                        ", numbered from 0");
+void Curve::check(const CurveValue& value) const {
+  checkOptions(value.options);
+  checkShape(value.options.shape, value.points.count());
+  const bool isNumber =
+      value.options.levels != kAutomaticLevels && value.options.levels != kLimitLevels;
+  if (isNumber && mayHaveLevels(value.options)) {
+    checkLevels(value.options.shape, value.points.count(), value.options.levels);
+  }
+  checkOneComponent(surface(), value.points);
+  checkLegs(surface().mesh(), value);
 }
 
-Curve::ControlPoint Curve::makePoint(const SurfacePoint& position) {
-  const auto field = std::make_shared<ControlPoint::Field>(surface_, options_.field);
-  return {position, ++lastStamp_, field};
+/// The legs that a value gives, and the shortest ones in place of the others.
+Array<SurfacePath> Curve::legsOf(const CurveValue& value) const {
+  const Geometry& geometry = surface().geometry();
+  const int points = value.points.count();
+  const bool isPolyline = value.options.shape.kind == CurveKind::kPolyline;
+  const bool wasPolyline = shape().kind == CurveKind::kPolyline;
+  Array<SurfacePath> legs;
+  for (int i = 0; i < legCount(value.options.shape, points); ++i) {
+    const SurfacePoint& from = value.points[i];
+    const SurfacePoint& to = value.points[(i + 1) % points];
+    if (!value.legs.empty() && !value.legs[i].points.empty()) {
+      legs.push_back(value.legs[i]);
+      continue;
+    }
+    // The shortest one, if it is known.
+    const bool isKnown = i < legs_.count() && isPolyline == wasPolyline &&
+                         (value_.legs.empty() || value_.legs[i].points.empty()) &&
+                         isSame(legs_[i].start(), from) && isSame(legs_[i].end(), to);
+    // A polyline's shortest legs are the curve: they are exact.
+    legs.push_back(isKnown      ? legs_[i]
+                   : isPolyline ? exactLeg(geometry, from, to)
+                                : shortestLeg(geometry, from, to));
+  }
+  return legs;
 }
 
-/// The segments of a shape. What is known of the present ones is kept: the samples where control
-/// points, basis and weights are the same.
-Array<Curve::Segment> Curve::makeSegments(const CurveShape& shape,
-                                          const Array<ControlPoint>& points) const {
-  // By the stamp of their first point.
-  Array<std::pair<int64_t, int>> known;
-  for (int j = 0; j < segments_.count(); ++j) known.emplace_back(segments_[j].stamps[0], j);
-  std::sort(known.begin(), known.end());
+/// The legs, where the curve has a use for them, and with them the levels.
+void Curve::makeLegs(Next& next) const {
+  const CurveOptions& options = next.value.options;
+  if (options.shape.kind == CurveKind::kPolyline) {
+    next.legs = legsOf(next.value);
+  } else if (mayHaveLevels(options)) {
+    next.legs = legsOf(next.value);
+    const Geometry& geometry = surface().geometry();
+    const int points = next.value.points.count();
+    next.levels = options.levels == kAutomaticLevels
+                      ? automaticLevels(geometry, options.shape, points, next.legs)
+                  : options.levels == kLimitLevels
+                      ? levelsToLimit(geometry, options.shape, points, next.legs)
+                      : options.levels;
+  }
+}
 
+void Curve::makeSegments(Next& next) {
+  const CurveOptions& options = next.value.options;
+  const CurveShape& shape = options.shape;
+  const int count = next.value.points.count();
+  if (next.levels > 0) {
+    next.polygon =
+        refinedPolygon(surface().geometry(), shape, next.value.points, next.legs, next.levels);
+  } else {
+    next.polygon.weighted = takesWeights(shape.kind) && !shape.weights.empty();
+    for (int i = 0; i < count; ++i) {
+      next.polygon.points.push_back(
+          {next.value.points[i], next.polygon.weighted ? shape.weights[i] : 1});
+    }
+    next.polygon.pieces = layOut(shape, count, gapsOf(next));
+  }
+  const int pieces = 1 << next.levels;
+  // Legs that are the curve are not part of what pieces are compared by.
+  const bool keep =
+      traceAlike(options, value_.options) &&
+      (shape.kind != CurveKind::kPolyline || (next.value.legs.empty() && value_.legs.empty()));
+  for (int p = 0; p < next.polygon.pieces.count(); ++p) {
+    if (p % pieces == 0) next.segments.emplace_back();
+    const SegmentLayout& layout = next.polygon.pieces[p];
+    if (next.levels == 0) next.segments.back().points = layout.points;
+    addPiece(next, layout, {p % pieces, pieces}, keep);
+  }
+}
+
+/// Of centripetal curves of level 0: the distances between consecutive points by their fields, the
+/// mean of both, so that the curve is the same from either end.
+Array<double> Curve::gapsOf(const Next& next) {
   Array<double> gaps;
-  if (gaps_.count() == points.count() - (shape.closed ? 0 : 1)) {
-    for (const Gap& gap : gaps_) gaps.push_back(gap.length);
-  }
-  Array<SegmentLayout> layout = layOut(shape, points.count(), gaps);
-  const bool rational = takesWeights(shape.kind) && !shape.weights.empty();
-  const bool same = shape.kind == options_.shape.kind;
-  Array<Segment> segments;
-  for (int j = 0; j < layout.count(); ++j) {
-    Segment segment;
-    segment.layout = std::move(layout[j]);
-    for (const int i : segment.layout.points) {
-      segment.stamps.push_back(points[i].stamp);
-      if (rational) segment.pointWeights.push_back(shape.weights[i]);
-    }
-    const Segment* reusable = nullptr;
-    auto candidate =
-        std::lower_bound(known.begin(), known.end(), std::pair<int64_t, int>(segment.stamps[0], 0));
-    for (; same && candidate != known.end() && candidate->first == segment.stamps[0]; ++candidate) {
-      const Segment& old = segments_[candidate->second];
-      if (old.stamps == segment.stamps && old.layout.basis == segment.layout.basis) reusable = &old;
-    }
-    if (reusable && reusable->pointWeights == segment.pointWeights) {
-      segment.basisTable = reusable->basisTable;
-      segment.table = reusable->table;
-      segment.traced = reusable->traced;
-    } else {
-      const Segment* sources[] = {reusable, j > 0 ? &segments[j - 1] : nullptr,
-                                  j < segments_.count() ? &segments_[j] : nullptr};
-      for (const Segment* source : sources) {
-        if (!source || source->layout.basis != segment.layout.basis) continue;
-        segment.basisTable = source->basisTable;
-        if (source->pointWeights == segment.pointWeights) segment.table = source->table;
-      }
-      makeTables(segment);
-      segment.traced = std::make_shared<Traced>();
-    }
-    segments.push_back(std::move(segment));
-  }
-  return segments;
-}
-
-void Curve::makeTables(Segment& segment) const {
-  const SegmentBasis& basis = segment.layout.basis;
-  // Adaptive sampling asks for weights as it goes; a caller's basis is checked all the same.
-  if (options_.tolerance > 0 && basis.form != BasisForm::kOwn) return;
-  if (!segment.basisTable) {
-    const auto weights = [&](double t) { return weightsAt(basis, t); };
-    segment.basisTable = std::make_shared<SegmentWeights>(SegmentWeights{
-        tabulate(weights, options_.samples), tabulateMiddles(weights, options_.samples)});
-  }
-  if (segment.table) return;
-  segment.table = segment.pointWeights.empty()
-                      ? segment.basisTable
-                      : std::make_shared<SegmentWeights>(SegmentWeights{
-                            weighted(segment.basisTable->samples, segment.pointWeights),
-                            weighted(segment.basisTable->middles, segment.pointWeights)});
-}
-
-/// Distances between consecutive points by their fields: the mean of both, so that the curve is the
-/// same from either end.
-void Curve::updateGaps() {
-  const int count = pointCount() - (shape().closed ? 0 : 1);
-  Array<Gap> known = std::move(gaps_);
-  gaps_.clear();
-  const auto distance = [&](const ControlPoint& from, const ControlPoint& to) {
-    FieldBlend field(surface_.geometry(), {&from.field->field.field()});
+  if (!isCentripetal(next.value.options.shape)) return gaps;
+  const Array<SurfacePoint>& points = next.value.points;
+  const auto distance = [&](const SurfacePoint& from, const SurfacePoint& to) {
+    const std::shared_ptr<PointField> field = fieldSet_->at(from);
+    FieldBlend blend(surface().geometry(), {&field->field()});
     constexpr double kOne[] = {1};
-    return std::sqrt(std::max(field.energy(to.position, kOne), 0.0));
+    return std::sqrt(std::max(blend.energy(to, kOne), 0.0));
   };
-  for (int i = 0; i < count; ++i) {
-    const ControlPoint& from = points_[i];
-    const ControlPoint& to = points_[(i + 1) % pointCount()];
-    const auto same = [&](const Gap& gap) { return gap.from == from.stamp && gap.to == to.stamp; };
-    const auto old = std::find_if(known.begin(), known.end(), same);
-    const double length =
-        old != known.end() ? old->length : (distance(from, to) + distance(to, from)) / 2;
-    gaps_.push_back({from.stamp, to.stamp, length});
+  for (int i = 0; i < legCount(next.value.options.shape, points.count()); ++i) {
+    const SurfacePoint& from = points[i];
+    const SurfacePoint& to = points[(i + 1) % points.count()];
+    gaps.push_back((distance(from, to) + distance(to, from)) / 2);
+  }
+  return gaps;
+}
+
+/// Appends a piece: one of this curve's that is alike, or one to be traced.
+void Curve::addPiece(Next& next, const SegmentLayout& layout, const PartOfSegment& part,
+                     bool keep) {
+  Segment& segment = next.segments.back();
+  const RefinedPolygon& polygon = next.polygon;
+  Piece piece;
+  piece.part_ = part;
+  piece.basis_ = layout.basis;
+  for (const int i : layout.points) {
+    piece.points_.push_back(polygon.points[i].point);
+    if (polygon.weighted) piece.pointWeights_.push_back(polygon.points[i].weight);
+  }
+  const int j = next.segments.count() - 1;
+  const Piece* before = nullptr;  // with the same weights, it may be
+  if (keep && j < segments_.count() && part.index < segments_[j].pieces.count()) {
+    before = &segments_[j].pieces[part.index];
+  }
+  const auto isAlike = [&](const Piece& other) {
+    return other.isTraced_ && other.part_ == piece.part_ && areSame(other.points_, piece.points_) &&
+           other.basis_ == piece.basis_ && other.pointWeights_ == piece.pointWeights_;
+  };
+  if (keep) {
+    const Piece* alike = before && isAlike(*before) ? before : nullptr;
+    // Points that came or went have moved the others' segments up or down.
+    for (int i = 0; !alike && i < segments_.count(); ++i) {
+      const Array<Piece>& pieces = segments_[i].pieces;
+      if (part.index < pieces.count() && isAlike(pieces[part.index])) alike = &pieces[part.index];
+    }
+    if (alike) {
+      segment.pieces.push_back(*alike);
+      return;
+    }
+  }
+  const Piece* sources[] = {before, j > 0 ? &next.segments[j - 1].pieces[part.index] : nullptr};
+  for (const Piece* source : sources) {
+    if (!source || !(source->part_ == piece.part_) || source->basis_ != piece.basis_) continue;
+    if (!piece.basisTable_) piece.basisTable_ = source->basisTable_;
+    if (!piece.table_ && source->pointWeights_ == piece.pointWeights_)
+      piece.table_ = source->table_;
+  }
+  makeTables(next.value.options, piece);
+  segment.pieces.push_back(std::move(piece));
+}
+
+void Curve::makeTables(const CurveOptions& options, Piece& piece) {
+  const SegmentBasis& basis = piece.basis_;
+  // Adaptive sampling asks for weights as it goes; a caller's basis is checked all the same.
+  const bool isAdaptive = options.tolerance > 0 && options.levels != kLimitLevels;
+  if (isAdaptive && basis.form != BasisForm::kOwn) return;
+  if (!piece.basisTable_) {
+    const auto weights = [&](double t) { return weightsAt(basis, t); };
+    piece.basisTable_ =
+        std::make_shared<PieceWeights>(tabulatePiece(weights, options.samples, piece.part_));
+  }
+  if (piece.table_) return;
+  piece.table_ =
+      piece.pointWeights_.empty()
+          ? piece.basisTable_
+          : std::make_shared<PieceWeights>(weighted(*piece.basisTable_, piece.pointWeights_));
+}
+
+/// Gives each piece that is to be traced its fields: those that are there stay, then what the curve
+/// had is spare, and the others are moved from there.
+void Curve::makeFields(Next& next) {
+  if (!isOfCenters(next.value.options)) return;
+  const auto forEach = [&](const auto& work) {
+    for (Segment& segment : next.segments) {
+      for (Piece& piece : segment.pieces) {
+        if (!piece.isTraced_) work(piece);
+      }
+    }
+  };
+  forEach([&](Piece& piece) {
+    for (const SurfacePoint& point : piece.points_) piece.fields_.push_back(fieldSet_->find(point));
+  });
+  for (Segment& segment : segments_) {
+    for (Piece& piece : segment.pieces) piece.fields_.clear();
+  }
+  forEach([&](Piece& piece) {
+    for (int i = 0; i < piece.points_.count(); ++i) {
+      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i]);
+    }
+  });
+}
+
+SegmentFields& Curve::blendOf(Piece& piece) {
+  if (!piece.blend_) {
+    Array<PointField*> fields;
+    for (const auto& field : piece.fields_) fields.push_back(field.get());
+    piece.blend_ = std::make_shared<SegmentFields>(surface(), fields);
+  }
+  return *piece.blend_;
+}
+
+void Curve::findSamples(Next& next) {
+  const CurveOptions& options = next.value.options;
+  for (int j = 0; j < next.segments.count(); ++j) {
+    for (Piece& piece : next.segments[j].pieces) {
+      if (piece.isTraced_) continue;
+      piece.traced_ = std::make_shared<TracedPiece>();
+      if (options.shape.kind == CurveKind::kPolyline) {
+        const int samples = options.tolerance > 0 ? 2 : options.samples;
+        *piece.traced_ = traceLeg(surface().mesh(), next.legs[j], samples);
+        continue;
+      }
+      if (!isOfCenters(options)) {
+        piece.traced_->samples = averagedSamples(next, piece, j);
+        continue;
+      }
+      SegmentFields& fields = blendOf(piece);
+      const Basis basis = [&](double t) { return piece.weights(t); };
+      const Method method = options.field.method;
+      piece.traced_->samples =
+          options.tolerance > 0
+              ? traceAdaptively(fields, basis, nodesOf(piece.basis_), method, options.tolerance)
+              : traceSegment(fields, piece.table_->samples, method);
+    }
   }
 }
 
-void Curve::findSamplesOf(int segment) {
-  Traced& traced = *segments_[segment].traced;
-  if (shape().kind == CurveKind::kPolyline) {
-    const Array<int>& ends = pointsOf(segment);
-    PolylineSegment geodesic = traceShortestPath(surface_, point(ends[0]), point(ends[1]),
-                                                 options_.tolerance > 0 ? 2 : options_.samples);
-    traced.samples = std::move(geodesic.samples);
-    traced.path = std::move(geodesic.path);
-    return;
+/// Of a piece of the subdivision curve.
+Array<CurveSample> Curve::averagedSamples(const Next& next, const Piece& piece, int segment) const {
+  const SegmentLayout& layout =
+      next.polygon.pieces[segment * piece.part_.count + piece.part_.index];
+  const LeggedPolygon polygon = polygonOf(next.polygon, layout);
+  StripWorkspace workspace;
+  Array<CurveSample> samples;
+  for (const double t : piece.table_->samples.t) {
+    samples.push_back({t, averageAt(surface().geometry(), layout.basis, polygon, t, workspace),
+                       Status::kConverged});
   }
-  SegmentFields& fields = blendedFieldsOf(segment);
-  const Basis basis = [&](double t) { return weights(segment, t); };
-  const Method method = options_.field.method;
-  traced.samples = options_.tolerance > 0
-                       ? traceAdaptively(fields, basis, nodesOf(segments_[segment].layout.basis),
-                                         method, options_.tolerance)
-                       : traceSegment(fields, segments_[segment].table->samples, method);
+  return samples;
 }
 
-SegmentFields& Curve::blendedFieldsOf(int segment) {
-  std::optional<SegmentFields>& fields = segments_[segment].traced->fields;
-  if (!fields) fields.emplace(surface_, fieldsOf(segment));
-  return *fields;
+void Curve::layBridges(Next& next) {
+  const CurveOptions& options = next.value.options;
+  // Paths and averages are whole.
+  if (!isOfCenters(options)) return;
+  for (Segment& segment : next.segments) {
+    for (Piece& piece : segment.pieces) {
+      if (piece.isTraced_) continue;
+      const Basis basis = [&](double t) { return piece.weights(t); };
+      piece.traced_->bridges =
+          bridgeSegment(blendOf(piece), basis, nodesOf(piece.basis_),
+                        options.tolerance == 0 && piece.table_ ? &piece.table_->middles : nullptr,
+                        options.field.method, piece.traced_->samples);
+    }
+  }
+}
+
+void Curve::join(Next& next) {
+  const CurveOptions& options = next.value.options;
+  for (Segment& segment : next.segments) {
+    for (Piece& piece : segment.pieces) {
+      if (piece.isTraced_) continue;
+      // A polyline's paths were found with its samples.
+      if (options.shape.kind != CurveKind::kPolyline) {
+        const Basis basis = [&](double t) { return piece.weights(t); };
+        std::optional<EdgeCrossings> crossings;
+        if (options.geometry == CurveGeometry::kExact && isOfCenters(options)) {
+          crossings.emplace(blendOf(piece), basis, options.field.method);
+        }
+        piece.traced_->path = joinSamples(surface(), piece.traced_->samples, piece.traced_->bridges,
+                                          crossings ? &*crossings : nullptr);
+        piece.blend_.reset();
+      }
+      piece.isTraced_ = true;
+    }
+  }
+}
+
+void Curve::merge(Next& next) const {
+  const CurveOptions& options = next.value.options;
+  for (Segment& segment : next.segments) {
+    if (segment.pieces.count() == 1) {
+      segment.whole = segment.pieces[0].traced_;
+      continue;
+    }
+    Array<std::shared_ptr<const TracedPiece>> pieces;
+    for (const Piece& piece : segment.pieces) pieces.push_back(piece.traced_);
+    segment.whole = std::make_shared<const TracedSegment>(
+        mergedPieces(pieces, options.tolerance > 0 && isOfCenters(options) ? 0 : options.samples));
+  }
 }
 
 }  // namespace karcher

@@ -1,147 +1,165 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <utility>
 
-#include "curves/spec/curve_layout.h"
-#include "curves/trace/joined_path.h"
+#include "curves/curve_value.h"
+#include "curves/trace/piece.h"
+#include "rcm/field_set.h"
 
 namespace karcher {
 
-struct CurveOptions {
-  CurveShape shape;
-  int samples = 128;  ///< a segment, at t = i / (samples - 1)
-  FieldOptions field;
-  /// If positive, segments get as many samples as it needs instead: the curve's largest distance
-  /// from the geodesics between samples, as a part of the bounding box's diagonal (sampling.h).
-  double tolerance = 0;
-  CurveGeometry geometry = CurveGeometry::kGeodesic;
+/// How long the stages of the last edit took, in the clock's unit; 0 without a clock.
+struct StageTimes {
+  double polygon = 0;  ///< legs and levels
+  double fields = 0;
+  double samples = 0;
+  double bridges = 0;
+  double joins = 0;
 };
 
-/// A curve that is edited. A change is made by one of the editing functions and carried out by
-/// `updateFields`, `trace` and `join`, in this order, each of which does only what changed; until
-/// then the curve may show what it was. After any edits it is the one that its shape and points
-/// give anew.
+/// A curve: what a value (curve_value.h) is on a surface. It has one edit, `set`.
 ///
 /// Its parameter runs from 0 to segmentCount(): the number of a segment plus t in [0, 1].
 class Curve {
  public:
-  /// The surface must outlive the curve. Throws Error kUnreachable (points on several components),
-  /// kBadArgument (samples or tolerance), and what `checkGivenShape` throws.
-  Curve(Surface& surface, CurveOptions options, const Array<SurfacePoint>& points);
+  /// A piece of a segment (piece.h): a center of mass of a few points of the refined polygon.
+  class Piece {
+   public:
+    const Array<SurfacePoint>& points() const { return points_; }
+    /// In t of the piece.
+    const Array<CurveSample>& samples() const { return traced_->samples; }
+    const Array<Bridge>& bridges() const { return traced_->bridges; }
+    const JoinedPath& path() const { return traced_->path; }
+    /// The points' weights at t in [0, 1] of the piece.
+    Array<double> weights(double t) const;
 
-  // Each throws Error and changes nothing where the curve would be none, or kBadIndex. A change of
-  // weights or betas alone computes no field anew.
-  void movePoint(int i, const SurfacePoint& point);
-  void insertPoint(int i, const SurfacePoint& point);
-  void removePoint(int i);
-  /// Makes point `from` the one of number `to`.
-  void movePointInOrder(int from, int to);
-  void reverse();
-  void setKind(CurveKind kind);
-  void setClosed(bool closed);
-  void setWeight(int i, double weight);
-  void setBeta(int i, double beta);
-  /// Another shape with other points. Points that stay where they are keep their fields.
-  void change(const CurveShape& shape, const Array<SurfacePoint>& points);
+   private:
+    friend class Curve;
+    Array<SurfacePoint> points_;
+    Array<double> pointWeights_;  ///< empty where the basis is not rational
+    SegmentBasis basis_;
+    PartOfSegment part_;
+    /// Of the basis alone, and with the points' weights; pieces share them.
+    std::shared_ptr<const PieceWeights> basisTable_;
+    std::shared_ptr<const PieceWeights> table_;
+    std::shared_ptr<TracedPiece> traced_;
+    bool isTraced_ = false;
+    Array<std::shared_ptr<PointField>> fields_;  ///< of the points, once they were asked for
+    std::shared_ptr<SegmentFields> blend_;       ///< while the piece is made
+  };
 
-  /// Marks all segments to be traced anew, with the fields as they are.
+  /// The surface must outlive the curve. Throws as `set` does.
+  Curve(Surface& surface, CurveValue value);
+  Curve(Surface& surface, CurveOptions options, Array<SurfacePoint> points)
+      : Curve(surface, CurveValue{std::move(options), std::move(points), {}}) {}
+  /// A curve that takes its fields from a set of the same surface and options and leaves them
+  /// there.
+  Curve(std::shared_ptr<FieldSet> fields, CurveValue value);
+
+  /// Makes the curve that of a value: the one that the value gives anew. Keeps the fields of points
+  /// that stay and what was traced of pieces that are as they were; else changes nothing but throws
+  /// Error: kUnreachable (points on several components), kBadArgument (samples, tolerance, levels,
+  /// legs that do not join the points), what `checkGivenShape` throws, and what a basis of the
+  /// caller's throws.
+  void set(CurveValue value);
+
+  // Edits: `set` to the value after them.
+  void movePoint(int i, const SurfacePoint& point) { set(withPointAt(value_, i, point)); }
+  void insertPoint(int i, const SurfacePoint& point) { set(withPointInserted(value_, i, point)); }
+  void removePoint(int i) { set(withPointRemoved(value_, i)); }
+  void movePointInOrder(int from, int to) { set(withPointMovedInOrder(value_, from, to)); }
+  void reverse() { set(reversed(value_)); }
+  void setKind(CurveKind kind) { set(withKind(value_, kind)); }
+  void setClosed(bool closed) { set(withClosed(value_, closed)); }
+  void setWeight(int i, double weight) { set(withWeight(value_, i, weight)); }
+  void setBeta(int i, double beta) { set(withBeta(value_, i, beta)); }
+
+  /// Traces all pieces again with the fields as they are: for measurements.
   void retrace();
 
-  void updateFields();
-  void trace() {
-    findSamples();
-    bridge();
-  }
-  void join();
+  /// The value with control point `i` dragged to a point: its legs are continued from where they
+  /// lie, whether or not they stay the shortest. For a point that lies so far off that a leg cannot
+  /// be continued, that leg is the shortest.
+  CurveValue withPointDragged(int i, const SurfacePoint& point);
 
-  /// The two parts of `trace`: the searches for the samples, then what makes the curve whole where
-  /// they fail or jump (bridge.h).
-  void findSamples();
-  void bridge();
+  const CurveValue& value() const { return value_; }
+  /// The legs of the control polygon as they lie on the surface.
+  const Array<SurfacePath>& legs();
+  /// How many levels there are, also where the options leave it to the curve.
+  int levels() const { return levels_; }
+  /// Whether its points are centers of mass; else they lie on legs or are averages of two points.
+  bool isOfCenters() const { return isOfCenters(options()); }
 
-  Surface& surface() const { return surface_; }
-  const CurveOptions& options() const { return options_; }
-  const CurveShape& shape() const { return options_.shape; }
-  int pointCount() const { return points_.count(); }
-  const SurfacePoint& point(int i) const { return points_[i].position; }
-  Array<SurfacePoint> points() const;
+  Surface& surface() const { return fieldSet_->surface(); }
+  const CurveOptions& options() const { return value_.options; }
+  const CurveShape& shape() const { return value_.options.shape; }
+  int pointCount() const { return value_.points.count(); }
+  const SurfacePoint& point(int i) const { return value_.points[i]; }
+  const Array<SurfacePoint>& points() const { return value_.points; }
   int segmentCount() const { return segments_.count(); }
-  const Array<CurveSample>& samples(int segment) const {
-    return segments_[segment].traced->samples;
-  }
-  const JoinedPath& path(int segment) const { return segments_[segment].traced->path; }
+  const Array<CurveSample>& samples(int segment) const { return segments_[segment].whole->samples; }
+  const JoinedPath& path(int segment) const { return segments_[segment].whole->path; }
   /// The intervals of a segment where it is no center of mass.
-  const Array<Bridge>& bridges(int segment) const { return segments_[segment].traced->bridges; }
-  /// How many fields were computed since the curve was made: the work that edits should spare.
-  int fieldsComputed() const { return fieldsComputed_; }
+  const Array<Bridge>& bridges(int segment) const { return segments_[segment].whole->bridges; }
 
-  /// The numbers of the control points that a segment blends, and their weights at t.
-  const Array<int>& pointsOf(int segment) const { return segments_[segment].layout.points; }
-  Array<double> weights(int segment, double t) const;
-  /// The fields of these points, after `updateFields`.
-  Array<PointField*> fieldsOf(int segment) const;
+  /// The same for all segments.
+  int piecesPerSegment() const { return 1 << levels_; }
+  const Piece& piece(int segment, int k) const { return segments_[segment].pieces[k]; }
+  /// The fields of a piece's points.
+  Array<PointField*> fieldsOf(int segment, int k = 0);
+
+  /// Of level 0: the numbers of the control points that a segment blends.
+  const Array<int>& pointsOf(int segment) const { return segments_[segment].points; }
+  /// Of level 0: their weights at t.
+  Array<double> weights(int segment, double t) const { return piece(segment, 0).weights(t); }
+
+  /// How many fields were made or moved so far: the work that edits should spare.
+  int fieldsMade() const { return fieldSet_->made(); }
+
+  /// What measures the stages of edits from now on.
+  void setClock(std::function<double()> clock) { clock_ = std::move(clock); }
+  const StageTimes& times() const { return times_; }
 
  private:
-  /// A control point. Its stamp changes with its place: what was made for equal stamps still holds.
-  struct ControlPoint {
-    SurfacePoint position;
-    int64_t stamp = 0;
-    struct Field {
-      Field(Surface& surface, const FieldOptions& options) : field(surface, options) {}
-      PointField field;
-      int64_t stamp = 0;
-    };
-    std::shared_ptr<Field> field;
-  };
-  /// At the samples and between them.
-  struct SegmentWeights {
-    WeightTable samples;
-    WeightTable middles;
-  };
-  struct Traced {
-    /// While the segment is being made; from its first step to `join`.
-    std::optional<SegmentFields> fields;
-    Array<CurveSample> samples;
-    Array<Bridge> bridges;
-    JoinedPath path;
-    bool isSampled = false;
-    bool isBridged = false;
-    bool isJoined = false;
-  };
   struct Segment {
-    SegmentLayout layout;
-    Array<double> pointWeights;  ///< empty where the basis is not rational
-    Array<int64_t> stamps;       ///< of its points
-    /// Of the basis alone, and with the points' weights; segments share them.
-    std::shared_ptr<const SegmentWeights> basisTable;
-    std::shared_ptr<const SegmentWeights> table;
-    std::shared_ptr<Traced> traced;
+    Array<Piece> pieces;
+    Array<int> points;  ///< of level 0
+    std::shared_ptr<const TracedSegment> whole;
   };
-  struct Gap {
-    int64_t from = 0;
-    int64_t to = 0;
-    double length = 0;
+  /// What a value makes of the curve, until it takes the place of what is there.
+  struct Next {
+    CurveValue value;
+    int levels = 0;
+    Array<SurfacePath> legs;
+    Array<Segment> segments;
+    RefinedPolygon polygon;
   };
 
-  void apply(CurveShape shape, Array<ControlPoint> points);
-  void checkIndex(int i, int count) const;
-  ControlPoint makePoint(const SurfacePoint& position);
-  Array<Segment> makeSegments(const CurveShape& shape, const Array<ControlPoint>& points) const;
-  void makeTables(Segment& segment) const;
-  void updateGaps();
-  void findSamplesOf(int segment);
-  SegmentFields& blendedFieldsOf(int segment);
+  static bool isOfCenters(const CurveOptions& options);
+  void check(const CurveValue& value) const;
+  Array<SurfacePath> legsOf(const CurveValue& value) const;
+  void makeLegs(Next& next) const;
+  void makeSegments(Next& next);
+  Array<double> gapsOf(const Next& next);
+  void addPiece(Next& next, const SegmentLayout& layout, const PartOfSegment& part, bool keep);
+  static void makeTables(const CurveOptions& options, Piece& piece);
+  void makeFields(Next& next);
+  void findSamples(Next& next);
+  Array<CurveSample> averagedSamples(const Next& next, const Piece& piece, int segment) const;
+  void layBridges(Next& next);
+  void join(Next& next);
+  void merge(Next& next) const;
+  SegmentFields& blendOf(Piece& piece);
 
-  Surface& surface_;
-  CurveOptions options_;
-  Array<ControlPoint> points_;
+  std::shared_ptr<FieldSet> fieldSet_;
+  CurveValue value_;
+  int levels_ = 0;
+  Array<SurfacePath> legs_;  ///< empty until they are asked for
   Array<Segment> segments_;
-  /// Of centripetal curves, whose segments depend on distances between points.
-  Array<Gap> gaps_;
-  bool stale_ = false;  ///< the segments are to be made anew from the gaps
-  int64_t lastStamp_ = 0;
-  int fieldsComputed_ = 0;
+  std::function<double()> clock_;
+  StageTimes times_;
 };
 
 }  // namespace karcher

@@ -117,54 +117,31 @@ Mean search(FieldBlend& fields, const Array<double>& weights, const Array<Surfac
                        options.start ? Array<SurfacePoint>{*options.start} : points);
 }
 
-/// Makes the fields those of these points: one that is at a point stays, the others are moved.
-void movePoints(Surface& surface, const Array<SurfacePoint>& points, const FieldOptions& options,
-                KeptFields& kept) {
-  Array<std::unique_ptr<PointField>> before = std::move(kept.fields);
-  const FieldOptions& known = kept.options;
-  if (known.method != options.method || known.solver != options.solver ||
-      known.rings != options.rings) {
-    before.clear();
-  }
-  kept.options = options;
-  kept.fields = Array<std::unique_ptr<PointField>>(points.size());
-  const auto isAt = [](const std::unique_ptr<PointField>& field, const SurfacePoint& point) {
-    return field && field->point().face == point.face && field->point().bary == point.bary;
-  };
-  // Most stay at their numbers; where points came or went, the others have moved up or down.
-  for (int i = 0; i < std::min(points.count(), before.count()); ++i) {
-    if (isAt(before[i], points[i])) kept.fields[i] = std::move(before[i]);
-  }
+/// The fields of points from a set: those that are there stay, the others are moved or made.
+Array<std::shared_ptr<PointField>> fieldsOf(FieldSet& set, const Array<SurfacePoint>& points) {
+  Array<std::shared_ptr<PointField>> fields;
+  for (const SurfacePoint& point : points) fields.push_back(set.find(point));
   for (int i = 0; i < points.count(); ++i) {
-    if (kept.fields[i]) continue;
-    const auto found = std::find_if(before.begin(), before.end(),
-                                    [&](const auto& field) { return isAt(field, points[i]); });
-    if (found != before.end()) kept.fields[i] = std::move(*found);
+    if (!fields[i]) fields[i] = set.at(points[i]);
   }
-  auto spare = before.begin();
-  for (int i = 0; i < points.count(); ++i) {
-    if (kept.fields[i]) continue;
-    while (spare != before.end() && !*spare) ++spare;
-    kept.fields[i] =
-        spare != before.end() ? std::move(*spare) : std::make_unique<PointField>(surface, options);
-    kept.fields[i]->setPoint(points[i]);
-    ++kept.made;
-  }
+  return fields;
 }
 
 }  // namespace
 
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options) {
-  KeptFields none;
+  std::shared_ptr<FieldSet> none;
   return centerOfMass(surface, points, std::move(weights), options, none);
 }
 
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
-                  const MeanOptions& options, KeptFields& kept) {
-  // What an error leaves half made is not kept.
-  KeptFields fields = std::exchange(kept, {});
-  checkFieldOptions(options.field);
+                  const MeanOptions& options, std::shared_ptr<FieldSet>& kept) {
+  // After an error none is kept.
+  std::shared_ptr<FieldSet> set = std::exchange(kept, nullptr);
+  if (!set || !(set->options() == options.field)) {
+    set = std::make_shared<FieldSet>(surface, options.field);
+  }
   checkWeights(weights, points.count(), options.normalize);
   Array<SurfacePoint> connected = points;
   if (options.start) connected.push_back(*options.start);
@@ -172,7 +149,7 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
 
   const int only = onlyPoint(points, weights);
   if (only >= 0) {
-    kept = std::move(fields);
+    kept = std::move(set);
     return {points[only], Status::kConverged, 0, 0, false};
   }
   const double values = likelyValues(surface, points);
@@ -181,12 +158,15 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
     FieldBlend field(surface.geometry(), {&sum});
     return withSoundEnergy(search(field, {1}, points, heaviest(weights), options), weights);
   }
-  movePoints(surface, points, options.field, fields);
+  const Array<std::shared_ptr<PointField>> fields = fieldsOf(*set, points);
   Array<ControlField*> pointers;
-  for (const auto& field : fields.fields) pointers.push_back(&field->field());
+  for (const auto& field : fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), std::move(pointers));
   Mean mean = withSoundEnergy(search(blend, weights, points, heaviest(weights), options), weights);
-  if (values <= options.mostValues / 4) kept = std::move(fields);
+  if (values > options.mostValues / 4) return mean;
+  // Of more points that there were before, not more than as many again.
+  if (set->count() > 2 * points.count()) set->dropSpare();
+  kept = std::move(set);
   return mean;
 }
 

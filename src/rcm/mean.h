@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "rcm/center_of_mass.h"
-#include "rcm/point_field.h"
+#include "rcm/field_set.h"
 
 /// The center of mass of points given at once, from a cold start.
 namespace karcher {
@@ -33,24 +33,18 @@ struct MeanOptions {
   double mostValues = 2e6;
 };
 
-/// Fields that stay from one center of mass to the next: where only weights change none is made
-/// anew, and where points move, only theirs. Empty at first, and empty again after an error.
-struct KeptFields {
-  FieldOptions options;
-  Array<std::unique_ptr<PointField>> fields;
-  int made = 0;  ///< how many were made or moved to another point so far
-};
-
 /// Points that are all one, but for those of weight 0, are their own mean, with no energy.
 /// Throws Error: kBadWeights (not one a point, not summing to 1 within 1e-9, or to normalise a sum
 /// that is not positive), kNotFinite, kTooFewPoints (none), kUnreachable (several components).
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options);
 
-/// The same with fields that are kept for the next time, of the same surface, while they are likely
-/// to hold no more than a quarter of `mostValues`. The answer does not depend on what was kept.
+/// The same with the fields of a set, which `kept` holds for the next time: where only weights
+/// change no field is made anew, and where points move, only theirs. Without a set, or with one of
+/// other options, a new one is made; after an error, and where the fields are likely to hold more
+/// than a quarter of `mostValues`, none is kept. The answer does not depend on what was kept.
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
-                  const MeanOptions& options, KeptFields& kept);
+                  const MeanOptions& options, std::shared_ptr<FieldSet>& kept);
 
 /// The same for fields from a caller's own distances, one array of a distance a vertex for each
 /// point, by the paper's method. The search starts at options.start, else at the vertex nearest to

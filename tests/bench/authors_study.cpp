@@ -19,8 +19,6 @@ void study(const std::string& meshPath, const std::string& pointsPath,
   Surface surface(std::move(input.mesh));
   const CurveOptions options{{CurveKind::kBSpline}, kSamples, {Method::kPaper, solver, 6}};
   Curve curve(surface, options, input.points);
-  curve.updateFields();
-  curve.trace();
   size_t at = 0;
   const Array<Vec3> theirs = readPositions(readFile(authorsPath), "positions", at);
   Array<double> errors;

@@ -28,8 +28,6 @@ void study(const std::string& meshPath, const std::string& pointsPath) {
   Surface surface(std::move(input.mesh));
   const TriangleMesh& mesh = surface.mesh();
   Curve curve(surface, {{CurveKind::kBSpline}, kSamples, kField}, input.points);
-  curve.updateFields();
-  curve.trace();
   Array<double> gaps;
   int filled = 0;
   double ms = 0;

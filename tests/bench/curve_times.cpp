@@ -18,9 +18,6 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
                      const FieldOptions& field) {
   CurveTimes result;
   Curve curve(surface, {{CurveKind::kBSpline}, samples, field}, points);
-  curve.updateFields();
-  curve.trace();
-  curve.join();
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
       ++result.samples;
@@ -29,29 +26,28 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   }
   const int moved = curve.pointCount() / 2;
   const SurfacePoint places[2] = {neighbour(curve.point(moved)), curve.point(moved)};
+  curve.setClock(milliseconds);
+  const auto untilBridged = [&] {
+    const StageTimes& times = curve.times();
+    return times.polygon + times.fields + times.samples + times.bridges;
+  };
   Array<double> traces;
   Array<double> drags;
   Array<double> bridges;
   Array<double> joins;
   for (int i = 0; i < (field.method == Method::kPaper ? kRuns : kQuickRuns); ++i) {
     curve.movePoint(moved, places[i % 2]);
-    const double fieldMs = timed([&] { curve.updateFields(); });
-    const double traceMs = timed([&] { curve.trace(); });
-    drags.push_back(fieldMs + traceMs);
+    drags.push_back(untilBridged());
     // Once more with all fields known: the searches alone.
     curve.retrace();
-    traces.push_back(timed([&] { curve.findSamples(); }));
-    bridges.push_back(timed([&] { curve.bridge(); }));
-    joins.push_back(timed([&] { curve.join(); }));
+    traces.push_back(curve.times().samples);
+    bridges.push_back(curve.times().bridges);
+    joins.push_back(curve.times().joins);
   }
   Array<double> weights;
   for (int i = 0; i < (field.method == Method::kPaper ? kRuns : kQuickRuns); ++i) {
-    weights.push_back(timed([&] {
-      curve.setWeight(moved, i % 2 == 0 ? 2 : 1);
-      curve.updateFields();
-      curve.trace();
-    }));
-    curve.join();
+    curve.setWeight(moved, i % 2 == 0 ? 2 : 1);
+    weights.push_back(untilBridged());
   }
   result.weightMs = median(weights);
   result.sampleUs = 1000 * median(traces) / (curve.segmentCount() * samples);

@@ -23,8 +23,6 @@ SurfacePoint snapped(const SurfacePoint& p) {
 
 int lost(Surface& surface, const Array<SurfacePoint>& points, Solver solver) {
   Curve curve(surface, {{CurveKind::kBSpline}, kSamples, {Method::kKarcher, solver, 6}}, points);
-  curve.updateFields();
-  curve.trace();
   int count = 0;
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {

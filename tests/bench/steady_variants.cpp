@@ -27,14 +27,15 @@ TracedCurve described(const Curve& curve) {
   return result;
 }
 
-TracedCurve carriedOut(Curve& curve) {
-  const double fields = processorTimed([&] { curve.updateFields(); });
-  const double samples = processorTimed([&] { curve.findSamples(); });
-  const double bridges = processorTimed([&] { curve.bridge(); });
-  const double joins = processorTimed([&] { curve.join(); });
+/// With the stages of the last edit; of a curve that was just made none are known.
+TracedCurve withStages(const Curve& curve) {
   TracedCurve traced = described(curve);
-  traced.stages = {
-      {"fields", fields}, {"samples", samples}, {"bridges", bridges}, {"joins", joins}};
+  const StageTimes& times = curve.times();
+  traced.stages = {{"polygon", times.polygon},
+                   {"fields", times.fields},
+                   {"samples", times.samples},
+                   {"bridges", times.bridges},
+                   {"joins", times.joins}};
   return traced;
 }
 
@@ -42,16 +43,15 @@ SteadyVariant means() {
   SteadyVariant variant;
   variant.name = "0";
   variant.trace = [](Surface& surface, const Array<SurfacePoint>& points) {
-    Curve curve(surface, cubicBezier(), points);
-    return carriedOut(curve);
+    return withStages(Curve(surface, cubicBezier(), points));
   };
   variant.hold = [](Surface& surface, const Array<SurfacePoint>& points) {
     const auto curve = std::make_shared<Curve>(surface, cubicBezier(), points);
-    carriedOut(*curve);
+    curve->setClock(processorMilliseconds);
     HeldCurve held;
     held.drag = [curve](int i, const SurfacePoint& place) {
       curve->movePoint(i, place);
-      return carriedOut(*curve);
+      return withStages(*curve);
     };
     held.release = [curve] { return described(*curve); };
     return held;

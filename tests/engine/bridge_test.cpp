@@ -94,7 +94,6 @@ TEST(Bridge, CloseTogetherThereIsNone) {
       pointsNear(surface.mesh(),
                  {{1.4, 0, 0}, {1.35, 0.2, 0.1}, {1.3, 0.35, 0.1}, {1.2, 0.5, 0}, {1, 0.7, 0}});
   Curve curve(surface, {{CurveKind::kBSpline}, 40, kFast}, points);
-  update(curve);
   for (int j = 0; j < curve.segmentCount(); ++j) EXPECT_TRUE(curve.bridges(j).empty());
   expectWhole(curve, surface);
 }
@@ -110,7 +109,6 @@ TEST(Bridge, AroundTheSphereTheCurveHoldsTogether) {
   int bridges = 0;
   for (const CurveKind kind : {CurveKind::kBSpline, CurveKind::kBezier}) {
     Curve curve(surface, {{kind}, 64, kFast}, pointsNear(surface.mesh(), corners));
-    update(curve);
     for (int j = 0; j < curve.segmentCount(); ++j) bridges += curve.bridges(j).count();
     expectWhole(curve, surface);
   }
@@ -131,7 +129,6 @@ TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
     for (int k = 0; k < 5; ++k) shape.betas.push_back(k % 2 == 0 ? 1 : 16);
     for (const double tolerance : {0.0, 1e-3}) {
       Curve curve(surface, {shape, 64, kFast, tolerance}, points);
-      update(curve);
       expectWhole(curve, surface);
       const int nodes = shape.closed ? 5 : 4;
       for (int k = 0; k < 5; ++k) {
@@ -171,7 +168,6 @@ TEST(Bridge, EvaluationHasNoGapWithoutAMark) {
       shape.weights.push_back(std::exp(random.uniform(-1.6, 3.2)));
     }
     Curve curve(surface, {shape, 3, kFast}, points);
-    update(curve);
     const auto at = [&](double t) { return pointAt(curve, SegmentParameter{0, t}); };
     const auto converged = [](const CurvePoint& p) { return p.status == Status::kConverged; };
     const auto gap = [&](const CurvePoint& a, const CurvePoint& b) {
@@ -207,7 +203,6 @@ TEST(Bridge, RoundACornerOfTheBoundaryItIsMarked) {
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{2.1, 11.3, 0}, {3.6, 8.2, 0}, {8.2, 3.7, 0}, {11.2, 2.2, 0}});
   Curve curve(surface, {{CurveKind::kBezier}, 64, kFast}, points);
-  update(curve);
   ASSERT_FALSE(curve.bridges(0).empty());
   EXPECT_EQ(curve.bridges(0)[0].reason, Status::kBoundary);
   expectWhole(curve, surface);

@@ -67,8 +67,6 @@ Scene renumbered(const Scene& scene, uint64_t seed) {
 Array<Vec3> samplePositions(const Scene& scene, const CurveShape& shape, Solver solver) {
   Surface surface{TriangleMesh(scene.mesh)};
   Curve curve(surface, {shape, 17, {Method::kKarcher, solver, 6}}, scene.points);
-  curve.updateFields();
-  curve.trace();
   Array<Vec3> places;
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
@@ -158,7 +156,6 @@ struct Traced {
 
 Traced tracedOn(Surface& surface, const CurveShape& shape, const Array<SurfacePoint>& points) {
   Curve curve(surface, {shape, 17, kExact}, points);
-  update(curve);
   Traced traced;
   for (int j = 0; j < curve.segmentCount(); ++j) {
     traced.bridged = traced.bridged || !curve.bridges(j).empty();

@@ -35,7 +35,6 @@ void forRandomCurves(uint64_t seed, const Action& action) {
         CurveOptions options{shape, samples, kFast};
         if (samples == 0) options.samples = 2, options.tolerance = 1e-3;
         Curve curve(*surface, options, points);
-        update(curve);
         action(curve, random);
       }
     }
@@ -93,7 +92,6 @@ TEST(CurveNearest, LooksAcrossTheStartOfAClosedCurve) {
       pointsNear(mesh, {{4, 4, 0}, {6, 9, 0}, {9, 10, 0}, {10, 6, 0}, {7, 4, 0}, {5, 2, 0}});
   for (const CurveKind kind : {CurveKind::kBSpline, CurveKind::kCatmullRom}) {
     Curve curve(surface, {{kind, true}, 9, kFast}, points);
-    update(curve);
     const CurveLine line = lineOf(curve);
     for (const double t : {-1e-3, -1e-9, 1e-9, 1e-3}) {
       const Vec3 place = position(mesh, pointAt(curve, t).point);
@@ -109,7 +107,6 @@ TEST(CurveMeasure, LengthsOfAClosedCurveEndWithTheWhole) {
   for (const CurveShape& shape : everyShape(4)) {
     if (shape.kind == CurveKind::kBSpline && shape.degree > 3 && !shape.closed) continue;
     Curve curve(surface, {shape, 9, kFast}, points);
-    update(curve);
     const CurveLine line = lineOf(curve);
     EXPECT_EQ(lengthAt(curve, line, 0), 0);
     EXPECT_EQ(lengthAt(curve, line, curve.segmentCount()), line.lengths.back());
@@ -124,7 +121,6 @@ TEST(CurveMeasure, ErrorsGiveTheWholeNumber) {
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{4, 4, 0}, {6, 9, 0}, {9, 10, 0}, {10, 6, 0}});
   Curve curve(surface, {{CurveKind::kCatmullRom}, 9, kFast}, points);
-  update(curve);
   try {
     pointAt(curve, 3.000000000001);
     FAIL() << "a parameter beyond the end was taken";

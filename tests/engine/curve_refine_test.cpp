@@ -30,7 +30,6 @@ class CurveRefine : public testing::Test {
 
   Curve curveOf(const CurveShape& shape, const Array<SurfacePoint>& where) {
     Curve curve(surface, {shape, 5, kExact}, where);
-    update(curve);
     return curve;
   }
 
@@ -145,7 +144,6 @@ TEST_F(CurveRefine, CurvesThroughPointsTakePointsUntilTheirBetasEnd) {
   std::string refusal;
   while (refusal.empty() && parts.points.count() < 200) {
     Curve curve(small, {parts.shape, 2, kFast}, parts.points);
-    update(curve);
     try {
       parts = withPointOnCurve(curve, 0.4).curve;
       checkShape(parts.shape, parts.points.count());
@@ -341,10 +339,8 @@ TEST_F(CurveRefine, OnACurvedSurfaceTheNewPointsStayNear) {
     where.push_back(nearestPoint(bunny.mesh(), Vec3(-3 + around.x(), 7.5 + around.y(), 4)));
   }
   Curve curve(bunny, {{CurveKind::kBSpline, true}, 9, kExact}, where);
-  update(curve);
   const RefinedCurve refined = withPointOnCurve(curve, 2.4);
   Curve more(bunny, {refined.curve.shape, 9, kExact}, refined.curve.points);
-  update(more);
   double worst = 0;
   for (int i = 0; i <= 20; ++i) {
     const double t = i / 20.0;

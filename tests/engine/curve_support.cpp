@@ -2,12 +2,6 @@
 
 namespace karcher {
 
-void update(Curve& curve) {
-  curve.updateFields();
-  curve.trace();
-  curve.join();
-}
-
 Array<CurveShape> everyShape(int points) {
   Array<CurveShape> all;
   for (const bool closed : {false, true}) {

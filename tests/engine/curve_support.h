@@ -11,9 +11,6 @@ inline constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
 inline constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
 inline constexpr FieldOptions kPaperExact{Method::kPaper, Solver::kExact, 6};
 
-/// All of a curve's stages.
-void update(Curve& curve);
-
 /// Every kind, open and closed where it can be, with uneven weights and betas for that many points.
 Array<CurveShape> everyShape(int points);
 

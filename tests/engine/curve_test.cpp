@@ -42,7 +42,6 @@ TEST(Curve, OnARegularGridIsTheBSplineOfThePlane) {
       {3.2, 3.1, 0}, {6.7, 9.3, 0}, {10.4, 4.6, 0}, {14.1, 9.8, 0}, {16.6, 5.5, 0}};
   const Array<SurfacePoint> points = pointsNear(surface.mesh(), positions);
   Curve curve(surface, {{CurveKind::kBSpline}, 33, kPaperExact}, points);
-  update(curve);
   ASSERT_EQ(curve.segmentCount(), 2);
   for (int j = 0; j < 2; ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
@@ -61,7 +60,6 @@ TEST(Curve, BezierStartsAndEndsAtItsPoints) {
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{3.2, 3.1, 0}, {6.7, 9.3, 0}, {15.4, 4.6, 0}});
   Curve curve(surface, {{CurveKind::kBezier}, 20, kPaperExact}, points);
-  update(curve);
   ASSERT_EQ(curve.segmentCount(), 1);
   const Array<CurveSample>& samples = curve.samples(0);
   EXPECT_LT((position(surface.mesh(), samples.front().point) - Vec3(3.2, 3.1, 0)).norm(), 1e-12);
@@ -71,7 +69,6 @@ TEST(Curve, BezierStartsAndEndsAtItsPoints) {
 TEST(Curve, ConsecutiveSegmentsMeet) {
   Surface surface(bunnyMesh());
   Curve curve(surface, {{CurveKind::kBSpline}, 40, kPaperExact}, bunnyPoints(surface.mesh(), 6));
-  update(curve);
   int met = 0;
   for (int j = 1; j < curve.segmentCount(); ++j) {
     const CurveSample& before = curve.samples(j - 1).back();
@@ -89,7 +86,6 @@ TEST(Curve, IsJoinedOnTheSurface) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
   Curve curve(surface, {{CurveKind::kBSpline}, 12, kPaperExact}, bunnyPoints(mesh, 5));
-  update(curve);
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const JoinedPath& path = curve.path(j);
     double length = 0;
@@ -119,7 +115,6 @@ TEST(Curve, AfterAnyEditsIsTheCurveTracedAnew) {
   Random random(seed);
   const CurveOptions options{{CurveKind::kBSpline}, 16, kPaperExact};
   Curve curve(surface, options, bunnyPoints(mesh, 6));
-  update(curve);
   const auto somewhere = [&] {
     const double x = random.uniform(-3, 3);
     return nearestPoint(mesh, Vec3(x, random.uniform(7, 10), 4));
@@ -130,13 +125,10 @@ TEST(Curve, AfterAnyEditsIsTheCurveTracedAnew) {
     if (kind == 0) curve.insertPoint(i, somewhere());
     if (kind == 1 && curve.pointCount() > 4) curve.removePoint(i);
     if (kind >= 2) curve.movePoint(i, somewhere());
-    if (edit % 3 != 0) update(curve);
   }
-  update(curve);
   Array<SurfacePoint> points;
   for (int i = 0; i < curve.pointCount(); ++i) points.push_back(curve.point(i));
   Curve anew(surface, options, points);
-  update(anew);
   expectSameCurve(curve, anew, 1e-9 * surface.geometry().diagonal, mesh);
 }
 
@@ -153,7 +145,6 @@ TEST(Curve, RefusesWhatIsNoCurveAndKeepsWhatItWas) {
             ErrorCode::kBadArgument);
 
   Curve curve(surface, options, points);
-  update(curve);
   EXPECT_EQ(codeOf([&] { curve.removePoint(0); }), ErrorCode::kTooFewPoints);
   EXPECT_EQ(codeOf([&] { curve.movePoint(4, points[0]); }), ErrorCode::kBadIndex);
   EXPECT_EQ(curve.pointCount(), 4);

@@ -68,7 +68,6 @@ Curve adaptiveCurve(Surface& surface, const CurveShape& shape, const Array<Surfa
   CurveOptions options{shape, 2, kFast};
   options.tolerance = tolerance;
   Curve curve(surface, options, points);
-  update(curve);
   return curve;
 }
 

@@ -48,8 +48,6 @@ TEST(EdgeCrossings, LieOnTheTrueCurveOfThePlane) {
       places.emplace_back(p.x() + shear * p.y(), p.y(), 0);
     }
     Curve curve(surface, exactOptions(16), pointsNear(surface.mesh(), places));
-    curve.updateFields();
-    curve.trace();
     int left = 0;
     const Array<CurveSample> crossings = crossingsOf(curve, 0, &left);
     EXPECT_GT(crossings.count(), 4);
@@ -76,9 +74,6 @@ TEST(EdgeCrossings, DoNotDependOnTheSamples) {
   double lengths[2] = {0, 0};
   for (int k = 0; k < 2; ++k) {
     Curve curve(surface, exactOptions(k == 0 ? 64 : 201), points);
-    curve.updateFields();
-    curve.trace();
-    curve.join();
     Array<CurveSample>& all = found.emplace_back();
     int left = 0;
     for (int j = 0; j < curve.segmentCount(); ++j) {

@@ -31,8 +31,6 @@ TEST_P(LogFields, GiveTheBSplineOfThePlaneOnAnyTessellation) {
       points.push_back(nearestPoint(surface.mesh(), Vec3(p.x() + shear * p.y(), p.y(), 0)));
     }
     Curve curve(surface, {{CurveKind::kBSpline}, 40, options()}, points);
-    curve.updateFields();
-    curve.trace();
     for (int j = 0; j < curve.segmentCount(); ++j) {
       for (const CurveSample& sample : curve.samples(j)) {
         const Array<double> weights = uniformCubicBasis(sample.t);
@@ -57,17 +55,11 @@ TEST_P(LogFields, LeaveAnEditedCurveAsTracedAnew) {
   const CurveOptions curveOptions{{CurveKind::kBSpline}, 32, options()};
   Curve edited(surface, curveOptions, points);
   for (int edit = 0; edit < 10; ++edit) {
-    edited.updateFields();
-    edited.trace();
     const int i = (3 * edit) % points.count();
     points[i] = vertexPoint(mesh, mesh.head(mesh.outgoing[mesh.corner(points[i].face, edit % 3)]));
     edited.movePoint(i, points[i]);
   }
-  edited.updateFields();
-  edited.trace();
   Curve anew(surface, curveOptions, points);
-  anew.updateFields();
-  anew.trace();
   for (int j = 0; j < anew.segmentCount(); ++j) {
     for (int i = 0; i < anew.samples(j).count(); ++i) {
       EXPECT_EQ(edited.samples(j)[i].status, Status::kConverged);
@@ -99,8 +91,6 @@ TEST_P(LogFields, LoseNoSampleOnTheBunny) {
       place = position(mesh, points.back()) + step;
     }
     Curve curve(surface, {{CurveKind::kBSpline}, 256, options()}, points);
-    curve.updateFields();
-    curve.trace();
     for (int j = 0; j < curve.segmentCount(); ++j) {
       for (const CurveSample& sample : curve.samples(j)) {
         EXPECT_EQ(sample.status, Status::kConverged) << curveNumber << " at " << j + sample.t;

@@ -98,19 +98,12 @@ class Fuzz {
     tally_.faults.push_back(sentence.str());
   }
 
-  static void update(Curve& curve) {
-    curve.updateFields();
-    curve.trace();
-    curve.join();
-  }
-
   void check(const CurveShape& shape, const Array<SurfacePoint>& points) {
     // Every fourth with exact fields, which are cut finer than faces and cost more.
     const Solver solver = seed_ % 4 == 3 ? Solver::kExact : Solver::kFast;
     const FieldOptions field{Method::kKarcher, solver, 6};
     try {
-      Curve curve(surface_, {shape, kSamples, field, 0}, points);
-      update(curve);
+      Curve curve(surface_, {shape, kSamples, field}, points);
       checkCurve(curve);
       checkEdits(curve);
     } catch (const std::exception& error) {
@@ -118,7 +111,7 @@ class Fuzz {
     }
   }
 
-  void checkCurve(const Curve& curve) {
+  void checkCurve(Curve& curve) {
     FuzzTally::OfSpacing& tally = tally_.spacings[spacing_];
     ++tally.curves;
     for (int j = 0; j < curve.segmentCount(); ++j) {
@@ -151,7 +144,7 @@ class Fuzz {
     if (gap > kSame * geometry_.diagonal) fault("two segments do not meet");
   }
 
-  void checkSamples(const Curve& curve, int j) {
+  void checkSamples(Curve& curve, int j) {
     const Array<CurveSample>& samples = curve.samples(j);
     const Array<Bridge>& bridges = curve.bridges(j);
     for (const CurveSample& sample : samples) {
@@ -161,9 +154,7 @@ class Fuzz {
       }
     }
     if (curve.shape().kind == CurveKind::kPolyline) return;  // shortest paths, by construction
-    Array<ControlField*> fields;
-    for (PointField* field : curve.fieldsOf(j)) fields.push_back(&field->field());
-    FieldBlend blend(geometry_, std::move(fields));
+    FieldBlend blend(geometry_, controlFields(curve.fieldsOf(j)));
     for (int i = 1; i < samples.count(); ++i) {
       const double middle = (samples[i - 1].t + samples[i].t) / 2;
       if (bridgeOver(bridges, middle) != nullptr) continue;
@@ -218,12 +209,9 @@ class Fuzz {
       } else {
         curve.movePoint(i, point);
       }
-      if (dice_.index(2) == 0) update(curve);
     }
-    update(curve);
     checkCurve(curve);
     Curve anew(surface_, curve.options(), curve.points());
-    update(anew);
     if (anew.segmentCount() != curve.segmentCount()) return fault("edits change the segments");
     for (int j = 0; j < curve.segmentCount(); ++j) {
       const Array<CurveSample>& a = curve.samples(j);

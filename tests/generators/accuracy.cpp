@@ -106,8 +106,6 @@ Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options) {
   Surface& mesh = example.surface;
   const Array<Vec3>& truth = example.truth;
   Curve curve(mesh, {{CurveKind::kBSpline}, kSamples, options}, example.points);
-  curve.updateFields();
-  curve.trace();
   Accuracy result;
   result.meanEdge = mesh.geometry().meanEdge;
   result.diagonal = mesh.geometry().diagonal;

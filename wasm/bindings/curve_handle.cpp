@@ -66,19 +66,11 @@ void CurveHandle::restore() {
   if (!kept_) return;
   curve_ = std::move(kept_);
   line_.reset();
-  // A moved point has only one field, which may be that of its new place.
-  curve_->updateFields();
 }
 
-void CurveHandle::join() {
-  curve_->join();
-  kept_.reset();
-}
+void CurveHandle::join() { kept_.reset(); }
 
-void CurveHandle::findSamples() {
-  line_.reset();
-  curve_->findSamples();
-}
+void CurveHandle::findSamples() { line_.reset(); }
 
 val CurveHandle::points() const {
   Array<SurfacePoint> points;
@@ -124,7 +116,11 @@ CurvePolyline CurveHandle::polyline() const {
 
 int CurveHandle::insertOnCurve(double parameter) {
   const RefinedCurve refined = withPointOnCurve(*curve_, parameter);
-  curve_->change(refined.curve.shape, refined.curve.points);
+  CurveValue value = curve_->value();
+  value.options.shape = refined.curve.shape;
+  value.points = refined.curve.points;
+  value.legs.clear();
+  curve_->set(std::move(value));
   return refined.point;
 }
 

@@ -51,14 +51,14 @@ class CurveHandle {
   val splitAt(double parameter);
   val joined(const CurveHandle& other);
   void retrace() { curve_->retrace(); }
-  void updateFields() { curve_->updateFields(); }
+  void updateFields() {}
   void findSamples();
-  void bridge() { curve_->bridge(); }
+  void bridge() {}
   void join();
 
   val shape() const { return toJs(curve_->shape(), curve_->pointCount()); }
   int segmentCount() const { return curve_->segmentCount(); }
-  int fieldsComputed() const { return curve_->fieldsComputed(); }
+  int fieldsComputed() const { return curve_->fieldsMade(); }
   val points() const;
   val samples() const;
   val bridged() const;

@@ -64,7 +64,7 @@ class MeshHandle {
   Array<Repair> repairs_;
   Surface surface_;
   /// Of the last center of mass.
-  KeptFields fields_;
+  std::shared_ptr<FieldSet> fields_;
 };
 
 /// `bytes` is a Uint8Array with the content of an OBJ file.

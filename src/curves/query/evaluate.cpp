@@ -25,9 +25,26 @@ struct PathPiece {
   double duration = 1;  ///< between the samples, in t
 };
 
-PathPiece pieceAround(Curve& curve, const SegmentParameter& at) {
-  const Array<CurveSample>& samples = curve.samples(at.segment);
-  const JoinedPath& path = curve.path(at.segment);
+/// A parameter as one of a segment's pieces and t in [0, 1] of it.
+struct PieceParameter {
+  int segment = 0;
+  int piece = 0;
+  double t = 0;
+};
+
+PieceParameter inPiece(const Curve& curve, const SegmentParameter& at) {
+  const int count = curve.piecesPerSegment();
+  const int piece = std::clamp(static_cast<int>(at.t * count), 0, count - 1);
+  return {at.segment, piece, at.t * count - piece};
+}
+
+const Curve::Piece& pieceOf(const Curve& curve, const PieceParameter& at) {
+  return curve.piece(at.segment, at.piece);
+}
+
+PathPiece pathAround(const Curve& curve, const PieceParameter& at) {
+  const Array<CurveSample>& samples = pieceOf(curve, at).samples();
+  const JoinedPath& path = pieceOf(curve, at).path();
   const int i = sampleAfter(samples, at.t);
   const auto begin = std::lower_bound(path.sample.begin(), path.sample.end(), i);
   const auto end = std::upper_bound(begin, path.sample.end(), i);
@@ -41,21 +58,21 @@ PathPiece pieceAround(Curve& curve, const SegmentParameter& at) {
   return piece;
 }
 
-FieldBlend blendOf(Curve& curve, int segment) {
-  return {curve.surface().geometry(), controlFields(curve.fieldsOf(segment))};
+FieldBlend blendOf(Curve& curve, const PieceParameter& at) {
+  return {curve.surface().geometry(), controlFields(curve.fieldsOf(at.segment, at.piece))};
 }
 
 /// The center at a parameter between two samples, as the search for jumps (bridge.h) comes there:
 /// by halves of t, each search starting at the earlier end of its part. From a sample further off
 /// it might be another minimum's.
-CenterOfMass centerBetween(const Curve& curve, FieldBlend& fields, const SegmentParameter& at,
+CenterOfMass centerBetween(const Curve& curve, FieldBlend& fields, const PieceParameter& at,
                            CurveSample from, CurveSample to) {
   const TriangleMesh& mesh = curve.surface().mesh();
   const double shortest = kLongestStep / 2 * fields.geometry().meanEdge;
   const auto centerAt = [&](double t) {
     const CurveSample& start = from.status == Status::kConverged ? from : to;
     if (start.status != Status::kConverged) return CenterOfMass{start.point, start.status, 0};
-    return findCenter(fields, curve.weights(at.segment, t), start.point,
+    return findCenter(fields, pieceOf(curve, at).weights(t), start.point,
                       curve.options().field.method);
   };
   while (to.t - from.t > kFinestDivision &&
@@ -68,15 +85,15 @@ CenterOfMass centerBetween(const Curve& curve, FieldBlend& fields, const Segment
   return centerAt(at.t);
 }
 
-/// Derivatives of the segment's weights by t: differences of second order, inside [0, 1].
-Array<double> weightDerivatives(const Curve& curve, const SegmentParameter& at) {
+/// Derivatives of the piece's weights by its t: differences of second order, inside [0, 1].
+Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
   constexpr double kStep = 1e-5;
-  const double middle = std::clamp(at.t, kStep, 1 - kStep);
-  const Array<double> before = curve.weights(at.segment, middle - kStep);
-  const Array<double> here = curve.weights(at.segment, middle);
-  const Array<double> after = curve.weights(at.segment, middle + kStep);
+  const double middle = std::clamp(t, kStep, 1 - kStep);
+  const Array<double> before = piece.weights(middle - kStep);
+  const Array<double> here = piece.weights(middle);
+  const Array<double> after = piece.weights(middle + kStep);
   // The parabola through the three, at t.
-  const double away = (at.t - middle) / kStep;
+  const double away = (t - middle) / kStep;
   Array<double> result;
   for (int i = 0; i < here.count(); ++i) {
     const double slope = (after[i] - before[i]) / 2;
@@ -100,7 +117,8 @@ CurveTangent tangentOfPath(Curve& curve, const CurvePoint& at, const PathPiece& 
   tangent.at.point = inFace(*geometry.mesh, tangent.at.point, face);
   const Vec2 along = pointInFace(geometry, inFace(*geometry.mesh, to, face)) -
                      pointInFace(geometry, inFace(*geometry.mesh, from, face));
-  tangent.inFace = piece.lengths.back() / piece.duration / length * along;
+  tangent.inFace =
+      curve.piecesPerSegment() * piece.lengths.back() / piece.duration / length * along;
   tangent.inSpace = toSpace(geometry, face, tangent.inFace);
   return tangent;
 }
@@ -121,46 +139,50 @@ SegmentParameter segmentParameter(const Curve& curve, double parameter) {
   return {segment, inside - segment};
 }
 
-CurvePoint pointAt(Curve& curve, const SegmentParameter& at) {
-  const double parameter = at.segment + at.t;
-  const Array<CurveSample>& samples = curve.samples(at.segment);
+CurvePoint pointAt(Curve& curve, const SegmentParameter& parameter) {
+  const double whole = parameter.segment + parameter.t;
+  const PieceParameter at = inPiece(curve, parameter);
+  const Array<CurveSample>& samples = pieceOf(curve, at).samples();
   const int i = sampleAfter(samples, at.t);
   for (const CurveSample& sample : {samples[i - 1], samples[i]}) {
-    if (sample.t == at.t) return {parameter, sample.point, sample.status};
+    if (sample.t == at.t) return {whole, sample.point, sample.status};
   }
-  if (const Bridge* bridge = bridgeOver(curve.bridges(at.segment), at.t)) {
-    return {parameter, pointAt(curve.surface().mesh(), *bridge, at.t), Status::kBridged};
+  if (const Bridge* bridge = bridgeOver(pieceOf(curve, at).bridges(), at.t)) {
+    return {whole, pointAt(curve.surface().mesh(), *bridge, at.t), Status::kBridged};
   }
   Status status = Status::kConverged;
-  if (curve.shape().kind != CurveKind::kPolyline) {
-    FieldBlend fields = blendOf(curve, at.segment);
+  if (curve.isOfCenters()) {
+    FieldBlend fields = blendOf(curve, at);
     const CenterOfMass center = centerBetween(curve, fields, at, samples[i - 1], samples[i]);
-    if (center.status == Status::kConverged) return {parameter, center.point, center.status};
+    if (center.status == Status::kConverged) return {whole, center.point, center.status};
     status = center.status;
   }
-  const PathPiece piece = pieceAround(curve, at);
-  const SurfacePoint point = pointAlong(curve.surface().mesh(), piece.points, piece.lengths,
-                                        piece.s * piece.lengths.back());
-  return {parameter, point, status};
+  const PathPiece path = pathAround(curve, at);
+  const SurfacePoint point =
+      pointAlong(curve.surface().mesh(), path.points, path.lengths, path.s * path.lengths.back());
+  return {whole, point, status};
 }
 
-CurveTangent tangentAt(Curve& curve, const SegmentParameter& at) {
-  const CurvePoint point = pointAt(curve, at);
-  if (curve.shape().kind == CurveKind::kPolyline || point.status != Status::kConverged) {
-    return tangentOfPath(curve, point, pieceAround(curve, at));
+CurveTangent tangentAt(Curve& curve, const SegmentParameter& parameter) {
+  const CurvePoint point = pointAt(curve, parameter);
+  const PieceParameter at = inPiece(curve, parameter);
+  if (!curve.isOfCenters() || point.status != Status::kConverged) {
+    return tangentOfPath(curve, point, pathAround(curve, at));
   }
   const Geometry& geometry = curve.surface().geometry();
+  const Curve::Piece& piece = pieceOf(curve, at);
   const int face = point.point.face;
-  FieldBlend fields = blendOf(curve, at.segment);
+  FieldBlend fields = blendOf(curve, at);
   const CellPoint place = fields.cells().at(point.point);
   const auto [alongX, alongY] =
-      fields.jacobian(place.cell, fields.blend(place.cell, curve.weights(at.segment, at.t)));
-  const Vec2 wanted = -fields.blend(place.cell, weightDerivatives(curve, at)).at(place.bary);
+      fields.jacobian(place.cell, fields.blend(place.cell, piece.weights(at.t)));
+  const Vec2 wanted = -fields.blend(place.cell, weightDerivatives(piece, at.t)).at(place.bary);
   const double determinant = cross(alongX, alongY);
-  const Vec2 inFace = rotate(fields.axisInFace(place.cell),
+  const Vec2 inFace = curve.piecesPerSegment() *
+                      rotate(fields.axisInFace(place.cell),
                              Vec2(cross(wanted, alongY), cross(alongX, wanted)) / determinant);
   if (!std::isfinite(inFace.x()) || !std::isfinite(inFace.y())) {
-    return tangentOfPath(curve, point, pieceAround(curve, at));
+    return tangentOfPath(curve, point, pathAround(curve, at));
   }
   return {point, inFace, toSpace(geometry, face, inFace)};
 }

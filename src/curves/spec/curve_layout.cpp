@@ -62,14 +62,9 @@ Array<SegmentLayout> bsplineSegments(const CurveShape& shape, int points) {
 Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points,
                                         const Array<double>& gaps) {
   const int count = shape.closed ? points : points - 1;
-  // Coincident points would leave no knots between them, and nearly so cost digits.
-  constexpr double kLeastGap = 1e-4;
-  double largest = 0;
-  for (const double gap : gaps) largest = std::max(largest, gap);
-  const auto spacing = [&](int j) {
-    if (!shape.centripetal || !(largest > 0)) return 1.0;
-    return std::sqrt(std::max(gaps[((j % count) + count) % count] / largest, kLeastGap));
-  };
+  const Array<double> spacings = gaps.empty() ? Array<double>(static_cast<size_t>(count), 1.0)
+                                              : catmullRomSpacings(gaps, shape.centripetal);
+  const auto spacing = [&](int j) { return spacings[((j % count) + count) % count]; };
   Array<SegmentLayout> segments;
   for (int j = 0; j < count; ++j) {
     const bool first = !shape.closed && j == 0;
@@ -108,6 +103,19 @@ Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points,
 }
 
 }  // namespace
+
+Array<double> catmullRomSpacings(const Array<double>& gaps, bool centripetal) {
+  // Coincident points would leave no knots between them, and nearly so cost digits.
+  constexpr double kLeastGap = 1e-4;
+  double largest = 0;
+  for (const double gap : gaps) largest = std::max(largest, gap);
+  Array<double> spacings;
+  for (const double gap : gaps) {
+    const bool even = !centripetal || !(largest > 0);
+    spacings.push_back(even ? 1 : std::sqrt(std::max(gap / largest, kLeastGap)));
+  }
+  return spacings;
+}
 
 Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps) {
   // A closed curve of one segment ends at its first point.

@@ -11,6 +11,10 @@ struct SegmentLayout {
   SegmentBasis basis;
 };
 
+/// The lengths of a Catmull-Rom curve's knot spans, up to a factor: for distances between
+/// consecutive points their roots where the curve is centripetal, else 1.
+Array<double> catmullRomSpacings(const Array<double>& gaps, bool centripetal);
+
 /// The segments of a curve with a shape that `checkShape` passes. A segment runs from t = 0 to 1,
 /// and its end is the start of the next one; spans without length are left out. `gaps`, for
 /// centripetal curves: the distance from each point to the next, at a closed curve also from the

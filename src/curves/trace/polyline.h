@@ -1,18 +1,13 @@
 #pragma once
 
-#include "curves/trace/joined_path.h"
+#include "curves/trace/piece.h"
+#include "intrinsic/surface_path.h"
 
 namespace karcher {
 
-/// A segment of a geodesic polyline.
-struct PolylineSegment {
-  Array<CurveSample> samples;
-  JoinedPath path;
-};
-
-/// The shortest path between two points, with samples at the parts t of its length: the centers of
-/// mass of the two with weights 1 - t and t, exact and wherever they lie.
-PolylineSegment traceShortestPath(Surface& surface, const SurfacePoint& from,
-                                  const SurfacePoint& to, int samples);
+/// A leg of a control polygon as a curve, with samples at the parts t of its length. Of a shortest
+/// path they are the centers of mass of its ends with weights 1 - t and t, exact and wherever the
+/// ends lie.
+TracedPiece traceLeg(const TriangleMesh& mesh, const SurfacePath& leg, int samples);
 
 }  // namespace karcher

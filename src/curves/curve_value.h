@@ -1,0 +1,56 @@
+#pragma once
+
+#include "curves/polygon/levels.h"
+#include "curves/spec/curve_shape.h"
+#include "curves/trace/joined_path.h"
+#include "rcm/field_options.h"
+
+/// What a curve is, as a value, and its edits as pure functions from a value to another. A value
+/// determines its curve: `Curve` (curve.h) becomes the curve of a value.
+namespace karcher {
+
+/// As few levels as make the pieces of the curve safe centers of mass (automatic_levels.h).
+inline constexpr int kAutomaticLevels = -1;
+/// The subdivision curve itself, by averages of two points alone: what many levels come near to. It
+/// needs no fields, and is no center of mass.
+inline constexpr int kLimitLevels = -2;
+
+struct CurveOptions {
+  CurveShape shape;
+  int samples = 128;  ///< a segment, at t = i / (samples - 1)
+  FieldOptions field;
+  /// If positive, segments get as many samples as it needs instead: the curve's largest distance
+  /// from the geodesics between samples, as a part of the bounding box's diagonal (sampling.h).
+  double tolerance = 0;
+  CurveGeometry geometry = CurveGeometry::kGeodesic;
+  /// How often the control polygon is subdivided before pieces of it are averaged (levels.h): 0 to
+  /// 8, kAutomaticLevels or kLimitLevels. 0 is the curve of Mancinelli and Puppo, one center of
+  /// mass of all the points of a segment.
+  int levels = 0;
+};
+
+struct CurveValue {
+  CurveOptions options;
+  Array<SurfacePoint> points;
+  /// The legs of the control polygon: none, or one from each point to the next, at a closed curve
+  /// also from the last to the first. A path without points stands for the shortest one; others are
+  /// taken as they are. Curves of level 0 have no use for them, but polylines.
+  Array<SurfacePath> legs;
+};
+
+// The value after an edit. Weights and betas go with their points, a new point's are 1; a caller's
+// own knots are kept as far as they can be (knots.h). A leg is kept where both its ends are still
+// neighbours, also in the other direction; others are the shortest. Each throws Error kBadIndex for
+// a point that is not there.
+CurveValue withPointAt(CurveValue value, int i, const SurfacePoint& point);
+CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point);
+CurveValue withPointRemoved(CurveValue value, int i);
+/// Point `from` becomes the one of number `to`.
+CurveValue withPointMovedInOrder(CurveValue value, int from, int to);
+CurveValue reversed(CurveValue value);
+CurveValue withKind(CurveValue value, CurveKind kind);
+CurveValue withClosed(CurveValue value, bool closed);
+CurveValue withWeight(CurveValue value, int i, double weight);
+CurveValue withBeta(CurveValue value, int i, double beta);
+
+}  // namespace karcher

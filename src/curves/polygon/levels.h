@@ -1,0 +1,80 @@
+#pragma once
+
+#include "curves/polygon/knot_insertion.h"
+#include "curves/spec/curve_layout.h"
+#include "intrinsic/surface_path.h"
+
+/// Refine, then average.
+///
+/// A center of mass of far points is rough on a rough surface: their squared distances have creases
+/// everywhere. So the control polygon is subdivided first, by averages of two points along its
+/// legs, and each piece of the curve is a center of mass of its own near points. On the plane this
+/// is the same curve, and elsewhere the more levels, the nearer it comes to the subdivision curve
+/// of C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on
+/// Surface Meshes" (2022).
+///
+/// No average searches for a path: each is straightened from the parts of the legs that it joins,
+/// so that the curve moves continuously with the legs.
+namespace karcher {
+
+inline constexpr int kMostLevels = 8;
+
+/// Whether a kind of curve can be subdivided by averages of two points. The others are one center
+/// of mass of all their points.
+bool takesLevels(CurveKind kind);
+
+/// The pieces of a curve after some levels: each a center of mass of a few points.
+struct RefinedPolygon {
+  Array<WeightedPoint> points;
+  /// 2^levels for each segment of the curve, in order; their points are numbers of `points`.
+  Array<SegmentLayout> pieces;
+  /// From each point to the next; of a closed B-spline also from the last to the first.
+  Array<SurfacePath> legs;
+  bool weighted = false;  ///< whether the points' weights count
+};
+
+/// How many legs a control polygon has.
+inline int legCount(const CurveShape& shape, int points) {
+  return shape.closed ? points : points - 1;
+}
+
+/// Throws Error kBadArgument for levels that are not from 0 to 8, for a kind that takes none, and
+/// where the work would be out of all proportion (Bezier curves of very many points).
+void checkLevels(const CurveShape& shape, int points, int levels);
+
+/// Subdivides a control polygon `levels` >= 1 times. `legs`: a path from each point to the next, at
+/// a closed curve also from the last to the first.
+/// - Bezier curves, rational ones too, by de Casteljau's algorithm at 1/2;
+/// - B-splines by a knot in the middle of each span: a new point is the repeated average of its
+///   parents, from both ends of their row towards its middle (subdivision.h), with the weights of
+///   the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
+///   algorithm;
+/// - Catmull-Rom curves as cubic Bezier curves, with handles by log and exp maps at the points.
+/// The result of reversed points and legs is the reversed result.
+RefinedPolygon refinedPolygon(const Geometry& geometry, const CurveShape& shape,
+                              const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
+                              int levels);
+
+/// The points of a piece with the legs between them, to be averaged.
+struct LeggedPolygon {
+  Array<WeightedPoint> points;
+  Array<SurfacePath> legs;  ///< one fewer
+};
+
+/// The two halves of a Bezier polygon, by de Casteljau's algorithm.
+struct BezierHalves {
+  LeggedPolygon first;
+  LeggedPolygon second;
+};
+BezierHalves halvesOf(const Geometry& geometry, const LeggedPolygon& polygon,
+                      StripWorkspace& workspace);
+
+/// The polygon of a piece.
+LeggedPolygon polygonOf(const RefinedPolygon& refined, const SegmentLayout& piece);
+
+/// The point of a piece at t in [0, 1] by averages of two points alone: de Casteljau's or de Boor's
+/// pyramid. For many levels it is a point of the subdivision curve.
+SurfacePoint averageAt(const Geometry& geometry, const SegmentBasis& basis, LeggedPolygon polygon,
+                       double t, StripWorkspace& workspace);
+
+}  // namespace karcher

@@ -1,0 +1,89 @@
+#include "curves/trace/piece.h"
+
+namespace karcher {
+namespace {
+
+/// The sign of i / (samples - 1) - k / count: where even sample i lies beside the start of part k.
+int sideOf(int i, int samples, int k, int count) {
+  const int64_t sample = static_cast<int64_t>(i) * count;
+  const int64_t joint = static_cast<int64_t>(k) * (samples - 1);
+  return sample < joint ? -1 : sample > joint ? 1 : 0;
+}
+
+/// The first even sample behind the start of part k.
+int firstBehind(int samples, int k, int count) {
+  return static_cast<int>(static_cast<int64_t>(k) * (samples - 1) / count) + 1;
+}
+
+void scale(WeightTable& table, const Array<double>& pointWeights) {
+  for (int row = 0; row < table.t.count(); ++row) {
+    double* weights = table.weights.data() + static_cast<ptrdiff_t>(row) * table.points;
+    double sum = 0;
+    for (int k = 0; k < table.points; ++k) sum += weights[k] *= pointWeights[k];
+    for (int k = 0; k < table.points; ++k) weights[k] /= sum;
+  }
+}
+
+}  // namespace
+
+PieceWeights tabulatePiece(const Basis& basis, int samples, const PartOfSegment& part) {
+  if (part.count == 1) return {tabulate(basis, samples), tabulateMiddles(basis, samples)};
+  PieceWeights result;
+  append(result.samples, basis, 0);
+  for (int i = firstBehind(samples, part.index, part.count);
+       i < samples && sideOf(i, samples, part.index + 1, part.count) < 0; ++i) {
+    append(result.samples, basis,
+           (static_cast<double>(i) * part.count - static_cast<double>(part.index) * (samples - 1)) /
+               (samples - 1));
+  }
+  append(result.samples, basis, 1);
+  const Array<double>& t = result.samples.t;
+  for (int i = 0; i + 1 < t.count(); ++i) append(result.middles, basis, (t[i] + t[i + 1]) / 2);
+  return result;
+}
+
+PieceWeights weighted(const PieceWeights& weights, const Array<double>& pointWeights) {
+  PieceWeights result = weights;
+  scale(result.samples, pointWeights);
+  scale(result.middles, pointWeights);
+  return result;
+}
+
+TracedSegment mergedPieces(const Array<std::shared_ptr<const TracedPiece>>& pieces, int even) {
+  const int count = pieces.count();
+  TracedSegment whole;
+  for (int k = 0; k < count; ++k) {
+    const TracedPiece& piece = *pieces[k];
+    const auto inSegment = [&](double t) { return (k + t) / count; };
+    for (const Bridge& bridge : piece.bridges) {
+      Bridge& moved = whole.bridges.emplace_back(bridge);
+      moved.t0 = inSegment(bridge.t0);
+      moved.t1 = inSegment(bridge.t1);
+      for (double& t : moved.line.t) t = inSegment(t);
+    }
+    // The start of a piece is the end of the one before.
+    const int last = piece.samples.count() - 1;
+    int next = even > 0 ? firstBehind(even, k, count) : 0;
+    Array<int> place{0};
+    if (k == 0) whole.samples.push_back(piece.samples[0]);
+    for (int i = 1; i <= last; ++i) {
+      // The points on the way to a joint that is no sample lead to the sample behind it.
+      place.push_back(whole.samples.count());
+      const bool atEnd = i == last && k + 1 == count;
+      if (even > 0 && i == last && !atEnd && sideOf(next, even, k + 1, count) != 0) continue;
+      CurveSample& sample = whole.samples.emplace_back(piece.samples[i]);
+      sample.t = atEnd      ? 1
+                 : even > 0 ? static_cast<double>(next++) / (even - 1)
+                            : inSegment(sample.t);
+    }
+    for (int i = k == 0 ? 0 : 1; i < piece.path.points.count(); ++i) {
+      whole.path.points.push_back(piece.path.points[i]);
+      whole.path.sample.push_back(place[piece.path.sample[i]]);
+      whole.path.unconverged.push_back(piece.path.unconverged[i]);
+    }
+    whole.path.length += piece.path.length;
+  }
+  return whole;
+}
+
+}  // namespace karcher

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "intrinsic/straightest.h"
+#include "intrinsic/surface_path.h"
+
+/// Log and exp maps at a point of the surface, along given paths.
+///
+/// The tangent plane of a point in a face or on an edge is that of its face, point.face; that of a
+/// vertex is its rescaled frame (geometry.h), in which opposite directions have as much angle on
+/// one side as on the other.
+namespace karcher {
+
+/// The vector of a path at its start: the direction in which it leaves, as long as the path.
+Vec2 logAlong(const Geometry& geometry, const SurfacePath& path);
+
+/// The straightest geodesic from a point along a vector of its tangent plane. Where it meets the
+/// boundary it ends there.
+SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);
+
+}  // namespace karcher

@@ -1,0 +1,72 @@
+#include "rcm/field_set.h"
+
+#include <cstring>
+#include <utility>
+
+namespace karcher {
+
+FieldSet::FieldSet(Surface& surface, const FieldOptions& options)
+    : surface_(surface), options_(options) {
+  checkFieldOptions(options);
+}
+
+size_t FieldSet::Hash::operator()(const SurfacePoint& point) const {
+  uint64_t hash = static_cast<uint64_t>(point.face);
+  for (const double weight : point.bary) {
+    // 0.0 and -0.0 are equal, so they must not differ here.
+    const double positive = weight + 0.0;
+    uint64_t bits = 0;
+    std::memcpy(&bits, &positive, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 29;
+  }
+  return static_cast<size_t>(hash);
+}
+
+std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point) {
+  const auto known = placeOf_.find(point);
+  if (known != placeOf_.end()) return fields_[known->second];
+  int place = findSpare();
+  if (place < 0) {
+    place = fields_.count();
+    fields_.push_back(std::make_shared<PointField>(surface_, options_));
+  } else {
+    placeOf_.erase(fields_[place]->point());
+  }
+  try {
+    fields_[place]->setPoint(point);
+  } catch (...) {
+    // What is half made must not be found by its point.
+    std::swap(fields_[place], fields_.back());
+    fields_.pop_back();
+    placeOf_.clear();
+    for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(fields_[i]->point(), i);
+    throw;
+  }
+  placeOf_.emplace(point, place);
+  ++made_;
+  return fields_[place];
+}
+
+std::shared_ptr<PointField> FieldSet::find(const SurfacePoint& point) const {
+  const auto known = placeOf_.find(point);
+  return known != placeOf_.end() ? fields_[known->second] : nullptr;
+}
+
+int FieldSet::findSpare() {
+  for (int looked = 0; looked < fields_.count(); ++looked) {
+    const int place = next_;
+    next_ = next_ + 1 < fields_.count() ? next_ + 1 : 0;
+    if (fields_[place].use_count() == 1) return place;
+  }
+  return -1;
+}
+
+void FieldSet::dropSpare() {
+  std::erase_if(fields_, [](const auto& field) { return field.use_count() == 1; });
+  placeOf_.clear();
+  for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(fields_[i]->point(), i);
+  next_ = 0;
+}
+
+}  // namespace karcher

@@ -1,0 +1,274 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "curve_support.h"
+#include "curves/curve.h"
+#include "curves/query/evaluate.h"
+#include "curves/query/measure.h"
+#include "generators/flat.h"
+#include "generators/plane.h"
+#include "generators/random.h"
+#include "generators/sphere.h"
+#include "intrinsic/straightest.h"
+#include "mesh/shapes.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+CurveOptions optionsOf(const CurveShape& shape, int samples, int levels, FieldOptions field) {
+  CurveOptions options{shape, samples, field};
+  options.levels = levels;
+  return options;
+}
+
+/// The largest distance between the samples of two curves, which have the same parameters.
+double largestGap(const Curve& a, const Curve& b) {
+  const TriangleMesh& mesh = a.surface().mesh();
+  double gap = 0;
+  EXPECT_EQ(a.segmentCount(), b.segmentCount());
+  for (int j = 0; j < a.segmentCount(); ++j) {
+    EXPECT_EQ(a.samples(j).count(), b.samples(j).count());
+    for (int i = 0; i < a.samples(j).count(); ++i) {
+      const CurveSample& p = a.samples(j)[i];
+      const CurveSample& q = b.samples(j)[i];
+      EXPECT_EQ(p.t, q.t);
+      EXPECT_EQ(p.status, q.status);
+      gap = std::max(gap, (position(mesh, p.point) - position(mesh, q.point)).norm());
+    }
+  }
+  return gap;
+}
+
+void expectIdentical(const Curve& a, const Curve& b) {
+  EXPECT_EQ(a.levels(), b.levels());
+  EXPECT_EQ(largestGap(a, b), 0);
+  for (int j = 0; j < a.segmentCount(); ++j) {
+    EXPECT_EQ(a.path(j).length, b.path(j).length);
+    EXPECT_EQ(a.path(j).points.count(), b.path(j).points.count());
+  }
+}
+
+TEST(CurveLevels, OfThePlaneAreTheSameCurve) {
+  Surface surface(meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 2000, 7)));
+  const Array<SurfacePoint> points = pointsNear(surface.mesh(), kPlaces);
+  const double diagonal = surface.geometry().diagonal;
+  double worst = 0;
+  int compared = 0;
+  for (const CurveShape& shape : everyShape(points.count())) {
+    if (!takesLevels(shape.kind)) continue;
+    SCOPED_TRACE(describe(shape));
+    Curve center(surface, optionsOf(shape, 33, 0, kExact), points);
+    for (int levels = 1; levels <= 5; ++levels) {
+      SCOPED_TRACE("levels " + std::to_string(levels));
+      Curve curve(surface, optionsOf(shape, 33, levels, kExact), points);
+      EXPECT_EQ(curve.levels(), levels);
+      EXPECT_EQ(curve.piecesPerSegment(), 1 << levels);
+      const double gap = largestGap(center, curve) / diagonal;
+      worst = std::max(worst, gap);
+      EXPECT_LE(gap, 1e-12);
+      for (double u = 0.03; u < curve.segmentCount(); u += 0.17) {
+        const CurveTangent a = tangentAt(center, u);
+        const CurveTangent b = tangentAt(curve, u);
+        EXPECT_LE(
+            (position(surface.mesh(), a.at.point) - position(surface.mesh(), b.at.point)).norm(),
+            1e-12 * diagonal);
+        // Derivatives of the weights are differences (evaluate.cpp).
+        EXPECT_LE((a.inSpace - b.inSpace).norm(), 1e-6 * (1 + a.inSpace.norm()));
+      }
+      EXPECT_NEAR(lineOf(curve).lengths.back(), lineOf(center).lengths.back(), 2e-3 * diagonal);
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 60);
+  std::printf("largest gap between levels on the plane: %.1e of the bounding box\n", worst);
+}
+
+TEST(CurveLevels, OfThePlaneKeepTolerancesAndCrossEdgesExactly) {
+  Surface surface(meshOf(tessellatedPlane(PlaneTessellation::kStretchedRandom, 2000, 8)));
+  const Array<SurfacePoint> points = pointsNear(surface.mesh(), kPlaces);
+  for (const bool exact : {false, true}) {
+    CurveOptions options = optionsOf({CurveKind::kBSpline}, 65, 3, kExact);
+    options.tolerance = exact ? 0 : 1e-4;
+    options.geometry = exact ? CurveGeometry::kExact : CurveGeometry::kGeodesic;
+    Curve curve(surface, options, points);
+    options.levels = 0;
+    Curve center(surface, options, points);
+    for (int j = 0; j < curve.segmentCount(); ++j) {
+      for (int i = 0; i < curve.path(j).points.count(); ++i) {
+        const Vec3 place = position(surface.mesh(), curve.path(j).points[i]);
+        const NearestOnCurve nearest = nearestOnCurve(center, lineOf(center), place);
+        EXPECT_LE(nearest.distance, (exact ? 1e-12 : 1e-4) * surface.geometry().diagonal);
+        if (i % 7 != 0) i += 5;
+      }
+      EXPECT_EQ(curve.samples(j).front().t, 0);
+      EXPECT_EQ(curve.samples(j).back().t, 1);
+    }
+  }
+}
+
+/// On a sphere the deviation from the center of mass is of third order in the polygon's size.
+TEST(CurveLevels, ApproachTheCenterOfMassWithTheThirdPowerOfTheSize) {
+  Surface surface(meshOf(relaxedSphere(20000, 3)));
+  const TriangleMesh& mesh = surface.mesh();
+  Array<double> gaps;
+  for (const double size : {0.8, 0.4}) {
+    Array<SurfacePoint> points;
+    for (const Vec2& at : {Vec2(0, 0), Vec2(0.5, 0.6), Vec2(1, -0.4), Vec2(1.5, 0.3)}) {
+      points.push_back(nearestPoint(mesh, Vec3(size * at.x(), size * at.y(), 1).normalized()));
+    }
+    Curve center(surface, optionsOf({CurveKind::kBezier}, 33, 0, kExact), points);
+    Curve curve(surface, optionsOf({CurveKind::kBezier}, 33, 2, kExact), points);
+    gaps.push_back(largestGap(center, curve));
+  }
+  std::printf("from the center of mass: %.2e of the radius, at half the size %.2e\n", gaps[0],
+              gaps[1]);
+  EXPECT_LT(gaps[0], 0.05);
+  EXPECT_GT(gaps[0] / gaps[1], 6);
+}
+
+TEST(CurveLevels, RunBackwardsGiveTheSameCurve) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  const double diagonal = surface.geometry().diagonal;
+  const uint64_t seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random dice(seed);
+  double worst = 0;
+  int compared = 0;
+  for (const CurveShape& shape : everyShape(6)) {
+    if (!takesLevels(shape.kind)) continue;
+    SCOPED_TRACE(describe(shape));
+    Array<SurfacePoint> points;
+    SurfacePoint last = nearestPoint(mesh, Vec3(-3, 7.5, 4));
+    for (int i = 0; i < 6; ++i) {
+      points.push_back(last);
+      const double angle = dice.uniform(0, 2 * kPi);
+      last = traceStraightest(surface.geometry(), last, 0.06 * diagonal * unitVector(angle))
+                 .points.back();
+    }
+    Curve forth(surface, optionsOf(shape, 17, 2, kExact), points);
+    Curve back(surface, reversed(forth.value()));
+    bool isBridged = false;
+    double gap = 0;
+    const int segments = forth.segmentCount();
+    // A closed curve keeps its first point, and a closed B-spline's span j blends point j and those
+    // behind it.
+    const bool isShifted = shape.closed && shape.kind == CurveKind::kBSpline;
+    const int end = segments - (isShifted ? shape.degree - 1 : 0);
+    for (int j = 0; j < segments; ++j) {
+      isBridged = isBridged || !forth.bridges(j).empty();
+      for (const CurveSample& sample : forth.samples(j)) {
+        const double parameter = end - (j + sample.t);
+        const SurfacePoint other = pointAt(back, parameter).point;
+        gap = std::max(gap, (position(mesh, other) - position(mesh, sample.point)).norm());
+      }
+    }
+    if (isBridged) continue;
+    worst = std::max(worst, gap / diagonal);
+    EXPECT_LE(gap, 1e-9 * diagonal);
+    ++compared;
+  }
+  EXPECT_GE(compared, 10);
+  std::printf("largest change by reversal: %.1e of the bounding box\n", worst);
+}
+
+TEST(CurveLevels, AfterAnyEditsAreTheCurveTracedAnew) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  const double diagonal = surface.geometry().diagonal;
+  for (const uint64_t seed : {1u, 2u, 3u}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random dice(seed);
+    const CurveKind kinds[] = {CurveKind::kBSpline, CurveKind::kBezier, CurveKind::kCatmullRom};
+    Array<SurfacePoint> points;
+    for (int i = 0; i < 6; ++i) {
+      points.push_back(nearestPoint(mesh, Vec3(-3 + 1.1 * i, 7.5 + dice.uniform(), 4)));
+    }
+    Curve curve(surface, optionsOf({kinds[seed % 3]}, 17, 2, kFast), points);
+    for (int edit = 0; edit < 12; ++edit) {
+      const int i = dice.index(curve.pointCount());
+      const SurfacePoint near =
+          traceStraightest(surface.geometry(), curve.point(i),
+                           0.03 * diagonal * unitVector(dice.uniform(0, 2 * kPi)))
+              .points.back();
+      switch (dice.index(7)) {
+        case 0:
+          curve.insertPoint(i, near);
+          break;
+        case 1:
+          if (curve.pointCount() > 5) curve.removePoint(i);
+          break;
+        case 2:
+          curve.movePoint(i, near);
+          break;
+        case 3:
+          curve.setClosed(!curve.shape().closed);
+          break;
+        case 4:
+          curve.reverse();
+          break;
+        default:
+          curve.set(curve.withPointDragged(i, near));
+      }
+      expectIdentical(curve, Curve(surface, curve.value()));
+    }
+  }
+}
+
+TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
+  // Around a tube there are two ways.
+  const FlatCylinder tube = flatCylinder(24, 2, 5);
+  Surface surface(meshOf(tube.soup));
+  const TriangleMesh& mesh = surface.mesh();
+  const SurfacePoint a = nearestPoint(mesh, Vec3(1, 0.05, 1));
+  const SurfacePoint b = nearestPoint(mesh, Vec3(-1, 0.3, 1));
+  for (const CurveKind kind : {CurveKind::kPolyline, CurveKind::kBezier}) {
+    const CurveOptions options = optionsOf({kind}, 65, 2, kFast);
+    Curve curve(surface, options, {a, b});
+    const double shortest = lineOf(curve).lengths.back();
+    // The long way: drawn out by hand around the tube.
+    CurveValue value = curve.value();
+    for (int step = 1; step <= 40; ++step) {
+      const double angle = 2.84 + (2 * kPi - 2.84 + 0.3) * step / 40;
+      const Vec3 place(std::cos(angle), std::sin(angle), 1);
+      value = curve.withPointDragged(1, nearestPoint(mesh, place));
+      curve.set(value);
+    }
+    EXPECT_GT(lineOf(curve).lengths.back(), 1.5 * shortest) << curveKindName(kind);
+    // Until the point is moved, not dragged: then its leg is the shortest.
+    curve.movePoint(1, b);
+    EXPECT_NEAR(lineOf(curve).lengths.back(), shortest, 1e-9) << curveKindName(kind);
+  }
+}
+
+TEST(CurveLevels, AreRefusedWhereTheyCannotBe) {
+  Surface surface(planeGrid(10, 10));
+  const Array<SurfacePoint> points =
+      pointsNear(surface.mesh(), {{2, 2, 0}, {4, 6, 0}, {6, 3, 0}, {8, 7, 0}});
+  const auto make = [&](CurveKind kind, int levels, FieldOptions field) {
+    return Curve(surface, optionsOf({kind}, 9, levels, field), points).levels();
+  };
+  EXPECT_EQ(codeOf([&] { make(CurveKind::kBezier, 9, kFast); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { make(CurveKind::kBezier, -3, kFast); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { make(CurveKind::kBezier, 1, kPaperExact); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(make(CurveKind::kBezier, kAutomaticLevels, kPaperExact), 0);
+  EXPECT_EQ(make(CurveKind::kBezier, 8, kFast), 8);
+  // Kinds that are one blend of all their points stay centers of mass.
+  EXPECT_EQ(make(CurveKind::kBarycentric, 3, kFast), 0);
+  EXPECT_EQ(make(CurveKind::kPolyline, 3, kFast), 0);
+
+  Curve curve(surface, optionsOf({CurveKind::kBezier}, 9, 2, kFast), points);
+  CurveValue wrong = curve.value();
+  wrong.legs = curve.legs();
+  std::swap(wrong.legs[0], wrong.legs[1]);
+  EXPECT_EQ(codeOf([&] { curve.set(wrong); }), ErrorCode::kBadArgument);
+  wrong.legs.pop_back();
+  EXPECT_EQ(codeOf([&] { curve.set(wrong); }), ErrorCode::kBadArgument);
+  expectIdentical(curve, Curve(surface, curve.value()));
+}
+
+}  // namespace
+}  // namespace karcher
