@@ -56,7 +56,7 @@ CurveFigures measureCurves(const TurningMeasure& measure, Surface& surface,
     figures.ms.push_back(processorTimed([&] { traced = variant.trace(surface, polygon); }));
     figures.turnings.push_back(turning(measure, traced.polyline));
     figures.bridged.push_back(traced.bridged);
-    figures.corners.push_back(traced.corner);
+    figures.corners.push_back(variant.corner(surface, polygon));
     figures.levels.push_back(traced.levels);
     figures.lost += traced.lost;
     figures.polylines.push_back(std::move(traced.polyline));

@@ -1,7 +1,11 @@
 #include "steady_variants.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "bench_support.h"
 #include "curves/polygon/subdivision.h"
+#include "curves/query/evaluate.h"
 #include "distance/geodesic_line.h"
 
 namespace karcher {
@@ -9,10 +13,33 @@ namespace {
 
 constexpr int kSamples = 128;
 
-CurveOptions cubicBezier() { return {{CurveKind::kBezier}, kSamples, {}}; }
+CurveOptions cubicBezier(int levels) {
+  CurveOptions options{{CurveKind::kBezier}, kSamples, {}};
+  options.levels = levels;
+  return options;
+}
 
-TracedCurve described(const Curve& curve) {
+/// The angle between the directions of a curve just before and behind a parameter, degrees.
+double cornerAt(Curve& curve, double parameter) {
+  constexpr double kBeside = 1e-7;
+  const CurveTangent before = tangentAt(curve, parameter - kBeside);
+  const CurveTangent after = tangentAt(curve, parameter + kBeside);
+  const Geometry& geometry = curve.surface().geometry();
+  Vec2 in = before.inFace;
+  // On an edge both lie in faces of their own.
+  if (before.at.point.face != after.at.point.face) {
+    int h = 3 * before.at.point.face;
+    const int last = h + 2;
+    while (h < last && geometry.mesh->twin[h] / 3 != after.at.point.face) ++h;
+    if (geometry.mesh->twin[h] < 0 || geometry.mesh->twin[h] / 3 != after.at.point.face) return 0;
+    in = acrossEdge(geometry, h, in);
+  }
+  return std::abs(std::atan2(cross(in, after.inFace), in.dot(after.inFace))) * 180 / kPi;
+}
+
+TracedCurve described(Curve& curve) {
   TracedCurve result;
+  result.levels = curve.levels();
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const SurfacePoint& p : curve.path(j).points) {
       result.polyline.push_back(position(curve.surface().mesh(), p));
@@ -24,36 +51,66 @@ TracedCurve described(const Curve& curve) {
       result.bridged += (bridge.t1 - bridge.t0) / curve.segmentCount();
     }
   }
-  return result;
-}
-
-/// With the stages of the last edit; of a curve that was just made none are known.
-TracedCurve withStages(const Curve& curve) {
-  TracedCurve traced = described(curve);
   const StageTimes& times = curve.times();
-  traced.stages = {{"polygon", times.polygon},
+  result.stages = {{"polygon", times.polygon},
                    {"fields", times.fields},
                    {"samples", times.samples},
                    {"bridges", times.bridges},
                    {"joins", times.joins}};
-  return traced;
+  return result;
 }
 
-SteadyVariant means() {
+/// The largest angle at the joints between pieces of a segment.
+double largestCorner(Curve& curve) {
+  const int joints = curve.piecesPerSegment() * curve.segmentCount();
+  double corner = 0;
+  for (int i = 1; i < joints; ++i) {
+    corner = std::max(corner, cornerAt(curve, static_cast<double>(i) / curve.piecesPerSegment()));
+  }
+  return corner;
+}
+
+SteadyVariant refined(const std::string& name, int levels) {
   SteadyVariant variant;
-  variant.name = "0";
-  variant.trace = [](Surface& surface, const Array<SurfacePoint>& points) {
-    return withStages(Curve(surface, cubicBezier(), points));
+  variant.name = name;
+  variant.trace = [levels](Surface& surface, const Array<SurfacePoint>& points) {
+    Curve curve(surface, cubicBezier(levels), points);
+    return described(curve);
   };
-  variant.hold = [](Surface& surface, const Array<SurfacePoint>& points) {
-    const auto curve = std::make_shared<Curve>(surface, cubicBezier(), points);
+  variant.corner = [levels](Surface& surface, const Array<SurfacePoint>& points) {
+    Curve curve(surface, cubicBezier(levels), points);
+    return largestCorner(curve);
+  };
+  variant.hold = [levels](Surface& surface, const Array<SurfacePoint>& points) {
+    const auto curve = std::make_shared<Curve>(surface, cubicBezier(levels), points);
     curve->setClock(processorMilliseconds);
+    // A drag keeps the levels that it began with.
+    if (levels == kAutomaticLevels) {
+      CurveValue value = curve->value();
+      value.options.levels = curve->levels();
+      curve->set(value);
+    }
     HeldCurve held;
     held.drag = [curve](int i, const SurfacePoint& place) {
-      curve->movePoint(i, place);
-      return withStages(*curve);
+      if (curve->levels() == 0) {
+        // It has no use for legs.
+        curve->movePoint(i, place);
+        return described(*curve);
+      }
+      CurveValue value;
+      const double continued = processorTimed([&] { value = curve->withPointDragged(i, place); });
+      curve->set(std::move(value));
+      TracedCurve traced = described(*curve);
+      traced.stages[0].ms += continued;
+      for (const SurfacePath& leg : curve->legs()) traced.legs.push_back(leg.points);
+      return traced;
     };
-    held.release = [curve] { return described(*curve); };
+    held.release = [curve, levels] {
+      CurveValue value = curve->value();
+      value.options.levels = levels;
+      curve->set(value);
+      return described(*curve);
+    };
     return held;
   };
   return variant;
@@ -77,6 +134,7 @@ SteadyVariant limit() {
   SteadyVariant variant;
   variant.name = "limit";
   variant.trace = subdivided;
+  variant.corner = [](Surface&, const Array<SurfacePoint>&) { return 0.0; };
   variant.hold = [](Surface& surface, const Array<SurfacePoint>& points) {
     const auto polygon = std::make_shared<Array<SurfacePoint>>(points);
     HeldCurve held;
@@ -92,6 +150,14 @@ SteadyVariant limit() {
 
 }  // namespace
 
-Array<SteadyVariant> steadyVariants() { return {means(), limit()}; }
+SteadyVariant steadyVariant(const std::string& name) {
+  if (name == "limit") return limit();
+  if (name == "auto") return refined(name, kAutomaticLevels);
+  for (int levels = 0; levels <= kMostLevels; ++levels) {
+    if (name == std::to_string(levels)) return refined(name, levels);
+  }
+  throw std::runtime_error("levels are 0 to " + std::to_string(kMostLevels) +
+                           ", auto or limit, not '" + name + "'");
+}
 
 }  // namespace karcher

@@ -21,7 +21,6 @@ struct TracedCurve {
   int levels = 0;
   double bridged = 0;  ///< the part of the parameter over which the curve is no center of mass
   int lost = 0;        ///< samples that are neither converged nor on a bridge
-  double corner = 0;   ///< the largest angle at a joint of two pieces, degrees
   Array<StageTime> stages;
 };
 
@@ -37,11 +36,14 @@ struct SteadyVariant {
   std::string name;
   /// The cubic Bezier curve of these points.
   std::function<TracedCurve(Surface&, const Array<SurfacePoint>&)> trace;
+  /// Its largest angle at a joint of two pieces, degrees.
+  std::function<double(Surface&, const Array<SurfacePoint>&)> corner;
   /// Takes hold of it.
   std::function<HeldCurve(Surface&, const Array<SurfacePoint>&)> hold;
 };
 
-/// From the curve of means to the curve of subdivision to the end, which is the last.
-Array<SteadyVariant> steadyVariants();
+/// A number of levels, "auto", or "limit": the curve of subdivision to the end. Throws
+/// std::runtime_error for another name.
+SteadyVariant steadyVariant(const std::string& name);
 
 }  // namespace karcher

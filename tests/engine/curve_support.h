@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include "curves/curve.h"
+#include "generators/curve_shapes.h"
 
 /// What several tests of curves share.
 namespace karcher {
@@ -10,12 +9,6 @@ namespace karcher {
 inline constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
 inline constexpr FieldOptions kExact{Method::kKarcher, Solver::kExact, 6};
 inline constexpr FieldOptions kPaperExact{Method::kPaper, Solver::kExact, 6};
-
-/// Every kind, open and closed where it can be, with uneven weights and betas for that many points.
-Array<CurveShape> everyShape(int points);
-
-/// "bspline closed degree 3 rule 0"
-std::string describe(const CurveShape& shape);
 
 /// The surface points nearest to places in space.
 Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& places);
