@@ -21,9 +21,10 @@
 ///   --drags 20           drags a spacing
 ///   --steps 100          steps a drag, each a tenth of a mean edge
 ///   --spacing 0.1        this spacing alone
-///   --levels 0,1,2,3,4,auto,limit
-///                        what is compared: levels up to 8, or the curve of subdivision to the end;
-///                        the last one is what others are measured beside
+///   --levels 0,1,2,3,4,auto,averages,limit
+///                        what is compared: levels up to 8, levels that fit, or the curve of
+///                        subdivision by the engine and by itself (steady_variants.h); the last one
+///                        is what the others are measured beside
 ///   --seed 1
 ///   --rough 4            on the meshes with every face cut into 4^2, as noisy scans (rough.h)
 ///   --plots FOLDER       for pictures of the tables
@@ -262,7 +263,7 @@ Array<SteadyVariant> variantsOf(const std::string& names) {
 
 Options parse(int argc, char** argv) {
   Options options;
-  std::string levels = "0,1,2,3,4,auto,limit";
+  std::string levels = "0,1,2,3,4,auto,averages,limit";
   const std::map<std::string, int*> numbers = {{"--polygons", &options.polygons},
                                                {"--drags", &options.drags},
                                                {"--steps", &options.steps},

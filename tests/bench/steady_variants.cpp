@@ -153,11 +153,12 @@ SteadyVariant limit() {
 SteadyVariant steadyVariant(const std::string& name) {
   if (name == "limit") return limit();
   if (name == "auto") return refined(name, kAutomaticLevels);
+  if (name == "averages") return refined(name, kLimitLevels);
   for (int levels = 0; levels <= kMostLevels; ++levels) {
     if (name == std::to_string(levels)) return refined(name, levels);
   }
   throw std::runtime_error("levels are 0 to " + std::to_string(kMostLevels) +
-                           ", auto or limit, not '" + name + "'");
+                           ", auto, averages or limit, not '" + name + "'");
 }
 
 }  // namespace karcher

@@ -42,8 +42,9 @@ struct SteadyVariant {
   std::function<HeldCurve(Surface&, const Array<SurfacePoint>&)> hold;
 };
 
-/// A number of levels, "auto", or "limit": the curve of subdivision to the end. Throws
-/// std::runtime_error for another name.
+/// A number of levels, "auto", "averages": the engine's curve of subdivision, whose legs follow the
+/// hand, or "limit": the curve of subdivision to the end, for which every path is searched for at
+/// every step. Throws std::runtime_error for another name.
 SteadyVariant steadyVariant(const std::string& name);
 
 }  // namespace karcher
