@@ -61,7 +61,7 @@ export function checkInteger(value: unknown, what: string): number {
   return value as number;
 }
 
-export function checkOneOf<Name extends string>(
+export function checkOneOf<Name extends string | number>(
   value: unknown,
   names: readonly Name[],
   what: string,
@@ -124,17 +124,33 @@ export function checkLength(array: ArrayLike<unknown>, multipleOf: number, what:
   );
 }
 
-/** The face and weights of a surface point as four numbers, or the number of a vertex. */
-export function checkPointLike(value: unknown, what: string): Float64Array | number {
+/** The three numbers of an array, or of an object with x, y and z, NaN and infinity among them. */
+export function toTriple(value: unknown, what: string): Float64Array {
+  const { x, y, z } = (value ?? {}) as Partial<Record<'x' | 'y' | 'z', unknown>>;
+  const named = typeof value === 'object' && [x, y, z].some((entry) => entry !== undefined);
+  const numbers = toFloat64(named ? [x, y, z] : value, what);
+  if (numbers.length === 3) return numbers;
+  throw badArgument(`${what} must be 3 numbers, not ${numbers.length}`);
+}
+
+/** A place or a direction: three finite numbers. `what` names it: "the direction". */
+export function toVector(value: unknown, what: string): Float64Array {
+  const vector = toTriple(value, what);
+  vector.forEach((component, i) => {
+    checkNumber(component, `component ${i} of ${what}`);
+  });
+  return vector;
+}
+
+/** A point as it travels: face and weights, or NaN, the vertex, 0, 0. */
+export function checkPointLike(value: unknown, what: string): Float64Array {
   const point = value as Partial<{ vertex: unknown; face: unknown; bary: unknown }> | null;
   if (typeof point !== 'object' || point === null) {
     throw badArgument(`${what} must be {face, bary} or {vertex}, not ${shown(value)}`);
   }
-  if (point.vertex !== undefined) return checkInteger(point.vertex, `the vertex of ${what}`);
-  const face = checkInteger(point.face, `the face of ${what}`);
-  const bary = toFloat64(point.bary, `the weights of ${what}`);
-  if (bary.length !== 3) {
-    throw badArgument(`the weights of ${what} must be 3 numbers, not ${bary.length}`);
+  if (point.vertex !== undefined) {
+    return Float64Array.of(Number.NaN, checkInteger(point.vertex, `the vertex of ${what}`), 0, 0);
   }
-  return Float64Array.of(face, ...bary);
+  const face = checkInteger(point.face, `the face of ${what}`);
+  return Float64Array.of(face, ...toTriple(point.bary, `the weights of ${what}`));
 }

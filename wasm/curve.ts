@@ -1,8 +1,9 @@
-import { checkBoolean, checkFunction, checkInteger, checkNumber, toFloat64 } from './check.js';
+import { checkBoolean, checkFunction, checkInteger, checkNumber, toVector } from './check.js';
 import {
   checkKind,
   engineSampling,
   engineShape,
+  givenNumbers,
   OwnBasis,
   optionsOfParts,
 } from './curve_options.js';
@@ -15,7 +16,9 @@ import type {
   EngineMesh,
 } from './karcher-engine.mjs';
 import { engineFieldOptions } from './options.js';
+import { Path } from './path.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
+import { inDouble } from './polyline.js';
 import { toCurveSamples } from './samples.js';
 import type {
   BridgedInterval,
@@ -28,9 +31,10 @@ import type {
   CurveTimes,
   NearestOnCurve,
   Parametrization,
-  Path,
   PointLike,
+  PolylineOptions,
   SurfacePoint,
+  VectorLike,
 } from './types.js';
 
 /** The mesh's part in the life of its curves. */
@@ -47,9 +51,8 @@ export interface CurveOwner {
  * Its parameter runs from 0 to `segmentCount`: the number of a segment plus t in [0, 1]. That of a
  * closed curve may go round.
  *
- * Arrays are copies, made at each access, for the caller to keep or transfer. Every edit throws
- * `KarcherError`, and changes nothing, where the curve would be none (tooFewPoints, unreachable,
- * and the errors of a point); everything throws disposed after `dispose`.
+ * Every edit throws `KarcherError`, and changes nothing, where the curve would be none (tooFewPoints,
+ * unreachable, and the errors of a point); everything throws disposed after `dispose`.
  */
 export class Curve {
   readonly #engine: Engine;
@@ -61,7 +64,8 @@ export class Curve {
   #times: CurveTimes = { fields: 0, trace: 0, bridge: 0, join: 0 };
 
   /** @internal `Mesh.curve` makes curves. */
-  constructor(engine: Engine, mesh: Handle<EngineMesh>, options: CurveOptions, owner: CurveOwner) {
+  constructor(engine: Engine, mesh: Handle<EngineMesh>, given: CurveOptions, owner: CurveOwner) {
+    const options = { ...given };
     const basis =
       options.basis === undefined
         ? undefined
@@ -69,7 +73,7 @@ export class Curve {
     const shape = engineShape(options, basis);
     const sampling = engineSampling(options);
     const field = engineFieldOptions(options);
-    const points = wirePoints(mesh, options.points);
+    const points = wirePoints(options.points);
     this.#engine = engine;
     this.#mesh = mesh;
     this.#owner = owner;
@@ -88,11 +92,11 @@ export class Curve {
   }
 
   /** The control points. */
-  get points(): SurfacePoint[] {
+  points(): SurfacePoint[] {
     return toSurfacePoints(this.#handle.call((curve) => curve.points()));
   }
 
-  get samples(): CurveSamples {
+  samples(): CurveSamples {
     return toCurveSamples(
       this.#engine,
       this.#handle.call((curve) => curve.samples()),
@@ -100,26 +104,30 @@ export class Curve {
   }
 
   /** Where and why the curve is no center of mass. */
-  get bridged(): BridgedInterval[] {
+  bridged(): BridgedInterval[] {
     return this.#handle.call((curve) => curve.bridged());
   }
 
+  /** The samples, joined on the surface as `geometry` says. */
+  path(): Path {
+    return new Path(this.#handle.call((curve) => curve.path()));
+  }
+
+  /** x, y, z of the path's points. */
+  polyline(options?: { bits?: 32 }): Float32Array;
+  polyline(options: { bits: 64 }): Float64Array;
+  polyline(options?: PolylineOptions): Float32Array | Float64Array;
+  polyline(options: PolylineOptions = {}): Float32Array | Float64Array {
+    const double = inDouble(options);
+    return this.#handle.call((curve) => curve.polyline(double));
+  }
+
   /**
-   * x, y, z of the curve's vertices for drawing, on the surface: the samples, joined as
-   * `geometry` says.
+   * A number for each point of the path: 1 where the piece that leads to it is no center of mass, as
+   * on a bridge.
    */
-  get polyline(): Float32Array {
-    return new Float32Array(this.path.polyline);
-  }
-
-  /** The curve's length, and its vertices in double precision. */
-  get path(): Path {
-    return this.#handle.call((curve) => curve.path());
-  }
-
-  /** A number for each vertex of the polyline: 1 where the piece that leads to it is bridged. */
-  get polylineStatus(): Uint8Array {
-    return this.#handle.call((curve) => curve.polylineStatus());
+  unconverged(): Uint8Array {
+    return this.#handle.call((curve) => curve.unconverged());
   }
 
   get length(): number {
@@ -140,7 +148,7 @@ export class Curve {
   }
 
   /** A B-spline's knots; of other kinds none. */
-  get knots(): Float64Array {
+  knots(): Float64Array {
     return this.#shape.knots;
   }
 
@@ -150,12 +158,12 @@ export class Curve {
   }
 
   /** A weight a point, whether or not the kind has a use for them. */
-  get weights(): Float64Array {
+  weights(): Float64Array {
     return this.#shape.weights;
   }
 
   /** A beta a point, whether or not the kind has a use for them. */
-  get betas(): Float64Array {
+  betas(): Float64Array {
     return this.#shape.betas;
   }
 
@@ -169,7 +177,7 @@ export class Curve {
   }
 
   /** How long the last edit took, or the making of the curve. */
-  get times(): CurveTimes {
+  times(): CurveTimes {
     this.#handle.check();
     return { ...this.#times };
   }
@@ -177,20 +185,29 @@ export class Curve {
   /** Moves control point `i`: its field and the segments that it touches are computed again. */
   movePoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
-    const wire = wirePoint(this.#mesh, point);
+    const wire = wirePoint(point);
     this.#edit((curve) => curve.movePoint(index, wire));
+  }
+
+  /**
+   * Replaces the control points; the fields of those that stay where they are are kept. With other
+   * numbers of points than before, there must be no weights, betas or knots of your own.
+   */
+  setPoints(points: readonly PointLike[]): void {
+    const wire = wirePoints(points);
+    this.#edit((curve) => curve.setPoints(wire));
   }
 
   /** Appends a control point. */
   addPoint(point: PointLike): void {
-    const wire = wirePoint(this.#mesh, point);
+    const wire = wirePoint(point);
     this.#edit((curve) => curve.insertPoint(curve.pointCount(), wire));
   }
 
   /** Makes the point the one of number `i`; those from there on move up by one. */
   insertPoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
-    const wire = wirePoint(this.#mesh, point);
+    const wire = wirePoint(point);
     this.#edit((curve) => curve.insertPoint(index, wire));
   }
 
@@ -274,11 +291,23 @@ export class Curve {
     this.#edit((curve) => curve.setWeight(index, weight));
   }
 
+  /** Sets the weights of all points, as `setWeight` does one. */
+  setWeights(weights: ArrayLike<number>): void {
+    const numbers = givenNumbers(weights, 'the weights');
+    this.#edit((curve) => curve.setWeights(numbers));
+  }
+
   /** Sets the beta of point `i`, for the kind `barycentric`. No field is computed. */
   setBeta(i: number, beta: number): void {
     const index = checkInteger(i, 'the number of the control point');
     checkNumber(beta, 'the beta');
     this.#edit((curve) => curve.setBeta(index, beta));
+  }
+
+  /** Sets the betas of all points, as `setBeta` does one. */
+  setBetas(betas: ArrayLike<number>): void {
+    const numbers = givenNumbers(betas, 'the betas');
+    this.#edit((curve) => curve.setBetas(numbers));
   }
 
   /** The curve's point at a parameter. Throws `KarcherError` badArgument outside the curve. */
@@ -293,13 +322,9 @@ export class Curve {
     return withPoint(this.#call((curve) => curve.tangentAt(parameter)));
   }
 
-  /** The curve's point nearest in space to a place: x, y, z. */
-  nearest(place: ArrayLike<number>): NearestOnCurve {
-    const numbers = toFloat64(place, 'the place');
-    if (numbers.length !== 3) {
-      throw new KarcherError('badArgument', `the place must be 3 numbers, not ${numbers.length}`);
-    }
-    for (const number of numbers) checkNumber(number, 'a coordinate of the place');
+  /** The curve's point nearest in space to a place. */
+  nearest(place: VectorLike): NearestOnCurve {
+    const numbers = toVector(place, 'the place');
     return withPoint(this.#call((curve) => curve.nearest(numbers)));
   }
 

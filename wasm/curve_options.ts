@@ -128,6 +128,13 @@ export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
   };
 }
 
+/** Numbers of which there are some: the engine takes none for what a curve has by default. */
+export function givenNumbers(values: ArrayLike<number>, what: string): Float64Array {
+  const array = toFloat64(values, what);
+  if (array.length > 0) return array;
+  throw new KarcherError('badArgument', `${what} must not be an empty array`);
+}
+
 /** The shape of a curve as the engine takes it. */
 export function engineShape(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveShape {
   checkOptions(options, curveOptionNames);
@@ -137,12 +144,8 @@ export function engineShape(options: CurveOptions, basis: OwnBasis | undefined):
   const named = typeof knots === 'string';
   if (named) checkOneOf(knots, ['uniform', 'clamped'], 'the knots');
   checkOneOf(parametrization, parametrizations, 'the parametrization');
-  const numbers = (values: ArrayLike<number> | undefined, what: string) => {
-    if (values === undefined) return new Float64Array();
-    const array = toFloat64(values, what);
-    if (array.length > 0) return array;
-    throw new KarcherError('badArgument', `${what} must not be an empty array`);
-  };
+  const numbers = (values: ArrayLike<number> | undefined, what: string) =>
+    values === undefined ? new Float64Array() : givenNumbers(values, what);
   return {
     kind: options.kind,
     closed: checkBoolean(options.closed ?? false, 'closed'),

@@ -1,6 +1,7 @@
-export type { Curve } from './curve.js';
+export { Curve } from './curve.js';
 export { KarcherError } from './errors.js';
-export type { Karcher } from './karcher.js';
+export { Karcher } from './karcher.js';
 export { load } from './load.js';
-export type { Mesh } from './mesh.js';
+export { Mesh } from './mesh.js';
+export { Path } from './path.js';
 export type * from './types.js';

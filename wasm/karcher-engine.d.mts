@@ -2,10 +2,8 @@ import type {
   BridgedInterval,
   CurveKind,
   CurvePoints,
-  Isoline,
   MeshInfo,
   Method,
-  Path,
   Solver,
   Status,
   StraightestPath,
@@ -14,7 +12,8 @@ import type {
 /**
  * The WebAssembly module as the facade sees it: what bindings/*.cpp export.
  *
- * A point travels as four numbers: face, b0, b1, b2; faces and vertices are the caller's. After a
+ * A point travels as four numbers: face, b0, b1, b2, and to the engine also as NaN, vertex, 0, 0;
+ * faces and vertices are the caller's. After a
  * call that failed `takeFailure` returns why, once, and the call's own result means nothing.
  */
 export interface EngineModule {
@@ -42,15 +41,14 @@ export interface EngineMesh {
   triangles(): Int32Array;
   subdivided(levels: number): EngineMesh;
   checkedPoint(point: Float64Array): Float64Array;
-  vertexPoint(vertex: number): Float64Array;
   position(point: Float64Array): [number, number, number];
   distance(from: Float64Array, field: EngineFieldOptions): Float64Array;
-  shortestPath(from: Float64Array, to: Float64Array): Path;
+  shortestPath(from: Float64Array, to: Float64Array): EnginePath;
   straightest(
     from: Float64Array,
     direction: Float64Array,
     length: number,
-  ): Omit<StraightestPath, 'end'> & { end: Float64Array };
+  ): Omit<StraightestPath, 'end' | 'path'> & { end: Float64Array; path: EnginePath };
   hasRingGraph(rings: number): boolean;
   graphBuilder(rings: number): EngineGraphBuilder;
   prepareFields(field: EngineFieldOptions): void;
@@ -90,7 +88,7 @@ export interface EngineMesh {
     radius: number,
     exact: boolean,
     field: EngineFieldOptions,
-  ): Isoline[];
+  ): EnginePath[];
   curve(
     points: Float64Array,
     shape: EngineCurveShape,
@@ -133,6 +131,16 @@ export interface EngineCurvePoint {
   status: Status;
 }
 
+/** A path in arrays over its points. */
+export interface EnginePath {
+  closed: boolean;
+  length: number;
+  face: Int32Array;
+  bary: Float64Array;
+  position: Float64Array;
+  lengths: Float64Array;
+}
+
 export interface EngineSamples {
   segment: Int32Array;
   t: Float64Array;
@@ -145,8 +153,8 @@ export interface EngineSamples {
 export interface EngineCircle {
   samples: EngineSamples;
   bridged: BridgedInterval[];
-  polyline: Float64Array;
-  length: number;
+  path: EnginePath;
+  unconverged: Uint8Array;
   notShortest: Int32Array;
 }
 
@@ -179,6 +187,9 @@ export interface EngineCurve {
   setClosed(closed: boolean): void;
   setWeight(i: number, weight: number): void;
   setBeta(i: number, beta: number): void;
+  setPoints(points: Float64Array): void;
+  setWeights(weights: Float64Array): void;
+  setBetas(betas: Float64Array): void;
   retrace(): void;
   updateFields(): void;
   findSamples(): void;
@@ -200,8 +211,9 @@ export interface EngineCurve {
   points(): Float64Array;
   samples(): EngineSamples;
   bridged(): BridgedInterval[];
-  path(): Path;
-  polylineStatus(): Uint8Array;
+  path(): EnginePath;
+  polyline(inDouble: boolean): Float32Array | Float64Array;
+  unconverged(): Uint8Array;
   length(): number;
 }
 

@@ -6,6 +6,7 @@ import {
   checkOneOf,
   checkOptions,
   toFloat64,
+  toVector,
 } from './check.js';
 import { Curve } from './curve.js';
 import { type Engine, Handle } from './engine.js';
@@ -23,6 +24,7 @@ import {
   isolineOptionNames,
   startOptionNames,
 } from './options.js';
+import { Path } from './path.js';
 import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
 import { toCurveSamples } from './samples.js';
@@ -35,15 +37,14 @@ import type {
   DistanceOptions,
   EllipseOptions,
   FieldOptions,
-  Isoline,
   IsolineOptions,
   LongWorkOptions,
   MeshInfo,
-  Path,
   PointLike,
   StartOptions,
   StraightestPath,
   SurfacePoint,
+  VectorLike,
 } from './types.js';
 
 /**
@@ -59,13 +60,13 @@ export class Mesh {
   readonly #curves = new Set<Curve>();
 
   /** What the mesh consists of, and what was mended while it was read. */
-  readonly info: MeshInfo;
+  readonly info: Readonly<MeshInfo>;
 
   /** @internal `Karcher` makes meshes. */
   constructor(engine: Engine, target: EngineMesh) {
     this.#engine = engine;
     this.#handle = new Handle(engine, 'the mesh', target);
-    this.info = this.#handle.call((mesh) => mesh.info());
+    this.info = Object.freeze(this.#handle.call((mesh) => mesh.info()));
   }
 
   /** @internal The engine that made the mesh. */
@@ -105,15 +106,17 @@ export class Mesh {
 
   /**
    * The point of a face with the given weights of its corners, checked and cleaned: weights that
-   * leave the face by no more than 1e-6, from rounding, are moved onto it.
+   * leave the face by no more than 1e-6, from rounding, are moved onto it. A raycast of three.js gives
+   * them as `faceIndex` and `barycoord`.
    */
-  pointAt(face: number, bary: ArrayLike<number>): SurfacePoint {
-    return toSurfacePoint(wirePoint(this.#handle, { face, bary } as PointLike));
+  surfacePoint(face: number, bary: VectorLike): SurfacePoint {
+    const wire = wirePoint({ face, bary } as PointLike);
+    return toSurfacePoint(this.#handle.call((mesh) => mesh.checkedPoint(wire)));
   }
 
   /** The place of a point in space. */
   position(point: PointLike): [number, number, number] {
-    const wire = wirePoint(this.#handle, point);
+    const wire = wirePoint(point);
     return this.#handle.call((mesh) => mesh.position(wire));
   }
 
@@ -148,7 +151,7 @@ export class Mesh {
     options: CenterOptions = {},
   ): CenterOfMass {
     checkOptions(options, centerOptionNames);
-    const places = wirePoints(this.#handle, points);
+    const places = wirePoints(points);
     const masses = toFloat64(weights, 'the weights');
     const start = this.#wireStart(options);
     const field = engineFieldOptions(options);
@@ -212,20 +215,20 @@ export class Mesh {
   }
 
   /**
-   * The geodesic circle about a center, by rational quadratic arcs.
+   * The geodesic circle about a center, by rational quadratic arcs. `samples` are those of an arc.
    *
    * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
    * boundary), radiusTooLarge (no vertex of the component lies as far from the center).
    */
-  circle(options: CircleOptions): Circle {
+  circle(center: PointLike, options: CircleOptions): Circle {
     checkOptions(options, circleOptionNames);
-    const center = wirePoint(this.#handle, options.center, 'the center');
+    const wire = wirePoint(center, 'the center');
     const radius = checkNumber(options.radius, 'the radius');
     const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
     const samples = checkInteger(options.samples ?? 32, 'the number of samples');
     const field = engineFieldOptions(options);
     return this.#toCircle(
-      this.#handle.call((mesh) => mesh.circle(center, radius, arcs, samples, field)),
+      this.#handle.call((mesh) => mesh.circle(wire, radius, arcs, samples, field)),
     );
   }
 
@@ -234,9 +237,9 @@ export class Mesh {
    * the surface along geodesics from the center. Throws as `circle` does, and badArgument where the
    * direction is perpendicular to the center's face.
    */
-  ellipse(options: EllipseOptions): Circle {
+  ellipse(center: PointLike, options: EllipseOptions): Circle {
     checkOptions(options, ellipseOptionNames);
-    const center = wirePoint(this.#handle, options.center, 'the center');
+    const wire = wirePoint(center, 'the center');
     const [along, across, ...more] = checkArray(options.radii, 'the radii').map((radius, i) =>
       checkNumber(radius, `radius ${i}`),
     );
@@ -249,23 +252,26 @@ export class Mesh {
     const field = engineFieldOptions(options);
     return this.#toCircle(
       this.#handle.call((mesh) =>
-        mesh.ellipse(center, along, across, direction, arcs, samples, field),
+        mesh.ellipse(wire, along, across, direction, arcs, samples, field),
       ),
     );
   }
 
   /**
    * The points at one geodesic distance from a center: lines, of which there may be none, or several
-   * beyond the center's cut locus. Throws `KarcherError` badArgument where the radius is not positive.
+   * beyond the center's cut locus. Where one is not closed both of its ends lie on the boundary.
+   * Throws `KarcherError` badArgument where the radius is not positive.
    */
-  isolines(options: IsolineOptions): Isoline[] {
+  isolines(center: PointLike, options: IsolineOptions): Path[] {
     checkOptions(options, isolineOptionNames);
-    const center = wirePoint(this.#handle, options.center, 'the center');
+    const wire = wirePoint(center, 'the center');
     const radius = checkNumber(options.radius, 'the radius');
     const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
     const { solver = 'exact', rings } = options;
     const field = engineFieldOptions({ solver, ...(rings !== undefined && { rings }) });
-    return this.#handle.call((mesh) => mesh.isolines(center, radius, type === 'exact', field));
+    return this.#handle
+      .call((mesh) => mesh.isolines(wire, radius, type === 'exact', field))
+      .map((line) => new Path(line));
   }
 
   /**
@@ -274,16 +280,16 @@ export class Mesh {
    */
   distance(from: PointLike, options: DistanceOptions = {}): Float64Array {
     checkOptions(options, distanceOptionNames);
-    const wire = wirePoint(this.#handle, from);
+    const wire = wirePoint(from);
     const field = engineFieldOptions({ solver: 'exact', ...options });
     return this.#handle.call((mesh) => mesh.distance(wire, field));
   }
 
   /** The exact shortest path. Throws `KarcherError` unreachable where no path leads. */
   shortestPath(from: PointLike, to: PointLike): Path {
-    const wireFrom = wirePoint(this.#handle, from, 'the first point');
-    const wireTo = wirePoint(this.#handle, to, 'the second point');
-    return this.#handle.call((mesh) => mesh.shortestPath(wireFrom, wireTo));
+    const wireFrom = wirePoint(from, 'the first point');
+    const wireTo = wirePoint(to, 'the second point');
+    return new Path(this.#handle.call((mesh) => mesh.shortestPath(wireFrom, wireTo)));
   }
 
   /**
@@ -294,12 +300,12 @@ export class Mesh {
    * Throws `KarcherError` badArgument where the direction is perpendicular to the face or the length
    * is negative.
    */
-  straightest(from: PointLike, direction: ArrayLike<number>, length: number): StraightestPath {
-    const wire = wirePoint(this.#handle, from);
+  straightest(from: PointLike, direction: VectorLike, length: number): StraightestPath {
+    const wire = wirePoint(from);
     checkNumber(length, 'the length');
     const vector = toVector(direction, 'the direction');
-    const path = this.#handle.call((mesh) => mesh.straightest(wire, vector, length));
-    return { ...path, end: toSurfacePoint(path.end) };
+    const line = this.#handle.call((mesh) => mesh.straightest(wire, vector, length));
+    return { ...line, end: toSurfacePoint(line.end), path: new Path(line.path) };
   }
 
   /** Gives the memory back, that of the mesh's curves too. Safe to repeat. */
@@ -312,31 +318,18 @@ export class Mesh {
     return {
       samples: toCurveSamples(this.#engine, circle.samples),
       bridged: circle.bridged,
-      polyline: new Float32Array(circle.polyline),
-      length: circle.length,
-      path: { length: circle.length, polyline: circle.polyline },
+      path: new Path(circle.path),
+      unconverged: circle.unconverged,
       notShortest: Array.from(circle.notShortest),
     };
   }
 
   /** The start of a search as it travels: empty for the engine's choice. */
   #wireStart({ start }: StartOptions): Float64Array {
-    return start === undefined ? new Float64Array() : wirePoint(this.#handle, start, 'the start');
+    return start === undefined ? new Float64Array() : wirePoint(start, 'the start');
   }
 }
 
 function toCenterOfMass(mean: EngineMean): CenterOfMass {
   return { ...mean, point: toSurfacePoint(mean.point) };
-}
-
-/** Three finite numbers. `what` names them: "the direction". */
-function toVector(numbers: ArrayLike<number>, what: string): Float64Array {
-  const vector = toFloat64(numbers, what);
-  if (vector.length !== 3) {
-    throw new KarcherError('badArgument', `${what} must be 3 numbers, not ${vector.length}`);
-  }
-  vector.forEach((component, i) => {
-    checkNumber(component, `component ${i} of ${what}`);
-  });
-  return vector;
 }

@@ -41,7 +41,7 @@ export const curveOptionNames = namesOf<CurveOptions>({
   parametrization: true,
   basis: true,
 });
-const arcs = { ...field, center: true, arcs: true, samples: true } as const;
+const arcs = { ...field, arcs: true, samples: true } as const;
 export const circleOptionNames = namesOf<CircleOptions>({ ...arcs, radius: true });
 export const ellipseOptionNames = namesOf<EllipseOptions>({
   ...arcs,
@@ -49,7 +49,6 @@ export const ellipseOptionNames = namesOf<EllipseOptions>({
   direction: true,
 });
 export const isolineOptionNames = namesOf<IsolineOptions>({
-  center: true,
   radius: true,
   type: true,
   solver: true,

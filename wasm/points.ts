@@ -1,29 +1,17 @@
 import { checkArray, checkPointLike } from './check.js';
-import type { Handle } from './engine.js';
-import type { EngineMesh } from './karcher-engine.mjs';
 import type { PointLike, SurfacePoint } from './types.js';
 
-/** A caller's point, checked against the mesh, as it travels: face, b0, b1, b2. */
-export function wirePoint(
-  handle: Handle<EngineMesh>,
-  point: PointLike,
-  what = 'the point',
-): Float64Array {
-  const wire = checkPointLike(point, what);
-  return handle.call((mesh) =>
-    typeof wire === 'number' ? mesh.vertexPoint(wire) : mesh.checkedPoint(wire),
-  );
-}
+/** A caller's point as it travels (`checkPointLike`): the engine checks it against the mesh. */
+export const wirePoint = (point: PointLike, what = 'the point'): Float64Array =>
+  checkPointLike(point, what);
 
 /** Points one after the other, four numbers each. */
-export function wirePoints(handle: Handle<EngineMesh>, points: unknown): Float64Array {
-  const array = checkArray(points, 'the points') as PointLike[];
-  // Not array.map, which passes over holes.
-  const wires = Array.from(array, (point, i) => wirePoint(handle, point, `point ${i}`));
-  const all = new Float64Array(4 * wires.length);
-  wires.forEach((wire, i) => {
-    all.set(wire, 4 * i);
-  });
+export function wirePoints(points: unknown): Float64Array {
+  const array = checkArray(points, 'the points');
+  const all = new Float64Array(4 * array.length);
+  for (let i = 0; i < array.length; i++) {
+    all.set(checkPointLike(array[i], `point ${i}`), 4 * i);
+  }
   return all;
 }
 

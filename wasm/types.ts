@@ -1,9 +1,14 @@
 /**
  * The types of Karcher's JavaScript API.
  *
+ * A method makes what it gives: arrays and objects are the caller's, to change, keep or transfer. What
+ * costs nothing is a property. Options, points and arrays that are given are copied at once.
+ *
  * Vertices, faces and control points are numbered from 0 in the caller's own order; faces count
  * triangles, after polygons were cut. Lengths are in the units of the mesh.
  */
+
+import type { Path } from './path.js';
 
 /** A point of the surface: a face and the weights of its corners 0, 1, 2 (at least 0, sum 1). */
 export interface SurfacePoint {
@@ -13,6 +18,15 @@ export interface SurfacePoint {
 
 /** Where a point is asked for: a surface point, or a vertex by its number. */
 export type PointLike = SurfacePoint | { vertex: number };
+
+/** A place or a direction in space: three numbers, or an object with x, y and z. */
+export type VectorLike = ArrayLike<number> | { x: number; y: number; z: number };
+
+/** How x, y, z of a line's vertices are given. */
+export interface PolylineOptions {
+  /** In 32 bits, as they are drawn (the default), or in 64. */
+  bits?: 32 | 64;
+}
 
 /**
  * How geodesic distances are found: `fast`: by virtual sources, with a mean error of 1e-3; `exact`:
@@ -269,25 +283,27 @@ export interface BridgedInterval {
   reason: Status;
 }
 
-export interface CircleOptions extends FieldOptions {
-  center: PointLike;
+export interface CircleOptions extends ArcOptions {
   radius: number;
+}
+
+/** Of circles and ellipses. */
+export interface ArcOptions extends FieldOptions {
   /** Rational quadratic arcs, 3 to 64; 7 by default. */
   arcs?: number;
-  /** Samples an arc; 32 by default. */
+  /** Samples an arc, both ends included; 32 by default. */
   samples?: number;
 }
 
-export interface EllipseOptions extends Omit<CircleOptions, 'radius'> {
+export interface EllipseOptions extends ArcOptions {
   /** The radii along and across the direction. */
   radii: readonly [number, number];
   /** A direction in space, which is projected onto the center's face. */
-  direction: ArrayLike<number>;
+  direction: VectorLike;
 }
 
 /** The solver is that of `linear` isolines. */
 export interface IsolineOptions extends DistanceOptions {
-  center: PointLike;
   radius: number;
   /**
    * `exact` (the default): the circular arcs of the points at this distance in each triangle.
@@ -297,33 +313,21 @@ export interface IsolineOptions extends DistanceOptions {
   type?: 'exact' | 'linear';
 }
 
-/** A line of points at one distance. */
-export interface Isoline extends Path {
-  /** Whether the last point is the first one; else both ends lie on the boundary. */
-  closed: boolean;
-}
-
 export interface Circle {
   /** `segment` is the number of the arc. */
   samples: CurveSamples;
   /** `segment` is the number of the arc. */
   bridged: BridgedInterval[];
-  /** x, y, z of the vertices for drawing, on the surface. */
-  polyline: Float32Array;
-  length: number;
-  /** The circle's length, and its vertices in double precision. */
+  /** The samples joined by geodesics. */
   path: Path;
+  /** A number for each point of the path: 1 where the piece that leads to it is no center of mass. */
+  unconverged: Uint8Array;
   /** Numbers of the arcs whose geodesics from the center stopped being shortest. */
   notShortest: number[];
 }
 
-export interface Path {
-  length: number;
-  /** x, y, z of the path's points, on the surface. */
-  polyline: Float64Array;
-}
-
 export interface StraightestPath {
+  path: Path;
   end: SurfacePoint;
   /**
    * Why it ended: the length was walked (`complete`), it met the boundary, or it crossed a million
@@ -332,7 +336,6 @@ export interface StraightestPath {
   stop: 'complete' | 'boundary' | 'limit';
   /** Length that was left where the path did not walk all of it; 0 for `complete`. */
   remaining: number;
-  polyline: Float64Array;
 }
 
 /** Milliseconds of a curve's last update. */

@@ -13,7 +13,9 @@ test('a curve round the torus is bridged where it has no center, and says where'
     bary: [0.2, 0.3, 0.5],
   }));
   const curve = mesh.curve({ kind: 'bspline', points, samples: 64 });
-  const { bridged, samples, polylineStatus } = curve;
+  const bridged = curve.bridged();
+  const samples = curve.samples();
+  const marks = curve.unconverged();
   assert.ok(bridged.length > 0);
   for (const { segment, t0, t1, reason } of bridged) {
     assert.ok(segment >= 0 && segment < 4);
@@ -28,7 +30,7 @@ test('a curve round the torus is bridged where it has no center, and says where'
     if (status === 'bridged') assert.ok(inside);
     else assert.equal(status, 'converged');
   });
-  assert.equal(polylineStatus.length, curve.polyline.length / 3);
-  assert.ok(polylineStatus.includes(1) && polylineStatus.includes(0));
+  assert.equal(marks.length, curve.polyline().length / 3);
+  assert.ok(marks.includes(1) && marks.includes(0));
   mesh.dispose();
 });

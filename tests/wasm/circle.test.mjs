@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
-import { exactFields, grid } from './meshes.mjs';
+import { exactFields, grid, partsOf } from './meshes.mjs';
 
 let karcher;
 before(async () => {
@@ -16,7 +16,7 @@ test('on a plane a geodesic circle is a circle', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   for (const [arcs, field] of [3, 7].flatMap((n) => exactFields.map((f) => [n, f]))) {
     const radius = arcs === 3 ? 2 : 4.5;
-    const circle = mesh.circle({ center, radius, arcs, samples: 40, ...field });
+    const circle = mesh.circle(center, { radius, arcs, samples: 40, ...field });
     const { samples } = circle;
     assert.equal(samples.count, 40 * arcs);
     assert.deepEqual(new Set(samples.segment), new Set(Array.from({ length: arcs }, (_, i) => i)));
@@ -26,17 +26,23 @@ test('on a plane a geodesic circle is a circle', () => {
     }
     // The chords of n equal angles fall short by a part of (pi / n)^2 / 6; these are less equal.
     const perimeter = 2 * Math.PI * radius;
-    assert.ok(circle.length < perimeter && circle.length > 0.999 * perimeter);
-    assert.equal(circle.path.length, circle.length);
-    assert.deepEqual(circle.polyline, new Float32Array(circle.path.polyline));
+    const { path } = circle;
+    assert.ok(path.length < perimeter && path.length > 0.999 * perimeter);
+    assert.equal(path.closed, true);
+    assert.equal(path.count, circle.unconverged.length);
+    assert.ok(circle.unconverged.every((mark) => mark === 0));
     assert.deepEqual(circle.notShortest, []);
   }
 });
 
 test('circles that cannot be', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  const good = { center, radius: 3, ...paper };
-  const expected = mesh.circle(good);
+  const good = { radius: 3, ...paper };
+  const shown = () => {
+    const { path, ...rest } = mesh.circle(center, good);
+    return { ...rest, path: partsOf(path) };
+  };
+  const expected = shown();
   assert.equal(expected.samples.count, 7 * 32);
   const wrong = [
     [{ radius: 7.9 }, 'boundary', /arc \d+ .* boundary/],
@@ -48,19 +54,19 @@ test('circles that cannot be', () => {
     [{ arcs: 2 }, 'badArgument', /3 to 64 arcs/],
     [{ arcs: 65 }, 'badArgument', /3 to 64 arcs/],
     [{ samples: 1 }, 'badArgument', /samples/],
-    [{ center: { vertex: -5 } }, 'badIndex', /vertex -5/],
-    [{ center: undefined }, 'badArgument', /the center/],
+    [{}, 'badIndex', /vertex -5/, { vertex: -5 }],
+    [{}, 'badArgument', /the center/, null],
   ];
-  for (const [change, code, message] of wrong) {
-    assert.throws(() => mesh.circle({ ...good, ...change }), {
+  for (const [change, code, message, about = center] of wrong) {
+    assert.throws(() => mesh.circle(about, { ...good, ...change }), {
       name: 'KarcherError',
       code,
       message,
     });
-    assert.deepEqual(mesh.circle(good), expected);
+    assert.deepEqual(shown(), expected);
   }
   const sphere = karcher.shape('sphere', 2000);
-  assert.throws(() => sphere.circle({ center: { vertex: 0 }, radius: 3.2, ...paper }), {
+  assert.throws(() => sphere.circle({ vertex: 0 }, { radius: 3.2, ...paper }), {
     code: 'radiusTooLarge',
   });
 });
@@ -68,15 +74,17 @@ test('circles that cannot be', () => {
 test('an arc beyond the cut locus is marked', () => {
   // On a torus, around its tube: the geodesics round the hole meet behind it.
   const mesh = karcher.shape('torus', 6000);
-  const circle = mesh.circle({ center: { vertex: 0 }, radius: 1.6, ...paper });
+  const circle = mesh.circle({ vertex: 0 }, { radius: 1.6, ...paper });
   assert.ok(circle.notShortest.length > 0);
   for (const arc of circle.notShortest) assert.ok(arc >= 0 && arc < 7);
 });
 
 test('on a plane an ellipse is an ellipse', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  const options = { center, radii: [4, 1.5], direction: [1, 1, 0], samples: 20, ...paper };
-  const { samples } = mesh.ellipse(options);
+  const options = { radii: [4, 1.5], direction: [1, 1, 0], samples: 20, ...paper };
+  const { samples } = mesh.ellipse(center, options);
+  const named = { ...options, direction: { x: 1, y: 1, z: 0 } };
+  assert.deepEqual(mesh.ellipse(center, named).samples, samples);
   assert.equal(samples.count, 7 * 20);
   for (let i = 0; i < samples.count; i++) {
     const [x, y] = samples.position.slice(3 * i, 3 * i + 2).map((value) => value - 8);
@@ -89,28 +97,33 @@ test('on a plane an ellipse is an ellipse', () => {
     { direction: [0, 0, 1] },
     { direction: [1, 0] },
   ]) {
-    assert.throws(() => mesh.ellipse({ ...options, ...wrong }), { code: 'badArgument' });
+    assert.throws(() => mesh.ellipse(center, { ...options, ...wrong }), { code: 'badArgument' });
   }
 });
 
 test('isolines: the exact one on a plane is the circle, the linear one near it', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  const [exact, ...more] = mesh.isolines({ center, radius: 4.5 });
+  const [exact, ...more] = mesh.isolines(center, { radius: 4.5 });
   assert.deepEqual(more, []);
   assert.equal(exact.closed, true);
   assert.ok(Math.abs(exact.length - 9 * Math.PI) < 1e-6);
-  for (let i = 0; i < exact.polyline.length; i += 3) {
-    const [x, y] = exact.polyline.slice(i, i + 2);
+  const polyline = exact.polyline({ bits: 64 });
+  const lengths = exact.lengths();
+  assert.equal(lengths[0], 0);
+  assert.equal(lengths.at(-1), exact.length);
+  for (let i = 0; i < polyline.length; i += 3) {
+    const [x, y] = polyline.slice(i, i + 2);
+    if (i > 0) assert.ok(lengths[i / 3] > lengths[i / 3 - 1]);
     assert.ok(Math.abs(Math.hypot(x - 8, y - 8) - 4.5) < 1e-9);
   }
   for (const solver of ['fast', 'exact', 'graph']) {
-    const [linear] = mesh.isolines({ center, radius: 4.5, type: 'linear', solver });
+    const [linear] = mesh.isolines(center, { radius: 4.5, type: 'linear', solver });
     assert.equal(linear.closed, true);
     assert.ok(Math.abs(linear.length / (9 * Math.PI) - 1) < 0.03);
   }
-  assert.deepEqual(mesh.isolines({ center, radius: 100 }), []);
-  assert.throws(() => mesh.isolines({ center, radius: -1 }), { code: 'badArgument' });
-  assert.throws(() => mesh.isolines({ center, radius: 1, type: 'round' }), {
+  assert.deepEqual(mesh.isolines(center, { radius: 100 }), []);
+  assert.throws(() => mesh.isolines(center, { radius: -1 }), { code: 'badArgument' });
+  assert.throws(() => mesh.isolines(center, { radius: 1, type: 'round' }), {
     code: 'badArgument',
   });
 });

@@ -32,10 +32,10 @@ const asJson = (value) => JSON.parse(JSON.stringify(value));
 
 /** Both run along the same places. */
 function expectSame({ samples }, curve) {
-  assert.equal(samples.length, curve.samples.count);
+  assert.equal(samples.length, curve.samples().count);
   samples.forEach(({ position }, i) => {
     position.forEach((value, k) => {
-      assert.ok(Math.abs(value - curve.samples.position[3 * i + k]) < 1e-9, `sample ${i}`);
+      assert.ok(Math.abs(value - curve.samples().position[3 * i + k]) < 1e-9, `sample ${i}`);
     });
   });
 }

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
-import { distancesOf, exactFields, fields, grid, square } from './meshes.mjs';
+import { distancesOf, exactFields, fields, grid, partsOf, square } from './meshes.mjs';
 
 let karcher;
 before(async () => {
@@ -42,18 +42,18 @@ function planePoint(mesh, points, weights) {
 
 /** Everything that a curve shows but its timings. */
 const shown = (curve) => ({
-  points: curve.points,
-  samples: curve.samples,
-  polyline: curve.polyline,
-  polylineStatus: curve.polylineStatus,
-  path: curve.path,
+  points: curve.points(),
+  samples: curve.samples(),
+  polyline: curve.polyline(),
+  marks: curve.unconverged(),
+  path: partsOf(curve.path()),
   length: curve.length,
 });
 
 test('a B-spline on a plane, at t = i / (samples - 1)', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  const traced = exactFields.map(
-    (field) => mesh.curve({ kind: 'bspline', points: inner, samples: 9, ...field }).samples,
+  const traced = exactFields.map((field) =>
+    mesh.curve({ kind: 'bspline', points: inner, samples: 9, ...field }).samples(),
   );
   for (const [i, samples] of traced.flatMap((all) => Array.from(all.t, (_, i) => [i, all]))) {
     assert.equal(samples.count, 18);
@@ -75,18 +75,18 @@ test('a Bezier curve on a plane runs from its first to its last point', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   for (const field of exactFields) {
     const curve = mesh.curve({ kind: 'bezier', points: inner, samples: 17, ...field });
-    const { samples } = curve;
+    const samples = curve.samples();
     assert.equal(samples.count, 17);
     for (let i = 0; i < 17; i++) {
       const expected = planePoint(mesh, inner, bernstein(4, i / 16));
       closeTo(samples.position.slice(3 * i, 3 * i + 3), expected, 1e-9, `sample ${i}`);
     }
-    const { polyline } = curve.path;
+    const polyline = curve.polyline({ bits: 64 });
     closeTo(polyline.slice(0, 3), mesh.position(inner[0]), 1e-9, 'start');
     closeTo(polyline.slice(-3), mesh.position(inner[4]), 1e-9, 'end');
   }
   const straight = mesh.curve({ kind: 'bezier', points: [inner[0], inner[2]], ...paper });
-  assert.equal(straight.samples.count, 128);
+  assert.equal(straight.samples().count, 128);
   assert.ok(Math.abs(straight.length - Math.hypot(5, 6)) < 1e-9);
 });
 
@@ -94,23 +94,27 @@ test('the polyline joins the samples on the surface', () => {
   const mesh = karcher.shape('torus', 4000);
   const points = [0, 1, 2, 3].map((i) => ({ face: 300 + 2 * i, bary: [0.2, 0.3, 0.5] }));
   const curve = mesh.curve({ kind: 'bspline', points, samples: 20, ...paper });
-  const { length, polyline } = curve.path;
+  const path = curve.path();
+  const { length } = path;
+  const polyline = path.polyline({ bits: 64 });
   assert.equal(length, curve.length);
-  assert.deepEqual(curve.polyline, new Float32Array(polyline));
-  assert.equal(curve.polylineStatus.length, polyline.length / 3);
+  assert.equal(path.closed, false);
+  assert.deepEqual(curve.polyline({ bits: 64 }), polyline);
+  assert.deepEqual(curve.polyline(), new Float32Array(polyline));
+  assert.equal(curve.unconverged().length, polyline.length / 3);
   let walked = 0;
   for (let i = 3; i < polyline.length; i += 3) {
     walked += Math.hypot(...[0, 1, 2].map((k) => polyline[i + k] - polyline[i + k - 3]));
   }
   assert.ok(Math.abs(walked - length) < 1e-9 * length);
-  const { samples } = curve;
+  const samples = curve.samples();
   for (let i = 0, at = 0; i < samples.count; i++) {
     const place = samples.position.slice(3 * i, 3 * i + 3);
     while (at < polyline.length && place.some((value, k) => value !== polyline[at + k])) at += 3;
     assert.ok(at < polyline.length, `the polyline passes sample ${i}`);
   }
   assert.deepEqual(
-    new Set(curve.polylineStatus),
+    new Set(curve.unconverged()),
     new Set(samples.status.map((status) => (status === 'converged' ? 0 : 1))),
   );
 });
@@ -140,8 +144,8 @@ function edit(field) {
     check();
   }
   edited.addPoint({ vertex: 20 });
-  current = [...current, mesh.pointAt(...pointOf(mesh, 20))];
-  assert.deepEqual(mesh.position(edited.points[5]), mesh.position({ vertex: 20 }));
+  current = [...current, mesh.surfacePoint(...pointOf(mesh, 20))];
+  assert.deepEqual(mesh.position(edited.points()[5]), mesh.position({ vertex: 20 }));
   edited.removePoint(5);
   current = current.slice(0, 5);
   check();
@@ -158,7 +162,7 @@ function edit(field) {
   check('bezier');
   edited.setKind('bspline');
   check();
-  for (const value of Object.values(edited.times)) assert.ok(value >= 0);
+  for (const value of Object.values(edited.times())) assert.ok(value >= 0);
 }
 
 /** Some face and weights of a vertex. */
@@ -232,15 +236,15 @@ test('curves go with their mesh', () => {
   const [one, two] = [mesh.curve(options), mesh.curve(options)];
   one.dispose();
   one.dispose();
-  assert.throws(() => one.samples, { code: 'disposed', message: /the curve/ });
-  assert.equal(two.samples.count, 10);
+  assert.throws(() => one.samples(), { code: 'disposed', message: /the curve/ });
+  assert.equal(two.samples().count, 10);
   mesh.dispose();
   for (const use of [
-    () => two.points,
-    () => two.samples,
-    () => two.polyline,
+    () => two.points(),
+    () => two.samples(),
+    () => two.polyline(),
     () => two.length,
-    () => two.times,
+    () => two.times(),
     () => two.movePoint(0, inner[0]),
     () => two.removePoint(0),
     () => mesh.curve(options),

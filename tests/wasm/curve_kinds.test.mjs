@@ -29,7 +29,7 @@ const near = (actual, expected, tolerance, what) =>
 
 /** The positions of a curve's samples, with the segment and t of each. */
 function samplesOf(curve) {
-  const { samples } = curve;
+  const samples = curve.samples();
   return Array.from(samples.t, (t, i) => ({
     t,
     segment: samples.segment[i],
@@ -109,27 +109,77 @@ test('every kind on a plane is the affine average of its points', () => {
 
 test('what a curve is can be read and changed', () => {
   const curve = mesh.curve({ kind: 'bspline', points, ...exact });
-  assert.deepEqual(Array.from(curve.knots), [-3, -2, -1, 0, 1, 2, 3, 4, 5]);
-  assert.deepEqual(Array.from(curve.weights), [1, 1, 1, 1, 1]);
+  assert.deepEqual(Array.from(curve.knots()), [-3, -2, -1, 0, 1, 2, 3, 4, 5]);
+  assert.deepEqual(Array.from(curve.weights()), [1, 1, 1, 1, 1]);
   assert.equal(curve.segmentCount, 2);
   curve.setClosed(true);
   assert.equal(curve.closed, true);
   assert.equal(curve.segmentCount, 5);
   curve.setWeight(1, 3);
-  assert.deepEqual(Array.from(curve.weights), [1, 3, 1, 1, 1]);
+  assert.deepEqual(Array.from(curve.weights()), [1, 3, 1, 1, 1]);
   assert.equal(curve.fieldsComputed, 5);
   curve.movePointInOrder(1, 3);
-  assert.deepEqual(Array.from(curve.weights), [1, 1, 1, 3, 1]);
-  near(mesh.position(curve.points[3]), [6, 9, 0], 1e-12, 'the moved point');
+  assert.deepEqual(Array.from(curve.weights()), [1, 1, 1, 3, 1]);
+  near(mesh.position(curve.points()[3]), [6, 9, 0], 1e-12, 'the moved point');
   curve.reverse();
-  assert.deepEqual(Array.from(curve.weights), [1, 1, 3, 1, 1]);
-  near(mesh.position(curve.points[0]), [4, 4, 0], 1e-12, 'the first point');
+  assert.deepEqual(Array.from(curve.weights()), [1, 1, 3, 1, 1]);
+  near(mesh.position(curve.points()[0]), [4, 4, 0], 1e-12, 'the first point');
   curve.setKind('barycentric');
   curve.setBeta(0, 2);
-  assert.deepEqual(Array.from(curve.betas), [2, 1, 1, 1, 1]);
+  assert.deepEqual(Array.from(curve.betas()), [2, 1, 1, 1, 1]);
   assert.equal(curve.kind, 'barycentric');
-  assert.equal(curve.knots.length, 0);
+  assert.equal(curve.knots().length, 0);
   assert.equal(curve.fieldsComputed, 5);
+});
+
+test('all points, weights or betas at once are as one after the other', () => {
+  const [one, all] = [1, 2].map(() => mesh.curve({ kind: 'bspline', points, ...exact }));
+  const same = () => {
+    assert.deepEqual(all.points(), one.points());
+    assert.deepEqual(all.samples(), one.samples());
+    assert.deepEqual(all.polyline({ bits: 64 }), one.polyline({ bits: 64 }));
+  };
+  const moved = [...points];
+  moved[1] = { vertex: 70 };
+  moved[3] = { face: 12, bary: [0.2, 0.3, 0.5] };
+  one.movePoint(1, moved[1]);
+  one.movePoint(3, moved[3]);
+  all.setPoints(moved);
+  assert.equal(all.fieldsComputed, points.length + 2, 'the others stay where they are');
+  same();
+  one.setWeight(0, 2);
+  one.setWeight(4, 3);
+  all.setWeights(Float64Array.of(2, 1, 1, 1, 3));
+  same();
+  for (const curve of [one, all]) curve.setKind('barycentric');
+  one.setBeta(2, 5);
+  all.setBetas([1, 1, 5, 1, 1]);
+  same();
+  for (const [wrong, code, message] of [
+    [() => all.setBetas([1, 2]), 'badArgument', /5 control points but 2 betas/],
+    [() => all.setBetas([]), 'badArgument', /empty/],
+    [() => all.setWeights([1, 1, 1, 1, 1]), 'badArgument', /has no weights/],
+    [() => all.setPoints(points.slice(0, 4)), 'badArgument', /4 control points but 5 weights/],
+  ]) {
+    assert.throws(wrong, { code, message });
+    same();
+  }
+});
+
+test('options are copied when they are taken', () => {
+  const own = points.map((point) => ({ ...point }));
+  const options = { kind: 'bspline', points: own, weights: [1, 2, 1, 2, 1], ...exact };
+  const curve = mesh.curve(options);
+  const [samples, parts] = [curve.samples(), curve.split(0.5)];
+  const part = parts[0].samples();
+  own[0].vertex = 3;
+  own.length = 1;
+  options.weights[1] = 7;
+  Object.assign(options, { samples: 3, solver: 'fast', kind: 'bezier' });
+  curve.setWeight(1, 3);
+  curve.setWeight(1, 2);
+  assert.deepEqual(curve.samples(), samples);
+  assert.deepEqual(curve.split(0.5)[0].samples(), part);
 });
 
 test('curves that cannot be say why', () => {
@@ -203,7 +253,7 @@ test('adaptive samples keep their tolerance', () => {
   let last = 0;
   for (const tolerance of [1e-2, 1e-3, undefined]) {
     const curve = mesh.curve({ ...plane, ...(tolerance ? { tolerance } : {}) });
-    const { polyline } = curve.path;
+    const polyline = curve.polyline({ bits: 64 });
     let worst = 0;
     for (let i = 0; i <= 500; i++) {
       const [x, y] = blended(bernstein(i / 500));
@@ -218,8 +268,8 @@ test('adaptive samples keep their tolerance', () => {
       worst = Math.max(worst, nearest);
     }
     assert.ok(worst <= (tolerance ?? 1e-4) * diagonal);
-    assert.ok(curve.samples.count >= last);
-    last = curve.samples.count;
+    assert.ok(curve.samples().count >= last);
+    last = curve.samples().count;
   }
 });
 
@@ -240,9 +290,10 @@ test('with exact geometry the polyline bends on the curve alone, however few the
     return distance((from + to) / 2);
   };
   const worst = (geometry) => {
-    const { path } = mesh.curve({ kind: 'bezier', points, solver: 'exact', samples: 5, geometry });
-    const vertices = Array.from({ length: path.polyline.length / 3 }, (_, i) =>
-      path.polyline.slice(3 * i, 3 * i + 2),
+    const curve = mesh.curve({ kind: 'bezier', points, solver: 'exact', samples: 5, geometry });
+    const polyline = curve.polyline({ bits: 64 });
+    const vertices = Array.from({ length: polyline.length / 3 }, (_, i) =>
+      polyline.slice(3 * i, 3 * i + 2),
     );
     assert.ok(vertices.length > 8);
     return Math.max(...vertices.map(away));
@@ -290,7 +341,7 @@ test('a curve at a parameter, by length, and next to a place', () => {
     [() => curve.pointAtLength(-1), 'badArgument', /no point at the length/],
     [() => curve.equallySpaced(1), 'badArgument', /2 to 1000000/],
     [() => curve.nearest([1, 2]), 'badArgument', /3 numbers/],
-    [() => curve.nearest([1, 2, Number.NaN]), 'notFinite', /coordinate/],
+    [() => curve.nearest([1, 2, Number.NaN]), 'notFinite', /component 2 of the place/],
   ];
   for (const [use, code, message] of wrong) assert.throws(use, { code, message });
 });
@@ -302,7 +353,7 @@ test('points put in on a curve, curves split and joined', () => {
 
   const refined = mesh.curve(options);
   const index = refined.insertOnCurve(0.3);
-  assert.equal(refined.points.length, 6);
+  assert.equal(refined.points().length, 6);
   assert.ok(index > 0 && index < 5);
   assert.equal(refined.segmentCount, 3);
   [0, 1, 2, 2.5, 3].forEach((at, i) => {
@@ -318,11 +369,11 @@ test('points put in on a curve, curves split and joined', () => {
   assert.equal(joined.segmentCount, 3);
   near(joined.pointAt(0.3).position, whole[1], 1e-9, 'joined');
   near(joined.pointAt(3).position, whole[4], 1e-9, 'the end');
-  assert.equal(joined.samples.count, 27);
+  assert.equal(joined.samples().count, 27);
 
   const closed = mesh.curve({ kind: 'rational', closed: true, points, weights: [1, 2, 1, 2, 1] });
   closed.insertOnCurve(0.5);
-  assert.equal(closed.points.length, 6);
+  assert.equal(closed.points().length, 6);
   assert.equal(closed.closed, true);
   const elsewhere = karcher.meshFromObj(grid(cells));
   const other = elsewhere.curve(options);
@@ -339,7 +390,7 @@ test('points put in on a curve, curves split and joined', () => {
     [() => custom.insertOnCurve(0.5), /its own basis/],
   ];
   for (const [use, message] of wrong) assert.throws(use, { code: 'badArgument', message });
-  const before = curve.samples;
+  const before = curve.samples();
   mesh.curve(options).dispose();
-  assert.deepEqual(curve.samples, before);
+  assert.deepEqual(curve.samples(), before);
 });

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
-import { grid, square } from './meshes.mjs';
+import { grid, partsOf, square } from './meshes.mjs';
 
 let karcher;
 before(async () => {
@@ -63,7 +63,9 @@ test('welded vertices repeat their distance; dropped and unreachable ones have n
 test('the shortest path on a plane is a straight line', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const from = { face: 0, bary: [0.5, 0.25, 0.25] };
-  const { length, polyline } = mesh.shortestPath(from, { vertex: 47 });
+  const path = mesh.shortestPath(from, { vertex: 47 });
+  const { length } = path;
+  const polyline = path.polyline({ bits: 64 });
   const direct = Math.hypot(5 - 0.5, 6 - 0.25);
   assert.ok(Math.abs(length - direct) < 1e-12);
   assert.deepEqual(Array.from(polyline.slice(0, 3)), [0.5, 0.25, 0]);
@@ -75,11 +77,37 @@ test('the shortest path on a plane is a straight line', () => {
   assert.ok(Math.abs(walked - direct) < 1e-12);
 });
 
+test('a path has points of the surface, with lengths from its start, and copies for the caller', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  const path = mesh.shortestPath({ vertex: 0 }, { face: 40, bary: [0.5, 0.25, 0.25] });
+  const before = partsOf(path);
+  const { points, lengths, polyline } = before;
+  assert.equal(path.closed, false);
+  assert.equal(points.length, path.count);
+  assert.equal(lengths[0], 0);
+  assert.equal(lengths.at(-1), path.length);
+  points.forEach((point, i) => {
+    assert.deepEqual(mesh.position(point), Array.from(polyline.slice(3 * i, 3 * i + 3)));
+    const away = Math.hypot(...polyline.slice(3 * i, 3 * i + 2));
+    assert.ok(Math.abs(lengths[i] - away) < 1e-12);
+  });
+  assert.deepEqual(path.polyline(), new Float32Array(polyline));
+  assert.deepEqual(path.polyline({ bits: 32 }), new Float32Array(polyline));
+  for (const copy of [path.polyline(), path.polyline({ bits: 64 }), path.lengths()]) copy.fill(7);
+  path.points()[0].bary[0] = 7;
+  assert.deepEqual(partsOf(path), before);
+  assert.throws(() => path.polyline({ bits: 16 }), { code: 'badArgument', message: /32, 64/ });
+  assert.throws(() => path.polyline({ bit: 64 }), { code: 'badArgument', message: /'bit'/ });
+  // What a path leads through can be asked for again.
+  assert.ok(mesh.shortestPath(points[0], points.at(-1)).length - path.length < 1e-12);
+});
+
 test('a path from a point to itself has two ends and no length', () => {
   const mesh = karcher.meshFromObj(grid(cells));
-  const { length, polyline } = mesh.shortestPath({ vertex: 9 }, { vertex: 9 });
-  assert.equal(length, 0);
-  assert.deepEqual(Array.from(polyline), [2, 1, 0, 2, 1, 0]);
+  const path = mesh.shortestPath({ vertex: 9 }, { vertex: 9 });
+  assert.equal(path.length, 0);
+  assert.deepEqual(Array.from(path.polyline()), [2, 1, 0, 2, 1, 0]);
+  assert.deepEqual(Array.from(path.lengths()), [0, 0]);
 });
 
 test('no path leads to another component', () => {

@@ -33,14 +33,14 @@ test('meshes, curves and what is asked of them give all their memory back', asyn
     for (const field of fields) {
       const curve = mesh.curve({ kind: 'bspline', points, samples: 8, ...field });
       curve.movePoint(1, points[2]);
-      curve.samples.count;
-      curve.polyline.length;
+      curve.samples().count;
+      curve.polyline().length;
       curve.dispose();
       mesh.distance(points[0], distancesOf(field));
       mesh.centerOfMass(points, [0.25, 0.25, 0.25, 0.25], field);
     }
     mesh.shortestPath(points[0], points[3]);
-    mesh.circle({ center: points[1], radius: 1, samples: 4 });
+    mesh.circle(points[1], { radius: 1, samples: 4 });
     mesh.curve({ kind: 'bezier', points, samples: 8 });
     mesh.dispose();
   });

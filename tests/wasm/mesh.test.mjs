@@ -157,8 +157,10 @@ test('coordinates beyond the limits of size', () => {
 
 test('a point is checked, and cleaned of rounding', () => {
   const mesh = karcher.meshFromObj(square);
-  assert.deepEqual(mesh.pointAt(1, [0.25, 0.25, 0.5]), { face: 1, bary: [0.25, 0.25, 0.5] });
-  assert.deepEqual(mesh.pointAt(0, Float32Array.of(-1e-8, 0.5, 0.5)), {
+  assert.deepEqual(mesh.surfacePoint(1, [0.25, 0.25, 0.5]), { face: 1, bary: [0.25, 0.25, 0.5] });
+  const barycoord = { x: 0.25, y: 0.25, z: 0.5 };
+  assert.deepEqual(mesh.surfacePoint(1, barycoord), mesh.surfacePoint(1, [0.25, 0.25, 0.5]));
+  assert.deepEqual(mesh.surfacePoint(0, Float32Array.of(-1e-8, 0.5, 0.5)), {
     face: 0,
     bary: [0, 0.5, 0.5],
   });
@@ -175,7 +177,7 @@ test('a point is checked, and cleaned of rounding', () => {
     [0, undefined, 'badArgument', /array/],
   ];
   for (const [face, bary, code, message] of wrong) {
-    assert.throws(() => mesh.pointAt(face, bary), { name: 'KarcherError', code, message });
+    assert.throws(() => mesh.surfacePoint(face, bary), { name: 'KarcherError', code, message });
   }
   for (const point of [undefined, null, 3, {}, { vertex: 1.5 }, { vertex: '1' }]) {
     assert.throws(() => mesh.position(point), { code: 'badArgument' });
@@ -189,8 +191,10 @@ test('a point is the same in whichever face is first in memory', () => {
   // Errors and answers name the caller's faces though the engine sorts them.
   const mesh = karcher.meshFromObj(grid(8));
   for (let face = 0; face < 128; face++) {
-    assert.equal(mesh.pointAt(face, [0.2, 0.3, 0.5]).face, face);
-    assert.throws(() => mesh.pointAt(face, [2, 0, 0]), { message: new RegExp(`face ${face} `) });
+    assert.equal(mesh.surfacePoint(face, [0.2, 0.3, 0.5]).face, face);
+    assert.throws(() => mesh.surfacePoint(face, [2, 0, 0]), {
+      message: new RegExp(`face ${face} `),
+    });
   }
 });
 
@@ -247,20 +251,27 @@ test('arrays that are no mesh', () => {
 test('a straightest geodesic on a plane is a straight line', () => {
   const mesh = karcher.meshFromObj(grid(4));
   const from = { face: 0, bary: [0.5, 0.25, 0.25] };
-  const path = mesh.straightest(from, [0, 3, 4], 2);
-  const end = mesh.position(path.end);
+  const walked = mesh.straightest(from, [0, 3, 4], 2);
+  const end = mesh.position(walked.end);
   assert.ok(Math.abs(end[0] - 0.5) < 1e-14 && Math.abs(end[1] - 2.25) < 1e-14);
-  assert.equal(path.remaining, 0);
-  assert.equal(path.stop, 'complete');
-  assert.deepEqual(Array.from(path.polyline.slice(0, 3)), [0.5, 0.25, 0]);
-  assert.deepEqual(Array.from(path.polyline.slice(-3)), end);
+  assert.equal(walked.remaining, 0);
+  assert.equal(walked.stop, 'complete');
+  assert.equal(walked.path.length, 2);
+  const polyline = walked.path.polyline({ bits: 64 });
+  assert.deepEqual(Array.from(polyline.slice(0, 3)), [0.5, 0.25, 0]);
+  assert.deepEqual(Array.from(polyline.slice(-3)), end);
+  const named = mesh.straightest(from, { x: 0, y: 3, z: 4 }, 2);
+  assert.deepEqual(named.path.polyline({ bits: 64 }), polyline);
   // From (0.5, 0.25) it is half a unit to the left side.
   const stopped = mesh.straightest(from, [-2, 0, 0], 3);
   assert.ok(Math.abs(stopped.remaining - 2.5) < 1e-14);
   assert.equal(stopped.stop, 'boundary');
+  assert.ok(Math.abs(stopped.path.length - 0.5) < 1e-14);
   assert.deepEqual(mesh.position(stopped.end), [0, 0.25, 0]);
   assert.throws(() => mesh.straightest(from, [0, 0, 1], 1), { code: 'badArgument' });
-  assert.throws(() => mesh.straightest(from, [0, 1], 1), { code: 'badArgument' });
+  for (const wrong of [[0, 1], { x: 0, y: 1 }, { x: 0, y: 1, z: '1' }]) {
+    assert.throws(() => mesh.straightest(from, wrong, 1), { code: 'badArgument' });
+  }
   assert.throws(() => mesh.straightest(from, [0, Number.NaN, 1], 1), { code: 'notFinite' });
   assert.throws(() => mesh.straightest(from, [0, 1, 0], -1), { code: 'badArgument' });
   assert.throws(() => mesh.straightest(from, [0, 1, 0], Number.NaN), { code: 'notFinite' });
@@ -283,9 +294,9 @@ test('an option of another name is refused', () => {
       /no option 'solvr'.*solver/,
     ],
     [() => mesh.curve({ kind: 'bspline', points, sample: 3 }), /no option 'sample'/],
-    [() => mesh.circle({ center: points[0], radius: 1, arc: 3 }), /no option 'arc'/],
-    [() => mesh.ellipse({ center: points[0], radius: 1 }), /no option 'radius'.*radii/],
-    [() => mesh.isolines({ center: points[0], radius: 1, kind: 'exact' }), /no option 'kind'/],
+    [() => mesh.circle(points[0], { radius: 1, arc: 3 }), /no option 'arc'/],
+    [() => mesh.ellipse(points[0], { radius: 1 }), /no option 'radius'.*radii/],
+    [() => mesh.isolines(points[0], { radius: 1, kind: 'exact' }), /no option 'kind'/],
     [() => mesh.distance(points[0], { solver: 'graph', ring: 3 }), /no option 'ring'/],
   ];
   for (const [use, message] of wrong) assert.throws(use, { code: 'badArgument', message });
@@ -313,7 +324,7 @@ test('a mesh cannot be used after it was disposed of', () => {
   const uses = [
     () => mesh.positions(),
     () => mesh.triangles(),
-    () => mesh.pointAt(0, [1, 0, 0]),
+    () => mesh.surfacePoint(0, [1, 0, 0]),
     () => mesh.position({ vertex: 0 }),
     () => mesh.straightest({ vertex: 0 }, [1, 0, 0], 1),
   ];

@@ -80,3 +80,13 @@ export const badFiles = [
     says: /face 0/,
   },
 ];
+
+/** All that a path is, to be compared. */
+export const partsOf = (path) => ({
+  length: path.length,
+  closed: path.closed,
+  count: path.count,
+  points: path.points(),
+  lengths: path.lengths(),
+  polyline: path.polyline({ bits: 64 }),
+});

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
+import { partsOf } from './meshes.mjs';
 
 const karcher = await load();
 const mesh = karcher.shape('sphere', 2000);
@@ -27,13 +28,13 @@ function countedBasis() {
 }
 
 const stateOf = (curve) => ({
-  points: curve.points,
+  points: curve.points(),
   kind: curve.kind,
-  samples: curve.samples,
-  bridged: curve.bridged,
-  path: curve.path,
+  samples: curve.samples(),
+  bridged: curve.bridged(),
+  path: partsOf(curve.path()),
   length: curve.length,
-  statuses: curve.polylineStatus,
+  marks: curve.unconverged(),
   segments: curve.segmentCount,
   at: curve.pointAt(0.37),
   tangent: curve.tangentAt(0.37),

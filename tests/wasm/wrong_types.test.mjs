@@ -30,6 +30,8 @@ const withOptions = (make, options, names) =>
     names.map((name) => [`${make.name} ${name}`, (value) => make({ ...options, [name]: value })]),
   );
 const field = ['method', 'solver', 'rings'];
+const radii = [0.3, 0.2];
+const direction = [0, 1, 0.3];
 
 const calls = {
   meshFromObj: (value) => karcher.meshFromObj(value),
@@ -38,8 +40,8 @@ const calls = {
   'shape name': (value) => karcher.shape(value),
   'shape triangles': (value) => karcher.shape('sphere', value),
   subdivide: (value) => mesh.subdivide(value),
-  'pointAt face': (value) => mesh.pointAt(value, [1, 0, 0]),
-  'pointAt bary': (value) => mesh.pointAt(0, value),
+  'surfacePoint face': (value) => mesh.surfacePoint(value, [1, 0, 0]),
+  'surfacePoint bary': (value) => mesh.surfacePoint(0, value),
   position: (value) => mesh.position(value),
   points: (value) => mesh.centerOfMass(value, quarters),
   weights: (value) => mesh.centerOfMass(points, value),
@@ -56,32 +58,39 @@ const calls = {
     {},
     [...field, 'start', 'normalize'],
   ),
-  ...withOptions(mesh.circle.bind(mesh), { center, radius: 0.3 }, [
-    ...['center', 'radius', 'arcs', 'samples'],
+  'circle center': (value) => mesh.circle(value, { radius: 0.3 }),
+  'ellipse center': (value) => mesh.ellipse(value, { radii, direction }),
+  'isolines center': (value) => mesh.isolines(value, { radius: 0.3 }),
+  ...withOptions(mesh.circle.bind(mesh, center), { radius: 0.3 }, [
+    ...['radius', 'arcs', 'samples'],
     ...field,
   ]),
-  ...withOptions(mesh.ellipse.bind(mesh), { center, radii: [0.3, 0.2], direction: [0, 1, 0.3] }, [
-    'center',
-    'radii',
-    'direction',
-    'arcs',
-    'samples',
+  ...withOptions(mesh.ellipse.bind(mesh, center), { radii, direction }, [
+    ...['radii', 'direction', 'arcs', 'samples'],
     ...field,
   ]),
-  ...withOptions(mesh.isolines.bind(mesh), { center, radius: 0.3 }, [
-    ...['center', 'radius', 'type', 'solver', 'rings'],
+  ...withOptions(mesh.isolines.bind(mesh, center), { radius: 0.3 }, [
+    ...['radius', 'type', 'solver', 'rings'],
   ]),
   ...withOptions(mesh.curve.bind(mesh), { kind: 'bspline', points, samples: 4 }, [
     ...['kind', 'points', 'samples', 'tolerance', 'geometry', 'closed', 'degree', 'knots'],
     ...['weights', 'betas', 'parametrization', 'basis'],
     ...field,
   ]),
+  ...withOptions(
+    function polyline(options) {
+      return mesh.shortestPath(center, points[0]).polyline(options);
+    },
+    {},
+    ['bits'],
+  ),
   'a custom basis': (basis) => mesh.curve({ kind: 'custom', points, basis }),
 };
 const edits = [
   ...['addPoint', 'removePoint', 'setKind', 'setClosed', 'pointAt', 'tangentAt', 'nearest'],
   ...['lengthAt', 'pointAtLength', 'equallySpaced', 'insertOnCurve', 'split', 'join'],
   ...['movePoint', 'insertPoint', 'movePointInOrder', 'setWeight', 'setBeta'],
+  ...['setPoints', 'setWeights', 'setBetas'],
 ];
 
 test('a value of a wrong type is refused with a sentence, whatever takes it', () => {
@@ -90,20 +99,20 @@ test('a value of a wrong type is refused with a sentence, whatever takes it', ()
     calls[`curve.${name}`] = (value) => curve[name](value, 0);
     if (curve[name].length > 1) calls[`curve.${name}, second`] = (value) => curve[name](0, value);
   }
-  const before = JSON.stringify([curve.points, curve.samples]);
+  const before = JSON.stringify([curve.points(), curve.samples()]);
   for (const [what, call] of Object.entries(calls)) {
     for (const [kind, value] of Object.entries(wrong)) {
       assert.throws(() => call(value), { name: 'KarcherError' }, `${what}: ${kind}`);
     }
   }
-  assert.equal(JSON.stringify([curve.points, curve.samples]), before);
+  assert.equal(JSON.stringify([curve.points(), curve.samples()]), before);
 });
 
 test('options that are none, progress and signals', async () => {
   const badArgument = { name: 'KarcherError', code: 'badArgument' };
   for (const options of [null, 5, 'x', [], () => 0]) {
     assert.throws(() => mesh.curve(options), badArgument);
-    assert.throws(() => mesh.circle(options), badArgument);
+    assert.throws(() => mesh.circle(center, options), badArgument);
     assert.throws(() => mesh.distance(center, options), badArgument);
     await assert.rejects(mesh.prepare(options), badArgument);
     await assert.rejects(mesh.prepare({}, options), badArgument);
@@ -121,12 +130,12 @@ test('options that are none, progress and signals', async () => {
 test('isolines at no distance, of either type', () => {
   for (const type of ['linear', 'exact']) {
     for (const radius of [0, -1]) {
-      assert.throws(() => mesh.isolines({ center, radius, type }), {
+      assert.throws(() => mesh.isolines(center, { radius, type }), {
         code: 'badArgument',
         message: /distance must be a positive number/,
       });
     }
   }
-  const about = { center, direction: [0, 1, 0.3] };
-  assert.throws(() => mesh.ellipse({ ...about, radii: [0.3, 0.2, 0.1] }), { message: /two radii/ });
+  const three = { direction, radii: [...radii, 0.1] };
+  assert.throws(() => mesh.ellipse(center, three), { message: /two radii/ });
 });

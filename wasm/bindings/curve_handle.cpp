@@ -31,12 +31,10 @@ val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& 
   return result;
 }
 
-void appendSegment(const MeshHandle& mesh, const JoinedPath& path, CurvePolyline& result) {
-  Array<int> kept;
-  const Array<double> positions = polyline(mesh.mesh(), path.points, &kept);
-  result.positions.insert(result.positions.end(), positions.begin(), positions.end());
-  for (const int i : kept) result.unconverged.push_back(path.unconverged[i]);
-  result.length += path.length;
+void appendSegment(const MeshHandle& mesh, const JoinedPath& segment, CurvePath& result) {
+  const Array<int> kept =
+      append(result.path, mesh.numbering(), mesh.mesh(), segment.points, segment.length);
+  for (const int i : kept) result.unconverged.push_back(segment.unconverged[i]);
 }
 
 val bridgedToJs(const Array<const Array<Bridge>*>& segments) {
@@ -90,15 +88,15 @@ val CurveHandle::bridged() const {
   return bridgedToJs(segments);
 }
 
-val CurveHandle::path() const {
-  const CurvePolyline line = polyline();
-  val result = val::object();
-  result.set("length", line.length);
-  result.set("polyline", toJs(line.positions));
-  return result;
+val CurveHandle::path() const { return toJs(curvePath().path); }
+
+val CurveHandle::polyline(bool inDouble) const {
+  const Array<double> positions = curvePath().path.positions;
+  if (inDouble) return toJs(positions);
+  return toJs(std::vector<float>(positions.begin(), positions.end()));
 }
 
-val CurveHandle::polylineStatus() const { return toJs(polyline().unconverged); }
+val CurveHandle::unconverged() const { return toJs(curvePath().unconverged); }
 
 double CurveHandle::length() const {
   double length = 0;
@@ -106,12 +104,33 @@ double CurveHandle::length() const {
   return length;
 }
 
-CurvePolyline CurveHandle::polyline() const {
-  CurvePolyline line;
+CurvePath CurveHandle::curvePath() const {
+  CurvePath line;
+  line.path.closed = curve_->shape().closed;
   for (int j = 0; j < curve_->segmentCount(); ++j) {
     appendSegment(mesh_, curve_->path(j), line);
   }
   return line;
+}
+
+void CurveHandle::setPoints(const val& points) {
+  CurveValue value = curve_->value();
+  value.points = pointsFromJs(mesh_.numbering(), mesh_.mesh(), points);
+  value.legs.clear();
+  curve_->set(std::move(value));
+}
+
+void CurveHandle::setWeights(const val& weights) {
+  // Refuses kinds that have none.
+  CurveValue value = withWeight(curve_->value(), 0, 1);
+  value.options.shape.weights = fromJs<double>(weights);
+  curve_->set(std::move(value));
+}
+
+void CurveHandle::setBetas(const val& betas) {
+  CurveValue value = withBeta(curve_->value(), 0, 1);
+  value.options.shape.betas = fromJs<double>(betas);
+  curve_->set(std::move(value));
 }
 
 int CurveHandle::insertOnCurve(double parameter) {

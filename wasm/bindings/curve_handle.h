@@ -6,6 +6,7 @@
 
 #include "bindings/curve_shape.h"
 #include "bindings/mesh_handle.h"
+#include "bindings/path.h"
 #include "curves/query/measure.h"
 
 namespace karcher::bindings {
@@ -13,13 +14,12 @@ namespace karcher::bindings {
 /// {segment, t, face, bary, position, status}: arrays over all samples, segment by segment.
 val samplesToJs(const MeshHandle& mesh, const Array<const Array<CurveSample>*>& segments);
 
-/// The vertices of a curve's segments, one after another.
-struct CurvePolyline {
-  Array<double> positions;
-  Array<uint8_t> unconverged;  ///< per vertex, as in JoinedPath
-  double length = 0;
+/// The path of a curve's segments, one after another.
+struct CurvePath {
+  Path path;
+  Array<uint8_t> unconverged;  ///< per point, as in JoinedPath
 };
-void appendSegment(const MeshHandle& mesh, const JoinedPath& path, CurvePolyline& polyline);
+void appendSegment(const MeshHandle& mesh, const JoinedPath& segment, CurvePath& path);
 
 /// A list of {segment, t0, t1, reason}.
 val bridgedToJs(const Array<const Array<Bridge>*>& segments);
@@ -45,6 +45,9 @@ class CurveHandle {
   void setClosed(bool closed) { curve_->setClosed(closed); }
   void setWeight(int i, double weight) { curve_->setWeight(i, weight); }
   void setBeta(int i, double beta) { curve_->setBeta(i, beta); }
+  void setPoints(const val& points);
+  void setWeights(const val& weights);
+  void setBetas(const val& betas);
   /// Puts a control point in on the curve; returns its number.
   int insertOnCurve(double parameter);
   /// A list of {points} with shapes (curve_shape.h).
@@ -63,7 +66,9 @@ class CurveHandle {
   val samples() const;
   val bridged() const;
   val path() const;
-  val polylineStatus() const;
+  /// x, y, z of the path's points, in double or in single precision.
+  val polyline(bool inDouble) const;
+  val unconverged() const;
   double length() const;
 
   /// {parameter, point, position, status}
@@ -78,7 +83,7 @@ class CurveHandle {
   val equallySpaced(int count);
 
  private:
-  CurvePolyline polyline() const;
+  CurvePath curvePath() const;
   const CurveLine& line();
   val curvePointToJs(const CurvePoint& at) const;
 

@@ -8,7 +8,8 @@ namespace karcher::bindings {
 namespace {
 
 val circleToJs(const MeshHandle& mesh, const GeodesicCircle& circle) {
-  CurvePolyline line;
+  CurvePath line;
+  line.path.closed = true;
   Array<const Array<CurveSample>*> segments;
   Array<const Array<Bridge>*> bridges;
   for (int j = 0; j < circle.samples.count(); ++j) {
@@ -19,8 +20,8 @@ val circleToJs(const MeshHandle& mesh, const GeodesicCircle& circle) {
   val result = val::object();
   result.set("samples", samplesToJs(mesh, segments));
   result.set("bridged", bridgedToJs(bridges));
-  result.set("polyline", toJs(line.positions));
-  result.set("length", line.length);
+  result.set("path", toJs(line.path));
+  result.set("unconverged", toJs(line.unconverged));
   result.set("notShortest", toJs(circle.notShortest));
   return result;
 }
@@ -46,12 +47,9 @@ val MeshHandle::isolines(const val& center, double radius, bool exact, const val
       exact ? exactIsolines(surface_.geometry(), source, radius)
             : linearIsolines(mesh(), distancesFromPoint(source, field), radius);
   val list = val::array();
-  for (const Isoline& line : lines) {
-    val one = val::object();
-    one.set("closed", line.closed);
-    one.set("length", line.length);
-    one.set("polyline", toJs(polyline(mesh(), line.points)));
-    list.call<void>("push", one);
+  for (int i = 0; i < lines.count(); ++i) {
+    const Isoline& line = lines[i];
+    list.set(i, pathToJs(numbering_, mesh(), line.points, line.length, line.closed));
   }
   return list;
 }

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "bindings/curve_handle.h"
 #include "bindings/field_options.h"
+#include "bindings/path.h"
 #include "curves/circle.h"
 #include "distance/shortest_path.h"
 #include "intrinsic/straightest.h"
@@ -81,10 +81,6 @@ val MeshHandle::checkedPoint(const val& point) const {
   return toJs(numbering_, pointFromJs(numbering_, mesh(), point));
 }
 
-val MeshHandle::vertexPoint(int vertex) const {
-  return toJs(numbering_, karcher::vertexPoint(mesh(), engineVertex(numbering_, vertex)));
-}
-
 val MeshHandle::position(const val& point) const {
   return toJs(karcher::position(mesh(), pointFromJs(numbering_, mesh(), point)));
 }
@@ -111,7 +107,7 @@ val MeshHandle::straightest(const val& from, const val& direction, double length
   result.set("end", toJs(numbering_, path.points.back()));
   result.set("remaining", path.remaining);
   result.set("stop", std::string(traceStopName(path.stop)));
-  result.set("polyline", toJs(polyline(mesh(), path.points)));
+  result.set("path", pathToJs(numbering_, mesh(), path.points, length - path.remaining));
   return result;
 }
 
@@ -119,10 +115,7 @@ val MeshHandle::shortestPath(const val& from, const val& to) const {
   const ShortestPath path =
       karcher::shortestPath(surface_.geometry(), pointFromJs(numbering_, mesh(), from),
                             pointFromJs(numbering_, mesh(), to));
-  val result = val::object();
-  result.set("length", path.length);
-  result.set("polyline", toJs(polyline(mesh(), path.points)));
-  return result;
+  return pathToJs(numbering_, mesh(), path.points, path.length);
 }
 
 Array<double> MeshHandle::distancesFromPoint(const SurfacePoint& source, const val& field) {

@@ -27,9 +27,8 @@ class MeshHandle {
   std::unique_ptr<MeshHandle> subdivided(int levels) const;
 
   val checkedPoint(const val& point) const;
-  val vertexPoint(int vertex) const;
   val position(const val& point) const;
-  /// `direction` is a Float64Array of three numbers, in space.
+  /// {end, remaining, stop, path}; `direction` is a Float64Array of three numbers, in space.
   val straightest(const val& from, const val& direction, double length) const;
   val shortestPath(const val& from, const val& to) const;
 
@@ -48,7 +47,7 @@ class MeshHandle {
   /// `direction` as for `straightest`.
   val ellipse(const val& center, double along, double across, const val& direction, int arcs,
               int samples, const val& field);
-  /// A list of {closed, length, polyline}: exact ones, or linear ones of the solver's distances.
+  /// A list of paths (path.h): exact ones, or linear ones of the solver's distances.
   val isolines(const val& center, double radius, bool exact, const val& field);
 
  private:

@@ -1,5 +1,6 @@
 #include "bindings/wire.h"
 
+#include <cmath>
 #include <string>
 
 #include "mesh/error.h"
@@ -14,7 +15,26 @@ void appendPoint(Array<double>& array, const Numbering& numbering, const Surface
   append(array, point.bary);
 }
 
+/// The engine's number of a caller's vertex.
+int engineVertex(const Numbering& numbering, int vertex) {
+  const int count = numbering.engineVertex.count();
+  if (vertex < 0 || vertex >= count) {
+    throw Error(ErrorCode::kBadIndex, "there is no vertex " + std::to_string(vertex) +
+                                          ": the mesh has " + std::to_string(count) +
+                                          " vertices, numbered from 0");
+  }
+  const int result = numbering.engineVertex[vertex];
+  if (result < 0) {
+    throw Error(ErrorCode::kBadIndex,
+                "vertex " + std::to_string(vertex) + " belongs to no face and was dropped");
+  }
+  return result;
+}
+
 SurfacePoint point(const Numbering& numbering, const TriangleMesh& mesh, const double* numbers) {
+  if (std::isnan(numbers[0])) {
+    return vertexPoint(mesh, engineVertex(numbering, static_cast<int>(numbers[1])));
+  }
   const int inputFace = static_cast<int>(numbers[0]);
   SurfacePoint result = checkedPoint(mesh, inputFace, {numbers[1], numbers[2], numbers[3]});
   result.face = numbering.engineFace[inputFace];
@@ -51,40 +71,6 @@ Array<SurfacePoint> pointsFromJs(const Numbering& numbering, const TriangleMesh&
   Array<SurfacePoint> result;
   for (int i = 0; i < numbers.count(); i += kNumbersPerPoint) {
     result.push_back(point(numbering, mesh, &numbers[i]));
-  }
-  return result;
-}
-
-int engineVertex(const Numbering& numbering, int vertex) {
-  const int count = numbering.engineVertex.count();
-  if (vertex < 0 || vertex >= count) {
-    throw Error(ErrorCode::kBadIndex, "there is no vertex " + std::to_string(vertex) +
-                                          ": the mesh has " + std::to_string(count) +
-                                          " vertices, numbered from 0");
-  }
-  const int result = numbering.engineVertex[vertex];
-  if (result < 0) {
-    throw Error(ErrorCode::kBadIndex,
-                "vertex " + std::to_string(vertex) + " belongs to no face and was dropped");
-  }
-  return result;
-}
-
-Array<double> polyline(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
-                       Array<int>* kept) {
-  // Positions of one point, computed from two faces, differ by rounding.
-  constexpr double kSamePoint = 1e-13;
-  Array<double> result;
-  Vec3 last = Vec3::Zero();
-  for (int i = 0; i < points.count(); ++i) {
-    const Vec3 here = position(mesh, points[i]);
-    const double scale = here.cwiseAbs().maxCoeff();
-    const bool same = i > 0 && (here - last).cwiseAbs().maxCoeff() <= kSamePoint * scale;
-    const bool needed = result.size() < 6 && i == points.count() - 1;
-    if (same && !needed) continue;
-    append(result, here);
-    if (kept) kept->push_back(i);
-    last = here;
   }
   return result;
 }

@@ -6,7 +6,8 @@
 #include "mesh/surface_point.h"
 
 /// How values travel between JavaScript and the engine: arrays are copied, a point is four numbers
-/// (face, b0, b1, b2), faces and vertices are the caller's in JavaScript and the engine's here.
+/// (face, b0, b1, b2), or of a vertex (NaN, vertex, 0, 0) on its way here; faces and vertices are
+/// the caller's in JavaScript and the engine's here.
 namespace karcher::bindings {
 
 using emscripten::val;
@@ -37,17 +38,9 @@ val toJs(const Numbering& numbering, const SurfacePoint& point);
 val toJs(const Numbering& numbering, const Array<SurfacePoint>& points);
 
 /// Points as a caller wrote them: checked by `checkedPoint`, whose errors name the caller's face.
+/// Throws Error kBadIndex for a vertex that does not exist or belongs to no face.
 SurfacePoint pointFromJs(const Numbering& numbering, const TriangleMesh& mesh, const val& point);
 Array<SurfacePoint> pointsFromJs(const Numbering& numbering, const TriangleMesh& mesh,
                                  const val& points);
-
-/// The engine's number of a caller's vertex. Throws Error kBadIndex if there is none or the vertex
-/// belongs to no face.
-int engineVertex(const Numbering& numbering, int vertex);
-
-/// Positions of points along a path, where the same point seen from two faces is given once. If
-/// `kept` is given, it receives the numbers of the points that stayed.
-Array<double> polyline(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
-                       Array<int>* kept = nullptr);
 
 }  // namespace karcher::bindings

@@ -101,12 +101,12 @@ function timeCurve(
   field: FieldOptions,
 ) {
   const curve = mesh.curve({ kind: 'bspline', points: [...points], samples, ...field });
-  const { count, status } = curve.samples;
+  const { count, status } = curve.samples();
   const lost = status.filter((name) => name !== 'converged').length;
   const start = performance.now();
   for (let i = 0; i < warmUp.runs && performance.now() - start < warmUp.ms; i++) curve.retrace();
   const index = Math.floor(points.length / 2);
-  const here = curve.points[index]!;
+  const here = curve.points()[index]!;
   const places = [nextCorner(here), here];
   const drags: number[] = [];
   const traces: number[] = [];
@@ -114,17 +114,19 @@ function timeCurve(
   const joins: number[] = [];
   for (let i = 0; i < (field.method === 'paper' ? runs : quickRuns); i++) {
     curve.movePoint(index, places[i % 2]!);
-    drags.push(curve.times.fields + curve.times.trace + curve.times.bridge);
+    const { fields, trace, bridge } = curve.times();
+    drags.push(fields + trace + bridge);
     // Once more with all fields known: the searches alone.
     curve.retrace();
-    traces.push(curve.times.trace);
-    bridges.push(curve.times.bridge);
-    joins.push(curve.times.join);
+    const times = curve.times();
+    traces.push(times.trace);
+    bridges.push(times.bridge);
+    joins.push(times.join);
   }
   // An edit is traced at once: without the joining paths it is what is left.
   const weights = Array.from({ length: field.method === 'paper' ? runs : quickRuns }, (_, i) => {
     const whole = elapsed(() => curve.setWeight(index, i % 2 === 0 ? 2 : 1));
-    return whole - curve.times.join;
+    return whole - curve.times().join;
   });
   curve.dispose();
   return {

@@ -12,13 +12,13 @@ const circleOutput =
   '{polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …]}';
 
 function resultOf(circle: Circle): Result {
-  const { length, polyline } = circle.path;
+  const polyline = circle.path.polyline({ bits: 64 });
   return {
     json: {
       polyline: triples(polyline),
       samples: sampleRecords(circle.samples),
       bridged: circle.bridged,
-      length,
+      length: circle.path.length,
       notShortest: circle.notShortest,
     },
     polylines: [polyline],
@@ -53,14 +53,18 @@ export const circle: Command = {
     if (type === 'exact') args.refuse(['solver', 'rings'], 'with --type exact');
     const mesh = await args.mesh();
     if (type === 'arcs') {
-      return resultOf(mesh.circle({ center, radius, arcs, samples, method, ...distance }));
+      return resultOf(mesh.circle(center, { radius, arcs, samples, method, ...distance }));
     }
-    const lines = mesh.isolines({ center, radius, type, ...distance });
+    const lines = mesh.isolines(center, { radius, type, ...distance });
+    const polylines = lines.map((line) => line.polyline({ bits: 64 }));
     return {
       json: {
-        lines: lines.map((line) => ({ ...line, polyline: triples(line.polyline) })),
+        lines: lines.map(({ closed, length }, i) => ({
+          ...{ closed, length },
+          polyline: triples(polylines[i]!),
+        })),
       },
-      polylines: lines.map(({ polyline }) => polyline),
+      polylines,
     };
   },
 };
@@ -94,6 +98,6 @@ export const ellipse: Command = {
     const field = args.field();
     const mesh = await args.mesh();
     const radii = [along, across] as const;
-    return resultOf(mesh.ellipse({ center, radii, direction, arcs, samples, ...field }));
+    return resultOf(mesh.ellipse(center, { radii, direction, arcs, samples, ...field }));
   },
 };

@@ -139,16 +139,18 @@ function curveOf(curves: readonly unknown[], number: number, path: string): Curv
 
 /** A curve as data that makes it again: weights and betas unless all are 1. */
 export function recordOf(curve: Curve): CurveRecord {
-  const { kind, closed, points } = curve;
-  const numbers = (name: 'weights' | 'betas') =>
-    curve[name].some((value) => value !== 1) && { [name]: Array.from(curve[name]) };
+  const { kind, closed } = curve;
+  const numbers = (name: 'weights' | 'betas') => {
+    const values = curve[name]();
+    return values.some((value) => value !== 1) && { [name]: Array.from(values) };
+  };
   return {
     kind,
     closed,
-    ...(kind === 'bspline' && { degree: curve.degree, knots: Array.from(curve.knots) }),
+    ...(kind === 'bspline' && { degree: curve.degree, knots: Array.from(curve.knots()) }),
     ...((kind === 'bspline' || kind === 'rational') && numbers('weights')),
     ...(kind === 'barycentric' && numbers('betas')),
     ...(kind === 'catmullrom' && { parametrization: curve.parametrization }),
-    points,
+    points: curve.points(),
   };
 }

@@ -32,9 +32,11 @@ export const mean: Command = {
     return {
       json: {
         ...center,
-        paths: paths.map(({ length, polyline }) => ({ length, polyline: triples(polyline) })),
+        paths: paths.map((one) => ({
+          length: one.length,
+          polyline: triples(one.polyline({ bits: 64 })),
+        })),
       },
-      polylines: paths.map(({ polyline }) => polyline),
     };
   },
 };

@@ -1,9 +1,20 @@
+import type { Path } from '../path.js';
 import type { CurvePoints, CurveSamples, Status } from '../types.js';
 import { UsageError } from './errors.js';
 
 /** x, y, z, … as [x, y, z], …, one after the other. */
 export function* triples(flat: ArrayLike<number>): Generator<[number, number, number]> {
   for (let i = 0; i < flat.length; i += 3) yield [flat[i]!, flat[i + 1]!, flat[i + 2]!];
+}
+
+/** A path with its points. */
+export function pathRecord(path: Path) {
+  return {
+    length: path.length,
+    polyline: triples(path.polyline({ bits: 64 })),
+    points: path.points(),
+    lengths: Array.from(path.lengths()),
+  };
 }
 
 export interface SampleRecord {

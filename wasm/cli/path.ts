@@ -1,10 +1,11 @@
 import { type Command, formatOption } from './command.js';
-import { triples } from './output.js';
+import { pathRecord } from './output.js';
 
 export const path: Command = {
   name: 'path',
   summary: 'the exact shortest path between two points',
-  output: '{length, polyline: [[x, y, z], …]}',
+  output:
+    '{length, polyline: [[x, y, z], …], points: [{face, bary}, …], lengths: from the start to each point}',
   options: [
     { name: 'from', value: 'POINT', help: 'where the path starts', required: true },
     { name: 'to', value: 'POINT', help: 'where it ends', required: true },
@@ -14,7 +15,7 @@ export const path: Command = {
     const from = args.point('from');
     const to = args.point('to');
     const mesh = await args.mesh();
-    const { length, polyline } = mesh.shortestPath(from, to);
-    return { json: { length, polyline: triples(polyline) }, polylines: [polyline] };
+    const shortest = mesh.shortestPath(from, to);
+    return { json: pathRecord(shortest), polylines: [shortest.polyline({ bits: 64 })] };
   },
 };

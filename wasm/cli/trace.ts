@@ -63,14 +63,14 @@ export const trace: Command = {
     await mesh.prepare(field);
     const prepare = performance.now() - start;
     const curve = mesh.curve({ ...record, ...sampling, ...field });
-    const { length, polyline } = curve.path;
+    const polyline = curve.polyline({ bits: 64 });
     return {
       json: {
-        samples: sampleRecords(curve.samples),
-        bridged: curve.bridged,
+        samples: sampleRecords(curve.samples()),
+        bridged: curve.bridged(),
         polyline: triples(polyline),
-        length,
-        ms: { prepare, ...curve.times },
+        length: curve.length,
+        ms: { prepare, ...curve.times() },
         ...measures(mesh, curve),
       },
       polylines: [polyline],

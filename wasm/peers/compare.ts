@@ -1,12 +1,13 @@
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
+import type { Path } from '../path.js';
 import { nextCorner, toSurfacePoint, wirePoint } from '../points.js';
-import type { CurveSamples, LongWorkOptions, Path } from '../types.js';
+import type { CurveSamples, LongWorkOptions } from '../types.js';
 import type { ComparedCurve } from './compared_curve.js';
 import { alongPath, type CurveMeasures, CurveMeter, type ReferenceSamples } from './measure.js';
 import type { Peers } from './peers.js';
 import { comparedMethods, type PreparedMethod } from './prepared_method.js';
-import type { ComparedMethod, ComparedPath, CurvePlan, MethodOptions } from './types.js';
+import type { ComparedLine, ComparedMethod, CurvePlan, MethodOptions } from './types.js';
 import { warm } from './warm.js';
 
 export { comparedMethods };
@@ -30,7 +31,7 @@ export interface MethodResult {
 
 /** A result with the curve itself, where there is one. */
 export interface MethodRun extends MethodResult {
-  curve: { samples: CurveSamples; path: ComparedPath } | null;
+  curve: ({ samples: CurveSamples } & ComparedLine) | null;
 }
 
 export interface CompareOptions extends LongWorkOptions {
@@ -69,7 +70,7 @@ export async function traceReference(
       return { samples: alongPath(path, plan.table), path };
     }
     await curve.trace(work);
-    return { samples: curve.samples, path: curve.path };
+    return { samples: curve.samples(), path: curve.line().path };
   } finally {
     method.dispose();
   }
@@ -107,7 +108,7 @@ export async function runMethod(
     run.prepareMs = method.prepareMs;
     const curve = method.curve(plan);
     run.traceMs = await curve.trace(work);
-    run.curve = { samples: curve.samples, path: curve.path };
+    run.curve = { samples: curve.samples(), ...curve.line() };
     Object.assign(run, measures(mesh, run.curve.samples, reference));
     // With fewer it is no curve.
     run.ok = run.lost! <= run.samples! / 2;
@@ -230,7 +231,8 @@ async function whileQuick(spent: number, run: () => Promise<number>): Promise<vo
 /** The middle point moved to the next corner: all segments that it touches. */
 function drag(curve: ComparedCurve, mesh: Mesh, { points }: CurvePlan, work: LongWorkOptions) {
   const middle = Math.floor(points.length / 2);
-  const here = toSurfacePoint(wirePoint(mesh.handle, points[middle]!));
+  const wire = wirePoint(points[middle]!);
+  const here = toSurfacePoint(mesh.handle.call((target) => target.checkedPoint(wire)));
   curve.movePoint(middle, nextCorner(here));
   return curve.trace(work);
 }

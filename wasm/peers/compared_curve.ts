@@ -1,12 +1,13 @@
 import { checkInteger } from '../check.js';
 import { type Engine, Handle } from '../engine.js';
 import type { Mesh } from '../mesh.js';
+import { Path } from '../path.js';
 import { wirePoint } from '../points.js';
 import { pause, sliceTime } from '../prepare.js';
 import { toCurveSamples } from '../samples.js';
 import type { CurveSamples, LongWorkOptions, PointLike } from '../types.js';
 import type { EngineComparedCurve, EnginePreparedMethod } from './karcher-peers.mjs';
-import type { ComparedPath } from './types.js';
+import type { ComparedLine } from './types.js';
 
 const all = 0x7fffffff;
 
@@ -36,13 +37,13 @@ export class ComparedCurve {
   /** Replaces a control point: the segments that it touches are to be traced again. */
   movePoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
-    const wire = wirePoint(this.#mesh.handle, point);
+    const wire = wirePoint(point);
     this.#call((curve) => curve.movePoint(index, wire));
   }
 
   /** Starts the searches of each segment there, instead of at the point of the largest weight. */
   startAt(point: PointLike): void {
-    const wire = wirePoint(this.#mesh.handle, point);
+    const wire = wirePoint(point);
     this.#call((curve) => curve.startAt(wire));
   }
 
@@ -83,7 +84,7 @@ export class ComparedCurve {
   }
 
   /** The samples that are there, segment by segment. */
-  get samples(): CurveSamples {
+  samples(): CurveSamples {
     return toCurveSamples(
       this.#engine,
       this.#call((curve) => curve.samples()),
@@ -91,8 +92,9 @@ export class ComparedCurve {
   }
 
   /** The samples joined by geodesics. */
-  get path(): ComparedPath {
-    return this.#call((curve) => curve.path());
+  line(): ComparedLine {
+    const { path, unconverged } = this.#call((curve) => curve.path());
+    return { path: new Path(path), unconverged };
   }
 
   /** Gives the memory back. Safe to repeat. */

@@ -3,9 +3,9 @@ import type {
   EngineMesh,
   EngineModule,
   EngineOptions,
+  EnginePath,
   EngineSamples,
 } from '../karcher-engine.mjs';
-import type { ComparedPath } from './types.js';
 
 /** The module of the comparison: the engine's own bindings and those of peers/bindings/*.cpp. */
 export interface PeersModule extends EngineModule {
@@ -66,7 +66,7 @@ export interface EngineComparedCurve {
   advance(samples: number): boolean;
   samplesLeft(): number;
   samples(): EngineSamples;
-  path(): ComparedPath;
+  path(): { path: EnginePath; unconverged: Uint8Array };
 }
 
 declare const createPeers: (options: EngineOptions) => Promise<PeersModule>;

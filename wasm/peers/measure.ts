@@ -1,5 +1,6 @@
 import type { Mesh } from '../mesh.js';
-import type { CurveSamples, Path } from '../types.js';
+import type { Path } from '../path.js';
+import type { CurveSamples } from '../types.js';
 import type { WeightTable } from './types.js';
 
 /** How a curve differs from a reference that was sampled at the same parameters. */
@@ -36,7 +37,8 @@ const triple = (flat: ArrayLike<number>, i: number): Vector => [
 ];
 
 /** The centers of mass of the two ends of a path: each at a part of its length. */
-export function alongPath({ polyline }: Path, { t, weights }: WeightTable): ReferenceSamples {
+export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSamples {
+  const polyline = path.polyline({ bits: 64 });
   const lengths = [0];
   for (let i = 1; 3 * i < polyline.length; i++) {
     const step = subtract(triple(polyline, i), triple(polyline, i - 1));

@@ -71,7 +71,7 @@ export class PreparedMethod {
     this.#module = module;
     this.#mesh = mesh;
     this.#handle = new Handle(engine, 'the method', target);
-    this.options = options;
+    this.options = { ...options };
     this.prepareMs = prepareMs;
   }
 
@@ -82,7 +82,7 @@ export class PreparedMethod {
   curve(plan: CurvePlan): ComparedCurve {
     checkOptions(plan, planNames);
     checkOptions(plan.table, tableNames);
-    const points = wirePoints(this.#mesh.handle, plan.points);
+    const points = wirePoints(plan.points);
     const first = toInt32(plan.first, 'the first points of the segments');
     const t = toFloat64(plan.table.t, 'the parameters');
     const weights = toFloat64(plan.table.weights, 'the weights');
@@ -114,7 +114,7 @@ export class PreparedMethod {
     try {
       if (start !== undefined) curve.startAt(start);
       curve.finish();
-      const { face, bary, position, status } = curve.samples;
+      const { face, bary, position, status } = curve.samples();
       return {
         point: toSurfacePoint(Float64Array.of(face[0]!, ...bary)),
         position: [position[0]!, position[1]!, position[2]!],

@@ -1,4 +1,5 @@
-import type { CenterOfMass, Path, PointLike, Solver } from '../types.js';
+import type { Path } from '../path.js';
+import type { CenterOfMass, PointLike, Solver } from '../types.js';
 
 /**
  * The methods that are compared: the vector heat method (Sharp, Soliman, Crane 2019), the affine
@@ -46,9 +47,11 @@ export interface CurvePlan {
   table: WeightTable;
 }
 
-/** A curve for drawing; the status of a vertex is 1 where the sample it leads to did not converge. */
-export interface ComparedPath extends Path {
-  status: Uint8Array;
+/** A curve for drawing. */
+export interface ComparedLine {
+  path: Path;
+  /** A number for each point of the path: 1 where the sample that it leads to did not converge. */
+  unconverged: Uint8Array;
 }
 
 /** What all methods tell of a center of mass. */

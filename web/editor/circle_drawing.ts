@@ -99,13 +99,13 @@ export async function drawCircle(
 ): Promise<{ curve: TracedCurve } | { isolines: ShownIsolines }> {
   if (across) {
     const radii = [radius, across.radius] as const;
-    return { curve: await client.ellipse({ ...options, center, radii, direction, arcs }) };
+    return { curve: await client.ellipse(center, { ...options, radii, direction, arcs }) };
   }
-  if (type === 'arcs') return { curve: await client.circle({ ...options, center, radius, arcs }) };
+  if (type === 'arcs') return { curve: await client.circle(center, { ...options, radius, arcs }) };
   const { solver, rings } = options;
   const exact = type === 'exact' && !draft;
-  const isolines = await client.isolines({
-    ...{ center, radius, solver, rings },
+  const isolines = await client.isolines(center, {
+    ...{ radius, solver, rings },
     type: exact ? 'exact' : 'linear',
   });
   if (isolines.lines.length === 0) {

@@ -112,16 +112,16 @@ export class EngineClient {
     return this.#call('reshape', [options, edit]);
   }
 
-  circle(options: CircleOptions): Promise<TracedCurve> {
-    return this.#call('circle', [options]);
+  circle(center: PointLike, options: CircleOptions): Promise<TracedCurve> {
+    return this.#call('circle', [center, options]);
   }
 
-  ellipse(options: EllipseOptions): Promise<TracedCurve> {
-    return this.#call('ellipse', [options]);
+  ellipse(center: PointLike, options: EllipseOptions): Promise<TracedCurve> {
+    return this.#call('ellipse', [center, options]);
   }
 
-  isolines(options: IsolineOptions): Promise<TracedIsolines> {
-    return this.#call('isolines', [options]);
+  isolines(center: PointLike, options: IsolineOptions): Promise<TracedIsolines> {
+    return this.#call('isolines', [center, options]);
   }
 
   centerOfMass(

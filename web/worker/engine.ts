@@ -1,6 +1,6 @@
 /** The worker that runs the engine: one surface, and the curve that is being edited on it. */
 
-import type { Circle, CurveSamples } from 'karcher';
+import type { BridgedInterval, Circle, CurveSamples } from 'karcher';
 import {
   type Curve,
   type CurveOptions,
@@ -48,13 +48,11 @@ const handlers: Handlers = {
   curve(_, options, { keep, marks = 0 } = { keep: true }) {
     const started = performance.now();
     const traced = keep ? retrace(options) : theMesh().curve(options);
-    const polyline = traced.polyline.slice();
-    const polylineStatus = traced.polylineStatus.slice();
     const result: TracedCurve = {
-      polyline,
-      polylineStatus,
-      ...drawnSamples(traced),
-      knots: traced.knots,
+      polyline: traced.polyline(),
+      polylineStatus: traced.unconverged(),
+      ...drawnSamples(traced.samples(), traced.bridged()),
+      knots: traced.knots(),
       marks: marks > 0 ? traced.equallySpaced(marks) : null,
       arcsNotShortest: 0,
       length: traced.length,
@@ -70,7 +68,7 @@ const handlers: Handlers = {
     const change = changeBetween(ruled(from), ruled(to));
     if (change.type === 'new') throw new Error('the knots of another curve do not go on');
     perform(traced, change, to);
-    const knots = Array.from(traced.knots);
+    const knots = Array.from(traced.knots());
     curve = { options: { ...to, knots }, traced };
     return { result: knots };
   },
@@ -87,22 +85,25 @@ const handlers: Handlers = {
     return { result: reshaped(theMesh(), retrace(options), options, edit) };
   },
 
-  circle(_, options) {
-    return tracedArcs(() => theMesh().circle(options));
+  circle(_, center, options) {
+    return tracedArcs(() => theMesh().circle(center, options));
   },
 
-  ellipse(_, options) {
-    return tracedArcs(() => theMesh().ellipse(options));
+  ellipse(_, center, options) {
+    return tracedArcs(() => theMesh().ellipse(center, options));
   },
 
-  isolines(_, options) {
+  isolines(_, center, options) {
     const started = performance.now();
     const lines = theMesh()
-      .isolines(options)
-      .map((line) => ({ ...line, polyline: Float32Array.from(line.polyline) }));
+      .isolines(center, options)
+      .map((line) => ({
+        ...{ closed: line.closed, length: line.length },
+        polyline: line.polyline(),
+      }));
     const length = lines.reduce((sum, line) => sum + line.length, 0);
     const result = { lines, length, milliseconds: performance.now() - started };
-    return { result, transfer: lines.map(({ polyline }) => polyline.buffer) };
+    return { result, transfer: lines.map(({ polyline }) => polyline.buffer as ArrayBuffer) };
   },
 
   centerOfMass(_, points, weights, options) {
@@ -115,28 +116,27 @@ const handlers: Handlers = {
   },
 
   shortestPath(_, from, to) {
-    const { length, polyline } = theMesh().shortestPath(from, to);
-    return { result: { length, polyline: Float32Array.from(polyline) } };
+    const path = theMesh().shortestPath(from, to);
+    return { result: { length: path.length, polyline: path.polyline() } };
   },
 
   straightest(_, from, direction, length) {
-    const { end, remaining, polyline } = theMesh().straightest(from, direction, length);
-    return { result: { end, remaining, polyline: Float32Array.from(polyline) } };
+    const { end, remaining, path } = theMesh().straightest(from, direction, length);
+    return { result: { end, remaining, polyline: path.polyline() } };
   },
 };
 
 function tracedArcs(trace: () => Circle): Answer<TracedCurve> {
   const started = performance.now();
-  const circle = trace();
-  const { polyline, path, length, samples, notShortest } = circle;
+  const { path, unconverged, samples, bridged, notShortest } = trace();
   const result: TracedCurve = {
-    polyline: polyline.slice(),
-    polylineStatus: statusAlong(path.polyline, samples),
-    ...drawnSamples(circle),
+    polyline: path.polyline(),
+    polylineStatus: unconverged,
+    ...drawnSamples(samples, bridged),
     knots: new Float64Array(),
     marks: null,
     arcsNotShortest: notShortest.length,
-    length,
+    length: path.length,
     milliseconds: performance.now() - started,
   };
   return { result, transfer: buffersOf(result) };
@@ -202,31 +202,13 @@ function perform(traced: Curve, change: Change, options: CurveOptions): void {
   else if (change.type === 'beta') traced.setBeta(change.index, change.value);
 }
 
-/**
- * A number for each vertex of a polyline through samples: 1 where the sample it leads to is not
- * converged. The samples are vertices of the polyline, in its order.
- */
-function statusAlong(polyline: Float64Array, samples: CurveSamples): Uint8Array {
-  const statuses = new Uint8Array(polyline.length / 3);
-  const { position, status } = samples;
-  let sample = 0;
-  const isAt = (vertex: number) =>
-    [0, 1, 2].every((axis) => polyline[3 * vertex + axis] === position[3 * sample + axis]);
-  for (let vertex = 0; vertex < statuses.length && sample < status.length; vertex++) {
-    statuses[vertex] = status[sample] === 'converged' ? 0 : 1;
-    // Where one arc ends another begins: two samples at one vertex.
-    while (sample < status.length && isAt(vertex)) sample++;
-  }
-  return statuses;
-}
-
 function drawnSamples(
-  traced: Pick<Curve, 'samples' | 'bridged'>,
+  all: CurveSamples,
+  bridged: readonly BridgedInterval[],
 ): Pick<TracedCurve, 'samples' | 'lost'> {
-  const all = traced.samples;
   // Statuses by name would be copied one by one, with each step of a drag.
   const { status, ...samples } = all;
-  return { samples, lost: lostIntervals(all, traced.bridged) };
+  return { samples, lost: lostIntervals(all, bridged) };
 }
 
 function failure(error: unknown): Failure {

@@ -51,9 +51,9 @@ export interface Calls {
   measure(options: CurveOptions, near: Vector): Measured;
   /** The curves that an edit makes of the one with these options. */
   reshape(options: CurveOptions, edit: Reshape): Reshaped;
-  circle(options: CircleOptions): TracedCurve;
-  ellipse(options: EllipseOptions): TracedCurve;
-  isolines(options: IsolineOptions): TracedIsolines;
+  circle(center: PointLike, options: CircleOptions): TracedCurve;
+  ellipse(center: PointLike, options: EllipseOptions): TracedCurve;
+  isolines(center: PointLike, options: IsolineOptions): TracedIsolines;
   centerOfMass(points: PointLike[], weights: number[], options?: CenterOptions): CenterOfMass;
   distance(point: PointLike, options?: { solver?: Solver; rings?: number }): Float64Array;
   shortestPath(from: PointLike, to: PointLike): TracedPath;

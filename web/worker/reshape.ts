@@ -69,17 +69,17 @@ function meantAt(
 /** What a curve is; what it has no word for is as it was before. */
 function optionsOf(curve: Curve, before: CurveOptions): CurveOptions {
   const { method, solver, rings, samples, tolerance, parametrization } = before;
-  const { kind, closed, points } = curve;
+  const { kind, closed } = curve;
   const own = before.knots !== undefined && typeof before.knots !== 'string';
   const numbers = (values: Float64Array) =>
     values.some((value) => value !== 1) ? Array.from(values) : undefined;
-  const weights = kind === 'bspline' || kind === 'rational' ? numbers(curve.weights) : undefined;
-  const betas = kind === 'barycentric' ? numbers(curve.betas) : undefined;
+  const weights = kind === 'bspline' || kind === 'rational' ? numbers(curve.weights()) : undefined;
+  const betas = kind === 'barycentric' ? numbers(curve.betas()) : undefined;
   return {
-    ...{ method, solver, rings, kind, closed, points },
+    ...{ method, solver, rings, kind, closed, points: curve.points() },
     ...(tolerance === undefined ? { samples } : { tolerance }),
     ...(kind === 'bspline' && { degree: curve.degree }),
-    ...(kind === 'bspline' && { knots: own ? Array.from(curve.knots) : before.knots }),
+    ...(kind === 'bspline' && { knots: own ? Array.from(curve.knots()) : before.knots }),
     ...(kind === 'catmullrom' && { parametrization }),
     ...(weights && { weights }),
     ...(betas && { betas }),
@@ -88,7 +88,7 @@ function optionsOf(curve: Curve, before: CurveOptions): CurveOptions {
 
 /** The same of a curve whose knots follow no rule any more. */
 function refinedOptions(curve: Curve, before: CurveOptions): CurveOptions {
-  const knots = Array.from(curve.knots);
+  const knots = Array.from(curve.knots());
   return optionsOf(curve, { ...before, knots });
 }
 

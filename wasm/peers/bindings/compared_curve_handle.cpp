@@ -58,15 +58,14 @@ val ComparedCurveHandle::samples() const {
 }
 
 val ComparedCurveHandle::path() const {
-  CurvePolyline line;
+  CurvePath line;
   for (int j = 0; j < curve_.segmentCount(); ++j) {
     if (curve_.samples(j).empty()) continue;
     appendSegment(mesh_, joinSamples(mesh_.surface(), curve_.samples(j)), line);
   }
   val result = val::object();
-  result.set("length", line.length);
-  result.set("polyline", toJs(line.positions));
-  result.set("status", toJs(line.unconverged));
+  result.set("path", toJs(line.path));
+  result.set("unconverged", toJs(line.unconverged));
   return result;
 }
 

@@ -33,7 +33,7 @@ class ComparedCurveHandle {
   bool advance(int samples) { return curve_.advance(samples); }
   int samplesLeft() const { return curve_.samplesLeft(); }
   val samples() const;
-  /// {length, polyline, status}: the samples of each segment, joined by geodesics, and per vertex
+  /// {path, unconverged}: the samples of each segment, joined by geodesics, and per vertex
   /// whether the sample that it leads to is not converged.
   val path() const;
 

@@ -1,4 +1,4 @@
-import type { CurveSamples, Isoline, SurfacePoint } from 'karcher';
+import type { CurveSamples, Path, SurfacePoint } from 'karcher';
 import type { LineId, LineResult, Vector } from '../figures/types';
 import { alongPolyline, middle } from './nearest';
 import type { Scene } from './scene';
@@ -65,9 +65,9 @@ function turningNoiseOf(
   radius: number,
   lines: readonly ArrayLike<number>[],
 ): number | null {
-  const exact: Isoline[] = scene.mesh.isolines({ center: points[0]!, radius });
+  const exact: Path[] = scene.mesh.isolines(points[0]!, { radius });
   if (lines.length !== 1 || exact.length !== 1 || !exact[0]!.closed) return null;
-  const [line, truth] = [placesOf(lines[0]!), placesOf(exact[0]!.polyline)];
+  const [line, truth] = [placesOf(lines[0]!), placesOf(exact[0]!.polyline({ bits: 64 }))];
   const same = dot(areaOf(line), areaOf(truth)) > 0;
   const samples = (loop: readonly Vector[]) => loopSamples(scene, loop, places[1]!);
   const measured = samples(same ? line : line.toReversed());
@@ -79,7 +79,7 @@ export function circleArcs(task: Task, id: LineId): LineResult {
   const radius = radiusOf(task);
   const arcs = task.curve.kind === 'circle' ? task.curve.arcs : 7;
   const start = performance.now();
-  const circle = task.scene.mesh.circle({ center: task.points[0]!, radius, arcs, samples: 16 });
+  const circle = task.scene.mesh.circle(task.points[0]!, { radius, arcs, samples: 16 });
   const traceMs = performance.now() - start;
   const { count, face, bary, status } = circle.samples;
   const on = Array.from({ length: count }, (_, i) => ({ face: face[i]!, bary: at(bary, i) }));
@@ -89,8 +89,8 @@ export function circleArcs(task: Task, id: LineId): LineResult {
     samples: count,
     lost: status.filter((name) => name !== 'converged').length,
     deviation: deviationOf(task, radius, on),
-    turningNoise: turningNoiseOf(task, radius, [circle.path.polyline]),
-    polylines: [circle.polyline],
+    turningNoise: turningNoiseOf(task, radius, [circle.path.polyline({ bits: 64 })]),
+    polylines: [circle.path.polyline()],
   };
 }
 
@@ -99,22 +99,22 @@ function isolines(task: Task, id: LineId, type: 'exact' | 'linear'): LineResult 
   const { mesh, nearest } = task.scene;
   const radius = radiusOf(task);
   const start = performance.now();
-  const lines = mesh.isolines({ center: task.points[0]!, radius, type });
+  const lines = mesh.isolines(task.points[0]!, { radius, type });
   const traceMs = performance.now() - start;
   if (lines.length === 0) return { ...emptyLine(id), ok: false, reason: 'no face is crossed' };
-  const on = lines.flatMap(({ polyline }) => {
+  const polylines = lines.map((line) => line.polyline({ bits: 64 }));
+  const on = polylines.flatMap((polyline) => {
     const places = placesOf(polyline);
     // Between its ends an exact isoline bends, and a linear one's chord does not.
     const between = places.slice(1).map((place, i) => middle([places[i]!, place]));
     return [...places, ...(type === 'linear' ? between : [])].map((place) => nearest.point(place));
   });
-  const polylines = lines.map(({ polyline }) => polyline);
   return {
     ...emptyLine(id),
     traceMs,
     deviation: deviationOf(task, radius, on),
     turningNoise: turningNoiseOf(task, radius, polylines),
-    polylines: polylines.map((polyline) => Float32Array.from(polyline)),
+    polylines: lines.map((line) => line.polyline()),
   };
 }
 

@@ -49,7 +49,7 @@ async function traceMethod(
   const curve = method.curve(planOf(task));
   try {
     const traceMs = await curve.trace(work);
-    const { samples } = curve;
+    const samples = curve.samples();
     const measures = task.scene.meter.measure(samples, await reference());
     const result = { ...emptyLine(id), ...measures, prepareMs: method.prepareMs, traceMs };
     if (measures.lost === measures.samples) {
@@ -68,10 +68,10 @@ function drawn(
   curve: ComparedCurve,
 ): Pick<LineResult, 'polylines' | 'status' | 'marker'> {
   if (kind === 'center') {
-    return { polylines: [], status: [], marker: at(curve.samples.position, 0) };
+    return { polylines: [], status: [], marker: at(curve.samples().position, 0) };
   }
-  const { polyline, status } = curve.path;
-  return { polylines: [Float32Array.from(polyline)], status: [status], marker: null };
+  const { path, unconverged } = curve.line();
+  return { polylines: [path.polyline()], status: [unconverged], marker: null };
 }
 
 const makers: Partial<Record<LineId, Maker>> = {
@@ -83,9 +83,9 @@ const makers: Partial<Record<LineId, Maker>> = {
 
   exactPath(task, id) {
     const start = performance.now();
-    const { polyline } = task.scene.mesh.shortestPath(task.points[0]!, task.points[1]!);
+    const path = task.scene.mesh.shortestPath(task.points[0]!, task.points[1]!);
     const traceMs = performance.now() - start;
-    return { ...emptyLine(id), traceMs, polylines: [Float32Array.from(polyline)] };
+    return { ...emptyLine(id), traceMs, polylines: [path.polyline()] };
   },
 
   /** The reference itself: its one number is how far it is from what it stands for. */
@@ -94,7 +94,7 @@ const makers: Partial<Record<LineId, Maker>> = {
     const curve = method.curve(planOf(task));
     try {
       await curve.trace(work);
-      const residual = await medianResidual(task, curve.samples, work);
+      const residual = await medianResidual(task, curve.samples(), work);
       return { ...emptyLine(id), ...drawn(task, curve), residual };
     } finally {
       curve.dispose();
@@ -110,18 +110,19 @@ const makers: Partial<Record<LineId, Maker>> = {
       throw new KarcherError('badArgument', 'only splines are bridged');
     }
     const exact = scene.mesh.curve({ kind, points: [...points], samples, solver: 'exact' });
-    const truth = exact.samples;
+    const truth = exact.samples();
     exact.dispose();
     const curve = scene.mesh.curve({ kind, points: [...points], samples });
-    const { status } = curve.samples;
+    const own = curve.samples();
+    const { fields, trace, bridge } = curve.times();
     const result = {
       ...emptyLine(id),
-      ...scene.meter.measure(curve.samples, truth),
-      traceMs: curve.times.fields + curve.times.trace + curve.times.bridge,
-      samples: status.length,
-      lost: status.filter((name) => name !== 'converged' && name !== 'bridged').length,
-      polylines: [curve.polyline],
-      status: [curve.polylineStatus],
+      ...scene.meter.measure(own, truth),
+      traceMs: fields + trace + bridge,
+      samples: own.count,
+      lost: own.status.filter((name) => name !== 'converged' && name !== 'bridged').length,
+      polylines: [curve.polyline()],
+      status: [curve.unconverged()],
     };
     curve.dispose();
     return result;
@@ -131,7 +132,7 @@ const makers: Partial<Record<LineId, Maker>> = {
   async spokes(task, id, reference) {
     const center = task.scene.nearest.point(at((await reference()).position, 0));
     const polylines = task.points.map((point) =>
-      Float32Array.from(task.scene.mesh.shortestPath(center, point).polyline),
+      task.scene.mesh.shortestPath(center, point).polyline(),
     );
     return { ...emptyLine(id), polylines };
   },

@@ -48,7 +48,8 @@ function residualAt(
     const weight = table.weights[row + k]!;
     if (weight === 0) continue;
     const path = scene.mesh.shortestPath(here, points[first[segment[i]!]! + k]!);
-    const [from, to] = [at(path.polyline, 0), at(path.polyline, 1)];
+    const polyline = path.polyline({ bits: 64 });
+    const [from, to] = [at(polyline, 0), at(polyline, 1)];
     const step = distance(from, to);
     if (step > 0) sum = add(sum, scaled(subtract(to, from), (weight * path.length) / step));
   }

@@ -82,7 +82,8 @@ export function affineSamples(task: Task): ReferenceSamples {
 
 /** Points at the parameters of a plan along the exact shortest path between its two points. */
 export function pathSamples(task: Task): ReferenceSamples {
-  const { polyline } = task.scene.mesh.shortestPath(task.points[0]!, task.points[1]!);
+  const path = task.scene.mesh.shortestPath(task.points[0]!, task.points[1]!);
+  const polyline = path.polyline({ bits: 64 });
   const { t } = planOf(task).table;
   return convergedSamples(
     Float64Array.from([...t].flatMap((part) => alongPolyline(polyline, part))),
@@ -105,7 +106,7 @@ export async function referenceOf(task: Task, work: LongWorkOptions): Promise<Re
   const curve = method.curve(planOf(task));
   try {
     await curve.trace(work);
-    return curve.samples;
+    return curve.samples();
   } finally {
     curve.dispose();
   }

@@ -1,0 +1,54 @@
+#include "bindings/path.h"
+
+namespace karcher::bindings {
+
+Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& mesh,
+                  const Array<SurfacePoint>& points, double length) {
+  // Positions of one point, computed from two faces, differ by rounding.
+  constexpr double kSamePoint = 1e-13;
+  Array<int> kept;
+  Array<double> chords;
+  double whole = 0;
+  Vec3 last = Vec3::Zero();
+  for (int i = 0; i < points.count(); ++i) {
+    const Vec3 here = position(mesh, points[i]);
+    const double scale = here.cwiseAbs().maxCoeff();
+    const bool same = i > 0 && (here - last).cwiseAbs().maxCoeff() <= kSamePoint * scale;
+    const bool needed = kept.count() < 2 && i == points.count() - 1;
+    if (same && !needed) continue;
+    if (i > 0) whole += (here - last).norm();
+    chords.push_back(whole);
+    path.faces.push_back(numbering.inputFace[points[i].face]);
+    append(path.bary, points[i].bary);
+    append(path.positions, here);
+    kept.push_back(i);
+    last = here;
+  }
+  // Chords are shorter than arcs, and rounded.
+  const double stretch = whole > 0 ? length / whole : 0;
+  for (const double chord : chords) path.lengths.push_back(path.length + stretch * chord);
+  path.length += length;
+  if (!kept.empty()) path.lengths.back() = path.length;
+  return kept;
+}
+
+val toJs(const Path& path) {
+  val result = val::object();
+  result.set("closed", path.closed);
+  result.set("length", path.length);
+  result.set("face", toJs(path.faces));
+  result.set("bary", toJs(path.bary));
+  result.set("position", toJs(path.positions));
+  result.set("lengths", toJs(path.lengths));
+  return result;
+}
+
+val pathToJs(const Numbering& numbering, const TriangleMesh& mesh,
+             const Array<SurfacePoint>& points, double length, bool closed) {
+  Path path;
+  path.closed = closed;
+  append(path, numbering, mesh, points, length);
+  return toJs(path);
+}
+
+}  // namespace karcher::bindings
