@@ -23,6 +23,7 @@ export default defineConfig({
     alias: [
       { find: /^karcher$/, replacement: here('./dist/index.js') },
       { find: /^karcher\/peers$/, replacement: here('./dist/peers/index.js') },
+      { find: /^karcher\/own-worker$/, replacement: here('./dist/worker/own.js') },
     ],
   },
   define: { __KARCHER_BUILD__: JSON.stringify(buildName()) },

@@ -39,14 +39,28 @@ async function measured(chosen, options = {}, signal = undefined) {
 class StandIn {
   ended = false;
   jobs = [];
-  postMessage(job) {
-    this.jobs.push(job);
+  #heard = {};
+  #request;
+  on(event, hear) {
+    this.#heard[event] = hear;
+  }
+  postMessage(request) {
+    this.#request = request;
+    this.jobs.push(request.args[0]);
   }
   terminate() {
     this.ended = true;
   }
+  tell(reply) {
+    this.#heard.message({ id: this.#request.id, ...reply });
+  }
+  break(message) {
+    this.#heard.error(new Error(message));
+  }
+  /** Calls the function of that name among the arguments. */
   send(event, ...args) {
-    this.onmessage({ data: { event, args } });
+    const { callback } = this.#request.args[1][event];
+    this.tell({ callback, args });
   }
   place(method) {
     return { row: this.jobs.at(-1).rows[0].id, method, triangles: 500, segments: 1 };
@@ -59,6 +73,9 @@ class StandIn {
     this.send('cell', { ...this.place(method), result });
   }
 }
+
+/** What a worker told has arrived where it is awaited. */
+const settled = () => new Promise((resolve) => setImmediate(resolve));
 
 describe('the table on a page', () => {
   let TableClient;
@@ -87,23 +104,26 @@ describe('the table on a page', () => {
     return { client, workers, cells, ends: () => ends };
   }
 
-  test('goes on with a new worker where one fails, and says why', () => {
+  test('goes on with a new worker where one fails, and says why', async () => {
     const { workers, cells, ends } = started(1e6);
     const [first, second] = rows.tableRows.map(({ id }) => id);
     workers[0].begin('vectorHeat');
     workers[0].finish('vectorHeat');
     workers[0].begin('weightedAverages');
-    workers[0].onerror({ preventDefault: () => {}, message: 'out of memory' });
+    workers[0].break('out of memory');
+    await settled();
     assert.equal(workers[0].ended, true);
     assert.deepEqual(workers[1].jobs[0].methods, ['paper', 'karcher']);
     for (const method of ['paper', 'karcher']) {
       workers[1].begin(method);
       workers[1].finish(method);
     }
-    workers[1].send('done');
+    workers[1].tell({ result: undefined });
+    await settled();
     assert.equal(workers[1].jobs[1].rows[0].id, second);
     // No mesh: no method has anything to measure.
-    workers[1].onmessage({ data: { event: 'failure', message: 'no such mesh' } });
+    workers[1].tell({ failure: { message: 'no such mesh', fatal: false } });
+    await settled();
     assert.equal(ends(), 1);
     assert.equal(workers.length, 2);
     assert.deepEqual(cells, [

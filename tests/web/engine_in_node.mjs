@@ -10,34 +10,36 @@ async function load(path) {
   return module;
 }
 
-/** The one worker there is: it holds one surface. */
-const scope = {
-  onmessage: null,
-  answer: () => {},
-  postMessage: (reply) => scope.answer(structuredClone(reply)),
-};
-
+/** The one worker there is, which holds one surface. */
 class InThisThread {
-  onmessage = null;
-  onerror = null;
+  #hear = {};
 
   constructor() {
-    scope.answer = (data) => queueMicrotask(() => this.onmessage?.({ data }));
+    globalThis.postMessage = (reply, transfer) => {
+      const data = structuredClone(reply, { transfer });
+      queueMicrotask(() => this.#hear.message?.({ data }));
+    };
+  }
+
+  addEventListener(type, hear) {
+    this.#hear[type] = hear;
   }
 
   postMessage(request) {
     const data = structuredClone(request);
-    queueMicrotask(() => scope.onmessage({ data }));
+    queueMicrotask(() => InThisThread.served({ data }));
   }
 
   terminate() {
-    this.onmessage = null;
+    this.#hear = {};
   }
 }
 
 /** The page's parts on a sphere, by a method without a second engine. */
 export async function openPage(triangles) {
-  globalThis.self = scope;
+  globalThis.addEventListener = (_, hear) => {
+    InThisThread.served = hear;
+  };
   globalThis.Worker = InThisThread;
   await load('../../web/worker/engine.ts');
   const parts = await load('./page_parts.ts');

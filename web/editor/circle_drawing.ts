@@ -48,8 +48,9 @@ async function radiusTo(
   center: SurfacePoint,
   rim: SurfacePoint,
 ): Promise<ShownRadius> {
-  const { length, polyline } = await client.shortestPath(center, rim);
-  return { radius: length, direction: directionOf(polyline), rim, path: polyline };
+  const path = await client.shortestPath(center, rim);
+  const polyline = path.polyline();
+  return { radius: path.length, direction: directionOf(polyline), rim, path: polyline };
 }
 
 async function radiusOf(
@@ -58,8 +59,8 @@ async function radiusOf(
   direction: Vector,
   radius: number,
 ): Promise<ShownRadius> {
-  const { end, polyline } = await client.straightest(center, direction, radius);
-  return { radius, direction, rim: end, path: polyline };
+  const { end, path } = await client.straightest(center, direction, radius);
+  return { radius, direction, rim: end, path: path.polyline() };
 }
 
 async function acrossRadius(

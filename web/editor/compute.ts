@@ -1,8 +1,8 @@
-import type { CenterOfMass, FieldOptions } from 'karcher';
+import type { CenterOfMass, ErrorCode, FieldOptions } from 'karcher';
 import { type CurveDocument, isRound, pointsNeeded } from '../model/document';
 import { curveOptions, splineOf } from '../model/splines';
 import type { TracedCurve } from '../model/traced';
-import { type EngineClient, EngineError } from '../worker/client';
+import { type EngineClient, KarcherError } from '../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
 import { type Shift, shiftBetween } from './shift';
 
@@ -93,12 +93,12 @@ export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
 }
 
 /** Failures that the engine tells by the numbers of points or arcs, which it counts from 0. */
-const withoutNumbers: Partial<Record<NonNullable<EngineError['code']>, string>> = {
+const withoutNumbers: Partial<Record<ErrorCode, string>> = {
   unreachable: 'the points lie on different components of the surface; no path joins them all',
   boundary: 'a geodesic from the center to its arc meets the surface’s boundary',
 };
 
 export function messageOf(error: unknown): string {
-  const told = error instanceof EngineError && error.code && withoutNumbers[error.code];
+  const told = error instanceof KarcherError && withoutNumbers[error.code];
   return told || (error instanceof Error ? error.message : `${error}`);
 }

@@ -1,5 +1,5 @@
 /** What the engine makes of a document, as the page draws and shows it. */
-import type { CurvePoints, CurveSamples, SurfacePoint } from 'karcher';
+import type { CurvePoints, CurveSamples } from 'karcher';
 import type { LostInterval } from './lost';
 
 /** A curve as the page draws it. */
@@ -39,15 +39,4 @@ export interface Measured {
   wholeLength: number;
   /** The derivative by the parameter. */
   tangent: [number, number, number];
-}
-
-export interface TracedPath {
-  length: number;
-  polyline: Float32Array;
-}
-
-export interface TracedStraightestPath {
-  end: SurfacePoint;
-  remaining: number;
-  polyline: Float32Array;
 }

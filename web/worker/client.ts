@@ -1,80 +1,39 @@
-import type {
-  CenterOfMass,
-  CenterOptions,
-  CircleOptions,
-  CurveOptions,
-  EllipseOptions,
-  ErrorCode,
-  FieldOptions,
-  IsolineOptions,
-  LongWorkOptions,
-  MeshInfo,
-  PointLike,
-  Solver,
-} from 'karcher';
+import type { LongWorkOptions, MeshInfo } from 'karcher';
+import { WorkerClient } from 'karcher/own-worker';
 import type { MeshSource } from '../model/meshes';
-import type {
-  Measured,
-  TracedCurve,
-  TracedIsolines,
-  TracedPath,
-  TracedStraightestPath,
-} from '../model/traced';
-import type { CallName, Calls, CurveWork, LoadedMesh, Reply, Request } from './protocol';
-import type { Reshape, Reshaped } from './reshape';
+import type { Calls } from './engine';
 
-/** A failure that the engine names, or `stopped` where its worker ended. */
-export class EngineError extends Error {
-  override name = 'EngineError';
-  constructor(
-    message: string,
-    readonly code: ErrorCode | 'stopped' | undefined,
-  ) {
-    super(message);
-  }
-}
+export { KarcherError } from 'karcher/own-worker';
 
-interface Pending {
-  resolve(result: unknown): void;
-  reject(error: Error): void;
-  work: LongWorkOptions;
-}
+type Call<Name extends keyof Calls> = (
+  ...args: Parameters<Calls[Name]>
+) => Promise<Awaited<ReturnType<Calls[Name]>>>;
 
 /**
- * A surface in a worker of its own, under the engine's names: every call returns a promise, and
- * `close` ends the worker and every call that is under way. Large arrays are transferred.
+ * A surface in a worker of its own. `close` ends the worker and every call that is under way; every
+ * call fails with a `KarcherError`.
  */
 export class EngineClient {
-  readonly #worker = new Worker(new URL('./engine.ts', import.meta.url), { type: 'module' });
-  readonly #pending = new Map<number, Pending>();
-  #calls = 0;
-  #closed = false;
-  #mesh: LoadedMesh | null = null;
+  readonly #worker = new WorkerClient(
+    new Worker(new URL('./engine.ts', import.meta.url), { type: 'module' }),
+  );
+  #mesh: Awaited<ReturnType<Calls['load']>> | null = null;
   /** Called when the worker ends by itself, as when memory runs out. */
   onStopped: (() => void) | null = null;
 
   private constructor() {
-    this.#worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#receive(data);
-    this.#worker.onerror = (event) => {
-      event.preventDefault();
-      this.#break(event.message || 'the engine could not start');
-    };
+    this.#worker.onFatal = () => this.onStopped?.();
   }
 
   /** Starts a worker and makes the surface there; ends the worker if that fails or is aborted. */
   static async load(source: MeshSource, work: LongWorkOptions = {}): Promise<EngineClient> {
     const client = new EngineClient();
-    const abort = () => client.close();
-    work.signal?.addEventListener('abort', abort, { once: true });
     try {
-      work.signal?.throwIfAborted();
-      client.#mesh = await client.#call('load', [source], { progress: work.progress });
+      client.#mesh = await client.#call('load')(source, work);
       return client;
     } catch (error) {
       client.close();
-      throw work.signal?.aborted ? work.signal.reason : error;
-    } finally {
-      work.signal?.removeEventListener('abort', abort);
+      throw error;
     }
   }
 
@@ -92,116 +51,28 @@ export class EngineClient {
     return this.#mesh!.triangles;
   }
 
-  prepare(options: FieldOptions, work: LongWorkOptions = {}): Promise<void> {
-    return this.#call('prepare', [options], work);
-  }
-
-  curve(options: CurveOptions, work?: CurveWork): Promise<TracedCurve> {
-    return this.#call('curve', [options, work]);
-  }
-
-  knots(from: CurveOptions, to: CurveOptions): Promise<number[]> {
-    return this.#call('knots', [from, to]);
-  }
-
-  measure(options: CurveOptions, near: [number, number, number]): Promise<Measured> {
-    return this.#call('measure', [options, near]);
-  }
-
-  reshape(options: CurveOptions, edit: Reshape): Promise<Reshaped> {
-    return this.#call('reshape', [options, edit]);
-  }
-
-  circle(center: PointLike, options: CircleOptions): Promise<TracedCurve> {
-    return this.#call('circle', [center, options]);
-  }
-
-  ellipse(center: PointLike, options: EllipseOptions): Promise<TracedCurve> {
-    return this.#call('ellipse', [center, options]);
-  }
-
-  isolines(center: PointLike, options: IsolineOptions): Promise<TracedIsolines> {
-    return this.#call('isolines', [center, options]);
-  }
-
-  centerOfMass(
-    points: PointLike[],
-    weights: number[],
-    options?: CenterOptions,
-  ): Promise<CenterOfMass> {
-    return this.#call('centerOfMass', [points, weights, options]);
-  }
-
-  distance(point: PointLike, options?: { solver?: Solver; rings?: number }): Promise<Float64Array> {
-    return this.#call('distance', [point, options]);
-  }
-
-  shortestPath(from: PointLike, to: PointLike): Promise<TracedPath> {
-    return this.#call('shortestPath', [from, to]);
-  }
-
-  straightest(
-    from: PointLike,
-    direction: [number, number, number],
-    length: number,
-  ): Promise<TracedStraightestPath> {
-    return this.#call('straightest', [from, direction, length]);
-  }
+  readonly prepare = this.#call('prepare');
+  readonly curve = this.#call('curve');
+  readonly knots = this.#call('knots');
+  readonly measure = this.#call('measure');
+  readonly reshape = this.#call('reshape');
+  readonly circle = this.#call('circle');
+  readonly ellipse = this.#call('ellipse');
+  readonly isolines = this.#call('isolines');
+  readonly centerOfMass = this.#call('centerOfMass');
+  readonly distance = this.#call('distance');
+  readonly shortestPath = this.#call('shortestPath');
+  readonly straightest = this.#call('straightest');
 
   get closed(): boolean {
-    return this.#closed;
+    return this.#worker.disposed;
   }
 
   close(): void {
-    this.#stop(new EngineError('the surface was closed', 'stopped'));
+    this.#worker.dispose();
   }
 
-  #break(message: string): void {
-    this.#stop(new EngineError(message, 'stopped'));
-    this.onStopped?.();
-  }
-
-  #stop(error: EngineError): void {
-    this.#closed = true;
-    this.#worker.terminate();
-    const pending = [...this.#pending.values()];
-    this.#pending.clear();
-    for (const { reject } of pending) reject(error);
-  }
-
-  #call<Name extends CallName>(
-    call: Name,
-    args: Parameters<Calls[Name]>,
-    work: LongWorkOptions = {},
-  ): Promise<ReturnType<Calls[Name]>> {
-    if (this.#closed) {
-      return Promise.reject(new EngineError('the surface was closed', 'stopped'));
-    }
-    const id = ++this.#calls;
-    work.signal?.addEventListener('abort', () => this.#send({ id, call: 'cancel' }), {
-      once: true,
-    });
-    return new Promise((resolve, reject) => {
-      this.#pending.set(id, { resolve: resolve as (result: unknown) => void, reject, work });
-      this.#send({ id, call, args } as Request);
-    });
-  }
-
-  #send(request: Request): void {
-    if (!this.#closed) this.#worker.postMessage(request);
-  }
-
-  #receive(reply: Reply): void {
-    const pending = this.#pending.get(reply.id);
-    if (!pending) return;
-    if ('progress' in reply) {
-      pending.work.progress?.(reply.progress, reply.stage);
-      return;
-    }
-    this.#pending.delete(reply.id);
-    if ('result' in reply) pending.resolve(reply.result);
-    else if (pending.work.signal?.aborted) pending.reject(pending.work.signal.reason);
-    else pending.reject(new EngineError(reply.failure.message, reply.failure.code));
-    if ('failure' in reply && reply.failure.fatal) this.#break(reply.failure.message);
+  #call<Name extends keyof Calls>(name: Name): Call<Name> {
+    return ((...args: unknown[]) => this.#worker.call(name, args)) as Call<Name>;
   }
 }

@@ -1,51 +1,56 @@
 /** The worker that runs the engine: one surface, and the curve that is being edited on it. */
-
-import type { BridgedInterval, Circle, CurveSamples } from 'karcher';
 import {
+  type BridgedInterval,
+  type CenterOptions,
+  type Circle,
+  type CircleOptions,
   type Curve,
   type CurveOptions,
+  type CurveSamples,
+  type DistanceOptions,
+  type EllipseOptions,
+  type FieldOptions,
+  type IsolineOptions,
   type Karcher,
-  KarcherError,
+  type LongWorkOptions,
   load,
   type Mesh,
+  type PointLike,
 } from 'karcher';
+import { serve } from 'karcher/own-worker';
 import { lostIntervals } from '../model/lost';
 import type { MeshSource } from '../model/meshes';
-import type { TracedCurve } from '../model/traced';
+import type { Measured, TracedCurve, TracedIsolines } from '../model/traced';
 import { type Change, changeBetween } from './change';
-import type { Calls, Failure, Reply, Request } from './protocol';
-import { reshaped } from './reshape';
+import { type Reshape, reshaped } from './reshape';
+
+type Tell = NonNullable<LongWorkOptions['progress']>;
 
 let mesh: Mesh | null = null;
 let curve: { options: CurveOptions; traced: Curve } | null = null;
-const running = new Map<number, AbortController>();
 
-type Work = { progress: (done: number, stage: string) => void; signal: AbortSignal };
-type Answer<Result> = { result: Result; transfer?: Transferable[] };
-type Handlers = {
-  [Name in keyof Calls]: (
-    work: Work,
-    ...args: Parameters<Calls[Name]>
-  ) => Answer<ReturnType<Calls[Name]>> | Promise<Answer<ReturnType<Calls[Name]>>>;
-};
+export interface CurveWork {
+  keep: boolean;
+  /** How many points to mark along it. */
+  marks?: number;
+}
 
-const handlers: Handlers = {
-  async load({ progress }, source) {
+/** What can be asked of the worker. */
+const calls = {
+  async load(source: MeshSource, { progress = () => {} }: LongWorkOptions) {
     progress(0, 'Starting the engine');
     const karcher = await load();
     progress(0.2, 'Reading the surface');
     mesh = await meshOf(karcher, source, progress);
-    const [positions, triangles] = [mesh.positions(), mesh.triangles()];
-    const result = { info: mesh.info, positions, triangles };
-    return { result, transfer: [positions.buffer, triangles.buffer] as ArrayBuffer[] };
+    return { info: mesh.info, positions: mesh.positions(), triangles: mesh.triangles() };
   },
 
-  async prepare(work, options) {
-    await theMesh().prepare(options, work);
-    return { result: undefined };
+  prepare(options: FieldOptions, work: LongWorkOptions) {
+    return theMesh().prepare(options, work);
   },
 
-  curve(_, options, { keep, marks = 0 } = { keep: true }) {
+  /** The curve that is edited, by its smallest change; or one that is traced and not kept. */
+  curve(options: CurveOptions, { keep, marks = 0 }: CurveWork): TracedCurve {
     const started = performance.now();
     const traced = keep ? retrace(options) : theMesh().curve(options);
     const result: TracedCurve = {
@@ -59,10 +64,14 @@ const handlers: Handlers = {
       milliseconds: performance.now() - started,
     };
     if (!keep) traced.dispose();
-    return { result, transfer: buffersOf(result) };
+    return result;
   },
 
-  knots(_, from, to) {
+  /**
+   * A B-spline's knots after an edit, which makes it one of other points, or closes or opens it; it
+   * is then the curve that is edited.
+   */
+  knots(from: CurveOptions, to: CurveOptions): number[] {
     const traced = retrace(from);
     const ruled = (options: CurveOptions) => ({ ...options, knots: undefined });
     const change = changeBetween(ruled(from), ruled(to));
@@ -70,30 +79,32 @@ const handlers: Handlers = {
     perform(traced, change, to);
     const knots = Array.from(traced.knots());
     curve = { options: { ...to, knots }, traced };
-    return { result: knots };
+    return knots;
   },
 
-  measure(_, options, near) {
+  /** The curve with these options, which is the one that is edited, where it is nearest to a place. */
+  measure(options: CurveOptions, near: [number, number, number]): Measured {
     const traced = retrace(options);
     const { parameter, position } = traced.nearest(near);
     const { inSpace: tangent } = traced.tangentAt(parameter);
     const [length, wholeLength] = [traced.lengthAt(parameter), traced.length];
-    return { result: { parameter, position, length, wholeLength, tangent } };
+    return { parameter, position, length, wholeLength, tangent };
   },
 
-  reshape(_, options, edit) {
-    return { result: reshaped(theMesh(), retrace(options), options, edit) };
+  /** The curves that an edit makes of the one with these options. */
+  reshape(options: CurveOptions, edit: Reshape) {
+    return reshaped(theMesh(), retrace(options), options, edit);
   },
 
-  circle(_, center, options) {
+  circle(center: PointLike, options: CircleOptions): TracedCurve {
     return tracedArcs(() => theMesh().circle(center, options));
   },
 
-  ellipse(_, center, options) {
+  ellipse(center: PointLike, options: EllipseOptions): TracedCurve {
     return tracedArcs(() => theMesh().ellipse(center, options));
   },
 
-  isolines(_, center, options) {
+  isolines(center: PointLike, options: IsolineOptions): TracedIsolines {
     const started = performance.now();
     const lines = theMesh()
       .isolines(center, options)
@@ -102,34 +113,34 @@ const handlers: Handlers = {
         polyline: line.polyline(),
       }));
     const length = lines.reduce((sum, line) => sum + line.length, 0);
-    const result = { lines, length, milliseconds: performance.now() - started };
-    return { result, transfer: lines.map(({ polyline }) => polyline.buffer as ArrayBuffer) };
+    return { lines, length, milliseconds: performance.now() - started };
   },
 
-  centerOfMass(_, points, weights, options) {
-    return { result: theMesh().centerOfMass(points, weights, options) };
+  centerOfMass(points: PointLike[], weights: number[], options?: CenterOptions) {
+    return theMesh().centerOfMass(points, weights, options);
   },
 
-  distance(_, point, options) {
-    const result = theMesh().distance(point, options).slice();
-    return { result, transfer: [result.buffer] };
+  distance(point: PointLike, options?: DistanceOptions) {
+    return theMesh().distance(point, options);
   },
 
-  shortestPath(_, from, to) {
-    const path = theMesh().shortestPath(from, to);
-    return { result: { length: path.length, polyline: path.polyline() } };
+  shortestPath(from: PointLike, to: PointLike) {
+    return theMesh().shortestPath(from, to);
   },
 
-  straightest(_, from, direction, length) {
-    const { end, remaining, path } = theMesh().straightest(from, direction, length);
-    return { result: { end, remaining, polyline: path.polyline() } };
+  straightest(from: PointLike, direction: [number, number, number], length: number) {
+    return theMesh().straightest(from, direction, length);
   },
 };
 
-function tracedArcs(trace: () => Circle): Answer<TracedCurve> {
+export type Calls = typeof calls;
+
+serve(calls);
+
+function tracedArcs(trace: () => Circle): TracedCurve {
   const started = performance.now();
   const { path, unconverged, samples, bridged, notShortest } = trace();
-  const result: TracedCurve = {
+  return {
     polyline: path.polyline(),
     polylineStatus: unconverged,
     ...drawnSamples(samples, bridged),
@@ -139,13 +150,6 @@ function tracedArcs(trace: () => Circle): Answer<TracedCurve> {
     length: path.length,
     milliseconds: performance.now() - started,
   };
-  return { result, transfer: buffersOf(result) };
-}
-
-function buffersOf({ polyline, polylineStatus, samples }: TracedCurve): ArrayBuffer[] {
-  const { segment, t, face, bary, position } = samples;
-  const arrays = [polyline, polylineStatus, segment, t, face, bary, position];
-  return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
 }
 
 function theMesh(): Mesh {
@@ -153,11 +157,7 @@ function theMesh(): Mesh {
   return mesh;
 }
 
-async function meshOf(
-  karcher: Karcher,
-  source: MeshSource,
-  progress: Work['progress'],
-): Promise<Mesh> {
+async function meshOf(karcher: Karcher, source: MeshSource, progress: Tell): Promise<Mesh> {
   switch (source.kind) {
     case 'file':
       return karcher.meshFromObj(source.bytes);
@@ -210,34 +210,3 @@ function drawnSamples(
   const { status, ...samples } = all;
   return { samples, lost: lostIntervals(all, bridged) };
 }
-
-function failure(error: unknown): Failure {
-  if (error instanceof KarcherError) return { message: error.message, code: error.code };
-  const message = error instanceof Error ? error.message : `${error}`;
-  return { message, fatal: error instanceof WebAssembly.RuntimeError };
-}
-
-const post = (reply: Reply, transfer: Transferable[] = []) => self.postMessage(reply, { transfer });
-
-self.onmessage = async ({ data }: MessageEvent<Request>) => {
-  const { id } = data;
-  if (data.call === 'cancel') {
-    running.get(id)?.abort();
-    return;
-  }
-  const controller = new AbortController();
-  running.set(id, controller);
-  const progress = (done: number, stage: string) => post({ id, progress: done, stage });
-  try {
-    const handler = handlers[data.call] as (
-      work: Work,
-      ...args: unknown[]
-    ) => Answer<unknown> | Promise<Answer<unknown>>;
-    const answer = await handler({ progress, signal: controller.signal }, ...data.args);
-    post({ id, result: answer.result }, answer.transfer);
-  } catch (error) {
-    post({ id, failure: failure(error) });
-  } finally {
-    running.delete(id);
-  }
-};

@@ -1,3 +1,4 @@
+import { WorkerClient, type WorkerLike } from 'karcher/own-worker';
 import type { MethodResult } from 'karcher/peers';
 import {
   expectedTriangles,
@@ -8,7 +9,6 @@ import {
   tableMethods,
 } from './rows';
 import type { TableEvents, TableOptions } from './run';
-import type { TableMessage } from './worker';
 
 /** What is told while a table is measured; `end` comes last, unless it is cancelled. */
 export interface ClientEvents extends TableEvents {
@@ -40,7 +40,7 @@ const startWorker = () => new Worker(new URL('./worker.ts', import.meta.url), { 
  */
 export class TableClient {
   readonly #left: { row: TableRow; methods: TableMethod[] }[];
-  #worker: Worker | null = null;
+  #worker: WorkerClient | null = null;
   /** What is being measured. */
   #place: Place | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -48,7 +48,7 @@ export class TableClient {
   constructor(
     private readonly options: TableOptions,
     private readonly events: ClientEvents,
-    private readonly start: () => Worker = startWorker,
+    private readonly start: () => WorkerLike = startWorker,
   ) {
     this.#left = options.rows.map((row) => ({ row, methods: [...tableMethods] }));
   }
@@ -71,48 +71,42 @@ export class TableClient {
       this.events.end();
       return;
     }
-    this.#worker ??= this.#newWorker();
+    this.#worker ??= new WorkerClient(this.start());
+    const worker = this.#worker;
     const { samples, budgetMs } = this.options;
     const request: TableOptions = { rows: [job.row], methods: job.methods, samples, budgetMs };
-    this.#worker.postMessage(request);
+    worker.call('run', [request, this.#heard(worker)]).then(
+      () => {
+        if (worker !== this.#worker) return;
+        this.#left.shift();
+        this.#next();
+      },
+      (error) => {
+        if (worker === this.#worker) this.#fail(error.message);
+      },
+    );
   }
 
-  #newWorker(): Worker {
-    const worker = this.start();
-    worker.onmessage = ({ data }: MessageEvent<TableMessage>) => this.#receive(data);
-    worker.onerror = (event) => {
-      event.preventDefault();
-      this.#fail(event.message || 'the engine could not go on');
+  /** What the worker tells, as long as it is the one that works. */
+  #heard(worker: WorkerClient): TableEvents {
+    const { row, method, progress } = this.events;
+    const heard = <Args extends unknown[]>(hear: (...args: Args) => void) => {
+      return (...args: Args) => {
+        if (worker === this.#worker) hear(...args);
+      };
     };
-    return worker;
-  }
-
-  #receive(message: TableMessage): void {
-    switch (message.event) {
-      case 'row':
-        this.events.row(...message.args);
-        break;
-      case 'method':
-        [this.#place] = message.args;
+    return {
+      row: heard(row),
+      method: heard((place) => {
+        this.#place = place;
         this.#timer = setTimeout(() => {
           this.#fail(`stopped after ${Math.round(this.options.budgetMs / 1000)} s`);
         }, this.options.budgetMs + graceMs);
-        this.events.method(...message.args);
-        break;
-      case 'progress':
-        this.events.progress(...message.args);
-        break;
-      case 'cell':
-        this.#take(message.args[0]);
-        break;
-      case 'done':
-        this.#left.shift();
-        this.#next();
-        break;
-      case 'failure':
-        this.#fail(message.message);
-        break;
-    }
+        method(place);
+      }),
+      progress: heard(progress),
+      cell: heard((cell) => this.#take(cell)),
+    };
   }
 
   #take(cell: TableCell): void {
@@ -143,8 +137,9 @@ export class TableClient {
 
   #stop(): void {
     clearTimeout(this.#timer);
-    this.#worker?.terminate();
+    const worker = this.#worker;
     this.#worker = null;
+    worker?.dispose();
     this.#place = null;
   }
 }

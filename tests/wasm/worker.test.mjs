@@ -1,0 +1,186 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { KarcherError, load } from 'karcher';
+import { WorkerClient } from 'karcher/own-worker';
+import { loadInWorker } from 'karcher/worker';
+import { grid, partsOf } from './meshes.mjs';
+
+const points = [16, 40, 97, 120].map((vertex) => ({ vertex }));
+const text = grid(12);
+let here;
+let remote;
+let mesh;
+before(async () => {
+  [here, remote] = [(await load()).meshFromObj(text), await loadInWorker()];
+  mesh = await remote.meshFromObj(text);
+});
+after(() => remote.dispose());
+
+test('a mesh in a worker answers as one here', async () => {
+  assert.deepEqual(mesh.info, here.info);
+  assert.deepEqual(await mesh.positions(), here.positions());
+  assert.deepEqual(await mesh.triangles(), here.triangles());
+  const weights = [0.25, 0.25, 0.25, 0.25];
+  assert.deepEqual(await mesh.centerOfMass(points, weights), here.centerOfMass(points, weights));
+  assert.deepEqual(await mesh.distance(points[0]), here.distance(points[0]));
+  const [from, to] = points;
+  assert.deepEqual(
+    partsOf(await mesh.shortestPath(from, to)),
+    partsOf(here.shortestPath(from, to)),
+  );
+  const [line] = await mesh.isolines(points[1], { radius: 2 });
+  assert.deepEqual(partsOf(line), partsOf(here.isolines(points[1], { radius: 2 })[0]));
+  const direction = { x: 1, y: 2, z: 0 };
+  const [walked, expected] = [
+    await mesh.straightest(from, direction, 2),
+    here.straightest(from, direction, 2),
+  ];
+  assert.deepEqual(partsOf(walked.path), partsOf(expected.path));
+  assert.deepEqual(walked.end, expected.end);
+  const finer = await mesh.subdivide();
+  assert.equal(finer.info.triangles, 4 * here.info.triangles);
+  await finer.dispose();
+  await assert.rejects(finer.positions(), { name: 'KarcherError', code: 'disposed' });
+});
+
+test('a curve in a worker is edited as one here', async () => {
+  const options = { kind: 'bspline', points, samples: 9 };
+  const [curve, expected] = [await mesh.curve(options), here.curve(options)];
+  const same = async () => {
+    assert.deepEqual(await curve.points(), expected.points());
+    assert.deepEqual(await curve.samples(), expected.samples());
+    assert.deepEqual(await curve.polyline(), expected.polyline());
+    assert.deepEqual(await curve.polyline({ bits: 64 }), expected.polyline({ bits: 64 }));
+  };
+  await same();
+  const place = { face: 30, bary: [0.2, 0.3, 0.5] };
+  await curve.movePoint(2, place);
+  expected.movePoint(2, place);
+  await same();
+  assert.equal(await curve.insertOnCurve(0.5), expected.insertOnCurve(0.5));
+  await same();
+  const parts = await curve.split(0.5);
+  const whole = await parts[0].join(parts[1]);
+  const [first, second] = expected.split(0.5);
+  assert.deepEqual(await whole.samples(), first.join(second).samples());
+  await assert.rejects(curve.removePoint(99), { name: 'KarcherError', code: 'badIndex' });
+  await same();
+  await curve.dispose();
+  await assert.rejects(curve.samples(), { code: 'disposed' });
+});
+
+test('what the engine refuses arrives as its error, and what cannot be sent is refused', async () => {
+  const wrong = mesh.circle(points[0], { radius: -1 });
+  await assert.rejects(wrong, (error) => {
+    assert.ok(error instanceof KarcherError);
+    assert.throws(() => here.circle(points[0], { radius: -1 }), error);
+    return true;
+  });
+  const basis = () => [1, 0, 0, 0];
+  await assert.rejects(mesh.curve({ kind: 'custom', points, basis }), {
+    code: 'badArgument',
+    message: /a function, which cannot be sent/,
+  });
+  await assert.rejects(mesh.distance(Symbol('vertex')), { code: 'badArgument' });
+  await assert.rejects(remote.client.call('constructr', []), /no call 'constructr'/);
+});
+
+test('long work tells its progress, and ends when it is aborted', async () => {
+  const large = await remote.shape('sphere', 20000);
+  const told = [];
+  const controller = new AbortController();
+  const options = { solver: 'graph', rings: 3 };
+  const work = large.prepare(options, {
+    signal: controller.signal,
+    progress(done, stage) {
+      told.push([done, stage]);
+      controller.abort(new Error('enough'));
+    },
+  });
+  await assert.rejects(work, /enough/);
+  const heard = told.length;
+  assert.ok(told[0][0] > 0 && told[0][0] < 1);
+  assert.equal(told[0][1], 'graph');
+  await large.prepare(options);
+  assert.equal(told.length, heard, 'nothing is told of what was aborted');
+  const aborted = AbortSignal.abort(new Error('never begun'));
+  await assert.rejects(large.prepare(options, { signal: aborted }), /never begun/);
+  await large.dispose();
+});
+
+test('what nobody waits for any more leaves no memory behind', async () => {
+  const before = await remote.allocatedBytes();
+  const controller = new AbortController();
+  const late = remote.client.call('shape', ['sphere', 2000, controller.signal]);
+  controller.abort(new Error('too late'));
+  await assert.rejects(late, /too late/);
+  await remote.allocatedBytes();
+  assert.equal(await remote.allocatedBytes(), before);
+});
+
+test('after dispose every call fails, also one that is under way', async () => {
+  const other = await loadInWorker();
+  const making = other.shape('sphere', 2000);
+  other.dispose();
+  other.dispose();
+  await assert.rejects(making, { name: 'KarcherError', code: 'disposed' });
+  await assert.rejects(other.shape('sphere', 2000), { code: 'disposed' });
+  assert.equal(other.client.disposed, true);
+  const signal = AbortSignal.abort(new Error('not now'));
+  await assert.rejects(loadInWorker({ signal }), /not now/);
+});
+
+/** A worker whose answers the test gives. */
+function scripted() {
+  const heard = {};
+  const posted = [];
+  const worker = {
+    posted,
+    ended: false,
+    on: (type, hear) => {
+      heard[type] = hear;
+    },
+    postMessage: (message) => posted.push(structuredClone(message)),
+    terminate: () => {
+      worker.ended = true;
+    },
+    tell: (type, value) => heard[type](value),
+  };
+  return worker;
+}
+
+test('a worker that ends, or whose engine breaks, ends every call with the reason', async () => {
+  for (const end of [
+    (worker) => worker.tell('error', new Error('out of memory')),
+    (worker) => {
+      const failure = { message: 'out of memory', code: 'internal', fatal: true };
+      worker.tell('message', { id: 1, failure });
+    },
+  ]) {
+    const worker = scripted();
+    const client = new WorkerClient(worker);
+    const told = [];
+    client.onFatal = (error) => told.push(error.message);
+    const calls = [client.call('first', []), client.call('second', [])];
+    end(worker);
+    for (const call of calls) await assert.rejects(call, { code: 'internal', message: /memory/ });
+    await assert.rejects(client.call('third', []), { code: 'internal' });
+    assert.deepEqual(told, ['out of memory']);
+    assert.ok(worker.ended && client.disposed);
+  }
+});
+
+test('arguments are copied when a call is made', async () => {
+  const place = { face: 3, bary: [0.2, 0.3, 0.5] };
+  const expected = here.position(place);
+  const asked = mesh.position(place);
+  place.face = 7;
+  place.bary[0] = 9;
+  assert.deepEqual(await asked, expected);
+  const arrays = [here.positions(), here.triangles()];
+  const making = remote.meshFromArrays(...arrays);
+  arrays[0].fill(0);
+  const copy = await making;
+  assert.deepEqual(await copy.positions(), here.positions());
+  assert.equal(arrays[0].length, here.positions().length, 'and stay the caller’s');
+});

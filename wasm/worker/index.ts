@@ -1,0 +1,54 @@
+import { WorkerClient, type WorkerLike } from './client.js';
+import { type RemoteKarcher, remoteKarcher } from './remote.js';
+
+export { KarcherError } from '../errors.js';
+export { Path } from '../path.js';
+export type * from '../types.js';
+export type { WorkerClient, WorkerLike } from './client.js';
+export type { RemoteCurve, RemoteKarcher, RemoteMesh } from './remote.js';
+
+/**
+ * The worker of `loadInWorker`, in a page and in Node. A bundler that does not find the worker's file
+ * from here is given it by the page, which makes a module worker of `karcher/worker-thread`.
+ */
+export function startWorker(): WorkerLike {
+  const { process } = globalThis as { process?: NodeJS.Process };
+  const threads = process?.getBuiltinModule?.('node:worker_threads');
+  if (threads) return new threads.Worker(new URL('./thread.js', import.meta.url));
+  return new Worker(new URL('./thread.js', import.meta.url), { type: 'module' });
+}
+
+export interface WorkerOptions {
+  /** A worker that runs `karcher/worker-thread`; by default a new one. */
+  worker?: WorkerLike;
+  /** Ends the loading. */
+  signal?: AbortSignal;
+}
+
+/**
+ * Loads the engine in a worker of its own. All names are those of `load`'s engine, and return
+ * promises; what they return is the caller's, large arrays are transferred. Progress and signals are
+ * given as there.
+ *
+ * Every call rejects with the engine's `KarcherError`; once the worker ended by itself, all with
+ * `internal`, after `dispose` with `disposed`.
+ */
+export async function loadInWorker({
+  worker = startWorker(),
+  signal,
+}: WorkerOptions = {}): Promise<RemoteKarcher> {
+  const client = new WorkerClient(worker);
+  const abort = () => client.dispose();
+  signal?.addEventListener('abort', abort, { once: true });
+  try {
+    signal?.throwIfAborted();
+    const karcher = remoteKarcher(client);
+    await karcher.allocatedBytes();
+    return karcher;
+  } catch (error) {
+    client.dispose();
+    throw signal?.aborted ? signal.reason : error;
+  } finally {
+    signal?.removeEventListener('abort', abort);
+  }
+}

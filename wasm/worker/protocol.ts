@@ -1,0 +1,62 @@
+import { KarcherError } from '../errors.js';
+import type { EnginePath } from '../karcher-engine.mjs';
+import type { ErrorCode, MeshInfo } from '../types.js';
+
+/**
+ * The messages between a client and its worker. A call names a method of an object in the worker, of
+ * which number 0 is the one that is served. Arguments and results travel as structured clones, but
+ * for what is written as `Sent`.
+ */
+export type Request =
+  | { id: number; target: number; call: string; args: unknown[] }
+  | { cancel: number };
+
+export type Reply =
+  | { id: number; result: unknown }
+  | { id: number; failure: Failure }
+  /** A function among the call's arguments is to be called. */
+  | { id: number; callback: number; args: unknown[] };
+
+export interface Failure {
+  message: string;
+  /** Of a `KarcherError`. */
+  code?: ErrorCode;
+  /** The engine broke: nothing can be asked of it any more. */
+  fatal: boolean;
+}
+
+/** What cannot be cloned. */
+export type Sent =
+  | { sent: 'signal' }
+  | { sent: 'callback'; callback: number }
+  | { sent: 'mesh'; target: number; info: Readonly<MeshInfo> }
+  | { sent: 'curve'; target: number }
+  /** On the way to the worker, of either kind. */
+  | { sent: 'object'; target: number }
+  | { sent: 'path'; data: EnginePath };
+
+export const isSent = (value: object): value is Sent => 'sent' in value;
+
+/** A value in which what `replace` knows has been replaced; undefined is what it does not know. */
+export function replaced(value: unknown, replace: (part: object) => unknown): unknown {
+  if ((typeof value !== 'object' || value === null) && typeof value !== 'function') return value;
+  const other = replace(value);
+  if (other !== undefined) return other;
+  if (Array.isArray(value)) return Array.from(value, (entry) => replaced(entry, replace));
+  const prototype = Object.getPrototypeOf(value);
+  if (prototype !== Object.prototype && prototype !== null) return value;
+  return Object.fromEntries(
+    Object.entries(value).map(([name, entry]) => [name, replaced(entry, replace)]),
+  );
+}
+
+export function failureOf(error: unknown): Failure {
+  const message = error instanceof Error ? error.message : `${error}`;
+  if (!(error instanceof KarcherError)) return { message, fatal: false };
+  // What the engine itself tells has no cause.
+  const fatal = error.code === 'internal' && error.cause !== undefined;
+  return { message, code: error.code, fatal };
+}
+
+export const errorOf = ({ message, code }: Failure): Error =>
+  code === undefined ? new Error(message) : new KarcherError(code, message);

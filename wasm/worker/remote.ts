@@ -1,0 +1,143 @@
+import type { Curve } from '../curve.js';
+import { KarcherError } from '../errors.js';
+import type { Karcher } from '../karcher.js';
+import type { Mesh } from '../mesh.js';
+import { namesOf } from '../options.js';
+import type { MeshInfo, PolylineOptions } from '../types.js';
+import type { WorkerClient } from './client.js';
+
+/** What stays in the worker is here by its methods. */
+type Remote<Value> = Value extends Mesh
+  ? RemoteMesh
+  : Value extends Curve
+    ? RemoteCurve
+    : Value extends Curve[]
+      ? RemoteCurve[]
+      : Value;
+
+type RemoteArgs<Args extends unknown[]> = { [Index in keyof Args]: Remote<Args[Index]> };
+
+/** The methods of a class, returning promises. */
+type Remotely<Class, Name extends keyof Class> = {
+  [Method in Name]: Class[Method] extends (...args: infer Args) => infer Result
+    ? (...args: RemoteArgs<Args>) => Promise<Remote<Awaited<Result>>>
+    : never;
+};
+
+type MethodsOf<Class> = {
+  [Name in keyof Class]: Class[Name] extends (...args: never[]) => unknown ? Name : never;
+}[keyof Class];
+
+interface Polyline {
+  polyline(options?: { bits?: 32 }): Promise<Float32Array>;
+  polyline(options: { bits: 64 }): Promise<Float64Array>;
+  polyline(options?: PolylineOptions): Promise<Float32Array | Float64Array>;
+}
+
+type CurveMethod = Exclude<MethodsOf<Curve>, 'retrace'>;
+type MeshMethod = Exclude<MethodsOf<Mesh>, 'benchmark'>;
+
+/** A curve in a worker: the methods of `Curve`. */
+export type RemoteCurve = Remotely<Curve, Exclude<CurveMethod, 'polyline'>> & Polyline;
+
+/** A mesh in a worker: the methods of `Mesh`. */
+export type RemoteMesh = Remotely<Mesh, MeshMethod> & { readonly info: Readonly<MeshInfo> };
+
+/** An engine in a worker: the methods of `Karcher`. `dispose` ends the worker. */
+export type RemoteKarcher = Remotely<Karcher, MethodsOf<Karcher>> & {
+  readonly client: WorkerClient;
+  dispose(): void;
+};
+
+const curveMethods = namesOf<Record<CurveMethod, true>>({
+  points: true,
+  samples: true,
+  bridged: true,
+  path: true,
+  polyline: true,
+  unconverged: true,
+  knots: true,
+  weights: true,
+  betas: true,
+  times: true,
+  movePoint: true,
+  setPoints: true,
+  addPoint: true,
+  insertPoint: true,
+  removePoint: true,
+  insertOnCurve: true,
+  split: true,
+  join: true,
+  movePointInOrder: true,
+  reverse: true,
+  setKind: true,
+  setClosed: true,
+  setWeight: true,
+  setWeights: true,
+  setBeta: true,
+  setBetas: true,
+  pointAt: true,
+  tangentAt: true,
+  nearest: true,
+  lengthAt: true,
+  pointAtLength: true,
+  equallySpaced: true,
+  dispose: true,
+});
+
+const meshMethods = namesOf<Record<MeshMethod, true>>({
+  positions: true,
+  triangles: true,
+  subdivide: true,
+  surfacePoint: true,
+  position: true,
+  prepare: true,
+  centerOfMass: true,
+  centerOfMassOfDistances: true,
+  curve: true,
+  circle: true,
+  ellipse: true,
+  isolines: true,
+  distance: true,
+  shortestPath: true,
+  straightest: true,
+  dispose: true,
+});
+
+const karcherMethods = namesOf<Record<MethodsOf<Karcher>, true>>({
+  meshFromObj: true,
+  meshFromArrays: true,
+  shape: true,
+  allocatedBytes: true,
+});
+
+type Call = (...args: unknown[]) => Promise<unknown>;
+
+/** An object whose methods are calls into the worker, of `object` where it is one of several. */
+function calling(client: WorkerClient, names: readonly string[], object?: object) {
+  return Object.fromEntries(
+    names.map((name): [string, Call] => [name, (...args) => client.call(name, args, object)]),
+  );
+}
+
+export function remoteCurve(client: WorkerClient): RemoteCurve {
+  const curve = {};
+  return Object.assign(curve, calling(client, curveMethods, curve)) as unknown as RemoteCurve;
+}
+
+export function remoteMesh(client: WorkerClient, info: Readonly<MeshInfo>): RemoteMesh {
+  const mesh = { info };
+  const calls = calling(client, meshMethods, mesh);
+  const curve: Call = (...args) => {
+    const { basis } = (args[0] ?? {}) as { basis?: unknown };
+    if (basis === undefined) return calls.curve!(...args);
+    const sentence = 'a basis is a function, which cannot be sent to a worker';
+    return Promise.reject(new KarcherError('badArgument', sentence));
+  };
+  return Object.assign(mesh, calls, { curve }) as unknown as RemoteMesh;
+}
+
+export function remoteKarcher(client: WorkerClient): RemoteKarcher {
+  const own = { client, dispose: () => client.dispose() };
+  return { ...calling(client, karcherMethods), ...own } as unknown as RemoteKarcher;
+}

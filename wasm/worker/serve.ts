@@ -1,0 +1,110 @@
+import { Curve } from '../curve.js';
+import { KarcherError } from '../errors.js';
+import { Mesh } from '../mesh.js';
+import { Path } from '../path.js';
+import { failureOf, isSent, type Reply, type Request, replaced, type Sent } from './protocol.js';
+
+/** A worker's own end, in a page's worker and in one of Node's. */
+interface Scope {
+  postMessage(message: unknown, transfer: Transferable[]): void;
+  addEventListener(type: 'message', hear: (event: { data: unknown }) => void): void;
+}
+
+function ownScope(): Scope {
+  const { process } = globalThis as { process?: NodeJS.Process };
+  const threads = process?.getBuiltinModule?.('node:worker_threads');
+  return (threads?.parentPort ?? globalThis) as unknown as Scope;
+}
+
+/**
+ * Answers the calls of a client from within its worker: methods of `root`, and of the meshes and
+ * curves that these return, which stay here. Functions among a call's arguments may be called while it
+ * is under way and return nothing; a signal among them is aborted by the client. The arrays of results
+ * are transferred: what is returned is not to be kept.
+ */
+export function serve(root: object | Promise<object>): void {
+  const server = new Server(root, ownScope());
+  server.listen();
+}
+
+class Server {
+  readonly #root: object | Promise<object>;
+  readonly #scope: Scope;
+  readonly #objects = new Map<number, Mesh | Curve>();
+  readonly #running = new Map<number, AbortController>();
+  #lastObject = 0;
+
+  constructor(root: object | Promise<object>, scope: Scope) {
+    this.#root = root;
+    this.#scope = scope;
+  }
+
+  listen(): void {
+    this.#scope.addEventListener('message', ({ data }) => {
+      const request = data as Request;
+      if ('cancel' in request) this.#running.get(request.cancel)?.abort();
+      else void this.#answer(request);
+    });
+  }
+
+  async #answer({ id, target, call, args }: Exclude<Request, { cancel: number }>): Promise<void> {
+    const controller = new AbortController();
+    this.#running.set(id, controller);
+    try {
+      const owner = target === 0 ? await this.#root : this.#object(target);
+      const method: unknown = (owner as Record<string, unknown>)[call];
+      if (typeof method !== 'function') throw new Error(`there is no call '${call}'`);
+      const given = args.map((arg) => this.#received(arg, id, controller.signal));
+      const result = await method.apply(owner, given);
+      if (call === 'dispose') this.#objects.delete(target);
+      const transfer = new Set<Transferable>();
+      this.#post({ id, result: this.#sent(result, transfer) }, [...transfer]);
+    } catch (error) {
+      this.#post({ id, failure: failureOf(error) });
+    } finally {
+      this.#running.delete(id);
+    }
+  }
+
+  #post(reply: Reply, transfer: Transferable[] = []): void {
+    this.#scope.postMessage(reply, transfer);
+  }
+
+  #object(target: number): Mesh | Curve {
+    const object = this.#objects.get(target);
+    if (object) return object;
+    throw new KarcherError('disposed', 'the mesh or curve has been disposed of');
+  }
+
+  #received(arg: unknown, id: number, signal: AbortSignal): unknown {
+    return replaced(arg, (part) => {
+      if (!isSent(part)) return undefined;
+      if (part.sent === 'signal') return signal;
+      if (part.sent === 'object') return this.#object(part.target);
+      if (part.sent !== 'callback') return undefined;
+      const { callback } = part;
+      return (...args: unknown[]) => this.#post({ id, callback, args });
+    });
+  }
+
+  #sent(result: unknown, transfer: Set<Transferable>): unknown {
+    const add = (array: ArrayBufferView) => transfer.add(array.buffer as ArrayBuffer);
+    return replaced(result, (part): Sent | object | undefined => {
+      if (ArrayBuffer.isView(part)) {
+        add(part);
+        return part;
+      }
+      if (part instanceof Path) {
+        const data = part.data();
+        for (const array of [data.face, data.bary, data.position, data.lengths]) add(array);
+        return { sent: 'path', data };
+      }
+      if (!(part instanceof Mesh) && !(part instanceof Curve)) return undefined;
+      const target = ++this.#lastObject;
+      this.#objects.set(target, part);
+      return part instanceof Mesh
+        ? { sent: 'mesh', target, info: part.info }
+        : { sent: 'curve', target };
+    });
+  }
+}
