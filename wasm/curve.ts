@@ -171,6 +171,11 @@ export class Curve {
     return this.#handle.call((curve) => curve.segmentCount());
   }
 
+  /** How many levels the curve has, also where `levels` leaves that to it. */
+  get levels(): number {
+    return this.#handle.call((curve) => curve.levels());
+  }
+
   /** How many fields were computed since the curve was made: what edits should spare. */
   get fieldsComputed(): number {
     return this.#handle.call((curve) => curve.fieldsComputed());
@@ -187,6 +192,17 @@ export class Curve {
     const index = checkInteger(i, 'the number of the control point');
     const wire = wirePoint(point);
     this.#edit((curve) => curve.movePoint(index, wire));
+  }
+
+  /**
+   * Moves control point `i` as a hand does: the legs of the control polygon that meet at it are
+   * continued from where they lie, whether or not they stay the shortest, so that the curve moves
+   * with the point. They stay so until a point at one of their ends is moved otherwise.
+   */
+  dragPoint(i: number, point: PointLike): void {
+    const index = checkInteger(i, 'the number of the control point');
+    const wire = wirePoint(point);
+    this.#edit((curve) => curve.dragPoint(index, wire));
   }
 
   /**
@@ -365,9 +381,9 @@ export class Curve {
 
   /** A curve of other parts, with the samples and fields of this one. */
   #alike(parts: EngineCurveParts): Curve {
-    const { method, solver, rings, samples, tolerance, geometry } = this.#options;
+    const { method, solver, rings, samples, tolerance, geometry, levels } = this.#options;
     const shared = Object.fromEntries(
-      Object.entries({ method, solver, rings, samples, tolerance, geometry }).filter(
+      Object.entries({ method, solver, rings, samples, tolerance, geometry, levels }).filter(
         ([, value]) => value !== undefined,
       ),
     );

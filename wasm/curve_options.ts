@@ -30,6 +30,7 @@ export const curveKinds: readonly CurveKind[] = [
 const geometries: readonly CurveGeometry[] = ['geodesic', 'exact'];
 const defaultSamples = 128;
 const defaultTolerance = 1e-4;
+const mostLevels = 8;
 
 export const parametrizations: readonly Parametrization[] = ['centripetal', 'uniform'];
 
@@ -68,9 +69,23 @@ export class OwnBasis {
   }
 }
 
+/** What stands for `auto` and `limit` in the engine. */
+const namedLevels = { auto: -1, limit: -2 } as const;
+
+function engineLevels({ levels = 'auto' }: CurveOptions): number {
+  if (levels === 'auto' || levels === 'limit') return namedLevels[levels];
+  const number = checkInteger(levels, "the levels, unless 'auto' or 'limit',");
+  if (number >= 0 && number <= mostLevels) return number;
+  throw new KarcherError(
+    'badArgument',
+    `a curve takes 0 to ${mostLevels} levels, 'auto' or 'limit', not ${number}`,
+  );
+}
+
 /** How a curve is sampled and drawn, as the engine takes it. */
 export function engineSampling(options: CurveOptions): EngineSampling {
   const { samples, tolerance } = options;
+  const levels = engineLevels(options);
   const geometry = options.geometry ?? 'geodesic';
   const exact = checkOneOf(geometry, geometries, 'the geometry of a curve') === 'exact';
   if (samples !== 'adaptive' && tolerance === undefined) {
@@ -78,6 +93,7 @@ export function engineSampling(options: CurveOptions): EngineSampling {
       samples: checkInteger(samples ?? defaultSamples, 'the number of samples'),
       tolerance: 0,
       exact,
+      levels,
     };
   }
   if (samples !== 'adaptive' && samples !== undefined) {
@@ -87,7 +103,7 @@ export function engineSampling(options: CurveOptions): EngineSampling {
     );
   }
   const part = checkPositive(tolerance ?? defaultTolerance, 'the tolerance');
-  return { samples: defaultSamples, tolerance: part, exact };
+  return { samples: defaultSamples, tolerance: part, exact, levels };
 }
 
 /** Options that one kind alone has a use for; the engine refuses weights and betas. */

@@ -104,6 +104,8 @@ export interface EngineSampling {
   tolerance: number;
   /** Whether crossings of edges lie between the samples, not geodesics. */
   exact: boolean;
+  /** -1 for as many as fit, -2 for the limit. */
+  levels: number;
 }
 
 /** Arrays are empty where there are none. */
@@ -199,6 +201,8 @@ export interface EngineCurve {
   shape(): EngineCurveShape;
   segmentCount(): number;
   fieldsComputed(): number;
+  levels(): number;
+  dragPoint(i: number, point: Float64Array): void;
   pointAt(parameter: number): EngineCurvePoint;
   tangentAt(parameter: number): EngineCurvePoint & {
     inFace: [number, number, number];

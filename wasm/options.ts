@@ -33,6 +33,7 @@ export const curveOptionNames = namesOf<CurveOptions>({
   samples: true,
   tolerance: true,
   geometry: true,
+  levels: true,
   closed: true,
   degree: true,
   knots: true,

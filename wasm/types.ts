@@ -182,6 +182,8 @@ export interface CenterOptions extends FieldOptions, StartOptions {}
 
 export type CurveGeometry = 'geodesic' | 'exact';
 
+export type CurveLevels = number | 'auto' | 'limit';
+
 export interface CurveOptions extends FieldOptions {
   kind: CurveKind;
   points: PointLike[];
@@ -201,6 +203,17 @@ export interface CurveOptions extends FieldOptions {
    * crossings of the mesh's edges. `geodesic` by default.
    */
   geometry?: CurveGeometry;
+  /**
+   * How often the control polygon is subdivided, by averages of two points along its legs, before
+   * the near points of each piece are averaged: 0 to 8. More levels make a curve of far points
+   * steadier on rough surfaces; on a plane it is the same curve. 0 is the curve of Mancinelli and
+   * Puppo, one center of mass of all the points that a segment blends. `auto`: as few as make the
+   * pieces safe centers of mass, 0 on smooth surfaces with near points. `limit`: the subdivision
+   * curve that many levels come near to, which needs no fields. `auto` by default; 0 with the method
+   * `paper`, which takes no others, and for the kinds `barycentric`, `polyline` and `custom`,
+   * whatever is asked for.
+   */
+  levels?: CurveLevels;
   /**
    * Whether the curve ends where it starts; of at least 3 points. B-splines and Catmull-Rom curves
    * go on there as smoothly as elsewhere; curves of one segment and polylines have a corner at their

@@ -77,7 +77,7 @@ test('trace --at, --nearest and --spaced measure the curve', () => {
   const other = traced(...curveArgs, '--nearest', `${places[1][0]}:0.25,0.5`).nearest;
   assert.deepEqual(other, asJson(curve.nearest(mesh.position(points[1]))));
   const plain = Object.keys(traced(...curveArgs));
-  assert.deepEqual(plain, ['samples', 'bridged', 'polyline', 'length', 'ms']);
+  assert.deepEqual(plain, ['levels', 'samples', 'bridged', 'polyline', 'length', 'ms']);
 });
 
 const edits = [

@@ -21,6 +21,7 @@ const settings = {
   samples: 128,
   tolerance: null,
   marks: 0,
+  levels: 'auto',
 };
 const document = {
   kind: 'bspline',
@@ -228,7 +229,7 @@ describe('links', () => {
   test('say what they were made of', () => {
     const whole = {
       kind: 'circle',
-      settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7] },
+      settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7], levels: 2 },
       points: [point(1), { ...point(2), weight: 4 }, { ...point(3), beta: 0.25 }],
       circle,
       circleForm: { type: 'linear', arcs: 24 },
@@ -240,7 +241,13 @@ describe('links', () => {
         },
         {
           kind: 'catmullrom',
-          settings: { ...settings, parametrization: 'uniform', samples: 64, marks: 9 },
+          settings: {
+            ...settings,
+            parametrization: 'uniform',
+            samples: 64,
+            marks: 9,
+            levels: 'limit',
+          },
           points: [point(7), { ...point(8), weight: 2, beta: 3 }],
         },
       ],

@@ -46,7 +46,7 @@ describe('the exact curve after the draft', () => {
   const shapes = { 'bunny:0': places, 'torus:5000': around };
   for (const [mesh, clicks] of part(Object.entries(shapes), 1)) {
     test(`replaces it on ${mesh} when a drag ends, without a jump`, async (t) => {
-      const tab = await Tab.open(browser, `mesh=${mesh}&method=karcher`);
+      const tab = await Tab.open(browser, `mesh=${mesh}&method=karcher&levels=1`);
       const mark = tab.page.locator('#status-quality');
       await tab.click(...clicks);
       assert.equal(await mark.textContent(), 'exact');
@@ -171,8 +171,44 @@ describe('parts of a curve without a center', () => {
   });
   after(() => browser.close());
 
-  test('are counted and listed, and a click goes there', async () => {
+  test('are none with as many levels as fit, which a drag keeps', async () => {
     const tab = await Tab.open(browser, `mesh=genus3:5000&kind=bspline&points=${scattered}`);
+    const { curve } = await tab.view();
+    assert.ok(curve.levels > 0);
+    assert.deepEqual(curve.lost, []);
+    const from = await tab.handle('Control point 2 of 6');
+    await tab.page.mouse.move(from.x, from.y);
+    await tab.page.mouse.down();
+    await tab.page.mouse.move(from.x + 12, from.y - 9, { steps: 4 });
+    await tab.settled();
+    // As many as before, or a draft of averages alone where they take too long.
+    const held = (await tab.view()).curve;
+    assert.ok(held.levels >= Math.min(curve.levels, 2), `${held.levels}`);
+    assert.deepEqual(held.lost, []);
+    await tab.page.mouse.up();
+    await tab.settled();
+    const { curve: released } = await tab.view();
+    assert.deepEqual(released.lost, []);
+    assert.ok(released.levels > 0);
+    // A choice of the panel: the mean of all points breaks here.
+    await tab.page.evaluate(() => {
+      document.querySelector('#fine').open = true;
+    });
+    await tab.page.locator('#levels').selectOption('0');
+    await tab.settled();
+    const { curve: mean } = await tab.view();
+    assert.equal(mean.levels, 0);
+    assert.ok(mean.lost.length > 0);
+    assert.match(await tab.page.evaluate(() => location.hash), /levels=0/);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('are counted and listed, and a click goes there', async () => {
+    const tab = await Tab.open(
+      browser,
+      `mesh=genus3:5000&kind=bspline&points=${scattered}&levels=0`,
+    );
     const { curve } = await tab.view();
     const lost = curve.lost.reduce((sum, { samples }) => sum + samples, 0);
     assert.ok(lost > 0 && lost < curve.samples.count, `${lost}`);

@@ -56,6 +56,10 @@ void CurveHandle::movePoint(int i, const val& point) {
   curve_->movePoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
 }
 
+void CurveHandle::dragPoint(int i, const val& point) {
+  curve_->set(curve_->withPointDragged(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point)));
+}
+
 void CurveHandle::insertPoint(int i, const val& point) {
   curve_->insertPoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
 }

@@ -37,6 +37,8 @@ class CurveHandle {
 
   int pointCount() const { return curve_->pointCount(); }
   void movePoint(int i, const val& point);
+  /// Moves a point and continues its legs from where they lie.
+  void dragPoint(int i, const val& point);
   void insertPoint(int i, const val& point);
   void removePoint(int i) { curve_->removePoint(i); }
   void movePointInOrder(int from, int to) { curve_->movePointInOrder(from, to); }
@@ -61,6 +63,7 @@ class CurveHandle {
 
   val shape() const { return toJs(curve_->shape(), curve_->pointCount()); }
   int segmentCount() const { return curve_->segmentCount(); }
+  int levels() const { return curve_->levels(); }
   int fieldsComputed() const { return curve_->fieldsMade(); }
   val points() const;
   val samples() const;

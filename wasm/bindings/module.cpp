@@ -31,10 +31,11 @@ val statusNames() {
 
 std::unique_ptr<CurveHandle> makeCurve(MeshHandle& mesh, const val& points, const val& shape,
                                        const val& sampling, const val& field) {
-  const CurveOptions options{
+  CurveOptions options{
       curveShapeFromJs(shape), sampling["samples"].as<int>(), fieldOptionsFromJs(field),
       sampling["tolerance"].as<double>(),
       sampling["exact"].as<bool>() ? CurveGeometry::kExact : CurveGeometry::kGeodesic};
+  options.levels = sampling["levels"].as<int>();
   return std::make_unique<CurveHandle>(mesh, options,
                                        pointsFromJs(mesh.numbering(), mesh.mesh(), points));
 }
@@ -100,6 +101,8 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("join", &Guarded<&CurveHandle::join>::call)
       .function("shape", &Guarded<&CurveHandle::shape>::call)
       .function("segmentCount", &Guarded<&CurveHandle::segmentCount>::call)
+      .function("levels", &Guarded<&CurveHandle::levels>::call)
+      .function("dragPoint", &Guarded<&CurveHandle::dragPoint>::call)
       .function("fieldsComputed", &Guarded<&CurveHandle::fieldsComputed>::call)
       .function("pointAt", &Guarded<&CurveHandle::pointAt>::call)
       .function("tangentAt", &Guarded<&CurveHandle::tangentAt>::call)

@@ -100,7 +100,7 @@ function timeCurve(
   samples: number,
   field: FieldOptions,
 ) {
-  const curve = mesh.curve({ kind: 'bspline', points: [...points], samples, ...field });
+  const curve = mesh.curve({ kind: 'bspline', points: [...points], samples, levels: 0, ...field });
   const { count, status } = curve.samples();
   const lost = status.filter((name) => name !== 'converged').length;
   const start = performance.now();

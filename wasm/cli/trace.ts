@@ -1,7 +1,7 @@
 import type { Curve } from '../curve.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
-import type { CurveGeometry, CurveOptions } from '../types.js';
+import type { CurveGeometry, CurveLevels, CurveOptions } from '../types.js';
 import type { Arguments } from './arguments.js';
 import { type Command, fieldOptions, formatOption } from './command.js';
 import { curveOptions, readCurve } from './curve_arguments.js';
@@ -12,7 +12,7 @@ export const trace: Command = {
   name: 'trace',
   summary: 'a spline with control points',
   output:
-    '{samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, fields, trace, bridge, join}, at: [{parameter, point: {face, bary}, position, status, tangent: {inFace: changes of bary, inSpace}, length: from the start}, …] with --at, nearest: {parameter, point, position, status, distance} with --nearest, spaced: [{parameter, point, position}, …] with --spaced}',
+    '{levels, samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, fields, trace, bridge, join}, at: [{parameter, point: {face, bary}, position, status, tangent: {inFace: changes of bary, inSpace}, length: from the start}, …] with --at, nearest: {parameter, point, position, status, distance} with --nearest, spaced: [{parameter, point, position}, …] with --spaced}',
   options: [
     ...curveOptions,
     {
@@ -32,6 +32,12 @@ export const trace: Command = {
       value: 'geodesic|exact',
       help: "what lies between the samples: geodesics, or the curve's own crossings of edges",
       default: 'geodesic',
+    },
+    {
+      name: 'levels',
+      value: '0…8|auto|limit',
+      help: 'how often the control polygon is subdivided before its points are averaged; 0 is one center of mass a segment',
+      default: 'auto',
     },
     {
       name: 'at',
@@ -66,6 +72,7 @@ export const trace: Command = {
     const polyline = curve.polyline({ bits: 64 });
     return {
       json: {
+        levels: curve.levels,
         samples: sampleRecords(curve.samples()),
         bridged: curve.bridged(),
         polyline: triples(polyline),
@@ -78,17 +85,25 @@ export const trace: Command = {
   },
 };
 
-function samplingOf(args: Arguments): Pick<CurveOptions, 'samples' | 'tolerance' | 'geometry'> {
+function samplingOf(
+  args: Arguments,
+): Pick<CurveOptions, 'samples' | 'tolerance' | 'geometry' | 'levels'> {
   const adaptive = args.given('tolerance') || args.text('samples') === 'adaptive';
   if (args.given('tolerance') && args.given('samples') && args.text('samples') !== 'adaptive') {
     throw new UsageError('trace takes --samples or --tolerance, not both');
   }
   return {
     geometry: args.choice<CurveGeometry>('geometry'),
+    levels: levelsOf(args),
     ...(adaptive
       ? { samples: 'adaptive' as const, tolerance: args.number('tolerance') }
       : { samples: args.integer('samples') }),
   };
+}
+
+function levelsOf(args: Arguments): CurveLevels {
+  const text = args.text('levels');
+  return text === 'auto' || text === 'limit' ? text : args.integer('levels');
 }
 
 /** Checks what is asked of the curve, before it is traced. */

@@ -61,6 +61,7 @@ const curveMethods = namesOf<Record<CurveMethod, true>>({
   betas: true,
   times: true,
   movePoint: true,
+  dragPoint: true,
   setPoints: true,
   addPoint: true,
   insertPoint: true,

@@ -1,4 +1,4 @@
-import type { CurveOptions } from 'karcher';
+import type { CurveLevels, CurveOptions } from 'karcher';
 import {
   type CurveDocument,
   isRound,
@@ -57,6 +57,9 @@ const emptyView: View = {
   polygonOnly: false,
 };
 
+/** A step of a drag that takes longer, in milliseconds, is followed by drafts without fields. */
+const longestDraft = 12;
+
 /** Whether a curve by tolerance has more samples than it would have by their number. */
 function moreThanFixed({ settings }: Spline, { samples }: TracedCurve): boolean {
   const segments = (samples.segment.at(-1) ?? 0) + 1;
@@ -81,7 +84,9 @@ export class Session {
   #asked: State | null = null;
   /** Of a curve by tolerance, whether a fixed number of samples were fewer. */
   #manySamples = false;
-  /** Whether what is shown has a fixed number instead, for the time of a drag. */
+  /** Of a curve whose levels are automatic, how many it has between drags. */
+  #levels: CurveLevels = 0;
+  /** Whether what is shown has other samples or levels for the time of a drag. */
   #coarse = false;
   readonly #legs = new Legs();
   readonly #others = new Others();
@@ -222,8 +227,11 @@ export class Session {
       const spline = splineOf(document);
       if (spline && shown.curve && !coarse) {
         this.#manySamples = moreThanFixed(spline, shown.curve);
+        this.#levels = shown.curve.levels;
         this.#others.keep(curveOptions(spline, methodOptions(method)), shown.curve.polyline);
       }
+      // A draft of averages alone needs no fields.
+      if (state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft) this.#levels = 'limit';
       const quality = qualityShown(shown, method);
       const fresh = { quality, refining: false, shift: null, notRefined: null };
       this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
@@ -234,12 +242,21 @@ export class Session {
     }
   }
 
-  /** While something is dragged, fewer samples than a tolerance takes will do. */
+  /**
+   * While something is dragged, fewer samples than a tolerance takes will do, and a curve keeps the
+   * levels that it began with: on release both are asked for again.
+   */
   #asTraced({ document, dragging }: State): { document: CurveDocument; coarse: boolean } {
     const { settings } = document;
-    const coarse = dragging && this.#manySamples && settings.tolerance !== null;
-    if (!coarse) return { document, coarse };
-    return { document: { ...document, settings: { ...settings, tolerance: null } }, coarse };
+    const fewer = dragging && this.#manySamples && settings.tolerance !== null;
+    const keeps = dragging && this.#levels !== 0 && settings.levels === 'auto';
+    if (!fewer && !keeps) return { document, coarse: false };
+    const held = {
+      ...settings,
+      ...(fewer && { tolerance: null }),
+      ...(keeps && { levels: this.#levels }),
+    };
+    return { document: { ...document, settings: held }, coarse: true };
   }
 
   /** Asks for the exact form of what is shown, where it is a draft and nothing is dragged. */

@@ -1,5 +1,5 @@
 /** What the user makes on one surface: a value, which is never changed in place. */
-import type { CurveKind, Parametrization, SurfacePoint } from 'karcher';
+import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
 
 /** A curve with control points; a basis of one's own is for programs. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
@@ -62,6 +62,8 @@ export interface CurveSettings {
   readonly tolerance: number | null;
   /** How many points are marked evenly along the curve. */
   readonly marks: number;
+  /** How steady a curve is on rough surfaces, from the mean of all its points to the limit. */
+  readonly levels: CurveLevels;
 }
 
 /** A curve with control points. */
@@ -91,6 +93,7 @@ export const defaultSettings: CurveSettings = {
   samples: 128,
   tolerance: null,
   marks: 0,
+  levels: 'auto',
 };
 
 /** What the numbers of the settings lie between. */
@@ -98,6 +101,7 @@ export const samplesRange = { least: 2, most: 5000 };
 export const toleranceRange = { least: 1e-6, most: 0.1 };
 /** One alone would be no even spacing. */
 export const marksRange = { least: 2, most: 1000 };
+export const mostLevels = 8;
 
 export const fewestArcs = 3;
 export const mostArcs = 24;

@@ -1,10 +1,10 @@
 /**
  * A document as a link's fragment:
  * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
- * `&samples=64&tolerance=0.001&marks=9&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`. Weights and betas of 1 and other
+ * `&samples=64&tolerance=0.001&marks=9&levels=2&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`. Weights and betas of 1 and other
  * defaults go without saying.
  */
-import type { SurfacePoint } from 'karcher';
+import type { CurveLevels, SurfacePoint } from 'karcher';
 import {
   type Across,
   type CircleForm,
@@ -19,6 +19,7 @@ import {
   kinds,
   marksRange,
   mostArcs,
+  mostLevels,
   type Rim,
   samplesRange,
   surfacePoint,
@@ -101,6 +102,7 @@ function settingsFields(settings: CurveSettings): string[] {
   if (settings.samples !== defaultSettings.samples) parts.push(`samples=${settings.samples}`);
   if (settings.tolerance !== null) parts.push(`tolerance=${settings.tolerance}`);
   if (settings.marks > 0) parts.push(`marks=${settings.marks}`);
+  if (settings.levels !== defaultSettings.levels) parts.push(`levels=${settings.levels}`);
   return parts;
 }
 
@@ -205,7 +207,15 @@ function parseSettings(fields: URLSearchParams): CurveSettings {
     samples: whole(within('samples', samplesRange)) ?? defaultSettings.samples,
     tolerance: within('tolerance', toleranceRange),
     marks: whole(within('marks', marksRange)) ?? 0,
+    levels: levelsOf(fields.get('levels')) ?? defaultSettings.levels,
   };
+}
+
+/** What a text says of levels; null where it says none. */
+export function levelsOf(text: string | null): CurveLevels | null {
+  if (text === 'auto' || text === 'limit') return text;
+  const number = Number(text || NaN);
+  return Number.isInteger(number) && number >= 0 && number <= mostLevels ? number : null;
 }
 
 function parseCircle(text: string): CircleShape | null {

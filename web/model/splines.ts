@@ -5,6 +5,7 @@ import {
   type CurveDocument,
   defaultSettings,
   isSpline,
+  type Kind,
   parameterOf,
   type Spline,
   withParameter,
@@ -42,12 +43,16 @@ export function joined(document: CurveDocument, index: number, whole: Spline): C
   return { ...withSpline(document, whole), others: document.others.toSpliced(index, 1) };
 }
 
+/** Kinds that are subdivided; the others are one mean of all their points, or paths. */
+export const mayHaveLevels = (kind: Kind) =>
+  ['bspline', 'bezier', 'rational', 'catmullrom'].includes(kind);
+
 /** A spline as the engine takes it: with what its kind has a use for. */
 export function curveOptions(
   { kind, points, settings }: Spline,
   options: FieldOptions,
 ): CurveOptions {
-  const { closed, degree, clamped, knots, parametrization, samples, tolerance } = settings;
+  const { closed, degree, clamped, knots, parametrization, samples, tolerance, levels } = settings;
   const rule = clamped && !closed ? 'clamped' : 'uniform';
   const parameter = parameterOf(kind);
   const numbers = points.map((point) => (parameter && point[parameter]) ?? 1);
@@ -58,6 +63,8 @@ export function curveOptions(
     points: points.map(({ face, bary }) => ({ face, bary })),
     ...(tolerance === null ? { samples } : { tolerance }),
     closed,
+    // The paper's method is one mean a segment.
+    ...(options.method !== 'paper' && { levels }),
     ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
     ...(kind === 'catmullrom' && { parametrization }),
     ...(parameter === 'weight' && !plain && { weights: numbers }),

@@ -13,6 +13,8 @@ export interface TracedCurve {
   knots: Float64Array;
   /** Points with the same length of curve between them, as many as were asked for. */
   marks: CurvePoints | null;
+  /** How many levels the curve has; 0 for circles. */
+  levels: number;
   /** Where the curve is no center of mass: it is bridged there, by subdivision. */
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */

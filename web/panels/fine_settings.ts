@@ -1,3 +1,4 @@
+import type { CurveLevels } from 'karcher';
 import type { CurveEdits } from '../editor/curve_edits';
 import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/session';
@@ -8,6 +9,8 @@ import {
   samplesRange,
   toleranceRange,
 } from '../model/document';
+import { levelsOf } from '../model/link';
+import { mayHaveLevels } from '../model/splines';
 import { byId } from './elements';
 import { sentenceOf } from './messages';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
@@ -19,6 +22,7 @@ const firstTolerance = 1e-4;
 export class FineSettings {
   readonly #group = byId('fine');
   readonly #sampling = byId<HTMLSelectElement>('sampling');
+  readonly #levels = byId<HTMLSelectElement>('levels');
   readonly #samples: NumberField;
   readonly #tolerance: NumberField;
   readonly #marks: NumberField;
@@ -28,6 +32,10 @@ export class FineSettings {
     this.#sampling.addEventListener('change', () => {
       const byTolerance = this.#sampling.value === 'tolerance';
       editor.setSettings({ tolerance: byTolerance ? firstTolerance : null });
+    });
+    this.#levels.addEventListener('change', () => {
+      const levels = levelsOf(this.#levels.value);
+      if (levels !== null) editor.setSettings({ levels });
     });
     this.#samples = new NumberField(
       byId<HTMLInputElement>('samples'),
@@ -60,6 +68,8 @@ export class FineSettings {
     const withKnots = kind === 'bspline';
     byId('fine-title').textContent = withKnots ? 'Samples, marks and knots' : 'Samples and marks';
     const { samples, tolerance, marks } = settings;
+    byId('levels-field').hidden = !mayHaveLevels(kind);
+    this.#showLevels(settings.levels);
     this.#sampling.value = tolerance === null ? 'number' : 'tolerance';
     byId('samples').hidden = tolerance !== null;
     byId('tolerance').hidden = tolerance === null;
@@ -68,6 +78,13 @@ export class FineSettings {
     this.#marks.show(marks);
     const knots = settings.knots ?? Array.from(curve?.knots ?? []);
     this.#knots.show(withKnots ? knots : null);
+  }
+
+  #showLevels(levels: CurveLevels): void {
+    const isOffered = [...this.#levels.options].some(({ value }) => value === `${levels}`);
+    // A link may ask for any number.
+    if (!isOffered) this.#levels.append(new Option(`${levels} levels`, `${levels}`));
+    this.#levels.value = `${levels}`;
   }
 }
 

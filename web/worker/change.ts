@@ -13,7 +13,7 @@ export type Change =
   | { type: 'new' };
 
 /** With another value of these there is nothing to keep. */
-const settings = ['method', 'solver', 'rings', 'samples', 'tolerance'] as const;
+const settings = ['method', 'solver', 'rings', 'samples', 'tolerance', 'levels'] as const;
 
 /** The smallest edit that makes `from` into `to`. */
 export function changeBetween(from: CurveOptions, to: CurveOptions): Change {

@@ -68,7 +68,7 @@ function meantAt(
 
 /** What a curve is; what it has no word for is as it was before. */
 function optionsOf(curve: Curve, before: CurveOptions): CurveOptions {
-  const { method, solver, rings, samples, tolerance, parametrization } = before;
+  const { method, solver, rings, samples, tolerance, levels, parametrization } = before;
   const { kind, closed } = curve;
   const own = before.knots !== undefined && typeof before.knots !== 'string';
   const numbers = (values: Float64Array) =>
@@ -78,6 +78,7 @@ function optionsOf(curve: Curve, before: CurveOptions): CurveOptions {
   return {
     ...{ method, solver, rings, kind, closed, points: curve.points() },
     ...(tolerance === undefined ? { samples } : { tolerance }),
+    ...(levels !== undefined && { levels }),
     ...(kind === 'bspline' && { degree: curve.degree }),
     ...(kind === 'bspline' && { knots: own ? Array.from(curve.knots()) : before.knots }),
     ...(kind === 'catmullrom' && { parametrization }),

@@ -109,10 +109,16 @@ const makers: Partial<Record<LineId, Maker>> = {
     if (kind !== 'bspline' && kind !== 'bezier') {
       throw new KarcherError('badArgument', 'only splines are bridged');
     }
-    const exact = scene.mesh.curve({ kind, points: [...points], samples, solver: 'exact' });
+    const exact = scene.mesh.curve({
+      kind,
+      points: [...points],
+      samples,
+      levels: 0,
+      solver: 'exact',
+    });
     const truth = exact.samples();
     exact.dispose();
-    const curve = scene.mesh.curve({ kind, points: [...points], samples });
+    const curve = scene.mesh.curve({ kind, points: [...points], samples, levels: 0 });
     const own = curve.samples();
     const { fields, trace, bridge } = curve.times();
     const result = {
