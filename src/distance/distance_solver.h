@@ -51,11 +51,11 @@ class DistanceSolver {
   /// The arrival at the midpoint of an edge that is not on the boundary, by one of its half-edges.
   /// Final once its distance is <= reached(). Requires `keepMidpoints`.
   virtual MidpointArrival midpointOf(int) const { return {}; }
+  DistanceSolver& operator=(const DistanceSolver&) = delete;
 
  protected:
   DistanceSolver() = default;
   DistanceSolver(const DistanceSolver&) = default;
-  DistanceSolver& operator=(const DistanceSolver&) = delete;
 };
 
 /// The distances from a point to all vertices; kInfinity where no path leads.

@@ -152,12 +152,14 @@ class ChainStrip {
   int face_ = -1;
 };
 
-/// Replaces a path by the tight one in the workspace's strip.
-void replaceByTight(const Geometry& geometry, const SurfacePoint from, const SurfacePoint to,
+/// Replaces a path by the tight one in the workspace's strip. Its ends may be the path's own
+/// points.
+void replaceByTight(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                     StripWorkspace& workspace, SurfacePath& path) {
+  const SurfacePoint ends[] = {from, to};
   path.points.clear();
-  path.points.push_back(from);
-  appendStripPath(geometry, from, to, workspace, path.points);
+  path.points.push_back(ends[0]);
+  appendStripPath(geometry, ends[0], ends[1], workspace, path.points);
   measure(*geometry.mesh, path);
 }
 

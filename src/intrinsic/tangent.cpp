@@ -21,7 +21,7 @@ Vec2 logAlong(const Geometry& geometry, const SurfacePath& path) {
     if (face < 0) break;
     const Vec2 step = pointInFace(geometry, inFace(mesh, path.points[i], face)) -
                       pointInFace(geometry, inFace(mesh, start, face));
-    const Vec2 vector = path.length() * step.normalized();
+    Vec2 vector = path.length() * step.normalized();
     const PointLocation at = locate(mesh, start);
     if (at.simplex == Simplex::kVertex) {
       const double direction = directionAtTail(geometry, cornerAt(mesh, at.vertex, face), vector);

@@ -314,7 +314,7 @@ void Tightening::pullTightAround(int before, int after, int first, int last, int
   }
   const Array<Bend>& found = workspace_.newBends;
   const int common = std::min(found.count(), after - before - 1);
-  const auto into = bends_.begin() + before + 1;
+  const auto into = bends_.begin() + (before + 1);
   std::copy(found.begin(), found.begin() + common, into);
   if (common < found.count()) {
     bends_.insert(into + common, found.begin() + common, found.end());

@@ -38,9 +38,13 @@ class BoxTree {
   /// `squaredDistance` of an item's number and q gives the squared distance between them. `best`
   /// is what is known already; it is returned where nothing is nearer.
   template <class SquaredDistance>
-  Nearest nearest(const Vec3& q, const SquaredDistance& squaredDistance, Nearest best = {}) const {
+  Nearest nearest(const Vec3& q, const SquaredDistance& squaredDistance, Nearest best) const {
     open(0, nodes_[0].box.squaredDistance(q), q, squaredDistance, best);
     return best;
+  }
+  template <class SquaredDistance>
+  Nearest nearest(const Vec3& q, const SquaredDistance& squaredDistance) const {
+    return nearest(q, squaredDistance, Nearest());
   }
 
  private:

@@ -230,7 +230,7 @@ class SplineLevels {
     int left = 0;
     int right = weights.count() - 1;
     if (left == right) {
-      const WeightedPoint point{pointAt(first).point, weights[0]};
+      WeightedPoint point{pointAt(first).point, weights[0]};
       anchors_.push_back({{{point.point}, {0}}, first});
       return point;
     }
