@@ -1,25 +1,16 @@
-import { checkBoolean, checkFunction, checkInteger, checkNumber, toVector } from './check.js';
-import {
-  checkKind,
-  engineSampling,
-  engineShape,
-  givenNumbers,
-  OwnBasis,
-  optionsOfParts,
-} from './curve_options.js';
+import { checkBoolean, checkInteger, checkNumber, toVector } from './check.js';
+import { checkKind, engineValue, givenNumbers, OwnBasis, optionsOfParts } from './curve_options.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type {
   EngineCurve,
   EngineCurveParts,
-  EngineCurveShape,
   EngineMesh,
+  EngineViewOptions,
 } from './karcher-engine.mjs';
-import { engineFieldOptions } from './options.js';
-import { Path } from './path.js';
+import type { Path } from './path.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { inDouble } from './polyline.js';
-import { toCurveSamples } from './samples.js';
 import type {
   BridgedInterval,
   CurveKind,
@@ -36,6 +27,7 @@ import type {
   SurfacePoint,
   VectorLike,
 } from './types.js';
+import { CurveView } from './view.js';
 
 /** The mesh's part in the life of its curves. */
 export interface CurveOwner {
@@ -43,6 +35,9 @@ export interface CurveOwner {
   /** Called when a curve is disposed of. */
   forget(curve: Curve): void;
 }
+
+/** What costs nothing to tell. */
+type Facts = Pick<CurveView, 'length' | 'segmentCount' | 'levels' | 'times'>;
 
 /**
  * A curve on a mesh, by control points that can be edited. After each edit it is traced again, as
@@ -59,58 +54,79 @@ export class Curve {
   readonly #mesh: Handle<EngineMesh>;
   readonly #handle: Handle<EngineCurve>;
   readonly #owner: CurveOwner;
-  readonly #options: CurveOptions;
-  readonly #basis: OwnBasis | undefined;
-  #times: CurveTimes = { fields: 0, trace: 0, bridge: 0, join: 0 };
+  #options: CurveOptions;
+  #basis: OwnBasis | undefined;
+  /** What it is, and what costs nothing to tell of it, until the next edit. */
+  #parts: EngineCurveParts | undefined;
+  #facts: Facts | undefined;
 
   /** @internal `Mesh.curve` makes curves. */
-  constructor(engine: Engine, mesh: Handle<EngineMesh>, given: CurveOptions, owner: CurveOwner) {
-    const options = { ...given };
-    const basis =
-      options.basis === undefined
-        ? undefined
-        : new OwnBasis(checkFunction(options.basis, 'the basis'));
-    const shape = engineShape(options, basis);
-    const sampling = engineSampling(options);
-    const field = engineFieldOptions(options);
-    const points = wirePoints(options.points);
+  constructor(engine: Engine, mesh: Handle<EngineMesh>, options: CurveOptions, owner: CurveOwner) {
+    const basis = options.basis === undefined ? undefined : new OwnBasis(options.basis);
+    const value = engineValue(options, basis);
     this.#engine = engine;
     this.#mesh = mesh;
     this.#owner = owner;
-    this.#options = options;
+    this.#options = { ...options };
     this.#basis = basis;
-    const target = this.#guard(() =>
-      mesh.call((engineMesh) => engineMesh.curve(points, shape, sampling, field)),
-    );
+    const target = this.#guard(() => mesh.call((engineMesh) => engineMesh.curve(value)));
     this.#handle = new Handle(engine, 'the curve', target);
-    try {
-      this.#update();
-    } catch (error) {
-      this.#handle.dispose();
-      throw error;
-    }
+  }
+
+  /**
+   * What the curve is: options that make it again. Numbers that it has by default are left out, and
+   * what its kind has no use for.
+   */
+  value(): CurveOptions {
+    const parts = this.#call((curve) => curve.value());
+    const { basis } = this.#options;
+    const own = parts.kind === 'custom' && basis !== undefined && { basis };
+    return { ...optionsOfParts(parts), ...this.#shared(), ...own };
+  }
+
+  /**
+   * Makes it the curve of a value, and returns its view. What is as before is kept: the fields of
+   * points that stay, and the segments that the same points and numbers make; so this is what all
+   * edits come to. Throws as `Mesh.curve` does.
+   */
+  set(value: CurveOptions, options: PolylineOptions = {}): CurveView {
+    const basis =
+      value.basis === undefined || value.basis === this.#options.basis
+        ? this.#basis
+        : new OwnBasis(value.basis);
+    const next = engineValue(value, value.basis && basis);
+    const wanted = { inDouble: inDouble(options), withPoints: false };
+    const copy = { ...value };
+    const set = () => this.#handle.call((curve) => curve.set(next, wanted));
+    const bytes = basis ? basis.guard(set) : set();
+    this.#options = copy;
+    if (value.basis !== undefined) this.#basis = basis;
+    this.#parts = undefined;
+    return this.#seen(bytes);
+  }
+
+  /** All that is seen of the curve, its polyline in 32 bits by default, in one buffer. */
+  view(options: PolylineOptions = {}): CurveView {
+    return this.#view({ inDouble: inDouble(options), withPoints: false });
   }
 
   /** The control points. */
   points(): SurfacePoint[] {
-    return toSurfacePoints(this.#handle.call((curve) => curve.points()));
+    return toSurfacePoints(this.#call((curve) => curve.value()).points);
   }
 
   samples(): CurveSamples {
-    return toCurveSamples(
-      this.#engine,
-      this.#handle.call((curve) => curve.samples()),
-    );
+    return this.view().samples;
   }
 
   /** Where and why the curve is no center of mass. */
   bridged(): BridgedInterval[] {
-    return this.#handle.call((curve) => curve.bridged());
+    return this.view().bridged;
   }
 
   /** The samples, joined on the surface as `geometry` says. */
   path(): Path {
-    return new Path(this.#handle.call((curve) => curve.path()));
+    return this.#view({ inDouble: true, withPoints: true }).path();
   }
 
   /** x, y, z of the path's points. */
@@ -118,8 +134,7 @@ export class Curve {
   polyline(options: { bits: 64 }): Float64Array;
   polyline(options?: PolylineOptions): Float32Array | Float64Array;
   polyline(options: PolylineOptions = {}): Float32Array | Float64Array {
-    const double = inDouble(options);
-    return this.#handle.call((curve) => curve.polyline(double));
+    return this.view(options).polyline.slice();
   }
 
   /**
@@ -127,11 +142,11 @@ export class Curve {
    * on a bridge.
    */
   unconverged(): Uint8Array {
-    return this.#handle.call((curve) => curve.unconverged());
+    return this.view().unconverged.slice();
   }
 
   get length(): number {
-    return this.#handle.call((curve) => curve.length());
+    return this.#told.length;
   }
 
   get kind(): CurveKind {
@@ -149,7 +164,7 @@ export class Curve {
 
   /** A B-spline's knots; of other kinds none. */
   knots(): Float64Array {
-    return this.#shape.knots;
+    return this.view().knots.slice();
   }
 
   /** Of a Catmull-Rom curve. */
@@ -159,21 +174,21 @@ export class Curve {
 
   /** A weight a point, whether or not the kind has a use for them. */
   weights(): Float64Array {
-    return this.#shape.weights;
+    return this.#filled(this.#shape.weights);
   }
 
   /** A beta a point, whether or not the kind has a use for them. */
   betas(): Float64Array {
-    return this.#shape.betas;
+    return this.#filled(this.#shape.betas);
   }
 
   get segmentCount(): number {
-    return this.#handle.call((curve) => curve.segmentCount());
+    return this.#told.segmentCount;
   }
 
   /** How many levels the curve has, also where `levels` leaves that to it. */
   get levels(): number {
-    return this.#handle.call((curve) => curve.levels());
+    return this.#told.levels;
   }
 
   /** How many fields were computed since the curve was made: what edits should spare. */
@@ -183,8 +198,7 @@ export class Curve {
 
   /** How long the last edit took, or the making of the curve. */
   times(): CurveTimes {
-    this.#handle.check();
-    return { ...this.#times };
+    return { ...this.#told.times };
   }
 
   /** Moves control point `i`: its field and the segments that it touches are computed again. */
@@ -197,7 +211,8 @@ export class Curve {
   /**
    * Moves control point `i` as a hand does: the legs of the control polygon that meet at it are
    * continued from where they lie, whether or not they stay the shortest, so that the curve moves
-   * with the point. They stay so until a point at one of their ends is moved otherwise.
+   * with the point. They stay so until a point at one of their ends is moved otherwise; they are no
+   * part of the curve's value.
    */
   dragPoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
@@ -381,17 +396,42 @@ export class Curve {
 
   /** A curve of other parts, with the samples and fields of this one. */
   #alike(parts: EngineCurveParts): Curve {
-    const { method, solver, rings, samples, tolerance, geometry, levels } = this.#options;
-    const shared = Object.fromEntries(
-      Object.entries({ method, solver, rings, samples, tolerance, geometry, levels }).filter(
-        ([, value]) => value !== undefined,
-      ),
-    );
-    return this.#owner.make({ ...optionsOfParts(parts), ...shared });
+    return this.#owner.make({ ...this.#shared(), ...optionsOfParts(parts) });
   }
 
-  get #shape(): EngineCurveShape {
-    return this.#handle.call((curve) => curve.shape());
+  /** Its samples and fields, as they were given. */
+  #shared(): Partial<CurveOptions> {
+    const { method, solver, rings, samples, tolerance, geometry, levels } = this.#options;
+    const all = { method, solver, rings, samples, tolerance, geometry, levels };
+    return Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined));
+  }
+
+  get #shape(): EngineCurveParts {
+    this.#handle.check();
+    this.#parts ??= this.#call((curve) => curve.value());
+    return this.#parts;
+  }
+
+  get #told(): Facts {
+    this.#handle.check();
+    return this.#facts ?? this.view();
+  }
+
+  #filled(numbers: Float64Array): Float64Array {
+    return numbers.length > 0
+      ? numbers.slice()
+      : new Float64Array(this.#shape.points.length / 4).fill(1);
+  }
+
+  #view(options: EngineViewOptions): CurveView {
+    return this.#seen(this.#call((curve) => curve.view(options)));
+  }
+
+  #seen(bytes: Uint8Array): CurveView {
+    const view = new CurveView({ bytes, statusNames: this.#engine.statusNames });
+    const { length, segmentCount, levels, times } = view;
+    this.#facts = { length, segmentCount, levels, times };
+    return view;
   }
 
   #guard<Result>(work: () => Result): Result {
@@ -402,34 +442,11 @@ export class Curve {
     return this.#guard(() => this.#handle.call(work));
   }
 
-  /** What carries a change out may fail where the change did not: both are taken back then. */
   #edit<Result>(change: (curve: EngineCurve) => Result): Result {
-    this.#handle.call((curve) => curve.keep());
-    try {
-      const result = this.#call(change);
-      this.#update();
-      return result;
-    } catch (error) {
-      this.#handle.call((curve) => curve.restore());
-      throw error;
-    }
-  }
-
-  #update(): void {
-    const start = performance.now();
-    this.#call((curve) => curve.updateFields());
-    const fieldsDone = performance.now();
-    this.#call((curve) => curve.findSamples());
-    const traceDone = performance.now();
-    this.#call((curve) => curve.bridge());
-    const bridgeDone = performance.now();
-    this.#call((curve) => curve.join());
-    this.#times = {
-      fields: fieldsDone - start,
-      trace: traceDone - fieldsDone,
-      bridge: bridgeDone - traceDone,
-      join: performance.now() - bridgeDone,
-    };
+    const result = this.#call(change);
+    this.#parts = undefined;
+    this.#facts = undefined;
+    return result;
   }
 }
 

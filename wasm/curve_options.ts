@@ -1,5 +1,6 @@
 import {
   checkBoolean,
+  checkFunction,
   checkInteger,
   checkOneOf,
   checkOptions,
@@ -7,9 +8,14 @@ import {
   toFloat64,
 } from './check.js';
 import { KarcherError } from './errors.js';
-import type { EngineCurveParts, EngineCurveShape, EngineSampling } from './karcher-engine.mjs';
-import { curveOptionNames } from './options.js';
-import { toSurfacePoints } from './points.js';
+import type {
+  EngineCurveParts,
+  EngineCurveShape,
+  EngineCurveValue,
+  EngineSampling,
+} from './karcher-engine.mjs';
+import { curveOptionNames, engineFieldOptions } from './options.js';
+import { toSurfacePoints, wirePoints } from './points.js';
 import type {
   CurveBasis,
   CurveGeometry,
@@ -45,7 +51,7 @@ export class OwnBasis {
   #failure: unknown;
 
   constructor(basis: CurveBasis) {
-    this.#basis = basis;
+    this.#basis = checkFunction(basis, 'the basis');
   }
 
   readonly call = (points: number, t: number): Float64Array => {
@@ -83,7 +89,7 @@ function engineLevels({ levels = 'auto' }: CurveOptions): number {
 }
 
 /** How a curve is sampled and drawn, as the engine takes it. */
-export function engineSampling(options: CurveOptions): EngineSampling {
+function engineSampling(options: CurveOptions): EngineSampling {
   const { samples, tolerance } = options;
   const levels = engineLevels(options);
   const geometry = options.geometry ?? 'geodesic';
@@ -124,24 +130,33 @@ function checkOwnOptions(options: CurveOptions): void {
   }
 }
 
-/** The options that make a curve of the engine's parts. */
+/** The options that make a curve of the engine's parts: what its kind has a use for. */
 export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
+  const { kind, closed, degree, clamped, centripetal, points } = parts;
   const given = <Name extends string>(name: Name, values: Float64Array) =>
     (values.length > 0 ? { [name]: values } : {}) as { [key in Name]?: Float64Array };
   return {
-    kind: parts.kind,
-    closed: parts.closed,
-    ...(parts.kind === 'bspline' && {
-      degree: parts.degree,
-      ...(parts.clamped ? { knots: 'clamped' as const } : given('knots', parts.knots)),
+    kind,
+    closed,
+    ...(kind === 'bspline' && {
+      degree,
+      ...(clamped ? { knots: 'clamped' as const } : given('knots', parts.knots)),
     }),
-    ...(parts.kind === 'catmullrom' && {
-      parametrization: parts.centripetal ? ('centripetal' as const) : ('uniform' as const),
+    ...(kind === 'catmullrom' && {
+      parametrization: centripetal ? ('centripetal' as const) : ('uniform' as const),
     }),
-    ...given('weights', parts.weights),
-    ...given('betas', parts.betas),
-    points: toSurfacePoints(parts.points),
+    ...((kind === 'bspline' || kind === 'rational') && given('weights', parts.weights)),
+    ...(kind === 'barycentric' && given('betas', parts.betas)),
+    points: toSurfacePoints(points),
   };
+}
+
+/** A curve as the engine takes it. */
+export function engineValue(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveValue {
+  const shape = engineShape(options, basis);
+  const sampling = engineSampling(options);
+  const field = engineFieldOptions(options);
+  return { points: wirePoints(options.points), shape, sampling, field };
 }
 
 /** Numbers of which there are some: the engine takes none for what a curve has by default. */
@@ -151,8 +166,7 @@ export function givenNumbers(values: ArrayLike<number>, what: string): Float64Ar
   throw new KarcherError('badArgument', `${what} must not be an empty array`);
 }
 
-/** The shape of a curve as the engine takes it. */
-export function engineShape(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveShape {
+function engineShape(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveShape {
   checkOptions(options, curveOptionNames);
   checkKind(options.kind);
   checkOwnOptions(options);

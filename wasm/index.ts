@@ -5,3 +5,4 @@ export { load } from './load.js';
 export { Mesh } from './mesh.js';
 export { Path } from './path.js';
 export type * from './types.js';
+export { CurveView } from './view.js';

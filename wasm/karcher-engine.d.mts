@@ -1,5 +1,4 @@
 import type {
-  BridgedInterval,
   CurveKind,
   CurvePoints,
   MeshInfo,
@@ -89,12 +88,15 @@ export interface EngineMesh {
     exact: boolean,
     field: EngineFieldOptions,
   ): EnginePath[];
-  curve(
-    points: Float64Array,
-    shape: EngineCurveShape,
-    sampling: EngineSampling,
-    field: EngineFieldOptions,
-  ): EngineCurve;
+  curve(value: EngineCurveValue): EngineCurve;
+}
+
+/** A curve as it is given. */
+export interface EngineCurveValue {
+  points: Float64Array;
+  shape: EngineCurveShape;
+  sampling: EngineSampling;
+  field: EngineFieldOptions;
 }
 
 /** How a curve is sampled and drawn. */
@@ -143,20 +145,15 @@ export interface EnginePath {
   lengths: Float64Array;
 }
 
-export interface EngineSamples {
-  segment: Int32Array;
-  t: Float64Array;
-  face: Int32Array;
-  bary: Float64Array;
-  position: Float64Array;
-  status: Uint8Array;
+/** What a view holds of a path: positions in 64 bits, and the faces and weights of its points. */
+export interface EngineViewOptions {
+  inDouble: boolean;
+  withPoints: boolean;
 }
 
 export interface EngineCircle {
-  samples: EngineSamples;
-  bridged: BridgedInterval[];
-  path: EnginePath;
-  unconverged: Uint8Array;
+  /** Of 64 bits, with points. */
+  view: Uint8Array;
   notShortest: Int32Array;
 }
 
@@ -169,20 +166,19 @@ export interface EngineMean {
   otherMinima: boolean;
 }
 
-/** After an edit: updateFields, findSamples, bridge and join, in this order. */
+/** Each edit makes it another curve, whole, or fails and changes nothing. */
 export interface EngineCurve {
   delete(): void;
-  /** Before an edit: what `restore` brings back, until the curve is joined. */
-  keep(): void;
-  restore(): void;
-  pointCount(): number;
+  /** Makes it the curve of a value: its view (view.ts). */
+  set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
+  view(options: EngineViewOptions): Uint8Array;
+  /** What it is; arrays are empty where there are none. */
+  value(): EngineCurveParts;
   movePoint(i: number, point: Float64Array): void;
+  /** The same, with its legs continued from where they lie. */
+  dragPoint(i: number, point: Float64Array): void;
   insertPoint(i: number, point: Float64Array): void;
   removePoint(i: number): void;
-  /** Returns the number of the new control point. */
-  insertOnCurve(parameter: number): number;
-  splitAt(parameter: number): EngineCurveParts[];
-  joined(other: EngineCurve): EngineCurveParts;
   movePointInOrder(from: number, to: number): void;
   reverse(): void;
   setKind(kind: CurveKind): void;
@@ -192,17 +188,13 @@ export interface EngineCurve {
   setPoints(points: Float64Array): void;
   setWeights(weights: Float64Array): void;
   setBetas(betas: Float64Array): void;
+  /** Returns the number of the new control point. */
+  insertOnCurve(parameter: number): number;
+  splitAt(parameter: number): EngineCurveParts[];
+  joined(other: EngineCurve): EngineCurveParts;
   retrace(): void;
-  updateFields(): void;
-  findSamples(): void;
-  bridge(): void;
-  join(): void;
-  /** Weights, betas and a B-spline's knots in full; without the basis. */
-  shape(): EngineCurveShape;
-  segmentCount(): number;
+  pointCount(): number;
   fieldsComputed(): number;
-  levels(): number;
-  dragPoint(i: number, point: Float64Array): void;
   pointAt(parameter: number): EngineCurvePoint;
   tangentAt(parameter: number): EngineCurvePoint & {
     inFace: [number, number, number];
@@ -212,13 +204,6 @@ export interface EngineCurve {
   lengthAt(parameter: number): number;
   pointAtLength(length: number): EngineCurvePoint;
   equallySpaced(count: number): CurvePoints;
-  points(): Float64Array;
-  samples(): EngineSamples;
-  bridged(): BridgedInterval[];
-  path(): EnginePath;
-  polyline(inDouble: boolean): Float32Array | Float64Array;
-  unconverged(): Uint8Array;
-  length(): number;
 }
 
 /** The graph of the graph solver, built in slices. */

@@ -27,7 +27,6 @@ import {
 import { Path } from './path.js';
 import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
-import { toCurveSamples } from './samples.js';
 import type {
   CenterOfMass,
   CenterOptions,
@@ -46,6 +45,7 @@ import type {
   SurfacePoint,
   VectorLike,
 } from './types.js';
+import { CurveView } from './view.js';
 
 /**
  * A triangle mesh. It and what is made from it live in the engine's memory until `dispose`.
@@ -315,13 +315,10 @@ export class Mesh {
   }
 
   #toCircle(circle: EngineCircle): Circle {
-    return {
-      samples: toCurveSamples(this.#engine, circle.samples),
-      bridged: circle.bridged,
-      path: new Path(circle.path),
-      unconverged: circle.unconverged,
-      notShortest: Array.from(circle.notShortest),
-    };
+    const view = new CurveView({ bytes: circle.view, statusNames: this.#engine.statusNames });
+    const { samples, bridged, unconverged } = view;
+    const notShortest = Array.from(circle.notShortest);
+    return { samples, bridged, path: view.path(), unconverged, notShortest };
   }
 
   /** The start of a search as it travels: empty for the engine's choice. */

@@ -353,6 +353,8 @@ export interface StraightestPath {
 
 /** Milliseconds of a curve's last update. */
 export interface CurveTimes {
+  /** The legs of the control polygon, where the curve has a use for them. */
+  polygon: number;
   fields: number;
   /** The searches for the samples. */
   trace: number;

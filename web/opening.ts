@@ -136,7 +136,7 @@ export class Opening {
     const controller = new AbortController();
     const progress = showProgress('Preparing', () => controller.abort());
     try {
-      await client.prepare(methodOptions(method), {
+      await client.mesh.prepare(methodOptions(method), {
         progress: (done, stage) => progress.set(done, stageName(stage)),
         signal: controller.signal,
       });
@@ -186,7 +186,7 @@ export class Opening {
       const [drawn, viewer] = await Promise.all([
         drawnGeometry(mesh, signal),
         this.#viewerReady.promise,
-        client.prepare(methodOptions(this.editor.state.method), {
+        client.mesh.prepare(methodOptions(this.editor.state.method), {
           progress: (done, stage) => progress.set(0.4 + 0.6 * done, stageName(stage)),
           signal,
         }),

@@ -99,10 +99,12 @@ Array<double> Curve::Piece::weights(double t) const {
   return rationalBasis(weightsAt(basis_, t), pointWeights_);
 }
 
-Curve::Curve(Surface& surface, CurveValue value)
-    : Curve(std::make_shared<FieldSet>(surface, value.options.field), std::move(value)) {}
+Curve::Curve(Surface& surface, CurveValue value, std::function<double()> clock)
+    : Curve(std::make_shared<FieldSet>(surface, value.options.field), std::move(value),
+            std::move(clock)) {}
 
-Curve::Curve(std::shared_ptr<FieldSet> fields, CurveValue value) : fieldSet_(std::move(fields)) {
+Curve::Curve(std::shared_ptr<FieldSet> fields, CurveValue value, std::function<double()> clock)
+    : fieldSet_(std::move(fields)), clock_(std::move(clock)) {
   checkOptions(value.options);
   checkGivenShape(value.options.shape, value.points.count());
   set(std::move(value));
@@ -112,9 +114,7 @@ void Curve::set(CurveValue value) {
   check(value);
   if (!(value.options.field == fieldSet_->options())) {
     // Other fields: nothing of this curve holds.
-    Curve other(surface(), std::move(value));
-    other.clock_ = std::move(clock_);
-    *this = std::move(other);
+    *this = Curve(surface(), std::move(value), clock_);
     return;
   }
   StageTimes times;

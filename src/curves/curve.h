@@ -51,12 +51,13 @@ class Curve {
   };
 
   /// The surface must outlive the curve. Throws as `set` does.
-  Curve(Surface& surface, CurveValue value);
+  /// The clock, if there is one, measures the stages of all edits, this first one included.
+  Curve(Surface& surface, CurveValue value, std::function<double()> clock = {});
   Curve(Surface& surface, CurveOptions options, Array<SurfacePoint> points)
       : Curve(surface, CurveValue{std::move(options), std::move(points), {}}) {}
   /// A curve that takes its fields from a set of the same surface and options and leaves them
   /// there.
-  Curve(std::shared_ptr<FieldSet> fields, CurveValue value);
+  Curve(std::shared_ptr<FieldSet> fields, CurveValue value, std::function<double()> clock = {});
 
   /// Makes the curve that of a value: the one that the value gives anew. Keeps the fields of points
   /// that stay and what was traced of pieces that are as they were; else changes nothing but throws

@@ -59,6 +59,20 @@ test('a curve in a worker is edited as one here', async () => {
   await same();
   assert.equal(await curve.insertOnCurve(0.5), expected.insertOnCurve(0.5));
   await same();
+  const value = { ...options, points: points.with(1, place), weights: [1, 2, 1, 1] };
+  const [view, seen] = [await curve.set(value), expected.set(value)];
+  const { polyline, samples, bridged, knots, lengths, length, unconverged } = view;
+  assert.deepEqual(
+    { polyline, samples, bridged, knots, lengths, length, unconverged },
+    Object.fromEntries(
+      ['polyline', 'samples', 'bridged', 'knots', 'lengths', 'length', 'unconverged'].map(
+        (name) => [name, seen[name]],
+      ),
+    ),
+  );
+  assert.equal(view.lengths.buffer, view.polyline.buffer, 'one buffer is transferred');
+  assert.deepEqual(await curve.value(), expected.value());
+  await same();
   const parts = await curve.split(0.5);
   const whole = await parts[0].join(parts[1]);
   const [first, second] = expected.split(0.5);
@@ -81,6 +95,8 @@ test('what the engine refuses arrives as its error, and what cannot be sent is r
     code: 'badArgument',
     message: /a function, which cannot be sent/,
   });
+  const plain = await mesh.curve({ kind: 'bspline', points });
+  await assert.rejects(plain.set({ kind: 'custom', points, basis }), { code: 'badArgument' });
   await assert.rejects(mesh.distance(Symbol('vertex')), { code: 'badArgument' });
   await assert.rejects(remote.client.call('constructr', []), /no call 'constructr'/);
 });

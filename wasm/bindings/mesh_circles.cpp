@@ -1,6 +1,6 @@
-#include "bindings/curve_handle.h"
 #include "bindings/field_options.h"
-#include "bindings/mesh_handle.h"
+#include "bindings/path.h"
+#include "bindings/view.h"
 #include "curves/circle.h"
 #include "curves/isoline.h"
 
@@ -8,20 +8,15 @@ namespace karcher::bindings {
 namespace {
 
 val circleToJs(const MeshHandle& mesh, const GeodesicCircle& circle) {
-  CurvePath line;
-  line.path.closed = true;
-  Array<const Array<CurveSample>*> segments;
-  Array<const Array<Bridge>*> bridges;
+  TracedLine line;
+  line.closed = true;
   for (int j = 0; j < circle.samples.count(); ++j) {
-    segments.push_back(&circle.samples[j]);
-    bridges.push_back(&circle.bridges[j]);
-    appendSegment(mesh, circle.paths[j], line);
+    line.samples.push_back(&circle.samples[j]);
+    line.bridges.push_back(&circle.bridges[j]);
+    line.paths.push_back(&circle.paths[j]);
   }
   val result = val::object();
-  result.set("samples", samplesToJs(mesh, segments));
-  result.set("bridged", bridgedToJs(bridges));
-  result.set("path", toJs(line.path));
-  result.set("unconverged", toJs(line.unconverged));
+  result.set("view", viewToJs(mesh, line, {.inDouble = true, .withPoints = true}));
   result.set("notShortest", toJs(circle.notShortest));
   return result;
 }

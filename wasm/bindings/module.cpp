@@ -1,7 +1,6 @@
 #include <emscripten/bind.h>
 
 #include "bindings/curve_handle.h"
-#include "bindings/field_options.h"
 #include "bindings/graph_builder_handle.h"
 #include "bindings/guard.h"
 #include "bindings/mesh_handle.h"
@@ -29,15 +28,8 @@ val statusNames() {
   return names;
 }
 
-std::unique_ptr<CurveHandle> makeCurve(MeshHandle& mesh, const val& points, const val& shape,
-                                       const val& sampling, const val& field) {
-  CurveOptions options{
-      curveShapeFromJs(shape), sampling["samples"].as<int>(), fieldOptionsFromJs(field),
-      sampling["tolerance"].as<double>(),
-      sampling["exact"].as<bool>() ? CurveGeometry::kExact : CurveGeometry::kGeodesic};
-  options.levels = sampling["levels"].as<int>();
-  return std::make_unique<CurveHandle>(mesh, options,
-                                       pointsFromJs(mesh.numbering(), mesh.mesh(), points));
+std::unique_ptr<CurveHandle> makeCurve(MeshHandle& mesh, const val& value) {
+  return std::make_unique<CurveHandle>(mesh, value);
 }
 
 std::unique_ptr<GraphBuilderHandle> makeGraphBuilder(MeshHandle& mesh, int rings) {
@@ -76,10 +68,12 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("curve", &Guarded<&makeCurve>::call)
       .function("graphBuilder", &Guarded<&makeGraphBuilder>::call);
   class_<CurveHandle>("Curve")
-      .function("keep", &Guarded<&CurveHandle::keep>::call)
-      .function("restore", &Guarded<&CurveHandle::restore>::call)
+      .function("set", &Guarded<&CurveHandle::set>::call)
+      .function("view", &Guarded<&CurveHandle::view>::call)
+      .function("value", &Guarded<&CurveHandle::value>::call)
       .function("pointCount", &Guarded<&CurveHandle::pointCount>::call)
       .function("movePoint", &Guarded<&CurveHandle::movePoint>::call)
+      .function("dragPoint", &Guarded<&CurveHandle::dragPoint>::call)
       .function("insertPoint", &Guarded<&CurveHandle::insertPoint>::call)
       .function("removePoint", &Guarded<&CurveHandle::removePoint>::call)
       .function("insertOnCurve", &Guarded<&CurveHandle::insertOnCurve>::call)
@@ -95,28 +89,13 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("setWeights", &Guarded<&CurveHandle::setWeights>::call)
       .function("setBetas", &Guarded<&CurveHandle::setBetas>::call)
       .function("retrace", &Guarded<&CurveHandle::retrace>::call)
-      .function("updateFields", &Guarded<&CurveHandle::updateFields>::call)
-      .function("findSamples", &Guarded<&CurveHandle::findSamples>::call)
-      .function("bridge", &Guarded<&CurveHandle::bridge>::call)
-      .function("join", &Guarded<&CurveHandle::join>::call)
-      .function("shape", &Guarded<&CurveHandle::shape>::call)
-      .function("segmentCount", &Guarded<&CurveHandle::segmentCount>::call)
-      .function("levels", &Guarded<&CurveHandle::levels>::call)
-      .function("dragPoint", &Guarded<&CurveHandle::dragPoint>::call)
       .function("fieldsComputed", &Guarded<&CurveHandle::fieldsComputed>::call)
       .function("pointAt", &Guarded<&CurveHandle::pointAt>::call)
       .function("tangentAt", &Guarded<&CurveHandle::tangentAt>::call)
       .function("nearest", &Guarded<&CurveHandle::nearest>::call)
       .function("lengthAt", &Guarded<&CurveHandle::lengthAt>::call)
       .function("pointAtLength", &Guarded<&CurveHandle::pointAtLength>::call)
-      .function("equallySpaced", &Guarded<&CurveHandle::equallySpaced>::call)
-      .function("points", &Guarded<&CurveHandle::points>::call)
-      .function("samples", &Guarded<&CurveHandle::samples>::call)
-      .function("path", &Guarded<&CurveHandle::path>::call)
-      .function("bridged", &Guarded<&CurveHandle::bridged>::call)
-      .function("polyline", &Guarded<&CurveHandle::polyline>::call)
-      .function("unconverged", &Guarded<&CurveHandle::unconverged>::call)
-      .function("length", &Guarded<&CurveHandle::length>::call);
+      .function("equallySpaced", &Guarded<&CurveHandle::equallySpaced>::call);
   class_<GraphBuilderHandle>("GraphBuilder")
       .function("advance", &Guarded<&GraphBuilderHandle::advance>::call)
       .function("progress", &Guarded<&GraphBuilderHandle::progress>::call);

@@ -1,11 +1,10 @@
 import { checkInteger } from '../check.js';
 import { type Engine, Handle } from '../engine.js';
 import type { Mesh } from '../mesh.js';
-import { Path } from '../path.js';
 import { wirePoint } from '../points.js';
 import { pause, sliceTime } from '../prepare.js';
-import { toCurveSamples } from '../samples.js';
 import type { CurveSamples, LongWorkOptions, PointLike } from '../types.js';
+import { CurveView } from '../view.js';
 import type { EngineComparedCurve, EnginePreparedMethod } from './karcher-peers.mjs';
 import type { ComparedLine } from './types.js';
 
@@ -85,22 +84,23 @@ export class ComparedCurve {
 
   /** The samples that are there, segment by segment. */
   samples(): CurveSamples {
-    return toCurveSamples(
-      this.#engine,
-      this.#call((curve) => curve.samples()),
-    );
+    return this.#view(this.#call((curve) => curve.samples())).samples;
   }
 
   /** The samples joined by geodesics. */
   line(): ComparedLine {
-    const { path, unconverged } = this.#call((curve) => curve.path());
-    return { path: new Path(path), unconverged };
+    const view = this.#view(this.#call((curve) => curve.joined()));
+    return { path: view.path(), unconverged: view.unconverged };
   }
 
   /** Gives the memory back. Safe to repeat. */
   dispose(): void {
     this.#handle.dispose();
     this.#forget(this);
+  }
+
+  #view(bytes: Uint8Array): CurveView {
+    return new CurveView({ bytes, statusNames: this.#engine.statusNames });
   }
 
   #call<Result>(work: (curve: EngineComparedCurve) => Result): Result {

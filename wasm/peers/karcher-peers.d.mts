@@ -3,8 +3,6 @@ import type {
   EngineMesh,
   EngineModule,
   EngineOptions,
-  EnginePath,
-  EngineSamples,
 } from '../karcher-engine.mjs';
 
 /** The module of the comparison: the engine's own bindings and those of peers/bindings/*.cpp. */
@@ -65,8 +63,10 @@ export interface EngineComparedCurve {
   /** Makes one field or up to so many samples; true when nothing is left. */
   advance(samples: number): boolean;
   samplesLeft(): number;
-  samples(): EngineSamples;
-  path(): { path: EnginePath; unconverged: Uint8Array };
+  /** The view (../view.ts) of the samples alone. */
+  samples(): Uint8Array;
+  /** That of the path alone: of 64 bits, with points. */
+  joined(): Uint8Array;
 }
 
 declare const createPeers: (options: EngineOptions) => Promise<PeersModule>;

@@ -1,5 +1,6 @@
 import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
+import { CurveView } from '../view.js';
 import { errorOf, isSent, type Reply, type Request, replaced } from './protocol.js';
 import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './remote.js';
 
@@ -134,6 +135,7 @@ export class WorkerClient {
       if (ArrayBuffer.isView(part)) return part;
       if (!isSent(part)) return undefined;
       if (part.sent === 'path') return new Path(part.data);
+      if (part.sent === 'view') return new CurveView(part.data);
       if (part.sent !== 'mesh' && part.sent !== 'curve') return undefined;
       const object: RemoteMesh | RemoteCurve =
         part.sent === 'mesh' ? remoteMesh(this, part.info) : remoteCurve(this);

@@ -1,6 +1,7 @@
 import { KarcherError } from '../errors.js';
 import type { EnginePath } from '../karcher-engine.mjs';
 import type { ErrorCode, MeshInfo } from '../types.js';
+import type { ViewData } from '../view.js';
 
 /**
  * The messages between a client and its worker. A call names a method of an object in the worker, of
@@ -33,7 +34,8 @@ export type Sent =
   | { sent: 'curve'; target: number }
   /** On the way to the worker, of either kind. */
   | { sent: 'object'; target: number }
-  | { sent: 'path'; data: EnginePath };
+  | { sent: 'path'; data: EnginePath }
+  | { sent: 'view'; data: ViewData };
 
 export const isSent = (value: object): value is Sent => 'sent' in value;
 

@@ -50,6 +50,9 @@ export type RemoteKarcher = Remotely<Karcher, MethodsOf<Karcher>> & {
 };
 
 const curveMethods = namesOf<Record<CurveMethod, true>>({
+  value: true,
+  set: true,
+  view: true,
   points: true,
   samples: true,
   bridged: true,
@@ -121,20 +124,27 @@ function calling(client: WorkerClient, names: readonly string[], object?: object
   );
 }
 
+/** The same of a curve's value, in which a basis is refused. */
+const withoutBasis =
+  (call: Call): Call =>
+  (...args) => {
+    const { basis } = (args[0] ?? {}) as { basis?: unknown };
+    if (basis === undefined) return call(...args);
+    const sentence = 'a basis is a function, which cannot be sent to a worker';
+    return Promise.reject(new KarcherError('badArgument', sentence));
+  };
+
 export function remoteCurve(client: WorkerClient): RemoteCurve {
   const curve = {};
-  return Object.assign(curve, calling(client, curveMethods, curve)) as unknown as RemoteCurve;
+  const calls = calling(client, curveMethods, curve);
+  const set = withoutBasis(calls.set!);
+  return Object.assign(curve, calls, { set }) as unknown as RemoteCurve;
 }
 
 export function remoteMesh(client: WorkerClient, info: Readonly<MeshInfo>): RemoteMesh {
   const mesh = { info };
   const calls = calling(client, meshMethods, mesh);
-  const curve: Call = (...args) => {
-    const { basis } = (args[0] ?? {}) as { basis?: unknown };
-    if (basis === undefined) return calls.curve!(...args);
-    const sentence = 'a basis is a function, which cannot be sent to a worker';
-    return Promise.reject(new KarcherError('badArgument', sentence));
-  };
+  const curve = withoutBasis(calls.curve!);
   return Object.assign(mesh, calls, { curve }) as unknown as RemoteMesh;
 }
 

@@ -2,6 +2,7 @@ import { Curve } from '../curve.js';
 import { KarcherError } from '../errors.js';
 import { Mesh } from '../mesh.js';
 import { Path } from '../path.js';
+import { CurveView } from '../view.js';
 import { failureOf, isSent, type Reply, type Request, replaced, type Sent } from './protocol.js';
 
 /** A worker's own end, in a page's worker and in one of Node's. */
@@ -98,6 +99,11 @@ class Server {
         const data = part.data();
         for (const array of [data.face, data.bary, data.position, data.lengths]) add(array);
         return { sent: 'path', data };
+      }
+      if (part instanceof CurveView) {
+        const data = part.data();
+        add(data.bytes);
+        return { sent: 'view', data };
       }
       if (!(part instanceof Mesh) && !(part instanceof Curve)) return undefined;
       const target = ++this.#lastObject;

@@ -48,7 +48,7 @@ async function radiusTo(
   center: SurfacePoint,
   rim: SurfacePoint,
 ): Promise<ShownRadius> {
-  const path = await client.shortestPath(center, rim);
+  const path = await client.mesh.shortestPath(center, rim);
   const polyline = path.polyline();
   return { radius: path.length, direction: directionOf(polyline), rim, path: polyline };
 }
@@ -59,7 +59,7 @@ async function radiusOf(
   direction: Vector,
   radius: number,
 ): Promise<ShownRadius> {
-  const { end, path } = await client.straightest(center, direction, radius);
+  const { end, path } = await client.mesh.straightest(center, direction, radius);
   return { radius, direction, rim: end, path: path.polyline() };
 }
 

@@ -47,7 +47,7 @@ export function compute(
   if (!spline) return computeCenter(client, document, options);
   const { marks } = spline.settings;
   return client
-    .curve(curveOptions(spline, options), { keep: true, marks })
+    .curve(curveOptions(spline, options), marks)
     .then((curve) => ({ ...nothing, curve }));
 }
 
@@ -58,7 +58,10 @@ async function computeCenter(
 ): Promise<Shown> {
   const started = performance.now();
   const weights = points.map(({ weight = 1 }) => weight);
-  const center = await client.centerOfMass([...points], weights, { ...options, normalize: true });
+  const center = await client.mesh.centerOfMass([...points], weights, {
+    ...options,
+    normalize: true,
+  });
   return { ...nothing, center: { ...center, milliseconds: performance.now() - started } };
 }
 

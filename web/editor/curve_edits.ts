@@ -2,6 +2,7 @@ import type { SurfacePoint } from 'karcher';
 import { apply, type Command } from '../model/commands';
 import { type CurveDocument, knotsFit, type Vector } from '../model/document';
 import { activated, inPieces, joined, splineOf, withSpline } from '../model/splines';
+import type { Edit } from '../worker/edits';
 import type { CurveTool, Editor, Selection } from './editor';
 import type { Session } from './session';
 
@@ -12,6 +13,20 @@ const mostAttempts = 20;
 interface Step {
   command: Command;
   selection: Selection;
+}
+
+/** What a command is to a B-spline's own knots; null where they have nothing to do with it. */
+function editOf(command: Command): Edit | null {
+  switch (command.type) {
+    case 'insert':
+      return { type: 'insertPoint', index: command.index, point: command.point };
+    case 'remove':
+      return { type: 'removePoint', index: command.index };
+    case 'settings':
+      return { type: 'setClosed', closed: command.to.closed };
+    default:
+      return null;
+  }
 }
 
 /**
@@ -147,7 +162,8 @@ export class CurveEdits {
         const to = apply(document, step.command);
         const [before, after] = [splineOf(document), splineOf(to)];
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
-        const knots = asks ? await this.session.knotsAfter(before, after) : null;
+        const edit = asks && editOf(step.command);
+        const knots = edit ? await this.session.knotsAfter(before, edit) : null;
         // Something else was done in the meantime: the step comes after it.
         const late = this.editor.state.revision !== revision;
         if (late && attempt < mostAttempts) continue;

@@ -48,7 +48,7 @@ export class Legs {
     if (!missing) return false;
     if (this.#known.size > fewestKept + 4 * pairs.length) this.#forget(pairs);
     // Points on two components have no path between them: that leg stays away.
-    const path = await client.shortestPath(...missing).catch(() => null);
+    const path = await client.mesh.shortestPath(...missing).catch(() => null);
     this.#known.set(keyOf(missing), path?.polyline() ?? null);
     return true;
   }

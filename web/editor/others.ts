@@ -24,7 +24,7 @@ export class Others {
   async trace(client: EngineClient, all: readonly CurveOptions[]): Promise<boolean> {
     const missing = all.find((options) => !this.#known.has(keyOf(options)));
     if (!missing) return false;
-    const curve = await client.curve(missing, { keep: false }).catch(() => null);
+    const curve = await client.otherCurve(missing).catch(() => null);
     this.#forgetAllBut(all);
     this.#known.set(keyOf(missing), curve?.polyline ?? null);
     return true;

@@ -16,7 +16,7 @@ import {
 import { curveOptions, splineFrom, splineOf } from '../model/splines';
 import type { Measured, TracedCurve } from '../model/traced';
 import type { EngineClient } from '../worker/client';
-import type { Reshape } from '../worker/reshape';
+import type { Edit } from '../worker/edits';
 import { compute, messageOf, nothing, type Shown, shiftOf } from './compute';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
@@ -163,7 +163,7 @@ export class Session {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state) return null;
     const options = curveOptions(spline, methodOptions(state.method));
-    return client.curve(options, { keep: false }).then(() => null, messageOf);
+    return client.otherCurve(options).then(() => null, messageOf);
   }
 
   /**
@@ -171,17 +171,14 @@ export class Session {
    * null where it can't be made, or the document has changed in the meantime.
    */
   async reshaped(
-    edit: Reshape | { type: 'join'; other: Spline },
+    edit: Exclude<Edit, { type: 'join' }> | { type: 'join'; other: Spline },
   ): Promise<{ splines: Spline[]; point: number | null } | null> {
     const [client, state] = [this.#client, this.#state];
     const spline = state && splineOf(state.document);
     if (!client || !spline) return null;
     const options = (one: Spline) => curveOptions(one, methodOptions(state.method));
-    const wanted =
-      edit.type === 'join' && 'settings' in edit.other
-        ? { type: edit.type, other: options(edit.other) }
-        : (edit as Reshape);
-    const made = await client.reshape(options(spline), wanted).catch((error) => {
+    const wanted = edit.type === 'join' ? { ...edit, other: options(edit.other) } : edit;
+    const made = await client.edited(options(spline), wanted).catch((error) => {
       if (!client.closed) this.onFailure(error);
       return null;
     });
@@ -193,11 +190,13 @@ export class Session {
    * How the knots of a B-spline with knots of its own go on after an edit; null where the engine
    * cannot say, as where the points make no curve.
    */
-  async knotsAfter(from: Spline, to: Spline): Promise<number[] | null> {
+  async knotsAfter(spline: Spline, edit: Edit): Promise<number[] | null> {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state) return null;
-    const options = (one: Spline) => curveOptions(one, methodOptions(state.method));
-    return client.knots(options(from), options(to)).catch(() => null);
+    const options = curveOptions(spline, methodOptions(state.method));
+    const made = await client.edited(options, edit).catch(() => null);
+    const knots = made?.curves[0]?.knots;
+    return knots === undefined || typeof knots === 'string' ? null : Array.from(knots);
   }
 
   #show(part: Partial<View>): void {

@@ -1,23 +1,37 @@
-import type { LongWorkOptions, MeshInfo } from 'karcher';
-import { WorkerClient } from 'karcher/own-worker';
+import type {
+  Circle,
+  CircleOptions,
+  CurveOptions,
+  EllipseOptions,
+  IsolineOptions,
+  LongWorkOptions,
+  MeshInfo,
+  PointLike,
+} from 'karcher';
+import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { MeshSource } from '../model/meshes';
-import type { Calls } from './engine';
+import type { Measured, TracedCurve, TracedIsolines } from '../model/traced';
+import { type Edit, type Edited, edited } from './edits';
+import { tracedCircle, tracedCurve } from './traced';
 
 export { KarcherError } from 'karcher/own-worker';
 
-type Call<Name extends keyof Calls> = (
-  ...args: Parameters<Calls[Name]>
-) => Promise<Awaited<ReturnType<Calls[Name]>>>;
+interface Loaded {
+  mesh: RemoteMesh;
+  positions: Float64Array;
+  triangles: Int32Array;
+}
 
 /**
- * A surface in a worker of its own. `close` ends the worker and every call that is under way; every
- * call fails with a `KarcherError`.
+ * A surface in a worker of its own, and the curve that is edited on it. `close` ends the worker and
+ * every call that is under way; every call fails with a `KarcherError`.
  */
 export class EngineClient {
   readonly #worker = new WorkerClient(
     new Worker(new URL('./engine.ts', import.meta.url), { type: 'module' }),
   );
-  #mesh: Awaited<ReturnType<Calls['load']>> | null = null;
+  #loaded: Loaded | null = null;
+  #curve: Promise<RemoteCurve | null> | null = null;
   /** Called when the worker ends by itself, as when memory runs out. */
   onStopped: (() => void) | null = null;
 
@@ -29,7 +43,7 @@ export class EngineClient {
   static async load(source: MeshSource, work: LongWorkOptions = {}): Promise<EngineClient> {
     const client = new EngineClient();
     try {
-      client.#mesh = await client.#call('load')(source, work);
+      client.#loaded = (await client.#worker.call('load', [source, work])) as Loaded;
       return client;
     } catch (error) {
       client.close();
@@ -37,32 +51,81 @@ export class EngineClient {
     }
   }
 
-  get info(): MeshInfo {
-    return this.#mesh!.info;
+  /** What is asked of the surface itself. */
+  get mesh(): RemoteMesh {
+    return this.#loaded!.mesh;
+  }
+
+  get info(): Readonly<MeshInfo> {
+    return this.mesh.info;
   }
 
   /** x, y, z of the vertices, in the caller's order. */
   positions(): Float64Array {
-    return this.#mesh!.positions;
+    return this.#loaded!.positions;
   }
 
   /** Vertices of the triangles, in the caller's order. */
   triangles(): Int32Array {
-    return this.#mesh!.triangles;
+    return this.#loaded!.triangles;
   }
 
-  readonly prepare = this.#call('prepare');
-  readonly curve = this.#call('curve');
-  readonly knots = this.#call('knots');
-  readonly measure = this.#call('measure');
-  readonly reshape = this.#call('reshape');
-  readonly circle = this.#call('circle');
-  readonly ellipse = this.#call('ellipse');
-  readonly isolines = this.#call('isolines');
-  readonly centerOfMass = this.#call('centerOfMass');
-  readonly distance = this.#call('distance');
-  readonly shortestPath = this.#call('shortestPath');
-  readonly straightest = this.#call('straightest');
+  /** The edited curve, with so many points marked along it. */
+  async curve(value: CurveOptions, marks = 0): Promise<TracedCurve> {
+    const before = await this.#curve;
+    const curve = before ?? (await this.#first(value));
+    // Both are asked at once: nothing comes in between.
+    const [view, marked] = await both(
+      before ? curve.set(value) : curve.view(),
+      marks > 0 ? curve.equallySpaced(marks) : null,
+    );
+    return tracedCurve(view, marked);
+  }
+
+  /** A curve beside it. */
+  async otherCurve(value: CurveOptions): Promise<TracedCurve> {
+    const curve = await this.mesh.curve(value);
+    try {
+      return tracedCurve(await curve.view(), null);
+    } finally {
+      void curve.dispose();
+    }
+  }
+
+  /** The edited curve, which has this value, where it is nearest to a place. */
+  async measure(value: CurveOptions, near: [number, number, number]): Promise<Measured> {
+    const curve = (await this.#curve) ?? (await this.#first(value));
+    const [view, { parameter, position }] = await both(curve.set(value), curve.nearest(near));
+    const [{ inSpace: tangent }, length] = await both(
+      curve.tangentAt(parameter),
+      curve.lengthAt(parameter),
+    );
+    return { parameter, position, length, wholeLength: view.length, tangent };
+  }
+
+  /** What an edit makes of the curve of a value, which is the edited one from then on. */
+  async edited(value: CurveOptions, edit: Edit): Promise<Edited> {
+    const curve = (await this.#curve) ?? (await this.#first(value));
+    return edited(this.mesh, curve, value, edit);
+  }
+
+  async circle(center: PointLike, options: CircleOptions): Promise<TracedCurve> {
+    return timed(() => this.mesh.circle(center, options));
+  }
+
+  async ellipse(center: PointLike, options: EllipseOptions): Promise<TracedCurve> {
+    return timed(() => this.mesh.ellipse(center, options));
+  }
+
+  async isolines(center: PointLike, options: IsolineOptions): Promise<TracedIsolines> {
+    const started = performance.now();
+    const lines = (await this.mesh.isolines(center, options)).map((line) => ({
+      ...{ closed: line.closed, length: line.length },
+      polyline: line.polyline(),
+    }));
+    const length = lines.reduce((sum, line) => sum + line.length, 0);
+    return { lines, length, milliseconds: performance.now() - started };
+  }
 
   get closed(): boolean {
     return this.#worker.disposed;
@@ -72,7 +135,17 @@ export class EngineClient {
     this.#worker.dispose();
   }
 
-  #call<Name extends keyof Calls>(name: Name): Call<Name> {
-    return ((...args: unknown[]) => this.#worker.call(name, args)) as Call<Name>;
+  #first(value: CurveOptions): Promise<RemoteCurve> {
+    const curve = this.mesh.curve(value);
+    this.#curve = curve.catch(() => null);
+    return curve;
   }
+}
+
+/** Both answers; where one fails the other's failure is no other one. */
+const both = <A, B>(a: Promise<A>, b: Promise<B> | B): Promise<[A, B]> => Promise.all([a, b]);
+
+async function timed(trace: () => Promise<Circle>): Promise<TracedCurve> {
+  const started = performance.now();
+  return tracedCircle(await trace(), () => performance.now() - started);
 }

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "bindings/curve_handle.h"
 #include "bindings/field_options.h"
+#include "bindings/view.h"
 #include "curves/spec/bases.h"
 #include "mesh/error.h"
 
@@ -52,21 +52,20 @@ void ComparedCurveHandle::startAt(const val& point) {
 }
 
 val ComparedCurveHandle::samples() const {
-  Array<const Array<CurveSample>*> segments;
-  for (int j = 0; j < curve_.segmentCount(); ++j) segments.push_back(&curve_.samples(j));
-  return samplesToJs(mesh_, segments);
+  TracedLine line;
+  for (int j = 0; j < curve_.segmentCount(); ++j) line.samples.push_back(&curve_.samples(j));
+  return viewToJs(mesh_, line, {});
 }
 
-val ComparedCurveHandle::path() const {
-  CurvePath line;
+val ComparedCurveHandle::joined() const {
+  TracedLine line;
+  Array<JoinedPath> paths;
   for (int j = 0; j < curve_.segmentCount(); ++j) {
     if (curve_.samples(j).empty()) continue;
-    appendSegment(mesh_, joinSamples(mesh_.surface(), curve_.samples(j)), line);
+    paths.push_back(joinSamples(mesh_.surface(), curve_.samples(j)));
   }
-  val result = val::object();
-  result.set("path", toJs(line.path));
-  result.set("unconverged", toJs(line.unconverged));
-  return result;
+  for (const JoinedPath& path : paths) line.paths.push_back(&path);
+  return viewToJs(mesh_, line, {.inDouble = true, .withPoints = true});
 }
 
 std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val& options,

@@ -32,10 +32,10 @@ class ComparedCurveHandle {
   void startAt(const val& point);
   bool advance(int samples) { return curve_.advance(samples); }
   int samplesLeft() const { return curve_.samplesLeft(); }
+  /// The view (view.h) of the samples alone.
   val samples() const;
-  /// {path, unconverged}: the samples of each segment, joined by geodesics, and per vertex
-  /// whether the sample that it leads to is not converged.
-  val path() const;
+  /// That of the path: the samples of each segment, joined by geodesics.
+  val joined() const;
 
  private:
   MeshHandle& mesh_;

@@ -22,7 +22,7 @@ EMSCRIPTEN_BINDINGS(karcher_peers) {
       .function("advance", &Guarded<&ComparedCurveHandle::advance>::call)
       .function("samplesLeft", &Guarded<&ComparedCurveHandle::samplesLeft>::call)
       .function("samples", &Guarded<&ComparedCurveHandle::samples>::call)
-      .function("path", &Guarded<&ComparedCurveHandle::path>::call);
+      .function("joined", &Guarded<&ComparedCurveHandle::joined>::call);
   class_<BenchmarkHandle>("Benchmark")
       .function("prepare", &Guarded<&BenchmarkHandle::prepare>::call)
       .function("edgeDijkstra", &Guarded<&BenchmarkHandle::edgeDijkstra>::call)

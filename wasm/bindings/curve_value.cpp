@@ -1,8 +1,18 @@
-#include "bindings/curve_shape.h"
+#include "bindings/curve_value.h"
 
+#include <utility>
+
+#include "bindings/field_options.h"
 #include "mesh/error.h"
 
 namespace karcher::bindings {
+
+CurveKind curveKind(const std::string& name) {
+  for (const CurveKind kind : kCurveKinds) {
+    if (name == curveKindName(kind)) return kind;
+  }
+  throw Error(ErrorCode::kBadArgument, "there is no kind of curve '" + name + "'");
+}
 
 namespace {
 
@@ -19,16 +29,7 @@ val plain(const CurveShape& shape) {
   return result;
 }
 
-}  // namespace
-
-CurveKind curveKind(const std::string& name) {
-  for (const CurveKind kind : kCurveKinds) {
-    if (name == curveKindName(kind)) return kind;
-  }
-  throw Error(ErrorCode::kBadArgument, "there is no kind of curve '" + name + "'");
-}
-
-CurveShape curveShapeFromJs(const val& shape) {
+CurveShape shapeFromJs(const val& shape) {
   CurveShape result;
   result.kind = curveKind(shape["kind"].as<std::string>());
   result.closed = shape["closed"].as<bool>();
@@ -48,12 +49,16 @@ CurveShape curveShapeFromJs(const val& shape) {
   return result;
 }
 
-val toJs(const CurveShape& shape, int points) {
-  CurveShape full = shape;
-  full.knots = shape.kind == CurveKind::kBSpline ? knotsOf(shape, points) : Array<double>();
-  full.weights.resize(static_cast<size_t>(points), 1);
-  full.betas.resize(static_cast<size_t>(points), 1);
-  return plain(full);
+}  // namespace
+
+CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value) {
+  const val sampling = value["sampling"];
+  CurveOptions options{
+      shapeFromJs(value["shape"]), sampling["samples"].as<int>(),
+      fieldOptionsFromJs(value["field"]), sampling["tolerance"].as<double>(),
+      sampling["exact"].as<bool>() ? CurveGeometry::kExact : CurveGeometry::kGeodesic};
+  options.levels = sampling["levels"].as<int>();
+  return {std::move(options), pointsFromJs(mesh.numbering(), mesh.mesh(), value["points"]), {}};
 }
 
 val toJs(const Numbering& numbering, const CurveParts& parts) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "bindings/mesh_handle.h"
+#include "curves/refine/refine.h"
+
+namespace karcher::bindings {
+
+CurveKind curveKind(const std::string& name);
+
+/// {points, shape, sampling, field}: the points one after the other, `shape` {kind, closed, degree,
+/// clamped, knots, weights, betas, centripetal, basis} with the numbers as Float64Arrays, empty
+/// where there are none, and `basis` a function of the number of points and t that gives a
+/// Float64Array, or undefined; `sampling` {samples, tolerance, exact, levels}, `field` as for
+/// `fieldOptionsFromJs`.
+CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value);
+
+/// {points} with the shape's properties, but for the basis.
+val toJs(const Numbering& numbering, const CurveParts& parts);
+
+}  // namespace karcher::bindings

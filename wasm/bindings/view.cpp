@@ -1,0 +1,95 @@
+#include "bindings/view.h"
+
+#include <cstring>
+
+#include "bindings/path.h"
+
+namespace karcher::bindings {
+namespace {
+
+/// The vertices of the path, and for each whether its piece is no center of mass.
+struct Vertices {
+  Path path;
+  Array<uint8_t> unconverged;
+};
+
+Vertices verticesOf(const MeshHandle& mesh, const TracedLine& line) {
+  Vertices result;
+  for (const JoinedPath* segment : line.paths) {
+    const Array<int> kept =
+        append(result.path, mesh.numbering(), mesh.mesh(), segment->points, segment->length);
+    for (const int i : kept) result.unconverged.push_back(segment->unconverged[i]);
+  }
+  return result;
+}
+
+template <class Number>
+void put(Array<uint8_t>& bytes, const std::vector<Number>& numbers) {
+  const size_t at = bytes.size();
+  bytes.resize(at + numbers.size() * sizeof(Number));
+  if (!numbers.empty()) std::memcpy(&bytes[at], numbers.data(), numbers.size() * sizeof(Number));
+}
+
+template <class... Arrays>
+void putAll(Array<uint8_t>& bytes, const Arrays&... arrays) {
+  (put(bytes, arrays), ...);
+}
+
+}  // namespace
+
+ViewOptions viewOptionsFromJs(const val& options) {
+  return {options["inDouble"].as<bool>(), options["withPoints"].as<bool>()};
+}
+
+val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& options) {
+  Array<double> t;
+  Array<double> bary;
+  Array<double> positions;
+  Array<int> segments;
+  Array<int> faces;
+  Array<uint8_t> statuses;
+  for (int j = 0; j < line.samples.count(); ++j) {
+    for (const CurveSample& sample : *line.samples[j]) {
+      t.push_back(sample.t);
+      append(bary, sample.point.bary);
+      append(positions, position(mesh.mesh(), sample.point));
+      segments.push_back(j);
+      faces.push_back(mesh.numbering().inputFace[sample.point.face]);
+      statuses.push_back(static_cast<uint8_t>(sample.status));
+    }
+  }
+  Array<double> from;
+  Array<double> to;
+  Array<int> bridged;
+  Array<uint8_t> reasons;
+  for (int j = 0; j < line.bridges.count(); ++j) {
+    for (const Bridge& bridge : *line.bridges[j]) {
+      from.push_back(bridge.t0);
+      to.push_back(bridge.t1);
+      bridged.push_back(j);
+      reasons.push_back(static_cast<uint8_t>(bridge.reason));
+    }
+  }
+  const Vertices vertices = verticesOf(mesh, line);
+  const Path& path = vertices.path;
+  const auto count = [](const auto& array) { return static_cast<double>(array.size()); };
+
+  Array<uint8_t> bytes;
+  put(bytes, std::vector<double>{count(path.lengths), count(t), count(from), count(line.knots),
+                                 count(line.times), count(line.samples), path.length,
+                                 line.closed ? 1.0 : 0.0, static_cast<double>(line.levels),
+                                 options.inDouble ? 1.0 : 0.0, options.withPoints ? 1.0 : 0.0});
+  putAll(bytes, line.times, line.knots, t, bary, positions, from, to, path.lengths);
+  if (options.withPoints) put(bytes, path.bary);
+  if (options.inDouble) {
+    put(bytes, path.positions);
+  } else {
+    put(bytes, std::vector<float>(path.positions.begin(), path.positions.end()));
+  }
+  putAll(bytes, segments, faces, bridged);
+  if (options.withPoints) put(bytes, path.faces);
+  putAll(bytes, vertices.unconverged, statuses, reasons);
+  return toJs(bytes);
+}
+
+}  // namespace karcher::bindings

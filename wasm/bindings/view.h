@@ -1,0 +1,31 @@
+#pragma once
+
+#include "bindings/mesh_handle.h"
+#include "curves/trace/joined_path.h"
+
+namespace karcher::bindings {
+
+/// What is traced, segment by segment. Paths are left out where they are not wanted.
+struct TracedLine {
+  bool closed = false;
+  int levels = 0;
+  Array<const Array<CurveSample>*> samples;
+  Array<const Array<Bridge>*> bridges;
+  Array<const JoinedPath*> paths;
+  Array<double> knots;
+  /// The stages of the last edit, in milliseconds.
+  Array<double> times;
+};
+
+struct ViewOptions {
+  bool inDouble = false;    ///< positions along the path in 64 bits
+  bool withPoints = false;  ///< the path's faces and weights, too
+};
+
+/// The options of {inDouble, withPoints}.
+ViewOptions viewOptionsFromJs(const val& options);
+
+/// All of it as one Uint8Array, which wasm/view.ts reads: numbers of 64, of 32 and of 8 bits.
+val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& options);
+
+}  // namespace karcher::bindings

@@ -1,0 +1,110 @@
+import { Path } from './path.js';
+import type { BridgedInterval, CurveSamples, CurveTimes, Status } from './types.js';
+
+/** What a view is read from: the engine's bytes (bindings/view.h), and the names of its statuses. */
+export interface ViewData {
+  bytes: Uint8Array;
+  statusNames: readonly Status[];
+}
+
+/**
+ * What is seen of a curve: all arrays lie in one buffer, which is the caller's to keep or transfer.
+ */
+export class CurveView {
+  /** x, y, z of the path's points, in 32 or 64 bits as the view was asked for. */
+  readonly polyline: Float32Array | Float64Array;
+  /** A number for each point of the path: 1 where the piece that leads to it is no center of mass. */
+  readonly unconverged: Uint8Array;
+  /** The length from the start to each point of the path. */
+  readonly lengths: Float64Array;
+  readonly length: number;
+  readonly samples: CurveSamples;
+  /** Where and why the curve is no center of mass. */
+  readonly bridged: BridgedInterval[];
+  /** A B-spline's knots; of other kinds none. */
+  readonly knots: Float64Array;
+  readonly segmentCount: number;
+  /** How many levels the curve has, also where `levels` leaves that to it. */
+  readonly levels: number;
+  /** How long the last edit took, or the making of the curve. */
+  readonly times: CurveTimes;
+  readonly #data: ViewData;
+  readonly #closed: boolean;
+  readonly #points: { face: Int32Array; bary: Float64Array } | undefined;
+
+  /** @internal Curves give views. */
+  constructor(data: ViewData) {
+    const { bytes, statusNames } = data;
+    const read = new Reader(bytes);
+    const [vertices, count, bridges, knots, stages, segments, length, closed, levels, ...has] =
+      read.doubles(11);
+    const [double, points] = has;
+    const [polygon, fields, trace, bridge, join] = read.doubles(stages!);
+    this.knots = read.doubles(knots!);
+    const t = read.doubles(count!);
+    const bary = read.doubles(3 * count!);
+    const position = read.doubles(3 * count!);
+    const [from, to] = [read.doubles(bridges!), read.doubles(bridges!)];
+    this.lengths = read.doubles(vertices!);
+    const pathBary = points ? read.doubles(3 * vertices!) : undefined;
+    this.polyline = double ? read.doubles(3 * vertices!) : read.floats(3 * vertices!);
+    const [segment, face] = [read.integers(count!), read.integers(count!)];
+    const bridgedSegments = read.integers(bridges!);
+    if (pathBary) this.#points = { face: read.integers(vertices!), bary: pathBary };
+    this.unconverged = read.bytes(vertices!);
+    const status = Array.from(read.bytes(count!), (code) => statusNames[code]!);
+    const reasons = read.bytes(bridges!);
+    this.length = length!;
+    this.segmentCount = segments!;
+    this.levels = levels!;
+    this.times = {
+      polygon: polygon!,
+      fields: fields!,
+      trace: trace!,
+      bridge: bridge!,
+      join: join!,
+    };
+    this.samples = { count: count!, segment, t, face, bary, position, status };
+    this.bridged = Array.from(bridgedSegments, (number, i) => ({
+      segment: number,
+      t0: from[i]!,
+      t1: to[i]!,
+      reason: statusNames[reasons[i]!]!,
+    }));
+    this.#closed = closed === 1;
+    this.#data = data;
+  }
+
+  /** @internal What it is read from. */
+  data(): ViewData {
+    return this.#data;
+  }
+
+  /** @internal Of a view of 64 bits with points. */
+  path(): Path {
+    const position = this.polyline as Float64Array;
+    const { length, lengths } = this;
+    return new Path({ closed: this.#closed, length, lengths, position, ...this.#points! });
+  }
+}
+
+/** Reads arrays one after the other, those of wide numbers first. */
+class Reader {
+  readonly #bytes: Uint8Array;
+  #at = 0;
+
+  constructor(bytes: Uint8Array) {
+    this.#bytes = bytes;
+  }
+
+  doubles = (count: number) => new Float64Array(this.#bytes.buffer, this.#next(8 * count), count);
+  floats = (count: number) => new Float32Array(this.#bytes.buffer, this.#next(4 * count), count);
+  integers = (count: number) => new Int32Array(this.#bytes.buffer, this.#next(4 * count), count);
+  bytes = (count: number) => new Uint8Array(this.#bytes.buffer, this.#next(count), count);
+
+  #next(bytes: number): number {
+    const start = this.#bytes.byteOffset + this.#at;
+    this.#at += bytes;
+    return start;
+  }
+}

@@ -1,0 +1,36 @@
+/** What the engine gives, as the page draws it. */
+import type { Circle, CurvePoints, CurveView } from 'karcher';
+import { lostIntervals } from '../model/lost';
+import type { TracedCurve } from '../model/traced';
+
+export function tracedCurve(view: CurveView, marks: CurvePoints | null): TracedCurve {
+  const { samples, bridged, knots, levels, length, times } = view;
+  return {
+    polyline: view.polyline as Float32Array,
+    polylineStatus: view.unconverged,
+    samples,
+    lost: lostIntervals(samples, bridged),
+    knots,
+    levels,
+    marks,
+    arcsNotShortest: 0,
+    length,
+    milliseconds: Object.values(times).reduce((sum, time) => sum + time, 0),
+  };
+}
+
+export function tracedCircle(circle: Circle, milliseconds: () => number): TracedCurve {
+  const { path, unconverged, samples, bridged, notShortest } = circle;
+  return {
+    polyline: path.polyline(),
+    polylineStatus: unconverged,
+    samples,
+    lost: lostIntervals(samples, bridged),
+    knots: new Float64Array(),
+    levels: 0,
+    marks: null,
+    arcsNotShortest: notShortest.length,
+    length: path.length,
+    milliseconds: milliseconds(),
+  };
+}
