@@ -41,7 +41,10 @@ class JumpSearch {
   /// Whether the way from one converged sample to the next breaks in either direction, and how.
   /// `middle`: the weights in the middle of it, or none.
   std::optional<Status> run(const CurveSample& from, const CurveSample& to, Weights middle) {
-    if (!middle.empty() && staysInCell(from.point, to.point, middle)) return std::nullopt;
+    if (!middle.empty() && (staysInCell(from.point, to.point, middle) ||
+                            crossesAnEdge(from.point, to.point, middle))) {
+      return std::nullopt;
+    }
     const std::optional<Status> reason = follow(from, to, false);
     return reason ? reason : follow(from, to, true);
   }
@@ -65,7 +68,10 @@ class JumpSearch {
       }
       const double t = (step.from.t + step.to.t) / 2;
       const Array<double> weights = basis_(t);
-      if (staysInCell(step.from.point, step.to.point, weights)) continue;
+      if (staysInCell(step.from.point, step.to.point, weights) ||
+          crossesAnEdge(step.from.point, step.to.point, weights)) {
+        continue;
+      }
       const SurfacePoint& start = backwards ? step.to.point : step.from.point;
       const CenterOfMass center = findCenter(fields_, weights, start, method_);
       if (center.status != Status::kConverged) return center.status;
@@ -112,6 +118,60 @@ class JumpSearch {
     if (!fields_.findZero(cell, middleWeights, zero)) return false;
     if (!isTheOnlyZero(zero, std::min(least.minCoeff(), zero.depth()) / 2)) return false;
     return length(zero.bary - (a + b) / 2) < margin;
+  }
+
+  /// From one face into the next over the edge between them: where the zeros of both faces' fields
+  /// in the middle lie side by side, between the ends of the step and away from the other edges,
+  /// the zero passes from one to the other without a jump.
+  bool crossesAnEdge(const SurfacePoint& from, const SurfacePoint& to,
+                     Weights middleWeights) const {
+    if (fields_.cells().cut() || from.face == to.face) return false;
+    int h = 3 * from.face;
+    const int end = h + 3;
+    while (h < end && (mesh_.twin[h] < 0 || faceOf(mesh_.twin[h]) != to.face)) ++h;
+    if (h == end) return false;
+    const int twin = mesh_.twin[h];
+    const Vec2 a = besideEdge(h, from.bary);
+    const Vec2 b = acrossEdge(twin, to.bary);
+    const double margin = kEdgeMargin * (b - a).norm();
+    CellZero zeroA;
+    CellZero zeroB;
+    if (keptOff(h, from.bary) < margin || keptOff(twin, to.bary) < margin ||
+        !fields_.findZero(from.face, middleWeights, zeroA) ||
+        !fields_.findZero(to.face, middleWeights, zeroB)) {
+      return false;
+    }
+    const Vec2 middleA = besideEdge(h, zeroA.bary);
+    const Vec2 middleB = acrossEdge(twin, zeroB.bary);
+    return (middleA - middleB).norm() <= longest_ / 4 && (middleA - (a + b) / 2).norm() < margin &&
+           (middleB - (a + b) / 2).norm() < margin && keptOff(h, zeroA.bary) >= margin &&
+           keptOff(twin, zeroB.bary) >= margin && isAlone(h, zeroA) && isAlone(twin, zeroB);
+  }
+
+  /// A point of a half-edge's face, which may lie beyond it, with the half-edge as x axis.
+  Vec2 besideEdge(int h, const Vec3& bary) const {
+    const int face = faceOf(h);
+    return rotateBack(
+        halfedgeInFace(geometry_, h).normalized(),
+        pointInFace(geometry_, {face, bary}) - cornerInFace(geometry_, face, cornerOf(h)));
+  }
+
+  /// The same in the frame of the half-edge's twin.
+  Vec2 acrossEdge(int h, const Vec3& bary) const {
+    return Vec2(geometry_.edgeLength[h], 0) - besideEdge(h, bary);
+  }
+
+  /// How far a point of a half-edge's face lies from the lines of the other two edges.
+  double keptOff(int h, const Vec3& bary) const {
+    const double area = doubleArea(geometry_, faceOf(h));
+    const int edges[] = {next(h), previous(h)};
+    return std::min(bary[cornerOf(h)] * area / geometry_.edgeLength[edges[0]],
+                    bary[cornerOf(next(h))] * area / geometry_.edgeLength[edges[1]]);
+  }
+
+  /// Whether no face over the other two edges can have a zero as well.
+  static bool isAlone(int h, const CellZero& zero) {
+    return isTheOnlyZero(zero, std::min(zero.bary[cornerOf(h)], zero.bary[cornerOf(next(h))]) / 2);
   }
 
   /// Of a difference of barycentric weights.
