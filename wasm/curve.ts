@@ -1,4 +1,4 @@
-import { checkBoolean, checkInteger, checkNumber, toVector } from './check.js';
+import { checkBoolean, checkInteger, checkNumber, checkOptions, toVector } from './check.js';
 import { checkKind, engineValue, givenNumbers, OwnBasis, optionsOfParts } from './curve_options.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
@@ -8,12 +8,14 @@ import type {
   EngineMesh,
   EngineViewOptions,
 } from './karcher-engine.mjs';
-import type { Path } from './path.js';
+import { namesOf } from './options.js';
+import { Path } from './path.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { inDouble } from './polyline.js';
 import type {
   BridgedInterval,
   CurveKind,
+  CurveLeg,
   CurveOptions,
   CurvePoint,
   CurvePoints,
@@ -24,6 +26,7 @@ import type {
   Parametrization,
   PointLike,
   PolylineOptions,
+  SetOptions,
   SurfacePoint,
   VectorLike,
 } from './types.js';
@@ -34,6 +37,20 @@ export interface CurveOwner {
   make(options: CurveOptions): Curve;
   /** Called when a curve is disposed of. */
   forget(curve: Curve): void;
+}
+
+const setOptionNames = namesOf<SetOptions>({ bits: true, dragged: true });
+
+/** To the engine: no point is dragged. */
+const noPoint = -1;
+
+function checkPointNumber(i: number): number {
+  const index = checkInteger(i, 'the number of the dragged point');
+  if (index >= 0) return index;
+  throw new KarcherError(
+    'badIndex',
+    `there is no control point ${index}: they are numbered from 0`,
+  );
 }
 
 /** What costs nothing to tell. */
@@ -89,15 +106,18 @@ export class Curve {
    * points that stay, and the segments that the same points and numbers make; so this is what all
    * edits come to. Throws as `Mesh.curve` does.
    */
-  set(value: CurveOptions, options: PolylineOptions = {}): CurveView {
+  set(value: CurveOptions, options: SetOptions = {}): CurveView {
+    checkOptions(options, setOptionNames);
+    const { dragged, ...polyline } = options;
+    const point = dragged === undefined ? noPoint : checkPointNumber(dragged);
     const basis =
       value.basis === undefined || value.basis === this.#options.basis
         ? this.#basis
         : new OwnBasis(value.basis);
     const next = engineValue(value, value.basis && basis);
-    const wanted = { inDouble: inDouble(options), withPoints: false };
+    const wanted = { inDouble: inDouble(polyline), withPoints: false };
     const copy = { ...value };
-    const set = () => this.#handle.call((curve) => curve.set(next, wanted));
+    const set = () => this.#handle.call((curve) => curve.set(next, point, wanted));
     const bytes = basis ? basis.guard(set) : set();
     this.#options = copy;
     if (value.basis !== undefined) this.#basis = basis;
@@ -122,6 +142,14 @@ export class Curve {
   /** Where and why the curve is no center of mass. */
   bridged(): BridgedInterval[] {
     return this.view().bridged;
+  }
+
+  /** The legs of the control polygon as they lie on the surface. */
+  legs(): CurveLeg[] {
+    return this.#call((curve) => curve.legs()).map(({ path, shorter }) => ({
+      path: new Path(path),
+      ...(shorter && { shorter: new Path(shorter) }),
+    }));
   }
 
   /** The samples, joined on the surface as `geometry` says. */
@@ -211,8 +239,8 @@ export class Curve {
   /**
    * Moves control point `i` as a hand does: the legs of the control polygon that meet at it are
    * continued from where they lie, whether or not they stay the shortest, so that the curve moves
-   * with the point. They stay so until a point at one of their ends is moved otherwise; they are no
-   * part of the curve's value.
+   * with the point. They stay so until a point at one of their ends is moved otherwise, and are part
+   * of the curve's value.
    */
   dragPoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');

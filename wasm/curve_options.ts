@@ -1,4 +1,5 @@
 import {
+  checkArray,
   checkBoolean,
   checkFunction,
   checkInteger,
@@ -132,7 +133,7 @@ function checkOwnOptions(options: CurveOptions): void {
 
 /** The options that make a curve of the engine's parts: what its kind has a use for. */
 export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
-  const { kind, closed, degree, clamped, centripetal, points } = parts;
+  const { kind, closed, degree, clamped, centripetal, points, legs = [] } = parts;
   const given = <Name extends string>(name: Name, values: Float64Array) =>
     (values.length > 0 ? { [name]: values } : {}) as { [key in Name]?: Float64Array };
   return {
@@ -148,6 +149,9 @@ export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
     ...((kind === 'bspline' || kind === 'rational') && given('weights', parts.weights)),
     ...(kind === 'barycentric' && given('betas', parts.betas)),
     points: toSurfacePoints(points),
+    ...(legs.some((leg) => leg.length > 0) && {
+      legs: legs.map((leg) => (leg.length > 0 ? toSurfacePoints(leg) : null)),
+    }),
   };
 }
 
@@ -156,8 +160,14 @@ export function engineValue(options: CurveOptions, basis: OwnBasis | undefined):
   const shape = engineShape(options, basis);
   const sampling = engineSampling(options);
   const field = engineFieldOptions(options);
-  return { points: wirePoints(options.points), shape, sampling, field };
+  const { points, legs = [] } = options;
+  return { points: wirePoints(points), legs: wireLegs(legs), shape, sampling, field };
 }
+
+const wireLegs = (legs: unknown): Float64Array[] =>
+  Array.from(checkArray(legs, 'the legs'), (leg, i) =>
+    leg === null ? new Float64Array() : wirePoints(leg, `the points of leg ${i}`),
+  );
 
 /** Numbers of which there are some: the engine takes none for what a curve has by default. */
 export function givenNumbers(values: ArrayLike<number>, what: string): Float64Array {

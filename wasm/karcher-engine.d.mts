@@ -94,6 +94,8 @@ export interface EngineMesh {
 /** A curve as it is given. */
 export interface EngineCurveValue {
   points: Float64Array;
+  /** The points that each leg goes through, none for the shortest; none at all where all are. */
+  legs: Float64Array[];
   shape: EngineCurveShape;
   sampling: EngineSampling;
   field: EngineFieldOptions;
@@ -126,6 +128,8 @@ export interface EngineCurveShape {
 /** A curve as data. */
 export interface EngineCurveParts extends EngineCurveShape {
   points: Float64Array;
+  /** Of a curve's value, as in `EngineCurveValue`. */
+  legs?: Float64Array[];
 }
 
 export interface EngineCurvePoint {
@@ -169,11 +173,12 @@ export interface EngineMean {
 /** Each edit makes it another curve, whole, or fails and changes nothing. */
 export interface EngineCurve {
   delete(): void;
-  /** Makes it the curve of a value: its view (view.ts). */
-  set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
+  /** Makes it the curve of a value: its view (view.ts). The legs of point `dragged` are continued. */
+  set(value: EngineCurveValue, dragged: number, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;
   /** What it is; arrays are empty where there are none. */
   value(): EngineCurveParts;
+  legs(): { path: EnginePath; shorter?: EnginePath }[];
   movePoint(i: number, point: Float64Array): void;
   /** The same, with its legs continued from where they lie. */
   dragPoint(i: number, point: Float64Array): void;

@@ -30,6 +30,7 @@ export const curveOptionNames = namesOf<CurveOptions>({
   ...field,
   kind: true,
   points: true,
+  legs: true,
   samples: true,
   tolerance: true,
   geometry: true,

@@ -6,8 +6,8 @@ export const wirePoint = (point: PointLike, what = 'the point'): Float64Array =>
   checkPointLike(point, what);
 
 /** Points one after the other, four numbers each. */
-export function wirePoints(points: unknown): Float64Array {
-  const array = checkArray(points, 'the points');
+export function wirePoints(points: unknown, what = 'the points'): Float64Array {
+  const array = checkArray(points, what);
   const all = new Float64Array(4 * array.length);
   for (let i = 0; i < array.length; i++) {
     all.set(checkPointLike(array[i], `point ${i}`), 4 * i);

@@ -184,9 +184,19 @@ export type CurveGeometry = 'geodesic' | 'exact';
 
 export type CurveLevels = number | 'auto' | 'limit';
 
+/** The points that a leg of a control polygon goes through; null for the shortest path. */
+export type LegPoints = readonly PointLike[] | null;
+
 export interface CurveOptions extends FieldOptions {
   kind: CurveKind;
   points: PointLike[];
+  /**
+   * The legs of the control polygon, from each point to the next, of a closed curve also from the
+   * last to the first: each is the shortest path, or the one that goes the way of a few points and is
+   * pulled tight. Curves with levels follow them, and polylines are made of them. All the shortest by
+   * default.
+   */
+  legs?: readonly LegPoints[];
   /**
    * Samples a segment at t = i / (samples - 1), both ends included; 2 to 100,000. 128 by default.
    * `adaptive`: as many as the tolerance needs.
@@ -236,6 +246,21 @@ export interface CurveOptions extends FieldOptions {
   parametrization?: Parametrization;
   /** Of the kind `custom`. */
   basis?: CurveBasis;
+}
+
+/** A leg of a curve's control polygon. */
+export interface CurveLeg {
+  path: Path;
+  /** A shorter path between its ends, where the leg is not the shortest. */
+  shorter?: Path;
+}
+
+export interface SetOptions extends PolylineOptions {
+  /**
+   * The number of a control point that is dragged: where the value gives no legs there, they are
+   * continued from where they lie in the curve that it was, whether or not they stay the shortest.
+   */
+  dragged?: number;
 }
 
 /** A place on a curve. */

@@ -21,6 +21,8 @@ export class CurveView {
   readonly samples: CurveSamples;
   /** Where and why the curve is no center of mass. */
   readonly bridged: BridgedInterval[];
+  /** x, y, z of the points of each leg of the control polygon, where the curve has a use for them. */
+  readonly legs: readonly (Float32Array | Float64Array)[];
   /** A B-spline's knots; of other kinds none. */
   readonly knots: Float64Array;
   readonly segmentCount: number;
@@ -37,8 +39,8 @@ export class CurveView {
     const { bytes, statusNames } = data;
     const read = new Reader(bytes);
     const [vertices, count, bridges, knots, stages, segments, length, closed, levels, ...has] =
-      read.doubles(11);
-    const [double, points] = has;
+      read.doubles(13);
+    const [double, points, legs, legPoints] = has;
     const [polygon, fields, trace, bridge, join] = read.doubles(stages!);
     this.knots = read.doubles(knots!);
     const t = read.doubles(count!);
@@ -47,9 +49,17 @@ export class CurveView {
     const [from, to] = [read.doubles(bridges!), read.doubles(bridges!)];
     this.lengths = read.doubles(vertices!);
     const pathBary = points ? read.doubles(3 * vertices!) : undefined;
-    this.polyline = double ? read.doubles(3 * vertices!) : read.floats(3 * vertices!);
+    const places = (of: number) => (double ? read.doubles(3 * of) : read.floats(3 * of));
+    this.polyline = places(vertices!);
+    const legPlaces = places(legPoints!);
     const [segment, face] = [read.integers(count!), read.integers(count!)];
     const bridgedSegments = read.integers(bridges!);
+    let start = 0;
+    this.legs = Array.from(read.integers(legs!), (points) => {
+      const leg = legPlaces.subarray(3 * start, 3 * (start + points));
+      start += points;
+      return leg;
+    });
     if (pathBary) this.#points = { face: read.integers(vertices!), bary: pathBary };
     this.unconverged = read.bytes(vertices!);
     const status = Array.from(read.bytes(count!), (code) => statusNames[code]!);

@@ -42,6 +42,10 @@ export async function start(): Promise<void> {
   const stage = byId('stage');
   const viewer = new Viewer(stage, byId<HTMLCanvasElement>('canvas'), { antialias });
   const edits = new CurveEdits(editor, session);
+  const shorten = (index: number) => {
+    const shorter = session.view.shorter[index];
+    if (shorter) editor.takeShortest(shorter.index);
+  };
   const measure = new Measure(session);
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
     surfaceClicked: (point) => edits.append(point),
@@ -49,15 +53,21 @@ export async function start(): Promise<void> {
       edits.atCurve(tool, viewer.surface!.fromScene(position), within),
     curveMeasured: (position) => measure.at(viewer.surface!.fromScene(position)),
     otherClicked: (tool, index) => edits.atOther(tool, index),
+    shorterClicked: (index) => shorten(index),
   });
   const remove = () => gestures.keepFocus(() => edits.removeSelected());
   const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));
-  const status = new Status(editor, { remove, goToLost: () => lostPanel.goToNext() });
+  const status = new Status(editor, {
+    remove,
+    goToLost: () => lostPanel.goToNext(),
+    shorten: () => shorten(0),
+  });
   session.onView = (view) => {
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);
     viewer.showOthers(view.others);
+    viewer.showShorter(view.shorter.map(({ polyline }) => polyline));
     viewer.showMarks(view.curve?.marks?.position ?? []);
     gestures.show();
     curvePanel.show(editor.state, view);
@@ -70,6 +80,7 @@ export async function start(): Promise<void> {
     gestures.showMeasured(measured?.position ?? null);
     status.showMeasured(measured, editor.state, session.view);
   };
+  session.onLegs = (document, dragged, legs) => editor.keepLegs(document, dragged, legs);
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);
 

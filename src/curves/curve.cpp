@@ -37,6 +37,10 @@ bool mayHaveLevels(const CurveOptions& options) {
          takesLevels(options.shape.kind);
 }
 
+bool usesLegs(const CurveOptions& options) {
+  return options.shape.kind == CurveKind::kPolyline || mayHaveLevels(options);
+}
+
 void checkOptions(const CurveOptions& options) {
   checkFieldOptions(options.field);
   if (options.samples < 2 || options.samples > kMostSamples) {
@@ -165,21 +169,34 @@ const Array<SurfacePath>& Curve::legs() {
   return legs_;
 }
 
-CurveValue Curve::withPointDragged(int i, const SurfacePoint& point) {
-  CurveValue dragged = withPointAt(value_, i, point);
+const Array<SurfacePath>& Curve::usedLegs() const {
+  static const Array<SurfacePath> kNone;
+  return usesLegs(options()) ? legs_ : kNone;
+}
+
+CurveValue Curve::withLegsContinued(CurveValue value, int i) {
+  const int points = value.points.count();
+  checkIndex(value, i);
+  if (!usesLegs(value.options)) return value;
   const Array<SurfacePath>& before = legs();
-  const int count = before.count();
-  dragged.legs = before;
+  const int count = legCount(value.options.shape, points);
+  value.legs.resize(static_cast<size_t>(count));
   StripWorkspace workspace;
   const auto drag = [&](int leg, bool isStart) {
-    SurfacePath& path = dragged.legs[leg];
-    const bool goesOn = isStart ? moveStart(surface().geometry(), point, path, workspace)
-                                : moveEnd(surface().geometry(), point, path, workspace);
+    SurfacePath& path = value.legs[leg];
+    if (!path.points.empty() || leg >= before.count()) return;
+    const SurfacePoint& other = value.points[isStart ? (i + 1) % points : leg];
+    if (!isSame(isStart ? before[leg].end() : before[leg].start(), other)) return;
+    path = before[leg];
+    const Geometry& geometry = surface().geometry();
+    const bool goesOn = isStart ? moveStart(geometry, value.points[i], path, workspace)
+                                : moveEnd(geometry, value.points[i], path, workspace);
     if (!goesOn) path = {};
   };
-  if (shape().closed || i > 0) drag((i + count - 1) % count, false);
-  if (shape().closed || i < count) drag(i, true);
-  return dragged;
+  const bool isClosed = value.options.shape.closed;
+  if (isClosed || i > 0) drag((i + points - 1) % points, false);
+  if (isClosed || i < count) drag(i, true);
+  return value;
 }
 
 Array<PointField*> Curve::fieldsOf(int segment, int k) {

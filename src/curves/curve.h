@@ -80,14 +80,21 @@ class Curve {
   /// Traces all pieces again with the fields as they are: for measurements.
   void retrace();
 
-  /// The value with control point `i` dragged to a point: its legs are continued from where they
-  /// lie, whether or not they stay the shortest. For a point that lies so far off that a leg cannot
-  /// be continued, that leg is the shortest.
-  CurveValue withPointDragged(int i, const SurfacePoint& point);
+  /// A value of this curve with control point `i` elsewhere, as a hand drags it: the legs that meet
+  /// there, where the value gives none, are continued from where they lie in this curve, whether or
+  /// not they stay the shortest. A leg whose other end has moved too, or whose end lies so far off
+  /// that it cannot be continued, is the shortest. Throws Error kBadIndex.
+  CurveValue withLegsContinued(CurveValue value, int i);
+  /// The same of this curve's own value with the point elsewhere.
+  CurveValue withPointDragged(int i, const SurfacePoint& point) {
+    return withLegsContinued(withPointAt(value_, i, point), i);
+  }
 
   const CurveValue& value() const { return value_; }
   /// The legs of the control polygon as they lie on the surface.
   const Array<SurfacePath>& legs();
+  /// The same where the curve has a use for them, else none.
+  const Array<SurfacePath>& usedLegs() const;
   /// How many levels there are, also where the options leave it to the curve.
   int levels() const { return levels_; }
   /// Whether its points are centers of mass; else they lie on legs or are averages of two points.

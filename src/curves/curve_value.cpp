@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-void checkIndex(const CurveValue& value, int i, int count) {
+void checkIndexBelow(const CurveValue& value, int i, int count) {
   if (i >= 0 && i < count) return;
   throw Error(ErrorCode::kBadIndex, "there is no control point " + std::to_string(i) +
                                         ": the curve has " + std::to_string(value.points.count()) +
@@ -55,13 +55,15 @@ CurveValue changed(CurveValue value, const Change& change) {
 
 }  // namespace
 
+void checkIndex(const CurveValue& value, int i) { checkIndexBelow(value, i, value.points.count()); }
+
 CurveValue withPointAt(CurveValue value, int i, const SurfacePoint& point) {
-  checkIndex(value, i, value.points.count());
+  checkIndex(value, i);
   return changed(std::move(value), [&](CurveValue& to) { to.points[i] = point; });
 }
 
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point) {
-  checkIndex(value, i, value.points.count() + 1);
+  checkIndexBelow(value, i, value.points.count() + 1);
   return changed(std::move(value), [&](CurveValue& to) {
     to.options.shape = withPoint(std::move(to.options.shape), i);
     to.points.insert(to.points.begin() + i, point);
@@ -69,7 +71,7 @@ CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point)
 }
 
 CurveValue withPointRemoved(CurveValue value, int i) {
-  checkIndex(value, i, value.points.count());
+  checkIndex(value, i);
   return changed(std::move(value), [&](CurveValue& to) {
     to.options.shape = withoutPoint(std::move(to.options.shape), to.points.count(), i);
     to.points.erase(to.points.begin() + i);
@@ -77,8 +79,8 @@ CurveValue withPointRemoved(CurveValue value, int i) {
 }
 
 CurveValue withPointMovedInOrder(CurveValue value, int from, int to) {
-  checkIndex(value, from, value.points.count());
-  checkIndex(value, to, value.points.count());
+  checkIndex(value, from);
+  checkIndex(value, to);
   return changed(std::move(value), [&](CurveValue& moved) {
     moved.options.shape = withPointMoved(std::move(moved.options.shape), from, to);
     moveEntry(moved.points, from, to);
@@ -104,13 +106,13 @@ CurveValue withClosed(CurveValue value, bool closed) {
 }
 
 CurveValue withWeight(CurveValue value, int i, double weight) {
-  checkIndex(value, i, value.points.count());
+  checkIndex(value, i);
   value.options.shape = withWeight(std::move(value.options.shape), value.points.count(), i, weight);
   return value;
 }
 
 CurveValue withBeta(CurveValue value, int i, double beta) {
-  checkIndex(value, i, value.points.count());
+  checkIndex(value, i);
   value.options.shape = withBeta(std::move(value.options.shape), value.points.count(), i, beta);
   return value;
 }

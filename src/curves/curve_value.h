@@ -38,6 +38,9 @@ struct CurveValue {
   Array<SurfacePath> legs;
 };
 
+/// Throws Error kBadIndex for a control point that is not there.
+void checkIndex(const CurveValue& value, int i);
+
 // The value after an edit. Weights and betas go with their points, a new point's are 1; a caller's
 // own knots are kept as far as they can be (knots.h). A leg is kept where both its ends are still
 // neighbours, also in the other direction; others are the shortest. Each throws Error kBadIndex for

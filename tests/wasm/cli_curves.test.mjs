@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { load } from 'karcher';
-import { grid } from './meshes.mjs';
+import { grid, tube } from './meshes.mjs';
 import { failure, printed, temporaryFolder } from './run_cli.mjs';
 
 const folder = temporaryFolder();
@@ -107,6 +107,29 @@ test('edit prints a curve that trace reads', () => {
     // One curve of it is as good.
     expectSame(traced('--curve', fileOf(result.curves[0])), curve);
   }
+});
+
+test('legs are read from a curve, and printed with it', () => {
+  const [a, b, c, ...rest] = points;
+  const through = mesh.curve({ kind: 'polyline', points: [a, b, c], samples: 9 });
+  // On a plane every way is pulled tight to the same line: none is told.
+  const file = fileOf({ kind: 'polyline', points: [a, b, c], legs: [[rest[0]], null] });
+  expectSame(traced('--curve', file), through);
+  assert.equal(edited('--curve', file, '--reverse').curves[0].legs, undefined);
+  const cylinder = folder.write('tube.obj', tube(24, 6));
+  const ends = [0, 2 * 4].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
+  const around = {
+    kind: 'polyline',
+    points: ends,
+    legs: [[{ face: 2 * 14, bary: [0.2, 0.3, 0.5] }]],
+  };
+  const long = printed('trace', cylinder, '--curve', fileOf(around));
+  const short = printed('trace', cylinder, '--curve', fileOf({ ...around, legs: [null] }));
+  assert.ok(long.length > 4 * short.length, `${long.length}, ${short.length}`);
+  const [again] = printed('edit', cylinder, '--curve', fileOf(around), '--reverse').curves;
+  assert.equal(again.legs.length, 1);
+  const back = printed('trace', cylinder, '--curve', fileOf(again));
+  assert.ok(Math.abs(back.length - long.length) < 1e-9);
 });
 
 test('every kind comes back, with all that it has', () => {

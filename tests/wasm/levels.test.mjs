@@ -76,3 +76,69 @@ test('a dragged point takes its legs along, a moved one has the shortest', () =>
   assert.ok(shortest < walked / 2);
   mesh.dispose();
 });
+
+/** A curve whose last point was dragged so far round the torus that its leg is not the shortest. */
+function drawnOut(mesh, options) {
+  const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
+  const far = [1, 2].map((i) => mesh.surfacePoint(5 + 40 * i, [0.2, 0.3, 0.5]));
+  const curve = mesh.curve({ points: [...far, start, start], samples: 17, ...options });
+  for (let step = 1; step <= 50; step++) {
+    const { end } = mesh.straightest(start, [0, 0, 1], step * 0.05);
+    const value = curve.value();
+    const legs = value.legs?.toSpliced(-1, 1, null);
+    const next = { ...value, points: value.points.with(-1, end), ...(legs && { legs }) };
+    curve.set(next, { dragged: value.points.length - 1 });
+  }
+  return curve;
+}
+
+test('legs are part of the value: a few points tell them', () => {
+  const mesh = karcher.shape('torus', 2000);
+  for (const options of [{ kind: 'polyline' }, { kind: 'bezier', levels: 3 }]) {
+    const curve = drawnOut(mesh, options);
+    const { legs } = curve.value();
+    assert.deepEqual(legs.slice(0, 2), [null, null]);
+    assert.ok(legs[2].length >= 1 && legs[2].length <= 7, `${legs[2].length} points`);
+    // Written down and read again.
+    const again = mesh.curve(JSON.parse(JSON.stringify(curve.value())));
+    assert.ok(Math.abs(again.length - curve.length) < 1e-6 * curve.length);
+    const twice = mesh.curve(again.value());
+    assert.ok(Math.abs(twice.length - again.length) < 1e-9 * curve.length);
+    const [, , leg] = again.legs();
+    assert.ok(leg.shorter.length < 0.9 * leg.path.length);
+    assert.equal(again.legs()[0].shorter, undefined);
+    assert.deepEqual(
+      again.view({ bits: 64 }).legs.map((one) => one.length > 0),
+      [true, true, true],
+    );
+    const straight = mesh.curve({ ...again.value(), legs: undefined });
+    assert.ok(straight.length < 0.95 * again.length);
+    assert.equal(straight.value().legs, undefined);
+    // Backwards the legs come along.
+    again.reverse();
+    assert.deepEqual(again.value().legs.slice(1), [null, null]);
+    assert.ok(Math.abs(again.length - curve.length) < 1e-6 * curve.length);
+  }
+  mesh.dispose();
+});
+
+test('legs that cannot be: a sentence, and the curve stays', () => {
+  const mesh = karcher.shape('torus', 2000);
+  const points = farPoints(mesh).slice(0, 4);
+  const curve = mesh.curve({ kind: 'bezier', points, samples: 9 });
+  const before = curve.polyline();
+  const value = { kind: 'bezier', points, samples: 9 };
+  const [place] = points;
+  for (const legs of [[null], [[place], null, null, null], 5, [5, null, null], [[5], null, null]]) {
+    assert.throws(() => curve.set({ ...value, legs }), badArgument, JSON.stringify(legs));
+  }
+  const nowhere = [[{ face: 1e6, bary: [1, 0, 0] }], null, null];
+  assert.throws(() => curve.set({ ...value, legs: nowhere }), { code: 'badIndex' });
+  for (const dragged of [-1, 4, 99]) {
+    assert.throws(() => curve.set(value, { dragged }), { code: 'badIndex' }, `${dragged}`);
+  }
+  assert.throws(() => curve.set(value, { dragged: 0.5 }), badArgument);
+  assert.throws(() => curve.set(value, { drags: 1 }), badArgument);
+  assert.deepEqual(curve.polyline(), before);
+  mesh.dispose();
+});

@@ -28,6 +28,26 @@ export function grid(cells) {
   return `${lines.join('\n')}\n`;
 }
 
+/** A tube of radius 1 and height 1 of so many flat sides and rows: faces
+ * 2 k and 2 k + 1 are side k of the lowest row. */
+export function tube(sides, rows) {
+  const lines = [];
+  for (let j = 0; j <= rows; j++) {
+    for (let i = 0; i < sides; i++) {
+      const angle = (2 * Math.PI * i) / sides;
+      lines.push(`v ${Math.cos(angle)} ${Math.sin(angle)} ${j / rows}`);
+    }
+  }
+  for (let j = 0; j < rows; j++) {
+    for (let i = 0; i < sides; i++) {
+      const a = 1 + i + sides * j;
+      const b = 1 + ((i + 1) % sides) + sides * j;
+      lines.push(`f ${a} ${b} ${b + sides}`, `f ${a} ${b + sides} ${a + sides}`);
+    }
+  }
+  return `${lines.join('\n')}\n`;
+}
+
 /** Every way to make fields; the first is the default. */
 export const fields = [
   {},

@@ -40,13 +40,14 @@ describe('a document', () => {
     const other = { kind: 'bezier', settings, points: [point(11), { ...point(12), beta: 2 }] };
     const whole = {
       ...document,
-      points: [point(1), { ...point(2), weight: 3 }],
+      points: [point(1), { ...point(2), weight: 3, leg: [point(9), point(10)] }],
       circle: { center: point(5), rim: point(6), across: point(7) },
       others: [other],
     };
     const move = ({ face }) => point(face + 100, 0.125, 0.25);
     const moved = withPlaces(whole, move);
-    assert.deepEqual(moved.points, [move(point(1)), { ...move(point(2)), weight: 3 }]);
+    const leg = [move(point(9)), move(point(10))];
+    assert.deepEqual(moved.points, [move(point(1)), { ...move(point(2)), weight: 3, leg }]);
     assert.deepEqual(moved.circle, {
       center: move(point(5)),
       rim: move(point(6)),
@@ -60,6 +61,48 @@ describe('a document', () => {
     const byLengths = withPlaces({ ...document, circle: ellipse }, move);
     assert.deepEqual(byLengths.circle, { ...ellipse, center: move(ellipse.center) });
     assert.equal('across' in withPlaces({ ...document, circle }, move).circle, false);
+  });
+});
+
+describe('legs', () => {
+  let legs;
+  before(async () => {
+    legs = await load('model/legs.ts');
+  });
+  const drawn = [point(7), point(8)];
+  const withOne = { settings, points: document.points.with(1, { ...point(2), leg: drawn }) };
+  const legOf = ({ points }) => points.map(({ leg }) => leg);
+  const fitting = (points, changed = settings) =>
+    legOf(legs.withFittingLegs({ settings: changed, points }, withOne));
+
+  test('stay while they join the same two places', () => {
+    const { points } = withOne;
+    assert.deepEqual(fitting(points.with(1, { ...points[1], weight: 2 }))[1], drawn);
+    assert.deepEqual(fitting(points.with(3, point(9)))[1], drawn);
+    assert.deepEqual(fitting([point(9), ...points])[2], drawn);
+    assert.deepEqual(fitting(points.toSpliced(0, 1))[0], drawn);
+    for (const moved of [
+      points.with(1, { ...point(9), leg: drawn }),
+      points.with(2, point(9)),
+      points.toSpliced(2, 0, point(9)),
+      points.toSpliced(2, 1),
+      [points[0], points[2], points[1], points[3]],
+    ]) {
+      assert.ok(fitting(moved).every((leg) => leg === undefined));
+    }
+  });
+
+  test('of the last point lead on to the first of a closed curve only', () => {
+    const points = document.points.with(3, { ...point(4), leg: drawn });
+    const closed = { settings: { ...settings, closed: true }, points };
+    assert.deepEqual(legs.legsOf(closed), { legs: [null, null, null, drawn] });
+    assert.deepEqual(legs.legsOf({ ...closed, settings }), {});
+    assert.equal(legOf(legs.withFittingLegs({ ...closed, settings }, closed))[3], undefined);
+  });
+
+  test('are named in the order of the points, or not at all', () => {
+    assert.deepEqual(legs.legsOf(withOne), { legs: [null, drawn, null] });
+    assert.deepEqual(legs.legsOf(document), {});
   });
 });
 
@@ -155,14 +198,18 @@ describe('links', () => {
     const whole = {
       kind: 'circle',
       settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7], levels: 2 },
-      points: [point(1), { ...point(2), weight: 4 }, { ...point(3), beta: 0.25 }],
+      points: [
+        point(1),
+        { ...point(2), weight: 4, leg: [point(12), point(13, 0.1, 0.2)] },
+        { ...point(3), beta: 0.25 },
+      ],
       circle,
       circleForm: { type: 'linear', arcs: 24 },
       others: [
         {
           kind: 'polyline',
           settings: { ...settings, closed: true, tolerance: 1e-5 },
-          points: document.points,
+          points: document.points.with(3, { ...point(4), leg: [point(9)] }),
         },
         {
           kind: 'catmullrom',
@@ -221,6 +268,25 @@ describe('links', () => {
     }
     assert.deepEqual(form('circletype=round&arcs=2'), document.circleForm);
     assert.deepEqual(form('circletype=exact&arcs=25'), { type: 'exact', arcs: 7 });
+    const leg = (fields) => link.parseLink(`#mesh=torus:9&points=1,0,0;2,0,0&${fields}`);
+    for (const fields of [
+      'legs=',
+      'legs=0',
+      'legs=0:',
+      'legs=x:3,0,0',
+      'legs=0:3,0,2',
+      'legs=7:3,0,0',
+    ]) {
+      assert.ok(
+        leg(fields).document.points.every((point) => !('leg' in point)),
+        fields,
+      );
+    }
+    const many = 'legs=0:3,0,0;1:'.concat(Array.from({ length: 65 }, () => '3,0,0').join(':'));
+    assert.deepEqual(
+      leg(many).document.points.map((point) => point.leg?.length),
+      [1, undefined],
+    );
     for (const across of ['', ';', ';-1', ';0', ';wide', ';1,2']) {
       const text = `#mesh=torus:9&circle=5,0.25,0.5;0.5,0,0,1${across}`;
       assert.deepEqual(link.parseLink(text).document.circle, circle, across);
@@ -252,6 +318,14 @@ describe('links', () => {
     const fit = link.fitting({ ...far, others }, 4);
     assert.deepEqual(fit.others, [others[1]]);
     assert.deepEqual(fit.points, document.points.slice(0, 3));
+    const drawn = [
+      { ...point(1), leg: [point(3)] },
+      { ...point(2), leg: [point(3), point(4)] },
+      { ...point(3), leg: [point(1)] },
+      point(4),
+    ];
+    const legsLeft = link.fitting({ ...document, points: drawn }, 4).points.map(({ leg }) => leg);
+    assert.deepEqual(legsLeft, [[point(3)], undefined, undefined]);
     const knots = [0, 1, 2, 3, 4, 5, 6, 8];
     const knotted = { ...document, settings: { ...settings, knots } };
     assert.deepEqual(link.fitting(knotted, 5).settings.knots, knots);

@@ -9,11 +9,13 @@
 namespace karcher::bindings {
 
 CurveHandle::CurveHandle(MeshHandle& mesh, const val& value)
-    : mesh_(mesh), curve_(mesh.surface(), curveValueFromJs(mesh, value), emscripten_get_now) {}
+    : mesh_(mesh),
+      curve_(mesh.surface(), curveValueFromJs(mesh, value, legs_), emscripten_get_now) {}
 
-val CurveHandle::set(const val& value, const val& options) {
-  CurveValue next = curveValueFromJs(mesh_, value);
+val CurveHandle::set(const val& value, int dragged, const val& options) {
+  CurveValue next = curveValueFromJs(mesh_, value, legs_);
   checkGivenShape(next.options.shape, next.points.count());
+  if (dragged >= 0) next = curve_.withLegsContinued(std::move(next), dragged);
   become(std::move(next));
   return view(options);
 }
@@ -28,6 +30,7 @@ val CurveHandle::view(const val& options) const {
     line.bridges.push_back(&curve_.bridges(j));
     line.paths.push_back(&curve_.path(j));
   }
+  for (const SurfacePath& leg : curve_.usedLegs()) line.legs.push_back(&leg);
   if (shape.kind == CurveKind::kBSpline) line.knots = knotsOf(shape, curve_.pointCount());
   const StageTimes& times = curve_.times();
   line.times = {times.polygon, times.fields, times.samples, times.bridges, times.joins};
@@ -35,7 +38,9 @@ val CurveHandle::view(const val& options) const {
 }
 
 val CurveHandle::value() const {
-  return toJs(mesh_.numbering(), {curve_.shape(), curve_.points()});
+  val result = toJs(mesh_.numbering(), {curve_.shape(), curve_.points()});
+  result.set("legs", legsToJs(mesh_, curve_.value().legs));
+  return result;
 }
 
 void CurveHandle::movePoint(int i, const val& point) {

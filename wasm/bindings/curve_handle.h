@@ -16,11 +16,13 @@ class CurveHandle {
   CurveHandle(MeshHandle& mesh, const val& value);
 
   /// Makes it the curve of a value, and returns its view (view.h); `options` is {inDouble,
-  /// withPoints}.
-  val set(const val& value, const val& options);
+  /// withPoints}. `dragged` is the number of the point whose legs are continued, or -1.
+  val set(const val& value, int dragged, const val& options);
   val view(const val& options) const;
-  /// What it is: {points} with a shape (curve_value.h).
+  /// What it is: {points, legs} with a shape (curve_value.h).
   val value() const;
+  /// As in legs.h.
+  val legs() { return legsAndShorterToJs(mesh_, curve_); }
 
   void movePoint(int i, const val& point);
   /// Moves a point and continues its legs from where they lie.
@@ -65,6 +67,7 @@ class CurveHandle {
   val curvePointToJs(const CurvePoint& at) const;
 
   MeshHandle& mesh_;
+  Legs legs_;
   Curve curve_;
   std::optional<CurveLine> line_;
 };

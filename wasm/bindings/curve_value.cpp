@@ -51,14 +51,16 @@ CurveShape shapeFromJs(const val& shape) {
 
 }  // namespace
 
-CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value) {
+CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs) {
   const val sampling = value["sampling"];
   CurveOptions options{
       shapeFromJs(value["shape"]), sampling["samples"].as<int>(),
       fieldOptionsFromJs(value["field"]), sampling["tolerance"].as<double>(),
       sampling["exact"].as<bool>() ? CurveGeometry::kExact : CurveGeometry::kGeodesic};
   options.levels = sampling["levels"].as<int>();
-  return {std::move(options), pointsFromJs(mesh.numbering(), mesh.mesh(), value["points"]), {}};
+  Array<SurfacePoint> points = pointsFromJs(mesh.numbering(), mesh.mesh(), value["points"]);
+  Array<SurfacePath> paths = legs.fromJs(mesh, value["legs"], points);
+  return {std::move(options), std::move(points), std::move(paths)};
 }
 
 val toJs(const Numbering& numbering, const CurveParts& parts) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bindings/legs.h"
 #include "bindings/mesh_handle.h"
 #include "curves/refine/refine.h"
 
@@ -7,12 +8,12 @@ namespace karcher::bindings {
 
 CurveKind curveKind(const std::string& name);
 
-/// {points, shape, sampling, field}: the points one after the other, `shape` {kind, closed, degree,
-/// clamped, knots, weights, betas, centripetal, basis} with the numbers as Float64Arrays, empty
-/// where there are none, and `basis` a function of the number of points and t that gives a
-/// Float64Array, or undefined; `sampling` {samples, tolerance, exact, levels}, `field` as for
-/// `fieldOptionsFromJs`.
-CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value);
+/// {points, legs, shape, sampling, field}: the points one after the other, `legs` as in legs.h,
+/// `shape` {kind, closed, degree, clamped, knots, weights, betas, centripetal, basis} with the
+/// numbers as Float64Arrays, empty where there are none, and `basis` a function of the number of
+/// points and t that gives a Float64Array, or undefined; `sampling` {samples, tolerance, exact,
+/// levels}, `field` as for `fieldOptionsFromJs`.
+CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs);
 
 /// {points} with the shape's properties, but for the basis.
 val toJs(const Numbering& numbering, const CurveParts& parts);

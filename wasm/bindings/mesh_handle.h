@@ -17,6 +17,7 @@ class MeshHandle {
 
   Surface& surface() { return surface_; }
   const TriangleMesh& mesh() const { return surface_.mesh(); }
+  const Geometry& geometry() const { return surface_.geometry(); }
   const Numbering& numbering() const { return numbering_; }
 
   val info() const;

@@ -71,6 +71,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("set", &Guarded<&CurveHandle::set>::call)
       .function("view", &Guarded<&CurveHandle::view>::call)
       .function("value", &Guarded<&CurveHandle::value>::call)
+      .function("legs", &Guarded<&CurveHandle::legs>::call)
       .function("pointCount", &Guarded<&CurveHandle::pointCount>::call)
       .function("movePoint", &Guarded<&CurveHandle::movePoint>::call)
       .function("dragPoint", &Guarded<&CurveHandle::dragPoint>::call)

@@ -72,21 +72,29 @@ val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& 
   }
   const Vertices vertices = verticesOf(mesh, line);
   const Path& path = vertices.path;
+  Array<double> legs;
+  Array<int> legCounts;
+  for (const SurfacePath* leg : line.legs) {
+    for (const SurfacePoint& point : leg->points) append(legs, position(mesh.mesh(), point));
+    legCounts.push_back(leg->points.count());
+  }
   const auto count = [](const auto& array) { return static_cast<double>(array.size()); };
 
   Array<uint8_t> bytes;
   put(bytes, std::vector<double>{count(path.lengths), count(t), count(from), count(line.knots),
                                  count(line.times), count(line.samples), path.length,
                                  line.closed ? 1.0 : 0.0, static_cast<double>(line.levels),
-                                 options.inDouble ? 1.0 : 0.0, options.withPoints ? 1.0 : 0.0});
+                                 options.inDouble ? 1.0 : 0.0, options.withPoints ? 1.0 : 0.0,
+                                 count(legCounts), static_cast<double>(legs.size() / 3)});
   putAll(bytes, line.times, line.knots, t, bary, positions, from, to, path.lengths);
   if (options.withPoints) put(bytes, path.bary);
   if (options.inDouble) {
-    put(bytes, path.positions);
+    putAll(bytes, path.positions, legs);
   } else {
-    put(bytes, std::vector<float>(path.positions.begin(), path.positions.end()));
+    putAll(bytes, std::vector<float>(path.positions.begin(), path.positions.end()),
+           std::vector<float>(legs.begin(), legs.end()));
   }
-  putAll(bytes, segments, faces, bridged);
+  putAll(bytes, segments, faces, bridged, legCounts);
   if (options.withPoints) put(bytes, path.faces);
   putAll(bytes, vertices.unconverged, statuses, reasons);
   return toJs(bytes);

@@ -2,6 +2,7 @@
 
 #include "bindings/mesh_handle.h"
 #include "curves/trace/joined_path.h"
+#include "intrinsic/surface_path.h"
 
 namespace karcher::bindings {
 
@@ -12,6 +13,8 @@ struct TracedLine {
   Array<const Array<CurveSample>*> samples;
   Array<const Array<Bridge>*> bridges;
   Array<const JoinedPath*> paths;
+  /// Of the control polygon.
+  Array<const SurfacePath*> legs;
   Array<double> knots;
   /// The stages of the last edit, in milliseconds.
   Array<double> times;

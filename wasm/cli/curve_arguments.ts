@@ -10,7 +10,15 @@ import { parsePoints } from './syntax.js';
 
 export type CurveRecord = Pick<
   CurveOptions,
-  'kind' | 'closed' | 'degree' | 'knots' | 'weights' | 'betas' | 'parametrization' | 'points'
+  | 'kind'
+  | 'closed'
+  | 'degree'
+  | 'knots'
+  | 'weights'
+  | 'betas'
+  | 'parametrization'
+  | 'points'
+  | 'legs'
 >;
 
 const recordNames = namesOf<CurveRecord>({
@@ -22,6 +30,7 @@ const recordNames = namesOf<CurveRecord>({
   betas: true,
   parametrization: true,
   points: true,
+  legs: true,
 });
 
 export const kinds = 'bspline|bezier|rational|barycentric|catmullrom|polyline';
@@ -140,6 +149,7 @@ function curveOf(curves: readonly unknown[], number: number, path: string): Curv
 /** A curve as data that makes it again: weights and betas unless all are 1. */
 export function recordOf(curve: Curve): CurveRecord {
   const { kind, closed } = curve;
+  const { legs } = curve.value();
   const numbers = (name: 'weights' | 'betas') => {
     const values = curve[name]();
     return values.some((value) => value !== 1) && { [name]: Array.from(values) };
@@ -152,5 +162,6 @@ export function recordOf(curve: Curve): CurveRecord {
     ...(kind === 'barycentric' && numbers('betas')),
     ...(kind === 'catmullrom' && { parametrization: curve.parametrization }),
     points: curve.points(),
+    ...(legs && { legs }),
   };
 }

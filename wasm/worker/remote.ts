@@ -56,6 +56,7 @@ const curveMethods = namesOf<Record<CurveMethod, true>>({
   points: true,
   samples: true,
   bridged: true,
+  legs: true,
   path: true,
   polyline: true,
   unconverged: true,

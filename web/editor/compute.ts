@@ -34,12 +34,13 @@ export function polylinesOf({ curve, isolines }: Shown): Float32Array[] {
   return isolines?.lines.map(({ polyline }) => polyline) ?? [];
 }
 
-/** A draft has a better answer to follow, by other options. */
+/** A draft has a better answer to follow, by other options; of a drag, the number of its point. */
 export function compute(
   client: EngineClient,
   document: CurveDocument,
   options: FieldOptions,
   draft: boolean,
+  dragged?: number,
 ): Promise<Shown> {
   if (isRound(document.kind)) return computeCircle(client, document, options, draft);
   if (document.points.length < pointsNeeded(document)) return Promise.resolve(nothing);
@@ -47,7 +48,7 @@ export function compute(
   if (!spline) return computeCenter(client, document, options);
   const { marks } = spline.settings;
   return client
-    .curve(curveOptions(spline, options), marks)
+    .curve(curveOptions(spline, options), marks, dragged)
     .then((curve) => ({ ...nothing, curve }));
 }
 

@@ -1,3 +1,4 @@
+import type { SurfacePoint } from 'karcher';
 import type { CircleHandle } from '../model/circle';
 import { apply, type Command, invert } from '../model/commands';
 import {
@@ -11,6 +12,7 @@ import {
   type Kind,
   withFittingKnots,
 } from '../model/document';
+import { withFittingLegs, withLeg } from '../model/legs';
 import { defaultMethod, type MethodId } from '../model/methods';
 
 /** A control point by its number, or one of a circle's or ellipse's handles. */
@@ -26,6 +28,8 @@ export interface State {
   readonly method: MethodId;
   /** Whether the document is a drag's, which may go on. */
   readonly dragging: boolean;
+  /** The number of the control point that is dragged. */
+  readonly dragged: number | null;
   /** What a click on a curve does; but for `measure` it is for one click. */
   readonly tool: CurveTool;
   /** Grows with every change of the document or the method. */
@@ -44,6 +48,11 @@ interface History {
 
 const longestHistory = 1000;
 
+/** What a command led to, with legs and knots that fit; replaced documents are as they are wanted. */
+function fitted(to: CurveDocument, from: CurveDocument, command: Command): CurveDocument {
+  return withFittingKnots(command.type === 'replace' ? to : withFittingLegs(to, from));
+}
+
 /** The page's one state, and the only way to change it. */
 export class Editor {
   #state: State = {
@@ -53,6 +62,7 @@ export class Editor {
     selection: null,
     method: defaultMethod,
     dragging: false,
+    dragged: null,
     tool: 'insert',
     revision: 0,
     epoch: 0,
@@ -88,7 +98,7 @@ export class Editor {
     this.cancelDrag();
     const from = this.#state.document;
     const wanted = apply(from, command);
-    const to = withFittingKnots(wanted);
+    const to = fitted(wanted, from, command);
     this.#record(to === wanted ? command : { type: 'replace', from, to });
     this.#change({ document: to, selection, tool: 'insert' }, true);
   }
@@ -96,8 +106,12 @@ export class Editor {
   /** Shows the document as it is after a command that is not yet done: a drag's next position. */
   preview(command: Command): void {
     this.#drag ??= { base: this.#state.document, command: null };
-    this.#drag.command = command;
-    this.#change({ document: apply(this.#drag.base, command), dragging: true }, false);
+    const { base } = this.#drag;
+    const wanted = apply(base, command);
+    const to = fitted(wanted, base, command);
+    this.#drag.command = to === wanted ? command : { type: 'replace', from: base, to };
+    const dragged = command.type === 'change' ? command.index : null;
+    this.#change({ document: to, dragging: true, dragged }, false);
   }
 
   /** Makes the drag one step of the history. */
@@ -105,13 +119,42 @@ export class Editor {
     if (this.#drag?.command) this.#record(this.#drag.command);
     const dragged = this.#drag !== null;
     this.#drag = null;
-    if (dragged) this.#change({ dragging: false }, false);
+    if (dragged) this.#change({ dragging: false, dragged: null }, false);
   }
 
   cancelDrag(): void {
     const drag = this.#drag;
     this.#drag = null;
-    if (drag) this.#change({ document: drag.base, dragging: false }, true);
+    if (drag) this.#change({ document: drag.base, dragging: false, dragged: null }, true);
+  }
+
+  /**
+   * Makes the legs that the last drag drew out part of it: those that meet at point `dragged` of the
+   * document that it led to. Does nothing where that is not the newest step any more.
+   */
+  keepLegs(
+    document: CurveDocument,
+    dragged: number,
+    legs: readonly (readonly SurfacePoint[] | null)[],
+  ): void {
+    const last = this.#history.done.at(-1);
+    const base = this.base;
+    if (!last || base.points !== document.points) return;
+    const before = (dragged + base.points.length - 1) % base.points.length;
+    const points = base.points.map((point, i) =>
+      i === dragged || i === before ? withLeg(point, legs[i]) : point,
+    );
+    const to = { ...base, points };
+    const from = last.type === 'replace' ? last.from : apply(base, invert(last));
+    this.#history.done[this.#history.done.length - 1] = { type: 'replace', from, to };
+    if (!this.#drag) this.#change({ document: to }, false);
+    else this.#drag.base = to;
+  }
+
+  /** Replaces the leg from a control point to the next by the shortest path. */
+  takeShortest(index: number): void {
+    const from = this.#state.document.points[index];
+    if (from?.leg) this.run({ type: 'change', index, from, to: withLeg(from, null) });
   }
 
   get dragging(): boolean {

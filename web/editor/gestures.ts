@@ -31,6 +31,8 @@ export interface CurveClicks {
   /** The pointer is over the curve that is measured, or a click was there. */
   curveMeasured(position: Vector3): void;
   otherClicked(tool: CurveTool, index: number): void;
+  /** By its number in the view. */
+  shorterClicked(index: number): void;
 }
 
 /** Turns what the pointer and the keys do on the stage into commands. */
@@ -157,7 +159,10 @@ export class Gestures {
       this.#frame = 0;
       const target = this.#hover && this.#target({ ...this.#hover, touch: false });
       this.stage.classList.toggle('aiming', target?.type === 'surface');
-      this.stage.classList.toggle('choosing', target?.type === 'other');
+      this.stage.classList.toggle(
+        'choosing',
+        target?.type === 'other' || target?.type === 'shorter',
+      );
       if (target?.type === 'surface') this.#handles.showPreview(target.pick.position, 'surface');
       else if (this.editor.state.tool === 'measure') {
         if (target?.type === 'curve') this.events.curveMeasured(target.position);
@@ -183,7 +188,8 @@ export class Gestures {
     } else if (target.type === 'curve') {
       const pixels = place.touch ? nearKnot.touch : nearKnot.mouse;
       this.events.curveClicked(tool, target.position, this.viewer.reach(target.position, pixels));
-    } else this.events.otherClicked(tool, target.index);
+    } else if (target.type === 'shorter') this.events.shorterClicked(target.index);
+    else this.events.otherClicked(tool, target.index);
   }
 
   /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */

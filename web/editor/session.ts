@@ -1,4 +1,4 @@
-import type { CurveLevels, CurveOptions } from 'karcher';
+import type { CurveLevels, CurveOptions, SurfacePoint } from 'karcher';
 import {
   type CurveDocument,
   isRound,
@@ -13,8 +13,8 @@ import {
   qualityOf,
   refinedOptions,
 } from '../model/methods';
-import { curveOptions, splineFrom, splineOf } from '../model/splines';
-import type { Measured, TracedCurve } from '../model/traced';
+import { curveOptions, splineFrom, splineOf, usesLegs, waypointsOf } from '../model/splines';
+import type { Measured, ShorterLeg, TracedCurve } from '../model/traced';
 import type { EngineClient } from '../worker/client';
 import type { Edit } from '../worker/edits';
 import { compute, messageOf, nothing, type Shown, shiftOf } from './compute';
@@ -39,6 +39,8 @@ export interface View extends Shown {
   notRefined: string | null;
   /** Geodesics between neighbouring points, from a center of mass to its points, or a radius. */
   legs: readonly Float32Array[];
+  /** Ways from points to the next ones that are shorter than the curve's by more than is rounding. */
+  shorter: readonly ShorterLeg[];
   /** Polylines of the document's other curves; null while they are not traced. */
   others: readonly (Float32Array | null)[];
   /** The polygon stands for the curve, which has too few points yet. */
@@ -53,12 +55,16 @@ const emptyView: View = {
   shift: null,
   notRefined: null,
   legs: [],
+  shorter: [],
   others: [],
   polygonOnly: false,
 };
 
 /** A step of a drag that takes longer, in milliseconds, is followed by drafts without fields. */
 const longestDraft = 12;
+
+/** A shorter way is shown where it is shorter by more than this part. */
+const leastGain = 0.02;
 
 /** Whether a curve by tolerance has more samples than it would have by their number. */
 function moreThanFixed({ settings }: Spline, { samples }: TracedCurve): boolean {
@@ -86,6 +92,10 @@ export class Session {
   #manySamples = false;
   /** Of a curve whose levels are automatic, how many it has between drags. */
   #levels: CurveLevels = 0;
+  /** The control point of a drag whose legs the document does not tell yet. */
+  #held: number | null = null;
+  /** The document whose legs were compared with the shortest ones. */
+  #compared: CurveDocument | null = null;
   /** Whether what is shown has other samples or levels for the time of a drag. */
   #coarse = false;
   readonly #legs = new Legs();
@@ -93,13 +103,23 @@ export class Session {
   readonly #refinement = new Refinement<Shown>();
   readonly #newest = new Newest<State>(
     (state) => this.#trace(state),
-    async () => (await this.#traceLeg()) || (await this.#traceOther()) || this.#refine(),
+    async () =>
+      (await this.#traceLeg()) ||
+      (await this.#traceOther()) ||
+      (await this.#compareLegs()) ||
+      this.#refine(),
   );
 
   /** Called with every change of the view. */
   onView: (view: View) => void = () => {};
   /** Called when the engine begins with a state, and when it has ended. */
   onBusy: (busy: boolean) => void = () => {};
+  /** Called with the legs that a drag drew out: those that meet at its point. */
+  onLegs: (
+    document: CurveDocument,
+    dragged: number,
+    legs: readonly (readonly SurfacePoint[] | null)[],
+  ) => void = () => {};
   /** Called when an edit that was asked for can't be made. */
   onFailure: (error: unknown) => void = () => {};
 
@@ -121,6 +141,8 @@ export class Session {
     this.#others.clear();
     this.#state = null;
     this.#asked = null;
+    this.#held = null;
+    this.#compared = null;
     this.#newest.drop();
     this.#show(emptyView);
   }
@@ -130,13 +152,17 @@ export class Session {
   }
 
   update(state: State): void {
+    const epoch = this.#state?.epoch;
     this.#state = state;
+    if (state.dragged !== null && usesLegs(state.document.kind)) this.#held = state.dragged;
+    // What was dragged was taken back, or something else was done.
+    else if (state.epoch !== epoch) this.#held = null;
     if (!this.#client) return;
     if (state.revision !== this.#asked?.revision) {
       this.#asked = state;
       this.#refinement.drop();
       this.#newest.push(state);
-    } else if (this.#coarse && !state.dragging) this.#newest.push(state);
+    } else if ((this.#coarse || this.#held !== null) && !state.dragging) this.#newest.push(state);
     else if (!this.#newest.busy) {
       // A drag has ended: what it left is already traced.
       this.#refine();
@@ -213,15 +239,19 @@ export class Session {
     const client = this.#client;
     if (!client || client.closed) return;
     const { method, revision } = state;
-    const { document, coarse } = this.#asTraced(state);
-    this.#coarse = coarse;
     this.onBusy(true);
     try {
+      if (!state.dragging && (await this.#keepLegs(client, state))) return;
+      const { document, coarse } = this.#asTraced(state);
+      this.#coarse = coarse;
+      const dragged = state.dragged ?? undefined;
       const draft = refinedOptions(method) !== null;
-      const shown = await compute(client, document, methodOptions(method), draft).catch((error) => {
-        if (client.closed) throw error;
-        return { ...nothing, problem: messageOf(error) };
-      });
+      const shown = await compute(client, document, methodOptions(method), draft, dragged).catch(
+        (error) => {
+          if (client.closed) throw error;
+          return { ...nothing, problem: messageOf(error) };
+        },
+      );
       if (!this.#current(client, state)) return;
       const spline = splineOf(document);
       if (spline && shown.curve && !coarse) {
@@ -232,13 +262,46 @@ export class Session {
       // A draft of averages alone needs no fields.
       if (state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft) this.#levels = 'limit';
       const quality = qualityShown(shown, method);
-      const fresh = { quality, refining: false, shift: null, notRefined: null };
+      // Those of another document may be none any more.
+      const shorter = this.#compared === state.document ? this.#view.shorter : [];
+      const fresh = { quality, refining: false, shift: null, notRefined: null, shorter };
       this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
     } finally {
       this.onBusy(false);
     }
+  }
+
+  /** Asks for the legs that a drag drew out, once it has ended; whether they change the document. */
+  async #keepLegs(client: EngineClient, state: State): Promise<boolean> {
+    const dragged = this.#held;
+    const { document } = this.#asTraced({ ...state, dragging: true });
+    const spline = splineOf(document);
+    this.#held = null;
+    if (dragged === null || !spline) return false;
+    const legs = await client
+      .drawnLegs(curveOptions(spline, methodOptions(state.method)), dragged)
+      .catch(() => []);
+    const drawn = legs.map(waypointsOf);
+    const before = (dragged + spline.points.length - 1) % spline.points.length;
+    if (!drawn[dragged] && !drawn[before]) return false;
+    this.onLegs(state.document, dragged, drawn);
+    return this.#state?.revision !== state.revision;
+  }
+
+  /** Looks for shorter ways than the legs of the newest document. */
+  async #compareLegs(): Promise<boolean> {
+    const [client, state] = [this.#client, this.#state];
+    const spline = state && splineOf(state.document);
+    if (!client || !spline || state.dragging || this.#compared === state.document) return false;
+    this.#compared = state.document;
+    const options = curveOptions(spline, methodOptions(state.method));
+    const found = options.legs ? await client.shorterLegs(options).catch(() => []) : [];
+    if (this.#state?.document !== state.document || client !== this.#client) return false;
+    const shorter = found.filter(({ part }) => part < 1 - leastGain);
+    if (shorter.length > 0 || this.#view.shorter.length > 0) this.#show({ shorter });
+    return true;
   }
 
   /**
@@ -282,6 +345,7 @@ export class Session {
 
   /** What joins the points of the newest document. */
   #ends(): Ends[] {
+    if (this.#view.curve && this.#view.curve.legs.length > 0) return [];
     return this.#state ? endsOf(this.#state.document, this.#view.center?.point ?? null) : [];
   }
 
@@ -299,8 +363,9 @@ export class Session {
       return { legs, others, polygonOnly: false };
     }
     const ends = endsOf(state.document, shown.center?.point ?? null);
+    const own = shown.curve?.legs ?? [];
     return {
-      legs: this.#legs.between(ends, state.epoch),
+      legs: own.length > 0 ? own : this.#legs.between(ends, state.epoch),
       others,
       polygonOnly: points.length < pointsNeeded(state.document),
     };

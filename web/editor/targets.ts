@@ -10,6 +10,8 @@ export type Target =
   | { type: 'curve'; position: Vector3 }
   /** A curve beside it: that one is edited next. */
   | { type: 'other'; index: number }
+  /** A shorter way than a leg of the curve: the leg takes it. */
+  | { type: 'shorter'; index: number }
   | { type: 'surface'; pick: Pick };
 
 /** How near to a curve, in CSS pixels, its clicks are. */
@@ -32,6 +34,8 @@ export function targetAt(
     const within = place.touch ? reach.touch : reach.mouse;
     const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);
     if (position) return { type: 'curve', position };
+    const shorter = tool === 'insert' ? viewer.pickShorter(place.x, place.y, within) : -1;
+    if (shorter >= 0) return { type: 'shorter', index: shorter };
     const index = tool !== 'split' ? viewer.pickOther(place.x, place.y, within) : -1;
     if (index >= 0) return { type: 'other', index };
     if (tool !== 'insert') return null;

@@ -22,7 +22,10 @@ export type Across = SurfacePoint | { radius: number };
 export type ParameterName = 'weight' | 'beta';
 
 /** A point that the user placed; what is not given is 1. */
-export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number };
+export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number } & {
+  /** Points that the way to the next point goes through, where it is not the shortest. */
+  readonly leg?: readonly SurfacePoint[];
+};
 
 /** Of a circle and of an ellipse: each is the other's shape where that has more to say. */
 export interface CircleShape {
@@ -102,6 +105,8 @@ export const toleranceRange = { least: 1e-6, most: 0.1 };
 /** One alone would be no even spacing. */
 export const marksRange = { least: 2, most: 1000 };
 export const mostLevels = 8;
+/** The engine tells a leg by 31 at most. */
+export const mostLegPoints = 64;
 
 export const fewestArcs = 3;
 export const mostArcs = 24;
@@ -187,7 +192,11 @@ export function withPlaces(
   move: (point: SurfacePoint) => SurfacePoint,
 ): CurveDocument {
   const { circle } = document;
-  const moved = (point: ControlPoint): ControlPoint => ({ ...point, ...move(point) });
+  const moved = (point: ControlPoint): ControlPoint => ({
+    ...point,
+    ...move(point),
+    ...(point.leg && { leg: point.leg.map(move) }),
+  });
   const reached = <Place extends object>(place: Place | SurfacePoint) =>
     'face' in place ? move(place) : place;
   return {

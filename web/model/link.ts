@@ -1,8 +1,10 @@
 /**
  * A document as a link's fragment:
  * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
- * `&samples=64&tolerance=0.001&marks=9&levels=2&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`. Weights and betas of 1 and other
- * defaults go without saying.
+ * `&legs=0:face,b1,b2:face,b1,b2;3:…&samples=64&tolerance=0.001&marks=9&levels=2`
+ * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`. Legs are told by a point's number
+ * and the points that its way to the next one goes through. Weights and betas of 1, shortest legs and
+ * other defaults go without saying.
  */
 import type { CurveLevels, SurfacePoint } from 'karcher';
 import {
@@ -19,6 +21,7 @@ import {
   kinds,
   marksRange,
   mostArcs,
+  mostLegPoints,
   mostLevels,
   type Rim,
   samplesRange,
@@ -28,6 +31,7 @@ import {
   withFittingKnots,
   withParameter,
 } from './document';
+import { withLeg } from './legs';
 import { isMethod, type MethodId } from './methods';
 import { splineOf } from './splines';
 
@@ -75,7 +79,7 @@ export function formatLink(mesh: string, method: MethodId, document: CurveDocume
     `points=${document.points.map(formatControlPoint).join(';')}`,
   ];
   const { circle, circleForm } = document;
-  parts.push(...settingsFields(document.settings));
+  parts.push(...legsFields(document.points), ...settingsFields(document.settings));
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
@@ -83,11 +87,18 @@ export function formatLink(mesh: string, method: MethodId, document: CurveDocume
     const other = [
       `kind=${kind}`,
       `points=${points.map(formatControlPoint).join(';')}`,
+      ...legsFields(points),
       ...settingsFields(settings),
     ];
     parts.push(`other=${encodeURIComponent(other.join('&'))}`);
   }
   return parts.join('&');
+}
+
+function legsFields(points: readonly ControlPoint[]): string[] {
+  const legs = points.map(({ leg }, i) => leg && [i, ...leg.map(formatPoint)].join(':'));
+  const told = legs.filter((leg) => leg !== undefined);
+  return told.length > 0 ? [`legs=${told.join(';')}`] : [];
 }
 
 function settingsFields(settings: CurveSettings): string[] {
@@ -152,13 +163,29 @@ export function lostOf({ document: said, unread }: Link, document: CurveDocument
 /** The kind, settings and points that a fragment says. */
 function parseSpline(fragment: string): CurveDocument {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
-  const points = pointTexts(fragment).map(parseControlPoint);
+  const legs = parseLegs(fields.get('legs') ?? '');
+  const points = pointTexts(fragment).map((text, i) => {
+    const point = parseControlPoint(text);
+    return point && withLeg(point, legs.get(i));
+  });
   return withFittingKnots({
     ...emptyDocument,
     kind: kinds.find((one) => one === fields.get('kind')) ?? 'bspline',
     settings: parseSettings(fields),
     points: points.filter((point) => point !== null),
   });
+}
+
+/** Legs by the numbers of their points; those that are said wrongly are left out. */
+function parseLegs(text: string): Map<number, SurfacePoint[]> {
+  const legs = new Map<number, SurfacePoint[]>();
+  for (const part of text.split(';')) {
+    const [number = '', ...through] = part.split(':');
+    const leg = through.map(parsePoint).filter((point) => point !== null);
+    const whole = leg.length === through.length && leg.length > 0 && leg.length <= mostLegPoints;
+    if (whole && /^\d+$/.test(number)) legs.set(Number(number), leg);
+  }
+  return legs;
 }
 
 function parseNumbers(text: string, count: number): number[] | null {
@@ -253,6 +280,14 @@ function parseCircleForm(fields: URLSearchParams): CircleForm {
   };
 }
 
+/** Points of such a surface, with the legs of such points between points that stay neighbours. */
+function fittingPoints(points: readonly ControlPoint[], triangles: number): ControlPoint[] {
+  const fits = ({ face }: SurfacePoint) => face < triangles;
+  const holds = (i: number) =>
+    points[i]!.leg?.every(fits) && fits(points[i + 1] ?? points[0]!) ? points[i]!.leg : null;
+  return points.map((point, i) => withLeg(point, holds(i))).filter(fits);
+}
+
 /** A document of which every point is on a surface of that many triangles; null if none is left. */
 export function fitting(document: CurveDocument, triangles: number): CurveDocument {
   const fits = (place: object) => !('face' in place) || (place as SurfacePoint).face < triangles;
@@ -260,10 +295,12 @@ export function fitting(document: CurveDocument, triangles: number): CurveDocume
   const circleFits = circle && [circle.center, circle.rim, circle.across ?? {}].every(fits);
   return withFittingKnots({
     ...document,
-    points: document.points.filter(fits),
+    points: fittingPoints(document.points, triangles),
     circle: circleFits ? circle : null,
     others: document.others
-      .map((other) => withFittingKnots({ ...other, points: other.points.filter(fits) }))
+      .map((other) =>
+        withFittingKnots({ ...other, points: fittingPoints(other.points, triangles) }),
+      )
       .filter(({ points }) => points.length > 0),
   });
 }

@@ -1,5 +1,5 @@
 /** Documents with several splines: one is edited, the others lie beside it. */
-import type { CurveOptions, FieldOptions } from 'karcher';
+import type { CurveOptions, FieldOptions, LegPoints, SurfacePoint } from 'karcher';
 import {
   type ControlPoint,
   type CurveDocument,
@@ -8,8 +8,10 @@ import {
   type Kind,
   parameterOf,
   type Spline,
+  surfacePoint,
   withParameter,
 } from './document';
+import { legsOf, withLeg } from './legs';
 
 /** The spline that is edited; null where there is none. */
 export function splineOf({ kind, settings, points }: CurveDocument): Spline | null {
@@ -47,11 +49,12 @@ export function joined(document: CurveDocument, index: number, whole: Spline): C
 export const mayHaveLevels = (kind: Kind) =>
   ['bspline', 'bezier', 'rational', 'catmullrom'].includes(kind);
 
+/** Kinds that follow the legs of their control polygon, or are made of them. */
+export const usesLegs = (kind: Kind) => kind === 'polyline' || mayHaveLevels(kind);
+
 /** A spline as the engine takes it: with what its kind has a use for. */
-export function curveOptions(
-  { kind, points, settings }: Spline,
-  options: FieldOptions,
-): CurveOptions {
+export function curveOptions(spline: Spline, options: FieldOptions): CurveOptions {
+  const { kind, points, settings } = spline;
   const { closed, degree, clamped, knots, parametrization, samples, tolerance, levels } = settings;
   const rule = clamped && !closed ? 'clamped' : 'uniform';
   const parameter = parameterOf(kind);
@@ -63,6 +66,7 @@ export function curveOptions(
     points: points.map(({ face, bary }) => ({ face, bary })),
     ...(tolerance === null ? { samples } : { tolerance }),
     closed,
+    ...(usesLegs(kind) && legsOf(spline)),
     // The paper's method is one mean a segment.
     ...(options.method !== 'paper' && { levels }),
     ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
@@ -72,16 +76,24 @@ export function curveOptions(
   };
 }
 
+/** The points of a leg as the engine gives them, with weights that a link tells to the last bit. */
+export const waypointsOf = (leg: LegPoints | undefined): SurfacePoint[] | null =>
+  leg?.map((point) => {
+    if ('vertex' in point) throw new Error('the engine gives points of faces');
+    const { face, bary } = point;
+    return surfacePoint(face, bary[1], Math.min(bary[2], 1 - bary[1]));
+  }) ?? null;
+
 /** What the engine made of a spline, as one; settings that its kind has no use for are kept. */
 export function splineFrom(options: CurveOptions, before: Spline): Spline {
-  const { kind, closed = false, degree, knots, parametrization } = options;
+  const { kind, closed = false, degree, knots, parametrization, legs = [] } = options;
   if (kind === 'custom') throw new Error('the page has no curves with a basis of their own');
   const parameter = parameterOf(kind);
   const numbers = parameter === 'beta' ? options.betas : options.weights;
   const points = options.points.map((point, i): ControlPoint => {
     if ('vertex' in point) throw new Error('the engine gives points of faces');
     const { face, bary } = point;
-    const plain = { face, bary };
+    const plain = withLeg({ face, bary }, waypointsOf(legs[i]));
     return parameter ? withParameter(plain, parameter, numbers?.[i] ?? 1) : plain;
   });
   const settings = {

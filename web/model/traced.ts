@@ -15,12 +15,23 @@ export interface TracedCurve {
   marks: CurvePoints | null;
   /** How many levels the curve has; 0 for circles. */
   levels: number;
+  /** The legs of its control polygon, where it has a use for them. */
+  legs: readonly Float32Array[];
   /** Where the curve is no center of mass: it is bridged there, by subdivision. */
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */
   arcsNotShortest: number;
   length: number;
   milliseconds: number;
+}
+
+/** A shorter way from a control point to the next than the one that the curve takes. */
+export interface ShorterLeg {
+  /** The number of the control point. */
+  index: number;
+  polyline: Float32Array;
+  /** Its length as a part of the leg's. */
+  part: number;
 }
 
 /** The lines of points at one distance, as the page draws them. */

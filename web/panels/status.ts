@@ -7,7 +7,7 @@ import { isRound, type Kind, parameterOf, pointsNeeded } from '../model/document
 import type { LostReason } from '../model/lost';
 import type { Quality } from '../model/methods';
 import type { Measured } from '../model/traced';
-import { byId, formatCount } from './elements';
+import { byId, formatCount, formatInteger } from './elements';
 import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
@@ -20,6 +20,8 @@ export interface StatusEvents {
   remove(): void;
   /** Shows the next place where the curve is no center of mass. */
   goToLost(): void;
+  /** Makes the first leg that need not be so long the shortest. */
+  shorten(): void;
 }
 
 /** The line of figures, the hint, and what can be done with the selection. */
@@ -35,6 +37,7 @@ export class Status {
     this.#slider = makeSlider(editor, () => Number(editor.state.selection));
     byId('selected-slider').append(this.#slider);
     byId('remove').addEventListener('click', events.remove);
+    byId('shorten').addEventListener('click', events.shorten);
     byId('status-lost').addEventListener('click', events.goToLost);
   }
 
@@ -94,6 +97,7 @@ export class Status {
     const hint = hintOf(state, view, this.#measured);
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
+    byId('shorten').hidden = hint === '' || hint !== shorterHint(view);
     const { kind, points } = state.document;
     byId('selected').textContent = nameOf(kind, selection);
     const name = parameterOf(kind);
@@ -125,8 +129,18 @@ function hintOf({ mesh, document, tool }: State, view: View, measured: Measured 
     return `Click the surface to place a ${kind === 'center' ? '' : 'control '}point`;
   }
   const missing = pointsNeeded(document) - points.length;
-  if (missing <= 0) return '';
+  if (missing <= 0) return shorterHint(view);
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
+}
+
+/** Of legs that were drawn out by a drag. */
+function shorterHint({ shorter }: View): string {
+  const [first] = shorter;
+  if (!first) return '';
+  const longer = `${formatInteger(Math.round(100 * (1 / first.part - 1)))} %`;
+  const others = shorter.length - 1;
+  const more = others > 0 ? `; ${formatCount(others, 'more is', 'more are')} longer, too` : '';
+  return `The way on from point ${first.index + 1} is ${longer} longer than the shortest${more}`;
 }
 
 function qualityText(

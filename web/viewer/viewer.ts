@@ -45,11 +45,12 @@ export class Viewer {
   readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
   readonly #sketch = new FatLine({ width: 2.5, dashed: true, hidden: 0.25 }, 2);
   readonly #beside = new FatLine({ width: 2.5, hidden: 0.2 }, 2);
+  readonly #shorter = new FatLine({ width: 2.5, dashed: true, hidden: 0.3 }, 2);
   readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
   readonly #tangent = new FatLine({ width: 2.5, hidden: 0.5 }, 7);
   readonly #lines = [
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
-    ...[this.#marks, this.#tangent],
+    ...[this.#shorter, this.#marks, this.#tangent],
   ];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
@@ -57,6 +58,7 @@ export class Viewer {
   #line: Float32Array = new Float32Array();
   /** The curves beside it; empty while one is not traced. */
   #others: Float32Array[] = [];
+  #shorterLines: Float32Array[] = [];
   #edges = false;
   #frame = 0;
 
@@ -124,6 +126,7 @@ export class Viewer {
     this.showMarks([]);
     this.showTangent(null);
     this.showOthers([]);
+    this.showShorter([]);
     return this.#surface;
   }
 
@@ -135,6 +138,7 @@ export class Viewer {
     this.#polygon.setColor(new Color(colors.polygon), surface);
     this.#sketch.setColor(new Color(colors.curve), surface);
     this.#beside.setColor(new Color(colors.curve).lerp(surface, 0.35), surface);
+    this.#shorter.setColor(new Color(colors.center), surface);
     this.#tangent.setColor(new Color(colors.center), surface);
     this.#marks.setColor(new Color(colors.marks), surface);
     this.requestFrame();
@@ -205,6 +209,14 @@ export class Viewer {
     this.requestFrame();
   }
 
+  /** Shorter ways than the legs of the curve. */
+  showShorter(lines: readonly Float32Array[]): void {
+    const surface = this.#surface;
+    this.#shorterLines = surface ? lines.map((line) => surface.toScene(line)) : [];
+    this.#shorter.set(this.#shorterLines);
+    this.requestFrame();
+  }
+
   /** The geodesics between control points; bold while they stand for the curve. */
   showPolygon(legs: readonly Float32Array[], bold: boolean): void {
     const surface = this.#surface;
@@ -235,6 +247,11 @@ export class Viewer {
   /** The number of the other curve that is seen there; -1 without one. */
   pickOther(clientX: number, clientY: number, within: number): number {
     return this.#others.findIndex((line) => this.#pickLine(line, clientX, clientY, within));
+  }
+
+  /** The number of the shorter way that is seen there; -1 without one. */
+  pickShorter(clientX: number, clientY: number, within: number): number {
+    return this.#shorterLines.findIndex((line) => this.#pickLine(line, clientX, clientY, within));
   }
 
   #pickLine(line: Float32Array, clientX: number, clientY: number, within: number): Vector3 | null {

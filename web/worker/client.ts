@@ -10,7 +10,7 @@ import type {
 } from 'karcher';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { MeshSource } from '../model/meshes';
-import type { Measured, TracedCurve, TracedIsolines } from '../model/traced';
+import type { Measured, ShorterLeg, TracedCurve, TracedIsolines } from '../model/traced';
 import { type Edit, type Edited, edited } from './edits';
 import { tracedCircle, tracedCurve } from './traced';
 
@@ -70,16 +70,42 @@ export class EngineClient {
     return this.#loaded!.triangles;
   }
 
-  /** The edited curve, with so many points marked along it. */
-  async curve(value: CurveOptions, marks = 0): Promise<TracedCurve> {
+  /**
+   * The edited curve, with so many points marked along it. The legs that meet at the `dragged` point
+   * are continued.
+   */
+  async curve(value: CurveOptions, marks = 0, dragged?: number): Promise<TracedCurve> {
     const before = await this.#curve;
     const curve = before ?? (await this.#first(value));
     // Both are asked at once: nothing comes in between.
     const [view, marked] = await both(
-      before ? curve.set(value) : curve.view(),
+      before ? curve.set(value, dragged === undefined ? {} : { dragged }) : curve.view(),
       marks > 0 ? curve.equallySpaced(marks) : null,
     );
     return tracedCurve(view, marked);
+  }
+
+  /**
+   * The legs of the edited curve with a dragged point where the value has it, by the points that they
+   * go through; the shortest are null.
+   */
+  async drawnLegs(
+    value: CurveOptions,
+    dragged: number,
+  ): Promise<NonNullable<CurveOptions['legs']>> {
+    const curve = await this.#curve;
+    if (!curve) return [];
+    const [, drawn] = await both(curve.set(value, { dragged }), curve.value());
+    return drawn.legs ?? [];
+  }
+
+  /** Shorter ways that legs of the curve of a value could take, the edited one from then on. */
+  async shorterLegs(value: CurveOptions): Promise<ShorterLeg[]> {
+    const curve = (await this.#curve) ?? (await this.#first(value));
+    const [, legs] = await both(curve.set(value), curve.legs());
+    return legs.flatMap(({ path, shorter }, index) =>
+      shorter ? [{ index, polyline: shorter.polyline(), part: shorter.length / path.length }] : [],
+    );
   }
 
   /** A curve beside it. */

@@ -4,7 +4,7 @@ import { lostIntervals } from '../model/lost';
 import type { TracedCurve } from '../model/traced';
 
 export function tracedCurve(view: CurveView, marks: CurvePoints | null): TracedCurve {
-  const { samples, bridged, knots, levels, length, times } = view;
+  const { samples, bridged, knots, levels, legs, length, times } = view;
   return {
     polyline: view.polyline as Float32Array,
     polylineStatus: view.unconverged,
@@ -12,6 +12,7 @@ export function tracedCurve(view: CurveView, marks: CurvePoints | null): TracedC
     lost: lostIntervals(samples, bridged),
     knots,
     levels,
+    legs: legs as readonly Float32Array[],
     marks,
     arcsNotShortest: 0,
     length,
@@ -28,6 +29,7 @@ export function tracedCircle(circle: Circle, milliseconds: () => number): Traced
     lost: lostIntervals(samples, bridged),
     knots: new Float64Array(),
     levels: 0,
+    legs: [],
     marks: null,
     arcsNotShortest: notShortest.length,
     length: path.length,

@@ -1,0 +1,94 @@
+#include "bindings/legs.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "bindings/path.h"
+#include "distance/waypoints.h"
+#include "mesh/error.h"
+
+namespace karcher::bindings {
+namespace {
+
+/// Paths whose lengths differ by less than this part are equally short.
+constexpr double kSameLength = 1e-9;
+
+bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.face == b.face && a.bary == b.bary;
+}
+
+}  // namespace
+
+Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const val& legs,
+                                const Array<SurfacePoint>& points) {
+  const Geometry& geometry = mesh.geometry();
+  Array<SurfacePath> paths;
+  Array<Leg> known;
+  FindPathWorkspace workspace;
+  const int count = legs["length"].as<int>();
+  for (int i = 0; i < count; ++i) {
+    paths.emplace_back();
+    // More legs than points are for the engine to refuse.
+    if (i >= points.count()) continue;
+    Leg leg{points[i],
+            points[(i + 1) % points.count()],
+            pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i]),
+            {}};
+    if (leg.waypoints.empty()) continue;
+    const auto isIt = [&](const Leg& other) {
+      return isSame(other.from, leg.from) && isSame(other.to, leg.to) &&
+             std::equal(other.waypoints.begin(), other.waypoints.end(), leg.waypoints.begin(),
+                        leg.waypoints.end(), isSame);
+    };
+    const auto before = std::find_if(known_.begin(), known_.end(), isIt);
+    if (before != known_.end()) {
+      leg.path = before->path;
+    } else if (!findPathBy(geometry, leg.from, leg.waypoints, leg.to, workspace, leg.path)) {
+      throw Error(ErrorCode::kUnreachable,
+                  "leg " + std::to_string(i) +
+                      " goes through a point on another component than one of its ends");
+    }
+    paths.back() = leg.path;
+    known.push_back(std::move(leg));
+  }
+  known_ = std::move(known);
+  return paths;
+}
+
+val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs) {
+  val list = val::array();
+  FindPathWorkspace workspace;
+  for (int i = 0; i < legs.count(); ++i) {
+    Array<SurfacePoint> waypoints;
+    if (!legs[i].points.empty()) {
+      waypoints = waypointsOf(mesh.geometry(), legs[i], workspace);
+    }
+    list.set(i, toJs(mesh.numbering(), waypoints));
+  }
+  return list;
+}
+
+val legsAndShorterToJs(const MeshHandle& mesh, Curve& curve) {
+  val list = val::array();
+  FindPathWorkspace workspace;
+  const auto pathOf = [&](const SurfacePath& path) {
+    return pathToJs(mesh.numbering(), mesh.mesh(), path.points, path.length());
+  };
+  const Array<SurfacePath>& legs = curve.legs();
+  const Array<SurfacePath>& given = curve.value().legs;
+  for (int i = 0; i < legs.count(); ++i) {
+    val leg = val::object();
+    leg.set("path", pathOf(legs[i]));
+    SurfacePath shorter;
+    if (!given.empty() && !given[i].points.empty() &&
+        findPath(mesh.geometry(), legs[i].start(), legs[i].end(), workspace, shorter) &&
+        shorter.length() < legs[i].length() * (1 - kSameLength)) {
+      leg.set("shorter", pathOf(shorter));
+    }
+    list.set(i, leg);
+  }
+  return list;
+}
+
+}  // namespace karcher::bindings

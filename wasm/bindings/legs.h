@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bindings/mesh_handle.h"
+#include "curves/curve.h"
+
+namespace karcher::bindings {
+
+/// Legs of a control polygon as they travel: a list with the points that each goes through, empty
+/// for the shortest path; an empty list where all are shortest.
+class Legs {
+ public:
+  /// The legs of a curve's value. Those that it was asked for the last time are not searched for
+  /// again. Throws Error kUnreachable for waypoints on another component than the leg's ends, and
+  /// the errors of points.
+  Array<SurfacePath> fromJs(const MeshHandle& mesh, const val& legs,
+                            const Array<SurfacePoint>& points);
+
+ private:
+  struct Leg {
+    SurfacePoint from;
+    SurfacePoint to;
+    Array<SurfacePoint> waypoints;
+    SurfacePath path;
+  };
+
+  Array<Leg> known_;
+};
+
+/// The legs of a curve's value.
+val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs);
+
+/// A list with {path, shorter} for each of a curve's legs: a path (path.h), and the path between
+/// its ends that is shorter, if it is known to be another one.
+val legsAndShorterToJs(const MeshHandle& mesh, Curve& curve);
+
+}  // namespace karcher::bindings
