@@ -9,7 +9,6 @@ set(KARCHER_FAST_ROOMS
 set(KARCHER_SMALL_ROOMS
   mesh curves curves/spec curves/polygon curves/query curves/refine)
 set(KARCHER_FAST_IN_SMALL_ROOMS
-  curves/polygon/levels.cpp
   curves/spec/bases.cpp
   curves/spec/segment_basis.cpp
   mesh/decimal.cpp
@@ -19,7 +18,9 @@ set(KARCHER_FAST_IN_SMALL_ROOMS
 set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/branches.cpp
   curves/trace/edge_crossings.cpp
-  curves/trace/polyline.cpp)
+  curves/trace/polyline.cpp
+  distance/waypoints.cpp
+  rcm/mean_weights.cpp)
 # Libraries of their own.
 set(KARCHER_OTHER_ROOMS
   peers)

@@ -14,12 +14,14 @@ import { mean } from './cli/mean.js';
 import { jsonPieces, polylinesAsObj, print } from './cli/output.js';
 import { path } from './cli/path.js';
 import { trace } from './cli/trace.js';
+import { weights } from './cli/weights.js';
 
 const commands: readonly Command[] = [
   info,
   distance,
   path,
   mean,
+  weights,
   trace,
   edit,
   circle,

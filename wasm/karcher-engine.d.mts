@@ -1,6 +1,7 @@
 import type {
   CurveKind,
   CurvePoints,
+  MeanWeights,
   MeshInfo,
   Method,
   Solver,
@@ -59,6 +60,14 @@ export interface EngineMesh {
     normalize: boolean,
     field: EngineFieldOptions,
   ): EngineMean;
+  /** `given` is empty for equal weights. */
+  weightsOf(
+    point: Float64Array,
+    points: Float64Array,
+    given: Float64Array,
+    nonNegative: boolean,
+    field: EngineFieldOptions,
+  ): MeanWeights;
   /** `distances`: one array after another. */
   centerOfMassOfDistances(
     distances: Float64Array,

@@ -9,6 +9,7 @@ import {
   toVector,
 } from './check.js';
 import { Curve } from './curve.js';
+import { givenNumbers } from './curve_options.js';
 import { type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
@@ -23,6 +24,7 @@ import {
   fieldOptionNames,
   isolineOptionNames,
   startOptionNames,
+  weightsOptionNames,
 } from './options.js';
 import { Path } from './path.js';
 import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
@@ -38,12 +40,14 @@ import type {
   FieldOptions,
   IsolineOptions,
   LongWorkOptions,
+  MeanWeights,
   MeshInfo,
   PointLike,
   StartOptions,
   StraightestPath,
   SurfacePoint,
   VectorLike,
+  WeightsOptions,
 } from './types.js';
 import { CurveView } from './view.js';
 
@@ -159,6 +163,32 @@ export class Mesh {
     return toCenterOfMass(
       this.#handle.call((mesh) => mesh.centerOfMass(places, masses, start, normalize, field)),
     );
+  }
+
+  /**
+   * The inverse of `centerOfMass`: weights of sum 1 for which a point is the center of mass of the
+   * points, the nearest to the given ones; of three points there are only these. So a drawing among
+   * some points is carried to others: the weights here, `centerOfMass` there.
+   *
+   * Throws `KarcherError` badArgument where there are none: all the points are seen from `point`
+   * along one line that it does not lie on, or with `nonNegative` it lies outside of their convex
+   * hull. Besides badWeights (given ones that are not one a point, or of no positive sum),
+   * tooFewPoints (none), unreachable.
+   */
+  weightsOf(
+    point: PointLike,
+    points: readonly PointLike[],
+    options: WeightsOptions = {},
+  ): MeanWeights {
+    checkOptions(options, weightsOptionNames);
+    const place = wirePoint(point);
+    const places = wirePoints(points);
+    const { weights } = options;
+    const given =
+      weights === undefined ? new Float64Array() : givenNumbers(weights, 'the given weights');
+    const nonNegative = checkBoolean(options.nonNegative ?? false, 'nonNegative');
+    const field = engineFieldOptions(options);
+    return this.#handle.call((mesh) => mesh.weightsOf(place, places, given, nonNegative, field));
   }
 
   /**

@@ -13,6 +13,7 @@ import type {
   Method,
   Solver,
   StartOptions,
+  WeightsOptions,
 } from './types.js';
 
 /** The names of all of a type's options; the compiler misses none. */
@@ -26,6 +27,11 @@ const longWorkOptionNames = namesOf<LongWorkOptions>({ progress: true, signal: t
 const start = { start: true, normalize: true } as const;
 export const startOptionNames = namesOf<StartOptions>(start);
 export const centerOptionNames = namesOf<CenterOptions>({ ...field, ...start });
+export const weightsOptionNames = namesOf<WeightsOptions>({
+  ...field,
+  weights: true,
+  nonNegative: true,
+});
 export const curveOptionNames = namesOf<CurveOptions>({
   ...field,
   kind: true,

@@ -167,6 +167,29 @@ export interface CenterOfMass {
   otherMinima: boolean;
 }
 
+/** Weights of points for which a given point is their center of mass. */
+export interface MeanWeights {
+  /** One a point; their sum is 1. */
+  weights: Float64Array;
+  /**
+   * Whether the center of mass of these weights, searched for from the point, is the point, to 1e-9
+   * mean edges. It is not where the energy's Hessian is not positive definite, as may be where weights
+   * are negative or the points lie far apart; nor where, beside an edge at which fields jump, the face
+   * on the other side has the deeper minimum.
+   */
+  isMinimum: boolean;
+}
+
+export interface WeightsOptions extends FieldOptions {
+  /**
+   * Weights that are changed as little as can be, by the sum of squares; they are divided by their
+   * sum. Equal ones by default.
+   */
+  weights?: ArrayLike<number>;
+  /** Take no weight below 0. */
+  nonNegative?: boolean;
+}
+
 /** How the search for a center of mass starts. */
 export interface StartOptions {
   /**

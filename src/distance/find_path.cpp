@@ -129,8 +129,8 @@ bool findPath(const Geometry& geometry, const SurfacePoint& from, const SurfaceP
   const SurfacePoint last = backwards ? from : to;
   if (!PathFinder(geometry, workspace, out).run(first, last)) return false;
   if (options.certified) {
-    const ShortestPath shortest = shortestPath(geometry, first, last);
-    if (shortest.length < out.length() * (1 - kSameLength)) {
+    const SurfacePath shortest = shortestPath(geometry, first, last);
+    if (shortest.length() < out.length() * (1 - kSameLength)) {
       out.points = shortest.points;
     }
   }

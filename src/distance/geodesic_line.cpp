@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "distance/shortest_path.h"
+#include "intrinsic/along_path.h"
 #include "intrinsic/local_path.h"
 
 namespace karcher {
@@ -11,39 +12,39 @@ namespace {
 
 /// The points of the path by a search that begins at `from`, with their lengths; none if it finds
 /// no strip of faces.
-GeodesicLine searchedFrom(const Geometry& geometry, const SurfacePoint& from,
-                          const SurfacePoint& to) {
-  GeodesicLine line;
+SurfacePath searchedFrom(const Geometry& geometry, const SurfacePoint& from,
+                         const SurfacePoint& to) {
+  SurfacePath line;
   line.points.push_back(from);
   StripWorkspace workspace;
   double length = 0;
   const LocalPathOptions everywhere{2 * geometry.mesh->faceCount()};
   if (!appendLocalPath(geometry, from, to, workspace, line.points, length, everywhere)) return {};
-  line.lengths = lengthsAlong(*geometry.mesh, line.points);
+  measure(*geometry.mesh, line);
   return line;
 }
 
 }  // namespace
 
-GeodesicLine geodesicLine(const Geometry& geometry, const SurfacePoint& from,
-                          const SurfacePoint& to) {
-  GeodesicLine line = searchedFrom(geometry, from, to);
+SurfacePath geodesicLine(const Geometry& geometry, const SurfacePoint& from,
+                         const SurfacePoint& to) {
+  SurfacePath line = searchedFrom(geometry, from, to);
   if (line.points.empty()) {
-    line.points = shortestPath(geometry, from, to).points;
-    line.lengths = lengthsAlong(*geometry.mesh, line.points);
+    line = shortestPath(geometry, from, to);
+    measure(*geometry.mesh, line);
     return line;
   }
-  GeodesicLine back = searchedFrom(geometry, to, from);
+  SurfacePath back = searchedFrom(geometry, to, from);
   if (back.points.empty() || !(back.length() < line.length())) return line;
-  std::reverse(back.points.begin(), back.points.end());
-  back.lengths = lengthsAlong(*geometry.mesh, back.points);
+  back = reversed(back);
+  measure(*geometry.mesh, back);
   return back;
 }
 
-LineHalves halvesOf(const TriangleMesh& mesh, const GeodesicLine& line) {
+LineHalves halvesOf(const TriangleMesh& mesh, const SurfacePath& line) {
   const double half = line.length() / 2;
   const int after = pieceAt(line.lengths, half) + 1;
-  const SurfacePoint middle = pointAlong(mesh, line.points, line.lengths, half);
+  const SurfacePoint middle = pointAlong(mesh, line, half);
   LineHalves halves;
   halves.first.points.assign(line.points.begin(), line.points.begin() + after);
   halves.first.lengths.assign(line.lengths.begin(), line.lengths.begin() + after);
@@ -62,9 +63,9 @@ SurfacePoint averageOf(const Geometry& geometry, const SurfacePoint& a, const Su
                        double s) {
   if (s <= 0) return a;
   if (s >= 1) return b;
-  const Array<SurfacePoint> path = shortestPath(geometry, a, b).points;
-  const Array<double> lengths = lengthsAlong(*geometry.mesh, path);
-  return pointAlong(*geometry.mesh, path, lengths, s * lengths.back());
+  SurfacePath path = shortestPath(geometry, a, b);
+  measure(*geometry.mesh, path);
+  return pointAlong(*geometry.mesh, path, s * path.length());
 }
 
 }  // namespace karcher

@@ -35,9 +35,10 @@ void followBack(const Geometry& geometry, const ExactDistance& distance, int ver
 /// Turns the points that were walked from the target to the source round, once each. Along an edge,
 /// or past the end of one, rounding may lead a walk into faces next to the path's: there the gap is
 /// closed by the straight line.
-ShortestPath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked, double length) {
+SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked, double length) {
   const TriangleMesh& mesh = *geometry.mesh;
-  ShortestPath path{{walked.back()}, length};
+  SurfacePath path;
+  path.points.push_back(walked.back());
   StripWorkspace workspace;
   for (int i = walked.count() - 2; i >= 0; --i) {
     const SurfacePoint& last = path.points.back();
@@ -53,6 +54,8 @@ ShortestPath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked
       path.points.push_back(point);
     }
   }
+  measure(mesh, path);
+  path.lengths.back() = length;
   return path;
 }
 
@@ -72,7 +75,7 @@ void growUntil(const Geometry& geometry, ExactDistance& distance, double radius,
 
 }  // namespace
 
-ShortestPath shortestPathToVertex(const Geometry& geometry, ExactDistance& distance, int vertex) {
+SurfacePath shortestPathToVertex(const Geometry& geometry, ExactDistance& distance, int vertex) {
   const SurfacePoint target = vertexPoint(*geometry.mesh, vertex);
   const double chord =
       (position(*geometry.mesh, target) - position(*geometry.mesh, distance.source())).norm();
@@ -84,13 +87,13 @@ ShortestPath shortestPathToVertex(const Geometry& geometry, ExactDistance& dista
   return cleaned(geometry, points, distance.distance(vertex));
 }
 
-ShortestPath shortestPath(const Geometry& geometry, const SurfacePoint& from,
-                          const SurfacePoint& to) {
+SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
+                         const SurfacePoint& to) {
   const TriangleMesh& mesh = *geometry.mesh;
   const double chord = (position(mesh, to) - position(mesh, from)).norm();
   const PointLocation end = locate(mesh, to);
   // In one face the straight line is the shortest path of all.
-  if (haveCommonFace(mesh, from, to)) return {{from, to}, chord};
+  if (haveCommonFace(mesh, from, to)) return {{from, to}, {0, chord}};
 
   ExactDistance distance(geometry);
   distance.setSource(from);

@@ -35,7 +35,7 @@ struct Deviation {
     for (int i = 0; i < kPointsAlong; ++i) {
       const double length = lengths.back() * (i + 0.5) / kPointsAlong;
       const SurfacePoint point = pointAlong(*geometry.mesh, line, lengths, length);
-      const double off = std::abs(shortestPath(geometry, center, point).length - radius) / radius;
+      const double off = std::abs(shortestPath(geometry, center, point).length() - radius) / radius;
       largest = std::max(largest, off);
       sum += off;
       ++count;

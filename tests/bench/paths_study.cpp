@@ -48,7 +48,7 @@ Outcome measurePaths(const Geometry& geometry, int pairs) {
   double straightening = 0;
   double moving = 0;
   for (const PointPair& pair : randomPairs(geometry, random, pairs, randomPlace, 0.05, 0.3)) {
-    const double exact = shortestPath(geometry, pair.from, pair.to).length;
+    const double exact = shortestPath(geometry, pair.from, pair.to).length();
     const double ms = leastTime([&] { findPath(geometry, pair.from, pair.to, workspace, path); });
     outcome.times.push_back(ms);
     if (std::abs(exact / geometry.diagonal - 0.2) < 0.02) outcome.legTimes.push_back(ms);

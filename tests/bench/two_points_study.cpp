@@ -22,7 +22,7 @@ constexpr int kWeights = 101;
 struct Pair {
   SurfacePoint from;
   SurfacePoint to;
-  ShortestPath path;
+  SurfacePath path;
 };
 
 /// A point of a path, and the path's unit direction there.
@@ -32,7 +32,7 @@ struct PathPlace {
 };
 
 /// At a length from the path's start.
-PathPlace placeAtLength(const TriangleMesh& mesh, const ShortestPath& path, double length) {
+PathPlace placeAtLength(const TriangleMesh& mesh, const SurfacePath& path, double length) {
   Vec3 before = position(mesh, path.points.front());
   Vec3 along = Vec3::Zero();
   for (const SurfacePoint& point : path.points) {
@@ -79,7 +79,7 @@ Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& 
         continue;
       }
       const PathPlace expected =
-          placeAtLength(surface.mesh(), pair.path, sample.t * pair.path.length);
+          placeAtLength(surface.mesh(), pair.path, sample.t * pair.path.length());
       const Vec3 error =
           (position(surface.mesh(), sample.point) - expected.point) / geometry.meanEdge;
       const double along = error.dot(expected.along);

@@ -78,7 +78,7 @@ TEST(CurveLevels, OfThePlaneAreTheSameCurve) {
         // Derivatives of the weights are differences (evaluate.cpp).
         EXPECT_LE((a.inSpace - b.inSpace).norm(), 1e-6 * (1 + a.inSpace.norm()));
       }
-      EXPECT_NEAR(lineOf(curve).lengths.back(), lineOf(center).lengths.back(), 2e-3 * diagonal);
+      EXPECT_NEAR(lineOf(curve).path.lengths.back(), lineOf(center).path.lengths.back(), 2e-3 * diagonal);
       ++compared;
     }
   }
@@ -228,7 +228,7 @@ TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
   for (const CurveKind kind : {CurveKind::kPolyline, CurveKind::kBezier}) {
     const CurveOptions options = optionsOf({kind}, 65, 2, kFast);
     Curve curve(surface, options, {a, b});
-    const double shortest = lineOf(curve).lengths.back();
+    const double shortest = lineOf(curve).path.lengths.back();
     // The long way: drawn out by hand around the tube.
     CurveValue value = curve.value();
     for (int step = 1; step <= 40; ++step) {
@@ -237,10 +237,10 @@ TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
       value = curve.withPointDragged(1, nearestPoint(mesh, place));
       curve.set(value);
     }
-    EXPECT_GT(lineOf(curve).lengths.back(), 1.5 * shortest) << curveKindName(kind);
+    EXPECT_GT(lineOf(curve).path.lengths.back(), 1.5 * shortest) << curveKindName(kind);
     // Until the point is moved, not dragged: then its leg is the shortest.
     curve.movePoint(1, b);
-    EXPECT_NEAR(lineOf(curve).lengths.back(), shortest, 1e-9) << curveKindName(kind);
+    EXPECT_NEAR(lineOf(curve).path.lengths.back(), shortest, 1e-9) << curveKindName(kind);
   }
 }
 

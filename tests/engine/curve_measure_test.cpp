@@ -93,7 +93,7 @@ TEST(CurveMeasure, DividesCurvesEvenly) {
     const CurveLine line = lineOf(curve);
     double length = 0;
     for (int j = 0; j < curve.segmentCount(); ++j) length += curve.path(j).length;
-    EXPECT_NEAR(line.lengths.back(), length, 1e-9);
+    EXPECT_NEAR(line.path.lengths.back(), length, 1e-9);
     EXPECT_NEAR(lengthAt(curve, line, 0.999999 * curve.segmentCount()), length, 1e-3 * length);
     const int count = 20;
     const Array<CurvePoint> points = equallySpaced(curve, line, count);

@@ -109,9 +109,9 @@ TEST(CurveMeasure, LengthsOfAClosedCurveEndWithTheWhole) {
     Curve curve(surface, {shape, 9, kFast}, points);
     const CurveLine line = lineOf(curve);
     EXPECT_EQ(lengthAt(curve, line, 0), 0);
-    EXPECT_EQ(lengthAt(curve, line, curve.segmentCount()), line.lengths.back());
+    EXPECT_EQ(lengthAt(curve, line, curve.segmentCount()), line.path.lengths.back());
     if (!shape.closed) continue;
-    EXPECT_EQ(lengthAt(curve, line, 2 * curve.segmentCount()), line.lengths.back());
+    EXPECT_EQ(lengthAt(curve, line, 2 * curve.segmentCount()), line.path.lengths.back());
     EXPECT_EQ(lengthAt(curve, line, -curve.segmentCount()), 0);
   }
 }

@@ -46,7 +46,7 @@ void expectShort(const TriangleMesh& mesh, int pairs, uint64_t seed, double most
     for (int k = 1; k < path.points.count(); ++k) {
       EXPECT_TRUE(haveCommonFace(mesh, path.points[k - 1], path.points[k]));
     }
-    const double exact = shortestPath(geometry, from, to).length;
+    const double exact = shortestPath(geometry, from, to).length();
     EXPECT_GE(path.length(), exact * (1 - 1e-12));
     EXPECT_LE(path.length(), exact * (1 + most));
     within += path.length() <= exact * (1 + 1e-3) + 1e-15;
@@ -98,7 +98,7 @@ TEST(FindPath, isFoundPieceByPieceBetweenFarPoints) {
   ASSERT_GT((position(sheet.mesh, to) - position(sheet.mesh, from)).norm(),
             100 * sheet.geometry.meanEdge);
   expectSamePath(reversed(back), path);
-  const double exact = shortestPath(sheet.geometry, from, to).length;
+  const double exact = shortestPath(sheet.geometry, from, to).length();
   EXPECT_GE(path.length(), exact * (1 - 1e-12));
   EXPECT_LE(path.length(), exact * 1.01);
   ASSERT_TRUE(findPath(sheet.geometry, from, to, workspace, path, {.certified = true}));

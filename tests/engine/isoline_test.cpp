@@ -94,7 +94,7 @@ TEST(Isoline, ExactOnesLieAtTheirDistanceOnEveryShape) {
       for (const Isoline& line : lines) {
         EXPECT_TRUE(line.closed || shape == Shape::kOpenSheet);
         for (int i = 0; i < line.points.count(); i += 7) {
-          EXPECT_NEAR(shortestPath(geometry, source, line.points[i]).length, radius,
+          EXPECT_NEAR(shortestPath(geometry, source, line.points[i]).length(), radius,
                       1e-8 * geometry.diagonal);
         }
       }

@@ -15,19 +15,19 @@ namespace karcher {
 namespace {
 
 /// Consecutive points must share a face and differ, and the pieces add up to the length.
-void expectPathOnSurface(const TriangleMesh& mesh, const ShortestPath& path) {
+void expectPathOnSurface(const TriangleMesh& mesh, const SurfacePath& path) {
   double length = 0;
   for (int i = 1; i < path.points.count(); ++i) {
     const SurfacePoint& a = path.points[i - 1];
     const SurfacePoint& b = path.points[i];
     EXPECT_TRUE(haveCommonFace(mesh, a, b)) << "points " << i - 1 << " and " << i;
     const double piece = (position(mesh, b) - position(mesh, a)).norm();
-    if (path.length > 0) {
+    if (path.length() > 0) {
       EXPECT_GT(piece, 0) << "point " << i << " is repeated";
     }
     length += piece;
   }
-  EXPECT_NEAR(length, path.length, 1e-9 * (1 + path.length));
+  EXPECT_NEAR(length, path.length(), 1e-9 * (1 + path.length()));
 }
 
 TEST(ShortestPath, InThePlaneIsTheStraightLine) {
@@ -37,9 +37,9 @@ TEST(ShortestPath, InThePlaneIsTheStraightLine) {
                            {4.5, 3, 0},   {0, 7, 0},     {9, 2.5, 0}};
   for (const Vec3& a : places) {
     for (const Vec3& b : places) {
-      const ShortestPath path =
+      const SurfacePath path =
           shortestPath(geometry, nearestPoint(mesh, a), nearestPoint(mesh, b));
-      EXPECT_NEAR(path.length, (b - a).norm(), 1e-12);
+      EXPECT_NEAR(path.length(), (b - a).norm(), 1e-12);
       EXPECT_LT((position(mesh, path.points.front()) - a).norm(), 1e-12);
       EXPECT_LT((position(mesh, path.points.back()) - b).norm(), 1e-12);
       expectPathOnSurface(mesh, path);
@@ -71,9 +71,9 @@ TEST(ShortestPath, TurnsRoundTheCornerOfTheBoundary) {
   const Geometry geometry = buildGeometry(mesh);
   const Vec3 a(1.3, 3.6, 0);
   const Vec3 b(3.7, 1.2, 0);
-  const ShortestPath path = shortestPath(geometry, nearestPoint(mesh, a), nearestPoint(mesh, b));
+  const SurfacePath path = shortestPath(geometry, nearestPoint(mesh, a), nearestPoint(mesh, b));
   const Vec3 corner(2, 2, 0);
-  EXPECT_NEAR(path.length, (corner - a).norm() + (b - corner).norm(), 1e-12);
+  EXPECT_NEAR(path.length(), (corner - a).norm() + (b - corner).norm(), 1e-12);
   expectPathOnSurface(mesh, path);
 }
 
@@ -92,10 +92,10 @@ TEST(ShortestPath, IsNoLongerThanLocallyShortestOnesOnTheBunny) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   for (const Reference& r : references) {
-    const ShortestPath path =
+    const SurfacePath path =
         shortestPath(geometry, vertexPoint(mesh, r.from), vertexPoint(mesh, r.to));
-    EXPECT_LE(path.length, r.length * (1 + 1e-10));
-    EXPECT_GE(path.length, (mesh.positions[r.from] - mesh.positions[r.to]).norm());
+    EXPECT_LE(path.length(), r.length * (1 + 1e-10));
+    EXPECT_GE(path.length(), (mesh.positions[r.from] - mesh.positions[r.to]).norm());
     expectPathOnSurface(mesh, path);
   }
 }
@@ -114,10 +114,10 @@ TEST(ShortestPath, IsTheSameBothWaysAndObeysTheTriangleInequality) {
     const SurfacePoint a = somewhere();
     const SurfacePoint b = somewhere();
     const SurfacePoint c = somewhere();
-    const ShortestPath ab = shortestPath(geometry, a, b);
-    EXPECT_NEAR(ab.length, shortestPath(geometry, b, a).length, 1e-10 * ab.length);
-    EXPECT_LE(ab.length,
-              shortestPath(geometry, a, c).length + shortestPath(geometry, c, b).length + 1e-9);
+    const SurfacePath ab = shortestPath(geometry, a, b);
+    EXPECT_NEAR(ab.length(), shortestPath(geometry, b, a).length(), 1e-10 * ab.length());
+    EXPECT_LE(ab.length(),
+              shortestPath(geometry, a, c).length() + shortestPath(geometry, c, b).length() + 1e-9);
     expectPathOnSurface(mesh, ab);
   }
 }
@@ -142,13 +142,13 @@ TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
     for (int i = 0; i < (longRun() ? 5000 : 200); ++i) {
       const SurfacePoint a = i % 2 == 0 ? onBoundary() : randomPlace(mesh, random);
       const SurfacePoint b = onBoundary();
-      const ShortestPath path = shortestPath(surface->geometry, a, b);
+      const SurfacePath path = shortestPath(surface->geometry, a, b);
       expectPathOnSurface(mesh, path);
       const PointLocation end = locate(mesh, b);
       if (end.simplex != Simplex::kVertex) continue;
       solver.setSource(a);
       solver.grow(kInfinity);
-      EXPECT_NEAR(path.length, solver.distance(end.vertex), 1e-12 * (1 + path.length));
+      EXPECT_NEAR(path.length(), solver.distance(end.vertex), 1e-12 * (1 + path.length()));
     }
   }
 }

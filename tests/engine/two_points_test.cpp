@@ -33,7 +33,7 @@ Outcome measure(Surface& surface, const Array<PointPair>& pairs, const FieldOpti
   Outcome outcome;
   Array<double> errors;
   for (const PointPair& pair : pairs) {
-    const ShortestPath path = shortestPath(geometry, pair.from, pair.to);
+    const SurfacePath path = shortestPath(geometry, pair.from, pair.to);
     const Array<double> lengths = lengthsAlong(mesh, path.points);
     from.setPoint(pair.from);
     to.setPoint(pair.to);
@@ -46,7 +46,7 @@ Outcome measure(Surface& surface, const Array<PointPair>& pairs, const FieldOpti
       EXPECT_NEAR(point.bary.sum(), 1, 1e-12);
       if (sample.status != Status::kConverged) continue;
       ++outcome.converged;
-      const SurfacePoint truth = pointAlong(mesh, path.points, lengths, sample.t * path.length);
+      const SurfacePoint truth = pointAlong(mesh, path.points, lengths, sample.t * path.length());
       errors.push_back((position(mesh, point) - position(mesh, truth)).norm());
     }
   }

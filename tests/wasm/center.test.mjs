@@ -162,3 +162,36 @@ test("a caller's own distances serve as well", () => {
     assert.throws(() => mesh.centerOfMassOfDistances(arrays, numbers), { code, message });
   }
 });
+
+test('weights of a point carry it to other control points', () => {
+  const mesh = karcher.meshFromObj(grid(12));
+  const at = (vertex) => ({ vertex });
+  const corners = [15, 22, 110, 140].map(at);
+  const place = mesh.position({ vertex: 70 });
+  const { weights, isMinimum } = mesh.weightsOf(at(70), corners);
+  assert.equal(isMinimum, true);
+  const sum = (of) => weights.reduce((total, weight, i) => total + weight * of(i), 0);
+  assert.ok(Math.abs(sum(() => 1) - 1) < 1e-12);
+  for (const axis of [0, 1, 2]) {
+    const reached = sum((i) => mesh.position(corners[i])[axis]);
+    assert.ok(Math.abs(reached - place[axis]) < 1e-11);
+  }
+  const back = mesh.centerOfMass(corners, weights, { normalize: true });
+  assert.ok(back.position.every((value, axis) => Math.abs(value - place[axis]) < 1e-9));
+
+  // Given weights stay where they serve, and stay above 0 where that is asked for.
+  const given = mesh.weightsOf(at(70), corners, { weights: weights.map((one) => 3 * one) });
+  assert.ok(given.weights.every((weight, i) => Math.abs(weight - weights[i]) < 1e-12));
+  const sound = mesh.weightsOf(at(18), [...corners, at(30)], { nonNegative: true });
+  assert.ok(sound.weights.every((weight) => weight >= 0));
+
+  const outside = { name: 'KarcherError', code: 'badArgument', message: /convex hull/ };
+  assert.throws(() => mesh.weightsOf(at(168), corners, { nonNegative: true }), outside);
+  const line = [14, 28, 42].map(at);
+  assert.throws(() => mesh.weightsOf(at(70), line.slice(0, 2)), { message: /no such weights/ });
+  assert.throws(() => mesh.weightsOf(at(70), []), { code: 'tooFewPoints' });
+  assert.throws(() => mesh.weightsOf(at(70), corners, { weights: [1] }), { code: 'badWeights' });
+  assert.throws(() => mesh.weightsOf(at(70), corners, { weights: [] }), { code: 'badArgument' });
+  assert.throws(() => mesh.weightsOf(at(70), corners, { nonNegative: 1 }), { code: 'badArgument' });
+  mesh.dispose();
+});

@@ -87,6 +87,18 @@ test('mean prints the center of mass', () => {
   assert.deepEqual(graph, mesh.centerOfMass(points, masses, { solver: 'graph', rings: 2 }));
 });
 
+test('weights prints those that make a point the center of mass', () => {
+  const [{ face, bary }] = points;
+  const at = `${face}:${bary[1]},${bary[2]}`;
+  const args = ['weights', gridFile, '--points', pointsFile, '--point', at];
+  const plain = mesh.weightsOf(points[0], points);
+  assert.deepEqual(printed(...args), { ...plain, weights: Array.from(plain.weights) });
+  const given = printed(...args, '--weights', weights, '--nonnegative', '--solver', 'exact');
+  const options = { weights: weights.split(',').map(Number), nonNegative: true, solver: 'exact' };
+  assert.deepEqual(given.weights, Array.from(mesh.weightsOf(points[0], points, options).weights));
+  assert.match(failure('weights', gridFile, '--points', pointsFile, '--point', '1 2'), /--point/);
+});
+
 test('mean with the shortest paths to the points', () => {
   const args = ['mean', gridFile, '--points', pointsFile, '--weights', weights];
   const { paths, ...mean } = printed(...args, '--paths');

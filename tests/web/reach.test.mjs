@@ -10,10 +10,13 @@ const sizes = {
 };
 
 const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
-/** A curve with parts that are no center of mass, another one beside it, and a circle. */
+/**
+ * A curve with parts that are no center of mass and a leg that goes a longer way, another one beside
+ * it, and a circle.
+ */
 const fragment = [
   'mesh=genus3:5000&method=karcher-fast&kind=bspline',
-  `points=${at([3713, 2975, 4071, 3269, 3294, 1757])}`,
+  `points=${at([3713, 2975, 4071, 3269, 3294, 1757])}&legs=0:303,0.3,0.3`,
   `other=${encodeURIComponent(`kind=polyline&points=${at([10, 500])}`)}`,
   'circle=100,0.3,0.3;0.1,1,0,0',
 ].join('&');

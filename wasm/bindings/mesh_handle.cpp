@@ -13,6 +13,7 @@
 #include "mesh/loop_subdivision.h"
 #include "mesh/shapes.h"
 #include "rcm/mean.h"
+#include "rcm/mean_weights.h"
 
 namespace karcher::bindings {
 
@@ -112,10 +113,10 @@ val MeshHandle::straightest(const val& from, const val& direction, double length
 }
 
 val MeshHandle::shortestPath(const val& from, const val& to) const {
-  const ShortestPath path =
+  const SurfacePath path =
       karcher::shortestPath(surface_.geometry(), pointFromJs(numbering_, mesh(), from),
                             pointFromJs(numbering_, mesh(), to));
-  return pathToJs(numbering_, mesh(), path.points, path.length);
+  return pathToJs(numbering_, mesh(), path.points, path.length());
 }
 
 Array<double> MeshHandle::distancesFromPoint(const SurfacePoint& source, const val& field) {
@@ -144,6 +145,21 @@ val MeshHandle::centerOfMass(const val& points, const val& weights, const val& s
   options.field = fieldOptionsFromJs(field);
   return meanToJs(karcher::centerOfMass(surface_, pointsFromJs(numbering_, mesh(), points),
                                         fromJs<double>(weights), options, fields_));
+}
+
+val MeshHandle::weightsOf(const val& point, const val& points, const val& given, bool nonNegative,
+                          const val& field) {
+  const FieldOptions options = fieldOptionsFromJs(field);
+  if (!fields_ || !(fields_->options() == options)) {
+    fields_ = std::make_shared<FieldSet>(surface_, options);
+  }
+  const MeanWeights weights = karcher::weightsOf(*fields_, pointFromJs(numbering_, mesh(), point),
+                                                 pointsFromJs(numbering_, mesh(), points),
+                                                 {fromJs<double>(given), nonNegative});
+  val result = val::object();
+  result.set("weights", toJs(weights.weights));
+  result.set("isMinimum", weights.isMinimum);
+  return result;
 }
 
 val MeshHandle::centerOfMassOfDistances(const val& distances, const val& weights, const val& start,

@@ -41,6 +41,9 @@ class MeshHandle {
   /// `start` is a point, or an empty array for the engine's choice.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
                    const val& field);
+  /// {weights, isMinimum}; `given` is empty for equal weights.
+  val weightsOf(const val& point, const val& points, const val& given, bool nonNegative,
+                const val& field);
   /// `distances` holds one field after another, each with a distance a vertex of the caller.
   val centerOfMassOfDistances(const val& distances, const val& weights, const val& start,
                               bool normalize);

@@ -61,6 +61,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("hasRingGraph", &Guarded<&MeshHandle::hasRingGraph>::call)
       .function("prepareFields", &Guarded<&MeshHandle::prepareFields>::call)
       .function("centerOfMass", &Guarded<&MeshHandle::centerOfMass>::call)
+      .function("weightsOf", &Guarded<&MeshHandle::weightsOf>::call)
       .function("centerOfMassOfDistances", &Guarded<&MeshHandle::centerOfMassOfDistances>::call)
       .function("circle", &Guarded<&MeshHandle::circle>::call)
       .function("ellipse", &Guarded<&MeshHandle::ellipse>::call)

@@ -98,6 +98,7 @@ const meshMethods = namesOf<Record<MeshMethod, true>>({
   position: true,
   prepare: true,
   centerOfMass: true,
+  weightsOf: true,
   centerOfMassOfDistances: true,
   curve: true,
   circle: true,

@@ -40,11 +40,11 @@ WeightedPoint foldedFromEnds(const Geometry& geometry, const Array<WeightedPoint
   return merged(geometry, first, last);
 }
 
-using Polygon = Array<GeodesicLine>;  ///< its edges
+using Polygon = Array<SurfacePath>;  ///< its edges
 
 double lengthOf(const Polygon& polygon) {
   double sum = 0;
-  for (const GeodesicLine& edge : polygon) sum += edge.length();
+  for (const SurfacePath& edge : polygon) sum += edge.length();
   return sum;
 }
 
@@ -56,7 +56,7 @@ std::pair<Polygon, Polygon> split(const Geometry& geometry, const Polygon& polyg
   Polygon level = polygon;
   while (!level.empty()) {
     Array<LineHalves> halves;
-    for (const GeodesicLine& edge : level) halves.push_back(halvesOf(mesh, edge));
+    for (const SurfacePath& edge : level) halves.push_back(halvesOf(mesh, edge));
     Polygon inner;
     for (int i = 1; i < halves.count(); ++i) {
       inner.push_back(
@@ -72,7 +72,7 @@ std::pair<Polygon, Polygon> split(const Geometry& geometry, const Polygon& polyg
 void appendPolygon(const Polygon& polygon, double t0, double t1, ParametricLine& line) {
   const double step = (t1 - t0) / polygon.count();
   for (int i = 0; i < polygon.count(); ++i) {
-    const GeodesicLine& edge = polygon[i];
+    const SurfacePath& edge = polygon[i];
     for (int k = line.points.empty() ? 0 : 1; k < edge.points.count(); ++k) {
       const double part = edge.length() > 0 ? edge.lengths[k] / edge.length() : 1;
       line.points.push_back(edge.points[k]);
@@ -101,8 +101,8 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
                                   const SurfacePoint& b, double s) {
   const TriangleMesh& mesh = *geometry.mesh;
   if (s < 0) return averageAlongGeodesic(geometry, b, a, 1 - s);
-  const GeodesicLine line = geodesicLine(geometry, a, b);
-  if (s <= 1) return pointAlong(*geometry.mesh, line.points, line.lengths, s * line.length());
+  const SurfacePath line = geodesicLine(geometry, a, b);
+  if (s <= 1) return pointAlong(mesh, line, s * line.length());
   // On from b, in the direction of the last piece.
   for (int i = line.points.count() - 2; i >= 0; --i) {
     if (line.lengths[i] == line.length()) continue;

@@ -37,7 +37,7 @@ CurvePoint pointOfLine(const Curve& curve, const CurveLine& line, const Place& p
   const double parameter = between(line.parameters, place);
   const TriangleMesh& mesh = curve.surface().mesh();
   const SurfacePoint point =
-      pointBetween(mesh, line.points[place.piece], line.points[place.piece + 1], place.s);
+      pointBetween(mesh, line.path.points[place.piece], line.path.points[place.piece + 1], place.s);
   return {parameter, point, statusAt(curve, parameter)};
 }
 
@@ -49,24 +49,24 @@ CurveLine lineOf(const Curve& curve) {
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const Array<CurveSample>& samples = curve.samples(j);
     const JoinedPath& path = curve.path(j);
-    int first = line.points.count();  // of the points that lead to a sample
+    int first = line.path.points.count();  // of the points that lead to a sample
     for (int i = 0; i < path.points.count(); ++i) {
       const Vec3 here = position(mesh, path.points[i]);
-      const double step = line.points.empty() ? 0 : (here - line.positions.back()).norm();
-      line.lengths.push_back(line.points.empty() ? 0 : line.lengths.back() + step);
-      line.points.push_back(path.points[i]);
+      const double step = line.path.points.empty() ? 0 : (here - line.positions.back()).norm();
+      line.path.lengths.push_back(line.path.points.empty() ? 0 : line.path.lengths.back() + step);
+      line.path.points.push_back(path.points[i]);
       line.positions.push_back(here);
       line.parameters.push_back(j + samples[path.sample[i]].t);
       const bool atSample = i + 1 == path.points.count() || path.sample[i + 1] != path.sample[i];
       if (!atSample) continue;
-      const int last = line.points.count() - 1;
+      const int last = line.path.points.count() - 1;
       if (first > 0 && i > 0) {
-        const double start = line.lengths[first - 1];
-        const double whole = line.lengths[last] - start;
+        const double start = line.path.lengths[first - 1];
+        const double whole = line.path.lengths[last] - start;
         const double from = line.parameters[first - 1];
         const double to = line.parameters[last];
         for (int k = first; k < last; ++k) {
-          const double part = whole > 0 ? (line.lengths[k] - start) / whole : 1;
+          const double part = whole > 0 ? (line.path.lengths[k] - start) / whole : 1;
           line.parameters[k] = from + part * (to - from);
         }
       }
@@ -80,12 +80,12 @@ double lengthAt(const Curve& curve, const CurveLine& line, double parameter) {
   const SegmentParameter at = segmentParameter(curve, parameter);
   const double inside = at.segment + at.t;
   // Once around a closed curve is its end here, though it is the point of its start.
-  if (parameter > 0 && inside == 0) return line.lengths.back();
-  return between(line.lengths, placeOf(line.parameters, inside));
+  if (parameter > 0 && inside == 0) return line.path.lengths.back();
+  return between(line.path.lengths, placeOf(line.parameters, inside));
 }
 
 CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length) {
-  const double whole = line.lengths.back();
+  const double whole = line.path.lengths.back();
   double inside = length;
   if (curve.shape().closed && whole > 0 && std::isfinite(length)) {
     inside = length - whole * std::floor(length / whole);
@@ -96,7 +96,7 @@ CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double lengt
     throw Error(ErrorCode::kBadArgument, "the curve has no point at the length " + inFull(length) +
                                              ": it is " + inFull(whole) + " long");
   }
-  return pointOfLine(curve, line, placeOf(line.lengths, inside));
+  return pointOfLine(curve, line, placeOf(line.path.lengths, inside));
 }
 
 Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int count) {
@@ -108,8 +108,8 @@ Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int c
   const int parts = curve.shape().closed ? count : count - 1;
   Array<CurvePoint> points;
   for (int i = 0; i < count; ++i) {
-    const double length = line.lengths.back() * i / parts;
-    points.push_back(pointOfLine(curve, line, placeOf(line.lengths, length)));
+    const double length = line.path.lengths.back() * i / parts;
+    points.push_back(pointOfLine(curve, line, placeOf(line.path.lengths, length)));
   }
   return points;
 }

@@ -8,10 +8,10 @@ namespace karcher {
 /// The vertices of a joined curve, each with its position, the curve's parameter there (in
 /// proportion to the length between samples) and the length from the curve's start.
 struct CurveLine {
-  Array<SurfacePoint> points;
+  SurfacePath path;
+  // Per point of the path.
   Array<Vec3> positions;
   Array<double> parameters;
-  Array<double> lengths;
 };
 
 CurveLine lineOf(const Curve& curve);

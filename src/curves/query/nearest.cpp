@@ -62,7 +62,7 @@ class NearestSearch {
       for (int i = 1; i < samples.count(); ++i) {
         Interval interval{j + samples[i - 1].t, j + samples[i].t};
         interval.nearest = interval.from;
-        for (; k + 1 < line.points.count() && line.parameters[k + 1] <= interval.to; ++k) {
+        for (; k + 1 < line.path.points.count() && line.parameters[k + 1] <= interval.to; ++k) {
           const Vec3& a = line.positions[k];
           const Vec3 along = line.positions[k + 1] - a;
           const double squared = along.squaredNorm();

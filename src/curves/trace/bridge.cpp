@@ -324,7 +324,7 @@ class BridgeBuilder {
     if (!(pull > 0)) return;
     if (from != nullptr) polygon.front() = *from;
     if (to != nullptr) polygon.back() = *to;
-    const GeodesicLine chord = geodesicLine(geometry_, polygon.front(), polygon.back());
+    const SurfacePath chord = geodesicLine(geometry_, polygon.front(), polygon.back());
     const double kept = length / (length + pull);
     const int last = polygon.count() - 1;
     for (int i = 1; i < last; ++i) {

@@ -26,9 +26,9 @@ JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                crossings->append(samples[i - 1], samples[i], path.points, path.length)) {
       // The curve itself.
     } else if (!appendLocalPath(geometry, from, to, workspace, path.points, path.length)) {
-      const ShortestPath shortest = shortestPath(geometry, from, to);
+      const SurfacePath shortest = shortestPath(geometry, from, to);
       path.points.insert(path.points.end(), shortest.points.begin() + 1, shortest.points.end());
-      path.length += shortest.length;
+      path.length += shortest.length();
     }
     path.sample.resize(path.points.size(), i);
     path.unconverged.resize(path.points.size(),

@@ -1,0 +1,255 @@
+#include "rcm/mean_weights.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <string>
+
+#include "mesh/error.h"
+#include "rcm/center_of_mass.h"
+#include "rcm/field_blend.h"
+
+namespace karcher {
+namespace {
+
+using Column = Eigen::Vector3d;
+
+/// Constraints are met to this, with vectors scaled so that the longest has length 1.
+constexpr double kMet = 1e-9;
+/// Directions that the constraints see by less than this part of the most are not seen.
+constexpr double kRank = 1e-13;
+/// A center that moves by less than this part of a mean edge stays.
+constexpr double kStays = 1e-9;
+/// Multipliers above this negative number are 0 but for rounding.
+constexpr double kOptimal = 1e-12;
+
+/// The projection of given weights onto those that sum to 1 and balance the vectors: columns
+/// (1, x, y) with sum_i w_i column_i = (1, 0, 0).
+class Balance {
+ public:
+  Balance(Array<Column> columns, Array<double> given)
+      : columns_(std::move(columns)), given_(std::move(given)) {}
+
+  /// With any sign.
+  Array<double> solve() const {
+    Array<double> weights = given_;
+    Array<char> free(given_.size(), 1);
+    project(free, weights);
+    if (!(missedBy(weights) <= kMet)) {
+      throw Error(ErrorCode::kBadArgument,
+                  "there are no such weights: from the point all the others are seen in lines to "
+                  "one side, or along one line that it does not lie on");
+    }
+    return weights;
+  }
+
+  /// None below 0: the primal active set method from a feasible start. A step frees one weight that
+  /// pulls away from 0, or holds one that reaches 0; the objective never grows.
+  Array<double> solveNonNegative() const {
+    Array<double> weights = feasible();
+    const int count = weights.count();
+    Array<char> free(weights.size(), 0);
+    for (int i = 0; i < count; ++i) free[i] = weights[i] > 0;
+    // Each set of held weights comes once, and seldom more than a few times as many as weights.
+    const int bound = 100 + 50 * count;
+    for (int step = 0; step < bound; ++step) {
+      Array<double> next = given_;
+      for (int i = 0; i < count; ++i) {
+        if (!free[i]) next[i] = 0;
+      }
+      const Column multiplier = project(free, next);
+      double part = 1;
+      int blocking = -1;
+      for (int i = 0; i < count; ++i) {
+        if (!free[i] || next[i] >= 0) continue;
+        const double reach = weights[i] / (weights[i] - next[i]);
+        if (reach < part) {
+          part = reach;
+          blocking = i;
+        }
+      }
+      for (int i = 0; i < count; ++i) weights[i] += part * (next[i] - weights[i]);
+      if (blocking >= 0) {
+        weights[blocking] = 0;
+        free[blocking] = 0;
+        continue;
+      }
+      const int release = mostPulled(free, multiplier);
+      if (release < 0) break;
+      free[release] = 1;
+    }
+    return weights;
+  }
+
+ private:
+  /// The weights nearest to `weights` that meet the constraints and change only the free ones.
+  /// Returns the constraints' multipliers.
+  Column project(const Array<char>& free, Array<double>& weights) const {
+    Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < columns_.count(); ++i) {
+      if (free[i]) gram += columns_[i] * columns_[i].transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(gram);
+    const Column values = solver.eigenvalues();
+    Column inverse = Column::Zero();
+    for (int k = 0; k < 3; ++k) {
+      if (values[k] > kRank * values[2]) inverse[k] = 1 / values[k];
+    }
+    const Eigen::Matrix3d& axes = solver.eigenvectors();
+    Column sum = Column::Zero();
+    // The second time takes the rounding of the first away.
+    for (int time = 0; time < 2; ++time) {
+      const Column multiplier =
+          axes * inverse.asDiagonal() * axes.transpose() * (Column(1, 0, 0) - met(weights));
+      for (int i = 0; i < columns_.count(); ++i) {
+        if (free[i]) weights[i] += columns_[i].dot(multiplier);
+      }
+      sum += multiplier;
+    }
+    return sum;
+  }
+
+  Column met(const Array<double>& weights) const {
+    Column sum = Column::Zero();
+    for (int i = 0; i < columns_.count(); ++i) sum += weights[i] * columns_[i];
+    return sum;
+  }
+
+  double missedBy(const Array<double>& weights) const {
+    return (met(weights) - Column(1, 0, 0)).norm();
+  }
+
+  /// The held weight that the objective would have above 0 most; -1 without one.
+  int mostPulled(const Array<char>& free, const Column& multiplier) const {
+    int most = -1;
+    double pull = kOptimal;
+    for (int i = 0; i < columns_.count(); ++i) {
+      if (free[i]) continue;
+      const double wanted = given_[i] + columns_[i].dot(multiplier);
+      if (wanted > pull) {
+        pull = wanted;
+        most = i;
+      }
+    }
+    return most;
+  }
+
+  /// Weights of at most three vectors around 0, none below 0.
+  Array<double> feasible() const {
+    const int count = columns_.count();
+    // Whatever is given, if it serves.
+    Array<double> weights = given_;
+    Array<char> free(weights.size(), 1);
+    project(free, weights);
+    if (missedBy(weights) <= kMet && *std::min_element(weights.begin(), weights.end()) >= 0) {
+      return weights;
+    }
+    // A vector at 0 is enough, else two opposite ones, else the triangle of any vector with the two
+    // that are next to its opposite direction on both sides.
+    weights.assign(weights.size(), 0);
+    const auto vector = [&](int i) { return Vec2(columns_[i][1], columns_[i][2]); };
+    int longest = 0;
+    for (int i = 0; i < count; ++i) {
+      if (vector(i).norm() <= kMet) {
+        weights[i] = 1;
+        return weights;
+      }
+      if (vector(i).norm() > vector(longest).norm()) longest = i;
+    }
+    const Vec2 first = vector(longest);
+    const Vec2 across(-first[1], first[0]);
+    int left = -1;   // smallest angle from the opposite direction, counterclockwise
+    int right = -1;  // and clockwise
+    const auto angle = [&](int i) {
+      return std::atan2(vector(i).dot(across), -vector(i).dot(first));
+    };
+    for (int i = 0; i < count; ++i) {
+      const double a = angle(i);
+      if (a >= 0 && (left < 0 || a < angle(left))) left = i;
+      if (a <= 0 && (right < 0 || a > angle(right))) right = i;
+    }
+    free.assign(weights.size(), 0);
+    free[longest] = 1;
+    if (left >= 0) free[left] = 1;
+    if (right >= 0) free[right] = 1;
+    project(free, weights);
+    const double least = *std::min_element(weights.begin(), weights.end());
+    if (!(missedBy(weights) <= kMet) || !(least >= -kMet)) {
+      throw Error(ErrorCode::kBadArgument,
+                  "there are no such weights that are not negative: the point lies outside of the "
+                  "convex hull of the others as they are seen from it");
+    }
+    for (double& weight : weights) weight = std::max(weight, 0.0);
+    return weights;
+  }
+
+  Array<Column> columns_;
+  Array<double> given_;
+};
+
+Array<double> checkedGiven(const Array<double>& given, int points) {
+  if (points == 0) {
+    throw Error(ErrorCode::kTooFewPoints, "weights of a point need at least one other point");
+  }
+  if (given.empty()) return Array<double>(static_cast<size_t>(points), 1.0 / points);
+  if (given.count() != points) {
+    throw Error(ErrorCode::kBadWeights, "there are " + std::to_string(points) + " points but " +
+                                            std::to_string(given.count()) + " given weights");
+  }
+  double sum = 0;
+  for (const double weight : given) sum += weight;
+  if (!(sum > 0) || !std::isfinite(sum)) {
+    throw Error(ErrorCode::kBadWeights,
+                "the given weights must be finite, and their sum positive, not " + inSentence(sum));
+  }
+  Array<double> weights = given;
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+}  // namespace
+
+Array<double> balancedWeights(const Array<Vec2>& vectors, const Array<double>& given,
+                              bool nonNegative) {
+  Array<double> start = checkedGiven(given, vectors.count());
+  double longest = 0;
+  for (const Vec2& vector : vectors) longest = std::max(longest, vector.norm());
+  const double scale = longest > 0 ? 1 / longest : 1;
+  Array<Column> columns;
+  for (const Vec2& vector : vectors) columns.push_back({1, scale * vector[0], scale * vector[1]});
+  const Balance balance(std::move(columns), std::move(start));
+  return nonNegative ? balance.solveNonNegative() : balance.solve();
+}
+
+MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfacePoint>& points,
+                      const MeanWeightsOptions& options) {
+  const Array<double> given = checkedGiven(options.given, points.count());
+  Array<SurfacePoint> connected = points;
+  connected.push_back(x);
+  checkOneComponent(set.surface(), connected);
+  Array<std::shared_ptr<PointField>> fields;
+  Array<ControlField*> pointers;
+  for (const SurfacePoint& point : points) {
+    fields.push_back(set.at(point));
+    pointers.push_back(&fields.back()->field());
+  }
+  FieldBlend blend(set.surface().geometry(), std::move(pointers));
+  const CellPoint place = blend.cells().at(x);
+  Array<double> unit(points.size(), 0);
+  Array<Vec2> vectors;
+  for (int i = 0; i < points.count(); ++i) {
+    unit[i] = 1;
+    vectors.push_back(blend.blend(place.cell, unit).at(place.bary));
+    unit[i] = 0;
+  }
+  MeanWeights result{balancedWeights(vectors, given, options.nonNegative), false};
+  const CenterOfMass center = set.options().method == Method::kPaper
+                                  ? newtonCenter(blend, result.weights, x)
+                                  : walkToCenter(blend, result.weights, x);
+  const TriangleMesh& mesh = set.surface().mesh();
+  const double moved = (position(mesh, center.point) - position(mesh, x)).norm();
+  result.isMinimum =
+      center.status == Status::kConverged && moved <= kStays * set.surface().geometry().meanEdge;
+  return result;
+}
+
+}  // namespace karcher

@@ -1,0 +1,28 @@
+import { type Command, fieldOptions, pointsOption } from './command.js';
+
+export const weights: Command = {
+  name: 'weights',
+  summary: 'weights of points for which a given point is their center of mass',
+  output: '{weights: [w1, w2, …], isMinimum}',
+  options: [
+    { name: 'point', value: 'POINT', help: 'what is to be the center', required: true },
+    pointsOption,
+    {
+      name: 'weights',
+      value: 'w1,w2,…',
+      help: 'weights that are changed as little as can be; equal ones by default',
+    },
+    { name: 'nonnegative', help: 'take no weight below 0' },
+    ...fieldOptions,
+  ],
+  async run(args) {
+    const point = args.point('point');
+    const given = args.whereGiven(['weights'], (name) => args.numbers(name));
+    const field = args.field();
+    const points = await args.points();
+    const mesh = await args.mesh();
+    const nonNegative = args.given('nonnegative');
+    const found = mesh.weightsOf(point, points, { ...field, ...given, nonNegative });
+    return { json: { weights: Array.from(found.weights), isMinimum: found.isMinimum } };
+  },
+};
