@@ -19,7 +19,12 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/branches.cpp
   curves/trace/edge_crossings.cpp
   curves/trace/polyline.cpp
+  distance/find_path.cpp
+  distance/geodesic_line.cpp
+  distance/shortest_path.cpp
   distance/waypoints.cpp
+  rcm/field_options.cpp
+  rcm/mean.cpp
   rcm/mean_weights.cpp)
 # Libraries of their own.
 set(KARCHER_OTHER_ROOMS

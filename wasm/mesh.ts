@@ -193,8 +193,8 @@ export class Mesh {
 
   /**
    * The center of mass of points that are known by their distances to all vertices, however these
-   * were found: for each point an array in the caller's vertex order, what stands at dropped
-   * vertices aside. Weights as in `centerOfMass`; the method is the paper's.
+   * were found: for each point an array in the caller's vertex order, whose entries at dropped vertices
+   * are not read. Weights as in `centerOfMass`; the method is the paper's.
    *
    * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is
    * negative or not finite), badWeights, tooFewPoints.

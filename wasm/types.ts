@@ -73,7 +73,7 @@ export type Status =
  *   (Ramanantoanina, Hormann 2021); all betas equal is Berrut's interpolant, binomial coefficients
  *   give the polynomial;
  * - `catmullrom`: through all points, with continuous tangents;
- * - `polyline`: exact shortest paths from point to point;
+ * - `polyline`: paths from point to point, the exact shortest ones unless `legs` says otherwise;
  * - `custom`: one segment with a basis of your own.
  *
  * On a curved mesh a curve comes within a few hundredths of a mean edge of the points that it goes

@@ -172,8 +172,9 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
   const double halfAngle = from.totalAngle() / (2 * options.arcs);
   if (!(halfAngle < kPi / 2)) {
     throw Error(ErrorCode::kBadArgument,
-                std::to_string(options.arcs) +
-                    " arcs are too few around a center with so much angle; take more");
+                std::to_string(options.arcs) + " arcs are too few around a center of " +
+                    inSentence(from.totalAngle() / (2 * kPi)) + " full turns: it takes at least " +
+                    std::to_string(static_cast<int>(from.totalAngle() / kPi) + 1));
   }
   Array<ArcPoint> points;
   for (int i = 0; i < 2 * options.arcs; ++i) {

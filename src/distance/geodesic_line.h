@@ -9,7 +9,7 @@ namespace karcher {
 /// the shortest path of all, than which it is seldom longer by more than 1 %.
 /// Throws Error kUnreachable where the points lie on different components.
 SurfacePath geodesicLine(const Geometry& geometry, const SurfacePoint& from,
-                          const SurfacePoint& to);
+                         const SurfacePoint& to);
 
 /// A line cut in the middle of its length.
 struct LineHalves {

@@ -10,7 +10,7 @@ namespace karcher {
 /// edges and the vertices that it turns round; its length is that of the windows. Where several are
 /// shortest, one of them. Throws Error kUnreachable where the points lie on different components.
 SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
-                          const SurfacePoint& to);
+                         const SurfacePoint& to);
 
 /// The same with a solver that already has `from` as its source and may have grown, for targets at
 /// vertices.

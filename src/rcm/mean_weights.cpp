@@ -1,6 +1,5 @@
 #include "rcm/mean_weights.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <string>
 
@@ -15,7 +14,7 @@ using Column = Eigen::Vector3d;
 
 /// Constraints are met to this, with vectors scaled so that the longest has length 1.
 constexpr double kMet = 1e-9;
-/// Directions that the constraints see by less than this part of the most are not seen.
+/// A constraint of which less than this part (squared) is left beside the others depends on them.
 constexpr double kRank = 1e-13;
 /// A center that moves by less than this part of a mean edge stays.
 constexpr double kStays = 1e-9;
@@ -88,18 +87,19 @@ class Balance {
     for (int i = 0; i < columns_.count(); ++i) {
       if (free[i]) gram += columns_[i] * columns_[i].transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(gram);
-    const Column values = solver.eigenvalues();
-    Column inverse = Column::Zero();
+    // Combinations of the constraints that are orthonormal on the free weights, by Gram and
+    // Schmidt; what depends on the others is left out.
+    Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
     for (int k = 0; k < 3; ++k) {
-      if (values[k] > kRank * values[2]) inverse[k] = 1 / values[k];
+      Column row = Column::Unit(k);
+      for (int j = 0; j < k; ++j) row -= rows.row(j).dot(gram * row) * rows.row(j).transpose();
+      const double norm = row.dot(gram * row);
+      if (norm > kRank * gram(k, k)) rows.row(k) = row.transpose() / std::sqrt(norm);
     }
-    const Eigen::Matrix3d& axes = solver.eigenvectors();
     Column sum = Column::Zero();
     // The second time takes the rounding of the first away.
     for (int time = 0; time < 2; ++time) {
-      const Column multiplier =
-          axes * inverse.asDiagonal() * axes.transpose() * (Column(1, 0, 0) - met(weights));
+      const Column multiplier = rows.transpose() * (rows * (Column(1, 0, 0) - met(weights)));
       for (int i = 0; i < columns_.count(); ++i) {
         if (free[i]) weights[i] += columns_[i].dot(multiplier);
       }

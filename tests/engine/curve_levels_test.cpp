@@ -78,7 +78,8 @@ TEST(CurveLevels, OfThePlaneAreTheSameCurve) {
         // Derivatives of the weights are differences (evaluate.cpp).
         EXPECT_LE((a.inSpace - b.inSpace).norm(), 1e-6 * (1 + a.inSpace.norm()));
       }
-      EXPECT_NEAR(lineOf(curve).path.lengths.back(), lineOf(center).path.lengths.back(), 2e-3 * diagonal);
+      EXPECT_NEAR(lineOf(curve).path.lengths.back(), lineOf(center).path.lengths.back(),
+                  2e-3 * diagonal);
       ++compared;
     }
   }

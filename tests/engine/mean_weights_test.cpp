@@ -204,7 +204,6 @@ TEST(MeanWeights, MakeThePointTheCenterOfMassWhereItIsAMinimum) {
       ++minima;
       MeanOptions options;
       options.start = x;
-      options.normalize = true;
       const Mean mean = centerOfMass(surface, points, result.weights, options);
       EXPECT_EQ(mean.status, Status::kConverged);
       EXPECT_LT((position(mesh, mean.point) - position(mesh, x)).norm(), 1e-9 * h);

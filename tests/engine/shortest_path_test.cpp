@@ -37,8 +37,7 @@ TEST(ShortestPath, InThePlaneIsTheStraightLine) {
                            {4.5, 3, 0},   {0, 7, 0},     {9, 2.5, 0}};
   for (const Vec3& a : places) {
     for (const Vec3& b : places) {
-      const SurfacePath path =
-          shortestPath(geometry, nearestPoint(mesh, a), nearestPoint(mesh, b));
+      const SurfacePath path = shortestPath(geometry, nearestPoint(mesh, a), nearestPoint(mesh, b));
       EXPECT_NEAR(path.length(), (b - a).norm(), 1e-12);
       EXPECT_LT((position(mesh, path.points.front()) - a).norm(), 1e-12);
       EXPECT_LT((position(mesh, path.points.back()) - b).norm(), 1e-12);

@@ -18,6 +18,7 @@ test('help, of the program and of each command', () => {
     'distance',
     'path',
     'mean',
+    'weights',
     'trace',
     'edit',
     'circle',

@@ -2,7 +2,7 @@
 
 #include "curves/curve.h"
 
-/// A curve at one parameter. The curve must be joined (`Curve::join`).
+/// A curve at one parameter.
 namespace karcher {
 
 struct CurvePoint {

@@ -21,8 +21,7 @@ struct RefinedCurve {
 /// - B-splines: a knot is inserted there; the knots become the curve's own;
 /// - Bezier curves: the degree is raised, whatever the parameter; all inner points are new;
 /// - barycentric curves: the degree is raised; all inner points are new points of the curve, and
-/// the
-///   betas those that leave it as it is;
+///   the betas those that leave it as it is;
 /// - Catmull-Rom curves and polylines: a point of the curve, which changes a Catmull-Rom curve a
 ///   little.
 /// Throws Error kBadArgument where none can be put in: a knot that is repeated too often, a control

@@ -6,11 +6,10 @@
 ///
 /// Along an edge, in the edge's own frame, which the faces on both sides share, the blended field
 /// is linear between its values X_a(t) and X_b(t) at the ends, or at one end and at its middle
-/// (cells.h). It has a zero on the edge's line
-/// where X_a(t) x X_b(t) = 0: at this t the curve passes from face to face, through the same point
-/// from either side. Inside a face the field differs by its transport, so that the curve there ends
-/// a small part of an edge beside that point (crossing_study): the polyline through the crossings
-/// closes what the samples leave open.
+/// (cells.h). It has a zero on the edge's line where X_a(t) x X_b(t) = 0: at this t the curve
+/// passes from face to face, through the same point from either side. Inside a face the field
+/// differs by its transport, so that the curve there ends a small part of an edge beside that point
+/// (crossing_study): the polyline through the crossings closes what the samples leave open.
 namespace karcher {
 
 class EdgeCrossings {
