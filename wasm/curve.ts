@@ -1,6 +1,7 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import { checkBoolean, checkInteger, checkNumber, checkOptions, toVector } from './check.js';
 import { checkKind, engineValue, givenNumbers, OwnBasis, optionsOfParts } from './curve_options.js';
-import { type Engine, Handle } from './engine.js';
+import { disposable, type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type {
   EngineCurve,
@@ -67,6 +68,11 @@ type Facts = Pick<CurveView, 'length' | 'segmentCount' | 'levels' | 'times'>;
  * unreachable, and the errors of a point); everything throws disposed after `dispose`.
  */
 export class Curve {
+  static {
+    disposable(Curve.prototype);
+  }
+
+  declare readonly [Symbol.dispose]: () => void;
   readonly #engine: Engine;
   readonly #mesh: Handle<EngineMesh>;
   readonly #handle: Handle<EngineCurve>;
@@ -87,7 +93,7 @@ export class Curve {
     this.#options = { ...options };
     this.#basis = basis;
     const target = this.#guard(() => mesh.call((engineMesh) => engineMesh.curve(value)));
-    this.#handle = new Handle(engine, 'the curve', target);
+    this.#handle = new Handle(engine, 'the curve', target, mesh);
   }
 
   /**

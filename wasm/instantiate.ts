@@ -1,23 +1,105 @@
+import { checkOptions, shown } from './check.js';
+import { KarcherError } from './errors.js';
 import type { EngineOptions } from './karcher-engine.mjs';
+import { namesOf } from './options.js';
+import type { LoadOptions, WasmSource } from './types.js';
+
+const loadOptionNames = namesOf<LoadOptions>({ wasm: true });
 
 /**
- * Instantiates a module whose bytes lie at `url`, the same in Node, in a page and in a worker.
+ * Instantiates a module whose bytes lie at `url`, unless the options say where, the same in Node, in a
+ * page and in a worker.
  *
- * Rejects with an `Error` where WebAssembly is missing or the module cannot be read.
+ * Rejects with `KarcherError` notLoaded where WebAssembly is missing or the module cannot be had,
+ * naming its address.
  */
 export async function instantiate<Module>(
   create: (options: EngineOptions) => Promise<Module>,
   url: URL,
+  options: LoadOptions,
 ): Promise<Module> {
+  checkOptions(options, loadOptionNames);
   if (typeof WebAssembly !== 'object') {
-    throw new Error('Karcher needs WebAssembly, which is not available here');
+    throw new KarcherError('notLoaded', 'Karcher needs WebAssembly, which is not available here');
   }
-  const nodeProcess = globalThis.process as NodeJS.Process | undefined;
-  const inNode = typeof nodeProcess?.versions?.node === 'string' && url.protocol === 'file:';
-  // Not an import: bundlers would look for the file system in a page.
-  const files = inNode ? nodeProcess.getBuiltinModule('node:fs') : undefined;
-  return create({
-    locateFile: () => url.href,
-    ...(files && { wasmBinary: await files.promises.readFile(url) }),
+  const module = await compiled(options.wasm ?? url);
+  return new Promise((resolve, reject) => {
+    const fail = (cause: unknown) => reject(notLoaded('the engine does not start', cause));
+    const instantiateWasm: EngineOptions['instantiateWasm'] = (imports, done) => {
+      WebAssembly.instantiate(module, imports).then(done).catch(fail);
+      return {};
+    };
+    create({ instantiateWasm }).then(resolve, fail);
   });
+}
+
+async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
+  if (source instanceof WebAssembly.Module) return source;
+  if (typeof source === 'string' || source instanceof URL) return compiledFrom(source);
+  if (typeof Response === 'function' && source instanceof Response) {
+    return compiledResponse(source, source.url || 'the response');
+  }
+  if (!(source instanceof ArrayBuffer) && !ArrayBuffer.isView(source)) {
+    throw new KarcherError(
+      'badArgument',
+      `wasm must be an address, bytes, a Response or a WebAssembly.Module, not ${shown(source)}`,
+    );
+  }
+  return compiledBytes(source as BufferSource, 'the array of bytes');
+}
+
+async function compiledFrom(address: string | URL): Promise<WebAssembly.Module> {
+  const nodeProcess = globalThis.process as NodeJS.Process | undefined;
+  // Not an import: bundlers would look for the file system in a page.
+  const files = nodeProcess?.versions?.node ? nodeProcess.getBuiltinModule('node:fs') : undefined;
+  const place = files ? fileOf(address) : undefined;
+  try {
+    if (files && place !== undefined) {
+      return await compiledBytes(await files.promises.readFile(place), `${address}`);
+    }
+    return await compiledResponse(await fetch(address), `${address}`);
+  } catch (cause) {
+    if (cause instanceof KarcherError) throw cause;
+    throw notLoaded(`the engine cannot be loaded from ${address}`, cause);
+  }
+}
+
+/** In Node, the file that an address names; undefined where it is one of the network. */
+function fileOf(address: string | URL): string | URL | undefined {
+  const text = `${address}`;
+  if (text.startsWith('file:')) return new URL(text);
+  return /^[a-z][a-z+.-]+:/i.test(text) ? undefined : text;
+}
+
+async function compiledResponse(response: Response, what: string): Promise<WebAssembly.Module> {
+  if (!response.ok) {
+    throw new KarcherError(
+      'notLoaded',
+      `the engine cannot be loaded from ${what}: the answer is ${response.status} ${response.statusText}`.trim(),
+    );
+  }
+  const isWasm = /^application\/wasm\b/.test(response.headers.get('content-type') ?? '');
+  if (!isWasm) return compiledBytes(await response.arrayBuffer(), what);
+  // While it arrives; browsers keep what they compiled so.
+  return whole(WebAssembly.compileStreaming(response), what);
+}
+
+const compiledBytes = (bytes: BufferSource, what: string) =>
+  whole(WebAssembly.compile(bytes), what);
+
+async function whole(
+  module: Promise<WebAssembly.Module>,
+  what: string,
+): Promise<WebAssembly.Module> {
+  try {
+    return await module;
+  } catch (cause) {
+    throw notLoaded(`${what} is not the engine's WebAssembly`, cause);
+  }
+}
+
+function notLoaded(sentence: string, cause: unknown): KarcherError {
+  if (cause instanceof KarcherError) return cause;
+  const reason = cause instanceof Error ? cause.message : `${cause}`;
+  return new KarcherError('notLoaded', `${sentence}: ${reason}`, { cause });
 }

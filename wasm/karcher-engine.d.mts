@@ -230,8 +230,10 @@ export interface EngineGraphBuilder {
 }
 
 export interface EngineOptions {
-  wasmBinary?: Uint8Array;
-  locateFile?: (name: string) => string;
+  instantiateWasm(
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance) => void,
+  ): object;
 }
 
 declare const createEngine: (options: EngineOptions) => Promise<EngineModule>;

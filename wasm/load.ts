@@ -2,14 +2,15 @@ import { Engine } from './engine.js';
 import { instantiate } from './instantiate.js';
 import { Karcher } from './karcher.js';
 import createEngine from './karcher-engine.mjs';
+import type { LoadOptions } from './types.js';
 
 /**
  * Loads the engine. The same call in Node, in a page and in a worker; each call makes an engine
  * with a memory of its own.
  *
- * Rejects with an `Error` where WebAssembly is missing or the module cannot be read.
+ * Rejects with `KarcherError` notLoaded where WebAssembly is missing or the module cannot be had.
  */
-export async function load(): Promise<Karcher> {
+export async function load(options: LoadOptions = {}): Promise<Karcher> {
   const url = new URL('./karcher-engine.wasm', import.meta.url);
-  return new Karcher(new Engine(await instantiate(createEngine, url)));
+  return new Karcher(new Engine(await instantiate(createEngine, url, options)));
 }

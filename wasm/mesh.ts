@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import {
   checkArray,
   checkBoolean,
@@ -10,7 +11,7 @@ import {
 } from './check.js';
 import { Curve } from './curve.js';
 import { givenNumbers } from './curve_options.js';
-import { type Engine, Handle } from './engine.js';
+import { disposable, type Engine, Handle, Made } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
 import {
@@ -52,16 +53,22 @@ import type {
 import { CurveView } from './view.js';
 
 /**
- * A triangle mesh. It and what is made from it live in the engine's memory until `dispose`.
+ * A triangle mesh. It and what is made from it live in the engine's memory until `dispose`, or until
+ * nobody can reach it any more and JavaScript's memory is cleared.
  *
  * Every method throws `KarcherError`: disposed after `dispose`; badIndex for a face or vertex that
  * does not exist or a vertex that was dropped; badPoint for weights outside the face; notFinite for
  * NaN or infinity; badArgument for an option of another name and anything else out of range.
  */
 export class Mesh {
+  static {
+    disposable(Mesh.prototype);
+  }
+
+  declare readonly [Symbol.dispose]: () => void;
   readonly #engine: Engine;
   readonly #handle: Handle<EngineMesh>;
-  readonly #curves = new Set<Curve>();
+  readonly #curves = new Made<Curve>();
 
   /** What the mesh consists of, and what was mended while it was read. */
   readonly info: Readonly<MeshInfo>;
@@ -338,9 +345,13 @@ export class Mesh {
     return { ...line, end: toSurfacePoint(line.end), path: new Path(line.path) };
   }
 
-  /** Gives the memory back, that of the mesh's curves too. Safe to repeat. */
+  /**
+   * Gives the memory back, that of the mesh's curves too. Safe to repeat. Throws `KarcherError` busy
+   * from within a basis.
+   */
   dispose(): void {
-    for (const curve of this.#curves) curve.dispose();
+    this.#engine.checkIdle();
+    this.#curves.dispose();
     this.#handle.dispose();
   }
 

@@ -34,6 +34,7 @@ export async function prepareGraph(
     engine,
     'the graph',
     mesh.call((target) => target.graphBuilder(rings)),
+    mesh,
   );
   let worked = performance.now() - start;
   try {

@@ -114,6 +114,8 @@ export type ErrorCode =
   | 'radiusTooLarge'
   | 'noEmbedding'
   | 'disposed'
+  | 'busy'
+  | 'notLoaded'
   | 'outOfMemory'
   | 'internal';
 
@@ -410,6 +412,27 @@ export interface CurveTimes {
   bridge: number;
   /** The paths between samples. */
   join: number;
+}
+
+/**
+ * Where the engine's WebAssembly comes from: its address, its bytes, an answer that has them, or the
+ * compiled module.
+ */
+export type WasmSource =
+  | string
+  | URL
+  | Response
+  | ArrayBuffer
+  | ArrayBufferView
+  | WebAssembly.Module;
+
+export interface LoadOptions {
+  /**
+   * By default the file beside the package's own, which bundlers that know `import.meta.url` find. For
+   * others it is exported as `karcher/karcher-engine.wasm`, and that of `karcher/peers` as
+   * `karcher/karcher-peers.wasm`.
+   */
+  wasm?: WasmSource;
 }
 
 /** Progress of long work: a part of 1, and what is being done. */

@@ -1,5 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
 import { load } from 'karcher';
 import { badFiles, distancesOf, fields, grid } from './meshes.mjs';
 
@@ -66,4 +68,44 @@ test('more than the memory can hold is an error, and the program goes on', async
   assert.throws(() => karcher.meshFromObj(tooMuch), { code: 'outOfMemory' });
   assert.equal(karcher.allocatedBytes(), bytes);
   assert.equal(mesh.info.triangles, 8);
+});
+
+test('what nobody can reach any more is given back, whatever is gone first', async () => {
+  setFlagsFromString('--expose-gc');
+  const collect = runInNewContext('gc');
+  const karcher = await load();
+  const text = grid(20);
+  const points = [46, 48, 111, 112].map((vertex) => ({ vertex }));
+  const kept = karcher.meshFromObj(text);
+  const before = karcher.allocatedBytes();
+  const forget = () => {
+    for (let i = 0; i < 60; i++) {
+      const mesh = karcher.meshFromObj(text);
+      for (let k = 0; k < 3; k++) mesh.curve({ kind: 'bspline', points, samples: 8 });
+      if (i % 3 === 0) mesh.dispose();
+      // Of a mesh that stays, only the curve goes.
+      kept.curve({ kind: 'bspline', points, samples: 8 });
+    }
+  };
+  forget();
+  const held = karcher.allocatedBytes() - before;
+  for (let round = 0; round < 100 && karcher.allocatedBytes() > before; round++) {
+    collect();
+    await new Promise((resolve) => setTimeout(resolve, 10));
+  }
+  const left = karcher.allocatedBytes() - before;
+  assert.ok(held > 1e5 && left < held / 20, `${left} of ${held} bytes are left`);
+  // The mesh that stayed is whole.
+  assert.ok(kept.curve({ kind: 'bspline', points, samples: 8 }).length > 0);
+});
+
+test('using gives the memory back at the end of a block', { skip: !Symbol.dispose }, async () => {
+  const karcher = await load();
+  const mesh = karcher.shape('sphere', 500);
+  const points = [0, 10, 20, 30].map((vertex) => ({ vertex }));
+  const curve = mesh.curve({ kind: 'bspline', points });
+  curve[Symbol.dispose]();
+  assert.throws(() => curve.polyline(), { code: 'disposed' });
+  mesh[Symbol.dispose]();
+  assert.throws(() => mesh.positions(), { code: 'disposed' });
 });

@@ -78,3 +78,33 @@ for (const settings of [{ samples: 9 }, { samples: 'adaptive', tolerance: 1e-3 }
     });
   }
 }
+
+test('a basis that calls the engine, or disposes of what it reads, is refused', async () => {
+  const engine = await load();
+  const own = engine.shape('sphere', 2000);
+  let act = () => {};
+  const basis = (t, count) => {
+    act();
+    return countedBasis().basis(t, count);
+  };
+  const curve = own.curve({ kind: 'custom', points, basis, samples: 9 });
+  const before = stateOf(curve);
+  const acts = {
+    insertPoint: () => curve.insertPoint(1, { vertex: 200 }),
+    setKind: () => curve.setKind('bezier'),
+    set: () => curve.set({ kind: 'bezier', points }),
+    polyline: () => curve.polyline(),
+    'curve.dispose': () => curve.dispose(),
+    'mesh.dispose': () => own.dispose(),
+    'another curve': () => own.curve({ kind: 'bezier', points }),
+    'another mesh': () => engine.shape('torus', 600),
+  };
+  for (const [name, reenter] of Object.entries(acts)) {
+    act = reenter;
+    const busy = { name: 'KarcherError', code: 'busy', message: /at work/ };
+    assert.throws(() => curve.movePoint(0, { vertex: 9 }), busy, name);
+    act = () => {};
+    assert.deepEqual(stateOf(curve), before, name);
+  }
+  own.dispose();
+});

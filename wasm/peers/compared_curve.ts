@@ -29,7 +29,7 @@ export class ComparedCurve {
     this.#engine = engine;
     this.#mesh = mesh;
     this.#method = method;
-    this.#handle = new Handle(engine, 'the curve', target);
+    this.#handle = new Handle(engine, 'the curve', target, method);
     this.#forget = forget;
   }
 

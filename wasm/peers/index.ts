@@ -1,4 +1,5 @@
 import { instantiate } from '../instantiate.js';
+import type { LoadOptions } from '../types.js';
 import createPeers from './karcher-peers.mjs';
 import { Peers } from './peers.js';
 
@@ -15,9 +16,9 @@ export { warm } from './warm.js';
  * Loads the engine together with the methods that it is compared with: a larger module than `load`
  * gives, for comparisons only. Meshes are made by its `karcher`.
  *
- * Rejects with an `Error` where WebAssembly is missing or the module cannot be read.
+ * Rejects with `KarcherError` notLoaded where WebAssembly is missing or the module cannot be had.
  */
-export async function loadPeers(): Promise<Peers> {
+export async function loadPeers(options: LoadOptions = {}): Promise<Peers> {
   const url = new URL('./karcher-peers.wasm', import.meta.url);
-  return new Peers(await instantiate(createPeers, url));
+  return new Peers(await instantiate(createPeers, url, options));
 }

@@ -82,7 +82,7 @@ export class Peers {
   benchmark(mesh: Mesh): Handle<EngineBenchmark> {
     this.#checkMesh(mesh);
     const target = mesh.handle.call((engineMesh) => this.#module.benchmark(engineMesh));
-    return new Handle(this.#engine, 'the benchmark', target);
+    return new Handle(this.#engine, 'the benchmark', target, mesh.handle);
   }
 
   #checkMesh(mesh: Mesh): void {

@@ -70,7 +70,7 @@ export class PreparedMethod {
     this.#engine = engine;
     this.#module = module;
     this.#mesh = mesh;
-    this.#handle = new Handle(engine, 'the method', target);
+    this.#handle = new Handle(engine, 'the method', target, mesh.handle);
     this.options = { ...options };
     this.prepareMs = prepareMs;
   }

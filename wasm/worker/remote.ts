@@ -26,7 +26,7 @@ type Remotely<Class, Name extends keyof Class> = {
 
 type MethodsOf<Class> = {
   [Name in keyof Class]: Class[Name] extends (...args: never[]) => unknown ? Name : never;
-}[keyof Class];
+}[keyof Class & string];
 
 interface Polyline {
   polyline(options?: { bits?: 32 }): Promise<Float32Array>;
