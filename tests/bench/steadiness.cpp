@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bench_support.h"
+#include "curves/polygon/levels.h"
 #include "intrinsic/along_path.h"
 
 namespace karcher {
@@ -32,6 +33,71 @@ double allowedLeap(const Geometry& geometry, const TracedCurve& before, const Tr
     }
   }
   return sum;
+}
+
+/// Appends the paths that the averages of a Bezier polygon lie on: the rows of de Casteljau's
+/// pyramid under the legs, then those of its halves.
+void appendAveragedPaths(const Geometry& geometry, const LeggedPolygon& polygon, int levels,
+                         StripWorkspace& workspace, Array<SurfacePath>& out) {
+  if (levels == 0) return;
+  for (Array<SurfacePath> row = polygon.legs; row.count() > 1;) {
+    Array<SurfacePath> next;
+    for (int i = 0; i + 1 < row.count(); ++i) {
+      SurfacePath inner;
+      appendPart(*geometry.mesh, row[i], row[i].length() / 2, row[i].length(), inner);
+      appendPart(*geometry.mesh, row[i + 1], 0, row[i + 1].length() / 2, inner);
+      straighten(geometry, inner, workspace);
+      next.push_back(inner);
+    }
+    out.insert(out.end(), next.begin(), next.end());
+    row = std::move(next);
+  }
+  const BezierHalves halves = halvesOf(geometry, polygon, workspace);
+  appendAveragedPaths(geometry, halves.first, levels - 1, workspace, out);
+  appendAveragedPaths(geometry, halves.second, levels - 1, workspace, out);
+}
+
+Array<SurfacePath> averagedPaths(const Geometry& geometry, const TracedCurve& curve) {
+  LeggedPolygon polygon;
+  for (const Array<SurfacePoint>& leg : curve.legs) {
+    if (polygon.points.empty()) polygon.points.push_back({leg.front(), 1});
+    polygon.points.push_back({leg.back(), 1});
+    polygon.legs.push_back(pathThrough(*geometry.mesh, leg));
+  }
+  StripWorkspace workspace;
+  Array<SurfacePath> paths;
+  appendAveragedPaths(geometry, polygon, curve.levels, workspace, paths);
+  return paths;
+}
+
+/// The most that one passage of an average's path between two tracings allows the curve to leap.
+double allowedByAverages(const Geometry& geometry, const TracedCurve& before,
+                         const TracedCurve& after) {
+  const Array<SurfacePath> from = averagedPaths(geometry, before);
+  const Array<SurfacePath> to = averagedPaths(geometry, after);
+  double most = 0;
+  for (int i = 0; i < std::min(from.count(), to.count()); ++i) {
+    for (const VertexPassage& passage : passedVertices(geometry, from[i].points, to[i].points)) {
+      most = std::max(most, to[i].length() * passage.curvature / 2);
+    }
+  }
+  return most;
+}
+
+/// Tells a step that counts, by its motion in steps of the hand.
+void tellStep(AverageFigures& figures, const Geometry& geometry, const TracedCurve& before,
+              const TracedCurve& after, double motion) {
+  if (motion > DragFigures::kShiver) {
+    const double allowed =
+        allowedByAverages(geometry, before, after) / (Drag::kStep * geometry.meanEdge);
+    if (motion <= allowed) {
+      ++figures.passing;
+      figures.largestPassing = std::max(figures.largestPassing, motion / allowed);
+      return;
+    }
+    ++figures.unexplained;
+  }
+  figures.largestLeap = std::max(figures.largestLeap, motion);
 }
 
 void addStages(HandFigures& figures, const TracedCurve& traced) {
@@ -97,8 +163,13 @@ HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const A
       figures.bridged += after.bridged;
       figures.lost += after.lost;
       MeasuredPolyline lineAfter(after.polyline);
-      countStep(figures.motion, lineBefore, lineAfter, Drag::kStep * geometry.meanEdge,
-                allowedLeap(geometry, before, after));
+      const int counted = figures.motion.steps;
+      const double motion =
+          countStep(figures.motion, lineBefore, lineAfter, Drag::kStep * geometry.meanEdge,
+                    allowedLeap(geometry, before, after));
+      if (figures.motion.steps > counted) {
+        tellStep(figures.averages, geometry, before, after, motion);
+      }
       before = std::move(after);
       lineBefore = std::move(lineAfter);
     }

@@ -45,8 +45,19 @@ struct Drag {
 Drag randomDrag(const Geometry& geometry, Random& random, const ControlPolygonOptions& options,
                 int steps);
 
+/// Steps that shiver though no leg passed a vertex, told by the paths that the averages lie on: a
+/// geodesic between two averages ends to exist at a vertex of positive curvature as a leg does.
+struct AverageFigures {
+  int passing = 0;  ///< an average's path passed a vertex that allows it to leap that far
+  /// The largest of their leaps, as a part of what the passage allows.
+  double largestPassing = 0;
+  int unexplained = 0;     ///< the others
+  double largestLeap = 0;  ///< of all steps that count but these passing ones, in steps of the hand
+};
+
 struct HandFigures {
   DragFigures motion;
+  AverageFigures averages;
   Array<double> ms;  ///< a step
   std::map<std::string, Array<double>> stageMs;
   Array<std::string> stages;  ///< their order

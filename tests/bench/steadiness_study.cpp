@@ -121,10 +121,11 @@ void printCurves(Surface& surface, const TurningMeasure& measure, const Options&
 
 void printDrags(Surface& surface, const Options& options, Plots& plots) {
   std::printf(
-      "\n| spacing | levels | shiver | largest leap | left out | their leap | beyond | bridged | "
-      "lost | "
-      "release | step | 90 %% of them | beside the last | its stages |\n"
-      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+      "\n| spacing | levels | shiver | largest leap | left out | their leap | beyond | passing "
+      "averages | their leap | other shiver | its largest leap | bridged | lost | release | step | "
+      "90 %% of them | beside the last | its stages |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | "
+      "--- | --- | --- |\n");
   for (const double spacing : options.spacings) {
     Random random(static_cast<uint64_t>(options.seed));
     Array<Drag> drags;
@@ -138,12 +139,13 @@ void printDrags(Surface& surface, const Options& options, Plots& plots) {
     for (int i = 0; i < figures.count(); ++i) {
       const HandFigures& f = figures[i];
       std::printf(
-          "| %g | %s | %.2f %% | %.1f | %.2f %% | %.2f | %.2f %% | %.2f %% | %d | %.2f %% | %.2f "
-          "ms | %.2f "
-          "ms | %.2f |",
+          "| %g | %s | %.2f %% | %.1f | %.2f %% | %.2f | %.2f %% | %.2f %% | %.2f | %.2f %% | %.1f "
+          "| %.2f %% | %d | %.2f %% | %.2f ms | %.2f ms | %.2f |",
           spacing, options.variants[i].name.c_str(), 100 * f.motion.shiverShare(),
           f.motion.largestLeap, 100 * f.motion.passingShare(), f.motion.largestPassing,
-          100 * f.motion.beyondShare(), 100 * f.bridged / f.ms.count(), f.lost,
+          100 * f.motion.beyondShare(), 100.0 * f.averages.passing / std::max(1, f.motion.steps),
+          f.averages.largestPassing, 100.0 * f.averages.unexplained / std::max(1, f.motion.steps),
+          f.averages.largestLeap, 100 * f.bridged / f.ms.count(), f.lost,
           100 * quantile(f.released, 1), median(f.ms), quantile(f.ms, 0.9),
           median(f.ms) / median(figures.back().ms));
       for (const std::string& stage : f.stages) {
@@ -317,6 +319,8 @@ int main(int argc, char** argv) {
         "'Shiver': steps in which the curve moves more than %g times as far as the hand. Leaps are "
         "in steps of the hand. 'Left out': steps in which a leg passed a vertex that allows such "
         "leaps; 'their leap', as a part of what it allows; 'beyond', those that leap farther. "
+        "'Passing averages': of the steps that count, those that shiver where the path of an "
+        "average passed a vertex that allows it. "
         "Times are of the processor. Distances between curves ('from level 0', 'release') are "
         "parts "
         "of their lengths.\n",
