@@ -4,6 +4,7 @@
 #include <string>
 
 #include "curves/automatic_levels.h"
+#include "curves/polygon/piece_boxes.h"
 #include "curves/spec/bases.h"
 #include "curves/trace/polyline.h"
 #include "curves/trace/sampling.h"
@@ -202,7 +203,9 @@ CurveValue Curve::withLegsContinued(CurveValue value, int i) {
 Array<PointField*> Curve::fieldsOf(int segment, int k) {
   Piece& piece = segments_[segment].pieces[k];
   if (piece.fields_.empty()) {
-    for (const SurfacePoint& point : piece.points_) piece.fields_.push_back(fieldSet_->at(point));
+    for (int i = 0; i < piece.points_.count(); ++i) {
+      piece.fields_.push_back(fieldSet_->at(piece.points_[i], piece.boxes_[i]));
+    }
   }
   Array<PointField*> fields;
   for (const auto& field : piece.fields_) fields.push_back(field.get());
@@ -276,6 +279,7 @@ void Curve::makeSegments(Next& next) {
   if (next.levels > 0) {
     next.polygon =
         refinedPolygon(surface().geometry(), shape, next.value.points, next.legs, next.levels);
+    if (isOfCenters(options)) next.boxes = boxesOfPieces(surface().geometry(), next.polygon);
   } else {
     next.polygon.weighted = takesWeights(shape.kind) && !shape.weights.empty();
     for (int i = 0; i < count; ++i) {
@@ -327,6 +331,7 @@ void Curve::addPiece(Next& next, const SegmentLayout& layout, const PartOfSegmen
   piece.basis_ = layout.basis;
   for (const int i : layout.points) {
     piece.points_.push_back(polygon.points[i].point);
+    piece.boxes_.push_back(next.boxes.empty() ? std::nullopt : next.boxes[i]);
     if (polygon.weighted) piece.pointWeights_.push_back(polygon.points[i].weight);
   }
   const int j = next.segments.count() - 1;
@@ -336,7 +341,8 @@ void Curve::addPiece(Next& next, const SegmentLayout& layout, const PartOfSegmen
   }
   const auto isAlike = [&](const Piece& other) {
     return other.isTraced_ && other.part_ == piece.part_ && areSame(other.points_, piece.points_) &&
-           other.basis_ == piece.basis_ && other.pointWeights_ == piece.pointWeights_;
+           other.boxes_ == piece.boxes_ && other.basis_ == piece.basis_ &&
+           other.pointWeights_ == piece.pointWeights_;
   };
   if (keep) {
     const Piece* alike = before && isAlike(*before) ? before : nullptr;
@@ -390,14 +396,16 @@ void Curve::makeFields(Next& next) {
     }
   };
   forEach([&](Piece& piece) {
-    for (const SurfacePoint& point : piece.points_) piece.fields_.push_back(fieldSet_->find(point));
+    for (int i = 0; i < piece.points_.count(); ++i) {
+      piece.fields_.push_back(fieldSet_->find(piece.points_[i], piece.boxes_[i]));
+    }
   });
   for (Segment& segment : segments_) {
     for (Piece& piece : segment.pieces) piece.fields_.clear();
   }
   forEach([&](Piece& piece) {
     for (int i = 0; i < piece.points_.count(); ++i) {
-      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i]);
+      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i], piece.boxes_[i]);
     }
   });
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "curves/curve_value.h"
@@ -38,7 +39,8 @@ class Curve {
    private:
     friend class Curve;
     Array<SurfacePoint> points_;
-    Array<double> pointWeights_;  ///< empty where the basis is not rational
+    Array<std::optional<OrientedBox>> boxes_;  ///< of the points' fields
+    Array<double> pointWeights_;               ///< empty where the basis is not rational
     SegmentBasis basis_;
     PartOfSegment part_;
     /// Of the basis alone, and with the points' weights; pieces share them.
@@ -143,6 +145,7 @@ class Curve {
     Array<SurfacePath> legs;
     Array<Segment> segments;
     RefinedPolygon polygon;
+    Array<std::optional<OrientedBox>> boxes;  ///< of its points, where they are refined
   };
 
   static bool isOfCenters(const CurveOptions& options);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
+#include "distance/oriented_box.h"
 #include "intrinsic/geometry.h"
 
 /// What all solvers of geodesic distances give. A caller holds a solver by this interface and does
@@ -43,6 +45,14 @@ class DistanceSolver {
   /// -2 log_v(source), the gradient of the squared distance, in the frame of the vertex: of length
   /// 2 d, it points on along the path that arrives. Meaningless where no path has arrived.
   virtual Vec2 logVector(int vertex) const = 0;
+
+  /// From the next `setSource` on keeps to the vertices in a box, or to none. What `isSure` of is
+  /// as if there were no box, where shortest paths do not leave it. Returns false if the solver
+  /// cannot, and goes everywhere.
+  virtual bool keepTo(const std::optional<OrientedBox>&) { return false; }
+
+  /// Whether the value of a final vertex depends on nothing that the box left out.
+  virtual bool isSure(int) const { return true; }
 
   /// From the next `setSource` on also finds the midpoints of edges. Returns false if the solver
   /// cannot.

@@ -29,6 +29,15 @@ class FastDistance final : public DistanceSolver {
   void grow(double radius) override;
   double growTo(int vertex) override;
 
+  bool keepTo(const std::optional<OrientedBox>& box) override {
+    box_ = box;
+    return true;
+  }
+  bool isSure(int vertex) const override {
+    const VertexRecord* record = vertices_.find(vertex);
+    return record != nullptr && record->settled && !record->unsure;
+  }
+
   double reached() const override {
     return queue_.empty() ? kInfinity : front_ - static_cast<double>(longestDelay_);
   }
@@ -51,6 +60,9 @@ class FastDistance final : public DistanceSolver {
  private:
   static constexpr int kNotWaiting = -1;
 
+  /// Of the box that the solver is kept to.
+  enum class Side : uint8_t { kUnknown, kInside, kOutside };
+
   struct VertexRecord {
     double distance = kInfinity;
     double base = 0;
@@ -60,6 +72,8 @@ class FastDistance final : public DistanceSolver {
     float delay = 0;               ///< VertexFans::delay
     bool settled = false;
     bool alongEdge = false;  ///< the path comes along an edge from the vertex at `base`
+    bool unsure = false;     ///< the path may go where it does because of the box
+    Side side = Side::kUnknown;
   };
 
   /// The edges of the vertex that is being settled, side by side, and what is known at their ends.
@@ -96,6 +110,8 @@ class FastDistance final : public DistanceSolver {
     return record.settled & (record.distance + static_cast<double>(record.delay) <= front_);
   }
 
+  bool isOutside(int vertex, VertexRecord& record) const;
+  bool isAtBorder(int vertex);
   void placeInFace(int face, const Vec2& source);
   void settle(int vertex);
   void goRound(int vertex, const VertexRecord& from, int first, int count);
@@ -119,10 +135,12 @@ class FastDistance final : public DistanceSolver {
   std::shared_ptr<const VertexFans> fans_;
   PagedArray<VertexRecord, 6> vertices_;
   OrderedQueue queue_;
+  std::optional<OrientedBox> box_;
   Ring ring_{};
-  VertexRecord nowhere_;    ///< takes what is not wanted
-  double front_ = 0;        ///< the largest distance settled so far
-  float longestDelay_ = 0;  ///< the largest delay of the vertices met so far
+  VertexRecord nowhere_;       ///< takes what is not wanted
+  double front_ = 0;           ///< the largest distance settled so far
+  bool isFromUnsure_ = false;  ///< of the vertex that is being settled
+  float longestDelay_ = 0;     ///< the largest delay of the vertices met so far
 };
 
 }  // namespace karcher

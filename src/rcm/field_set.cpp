@@ -10,9 +10,9 @@ FieldSet::FieldSet(Surface& surface, const FieldOptions& options)
   checkFieldOptions(options);
 }
 
-size_t FieldSet::Hash::operator()(const SurfacePoint& point) const {
-  uint64_t hash = static_cast<uint64_t>(point.face);
-  for (const double weight : point.bary) {
+size_t FieldSet::Hash::operator()(const Key& key) const {
+  uint64_t hash = static_cast<uint64_t>(key.point.face);
+  for (const double weight : key.point.bary) {
     // 0.0 and -0.0 are equal, so they must not differ here.
     const double positive = weight + 0.0;
     uint64_t bits = 0;
@@ -23,33 +23,35 @@ size_t FieldSet::Hash::operator()(const SurfacePoint& point) const {
   return static_cast<size_t>(hash);
 }
 
-std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point) {
-  const auto known = placeOf_.find(point);
+std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point,
+                                         const std::optional<OrientedBox>& box) {
+  const auto known = placeOf_.find({point, box});
   if (known != placeOf_.end()) return fields_[known->second];
   int place = findSpare();
   if (place < 0) {
     place = fields_.count();
     fields_.push_back(std::make_shared<PointField>(surface_, options_));
   } else {
-    placeOf_.erase(fields_[place]->point());
+    placeOf_.erase(keyOf(*fields_[place]));
   }
   try {
-    fields_[place]->setPoint(point);
+    fields_[place]->setPoint(point, box);
   } catch (...) {
     // What is half made must not be found by its point.
     std::swap(fields_[place], fields_.back());
     fields_.pop_back();
     placeOf_.clear();
-    for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(fields_[i]->point(), i);
+    for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(keyOf(*fields_[i]), i);
     throw;
   }
-  placeOf_.emplace(point, place);
+  placeOf_.emplace(Key{point, box}, place);
   ++made_;
   return fields_[place];
 }
 
-std::shared_ptr<PointField> FieldSet::find(const SurfacePoint& point) const {
-  const auto known = placeOf_.find(point);
+std::shared_ptr<PointField> FieldSet::find(const SurfacePoint& point,
+                                           const std::optional<OrientedBox>& box) const {
+  const auto known = placeOf_.find({point, box});
   return known != placeOf_.end() ? fields_[known->second] : nullptr;
 }
 
@@ -65,7 +67,7 @@ int FieldSet::findSpare() {
 void FieldSet::dropSpare() {
   std::erase_if(fields_, [](const auto& field) { return field.use_count() == 1; });
   placeOf_.clear();
-  for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(fields_[i]->point(), i);
+  for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(keyOf(*fields_[i]), i);
   next_ = 0;
 }
 

@@ -26,10 +26,13 @@ class FieldSet {
 
   /// The field of a point: the one that is at it, else a spare one that is moved to it, else a new
   /// one.
-  std::shared_ptr<PointField> at(const SurfacePoint& point);
+  /// `box`: where it will be read (point_field.h). Fields of one point with other boxes are others.
+  std::shared_ptr<PointField> at(const SurfacePoint& point,
+                                 const std::optional<OrientedBox>& box = std::nullopt);
 
   /// The field that is at a point, or none.
-  std::shared_ptr<PointField> find(const SurfacePoint& point) const;
+  std::shared_ptr<PointField> find(const SurfacePoint& point,
+                                   const std::optional<OrientedBox>& box = std::nullopt) const;
 
   /// Gives the memory of spare fields back.
   void dropSpare();
@@ -41,14 +44,17 @@ class FieldSet {
   int made() const { return made_; }
 
  private:
-  struct Hash {
-    size_t operator()(const SurfacePoint& point) const;
-  };
-  struct Same {
-    bool operator()(const SurfacePoint& a, const SurfacePoint& b) const {
-      return a.face == b.face && a.bary == b.bary;
+  struct Key {
+    SurfacePoint point;
+    std::optional<OrientedBox> box;
+    bool operator==(const Key& other) const {
+      return point.face == other.point.face && point.bary == other.point.bary && box == other.box;
     }
   };
+  struct Hash {
+    size_t operator()(const Key& key) const;
+  };
+  static Key keyOf(const PointField& field) { return {field.point(), field.box()}; }
 
   /// The place of a spare field, in turn; -1 if there is none.
   int findSpare();
@@ -56,7 +62,7 @@ class FieldSet {
   Surface& surface_;
   FieldOptions options_;
   Array<std::shared_ptr<PointField>> fields_;
-  std::unordered_map<SurfacePoint, int, Hash, Same> placeOf_;
+  std::unordered_map<Key, int, Hash> placeOf_;
   int next_ = 0;  ///< where the search for a spare field goes on
   int made_ = 0;
 };

@@ -16,8 +16,9 @@ PointField::PointField(Surface& surface, const FieldOptions& options)
   checkFieldOptions(options);
 }
 
-void PointField::setPoint(const SurfacePoint& point) {
+void PointField::setPoint(const SurfacePoint& point, const std::optional<OrientedBox>& box) {
   point_ = point;
+  box_ = box;
   if (options_.method == Method::kPaper) {
     makePaperField();
   } else {
@@ -39,12 +40,31 @@ void PointField::makeLogField() {
   logVectors_.clear();
   ControlField::EvaluateMidpoint midpoint;
   if (solver_->keepMidpoints()) midpoint = [this](int h) { return estimateMidpoint(h); };
+  isKept_ = solver_->keepTo(box_) && box_;
+  wholeIsSet_ = false;
   solver_->setSource(point_);
   field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
 }
 
-double PointField::distanceAt(int vertex) const {
-  const double distance = solver_->growTo(vertex);
+/// The solver that knows a vertex, grown to it.
+DistanceSolver& PointField::solverFor(int vertex) {
+  if (!isKept_) {
+    solver_->growTo(vertex);
+    return *solver_;
+  }
+  if (box_->contains(surface_.mesh().positions[vertex])) {
+    solver_->growTo(vertex);
+    if (solver_->isSure(vertex)) return *solver_;
+  }
+  if (!whole_) whole_ = makeDistanceSolver(surface_, options_);
+  if (!wholeIsSet_) whole_->setSource(point_);
+  wholeIsSet_ = true;
+  whole_->growTo(vertex);
+  return *whole_;
+}
+
+double PointField::distanceAt(int vertex) {
+  const double distance = solverFor(vertex).distance(vertex);
   if (distance != kInfinity) return distance;
   throw Error(ErrorCode::kUnreachable,
               "a field was read on another component than its control point's");
@@ -54,12 +74,16 @@ const Vec2& PointField::logVectorAt(int vertex) {
   Vec2& vector = logVectors_.touch(vertex).vector;
   if (std::isnan(vector.x())) {
     distanceAt(vertex);
-    vector = solver_->logVector(vertex);
+    vector = solverFor(vertex).logVector(vertex);
   }
   return vector;
 }
 
 FieldValue PointField::estimate(int vertex) {
+  if (isKept_) {
+    const double distance = distanceAt(vertex);
+    return {solverFor(vertex).logVector(vertex), distance * distance};
+  }
   const Stencil stencil = stencils_->at(vertex);
   const auto squaredDistanceAt = [&](int v) {
     const double distance = distanceAt(v);

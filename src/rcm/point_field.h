@@ -19,8 +19,13 @@ class PointField {
   PointField(const PointField&) = delete;
   PointField& operator=(const PointField&) = delete;
 
-  void setPoint(const SurfacePoint& point);
+  /// With a box, within which it will be read, the field is that of a near point: of paths in the
+  /// box, where these are as good as all, and of log vectors as they are, since so near they need
+  /// no fit (estimators.h). A vertex's value depends on the box too, but not on what was read
+  /// before. Solvers that cannot keep to a box make the field as without one.
+  void setPoint(const SurfacePoint& point, const std::optional<OrientedBox>& box = std::nullopt);
   const SurfacePoint& point() const { return point_; }
+  const std::optional<OrientedBox>& box() const { return box_; }
 
   /// A value that is read on another component than the point's throws Error kUnreachable.
   ControlField& field() { return field_; }
@@ -35,7 +40,8 @@ class PointField {
   void makeLogField();
   FieldValue estimate(int vertex);
   Vec2 estimateMidpoint(int halfedge);
-  double distanceAt(int vertex) const;
+  DistanceSolver& solverFor(int vertex);
+  double distanceAt(int vertex);
   const Vec2& logVectorAt(int vertex);
 
   Surface& surface_;
@@ -45,6 +51,11 @@ class PointField {
   ControlField field_;
   /// Kept for log vectors, which are made as they are read.
   std::unique_ptr<DistanceSolver> solver_;
+  std::optional<OrientedBox> box_;
+  bool isKept_ = false;  ///< the solver to the box
+  /// Goes everywhere, for what lies outside the box or depends on that; made when it is needed.
+  std::unique_ptr<DistanceSolver> whole_;
+  bool wholeIsSet_ = false;
   StencilTable* stencils_ = nullptr;
   PagedArray<LogEntry, 6> logVectors_;
   Array<double> squaredDistances_;

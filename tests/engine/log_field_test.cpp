@@ -122,6 +122,57 @@ std::string solverName(const testing::TestParamInfo<Solver>& solver) {
 INSTANTIATE_TEST_SUITE_P(Solvers, LogFields, testing::Values(Solver::kFast, Solver::kExact),
                          solverName);
 
+TEST(NearFields, AreExactOnPlanesInTheirBoxAndBeyond) {
+  for (const PlaneTessellation tessellation : kPlaneTessellations) {
+    SCOPED_TRACE(tessellationName(tessellation));
+    const double shear = tessellation == PlaneTessellation::kStretchedSheared ? 1 : 0;
+    Surface surface(importMesh(tessellatedPlane(tessellation, 3000, 9)).mesh);
+    const TriangleMesh& mesh = surface.mesh();
+    const SurfacePoint source = nearestPoint(mesh, Vec3(0.48 + shear * 0.52, 0.52, 0));
+    const Vec3 from = position(mesh, source);
+    OrientedBox box;
+    box.center = from;
+    box.halfSize = Vec3(0.12, 0.06, 1);
+    PointField near(surface, {});
+    near.setPoint(source, box);
+    int inside = 0;
+    int outside = 0;
+    for (int v = 0; v < mesh.vertexCount(); v += 3) {
+      const Vec3 off = mesh.positions[v] - from;
+      if (off.norm() > 0.2) continue;
+      ++(box.contains(mesh.positions[v]) ? inside : outside);
+      EXPECT_NEAR(std::sqrt(near.field().at(v).squaredDistance), off.norm(), 1e-9);
+    }
+    EXPECT_GT(inside, 5);
+    EXPECT_GT(outside, 5);
+  }
+}
+
+TEST(NearFields, DoNotDependOnWhatWasReadBefore) {
+  Surface surface(bunnyMesh());
+  const TriangleMesh& mesh = surface.mesh();
+  const SurfacePoint source = nearestPoint(mesh, Vec3(-1, 8, 4));
+  OrientedBox box;
+  box.center = position(mesh, source);
+  box.halfSize = Vec3::Constant(4 * surface.geometry().meanEdge);
+  Array<int> vertices;
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    if ((mesh.positions[v] - box.center).norm() < 1.5 * box.halfSize[0]) vertices.push_back(v);
+  }
+  PointField forwards(surface, {});
+  PointField backwards(surface, {});
+  forwards.setPoint(source, box);
+  backwards.setPoint(source, box);
+  for (int i = 0; i < vertices.count(); ++i) {
+    forwards.field().at(vertices[i]);
+    backwards.field().at(vertices[vertices.count() - 1 - i]);
+  }
+  for (const int v : vertices) {
+    EXPECT_EQ(forwards.field().at(v).gradient, backwards.field().at(v).gradient);
+    EXPECT_EQ(forwards.field().at(v).squaredDistance, backwards.field().at(v).squaredDistance);
+  }
+}
+
 TEST(FastDistance, AgreesWithExactDistancesOnTheBunny) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);

@@ -1,0 +1,104 @@
+#include "curves/polygon/piece_boxes.h"
+
+#include <algorithm>
+
+namespace karcher {
+namespace {
+
+/// Room around the pieces, in the longest edges of the faces at their points: a sample's face may
+/// reach out so far. With less, fields are read outside their boxes more often, which costs more
+/// than smaller boxes spare.
+constexpr double kRoom = 1.25;
+/// In a box that is longer than twice this, in mean edges, fields are worth a fit.
+constexpr double kLongest = 16;
+/// Away from the surface, as a part of the longest side: there is nothing else to keep out, and the
+/// surface may bend.
+constexpr double kThickness = 0.5;
+
+Vec3 normalOf(const TriangleMesh& mesh, int face) {
+  const Vec3& a = mesh.positions[mesh.corner(face, 0)];
+  const Vec3& b = mesh.positions[mesh.corner(face, 1)];
+  const Vec3& c = mesh.positions[mesh.corner(face, 2)];
+  return (b - a).cross(c - a);
+}
+
+/// Grows over pieces, then becomes a box.
+class Extent {
+ public:
+  explicit Extent(const Geometry& geometry) : geometry_(geometry), mesh_(*geometry.mesh) {}
+
+  void clear() {
+    positions_.clear();
+    normal_ = Vec3::Zero();
+    longest_ = 0;
+  }
+
+  void add(const RefinedPolygon& refined, const SegmentLayout& piece) {
+    for (int k = 0; k < piece.points.count(); ++k) {
+      const int face = refined.points[piece.points[k]].point.face;
+      normal_ += normalOf(mesh_, face).normalized();
+      for (int h = 3 * face; h < 3 * face + 3; ++h) {
+        longest_ = std::max(longest_, geometry_.edgeLength[h]);
+      }
+      if (k == 0) continue;
+      for (const SurfacePoint& p : refined.legs[piece.points[k - 1]].points) {
+        positions_.push_back(position(mesh_, p));
+      }
+    }
+  }
+
+  /// Along the line from the point to what is farthest of it.
+  std::optional<OrientedBox> box(const SurfacePoint& point) const {
+    const Vec3 from = position(mesh_, point);
+    Vec3 along = Vec3::Zero();
+    for (const Vec3& p : positions_) {
+      if ((p - from).squaredNorm() > along.squaredNorm()) along = p - from;
+    }
+    OrientedBox box;
+    box.axes[0] = along.normalized();
+    box.axes[1] = normal_.cross(along).normalized();
+    box.axes[2] = box.axes[0].cross(box.axes[1]);
+    if (!(box.axes[0].norm() > 0.5 && box.axes[1].norm() > 0.5)) return std::nullopt;
+    Vec3 least = Vec3::Constant(kInfinity);
+    Vec3 most = Vec3::Constant(-kInfinity);
+    for (const Vec3& p : positions_) {
+      for (int k = 0; k < 3; ++k) {
+        const double at = box.axes[k].dot(p);
+        least[k] = std::min(least[k], at);
+        most[k] = std::max(most[k], at);
+      }
+    }
+    box.halfSize = (most - least) / 2 + Vec3::Constant(kRoom * longest_);
+    if (box.halfSize[0] > kLongest * geometry_.meanEdge) return std::nullopt;
+    box.halfSize[2] += kThickness * box.halfSize[0];
+    for (int k = 0; k < 3; ++k) box.center += (least[k] + most[k]) / 2 * box.axes[k];
+    return box;
+  }
+
+ private:
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  Array<Vec3> positions_;
+  Vec3 normal_ = Vec3::Zero();
+  double longest_ = 0;
+};
+
+}  // namespace
+
+Array<std::optional<OrientedBox>> boxesOfPieces(const Geometry& geometry,
+                                                const RefinedPolygon& refined) {
+  Array<Array<int>> piecesOf(refined.points.size());
+  for (int p = 0; p < refined.pieces.count(); ++p) {
+    for (const int point : refined.pieces[p].points) piecesOf[point].push_back(p);
+  }
+  Array<std::optional<OrientedBox>> boxes;
+  Extent extent(geometry);
+  for (int i = 0; i < refined.points.count(); ++i) {
+    extent.clear();
+    for (const int p : piecesOf[i]) extent.add(refined, refined.pieces[p]);
+    boxes.push_back(extent.box(refined.points[i].point));
+  }
+  return boxes;
+}
+
+}  // namespace karcher
