@@ -29,8 +29,9 @@ export interface PolylineOptions {
 }
 
 /**
- * How geodesic distances are found: `fast`: by virtual sources, with a mean error of 1e-3; `exact`:
- * by windows; `graph`: on the graph of each vertex's k-ring.
+ * How geodesic distances are found: `fast`: by virtual sources, exact on a plane, with a mean error of
+ * 1e-3 elsewhere, and as `exact` on meshes that it does not suit (`info.fastSolver`); `exact`: by
+ * windows; `graph`: on the graph of each vertex's k-ring.
  */
 export type Solver = 'fast' | 'exact' | 'graph';
 
@@ -142,6 +143,12 @@ export interface MeshInfo {
   meanEdge: number;
   /** Length of the bounding box's diagonal. */
   diagonal: number;
+  /**
+   * What finds distances where the solver `fast` is asked for: `exact` on a mesh that the fast one
+   * does not suit. Every mesh is tried in some 40 ms when it is made. Those of which many vertices
+   * are at sharp corners of thin triangles do not pass, nor do stretched tubes and needles.
+   */
+  fastSolver: 'fast' | 'exact';
   repairs: Repair[];
 }
 

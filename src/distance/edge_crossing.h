@@ -53,6 +53,9 @@ inline constexpr double kHidden = 0.1;
 /// Least ratio of the bending of d^2 along the edge to that on the plane for which the ends belong
 /// to one front. Below it two fronts meet.
 inline constexpr double kOneFront = -0.5;
+/// Below this ratio straight paths from either end's source are no shorter than the shortest, as on
+/// convex surfaces, and the shortest of all counts.
+inline constexpr double kConvex = 0.7;
 
 /// The shortest way over the edge's line may pass this far beside the edge, as a part of it; it
 /// then goes through the end. Further out another edge is its way.
@@ -161,10 +164,16 @@ inline ApexArrival crossSettledEdge(const EdgeEnd& a, const EdgeEnd& b, const Ve
     if (!sameBase && aroundCorner(a, b, apex, result)) return result;
     const double base = std::min(a.base, b.base);
     const double bending = (b.distance - base) * b.cosine + (a.distance - base) * a.cosine;
-    if (bending > kOneFront) return throughFront(a, b, apex);
+    if (bending > kOneFront) {
+      result = throughFront(a, b, apex);
+      if (bending > kConvex) return result;
+    }
   }
   // A source that is used beyond its shadow gives too short a path, which nothing would mend.
-  if (a.seen && !hides(a, b)) result = straight(a, apex);
+  if (a.seen && !hides(a, b)) {
+    const ApexArrival fromA = straight(a, apex);
+    if (fromA.distance < result.distance) result = fromA;
+  }
   if (b.seen && !hides(b, a)) {
     const ApexArrival fromB = mirrored(straight(b, {1 - apex.x(), apex.y()}));
     if (fromB.distance < result.distance) result = fromB;

@@ -1,7 +1,11 @@
 #include "distance/exact_distance.h"
 
 #include <algorithm>
+#include <functional>
+#include <queue>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mesh/error.h"
 
@@ -19,6 +23,24 @@ constexpr double kWedgeMargin = 1e-9;
 bool spreadsPaths(const Geometry& geometry, int vertex) {
   const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
   return geometry.totalAngle[vertex] > flat + kWedgeMargin;
+}
+
+/// From this ratio of lengths on, the short sides of a face are not taken as differences of long
+/// ones.
+constexpr double kWide = 1e6;
+
+/// The two sides of a face above half-edge h, as vectors from its tail and from its head.
+struct FaceSides {
+  Vec2 fromTail;
+  Vec2 fromHead;
+};
+
+FaceSides sidesOver(const Geometry& geometry, int h) {
+  const int right = next(h);
+  const int left = previous(h);
+  const Vec2 atHead = unitVector(geometry.cornerAngle[right]);
+  return {geometry.edgeLength[left] * unitVector(geometry.cornerAngle[h]),
+          geometry.edgeLength[right] * Vec2(-atHead.x(), atHead.y())};
 }
 
 /// An edge that windows are carried to, seen from the end that it shares with the edge they leave.
@@ -49,9 +71,19 @@ ExactDistance::ExactDistance(const Geometry& geometry)
       vertices_(mesh_.vertexCount()),
       faces_(mesh_.faceCount()),
       midpoints_(geometry),
+      isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
       queue_(kBucketWidth * geometry.meanEdge),
       target_(geometry),
-      images_(geometry) {}
+      images_(geometry) {
+  // Lengths are rounded too.
+  constexpr double kSlack = 1 + 1e-9;
+  if (geometry.longestEdge > kSlack * kWidestRange * geometry.shortestEdge) {
+    throw Error(ErrorCode::kBadArgument,
+                "edge lengths from " + inSentence(geometry.shortestEdge) + " to " +
+                    inSentence(geometry.longestEdge) +
+                    " are too wide a range for exact distances: at most 1e12 to 1");
+  }
+}
 
 void ExactDistance::setSource(const SurfacePoint& source) {
   vertices_.clear();
@@ -90,6 +122,7 @@ void ExactDistance::grow(double radius) {
       leaveVertex(~item);
     }
   }
+  if (isWide_ && queue_.empty()) reachAlongEdges();
 }
 
 double ExactDistance::direction(int vertex) const {
@@ -209,7 +242,13 @@ void ExactDistance::takeWaiting(int h) {
 void ExactDistance::carryAcross(int h) {
   takeWaiting(h);
   const double length = geometry_.edgeLength[h];
-  const Vec2 apex = oppositeOverHalfedge(geometry_, h);
+  Vec2 apex = oppositeOverHalfedge(geometry_, h);
+  Vec2 fromHead(length - apex.x(), apex.y());
+  if (isWide_) {
+    const FaceSides sides = sidesOver(geometry_, h);
+    apex = sides.fromTail;
+    fromHead = Vec2(-sides.fromHead.x(), sides.fromHead.y());
+  }
   const int apexVertex = mesh_.opposite(h);
   const double tail = vertices_.touch(mesh_.tail(h)).arrival.distance;
   const double head = vertices_.touch(mesh_.head(h)).arrival.distance;
@@ -259,7 +298,7 @@ void ExactDistance::carryAcross(int h) {
   const int right = next(h);
   const SideEdge rightSide{mesh_.twin[right],
                            geometry_.edgeLength[right],
-                           Vec2(length - apex.x(), apex.y()).normalized(),
+                           fromHead.normalized(),
                            length,
                            head,
                            top.arrival.distance,
@@ -305,6 +344,46 @@ void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arri
   if (bucket < record.bucket) {
     record.bucket = bucket;
     queue_.push(~vertex, bucket);
+  }
+}
+
+/// From the vertices that were reached to those that were not, as far as edges lead: E. Dijkstra's
+/// algorithm.
+void ExactDistance::reachAlongEdges() {
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> waiting;
+  const auto leave = [&](int v) {
+    const double distance = vertices_.touch(v).arrival.distance;
+    const auto reach = [&](int w, double edge, int via, double crossing) {
+      VertexRecord& record = vertices_.touch(w);
+      if (!(distance + edge < record.arrival.distance)) return;
+      record.arrival = {distance + edge, distance, v};
+      record.via = via;
+      record.crossing = crossing;
+      waiting.emplace(distance + edge, w);
+    };
+    for (const int h : outgoingHalfedges(mesh_, v)) {
+      const int via = previous(h);
+      reach(mesh_.head(h), geometry_.edgeLength[h], via, geometry_.edgeLength[via]);
+      reach(mesh_.opposite(h), geometry_.edgeLength[via], h, 0);
+    }
+  };
+  // Windows come first: only vertices without one are reached so.
+  Array<int> reached;
+  vertices_.forEach([&](int v) {
+    if (vertices_.touch(v).arrival.distance == kInfinity) return;
+    for (const int h : outgoingHalfedges(mesh_, v)) {
+      if (distance(mesh_.head(h)) != kInfinity && distance(mesh_.opposite(h)) != kInfinity)
+        continue;
+      reached.push_back(v);
+      return;
+    }
+  });
+  for (const int v : reached) leave(v);
+  while (!waiting.empty()) {
+    const auto [distance, v] = waiting.top();
+    waiting.pop();
+    if (distance == vertices_.touch(v).arrival.distance) leave(v);
   }
 }
 

@@ -21,13 +21,18 @@
 /// propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact discrete geodesic
 /// computation based on triangle-oriented wavefront propagation", 2016).
 ///
+/// Where edges of very different lengths meet, rounding of the long ones may be more than what a
+/// window of the short ones spans, and no window comes to a vertex. Such a vertex is reached along
+/// edges.
+///
 /// A vertex that shortest paths turn round sends windows only into the wedge that lies straight
 /// behind it, at least pi from the path that reached it on both sides.
 namespace karcher {
 
 class ExactDistance final : public DistanceSolver {
  public:
-  /// The geometry must outlive the solver.
+  /// The geometry must outlive the solver. Throws Error kBadArgument where edge lengths have too
+  /// wide a range: more than kWidestRange.
   explicit ExactDistance(const Geometry& geometry);
 
   void setSource(const SurfacePoint& source) override;
@@ -39,6 +44,7 @@ class ExactDistance final : public DistanceSolver {
   /// only a surface whose shape is rounding noise comes near (ordinary meshes take 10 to 100).
   void grow(double radius) override;
   static constexpr int kMostWindowsPerFace = 10'000;
+  static constexpr double kWidestRange = 1e12;
   double growTo(int vertex) override { return growInSteps(*this, geometry_, source_, vertex); }
 
   double reached() const override { return queue_.empty() ? kInfinity : queue_.leastKey(); }
@@ -48,6 +54,12 @@ class ExactDistance final : public DistanceSolver {
   double distance(int vertex) const override {
     const VertexRecord* record = vertices_.find(vertex);
     return record == nullptr ? kInfinity : record->arrival.distance;
+  }
+
+  /// Calls visit(v) for every vertex that a path may have reached.
+  template <class Visit>
+  void forEachMet(const Visit& visit) const {
+    vertices_.forEach(visit);
   }
 
   /// The path's last turn. Meaningless where nothing arrived.
@@ -107,12 +119,14 @@ class ExactDistance final : public DistanceSolver {
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
   void addWindow(int h, const Window& window);
+  void reachAlongEdges();
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
   PagedArray<FaceRecord, 7> faces_;
+  bool isWide_;  ///< edges of very different lengths meet
   bool keepsMidpoints_ = false;
   EdgeMidpoints midpoints_;
   BucketQueue queue_;

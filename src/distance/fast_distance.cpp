@@ -14,6 +14,12 @@ constexpr double kWait = 0.1;
 /// The line from a source may miss the edge by this part of it for the edge to be looked at.
 constexpr double kFarBeside = 0.1;
 
+/// Distances count as shorter than the straight line only by more than this part of their square.
+constexpr double kRounding = 1e-13;
+
+/// A path that bends by less, in radians, goes straight on.
+constexpr double kStraight = 1e-12;
+
 /// unitVector(angle), by the power series where a few terms are all that doubles can tell.
 Vec2 unitVectorOfSmall(double angle) {
   if (std::abs(angle) > 0.25) return unitVector(angle);
@@ -38,6 +44,7 @@ void FastDistance::setSource(const SurfacePoint& source) {
   front_ = 0;
   longestDelay_ = 0;
   const TriangleMesh& mesh = *geometry_.mesh;
+  source_ = position(mesh, source);
   const PointLocation place = locate(mesh, source);
   if (place.simplex == Simplex::kVertex) {
     VertexRecord start;
@@ -71,6 +78,7 @@ void FastDistance::placeInFace(int face, const Vec2& source) {
     if (start.distance < record.distance) {
       const double before = record.distance;
       start.place = record.place;
+      start.times = record.times;
       start.delay = record.delay;
       record = start;
       enqueue(v, record, before);
@@ -188,12 +196,25 @@ inline void FastDistance::goAlongEdge(const VertexRecord& from, const Vec2 (&tur
                                       const FanEdge& edge, int number, int place) {
   VertexRecord& record = vertices_.touch(edge.head);
   ring_.before[place] = record.distance;
+  const double sine = karcher::cross(from.toSource, edge.vector);
+  const double cosine = from.toSource.dot(edge.vector);
+  const int isBehind = number <= from.corner ? 1 : 0;
+  const Vec2& left = turns[isBehind];
+  const Vec2& right = turns[1 - isBehind];
+  ring_.dot[place] = cosine;
+  ring_.left[place] = sine * left.x() + cosine * left.y();
+  ring_.right[place] = cosine * right.y() - sine * right.x();
+
   const double distance = from.distance + edge.length;
   const bool isLeftOut = box_ && isOutside(edge.head, record);
   const bool isNearer = (distance < record.distance * kShorter) & !isFinal(record) & !isLeftOut;
+  // Straight on, on both sides, the path does not turn round the vertex.
+  const double slack = kStraight * edge.length;
+  const bool isStraight = (cosine < 0) & !(std::abs(ring_.left[place]) > slack) &
+                          !(std::abs(ring_.right[place]) > slack);
   VertexRecord& reached = *(isNearer ? &record : &nowhere_);
   reached.distance = distance;
-  reached.base = from.distance;
+  reached.base = isStraight ? from.base : from.distance;
   reached.corner = edge.reverse;
   reached.settled = false;
   reached.alongEdge = true;
@@ -208,11 +229,6 @@ inline void FastDistance::goAlongEdge(const VertexRecord& from, const Vec2 (&tur
   ring_.room[place] = edge.length * (record.distance - least) + kRoom[record.settled ? 1 : 0];
   ring_.length[place] = edge.length;
   ring_.area[place] = edge.cross;
-  const double sine = karcher::cross(from.toSource, edge.vector);
-  const double cosine = from.toSource.dot(edge.vector);
-  const int isBehind = number <= from.corner ? 1 : 0;
-  const Vec2& left = turns[isBehind];
-  const Vec2& right = turns[1 - isBehind];
   if (isLeftOut) {
     // It is no apex, and as the end of an edge not waited for.
     constexpr double kUnbounded = 1e300;
@@ -220,9 +236,6 @@ inline void FastDistance::goAlongEdge(const VertexRecord& from, const Vec2 (&tur
     ring_.least[place] = edge.length * from.distance;
     ring_.room[place] = kUnbounded;
   }
-  ring_.dot[place] = cosine;
-  ring_.left[place] = sine * left.x() + cosine * left.y();
-  ring_.right[place] = cosine * right.y() - sine * right.x();
 }
 
 /// Repeats the first edge after the last.
@@ -323,7 +336,7 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const V
     const double wait = best.distance - a.base - kWait;
     if (wait > 0 && a.squaredRadiusAtOtherEnd() < wait * wait) return;
   }
-  const double distance = best.distance * edge.length;
+  const double distance = noLessThanStraight(target.head, best.distance * edge.length);
   const int reverse = target.reverse;
   const int arrivalCorner = kSide > 0 ? reverse : fans_->before(target.head, reverse);
   if (!mayArrive(reached, distance, arrivalCorner)) return;
@@ -343,6 +356,7 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const V
   record.unsure = isFromUnsure_ || (other.settled && other.unsure);
   record.side = reached.side;
   record.place = reached.place;
+  record.times = reached.times;
   record.delay = reached.delay;
   reached = record;
 }
@@ -383,6 +397,12 @@ bool FastDistance::turnsTooFar(int vertex, int edge, int side) const {
   return angle > 1.5 * kPi;
 }
 
+/// No path on the surface is shorter than the straight line in space.
+double FastDistance::noLessThanStraight(int vertex, double distance) const {
+  const double squared = (geometry_.mesh->positions[vertex] - source_).squaredNorm();
+  return distance * distance < squared * (1 - kRounding) ? std::sqrt(squared) : distance;
+}
+
 bool FastDistance::mayArrive(const VertexRecord& record, double distance, int corner) const {
   if (!(distance < kInfinity) || isFinal(record)) return false;
   if (distance < record.distance * kShorter) return true;
@@ -397,6 +417,11 @@ void FastDistance::enqueue(int vertex, VertexRecord& record, double before) {
     longestDelay_ = std::max(longestDelay_, record.delay);
   }
   if (record.place == kNotWaiting) {
+    if (record.times == kMostTimes) {
+      record.settled = true;
+      return;
+    }
+    ++record.times;
     record.place = queue_.push(record.distance, vertex);
   } else {
     queue_.lower(record.place, record.distance);

@@ -52,6 +52,12 @@ class FastDistance final : public DistanceSolver {
     return record == nullptr ? kInfinity : record->distance;
   }
 
+  /// Calls visit(v) for every vertex that a path may have reached.
+  template <class Visit>
+  void forEachMet(const Visit& visit) const {
+    vertices_.forEach(visit);
+  }
+
   /// Unscaled direction (geometry.h), in [0, total angle], in which the path leaves the vertex
   /// towards the source; 0 at the source itself. Meaningless where nothing arrived.
   double direction(int vertex) const;
@@ -59,6 +65,9 @@ class FastDistance final : public DistanceSolver {
 
  private:
   static constexpr int kNotWaiting = -1;
+  /// A vertex is settled so often at most. Ordinary ones are a few times, but in slivers rounding
+  /// may find the same path shorter for ever.
+  static constexpr int kMostTimes = 100;
 
   /// Of the box that the solver is kept to.
   enum class Side : uint8_t { kUnknown, kInside, kOutside };
@@ -70,6 +79,7 @@ class FastDistance final : public DistanceSolver {
     int corner = -1;               ///< the corner of the fan through which the path arrives
     int place = kNotWaiting;       ///< in the queue
     float delay = 0;               ///< VertexFans::delay
+    uint16_t times = 0;            ///< it was settled
     bool settled = false;
     bool alongEdge = false;  ///< the path comes along an edge from the vertex at `base`
     bool unsure = false;     ///< the path may go where it does because of the box
@@ -128,10 +138,12 @@ class FastDistance final : public DistanceSolver {
   bool findSourceAngle(const FanEdge& along, const VertexRecord& record, double inverseLength,
                        EdgeEnd& end) const;
   bool turnsTooFar(int vertex, int edge, int side) const;
+  double noLessThanStraight(int vertex, double distance) const;
   bool mayArrive(const VertexRecord& record, double distance, int corner) const;
   void enqueue(int vertex, VertexRecord& record, double before);
 
   const Geometry& geometry_;
+  Vec3 source_ = Vec3::Zero();
   std::shared_ptr<const VertexFans> fans_;
   PagedArray<VertexRecord, 6> vertices_;
   OrderedQueue queue_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "mesh/types.h"
@@ -12,7 +13,8 @@ namespace karcher {
 template <class T, int kPageBits>
 class PagedArray {
  public:
-  explicit PagedArray(int count) : pageOf_(static_cast<size_t>(count >> kPageBits) + 1, nullptr) {}
+  explicit PagedArray(int count)
+      : count_(count), pageOf_(static_cast<size_t>(count >> kPageBits) + 1, nullptr) {}
 
   /// The element, made if it does not exist yet.
   T& touch(int i) {
@@ -25,6 +27,16 @@ class PagedArray {
   const T* find(int i) const {
     const T* page = pageOf_[i >> kPageBits];
     return page == nullptr ? nullptr : page + (i & kMask);
+  }
+
+  /// Calls visit(i) for the number of every element that exists; some of a page may never have been
+  /// touched.
+  template <class Visit>
+  void forEach(const Visit& visit) const {
+    for (const int page : used_) {
+      const int end = std::min((page + 1) << kPageBits, count_);
+      for (int i = page << kPageBits; i < end; ++i) visit(i);
+    }
   }
 
   /// Forgets every element. Costs what was touched; the memory is kept.
@@ -45,6 +57,7 @@ class PagedArray {
     return page;
   }
 
+  int count_;
   Array<T*> pageOf_;
   Array<int> used_;
   Array<std::unique_ptr<T[]>> pages_;

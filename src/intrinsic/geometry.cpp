@@ -72,6 +72,10 @@ Geometry buildGeometry(const TriangleMesh& mesh) {
   measureFaces(mesh, geometry);
   cumulateAngles(mesh, geometry);
   connectFrames(mesh, geometry);
+  const auto [shortest, longest] =
+      std::minmax_element(geometry.edgeLength.begin(), geometry.edgeLength.end());
+  geometry.shortestEdge = *shortest;
+  geometry.longestEdge = *longest;
   geometry.meanEdge = meanEdgeLength(mesh);
   geometry.diagonal = boundingBoxDiagonal(mesh);
   return geometry;

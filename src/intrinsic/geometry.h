@@ -30,6 +30,8 @@ struct Geometry {
   Array<Vec2> vertexToFace;      ///< per half-edge, unit: turns a vector in the frame of its tail
                                  ///< into the frame of its face
   double meanEdge = 0;
+  double shortestEdge = 0;
+  double longestEdge = 0;
   double diagonal = 0;  ///< of the bounding box
 };
 

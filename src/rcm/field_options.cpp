@@ -20,12 +20,16 @@ void checkFieldOptions(const FieldOptions& options) {
 void prepareFields(Surface& surface, const FieldOptions& options) {
   if (options.method == Method::kPaper) surface.gradientOperator();
   if (options.solver == Solver::kGraph) surface.ringGraph(options.rings);
-  if (options.solver == Solver::kFast) surface.vertexFans();
+  if (options.solver == Solver::kFast) solverOn(surface, options.solver);
+}
+
+Solver solverOn(Surface& surface, Solver solver) {
+  return solver == Solver::kFast && !surface.suitsFastSolver() ? Solver::kExact : solver;
 }
 
 std::unique_ptr<DistanceSolver> makeDistanceSolver(Surface& surface, const FieldOptions& options) {
   const Geometry& geometry = surface.geometry();
-  switch (options.solver) {
+  switch (solverOn(surface, options.solver)) {
     case Solver::kExact:
       return std::make_unique<ExactDistance>(geometry);
     case Solver::kGraph:

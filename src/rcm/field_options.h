@@ -17,7 +17,7 @@ enum class Method {
 
 /// How distances are found, and which estimator (estimators.h) smooths log vectors.
 enum class Solver {
-  kFast,   ///< virtual sources; kLinear1
+  kFast,   ///< virtual sources; kLinear1. As kExact on meshes that it does not suit
   kExact,  ///< windows; kQuadratic2, and log vectors at the midpoints of edges as well
   kGraph,  ///< arcs of the k-ring graph; kLinear1
 };
@@ -36,7 +36,11 @@ void checkFieldOptions(const FieldOptions& options);
 /// Makes what fields with these options share, which is otherwise made when it is first needed.
 void prepareFields(Surface& surface, const FieldOptions& options);
 
-/// The solver of these options. The surface must outlive it.
+/// What finds distances where `solver` is asked for: kExact for kFast on a mesh beyond what the
+/// fast solver was shown to work on (fast_trial.h).
+Solver solverOn(Surface& surface, Solver solver);
+
+/// The solver of these options, as `solverOn` has it. The surface must outlive it.
 std::unique_ptr<DistanceSolver> makeDistanceSolver(Surface& surface, const FieldOptions& options);
 
 /// The estimator that smooths a solver's log vectors.

@@ -10,7 +10,7 @@ namespace karcher {
 PointField::PointField(Surface& surface, const FieldOptions& options)
     : surface_(surface),
       options_(options),
-      estimator_(estimatorOf(options.solver)),
+      estimator_(estimatorOf(solverOn(surface, options.solver))),
       field_(surface.mesh().vertexCount()),
       logVectors_(surface.mesh().vertexCount()) {
   checkFieldOptions(options);

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "distance/fast_trial.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -38,6 +39,11 @@ StencilTable& Surface::stencils(Estimator estimator) {
 const std::shared_ptr<const VertexFans>& Surface::vertexFans() {
   if (!vertexFans_) vertexFans_ = std::make_shared<const VertexFans>(buildVertexFans(geometry_));
   return vertexFans_;
+}
+
+bool Surface::suitsFastSolver() {
+  if (!suitsFastSolver_) suitsFastSolver_ = tryFastDistance(geometry_, vertexFans()).isPassed();
+  return *suitsFastSolver_;
 }
 
 void checkOneComponent(Surface& surface, const Array<SurfacePoint>& points) {

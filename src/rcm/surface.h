@@ -41,6 +41,9 @@ class Surface {
   /// The triangles around each vertex laid flat, for the fast solver; shared by all of them.
   const std::shared_ptr<const VertexFans>& vertexFans();
 
+  /// Whether the fast solver was found to work on this mesh (fast_trial.h).
+  bool suitsFastSolver();
+
  private:
   TriangleMesh mesh_;
   Geometry geometry_;
@@ -49,6 +52,7 @@ class Surface {
   std::optional<GradientOperator> gradientOperator_;
   std::map<Estimator, StencilTable> stencils_;
   std::shared_ptr<const VertexFans> vertexFans_;
+  std::optional<bool> suitsFastSolver_;
 };
 
 /// Throws Error kUnreachable, naming the two points by their places in `points`, if the points do

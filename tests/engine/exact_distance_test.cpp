@@ -8,6 +8,7 @@
 
 #include "distance_meshes.h"
 #include "generators/flat.h"
+#include "generators/gallery.h"
 #include "generators/plane.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
@@ -15,6 +16,37 @@
 
 namespace karcher {
 namespace {
+
+TEST(ExactDistance, IsRightForEdgesFromOneToABillionTimesAThousand) {
+  // Every pair of the grid's vertices, in both directions: distances are straight.
+  const TriangleSoup soup = wideGrid(24, 6);
+  const TriangleMesh mesh = buildMesh(soup.positions, soup.triangles);
+  const Geometry geometry = buildGeometry(mesh);
+  ExactDistance distance(geometry);
+  for (int source = 0; source < mesh.vertexCount(); ++source) {
+    distance.setSource(vertexPoint(mesh, source));
+    distance.grow(kInfinity);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const double straight = (mesh.positions[v] - mesh.positions[source]).norm();
+      EXPECT_NEAR(distance.distance(v), straight, 1e-11 * straight)
+          << "from vertex " << source << " to " << v;
+    }
+  }
+}
+
+TEST(ExactDistance, NamesARangeOfEdgesThatIsTooWide) {
+  const TriangleSoup soup = wideGrid(24, 6);
+  Array<Vec3> positions = soup.positions;
+  for (Vec3& p : positions) p.y() /= 2;
+  const TriangleMesh mesh = buildMesh(positions, soup.triangles);
+  const Geometry geometry = buildGeometry(mesh);
+  try {
+    ExactDistance distance(geometry);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("too wide a range"), std::string::npos);
+  }
+}
 
 /// The vector of length d from a vertex along the shortest path towards the source, in space, for
 /// surfaces in the plane z = 0.

@@ -6,8 +6,12 @@
 #include <numbers>
 #include <string>
 
+#include "distance/exact_distance.h"
+#include "distance/fast_trial.h"
 #include "distance/ordered_queue.h"
+#include "generators/gallery.h"
 #include "generators/random.h"
+#include "rcm/point_field.h"
 #include "support.h"
 
 namespace karcher {
@@ -103,6 +107,94 @@ TEST(FastDistance, IsStraightAcrossVerticesOfManyEdges) {
   for (const int source : {0, 1, 17, 130, 201, 266}) {
     expectStraightDistances(mesh, distance, source);
   }
+}
+
+TEST(FastDistance, IsStraightAcrossFansOfAcuteTriangles) {
+  for (const int q : {3, 5, 8, 16}) {
+    for (const double jitter : {0.0, 0.4}) {
+      SCOPED_TRACE("q = " + std::to_string(q) + ", jitter " + std::to_string(jitter));
+      const TriangleSoup soup = fanSquares(3, q, jitter, 3);
+      const TriangleMesh mesh = buildMesh(soup.positions, soup.triangles);
+      const Geometry geometry = buildGeometry(mesh);
+      FastDistance distance(geometry);
+      for (int source = 0; source < mesh.vertexCount(); source += 5) {
+        expectStraightDistances(mesh, distance, source);
+      }
+    }
+  }
+}
+
+TEST(FastDistance, IsNowhereBelowTheStraightLine) {
+  for (const char* const name : {"ring tube, r = 0.1, quads 20:1", "rough sheet, sheared 10",
+                                 "rough sheet, needles 1e-08", "rough sheet, needles 1e-10"}) {
+    SCOPED_TRACE(name);
+    const TriangleMesh mesh = galleryMesh(name);
+    const Geometry geometry = buildGeometry(mesh);
+    FastDistance distance(geometry);
+    const int source = mesh.vertexCount() / 3;
+    distance.setSource(vertexPoint(mesh, source));
+    distance.grow(kInfinity);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const double straight = (mesh.positions[v] - mesh.positions[source]).norm();
+      EXPECT_GE(distance.distance(v), straight - 1e-12 * geometry.diagonal);
+    }
+  }
+}
+
+TEST(FastDistance, IsNearExactAlongTheOtherSideOfATube) {
+  // Two fronts meet there, and edges seven times as long as the tube's sides reach into both.
+  const TriangleMesh mesh = galleryMesh("ring tube, r = 0.1, quads 7:1");
+  const Geometry geometry = buildGeometry(mesh);
+  FastDistance fast(geometry);
+  ExactDistance exact(geometry);
+  for (const int source : {5, 1000, 2020}) {
+    fast.setSource(vertexPoint(mesh, source));
+    fast.grow(kInfinity);
+    exact.setSource(vertexPoint(mesh, source));
+    exact.grow(kInfinity);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      EXPECT_NEAR(fast.distance(v), exact.distance(v), 0.02 * exact.distance(v));
+    }
+  }
+}
+
+TEST(FastTrial, TellsMeshesThatTheFastSolverDoesNotSuit) {
+  const auto passes = [](const TriangleMesh& mesh) {
+    const Geometry geometry = buildGeometry(mesh);
+    return tryFastDistance(geometry, std::make_shared<const VertexFans>(buildVertexFans(geometry)))
+        .isPassed();
+  };
+  EXPECT_TRUE(passes(bunnyMesh()));
+  for (const char* const name :
+       {"fans, q = 16, jittered", "plane, stretched 100:1", "torus", "sphere, random",
+        "rough sheet", "ring tube, r = 0.1, quads 7:1"}) {
+    EXPECT_TRUE(passes(galleryMesh(name))) << name;
+  }
+  for (const char* const name :
+       {"ring tube, r = 0.1, quads 20:1", "ring tube, r = 0.03, quads 33:1", "torus, stretched 8:1",
+        "rough sheet, sheared 10", "crumpled sheet, 6 folds", "crumpled sheet, 20 folds",
+        "plate with 50 holes", "very rough sheet", "rough sheet, needles 0.01",
+        "rough sheet, needles 1e-10"}) {
+    EXPECT_FALSE(passes(galleryMesh(name))) << name;
+  }
+}
+
+TEST(FastTrial, WhereItFailsFieldsAreExact) {
+  const FieldOptions fast{Method::kKarcher, Solver::kFast, 6};
+  Surface plate(galleryMesh("plate with 50 holes"));
+  EXPECT_EQ(solverOn(plate, Solver::kFast), Solver::kExact);
+  EXPECT_EQ(solverOn(plate, Solver::kGraph), Solver::kGraph);
+  PointField field(plate, fast);
+  PointField exact(plate, {Method::kKarcher, Solver::kExact, 6});
+  const SurfacePoint point{7, {0.2, 0.3, 0.5}};
+  field.setPoint(point);
+  exact.setPoint(point);
+  for (int v = 0; v < plate.mesh().vertexCount(); v += 9) {
+    EXPECT_EQ(field.field().at(v).gradient, exact.field().at(v).gradient);
+    EXPECT_EQ(field.field().at(v).squaredDistance, exact.field().at(v).squaredDistance);
+  }
+  Surface sphere(galleryMesh("sphere, relaxed"));
+  EXPECT_EQ(solverOn(sphere, Solver::kFast), Solver::kFast);
 }
 
 TEST(FastDistance, ResumedIsTheSame) {

@@ -20,6 +20,7 @@ test('a tetrahedron: a closed surface of genus 0', () => {
       genus: 0,
       meanEdge: 0,
       diagonal: 0,
+      fastSolver: 'exact',
       repairs: [],
     },
   );

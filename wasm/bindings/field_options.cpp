@@ -36,4 +36,11 @@ FieldOptions fieldOptionsFromJs(const emscripten::val& options) {
   return result;
 }
 
+const char* solverName(Solver solver) {
+  for (const Named<Solver>& named : kSolvers) {
+    if (named.value == solver) return named.name;
+  }
+  return "";
+}
+
 }  // namespace karcher::bindings

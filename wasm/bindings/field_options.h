@@ -10,4 +10,7 @@ namespace karcher::bindings {
 /// others, and as `checkFieldOptions` does.
 FieldOptions fieldOptionsFromJs(const emscripten::val& options);
 
+/// The name of a solver in the JavaScript API.
+const char* solverName(Solver solver);
+
 }  // namespace karcher::bindings

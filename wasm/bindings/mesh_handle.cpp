@@ -23,7 +23,7 @@ MeshHandle::MeshHandle(ImportedMesh imported)
       repairs_(std::move(imported.repairs)),
       surface_(std::move(imported.mesh)) {}
 
-val MeshHandle::info() const {
+val MeshHandle::info() {
   const Topology shape = topology(mesh());
   val repairs = val::array();
   for (int i = 0; i < repairs_.count(); ++i) {
@@ -41,6 +41,7 @@ val MeshHandle::info() const {
   info.set("genus", shape.genus);
   info.set("meanEdge", surface_.geometry().meanEdge);
   info.set("diagonal", surface_.geometry().diagonal);
+  info.set("fastSolver", std::string(solverName(solverOn(surface_, Solver::kFast))));
   info.set("repairs", repairs);
   return info;
 }

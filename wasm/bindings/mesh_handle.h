@@ -20,7 +20,7 @@ class MeshHandle {
   const Geometry& geometry() const { return surface_.geometry(); }
   const Numbering& numbering() const { return numbering_; }
 
-  val info() const;
+  val info();
   int inputVertices() const { return numbering_.engineVertex.count(); }
   val positions() const;
   val triangles() const;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "mesh/triangle_mesh.h"
+#include "mesh/triangle_soup.h"
+
+/// Meshes on which solvers of geodesic distances are wrong first: vertices of many and of acute
+/// corners, thin and obtuse triangles, sharp edges, tight tubes, and coordinates far from 1 and
+/// from the origin. Each is the same in every run, of some 500 to 10,000 triangles.
+namespace karcher {
+
+struct GalleryMesh {
+  std::string name;
+  TriangleSoup soup;
+  /// A convex piece of a plane: distances are straight.
+  bool isFlat = false;
+};
+
+Array<GalleryMesh> gallery();
+
+/// The mesh of that name. Throws std::runtime_error if there is none.
+TriangleMesh galleryMesh(const std::string& name);
+
+/// A square of `side` x `side` squares, each a fan of 4 q triangles round its middle. `jitter`
+/// moves middles, and the vertices along sides, by that part of the room they have.
+TriangleSoup fanSquares(int side, int q, double jitter, uint64_t seed);
+
+/// A closed tube of the given radius round a circle of radius 1, in `around` x `along` quads that
+/// are cut alike.
+TriangleSoup ringTube(double radius, int around, int along);
+
+/// The surface of `columns` x `rows` x 1 unit cubes without those at odd places of both, each
+/// square cut in two: a plate with square holes.
+TriangleSoup plateWithHoles(int columns, int rows);
+
+/// A fan of `valence` triangles round a vertex that stands `height` above its rim, inside `rings`
+/// rings of quads: a disk where the height is 0, else a cone.
+TriangleSoup wheel(int valence, int rings, double height);
+
+/// A flat grid of x = 10^(k / 2), k = 0, ..., `columns`, and y = 0, ..., `rows`.
+TriangleSoup wideGrid(int columns, int rows);
+
+}  // namespace karcher
