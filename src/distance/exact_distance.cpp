@@ -70,8 +70,8 @@ ExactDistance::ExactDistance(const Geometry& geometry)
       mesh_(*geometry.mesh),
       vertices_(mesh_.vertexCount()),
       faces_(mesh_.faceCount()),
-      midpoints_(geometry),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
+      midpoints_(geometry),
       queue_(kBucketWidth * geometry.meanEdge),
       target_(geometry),
       images_(geometry) {

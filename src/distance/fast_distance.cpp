@@ -210,8 +210,9 @@ inline void FastDistance::goAlongEdge(const VertexRecord& from, const Vec2 (&tur
   const bool isNearer = (distance < record.distance * kShorter) & !isFinal(record) & !isLeftOut;
   // Straight on, on both sides, the path does not turn round the vertex.
   const double slack = kStraight * edge.length;
-  const bool isStraight = (cosine < 0) & !(std::abs(ring_.left[place]) > slack) &
-                          !(std::abs(ring_.right[place]) > slack);
+  const bool turnsLeft = std::abs(ring_.left[place]) > slack;
+  const bool turnsRight = std::abs(ring_.right[place]) > slack;
+  const bool isStraight = (cosine < 0) & !turnsLeft & !turnsRight;
   VertexRecord& reached = *(isNearer ? &record : &nowhere_);
   reached.distance = distance;
   reached.base = isStraight ? from.base : from.distance;

@@ -1,10 +1,17 @@
 #include "mesh/polygon.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 namespace karcher {
 namespace {
 
 /// Corners whose sine is below this lie on a line, but for rounding.
 constexpr double kFlat = 1e-12;
+
+/// A corner further beside an ear's box, as a part of the box, is not in the ear, but for rounding.
+constexpr double kBeside = 1e-3;
 
 /// The corners seen along the mean normal (Newell): counterclockwise around the polygon.
 Array<Vec2> projected(const Array<Vec3>& corners) {
@@ -23,9 +30,59 @@ Array<Vec2> projected(const Array<Vec3>& corners) {
   return result;
 }
 
+/// Points of the plane in the cells of a grid, about one in each, so that those in a box are found
+/// without a look at the others.
+class PointGrid {
+ public:
+  explicit PointGrid(const Array<Vec2>& points)
+      : side_(static_cast<int>(std::sqrt(points.count())) + 1) {
+    Vec2 high = points[0];
+    low_ = points[0];
+    for (const Vec2& p : points) {
+      low_ = low_.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    // Where the points have no width, or are not numbers, all are in one row.
+    for (int k = 0; k < 2; ++k) {
+      const double width = high[k] - low_[k];
+      perWidth_[k] = width > 0 ? side_ / width : 0;
+    }
+    cells_.resize(static_cast<size_t>(side_) * static_cast<size_t>(side_));
+    for (int i = 0; i < points.count(); ++i) {
+      cells_[place(points[i].y(), 1) * side_ + place(points[i].x(), 0)].push_back(i);
+    }
+  }
+
+  /// Whether `test` is true of the number of a point in the cells that meet the box.
+  template <class Test>
+  bool any(const Vec2& low, const Vec2& high, const Test& test) const {
+    for (int row = place(low.y(), 1); row <= place(high.y(), 1); ++row) {
+      for (int column = place(low.x(), 0); column <= place(high.x(), 0); ++column) {
+        for (const int i : cells_[row * side_ + column]) {
+          if (test(i)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  int place(double x, int k) const {
+    const double cell = (x - low_[k]) * perWidth_[k];
+    return cell > 0 ? static_cast<int>(std::min(cell, side_ - 1.0)) : 0;
+  }
+
+  int side_;
+  Vec2 low_;
+  Vec2 perWidth_;
+  Array<Array<int>> cells_;
+};
+
 class EarClipping {
  public:
-  explicit EarClipping(const Array<Vec3>& corners) : corners_(corners), plane_(projected(corners)) {
+  explicit EarClipping(const Array<Vec3>& corners)
+      : corners_(corners), plane_(projected(corners)), grid_(plane_) {
+    isLeft_.assign(corners.size(), 1);
     for (int i = 0; i < corners.count(); ++i) ring_.push_back(i);
     for (int i = 0; i < corners.count(); ++i) diagonal_.push_back(earDiagonal(i));
   }
@@ -39,6 +96,7 @@ class EarClipping {
       }
       if (diagonal_[ear] == kInfinity) return {};
       triangles.emplace_back(at(ear - 1), at(ear), at(ear + 1));
+      isLeft_[ring_[ear]] = 0;
       ring_.erase(ring_.begin() + ear);
       diagonal_.erase(diagonal_.begin() + ear);
       const int n = ring_.count();
@@ -61,18 +119,26 @@ class EarClipping {
     const double flat = kFlat * ((b - a).squaredNorm() + (c - b).squaredNorm());
     // Also where there is no normal, and the plane's coordinates are not numbers.
     if (!(cross(b - a, c - b) > flat)) return kInfinity;
-    const int n = ring_.count();
-    for (int k = 2; k < n - 1; ++k) {
-      const Vec2& p = plane_[at(i + k)];
+    const int own[3] = {at(i - 1), at(i), at(i + 1)};
+    const auto blocks = [&](int k) {
+      if (!isLeft_[k] || k == own[0] || k == own[1] || k == own[2]) return false;
+      const Vec2& p = plane_[k];
       const bool inside = cross(b - a, p - a) >= -flat && cross(c - b, p - b) >= -flat &&
                           cross(a - c, p - c) >= -flat;
-      if (inside && p != a && p != c) return kInfinity;
-    }
+      return inside && p != a && p != c;
+    };
+    // The slack of `flat` reaches a little beyond the triangle.
+    const Vec2 low = a.cwiseMin(b).cwiseMin(c);
+    const Vec2 high = a.cwiseMax(b).cwiseMax(c);
+    const Vec2 slack = kBeside * (high - low).maxCoeff() * Vec2::Ones();
+    if (grid_.any(low - slack, high + slack, blocks)) return kInfinity;
     return (corners_[at(i + 1)] - corners_[at(i - 1)]).squaredNorm();
   }
 
   const Array<Vec3>& corners_;
   Array<Vec2> plane_;
+  PointGrid grid_;
+  Array<uint8_t> isLeft_;   ///< per corner, whether it is in the ring
   Array<int> ring_;         ///< the corners that are left
   Array<double> diagonal_;  ///< for each of them, its earDiagonal
 };
@@ -80,7 +146,7 @@ class EarClipping {
 }  // namespace
 
 Array<Triangle> cutPolygon(const Array<Vec3>& corners) {
-  if (corners.count() > kMostPolygonCorners) return {};
+  if (corners.count() < 3 || corners.count() > kMostPolygonCorners) return {};
   return EarClipping(corners).clip();
 }
 

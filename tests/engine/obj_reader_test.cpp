@@ -280,6 +280,19 @@ TEST(CutPolygon, KeepsTheAreaOfPolygonsThatAreNotConvex) {
   EXPECT_NEAR(area, 9 * 0.3 * std::sin(kPi / 9), 1e-12);
 }
 
+TEST(CutPolygon, KeepsTheAreaOfAsManyCornersAsItTakes) {
+  Array<Vec3> star;
+  for (int i = 0; i < kMostPolygonCorners; ++i) {
+    const Vec2 p = (i % 2 == 0 ? 1 : 0.9) * unitVector(2 * kPi * i / kMostPolygonCorners);
+    star.emplace_back(p.x(), p.y(), 0);
+  }
+  const Array<Triangle> triangles = cutPolygon(star);
+  ASSERT_EQ(triangles.count(), kMostPolygonCorners - 2);
+  double area = 0;
+  for (const Triangle& t : triangles) area += doubleArea(star, t) / 2;
+  EXPECT_NEAR(area, kMostPolygonCorners * 0.45 * std::sin(2 * kPi / kMostPolygonCorners), 1e-10);
+}
+
 TEST(CutPolygon, CopesWithCornersOnALine) {
   // A square with a corner in the middle of each side.
   const Array<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},
