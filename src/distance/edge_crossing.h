@@ -164,10 +164,8 @@ inline ApexArrival crossSettledEdge(const EdgeEnd& a, const EdgeEnd& b, const Ve
     if (!sameBase && aroundCorner(a, b, apex, result)) return result;
     const double base = std::min(a.base, b.base);
     const double bending = (b.distance - base) * b.cosine + (a.distance - base) * a.cosine;
-    if (bending > kOneFront) {
-      result = throughFront(a, b, apex);
-      if (bending > kConvex) return result;
-    }
+    if (bending > kConvex) return throughFront(a, b, apex);
+    if (bending > kOneFront) result = throughFront(a, b, apex);
   }
   // A source that is used beyond its shadow gives too short a path, which nothing would mend.
   if (a.seen && !hides(a, b)) {

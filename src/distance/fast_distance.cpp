@@ -337,10 +337,15 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const V
     const double wait = best.distance - a.base - kWait;
     if (wait > 0 && a.squaredRadiusAtOtherEnd() < wait * wait) return;
   }
-  const double distance = noLessThanStraight(target.head, best.distance * edge.length);
+  double distance = best.distance * edge.length;
   const int reverse = target.reverse;
   const int arrivalCorner = kSide > 0 ? reverse : fans_->before(target.head, reverse);
   if (!mayArrive(reached, distance, arrivalCorner)) return;
+  const double straight = noLessThanStraight(target.head, distance);
+  if (straight > distance) {
+    if (!mayArrive(reached, straight, arrivalCorner)) return;
+    distance = straight;
+  }
 
   // At the apex the edge to this vertex has the direction of -apex here, and of `reverse` there.
   VertexRecord record;
