@@ -107,6 +107,7 @@ test('info tells what a mesh consists of', () => {
     components: 1,
     boundaryLoops: 1,
     genus: 0,
+    fastSolver: 'fast',
   });
   assert.ok(Math.abs(meanEdge - (4 + Math.SQRT2) / 5) < 1e-15);
   assert.ok(Math.abs(diagonal - Math.SQRT2) < 1e-15);
