@@ -11,7 +11,7 @@ set(KARCHER_SMALL_ROOMS
 set(KARCHER_FAST_IN_SMALL_ROOMS
   curves/spec/bases.cpp
   curves/spec/segment_basis.cpp
-  mesh/decimal.cpp
+  mesh/edges.cpp
   mesh/obj_lines.cpp
   mesh/surface_point.cpp
   mesh/triangle_mesh.cpp)

@@ -3,7 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { Arguments } from './cli/arguments.js';
 import { bench } from './cli/bench.js';
 import { circle, ellipse } from './cli/circle.js';
-import type { Command } from './cli/command.js';
+import { type Command, meshOptions } from './cli/command.js';
 import { compare } from './cli/compare.js';
 import { distance } from './cli/distance.js';
 import { edit } from './cli/edit.js';
@@ -28,7 +28,7 @@ const commands: readonly Command[] = [
   ellipse,
   bench,
   compare,
-];
+].map((command) => ({ ...command, options: [...command.options, ...meshOptions] }));
 
 async function run(args: string[]): Promise<void> {
   const [name, ...rest] = args;

@@ -21,8 +21,14 @@ export interface EngineModule {
   /** Statuses by the numbers that samples give them. */
   statusNames(): Status[];
   allocatedBytes(): number;
-  meshFromObj(bytes: Uint8Array): EngineMesh;
-  meshFromArrays(positions: Float64Array, triangles: Int32Array): EngineMesh;
+  /** `weld` is negative for the default. */
+  meshFromObj(bytes: Uint8Array, repair: boolean, weld: number): EngineMesh;
+  meshFromArrays(
+    positions: Float64Array,
+    triangles: Int32Array,
+    repair: boolean,
+    weld: number,
+  ): EngineMesh;
   builtInShape(name: string, triangles: number): EngineMesh;
 }
 

@@ -3,7 +3,8 @@ import type { Engine } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import { Mesh } from './mesh.js';
-import type { Shape } from './types.js';
+import { engineMeshOptions } from './options.js';
+import type { MeshOptions, Shape } from './types.js';
 
 const shapes: readonly Shape[] = ['sphere', 'torus', 'knot', 'genus3', 'openSheet'];
 
@@ -19,36 +20,42 @@ export class Karcher {
   /**
    * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
    *
-   * Polygons are cut into triangles, vertices at exactly the same place are welded where faces meet
-   * along an edge (parts that only touch there stay apart), vertices of no face are dropped;
-   * `info.repairs` tells. Vertices and faces keep the file's order, faces counting triangles.
+   * Polygons are cut into triangles, vertices of no face are dropped, and what is no surface is mended
+   * where that is safe (`MeshOptions`, `RepairKind`); `info.repairs` tells. Vertices and faces keep the
+   * file's order, faces counting triangles: a point keeps its place, whatever became of its face.
    *
    * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, badArgument (a
-   * coordinate beyond 1e30, a mesh smaller than 1e-30), degenerateFace, nonManifoldEdge,
-   * nonManifoldVertex, each naming the place.
+   * coordinate beyond 1e30, a mesh smaller than 1e-30), degenerateFace, notOrientable, and with
+   * `repair: 'none'` nonManifoldEdge and nonManifoldVertex, each naming the place.
    */
-  meshFromObj(textOrBytes: string | Uint8Array): Mesh {
+  meshFromObj(textOrBytes: string | Uint8Array, options: MeshOptions = {}): Mesh {
     if (typeof textOrBytes !== 'string' && !(textOrBytes instanceof Uint8Array)) {
       throw new KarcherError(
         'badArgument',
         `an OBJ file must be a string or a Uint8Array, not ${shown(textOrBytes)}`,
       );
     }
+    const { repair, weld } = engineMeshOptions(options);
     const bytes =
       typeof textOrBytes === 'string' ? new TextEncoder().encode(textOrBytes) : textOrBytes;
-    return this.#mesh((engine) => engine.meshFromObj(bytes));
+    return this.#mesh((engine) => engine.meshFromObj(bytes, repair, weld));
   }
 
   /**
    * Makes a mesh from positions (x, y, z a vertex) and triangles (three vertex numbers a face,
    * counterclockwise seen from outside), which are copied. Repairs and errors as in `meshFromObj`.
    */
-  meshFromArrays(positions: ArrayLike<number>, triangles: ArrayLike<number>): Mesh {
+  meshFromArrays(
+    positions: ArrayLike<number>,
+    triangles: ArrayLike<number>,
+    options: MeshOptions = {},
+  ): Mesh {
     const coordinates = toFloat64(positions, 'the positions');
     checkLength(coordinates, 3, 'the positions');
     const corners = toInt32(triangles, 'the triangles');
     checkLength(corners, 3, 'the triangles');
-    return this.#mesh((engine) => engine.meshFromArrays(coordinates, corners));
+    const { repair, weld } = engineMeshOptions(options);
+    return this.#mesh((engine) => engine.meshFromArrays(coordinates, corners, repair, weld));
   }
 
   /**

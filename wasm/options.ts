@@ -1,4 +1,11 @@
-import { checkFunction, checkInteger, checkOneOf, checkOptions, shown } from './check.js';
+import {
+  checkFunction,
+  checkInteger,
+  checkNumber,
+  checkOneOf,
+  checkOptions,
+  shown,
+} from './check.js';
 import { KarcherError } from './errors.js';
 import type { EngineFieldOptions } from './karcher-engine.mjs';
 import type {
@@ -10,6 +17,7 @@ import type {
   FieldOptions,
   IsolineOptions,
   LongWorkOptions,
+  MeshOptions,
   Method,
   Solver,
   StartOptions,
@@ -24,6 +32,7 @@ const field = { method: true, solver: true, rings: true } as const;
 export const fieldOptionNames = namesOf<FieldOptions>(field);
 export const distanceOptionNames = namesOf<DistanceOptions>({ solver: true, rings: true });
 const longWorkOptionNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
+const meshOptionNames = namesOf<MeshOptions>({ repair: true, weld: true });
 const start = { start: true, normalize: true } as const;
 export const startOptionNames = namesOf<StartOptions>(start);
 export const centerOptionNames = namesOf<CenterOptions>({ ...field, ...start });
@@ -78,6 +87,24 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
     throw new KarcherError('badArgument', `the solver '${solver}' has no rings; 'graph' has`);
   }
   return { method, solver, rings };
+}
+
+/** How a mesh is read, as the engine takes it. */
+export function engineMeshOptions(options: MeshOptions): { repair: boolean; weld: number } {
+  checkOptions(options, meshOptionNames);
+  const repair = checkOneOf(options.repair ?? 'safe', ['safe', 'none'], 'the repair') === 'safe';
+  if (options.weld === undefined) return { repair, weld: -1 };
+  const weld = checkNumber(options.weld, 'the tolerance of welding');
+  if (weld < 0) {
+    throw new KarcherError(
+      'badArgument',
+      `the tolerance of welding must be at least 0, not ${weld}`,
+    );
+  }
+  if (!repair) {
+    throw new KarcherError('badArgument', "a tolerance of welding has no use with repair: 'none'");
+  }
+  return { repair, weld };
 }
 
 export function checkLongWork(work: LongWorkOptions): void {

@@ -106,6 +106,7 @@ export type ErrorCode =
   | 'degenerateFace'
   | 'nonManifoldEdge'
   | 'nonManifoldVertex'
+  | 'notOrientable'
   | 'badPoint'
   | 'badWeights'
   | 'tooFewPoints'
@@ -120,14 +121,55 @@ export type ErrorCode =
   | 'outOfMemory'
   | 'internal';
 
-/** What was mended while a mesh was read. */
-export interface Repair {
+/** How a mesh is read. */
+export interface MeshOptions {
   /**
-   * `triangulated`: polygons were cut; `welded`: vertices at one place became one; `keptApart`: they
-   * did not, as parts only touch there and stay apart; `dropped`: vertices of no face were left out.
+   * `safe` (the default): what is no surface is mended where that is safe, and told in `info.repairs`.
+   * `none`: it is refused; polygons are still cut, vertices at exactly the same place welded, and
+   * vertices of no face left out.
    */
-  kind: 'triangulated' | 'welded' | 'keptApart' | 'dropped';
-  /** How many polygons were cut, or vertices welded to another, kept apart from it or dropped. */
+  repair?: 'safe' | 'none';
+  /**
+   * How far apart vertices on boundaries may lie that are welded, in the units of the mesh, and at most
+   * a third of the shortest edge at either; 0: none are. By default the smaller of 1e-6 of the
+   * diagonal and 1 % of the shortest edge.
+   */
+  weld?: number;
+}
+
+/**
+ * What was mended while a mesh was read, in this order; `count` is of what stands in brackets.
+ *
+ * - `triangulated`: polygons were cut (polygons);
+ * - `contracted`: edges without length, of at most 1e-14 of the diagonal, became a point (vertices);
+ * - `welded`: vertices at one place became one, where two faces lie along each other (vertices);
+ * - `keptApart`: they did not, as parts only touch there (vertices);
+ * - `repeatedCorner`: faces with one vertex at two corners were left out (faces);
+ * - `duplicate`: faces at the place of another were left out (faces);
+ * - `noArea`: faces whose corners lie on a line were flipped away: the corner between the ends of the
+ *   longest edge became a corner of the face on its other side (faces);
+ * - `turnedOver`: faces that disagreed with their neighbours were turned over (faces);
+ * - `branching`: of the faces at an edge of more than two, pairs with the widest angle between them
+ *   stayed together, and the others were parted from them (edges);
+ * - `bowTie`: vertices where several fans of faces met became one for each (vertices);
+ * - `dropped`: vertices of no face were left out (vertices).
+ */
+export type RepairKind =
+  | 'triangulated'
+  | 'contracted'
+  | 'welded'
+  | 'keptApart'
+  | 'repeatedCorner'
+  | 'duplicate'
+  | 'noArea'
+  | 'turnedOver'
+  | 'branching'
+  | 'bowTie'
+  | 'dropped';
+
+/** One kind of repair. Numbers stay the caller's: a point keeps its place, whatever became of its face. */
+export interface Repair {
+  kind: RepairKind;
   count: number;
   /** The same as a sentence. */
   message: string;

@@ -181,7 +181,10 @@ export class Opening {
       const mesh = {
         positions: client.positions(),
         triangles: client.triangles(),
-        closed: client.info.boundaryLoops === 0,
+        // Triangles that were turned over are drawn as they came.
+        closed:
+          client.info.boundaryLoops === 0 &&
+          client.info.repairs.every(({ kind }) => kind !== 'turnedOver'),
       };
       const [drawn, viewer] = await Promise.all([
         drawnGeometry(mesh, signal),

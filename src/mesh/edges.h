@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "mesh/types.h"
@@ -14,35 +12,27 @@ struct EdgeSide {
   int halfedge;
 };
 
+/// The half-edges of faces by their smaller vertex v: sides[start[v]] to sides[start[v + 1]],
+/// sorted by the other vertex and then by half-edge.
+struct SortedSides {
+  Array<int> start;
+  Array<EdgeSide> sides;
+};
+
+/// Corners must be in [0, vertexCount).
+SortedSides sortSides(const Array<Triangle>& faces, int vertexCount);
+
 /// Groups the half-edges of `faces` by their undirected edge and calls
 /// visit(int smallerVertex, std::span<const EdgeSide> sides) once an edge, in the order of its
 /// vertices, the sides in the order of their half-edges. Corners must be in [0, vertexCount).
 template <class Visit>
 void forEachEdge(const Array<Triangle>& faces, int vertexCount, Visit&& visit) {
-  const auto forEachHalfedge = [&](auto&& use) {
-    for (int f = 0; f < faces.count(); ++f) {
-      for (int k = 0; k < 3; ++k) {
-        const int a = faces[f][k];
-        const int b = faces[f][k == 2 ? 0 : k + 1];
-        use(std::min(a, b), EdgeSide{std::max(a, b), 3 * f + k});
-      }
-    }
-  };
-  Array<int> start(static_cast<size_t>(vertexCount) + 1, 0);
-  forEachHalfedge([&](int v, const EdgeSide&) { ++start[v + 1]; });
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  Array<EdgeSide> sides(3 * faces.size());
-  // Filling moves start[v] to the end of v's part.
-  forEachHalfedge([&](int v, const EdgeSide& side) { sides[start[v]++] = side; });
+  const SortedSides sorted = sortSides(faces, vertexCount);
   for (int v = 0; v < vertexCount; ++v) {
-    EdgeSide* first = sides.data() + (v == 0 ? 0 : start[v - 1]);
-    EdgeSide* const end = sides.data() + start[v];
-    std::sort(first, end, [](const EdgeSide& a, const EdgeSide& b) {
-      return a.otherVertex != b.otherVertex ? a.otherVertex < b.otherVertex
-                                            : a.halfedge < b.halfedge;
-    });
+    const EdgeSide* first = sorted.sides.data() + sorted.start[v];
+    const EdgeSide* const end = sorted.sides.data() + sorted.start[v + 1];
     while (first < end) {
-      EdgeSide* last = first + 1;
+      const EdgeSide* last = first + 1;
       while (last < end && last->otherVertex == first->otherVertex) ++last;
       visit(v, std::span<const EdgeSide>(first, last));
       first = last;

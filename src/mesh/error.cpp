@@ -19,6 +19,8 @@ const char* errorCodeName(ErrorCode code) {
       return "nonManifoldEdge";
     case ErrorCode::kNonManifoldVertex:
       return "nonManifoldVertex";
+    case ErrorCode::kNotOrientable:
+      return "notOrientable";
     case ErrorCode::kBadPoint:
       return "badPoint";
     case ErrorCode::kBadWeights:

@@ -13,6 +13,7 @@ enum class ErrorCode {
   kDegenerateFace,     ///< a face has a repeated corner or no area
   kNonManifoldEdge,    ///< an edge has more than two faces, or two that disagree on its direction
   kNonManifoldVertex,  ///< the faces around a vertex form more than one fan
+  kNotOrientable,      ///< the surface has one side only
   kBadPoint,           ///< barycentric weights that are negative or do not sum to 1
   kBadWeights,         ///< weights that do not sum to 1, or are too few
   kTooFewPoints,       ///< a curve kind needs more control points

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "mesh/numbering.h"
 #include "mesh/triangle_mesh.h"
 #include "mesh/triangle_soup.h"
 
@@ -10,29 +11,36 @@
 /// along a Morton curve, so that neighbours on the surface are neighbours in memory.
 namespace karcher {
 
-/// Between the caller's (input) numbers and the engine's. The corners of a face keep their order,
-/// so barycentric weights are the same on both sides.
-struct Numbering {
-  Array<int> engineVertex;  ///< per input vertex; welded ones share a number, dropped ones have -1
-  Array<int> inputVertex;   ///< per engine vertex, the first input vertex that became it
-  Array<int> engineFace;    ///< per input triangle
-  Array<int> inputFace;     ///< per engine face
-};
-
 struct Repair {
   enum class Kind {
-    kTriangulated,  ///< polygons were cut into triangles
-    kWelded,        ///< vertices at the same position became one
-    kKeptApart,     ///< vertices at the same position stayed several: parts only touch there
-    kDropped,       ///< vertices that no face uses were left out
+    kTriangulated,    ///< polygons were cut into triangles
+    kContracted,      ///< vertices became one with another at the end of an edge without length
+    kWelded,          ///< vertices at the same place became one
+    kKeptApart,       ///< vertices at the same place stayed several: parts only touch there
+    kRepeatedCorner,  ///< faces with one vertex at two corners were left out
+    kDuplicate,       ///< faces at the place of another were left out
+    kNoArea,          ///< faces whose corners lie on a line were flipped away
+    kTurnedOver,      ///< faces that disagreed with their neighbours were turned over
+    kBranching,       ///< edges of more than two faces were parted
+    kBowTie,          ///< vertices between several fans of faces were split
+    kDropped,         ///< vertices that no face uses were left out
   };
   Kind kind;
-  int count = 0;  ///< of polygons cut, of vertices welded, kept apart or dropped
+  int count = 0;
   std::string sentence;
 };
 
 /// The name of a kind of repair in reports: "welded".
 const char* repairName(Repair::Kind kind);
+
+struct ImportOptions {
+  /// Without: what is no surface is refused, and only vertices at exactly the same place are
+  /// welded.
+  bool repair = true;
+  /// How far apart vertices may lie that are welded, in the mesh's units; negative: the smaller of
+  /// 1e-6 of the diagonal and 1 % of the shortest edge at either; 0: none are.
+  double weld = -1;
+};
 
 struct ImportedMesh {
   TriangleMesh mesh;
@@ -42,14 +50,23 @@ struct ImportedMesh {
   Array<Repair> repairs;
 };
 
-/// Vertices at exactly the same position are welded where two boundary edges meet along their whole
-/// length, which closes the seams of unwelded files; parts that only touch stay apart, since one
-/// vertex or edge for both would not be manifold.
-/// Throws Error as `buildMesh` does; errors name the caller's vertices and triangles.
-ImportedMesh importMesh(TriangleSoup soup);
+/// Repairs, in this order, each told with its count in `repairs`:
+/// - edges of at most 1e-14 of the diagonal, or 1e-12 of another edge of their face, are
+/// contracted;
+/// - vertices on boundaries are welded where two faces lie along each other (`closeSeams`), which
+///   closes the seams of unwelded files; parts that only touch stay apart;
+/// - faces with a repeated corner and duplicates are left out;
+/// - of faces without area the longest edge is flipped (`flipFlatTriangles`);
+/// - faces are turned over until they agree, edges of more than two faces are parted, and vertices
+///   between several fans are split (`connectRepaired`).
+/// A mesh without such defects is as it was, to the last bit.
+///
+/// Throws Error as `buildMesh` does, and kNotOrientable, kBadArgument (a weld that is not finite);
+/// errors name the caller's vertices and triangles. Vertices that no face uses may be anything.
+ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
 /// Reads an OBJ file's content and imports it; face numbers count triangles. Throws as `readObj`
 /// and `importMesh` do.
-ImportedMesh importObj(std::string_view bytes);
+ImportedMesh importObj(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace karcher

@@ -18,15 +18,15 @@ size_t countDigits(std::string_view word, size_t from) {
   return end - from;
 }
 
-bool isComment(std::string_view line) {
-  while (!line.empty() && isSpace(line[0])) line.remove_prefix(1);
-  return line.starts_with('#');
-}
-
 /// The length of the line end at `from`: 0 to 2.
 size_t lineEnd(std::string_view text, size_t from) {
   if (from == text.size() || !isLineEnd(text[from])) return 0;
   return text[from] == '\r' && from + 1 < text.size() && text[from + 1] == '\n' ? 2 : 1;
+}
+
+/// A # inside of a word belongs to it.
+bool startsComment(std::string_view text, size_t at) {
+  return text[at] == '#' && (at == 0 || isSpace(text[at - 1]) || isLineEnd(text[at - 1]));
 }
 
 /// Inside of a continued line.
@@ -101,7 +101,10 @@ class LineCheck {
       checkLine(line);
       line_ += countLineEnds(line);
     }
-    if (found_.faces == 0) fail(ErrorCode::kBadFile, "the file has no faces");
+    if (found_.faces == 0) {
+      if (!found_.notFinite.empty()) fail(ErrorCode::kNotFinite, found_.notFinite[0].sentence);
+      fail(ErrorCode::kBadFile, "the file has no faces");
+    }
     if (greatest_ > found_.vertices) {
       line_ = greatestLine_;
       failIndex(std::to_string(greatest_));
@@ -120,13 +123,19 @@ class LineCheck {
   }
 
   void checkVertex(std::string_view line) {
+    bool finite = true;
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = takeObjWord(line);
       if (isDecimal(word)) continue;
       if (word.empty()) fail(ErrorCode::kBadFile, place() + "a vertex needs three coordinates");
       if (isNotFinite(word)) {
-        fail(ErrorCode::kNotFinite, place() + "the coordinate " + quoted(word) + " of vertex " +
-                                        std::to_string(found_.vertices) + " is not finite");
+        if (finite) {
+          found_.notFinite.push_back({found_.vertices, line_,
+                                      place() + "the coordinate " + quoted(word) + " of vertex " +
+                                          std::to_string(found_.vertices) + " is not finite"});
+        }
+        finite = false;
+        continue;
       }
       fail(ErrorCode::kBadFile, place() + "the coordinate " + quoted(word) + " is not a number");
     }
@@ -190,15 +199,15 @@ class LineCheck {
 
 std::string_view takeObjLine(std::string_view& text) {
   size_t end = 0;
-  size_t length = 0;
   while (true) {
-    while (end < text.size() && !isLineEnd(text[end])) ++end;
-    length = lineEnd(text, end);
-    if (length == 0 || end == 0 || text[end - 1] != '\\' || isComment(text)) break;
+    while (end < text.size() && !isLineEnd(text[end]) && !startsComment(text, end)) ++end;
+    const size_t length = lineEnd(text, end);
+    if (length == 0 || end == 0 || text[end - 1] != '\\') break;
     end += length;
   }
   const std::string_view line = text.substr(0, end);
-  text.remove_prefix(end + length);
+  while (end < text.size() && !isLineEnd(text[end])) ++end;
+  text.remove_prefix(end + lineEnd(text, end));
   return line;
 }
 

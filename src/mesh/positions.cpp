@@ -12,14 +12,9 @@ namespace {
 constexpr double kLargestCoordinate = 1e30;
 constexpr double kSmallestExtent = 1e-30;
 
-}  // namespace
-
-void checkPositions(const Array<Vec3>& positions) {
-  if (positions.empty()) return;
-  Vec3 low = positions.front();
-  Vec3 high = low;
-  for (int v = 0; v < positions.count(); ++v) {
-    const Vec3& p = positions[v];
+class Check {
+ public:
+  void vertex(int v, const Vec3& p) {
     if (!p.allFinite()) {
       throw Error(ErrorCode::kNotFinite,
                   "vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
@@ -29,14 +24,35 @@ void checkPositions(const Array<Vec3>& positions) {
       refuse("vertex " + std::to_string(v) + " has a coordinate of size " + inSentence(largest) +
              "; at most " + inSentence(kLargestCoordinate) + " is allowed: scale the mesh first");
     }
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    low_ = low_.cwiseMin(p);
+    high_ = high_.cwiseMax(p);
   }
-  const double extent = (high - low).maxCoeff();
-  if (extent > 0 && extent < kSmallestExtent) {
-    refuse("the mesh is only " + inSentence(extent) + " wide; it must be at least " +
-           inSentence(kSmallestExtent) + ": scale the mesh first");
+
+  /// Of all that were checked.
+  double diagonal() const {
+    const double extent = (high_ - low_).maxCoeff();
+    if (extent > 0 && extent < kSmallestExtent) {
+      refuse("the mesh is only " + inSentence(extent) + " wide; it must be at least " +
+             inSentence(kSmallestExtent) + ": scale the mesh first");
+    }
+    return (high_ - low_).norm();
   }
+
+ private:
+  Vec3 low_ = Vec3::Constant(kInfinity);
+  Vec3 high_ = Vec3::Constant(-kInfinity);
+};
+
+}  // namespace
+
+double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices) {
+  const int count = vertices ? vertices->count() : positions.count();
+  Check check;
+  for (int i = 0; i < count; ++i) {
+    const int v = vertices ? (*vertices)[i] : i;
+    check.vertex(v, positions[v]);
+  }
+  return count == 0 ? 0 : check.diagonal();
 }
 
 }  // namespace karcher

@@ -4,9 +4,10 @@
 
 namespace karcher {
 
-/// Checks the positions of a mesh, and that lengths multiplied a few times stay doubles: no
-/// coordinate beyond 1e30, and a mesh that is not a single point at least 1e-30 wide. Throws Error
-/// kNotFinite, kBadArgument.
-void checkPositions(const Array<Vec3>& positions);
+/// Checks the positions of a mesh, or those of some vertices, and that lengths multiplied a few
+/// times stay doubles: no coordinate beyond 1e30, and a mesh that is not a single point at least
+/// 1e-30 wide. Returns the length of the diagonal of the box around them. Throws Error kNotFinite,
+/// kBadArgument.
+double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices = nullptr);
 
 }  // namespace karcher

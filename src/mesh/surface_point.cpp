@@ -14,10 +14,10 @@ constexpr double kOutsideTolerance = 1e-6;
 
 }  // namespace
 
-SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary) {
-  if (face < 0 || face >= mesh.faceCount()) {
+SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary) {
+  if (face < 0 || face >= faceCount) {
     throw Error(ErrorCode::kBadIndex, "there is no face " + std::to_string(face) +
-                                          ": the mesh has " + std::to_string(mesh.faceCount()) +
+                                          ": the mesh has " + std::to_string(faceCount) +
                                           " faces, numbered from 0");
   }
   const std::string name = "the point (" + inSentence(bary[0]) + ", " + inSentence(bary[1]) + ", " +

@@ -14,10 +14,13 @@ struct SurfacePoint {
 /// Weights below this, from rounding, are taken for 0: the point lies on the edge or vertex.
 inline constexpr double kOnEdgeTolerance = 1e-12;
 
-/// Checks a caller's point and cleans it. Weights within 1e-6 of the triangle are clamped to it,
-/// weights below kOnEdgeTolerance become 0, and the sum becomes 1.
+/// Checks a caller's point in one of so many faces and cleans it. Weights within 1e-6 of the
+/// triangle are clamped to it, weights below kOnEdgeTolerance become 0, and the sum becomes 1.
 /// Throws Error: kBadIndex (no such face), kNotFinite, kBadPoint.
-SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary);
+SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary);
+inline SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary) {
+  return checkedPoint(mesh.faceCount(), face, bary);
+}
 
 /// The point with these weights. Weights below kOnEdgeTolerance become 0, and the sum becomes 1.
 inline SurfacePoint clampedPoint(int face, const Vec3& bary) {

@@ -11,35 +11,7 @@
 namespace karcher {
 namespace {
 
-/// A face is degenerate when its height over its longest edge is below this part of that edge:
-/// there its angles are rounding noise.
 constexpr double kDegenerateHeight = 1e-12;
-
-void checkFace(const Array<Vec3>& positions, const Triangle& face, int f) {
-  for (const int v : face) {
-    if (v < 0 || v >= positions.count()) {
-      throw Error(ErrorCode::kBadIndex, "face " + std::to_string(f) + " uses vertex " +
-                                            std::to_string(v) + ", but the mesh has " +
-                                            std::to_string(positions.size()) + " vertices");
-    }
-  }
-  for (int k = 0; k < 3; ++k) {
-    if (face[k] == face[(k + 1) % 3]) {
-      throw Error(ErrorCode::kDegenerateFace, "face " + std::to_string(f) + " uses vertex " +
-                                                  std::to_string(face[k]) + " twice");
-    }
-  }
-  const Vec3& a = positions[face[0]];
-  const Vec3 u = positions[face[1]] - a;
-  const Vec3 v = positions[face[2]] - a;
-  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-  if (!(u.cross(v).norm() > kDegenerateHeight * longest)) {
-    throw Error(ErrorCode::kDegenerateFace,
-                "face " + std::to_string(f) + " has no area: its corners " +
-                    std::to_string(face[0]) + ", " + std::to_string(face[1]) + ", " +
-                    std::to_string(face[2]) + " lie on a line");
-  }
-}
 
 /// Throws for an edge that is not manifold.
 [[noreturn]] void throwEdge(const TriangleMesh& mesh, std::span<const EdgeSide> sides,
@@ -68,22 +40,11 @@ void pairHalfedges(TriangleMesh& mesh, const MeshNames& names) {
   });
 }
 
-void findOutgoing(TriangleMesh& mesh, const MeshNames& names) {
-  const int vertexCount = mesh.vertexCount();
-  mesh.outgoing.assign(mesh.positions.size(), -1);
-  mesh.onBoundary.assign(mesh.positions.size(), 0);
+/// Throws for a vertex without a face, or with several fans of them.
+void checkFans(const TriangleMesh& mesh, const MeshNames& names) {
   Array<int> valence(mesh.positions.size(), 0);
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-    const int v = mesh.tail(h);
-    ++valence[v];
-    const bool boundary = mesh.twin[h] < 0;
-    if (mesh.outgoing[v] < 0 || boundary) mesh.outgoing[v] = h;
-    if (boundary) {
-      mesh.onBoundary[v] = 1;
-      mesh.onBoundary[mesh.head(h)] = 1;
-    }
-  }
-  for (int v = 0; v < vertexCount; ++v) {
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) ++valence[mesh.tail(h)];
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
     if (mesh.outgoing[v] < 0) {
       throw Error(ErrorCode::kBadIndex,
                   "vertex " + std::to_string(names.ofVertex(v)) + " belongs to no face");
@@ -101,7 +62,14 @@ void findOutgoing(TriangleMesh& mesh, const MeshNames& names) {
 
 }  // namespace
 
-void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles) {
+bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+  return !(u.cross(v).norm() > kDegenerateHeight * longest);
+}
+
+void checkCorners(int vertexCount, const Array<Triangle>& triangles) {
   if (triangles.empty()) throw Error(ErrorCode::kBadFile, "the mesh has no faces");
   constexpr size_t kMostFaces = static_cast<size_t>(std::numeric_limits<int>::max()) / 3;
   if (triangles.size() > kMostFaces) {
@@ -109,8 +77,35 @@ void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangl
                                              " faces; at most " + std::to_string(kMostFaces) +
                                              " can be numbered");
   }
+  for (int f = 0; f < triangles.count(); ++f) {
+    for (const int v : triangles[f]) {
+      if (v >= 0 && v < vertexCount) continue;
+      throw Error(ErrorCode::kBadIndex, "face " + std::to_string(f) + " uses vertex " +
+                                            std::to_string(v) + ", but the mesh has " +
+                                            std::to_string(vertexCount) + " vertices");
+    }
+  }
+}
+
+void checkArea(const Array<Vec3>& positions, const Triangle& face, int f) {
+  for (int k = 0; k < 3; ++k) {
+    if (face[k] == face[(k + 1) % 3]) {
+      throw Error(ErrorCode::kDegenerateFace, "face " + std::to_string(f) + " uses vertex " +
+                                                  std::to_string(face[k]) + " twice");
+    }
+  }
+  if (isDegenerate(positions[face[0]], positions[face[1]], positions[face[2]])) {
+    throw Error(ErrorCode::kDegenerateFace,
+                "face " + std::to_string(f) + " has no area: its corners " +
+                    std::to_string(face[0]) + ", " + std::to_string(face[1]) + ", " +
+                    std::to_string(face[2]) + " lie on a line");
+  }
+}
+
+void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles) {
+  checkCorners(positions.count(), triangles);
   checkPositions(positions);
-  for (int f = 0; f < triangles.count(); ++f) checkFace(positions, triangles[f], f);
+  for (int f = 0; f < triangles.count(); ++f) checkArea(positions, triangles[f], f);
 }
 
 TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names) {
@@ -118,8 +113,23 @@ TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const Mes
   mesh.positions = std::move(positions);
   mesh.faces = std::move(faces);
   pairHalfedges(mesh, names);
-  findOutgoing(mesh, names);
+  connectVertices(mesh);
+  checkFans(mesh, names);
   return mesh;
+}
+
+void connectVertices(TriangleMesh& mesh) {
+  mesh.outgoing.assign(mesh.positions.size(), -1);
+  mesh.onBoundary.assign(mesh.positions.size(), 0);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const int v = mesh.tail(h);
+    const bool boundary = mesh.twin[h] < 0;
+    if (mesh.outgoing[v] < 0 || boundary) mesh.outgoing[v] = h;
+    if (boundary) {
+      mesh.onBoundary[v] = 1;
+      mesh.onBoundary[mesh.head(h)] = 1;
+    }
+  }
 }
 
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces) {

@@ -78,6 +78,10 @@ inline HalfedgesAround<TriangleMesh> outgoingHalfedges(const TriangleMesh& mesh,
   return {mesh, mesh.outgoing[vertex]};
 }
 
+/// True for a triangle whose corners lie on a line: its height over its longest edge is below 1e-12
+/// of that edge, where its angles are rounding noise.
+bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Builds adjacency. Every vertex must belong to a face; components and boundaries may be many.
 /// Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kBadArgument (size), kDegenerateFace,
 /// kNonManifoldEdge, kNonManifoldVertex, each naming the place by the indices that were passed in.
@@ -87,6 +91,12 @@ TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 /// triangles one by one. Throws what `buildMesh` throws, but for the manifold errors and vertices
 /// without a face.
 void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles);
+
+/// Of these checks that there are faces, not too many, and that their vertices exist.
+void checkCorners(int vertexCount, const Array<Triangle>& triangles);
+
+/// Of these the one that a triangle has an area. `name` is its number in an error.
+void checkArea(const Array<Vec3>& positions, const Triangle& triangle, int name);
 
 /// The numbers by which errors name vertices and faces, where they are not the mesh's own.
 struct MeshNames {
@@ -100,6 +110,10 @@ struct MeshNames {
 /// The second half of `buildMesh`: the adjacency of checked triangles.
 /// Throws Error: kNonManifoldEdge, kNonManifoldVertex, kBadIndex (a vertex without a face).
 TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names);
+
+/// Fills `outgoing` and `onBoundary` from `twin`; of a vertex with several fans of faces for one of
+/// them, which is at the boundary where one is. Every vertex must belong to a face.
+void connectVertices(TriangleMesh& mesh);
 
 /// Length of the bounding box's diagonal.
 double boundingBoxDiagonal(const TriangleMesh& mesh);

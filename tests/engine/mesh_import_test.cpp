@@ -14,7 +14,7 @@ namespace {
 
 std::string errorOf(const TriangleSoup& soup) {
   try {
-    importMesh(soup);
+    importMesh(soup, {.repair = false});
   } catch (const Error& error) {
     return std::string(errorCodeName(error.code())) + ": " + error.what();
   }
@@ -236,6 +236,16 @@ TEST(ImportObj, ReportsEveryRepair) {
             "dropped 1: 1 vertex that no face uses was left out\n");
   ASSERT_EQ(imported.droppedPositions.count(), 1);
   EXPECT_EQ(imported.droppedPositions[0], Vec3(9, 9, 9));
+}
+
+TEST(ImportObj, CountsRepeatedCornersOfPolygonsAndTriangles) {
+  const ImportedMesh imported = importObj(
+      "v 0 0 0\nv 1 0 0 # right\nv nan nan nan\nv 1 1 0\nv 0 1 0\n"
+      "f 1 2 4 # half\nf 1 4 4 5\nf 1 1 2\n");
+  ASSERT_EQ(imported.repairs.count(), 2);
+  EXPECT_EQ(imported.repairs[0].kind, Repair::Kind::kRepeatedCorner);
+  EXPECT_EQ(imported.repairs[0].count, 2);
+  EXPECT_EQ(imported.repairs[1].kind, Repair::Kind::kDropped);
 }
 
 }  // namespace

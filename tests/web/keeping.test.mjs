@@ -16,7 +16,8 @@ const badFiles = {
   'no-faces.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\n',
   'index.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n',
   'nan.obj': 'v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n',
-  'non-manifold.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n',
+  'one-sided.obj': `v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1
+f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n`,
   'picture.obj': '\x89PNG\r\n\x1a\n\0\0\0\rIHDR',
 };
 

@@ -113,7 +113,7 @@ val CurveHandle::tangentAt(double parameter) {
   // In the face's own corners, since its frame is the engine's: changes of barycentric weights.
   const Vec3 weights = barycentric(geometry, point.face, tangent.inFace) -
                        barycentric(geometry, point.face, Vec2::Zero());
-  result.set("inFace", toJs(weights));
+  result.set("inFace", toJs(changeToInput(mesh_.numbering(), point.face, weights)));
   result.set("inSpace", toJs(tangent.inSpace));
   return result;
 }
@@ -142,8 +142,9 @@ val CurveHandle::equallySpaced(int count) {
   Array<double> places;
   for (const CurvePoint& at : karcher::equallySpaced(curve_, line(), count)) {
     parameters.push_back(at.parameter);
-    faces.push_back(mesh_.numbering().inputFace[at.point.face]);
-    append(bary, at.point.bary);
+    const SurfacePoint input = toInput(mesh_.numbering(), at.point);
+    faces.push_back(input.face);
+    append(bary, input.bary);
     append(places, position(mesh_.mesh(), at.point));
   }
   val result = val::object();

@@ -59,8 +59,9 @@ val MeshHandle::positions() const {
 val MeshHandle::triangles() const {
   Array<int> result;
   result.reserve(3 * numbering_.engineFace.size());
-  for (const int f : numbering_.engineFace) {
-    for (int k = 0; k < 3; ++k) result.push_back(numbering_.inputVertex[mesh().corner(f, k)]);
+  for (int t = 0; t < numbering_.inputFaceCount(); ++t) {
+    const Triangle corners = numbering_.inputCorners(mesh(), t);
+    result.insert(result.end(), {corners[0], corners[1], corners[2]});
   }
   return toJs(result);
 }
@@ -209,12 +210,13 @@ Array<double> MeshHandle::engineDistances(const Array<double>& distances, size_t
   return result;
 }
 
-std::unique_ptr<MeshHandle> meshFromObj(const val& bytes) {
+std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, bool repair, double weld) {
   const Array<char> text = fromJs<char>(bytes);
-  return std::make_unique<MeshHandle>(importObj({text.data(), text.size()}));
+  return std::make_unique<MeshHandle>(importObj({text.data(), text.size()}, {repair, weld}));
 }
 
-std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles) {
+std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles, bool repair,
+                                           double weld) {
   const Array<double> coordinates = fromJs<double>(positions);
   const Array<int> corners = fromJs<int>(triangles);
   TriangleSoup soup;
@@ -224,7 +226,7 @@ std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& tria
   for (int i = 0; i < corners.count(); i += 3) {
     soup.triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
   }
-  return std::make_unique<MeshHandle>(importMesh(std::move(soup)));
+  return std::make_unique<MeshHandle>(importMesh(std::move(soup), {repair, weld}));
 }
 
 std::unique_ptr<MeshHandle> builtInShape(const std::string& name, int triangles) {

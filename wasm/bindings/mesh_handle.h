@@ -70,10 +70,11 @@ class MeshHandle {
   std::shared_ptr<FieldSet> fields_;
 };
 
-/// `bytes` is a Uint8Array with the content of an OBJ file.
-std::unique_ptr<MeshHandle> meshFromObj(const val& bytes);
+/// `bytes` is a Uint8Array with the content of an OBJ file; `weld` is ImportOptions'.
+std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, bool repair, double weld);
 /// `positions` is a Float64Array, `triangles` an Int32Array, each three numbers an item.
-std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles);
+std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles, bool repair,
+                                           double weld);
 /// A built-in shape, by its name in the JavaScript API.
 std::unique_ptr<MeshHandle> builtInShape(const std::string& name, int triangles);
 

@@ -18,8 +18,9 @@ Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& me
     if (same && !needed) continue;
     if (i > 0) whole += (here - last).norm();
     chords.push_back(whole);
-    path.faces.push_back(numbering.inputFace[points[i].face]);
-    append(path.bary, points[i].bary);
+    const SurfacePoint input = toInput(numbering, points[i]);
+    path.faces.push_back(input.face);
+    append(path.bary, input.bary);
     append(path.positions, here);
     kept.push_back(i);
     last = here;

@@ -50,11 +50,12 @@ val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& 
   Array<uint8_t> statuses;
   for (int j = 0; j < line.samples.count(); ++j) {
     for (const CurveSample& sample : *line.samples[j]) {
+      const SurfacePoint input = toInput(mesh.numbering(), sample.point);
       t.push_back(sample.t);
-      append(bary, sample.point.bary);
+      append(bary, input.bary);
       append(positions, position(mesh.mesh(), sample.point));
       segments.push_back(j);
-      faces.push_back(mesh.numbering().inputFace[sample.point.face]);
+      faces.push_back(input.face);
       statuses.push_back(static_cast<uint8_t>(sample.status));
     }
   }

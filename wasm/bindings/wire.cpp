@@ -11,8 +11,9 @@ namespace {
 constexpr int kNumbersPerPoint = 4;
 
 void appendPoint(Array<double>& array, const Numbering& numbering, const SurfacePoint& point) {
-  array.push_back(numbering.inputFace[point.face]);
-  append(array, point.bary);
+  const SurfacePoint input = toInput(numbering, point);
+  array.push_back(input.face);
+  append(array, input.bary);
 }
 
 /// The engine's number of a caller's vertex.
@@ -35,10 +36,8 @@ SurfacePoint point(const Numbering& numbering, const TriangleMesh& mesh, const d
   if (std::isnan(numbers[0])) {
     return vertexPoint(mesh, engineVertex(numbering, static_cast<int>(numbers[1])));
   }
-  const int inputFace = static_cast<int>(numbers[0]);
-  SurfacePoint result = checkedPoint(mesh, inputFace, {numbers[1], numbers[2], numbers[3]});
-  result.face = numbering.engineFace[inputFace];
-  return result;
+  return toEngine(numbering, mesh, static_cast<int>(numbers[0]),
+                  {numbers[1], numbers[2], numbers[3]});
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ inline void append(Array<double>& array, const Vec3& vector) {
 val toJs(const Numbering& numbering, const SurfacePoint& point);
 val toJs(const Numbering& numbering, const Array<SurfacePoint>& points);
 
-/// Points as a caller wrote them: checked by `checkedPoint`, whose errors name the caller's face.
+/// Points as a caller wrote them (`toEngine`): errors name the caller's face.
 /// Throws Error kBadIndex for a vertex that does not exist or belongs to no face.
 SurfacePoint pointFromJs(const Numbering& numbering, const TriangleMesh& mesh, const val& point);
 Array<SurfacePoint> pointsFromJs(const Numbering& numbering, const TriangleMesh& mesh,

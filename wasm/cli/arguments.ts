@@ -2,7 +2,14 @@ import { readFile } from 'node:fs/promises';
 import { parseArgs } from 'node:util';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
-import type { FieldOptions, Method, PointLike, Solver, SurfacePoint } from '../types.js';
+import type {
+  FieldOptions,
+  MeshOptions,
+  Method,
+  PointLike,
+  Solver,
+  SurfacePoint,
+} from '../types.js';
 import type { Command, Option } from './command.js';
 import { fileError, UsageError } from './errors.js';
 import { parseNumber, parsePoint, parsePoints } from './syntax.js';
@@ -125,6 +132,14 @@ export class Arguments {
     };
   }
 
+  /** How the mesh is read. */
+  meshOptions(): MeshOptions {
+    return {
+      repair: this.choice<'safe' | 'none'>('repair'),
+      ...this.whereGiven(['weld'], () => this.number('weld')),
+    };
+  }
+
   meshBytes(): Promise<Uint8Array> {
     return this.#read(this.#meshPath);
   }
@@ -132,7 +147,7 @@ export class Arguments {
   async mesh(): Promise<Mesh> {
     const bytes = await this.meshBytes();
     const karcher = await load();
-    return karcher.meshFromObj(bytes);
+    return karcher.meshFromObj(bytes, this.meshOptions());
   }
 
   async #read(path: string): Promise<Buffer> {

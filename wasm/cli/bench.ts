@@ -29,7 +29,7 @@ export const bench: Command = {
     // Only here: the other commands need not wait for a second module.
     const { loadPeers } = await import('../peers/index.js');
     const peers = await loadPeers();
-    const mesh = peers.karcher.meshFromObj(bytes);
+    const mesh = peers.karcher.meshFromObj(bytes, args.meshOptions());
     const { vertices, triangles } = mesh.info;
     // First, so that wrong points are told before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });

@@ -45,6 +45,23 @@ export const pointsOption: Option = {
   required: true,
 };
 
+/** How the mesh is read, for every command. */
+export const meshOptions: readonly Option[] = [
+  {
+    name: 'repair',
+    value: 'safe|none',
+    help: 'mend what is no surface where that is safe, or refuse it',
+    default: 'safe',
+  },
+  {
+    name: 'weld',
+    value: 'LENGTH',
+    help: 'weld boundaries that lie this near each other; 0 for none',
+    // What is said of it, not what is given.
+    default: '1e-6 of the diagonal',
+  },
+];
+
 /** How fields are made, for the commands that need some. */
 export const fieldOptions: readonly Option[] = [
   { name: 'method', value: 'karcher|paper', help: 'how fields are made', default: 'karcher' },

@@ -37,7 +37,7 @@ export const compare: Command = {
       '../peers/index.js'
     );
     const peers = await loadPeers();
-    const mesh = peers.karcher.meshFromObj(bytes);
+    const mesh = peers.karcher.meshFromObj(bytes, args.meshOptions());
     const plan = peers.plan(points, samples);
     // First, so that wrong points are told before the long work.
     const reference = await traceReference(peers, mesh, plan);

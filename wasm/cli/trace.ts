@@ -65,7 +65,7 @@ export const trace: Command = {
     const karcher = await load();
 
     const start = performance.now();
-    const mesh = karcher.meshFromObj(bytes);
+    const mesh = karcher.meshFromObj(bytes, args.meshOptions());
     await mesh.prepare(field);
     const prepare = performance.now() - start;
     const curve = mesh.curve({ ...record, ...sampling, ...field });

@@ -38,9 +38,9 @@ function outsideOf(positions: Float32Array, triangles: Uint32Array): 'front' | '
 
 self.onmessage = ({ data }: MessageEvent<GeometryRequest>) => {
   const frame = frameOf(data);
-  const positions = Float32Array.from(
-    data.positions,
-    (value, i) => (value - frame.center[i % 3]!) * frame.scale,
+  // Vertices that no triangle uses may be anything; three.js asks for bounds of all.
+  const positions = Float32Array.from(data.positions, (value, i) =>
+    Number.isFinite(value) ? (value - frame.center[i % 3]!) * frame.scale : 0,
   );
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "mesh/types.h"
+
+namespace karcher {
+
+/// Sets of numbers, each named by its smallest (R. Tarjan, 1975; paths are halved).
+class DisjointSets {
+ public:
+  explicit DisjointSets(int count) : parent_(static_cast<size_t>(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  int find(int v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+
+  /// False where both were in one set.
+  bool unite(int a, int b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return false;
+    parent_[std::max(a, b)] = std::min(a, b);
+    return true;
+  }
+
+  /// Per number the smallest of its set.
+  Array<int> names() {
+    Array<int> result(parent_.size());
+    for (int v = 0; v < result.count(); ++v) result[v] = find(v);
+    return result;
+  }
+
+ private:
+  Array<int> parent_;
+};
+
+/// Sets of faces that are known to be turned over against each other, or not.
+class OrientedSets {
+ public:
+  explicit OrientedSets(int count)
+      : parent_(static_cast<size_t>(count)), turned_(static_cast<size_t>(count), 0) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  struct Place {
+    int set;      ///< named by one of its faces
+    bool turned;  ///< against that face
+  };
+
+  Place find(int f) {
+    int root = f;
+    bool turned = false;
+    while (parent_[root] != root) {
+      turned ^= turned_[root] != 0;
+      root = parent_[root];
+    }
+    const Place place{root, turned};
+    // All on the way point at the root from now on.
+    while (f != root) {
+      const int up = parent_[f];
+      const bool own = turned_[f] != 0;
+      parent_[f] = root;
+      turned_[f] = turned ? 1 : 0;
+      turned ^= own;
+      f = up;
+    }
+    return place;
+  }
+
+  /// Two faces that lie side by side, `turned` against each other or not. False, and nothing is
+  /// changed, where the opposite was known.
+  bool unite(int f, int g, bool turned) {
+    const Place a = find(f);
+    const Place b = find(g);
+    if (a.set == b.set) return (a.turned != b.turned) == turned;
+    const int low = std::min(a.set, b.set);
+    const int high = std::max(a.set, b.set);
+    parent_[high] = low;
+    turned_[high] = (a.turned != b.turned) != turned ? 1 : 0;
+    return true;
+  }
+
+ private:
+  Array<int> parent_;
+  Array<uint8_t> turned_;  ///< against the parent
+};
+
+}  // namespace karcher

@@ -1,0 +1,243 @@
+#include "mesh/manifold_repair.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "mesh/disjoint_sets.h"
+#include "mesh/edges.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// More faces at an edge are not paired: the time grows with the square.
+constexpr int kMostPaired = 64;
+
+class ManifoldRepair {
+ public:
+  ManifoldRepair(TriangleMesh& mesh, Numbering& numbering) : mesh_(mesh), numbering_(numbering) {}
+
+  ManifoldRepairs run() {
+    if (!pairHalfedges()) {
+      orient();
+      pairHalfedges();
+      pairBranching();
+    }
+    splitFans();
+    if (!branching_.empty()) partSharedEdges();
+    return repairs_;
+  }
+
+ private:
+  bool sameDirection(int g, int h) const { return mesh_.tail(g) == mesh_.tail(h); }
+
+  void pair(int g, int h) {
+    mesh_.twin[g] = h;
+    mesh_.twin[h] = g;
+  }
+
+  /// Of edges with two faces. False where others were found: `branching_` and `mirrored_`.
+  bool pairHalfedges() {
+    mesh_.twin.assign(static_cast<size_t>(mesh_.halfedgeCount()), -1);
+    branching_.clear();
+    mirrored_.clear();
+    forEachEdge(mesh_.faces, mesh_.vertexCount(), [&](int, std::span<const EdgeSide> sides) {
+      if (sides.size() == 1) return;
+      const int g = sides[0].halfedge;
+      const int h = sides[1].halfedge;
+      if (sides.size() > 2) {
+        branching_.emplace_back();
+        for (const EdgeSide& side : sides) branching_.back().push_back(side.halfedge);
+      } else if (sameDirection(g, h)) {
+        mirrored_.push_back({g, h});
+      } else {
+        pair(g, h);
+      }
+    });
+    return branching_.empty() && mirrored_.empty();
+  }
+
+  /// Turns faces over until all edges of two faces are run along in both directions, and finds the
+  /// sets of faces that these connect.
+  void orient() {
+    OrientedSets sets(mesh_.faceCount());
+    for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
+      if (mesh_.twin[h] > h) sets.unite(faceOf(h), faceOf(mesh_.twin[h]), false);
+    }
+    for (const auto& [g, h] : mirrored_) {
+      if (!sets.unite(faceOf(g), faceOf(h), true)) throwOneSided(g, h);
+    }
+    Array<int> faces(mesh_.faces.size(), 0);
+    Array<int> turned(mesh_.faces.size(), 0);
+    part_.resize(mesh_.faces.size());
+    for (int f = 0; f < mesh_.faceCount(); ++f) {
+      const auto place = sets.find(f);
+      part_[f] = place.set;
+      ++faces[place.set];
+      turned[place.set] += place.turned;
+    }
+    // Of two halves the one without the caller's first face.
+    Array<int> first(mesh_.faces.size(), -1);
+    for (int f = 0; f < mesh_.faceCount(); ++f) {
+      int& face = first[part_[f]];
+      if (face < 0 || numbering_.inputFace[f] < numbering_.inputFace[face]) face = f;
+    }
+    for (int f = 0; f < mesh_.faceCount(); ++f) {
+      const int part = part_[f];
+      const int others = faces[part] - turned[part];
+      const bool turnTheTurned =
+          turned[part] != others ? turned[part] < others : !sets.find(first[part]).turned;
+      if (sets.find(f).turned == turnTheTurned) turnOver(f);
+    }
+  }
+
+  void turnOver(int f) {
+    ++repairs_.turnedOver;
+    std::swap(mesh_.faces[f][1], mesh_.faces[f][2]);
+    const int t = numbering_.inputFace[f];
+    if (numbering_.engineFace[t] == f) {
+      if (numbering_.turnedOver.empty())
+        numbering_.turnedOver.assign(numbering_.engineFace.size(), 0);
+      numbering_.turnedOver[t] = 1;
+      return;
+    }
+    for (FacePiece& piece : numbering_.images[-1 - numbering_.engineFace[t]].pieces) {
+      if (piece.face == f) std::swap(piece.corners[1], piece.corners[2]);
+    }
+  }
+
+  [[noreturn]] void throwOneSided(int g, int h) const {
+    throw Error(
+        ErrorCode::kNotOrientable,
+        "the surface has one side only, as a Möbius strip or a Klein bottle: faces " +
+            std::to_string(numbering_.inputFace[faceOf(g)]) + " and " +
+            std::to_string(numbering_.inputFace[faceOf(h)]) +
+            " run along their edge in the same direction, and turning faces over only moves "
+            "that elsewhere");
+  }
+
+  /// The direction in which the face of h leaves its edge, seen from the tail to the head.
+  Vec3 awayFromEdge(int h, const Vec3& along) const {
+    const Vec3 out = mesh_.positions[mesh_.opposite(h)] - mesh_.positions[mesh_.tail(h)];
+    return (out - out.dot(along) * along).normalized();
+  }
+
+  void pairBranching() {
+    atBranching_.assign(mesh_.positions.size(), 0);
+    repairs_.branching = branching_.count();
+    for (const Array<int>& sides : branching_) {
+      atBranching_[mesh_.tail(sides[0])] = 1;
+      atBranching_[mesh_.head(sides[0])] = 1;
+      pairWidest(sides);
+    }
+  }
+
+  void pairWidest(const Array<int>& sides) {
+    const int h = sides[0];
+    const Vec3 along =
+        (mesh_.positions[mesh_.head(h)] - mesh_.positions[mesh_.tail(h)]).normalized();
+    Array<Vec3> away;
+    for (int i = 0; i < std::min(sides.count(), kMostPaired); ++i) {
+      away.push_back(awayFromEdge(sides[i], along));
+    }
+    while (true) {
+      // Equal angles: those that other edges connect stay together.
+      constexpr double kEqual = 1e-6;
+      double best = kInfinity;
+      int first = -1;
+      int second = -1;
+      for (int i = 0; i < away.count(); ++i) {
+        for (int j = i + 1; j < away.count(); ++j) {
+          if (mesh_.twin[sides[i]] >= 0 || mesh_.twin[sides[j]] >= 0) continue;
+          if (sameDirection(sides[i], sides[j])) continue;
+          const bool connected = part_[faceOf(sides[i])] == part_[faceOf(sides[j])];
+          const double cosine = away[i].dot(away[j]) - (connected ? kEqual : 0);
+          if (cosine >= best) continue;
+          best = cosine;
+          first = i;
+          second = j;
+        }
+      }
+      if (first < 0) return;
+      pair(sides[first], sides[second]);
+    }
+  }
+
+  void splitFans() {
+    const int before = mesh_.vertexCount();
+    connectVertices(mesh_);
+    Array<uint8_t> seen(static_cast<size_t>(mesh_.halfedgeCount()), 0);
+    for (int v = 0; v < before; ++v) {
+      for (const int h : outgoingHalfedges(mesh_, v)) seen[h] = 1;
+    }
+    Array<uint8_t> split;
+    for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
+      if (seen[h]) continue;
+      if (split.empty()) split.assign(static_cast<size_t>(before), 0);
+      const int v = mesh_.tail(h);
+      if (!split[v] && (atBranching_.empty() || !atBranching_[v])) ++repairs_.bowTies;
+      split[v] = 1;
+      addVertex(firstOfFan(h), v, seen);
+    }
+    if (!atBranching_.empty()) atBranching_.resize(mesh_.positions.size(), 1);
+  }
+
+  /// The half-edge that leaves the tail of h at the boundary, clockwise; h where there is none.
+  int firstOfFan(int h) const {
+    int first = h;
+    while (mesh_.twin[first] >= 0) {
+      first = next(mesh_.twin[first]);
+      if (first == h) break;
+    }
+    return first;
+  }
+
+  /// A vertex at the place of v for the fan that starts at `first`.
+  void addVertex(int first, int v, Array<uint8_t>& seen) {
+    const int added = mesh_.vertexCount();
+    mesh_.positions.push_back(Vec3(mesh_.positions[v]));
+    mesh_.outgoing.push_back(first);
+    mesh_.onBoundary.push_back(mesh_.twin[first] < 0 ? 1 : 0);
+    numbering_.inputVertex.push_back(int(numbering_.inputVertex[v]));
+    for (const int h : outgoingHalfedges(mesh_, added)) {
+      mesh_.faces[faceOf(h)][cornerOf(h)] = added;
+      seen[h] = 1;
+    }
+  }
+
+  /// Two edges with the same two vertices, where one fan comes to both: their faces are parted, by
+  /// which the fans are, too; and what lies along each other then is joined.
+  void partSharedEdges() {
+    bool changed = true;
+    for (int round = 0; changed && round < kMostPaired; ++round) {
+      changed = false;
+      forEachEdge(mesh_.faces, mesh_.vertexCount(), [&](int, std::span<const EdgeSide> sides) {
+        if (sides.size() == 1) return;
+        const int g = sides[0].halfedge;
+        const int h = sides[1].halfedge;
+        if (sides.size() == 2 && mesh_.twin[g] == h) return;
+        changed = true;
+        for (const EdgeSide& side : sides) mesh_.twin[side.halfedge] = -1;
+        if (sides.size() == 2 && !sameDirection(g, h)) pair(g, h);
+      });
+      if (changed) splitFans();
+    }
+  }
+
+  TriangleMesh& mesh_;
+  Numbering& numbering_;
+  ManifoldRepairs repairs_;
+  Array<Array<int>> branching_;
+  Array<std::array<int, 2>> mirrored_;
+  Array<int> part_;             ///< per face the set that edges of two faces connect
+  Array<uint8_t> atBranching_;  ///< per vertex
+};
+
+}  // namespace
+
+ManifoldRepairs connectRepaired(TriangleMesh& mesh, Numbering& numbering) {
+  return ManifoldRepair(mesh, numbering).run();
+}
+
+}  // namespace karcher

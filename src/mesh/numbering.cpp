@@ -1,0 +1,141 @@
+#include "mesh/numbering.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "mesh/error.h"
+#include "mesh/nearest_in_triangle.h"
+
+namespace karcher {
+namespace {
+
+/// The weights in a piece of the point that has `bary` in the whole triangle.
+Vec3 weightsInPiece(const FacePiece& piece, const Vec3& bary) {
+  // Weights sum to 1, so two of them tell all: a plane.
+  const auto plane = [](const Vec3& b) { return Vec2(b[1], b[2]); };
+  const Vec2 a = plane(piece.corners[0]);
+  const Vec2 u = plane(piece.corners[1]) - a;
+  const Vec2 v = plane(piece.corners[2]) - a;
+  const Vec2 p = plane(bary) - a;
+  const double area = cross(u, v);
+  const double second = cross(p, v) / area;
+  const double third = cross(u, p) / area;
+  return {1 - second - third, second, third};
+}
+
+SurfacePoint inPieces(const FaceImage& image, const Vec3& bary) {
+  SurfacePoint best;
+  double most = -kInfinity;
+  for (const FacePiece& piece : image.pieces) {
+    const Vec3 weights = weightsInPiece(piece, bary);
+    const double least = weights.minCoeff();
+    if (!(least > most)) continue;
+    most = least;
+    best = {piece.face, weights};
+  }
+  // Outside of all by rounding only: a part may be much smaller than the whole.
+  best.bary = best.bary.cwiseMax(0);
+  best.bary /= best.bary.sum();
+  return clampedPoint(best.face, best.bary);
+}
+
+Vec3 placeIn(const FaceImage& image, const Vec3& bary) {
+  Vec3 place = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    if (bary[k] != 0) place += bary[k] * image.places[static_cast<size_t>(k)];
+  }
+  return place;
+}
+
+/// The nearest point of the faces beside, and of those that are reached from them by always coming
+/// nearer: several triangles on one line lie side by side.
+SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, const Vec3& place) {
+  SurfacePoint best;
+  double nearest = kInfinity;
+  const auto consider = [&](int f) {
+    const Triangle& t = mesh.faces[f];
+    const SurfacePoint point = clampedPoint(
+        f,
+        nearestInTriangle(place, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
+    const double distance = (position(mesh, point) - place).squaredNorm();
+    if (!(distance < nearest)) return false;
+    nearest = distance;
+    best = point;
+    return true;
+  };
+  for (const int f : image.beside) consider(f);
+  constexpr int kMostSteps = 10'000;
+  bool nearer = nearest > 0;
+  for (int step = 0; nearer && step < kMostSteps; ++step) {
+    nearer = false;
+    const Triangle corners = mesh.faces[best.face];
+    for (const int v : corners) {
+      for (const int h : outgoingHalfedges(mesh, v)) nearer = consider(faceOf(h)) || nearer;
+    }
+  }
+  return best;
+}
+
+const FacePiece& pieceOf(const Numbering& numbering, int engineFace) {
+  const int image = -1 - numbering.engineFace[numbering.inputFace[engineFace]];
+  const Array<FacePiece>& pieces = numbering.images[image].pieces;
+  return *std::find_if(pieces.begin(), pieces.end(),
+                       [&](const FacePiece& piece) { return piece.face == engineFace; });
+}
+
+}  // namespace
+
+Triangle Numbering::inputCorners(const TriangleMesh& mesh, int t) const {
+  const int f = engineFace[t];
+  if (f < 0) return images[-1 - f].corners;
+  Triangle corners;
+  for (int k = 0; k < 3; ++k) corners[k] = inputVertex[mesh.corner(f, k)];
+  if (isTurnedOver(t)) std::swap(corners[1], corners[2]);
+  return corners;
+}
+
+SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int inputFace,
+                      const Vec3& bary) {
+  SurfacePoint point = checkedPoint(numbering.inputFaceCount(), inputFace, bary);
+  const int f = numbering.engineFace[inputFace];
+  if (f >= 0) {
+    point.face = f;
+    if (numbering.isTurnedOver(inputFace)) std::swap(point.bary[1], point.bary[2]);
+    return point;
+  }
+  const FaceImage& image = numbering.images[-1 - f];
+  if (!image.pieces.empty()) return inPieces(image, point.bary);
+  const Vec3 place = placeIn(image, point.bary);
+  if (!image.beside.empty()) return nearestBeside(mesh, image, place);
+  // Its vertices are its own. Others may be at the same place.
+  constexpr double kNear = 1e-6;
+  const SurfacePoint nearest = nearestPoint(mesh, place);
+  const double distance = (position(mesh, nearest) - place).norm();
+  if (distance <= kNear * boundingBoxDiagonal(mesh)) return nearest;
+  throw Error(ErrorCode::kBadIndex, "face " + std::to_string(inputFace) +
+                                        " was left out, as it has no area, and touches no other");
+}
+
+SurfacePoint toInput(const Numbering& numbering, const SurfacePoint& point) {
+  const int t = numbering.inputFace[point.face];
+  if (numbering.engineFace[t] == point.face) {
+    SurfacePoint result{t, point.bary};
+    if (numbering.isTurnedOver(t)) std::swap(result.bary[1], result.bary[2]);
+    return result;
+  }
+  return clampedPoint(t, changeToInput(numbering, point.face, point.bary));
+}
+
+Vec3 changeToInput(const Numbering& numbering, int engineFace, const Vec3& change) {
+  const int t = numbering.inputFace[engineFace];
+  if (numbering.engineFace[t] == engineFace) {
+    return numbering.isTurnedOver(t) ? Vec3(change[0], change[2], change[1]) : change;
+  }
+  const FacePiece& piece = pieceOf(numbering, engineFace);
+  Vec3 result = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) result += change[k] * piece.corners[static_cast<size_t>(k)];
+  return result;
+}
+
+}  // namespace karcher

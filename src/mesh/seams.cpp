@@ -1,0 +1,337 @@
+#include "mesh/seams.h"
+
+#include <utility>
+
+#include "mesh/edges.h"
+#include "mesh/near_points.h"
+
+namespace karcher {
+namespace {
+
+/// Of the diagonal, and of the shortest edge.
+constexpr double kNear = 1e-6;
+constexpr double kNearPartOfEdge = 0.01;
+/// Of the shortest edge, whatever tolerance is asked for: triangles keep their shape.
+constexpr double kMostPartOfEdge = 1.0 / 3;
+
+class Seams {
+ public:
+  Seams(const Array<Vec3>& positions, const Array<int>& order, WorkFaces& faces,
+        const SeamOptions& options, DisjointSets& target)
+      : positions_(positions), order_(order), faces_(faces), options_(options), target_(target) {}
+
+  SeamRepairs close() {
+    findPlaces();
+    if (options_.exact) {
+      weldExactly();
+      return std::move(repairs_);
+    }
+    Edges edges = findEdges();
+    if (!edges.branching.empty() || !edges.mirrored.empty()) {
+      if (leaveOutDuplicates(edges)) edges = findEdges();
+    }
+    if (!edges.boundary.empty() && options_.tolerance != 0 && joinNearPlaces(edges.boundary)) {
+      edges = findEdges();
+    }
+    weld(edges);
+    return std::move(repairs_);
+  }
+
+ private:
+  /// Half-edges by the places of their vertices.
+  struct Edges {
+    Array<int> boundary;                 ///< those alone
+    Array<int> branching;                ///< those of more than two
+    Array<std::array<int, 2>> mirrored;  ///< two in the same direction
+  };
+
+  int placeAt(int h) const { return place_[faces_.corners[h / 3][h % 3]]; }
+
+  void findPlaces() {
+    place_.resize(positions_.size());
+    std::iota(place_.begin(), place_.end(), 0);
+    for (int i = 1; i < order_.count(); ++i) {
+      if (positions_[order_[i]] == positions_[order_[i - 1]]) {
+        place_[order_[i]] = place_[order_[i - 1]];
+      }
+    }
+  }
+
+  template <class Visit>
+  void forEachEdgeByPlace(Visit&& visit) const {
+    if (!placesDiffer()) return forEachEdge(faces_.corners, positions_.count(), visit);
+    Array<Triangle> byPlace = faces_.corners;
+    for (Triangle& t : byPlace) t = {place_[t[0]], place_[t[1]], place_[t[2]]};
+    forEachEdge(byPlace, positions_.count(), visit);
+  }
+
+  /// Whether two vertices are at one place.
+  bool placesDiffer() const {
+    for (const int v : order_) {
+      if (place_[v] != v) return true;
+    }
+    return false;
+  }
+
+  Edges findEdges() {
+    Edges edges;
+    forEachEdgeByPlace([&](int, std::span<const EdgeSide> sides) {
+      const int h = sides[0].halfedge;
+      if (sides.size() == 1) {
+        edges.boundary.push_back(h);
+      } else if (sides.size() > 2) {
+        for (const EdgeSide& side : sides) edges.branching.push_back(side.halfedge);
+      } else if (placeAt(h) == placeAt(sides[1].halfedge)) {
+        edges.mirrored.push_back({h, sides[1].halfedge});
+      }
+    });
+    return edges;
+  }
+
+  bool leaveOutDuplicates(const Edges& edges) {
+    Array<int> suspects;
+    Array<uint8_t> branches(faces_.corners.size(), 0);
+    for (const int h : edges.branching) {
+      suspects.push_back(h / 3);
+      branches[h / 3] = 1;
+    }
+    for (const auto& [g, h] : edges.mirrored) {
+      suspects.push_back(g / 3);
+      suspects.push_back(h / 3);
+    }
+    const auto key = [&](int f) {
+      const Triangle& t = faces_.corners[f];
+      const Triangle places(place_[t[0]], place_[t[1]], place_[t[2]]);
+      const int low = places.minCoeff();
+      const int high = places.maxCoeff();
+      return std::array<int, 3>{low, high, places.sum() - low - high};
+    };
+    std::sort(suspects.begin(), suspects.end(), [&](int f, int g) {
+      const auto a = key(f);
+      const auto b = key(g);
+      return a != b ? a < b : f < g;
+    });
+    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+    Array<int> uses;
+    Array<uint8_t> gone;
+    for (int i = 0; i < suspects.count();) {
+      const int kept = suspects[i];
+      for (++i; i < suspects.count() && key(suspects[i]) == key(kept); ++i) {
+        const int f = suspects[i];
+        const DuplicateFace duplicate = {faces_.source[f], faces_.source[kept], match(f, kept)};
+        const bool turned = (duplicate.corner[1] - duplicate.corner[0] + 3) % 3 == 2;
+        if (turned) {
+          if (uses.empty()) uses = countUses();
+          if (!branches[f] || !(hangsOnNone(f, uses) || sameVertices(f, kept))) continue;
+        }
+        if (gone.empty()) gone.assign(faces_.corners.size(), 0);
+        gone[f] = 1;
+        for (int k = 0; k < 3; ++k) {
+          const int other = duplicate.corner[static_cast<size_t>(k)];
+          repairs_.welded +=
+              target_.unite(faces_.corners[f][k], faces_.corners[kept][other]) ? 1 : 0;
+        }
+        repairs_.duplicates.push_back(duplicate);
+      }
+    }
+    if (gone.empty()) return false;
+    faces_.leaveOut([&](int f) { return gone[f] != 0; });
+    faces_.renumber(target_.names());
+    return true;
+  }
+
+  std::array<int, 3> match(int f, int kept) const {
+    std::array<int, 3> corner = {};
+    for (int k = 0; k < 3; ++k) {
+      for (int j = 0; j < 3; ++j) {
+        if (placeAt(3 * f + k) == placeAt(3 * kept + j)) corner[static_cast<size_t>(k)] = j;
+      }
+    }
+    return corner;
+  }
+
+  Array<int> countUses() const {
+    Array<int> uses(positions_.size(), 0);
+    for (const Triangle& t : faces_.corners) {
+      for (const int v : t) ++uses[v];
+    }
+    return uses;
+  }
+
+  bool hangsOnNone(int f, const Array<int>& uses) const {
+    const Triangle& t = faces_.corners[f];
+    return uses[t[0]] == 1 && uses[t[1]] == 1 && uses[t[2]] == 1;
+  }
+
+  /// Of two faces at the same places.
+  bool sameVertices(int f, int g) const {
+    for (const int v : faces_.corners[f]) {
+      if ((faces_.corners[g].array() != v).all()) return false;
+    }
+    return true;
+  }
+
+  /// Makes one place of those of boundary vertices that lie near each other.
+  bool joinNearPlaces(const Array<int>& boundary) {
+    Array<double> reach = shortestEdges(boundary);
+    Array<int> points;
+    double most = 0;
+    for (int v = 0; v < reach.count(); ++v) {
+      if (reach[v] == kInfinity) continue;
+      reach[v] = options_.tolerance < 0
+                     ? std::min(kNear * options_.diagonal, kNearPartOfEdge * reach[v])
+                     : std::min(options_.tolerance, kMostPartOfEdge * reach[v]);
+      most = std::max(most, reach[v]);
+      points.push_back(v);
+    }
+    const NearPoints near(positions_, points, most);
+    DisjointSets sets(positions_.count());
+    bool any = false;
+    for (const int p : points) {
+      near.forEachNear(p, [&](int q) {
+        const double limit = std::min(reach[p], reach[q]);
+        if ((positions_[p] - positions_[q]).squaredNorm() > limit * limit) return;
+        any = sets.unite(p, q) || any;
+      });
+    }
+    if (!any) return false;
+    Array<int> joined = sets.names();
+    // Never two corners of a face: then their set stays as it was.
+    Array<uint8_t> torn(positions_.size(), 0);
+    for (const Triangle& t : faces_.corners) {
+      for (int k = 0; k < 3; ++k) {
+        const int p = place_[t[k]];
+        const int q = place_[t[(k + 1) % 3]];
+        if (p != q && joined[p] == joined[q]) torn[joined[p]] = 1;
+      }
+    }
+    for (int& place : place_) {
+      if (!torn[joined[place]]) place = joined[place];
+    }
+    return true;
+  }
+
+  /// Per place on a boundary the length of the shortest edge there; infinite elsewhere.
+  Array<double> shortestEdges(const Array<int>& boundary) const {
+    Array<uint8_t> on(positions_.size(), 0);
+    for (const int h : boundary) {
+      on[placeAt(h)] = 1;
+      on[placeAt(h / 3 * 3 + (h + 1) % 3)] = 1;
+    }
+    Array<double> shortest(positions_.size(), kInfinity);
+    for (const Triangle& t : faces_.corners) {
+      for (int k = 0; k < 3; ++k) {
+        const int p = place_[t[k]];
+        const int q = place_[t[(k + 1) % 3]];
+        if (!on[p] && !on[q]) continue;
+        const double length = (positions_[p] - positions_[q]).norm();
+        for (const int v : {p, q}) {
+          if (on[v]) shortest[v] = std::min(shortest[v], length);
+        }
+      }
+    }
+    return shortest;
+  }
+
+  void weld(const Edges& edges) {
+    if (!placesDiffer()) return;
+    if (options_.tolerance != 0) {
+      weldFacing();
+      weldMirrored(edges);
+      faces_.renumber(target_.names());
+    }
+    countKeptApart();
+  }
+
+  void weldExactly() {
+    if (!placesDiffer()) return;
+    const DisjointSets before = target_;
+    const Array<Triangle> corners = faces_.corners;
+    weldFacing();
+    faces_.renumber(target_.names());
+    bool all = true;
+    forEachEdge(faces_.corners, positions_.count(), [&](int, std::span<const EdgeSide> sides) {
+      all = all && isManifoldEdge(faces_.corners, sides);
+    });
+    if (!all) {
+      target_ = before;
+      faces_.corners = corners;
+      repairs_.welded = 0;
+    }
+    countKeptApart();
+  }
+
+  /// Edges of two faces that run along them in opposite directions.
+  void weldFacing() {
+    forEachEdgeByPlace([&](int, std::span<const EdgeSide> sides) {
+      const int g = sides[0].halfedge;
+      if (sides.size() != 2 || placeAt(g) == placeAt(sides[1].halfedge)) return;
+      join(g, sides[1].halfedge);
+    });
+  }
+
+  static int nextCorner(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  int vertexAt(int h) const { return faces_.corners[h / 3][h % 3]; }
+
+  void unite(int v, int w) { repairs_.welded += target_.unite(v, w) ? 1 : 0; }
+
+  /// The vertices of two half-edges along each other.
+  void join(int g, int h) {
+    const bool turned = placeAt(g) == placeAt(h);
+    unite(vertexAt(g), vertexAt(turned ? h : nextCorner(h)));
+    unite(vertexAt(nextCorner(g)), vertexAt(turned ? nextCorner(h) : h));
+  }
+
+  /// Those first that are joined in the file, then the others, as long as the surface has two
+  /// sides.
+  void weldMirrored(const Edges& edges) {
+    const auto isJoined = [&](const std::array<int, 2>& pair) {
+      const auto same = [&](int v, int w) { return target_.find(v) == target_.find(w); };
+      return same(vertexAt(pair[0]), vertexAt(pair[1])) &&
+             same(vertexAt(nextCorner(pair[0])), vertexAt(nextCorner(pair[1])));
+    };
+    if (std::all_of(edges.mirrored.begin(), edges.mirrored.end(), isJoined)) return;
+    OrientedSets sides(faces_.count());
+    forEachEdgeByPlace([&](int, std::span<const EdgeSide> pair) {
+      const int g = pair[0].halfedge;
+      if (pair.size() != 2 || placeAt(g) == placeAt(pair[1].halfedge)) return;
+      sides.unite(g / 3, pair[1].halfedge / 3, false);
+    });
+    for (const auto& pair : edges.mirrored) {
+      if (isJoined(pair)) sides.unite(pair[0] / 3, pair[1] / 3, true);
+    }
+    for (const auto& pair : edges.mirrored) {
+      if (!isJoined(pair) && sides.unite(pair[0] / 3, pair[1] / 3, true)) join(pair[0], pair[1]);
+    }
+  }
+
+  void countKeptApart() {
+    Array<uint8_t> vertexSeen(positions_.size(), 0);
+    Array<uint8_t> placeSeen(positions_.size(), 0);
+    for (const Triangle& t : faces_.corners) {
+      for (const int v : t) {
+        if (vertexSeen[v]) continue;
+        vertexSeen[v] = 1;
+        repairs_.keptApart += placeSeen[place_[v]];
+        placeSeen[place_[v]] = 1;
+      }
+    }
+  }
+
+  const Array<Vec3>& positions_;
+  const Array<int>& order_;
+  WorkFaces& faces_;
+  SeamOptions options_;
+  DisjointSets& target_;
+  Array<int> place_;  ///< per vertex the first at its place
+  SeamRepairs repairs_;
+};
+
+}  // namespace
+
+SeamRepairs closeSeams(const Array<Vec3>& positions, const Array<int>& order, WorkFaces& faces,
+                       const SeamOptions& options, DisjointSets& target) {
+  return Seams(positions, order, faces, options, target).close();
+}
+
+}  // namespace karcher

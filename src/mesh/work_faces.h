@@ -1,0 +1,51 @@
+#pragma once
+
+#include "mesh/numbering.h"
+#include "mesh/triangle_soup.h"
+
+namespace karcher {
+
+/// The faces of a file while it is repaired. Vertices keep the file's numbers; where several are
+/// one, the smallest stands for all.
+struct WorkFaces {
+  Array<Triangle> corners;
+  Array<int> source;  ///< per face the input triangle that it is, or is a part of
+  /// Per face -1 where it is the whole input triangle, else the place of its corners' weights there
+  /// in `weights`; empty where all are whole.
+  Array<int> part;
+  Array<std::array<Vec3, 3>> weights;
+
+  int count() const { return corners.count(); }
+  bool isWhole(int f) const { return part.empty() || part[f] < 0; }
+  /// The weights of a face's corners in its input triangle.
+  std::array<Vec3, 3> weightsOf(int f) const {
+    if (isWhole(f)) return {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    return weights[part[f]];
+  }
+  /// Every corner becomes number[corner].
+  void renumber(const Array<int>& number) {
+    for (Triangle& t : corners) t = {number[t[0]], number[t[1]], number[t[2]]};
+  }
+  /// Leaves out the faces f with gone(f).
+  template <class Gone>
+  void leaveOut(Gone&& gone) {
+    int kept = 0;
+    for (int f = 0; f < count(); ++f) {
+      if (gone(f)) continue;
+      corners[kept] = corners[f];
+      source[kept] = source[f];
+      if (!part.empty()) part[kept] = part[f];
+      ++kept;
+    }
+    corners.resize(static_cast<size_t>(kept));
+    source.resize(static_cast<size_t>(kept));
+    if (!part.empty()) part.resize(static_cast<size_t>(kept));
+  }
+};
+
+/// True where two corners are one vertex.
+inline bool hasRepeatedCorner(const Triangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+}  // namespace karcher

@@ -1,0 +1,299 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "generators/defects.h"
+#include "mesh/error.h"
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
+
+namespace karcher {
+namespace {
+
+using Counts = std::map<std::string, int>;
+
+Counts countsOf(const ImportedMesh& imported) {
+  Counts counts;
+  for (const Repair& repair : imported.repairs) counts[repairName(repair.kind)] = repair.count;
+  return counts;
+}
+
+Vec3 placeInSoup(const TriangleSoup& soup, int face, const Vec3& bary) {
+  Vec3 place = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) place += bary[k] * soup.positions[soup.triangles[face][k]];
+  return place;
+}
+
+/// Points of every input triangle are at their place in the engine, and come back from there.
+void expectSamePlaces(const TriangleSoup& soup, const ImportedMesh& imported, double tolerance) {
+  const TriangleMesh& mesh = imported.mesh;
+  const Numbering& numbering = imported.numbering;
+  ASSERT_EQ(numbering.inputFaceCount(), soup.triangles.count());
+  ASSERT_EQ(numbering.inputFace.count(), mesh.faceCount());
+  ASSERT_EQ(numbering.inputVertex.count(), mesh.vertexCount());
+  for (int t = 0; t < soup.triangles.count(); ++t) {
+    for (const Vec3& bary :
+         {Vec3(0.2, 0.3, 0.5), Vec3(0.5, 0.5, 0), Vec3(0, 0, 1), Vec3(0.98, 0.01, 0.01)}) {
+      const SurfacePoint point = toEngine(numbering, mesh, t, bary);
+      const Vec3 place = placeInSoup(soup, t, bary);
+      ASSERT_NEAR((position(mesh, point) - place).norm(), 0, tolerance) << "face " << t;
+      const SurfacePoint back = toInput(numbering, point);
+      ASSERT_NEAR((placeInSoup(soup, back.face, back.bary) - place).norm(), 0, tolerance)
+          << "face " << t;
+      const SurfacePoint again = toEngine(numbering, mesh, back.face, back.bary);
+      ASSERT_NEAR((position(mesh, again) - position(mesh, point)).norm(), 0, tolerance);
+    }
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    const SurfacePoint point = {f, Vec3(0.5, 0.2, 0.3)};
+    const SurfacePoint input = toInput(numbering, point);
+    const SurfacePoint back = toEngine(numbering, mesh, input.face, input.bary);
+    ASSERT_EQ(back.face, f);
+    ASSERT_NEAR((back.bary - point.bary).cwiseAbs().maxCoeff(), 0, 1e-9);
+  }
+}
+
+/// The adjacency is that of its faces.
+void expectSound(const TriangleMesh& mesh) {
+  const TriangleMesh again = buildMesh(mesh.positions, mesh.faces);
+  EXPECT_TRUE(again.twin == mesh.twin);
+  EXPECT_TRUE(again.onBoundary == mesh.onBoundary);
+}
+
+/// How far a point may be from its place: where vertices were moved from their own, twice sqrt(3) /
+/// 2 of 1e-9 of the diagonal.
+double apart(Defect defect, const TriangleMesh& mesh) {
+  return (defect == Defect::kSeams ? 1.8e-9 : 1e-14) * boundingBoxDiagonal(mesh);
+}
+
+/// Each defect alone is mended by its own repair, counted, and the shape is as it was.
+TEST(RepairMesh, MendsEachDefectAlone) {
+  for (const Shape shape : kShapes) {
+    const TriangleSoup sound = makeShape(shape, 2000);
+    const Topology before = topology(importMesh(sound).mesh);
+    for (const Defect defect : kDefects) {
+      SCOPED_TRACE(std::string(shapeName(shape)) + ", " + defectName(defect));
+      DefectiveMesh made(sound, 3);
+      const int count = made.add(defect, 7);
+      ASSERT_GE(count, 7);
+      const ImportedMesh imported = importMesh(made.soup());
+      EXPECT_EQ(countsOf(imported), (Counts{{repairName(repairOf(defect)), count}}));
+      expectSound(imported.mesh);
+      expectSamePlaces(made.soup(), imported, apart(defect, imported.mesh));
+      const Topology after = topology(imported.mesh);
+      const bool adds = defect == Defect::kFin || defect == Defect::kBowTie;
+      EXPECT_EQ(after.components, before.components + (adds ? count : 0));
+      EXPECT_EQ(after.boundaryLoops, before.boundaryLoops + (defect == Defect::kFin ? count : 0));
+      EXPECT_EQ(after.genus, before.genus);
+    }
+  }
+}
+
+/// In pairs they are mended as well; with the last, which takes the vertices of the others apart,
+/// some are mended by another repair than their own.
+TEST(RepairMesh, MendsDefectsInPairs) {
+  uint64_t seed = 100;
+  for (const Shape shape : kShapes) {
+    const TriangleSoup sound = makeShape(shape, 1000);
+    for (const Defect one : kDefects) {
+      for (const Defect other : kDefects) {
+        if (one >= other) continue;
+        SCOPED_TRACE(std::string(shapeName(shape)) + ", " + defectName(one) + " and " +
+                     defectName(other) + ", seed " + std::to_string(++seed));
+        DefectiveMesh made(sound, seed);
+        Counts expected;
+        expected[repairName(repairOf(one))] += made.add(one, 5);
+        expected[repairName(repairOf(other))] += made.add(other, 5);
+        const ImportedMesh imported = importMesh(made.soup());
+        expectSound(imported.mesh);
+        expectSamePlaces(made.soup(), imported, apart(other, imported.mesh));
+        if (other != Defect::kSeams) {
+          EXPECT_EQ(countsOf(imported), expected);
+        }
+      }
+    }
+  }
+}
+
+TEST(RepairMesh, LeavesSoundMeshesAsTheyAre) {
+  for (const Shape shape : kShapes) {
+    const TriangleSoup sound = makeShape(shape, 3000);
+    const ImportedMesh repaired = importMesh(sound);
+    const ImportedMesh asItIs = importMesh(sound, {.repair = false});
+    EXPECT_TRUE(repaired.repairs.empty());
+    EXPECT_TRUE(repaired.mesh.positions == asItIs.mesh.positions);
+    EXPECT_TRUE(repaired.mesh.faces == asItIs.mesh.faces);
+    EXPECT_TRUE(repaired.mesh.twin == asItIs.mesh.twin);
+    EXPECT_TRUE(repaired.mesh.outgoing == asItIs.mesh.outgoing);
+    EXPECT_TRUE(repaired.numbering.engineFace == asItIs.numbering.engineFace);
+    EXPECT_TRUE(repaired.numbering.engineVertex == asItIs.numbering.engineVertex);
+  }
+}
+
+/*  A strip of n squares around a cylinder, closed with half a turn.  */
+TriangleSoup moebius(int n, bool seam) {
+  TriangleSoup soup;
+  for (int i = 0; i <= n - (seam ? 0 : 1); ++i) {
+    const double angle = 2 * kPi * i / n;
+    const Vec3 out(std::cos(angle), std::sin(angle), 0);
+    for (const double side : {-0.3, 0.3}) {
+      soup.positions.push_back(
+          out + side * (std::cos(angle / 2) * out + std::sin(angle / 2) * Vec3::UnitZ()));
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    const int a = 2 * i;
+    const bool last = i == n - 1 && !seam;
+    const int c = last ? 1 : a + 2;
+    const int d = last ? 0 : a + 3;
+    soup.triangles.emplace_back(a, c, a + 1);
+    soup.triangles.emplace_back(a + 1, c, d);
+  }
+  return soup;
+}
+
+TEST(RepairMesh, RefusesWhatHasOneSide) {
+  try {
+    importMesh(moebius(20, false));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kNotOrientable);
+    EXPECT_EQ(std::string(error.what()).substr(0, 35), "the surface has one side only, as a");
+  }
+  // With a seam it has two, and the seam stays open.
+  const ImportedMesh strip = importMesh(moebius(20, true));
+  EXPECT_EQ(topology(strip.mesh).boundaryLoops, 1);
+  EXPECT_EQ(topology(strip.mesh).components, 1);
+  EXPECT_EQ(strip.mesh.vertexCount(), 42);
+}
+
+TEST(RepairMesh, TurnsTheFewerFacesOver) {
+  TriangleSoup soup = makeShape(Shape::kSphere, 500);
+  for (int t = 0; t < soup.triangles.count() - 5; ++t) {
+    std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+  }
+  const ImportedMesh imported = importMesh(soup);
+  EXPECT_EQ(countsOf(imported), (Counts{{"turnedOver", 5}}));
+  expectSamePlaces(soup, imported, 1e-14);
+}
+
+/// Two halves of a torus whose seams lie apart by some of the diagonal.
+TriangleSoup halves(double gap) {
+  const TriangleMesh torus = importMesh(makeShape(Shape::kTorus, 4000)).mesh;
+  TriangleSoup soup;
+  std::map<std::pair<int, int>, int> number;
+  for (const Triangle& t : torus.faces) {
+    const int half =
+        (torus.positions[t[0]] + torus.positions[t[1]] + torus.positions[t[2]]).x() > 0 ? 1 : 0;
+    Triangle face;
+    for (int k = 0; k < 3; ++k) {
+      const auto [entry, isNew] = number.try_emplace({half, t[k]}, soup.positions.count());
+      if (isNew) soup.positions.push_back(torus.positions[t[k]] + half * gap * Vec3::UnitZ());
+      face[k] = entry->second;
+    }
+    soup.triangles.push_back(face);
+  }
+  return soup;
+}
+
+TEST(RepairMesh, WeldsWithinTheTolerance) {
+  const double diagonal = boundingBoxDiagonal(importMesh(makeShape(Shape::kTorus, 4000)).mesh);
+  const auto loops = [&](double gap, double weld) {
+    return topology(importMesh(halves(gap * diagonal), {.repair = true, .weld = weld}).mesh)
+        .boundaryLoops;
+  };
+  EXPECT_EQ(loops(0, -1), 0);
+  EXPECT_EQ(loops(0.9e-6, -1), 0);
+  EXPECT_EQ(loops(1.1e-6, -1), 4);
+  EXPECT_EQ(loops(1.1e-6, 1.2e-6 * diagonal), 0);
+  EXPECT_EQ(loops(0, 0), 4);
+  // Whatever is asked for: triangles keep their corners.
+  EXPECT_EQ(loops(0, 10 * diagonal), 0);
+}
+
+TEST(RepairMesh, KeepsPartsApartThatOnlyTouch) {
+  // Two triangles with a corner at one place, but for rounding.
+  const TriangleSoup soup = {
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-12, 0, 0}, {-1, 0, 0}, {0, -1, 0}},
+      {{0, 1, 2}, {3, 4, 5}}};
+  const ImportedMesh imported = importMesh(soup);
+  EXPECT_EQ(topology(imported.mesh).components, 2);
+  EXPECT_EQ(countsOf(imported), (Counts{{"keptApart", 1}}));
+}
+
+/*  A box with a wall inside: all edges around the wall have three faces.  */
+TEST(RepairMesh, PartsAWallFromTheBoxAroundIt) {
+  TriangleSoup soup;
+  for (int x = 0; x <= 2; ++x) {
+    for (const int y : {0, 1}) {
+      for (const int z : {0, 1}) soup.positions.emplace_back(x, y, z);
+    }
+  }
+  const auto quad = [&](int a, int b, int c, int d) {
+    soup.triangles.emplace_back(a, b, c);
+    soup.triangles.emplace_back(a, c, d);
+  };
+  for (const int x : {0, 4}) {
+    quad(x, x + 4, x + 5, x + 1);
+    quad(x + 2, x + 3, x + 7, x + 6);
+    quad(x, x + 2, x + 6, x + 4);
+    quad(x + 1, x + 5, x + 7, x + 3);
+  }
+  quad(0, 1, 3, 2);
+  quad(8, 10, 11, 9);
+  const Topology box = topology(importMesh(soup).mesh);
+  EXPECT_EQ(box.boundaryLoops, 0);
+  quad(4, 6, 7, 5);
+  const ImportedMesh imported = importMesh(soup);
+  EXPECT_EQ(countsOf(imported), (Counts{{"branching", 4}}));
+  EXPECT_EQ(topology(imported.mesh).components, 2);
+  EXPECT_EQ(topology(imported.mesh).boundaryLoops, 1);
+  expectSound(imported.mesh);
+  expectSamePlaces(soup, imported, 1e-15);
+}
+
+/// All corners of a polygon on a line, cut into triangles without area, beside a face with one.
+TEST(RepairMesh, FlipsAChainOfTrianglesOnALine) {
+  TriangleSoup soup = {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}}, {{0, 1, 2}}};
+  Array<int> line = {0};
+  for (int i = 1; i < 20; ++i) {
+    line.push_back(soup.positions.count());
+    soup.positions.emplace_back(i / 20.0, 0, 0);
+  }
+  line.push_back(1);
+  for (int i = 0; i + 1 < line.count(); ++i) soup.triangles.emplace_back(line[i + 1], line[i], 3);
+  // The gap between the edge 0-1 and the vertices on it.
+  for (int i = 1; i + 1 < line.count(); ++i) soup.triangles.emplace_back(0, line[i], line[i + 1]);
+  const ImportedMesh imported = importMesh(soup);
+  EXPECT_EQ(countsOf(imported), (Counts{{"noArea", 19}}));
+  EXPECT_EQ(imported.mesh.faceCount(), 40);
+  EXPECT_EQ(topology(imported.mesh).boundaryLoops, 1);
+  expectSound(imported.mesh);
+  expectSamePlaces(soup, imported, 1e-12);
+}
+
+TEST(RepairMesh, RefusesWhatHasNoArea) {
+  const TriangleSoup soup = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
+  try {
+    importMesh(soup);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "no face has an area: the corners of each lie on a line, or two are the same");
+  }
+}
+
+TEST(RepairMesh, SaysWhereAPointOfNothingIs) {
+  TriangleSoup soup = makeShape(Shape::kSphere, 500);
+  const int lone = soup.positions.count();
+  soup.positions.emplace_back(5, 5, 5);
+  soup.triangles.emplace_back(lone, lone, lone);
+  const ImportedMesh imported = importMesh(soup);
+  EXPECT_EQ(countsOf(imported), (Counts{{"repeatedCorner", 1}, {"dropped", 1}}));
+  EXPECT_THROW(toEngine(imported.numbering, imported.mesh, soup.triangles.count() - 1, {1, 0, 0}),
+               Error);
+}
+
+}  // namespace
+}  // namespace karcher

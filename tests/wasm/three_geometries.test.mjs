@@ -1,0 +1,183 @@
+// Standard geometries of three.js, whose seams are open in the file and closed in the mesh.
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { load } from 'karcher';
+import * as THREE from 'three';
+
+let karcher;
+before(async () => {
+  karcher = await load();
+});
+
+const profile = (...points) => points.map(([x, y]) => new THREE.Vector2(x, y));
+const circle = new (class extends THREE.Curve {
+  getPoint(t, target = new THREE.Vector3()) {
+    return target.set(Math.cos(2 * Math.PI * t), Math.sin(2 * Math.PI * t), 0);
+  }
+})();
+const arc = new THREE.CatmullRomCurve3([
+  new THREE.Vector3(0, 0, 0),
+  new THREE.Vector3(1, 1, 0),
+  new THREE.Vector3(2, 0, 1),
+]);
+const outline = new THREE.Shape(profile([0, 0], [2, 0], [2, 1], [1, 1.5], [0, 1]));
+const pierced = outline.clone();
+pierced.holes.push(new THREE.Path(profile([0.5, 0.3], [0.5, 0.7], [1.5, 0.7], [1.5, 0.3])));
+
+/** Each geometry with the boundary loops and the genus of its surface. */
+const geometries = {
+  box: [new THREE.BoxGeometry(1, 2, 3, 2, 3, 4), 0, 0],
+  capsule: [new THREE.CapsuleGeometry(1, 2, 8, 24, 3), 0, 0],
+  circle: [new THREE.CircleGeometry(1, 24), 1, 0],
+  cone: [new THREE.ConeGeometry(1, 2, 24, 5), 0, 0],
+  'cone without a base': [new THREE.ConeGeometry(1, 2, 24, 5, true), 1, 0],
+  cylinder: [new THREE.CylinderGeometry(1, 1, 2, 24, 4), 0, 0],
+  'cylinder without caps': [new THREE.CylinderGeometry(1, 1.5, 2, 24, 4, true), 2, 0],
+  dodecahedron: [new THREE.DodecahedronGeometry(1, 2), 0, 0],
+  extruded: [new THREE.ExtrudeGeometry(outline, { depth: 1, steps: 3 }), 0, 0],
+  'extruded with a hole': [
+    new THREE.ExtrudeGeometry(pierced, { depth: 1, bevelEnabled: false, steps: 2 }),
+    0,
+    1,
+  ],
+  icosahedron: [new THREE.IcosahedronGeometry(1, 6), 0, 0],
+  'lathe, closed': [
+    new THREE.LatheGeometry(profile([0, -1], [1, -0.5], [1, 0.5], [0, 1]), 24),
+    0,
+    0,
+  ],
+  'lathe from nearly the axis': [
+    new THREE.LatheGeometry(profile([6e-17, -1], [1, -0.5], [1, 0.5], [1.2e-16, 1]), 24),
+    0,
+    0,
+  ],
+  'lathe, open': [new THREE.LatheGeometry(profile([0.5, -1], [1, 0], [0.5, 1]), 24), 2, 0],
+  octahedron: [new THREE.OctahedronGeometry(1, 5), 0, 0],
+  plane: [new THREE.PlaneGeometry(2, 1, 6, 4), 1, 0],
+  ring: [new THREE.RingGeometry(0.5, 1, 24, 3), 2, 0],
+  shape: [new THREE.ShapeGeometry(outline), 1, 0],
+  'shape with a hole': [new THREE.ShapeGeometry(pierced), 2, 0],
+  sphere: [new THREE.SphereGeometry(1, 32, 16), 0, 0],
+  'half of a sphere': [new THREE.SphereGeometry(1, 32, 16, 0, 2 * Math.PI, 0, Math.PI / 2), 1, 0],
+  tetrahedron: [new THREE.TetrahedronGeometry(1, 4), 0, 0],
+  torus: [new THREE.TorusGeometry(1, 0.4, 16, 48), 0, 1],
+  'torus knot': [new THREE.TorusKnotGeometry(1, 0.3, 128, 16), 0, 1],
+  'tube, closed': [new THREE.TubeGeometry(circle, 64, 0.3, 12, true), 0, 1],
+  'tube, open': [new THREE.TubeGeometry(arc, 32, 0.2, 12, false), 2, 0],
+};
+
+const arraysOf = ({ index, attributes: { position } }) => ({
+  positions: position.array,
+  triangles: index?.array ?? Uint32Array.from({ length: position.count }, (_, i) => i),
+});
+
+function meshOf(geometry) {
+  const { positions, triangles } = arraysOf(geometry);
+  return karcher.meshFromArrays(positions, triangles);
+}
+
+const key = (positions, v) =>
+  Array.from(positions.slice(3 * v, 3 * v + 3), (x) => Math.round(x * 1e4)).join();
+
+for (const [name, [geometry, boundaryLoops, genus]] of Object.entries(geometries)) {
+  for (const [form, own] of [
+    [name, geometry],
+    [`${name}, without an index`, geometry.index ? geometry.toNonIndexed() : geometry],
+  ]) {
+    test(`${form}: closed where it is`, () => {
+      const { info } = meshOf(own);
+      assert.deepEqual(
+        [info.components, info.boundaryLoops, info.genus],
+        [1, boundaryLoops, genus],
+        JSON.stringify(info.repairs),
+      );
+    });
+
+    test(`${form}: a raycast finds its point`, () => {
+      const mesh = meshOf(own);
+      const scene = new THREE.Mesh(own, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+      own.computeBoundingSphere();
+      const { center, radius } = own.boundingSphere;
+      let hits = 0;
+      for (let i = 0; i < 60; i++) {
+        const [a, b] = [2.4 * i, Math.acos(1 - (2 * i + 1) / 60)];
+        const out = new THREE.Vector3(
+          Math.sin(b) * Math.cos(a),
+          Math.sin(b) * Math.sin(a),
+          Math.cos(b),
+        );
+        const from = center.clone().addScaledVector(out, 2 * radius);
+        const aim = center
+          .clone()
+          .add(new THREE.Vector3(out.y, out.z, out.x).multiplyScalar(0.5 * radius));
+        const ray = new THREE.Raycaster(from, aim.sub(from).normalize());
+        for (const { faceIndex, barycoord, point } of ray.intersectObject(scene)) {
+          const place = mesh.position(mesh.surfacePoint(faceIndex, barycoord));
+          assert.ok(point.distanceTo(new THREE.Vector3(...place)) < 1e-5 * radius);
+          hits++;
+        }
+      }
+      assert.ok(hits > 5, `${hits} hits`);
+    });
+  }
+
+  test(`${name}: distances are those of the form without an index`, () => {
+    const [mesh, other] = [
+      meshOf(geometry),
+      meshOf(geometry.index ? geometry.toNonIndexed() : geometry),
+    ];
+    const places = mesh.positions();
+    // The forms number their faces alike.
+    const start = {
+      face: Math.floor(arraysOf(geometry).triangles.length / 6),
+      bary: [0.2, 0.3, 0.5],
+    };
+    const distances = mesh.distance(start);
+    const byPlace = new Map();
+    for (const [v, distance] of distances.entries()) {
+      if (Number.isNaN(distance)) continue;
+      const place = key(places, v);
+      // The vertices of a seam are one.
+      assert.ok(!byPlace.has(place) || Math.abs(byPlace.get(place) - distance) < 1e-9, place);
+      byPlace.set(place, distance);
+    }
+    const otherPlaces = other.positions();
+    for (const [v, distance] of other.distance(start).entries()) {
+      // Vertices of triangles without area alone.
+      if (Number.isNaN(distance)) continue;
+      const expected = byPlace.get(key(otherPlaces, v));
+      assert.ok(
+        expected !== undefined && Math.abs(distance - expected) < 1e-4,
+        `${v}: ${distance}`,
+      );
+    }
+  });
+}
+
+test('paths across seams are as long as they are', () => {
+  // Two edges of a polygon of `sides` sides: beside the vertex between them it may be shorter, but not
+  // than through the inside.
+  const isOverTwoEdges = (length, radius, sides) => {
+    const edges = 4 * radius * Math.sin(Math.PI / sides);
+    const chord = 2 * radius * Math.sin((2 * Math.PI) / sides);
+    assert.ok(length > chord && length < edges + 1e-6, `${chord} < ${length} < ${edges}`);
+  };
+  // Along the outer equator of a torus, from one step before the seam to one behind it. Vertex
+  // (j, i) is j (around the tube) * row + i (around the axis).
+  const mesh = meshOf(new THREE.TorusGeometry(1, 0.4, 16, 48));
+  const row = 48 + 1;
+  isOverTwoEdges(mesh.shortestPath({ vertex: 47 }, { vertex: 1 }).length, 1.4, 48);
+  // Across the seam of its tube.
+  isOverTwoEdges(mesh.shortestPath({ vertex: 15 * row }, { vertex: row }).length, 0.4, 16);
+  // Over the pole of a sphere, from one side of the ring around it to the other.
+  const sphere = meshOf(new THREE.SphereGeometry(1, 32, 16));
+  isOverTwoEdges(sphere.shortestPath({ vertex: 33 }, { vertex: 33 + 16 }).length, 1, 32);
+  // From the center of a cylinder's cap down its side.
+  const cylinder = meshOf(new THREE.CylinderGeometry(1, 1, 2, 24, 4));
+  const places = cylinder.positions();
+  const vertexAt = (...place) =>
+    places.findIndex((_, i) => i % 3 === 0 && place.every((x, k) => places[i + k] === x)) / 3;
+  const down = cylinder.shortestPath({ vertex: vertexAt(0, 1, 0) }, { vertex: vertexAt(0, 0, 1) });
+  // Over the rim's vertex it is 2, and beside it a little less, as the rim is a polygon.
+  assert.ok(down.length < 2 + 1e-6 && down.length > 1 + Math.cos(Math.PI / 24), `${down.length}`);
+});
