@@ -19,6 +19,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/branches.cpp
   curves/trace/edge_crossings.cpp
   curves/trace/polyline.cpp
+  curves/trace/sample_status.cpp
   distance/find_path.cpp
   distance/geodesic_line.cpp
   distance/shortest_path.cpp

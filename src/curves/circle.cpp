@@ -135,8 +135,8 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
                   "the geodesic to arc " + std::to_string(i / 2) + " meets the boundary");
     }
     fields.push_back(std::make_unique<PointField>(surface, options.field));
-    fields.back()->setPoint(path.points.back());
-    shortest.push_back(distanceAt(geometry, distance, path.points.back()) > length - tolerance);
+    fields.back()->setPoint(path.path.end());
+    shortest.push_back(distanceAt(geometry, distance, path.path.end()) > length - tolerance);
   }
 
   GeodesicCircle circle;

@@ -105,11 +105,12 @@ Array<double> Curve::Piece::weights(double t) const {
 }
 
 Curve::Curve(Surface& surface, CurveValue value, std::function<double()> clock)
-    : Curve(std::make_shared<FieldSet>(surface, value.options.field), std::move(value),
-            std::move(clock)) {}
+    : Curve(std::make_shared<FieldSets>(surface), std::move(value), std::move(clock)) {}
 
-Curve::Curve(std::shared_ptr<FieldSet> fields, CurveValue value, std::function<double()> clock)
-    : fieldSet_(std::move(fields)), clock_(std::move(clock)) {
+Curve::Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<double()> clock)
+    : fieldSets_(std::move(sets)),
+      fieldSet_(fieldSets_->of(value.options.field)),
+      clock_(std::move(clock)) {
   checkOptions(value.options);
   checkGivenShape(value.options.shape, value.points.count());
   set(std::move(value));
@@ -119,9 +120,10 @@ void Curve::set(CurveValue value) {
   check(value);
   if (!(value.options.field == fieldSet_->options())) {
     // Other fields: nothing of this curve holds.
-    *this = Curve(surface(), std::move(value), clock_);
+    *this = Curve(fieldSets_, std::move(value), clock_);
     return;
   }
+  const int madeBefore = fieldSet_->made();
   StageTimes times;
   double last = clock_ ? clock_() : 0;
   const auto timed = [&](double& stage) {
@@ -148,6 +150,7 @@ void Curve::set(CurveValue value) {
   levels_ = next.levels;
   legs_ = std::move(next.legs);
   segments_ = std::move(next.segments);
+  fieldsMade_ += fieldSet_->made() - madeBefore;
   times_ = times;
 }
 
@@ -454,7 +457,7 @@ Array<CurveSample> Curve::averagedSamples(const Next& next, const Piece& piece, 
   Array<CurveSample> samples;
   for (const double t : piece.table_->samples.t) {
     samples.push_back({t, averageAt(surface().geometry(), layout.basis, polygon, t, workspace),
-                       Status::kConverged});
+                       SampleStatus::kConverged});
   }
   return samples;
 }

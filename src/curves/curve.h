@@ -57,9 +57,8 @@ class Curve {
   Curve(Surface& surface, CurveValue value, std::function<double()> clock = {});
   Curve(Surface& surface, CurveOptions options, Array<SurfacePoint> points)
       : Curve(surface, CurveValue{std::move(options), std::move(points), {}}) {}
-  /// A curve that takes its fields from a set of the same surface and options and leaves them
-  /// there.
-  Curve(std::shared_ptr<FieldSet> fields, CurveValue value, std::function<double()> clock = {});
+  /// A curve that shares its fields with all that takes them from these sets.
+  Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<double()> clock = {});
 
   /// Makes the curve that of a value: the one that the value gives anew. Keeps the fields of points
   /// that stay and what was traced of pieces that are as they were; else changes nothing but throws
@@ -125,8 +124,8 @@ class Curve {
   /// Of level 0: their weights at t.
   Array<double> weights(int segment, double t) const { return piece(segment, 0).weights(t); }
 
-  /// How many fields were made or moved so far: the work that edits should spare.
-  int fieldsMade() const { return fieldSet_->made(); }
+  /// How many fields its edits made or moved so far: the work that they should spare.
+  int fieldsMade() const { return fieldsMade_; }
 
   /// What measures the stages of edits from now on.
   void setClock(std::function<double()> clock) { clock_ = std::move(clock); }
@@ -164,6 +163,7 @@ class Curve {
   void merge(Next& next) const;
   SegmentFields& blendOf(Piece& piece);
 
+  std::shared_ptr<FieldSets> fieldSets_;
   std::shared_ptr<FieldSet> fieldSet_;
   CurveValue value_;
   int levels_ = 0;
@@ -171,6 +171,7 @@ class Curve {
   Array<Segment> segments_;
   std::function<double()> clock_;
   StageTimes times_;
+  int fieldsMade_ = 0;
 };
 
 }  // namespace karcher

@@ -17,9 +17,8 @@ SurfacePath searchedFrom(const Geometry& geometry, const SurfacePoint& from,
   SurfacePath line;
   line.points.push_back(from);
   StripWorkspace workspace;
-  double length = 0;
   const LocalPathOptions everywhere{2 * geometry.mesh->faceCount()};
-  if (!appendLocalPath(geometry, from, to, workspace, line.points, length, everywhere)) return {};
+  if (!appendLocalPath(geometry, from, to, workspace, line.points, everywhere)) return {};
   measure(*geometry.mesh, line);
   return line;
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kRepeatedPoint = 1e-13;
 
 /// Appends the points that a straight piece walked through, without its first.
-void appendPiece(const StraightestPath& path, Array<SurfacePoint>& points) {
+void appendPiece(const SurfacePath& path, Array<SurfacePoint>& points) {
   points.insert(points.end(), path.points.begin() + 1, path.points.end());
 }
 
@@ -24,7 +24,7 @@ void followBack(const Geometry& geometry, const ExactDistance& distance, int ver
   while (distance.distance(vertex) > 0) {
     const Arrival& arrival = distance.arrival(vertex);
     const double length = arrival.distance - arrival.pseudoSourceDistance;
-    appendPiece(traceFromVertex(geometry, vertex, distance.direction(vertex), length), points);
+    appendPiece(traceFromVertex(geometry, vertex, distance.direction(vertex), length).path, points);
     points.back() = arrival.pseudoSource >= 0 ? vertexPoint(*geometry.mesh, arrival.pseudoSource)
                                               : distance.source();
     if (arrival.pseudoSource < 0) return;
@@ -47,10 +47,9 @@ SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
         (position(mesh, point) - position(mesh, last)).norm() <= kRepeatedPoint * geometry.meanEdge;
     if (repeated && i > 0) continue;
     if (repeated && path.points.count() > 1) path.points.pop_back();
-    double gap = 0;
     const SurfacePoint from = path.points.back();
     if (haveCommonFace(mesh, from, point) ||
-        !appendLocalPath(geometry, from, point, workspace, path.points, gap)) {
+        !appendLocalPath(geometry, from, point, workspace, path.points)) {
       path.points.push_back(point);
     }
   }
@@ -110,8 +109,9 @@ SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
 
   Array<SurfacePoint> points{to};
   const double length = target.arrival.distance - target.arrival.pseudoSourceDistance;
-  appendPiece(traceStraightest(geometry, inFace(mesh, to, target.face), length * target.direction),
-              points);
+  appendPiece(
+      traceStraightest(geometry, inFace(mesh, to, target.face), length * target.direction).path,
+      points);
   if (target.arrival.pseudoSource >= 0) {
     points.back() = vertexPoint(mesh, target.arrival.pseudoSource);
     followBack(geometry, distance, target.arrival.pseudoSource, points);

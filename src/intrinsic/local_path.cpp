@@ -5,7 +5,7 @@ namespace {
 
 /// Joins two points of faces that share the edge of half-edge h, if the straight line crosses it.
 bool joinAcross(const Geometry& geometry, const SurfacePoint& from, int h, const SurfacePoint& to,
-                Array<SurfacePoint>& out, double& length) {
+                Array<SurfacePoint>& out) {
   const int t = geometry.mesh->twin[h];
   const double edge = geometry.edgeLength[h];
   // In the frame of h: tail at the origin, head at (edge, 0), the face of h above.
@@ -21,24 +21,22 @@ bool joinAcross(const Geometry& geometry, const SurfacePoint& from, int h, const
   if (!(s > kOnEdgeTolerance && s < 1 - kOnEdgeTolerance)) return false;
   out.push_back(edgePoint(h, s));
   out.push_back(to);
-  length += (b - a).norm();
   return true;
 }
 
 }  // namespace
 
 bool appendLocalPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
-                     StripWorkspace& workspace, Array<SurfacePoint>& out, double& length,
+                     StripWorkspace& workspace, Array<SurfacePoint>& out,
                      const LocalPathOptions& options) {
   if (from.face == to.face) {
     out.push_back(to);
-    length += (pointInFace(geometry, to) - pointInFace(geometry, from)).norm();
     return true;
   }
   const TriangleMesh& mesh = *geometry.mesh;
   for (int h = 3 * from.face; h < 3 * from.face + 3; ++h) {
     const int t = mesh.twin[h];
-    if (t >= 0 && faceOf(t) == to.face && joinAcross(geometry, from, h, to, out, length)) {
+    if (t >= 0 && faceOf(t) == to.face && joinAcross(geometry, from, h, to, out)) {
       return true;
     }
   }
@@ -46,7 +44,7 @@ bool appendLocalPath(const Geometry& geometry, const SurfacePoint& from, const S
                    workspace.strip)) {
     return false;
   }
-  length += appendStripPath(geometry, from, to, workspace, out);
+  appendStripPath(geometry, from, to, workspace, out);
   return true;
 }
 

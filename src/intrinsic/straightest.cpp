@@ -93,18 +93,23 @@ class Walk {
   }
 
   StraightestPath run(const SurfacePoint& start, std::optional<Walker> walker) {
-    path_.points.push_back(start);
+    append(start);
     while (walker && path_.remaining > 0 && crossingsLeft_-- > 0) {
-      if (walker->point.face != path_.points.back().face) path_.points.push_back(walker->point);
+      if (walker->point.face != path_.path.end().face) append(walker->point);
       path_.direction = walker->direction;
       walker = step(*walker);
     }
     if (path_.remaining > 0) path_.stop = walker ? TraceStop::kLimit : TraceStop::kBoundary;
-    if (path_.points.size() < 2) path_.points.push_back(path_.points.back());
+    if (path_.path.points.count() < 2) append(start);
     return std::move(path_);
   }
 
  private:
+  void append(const SurfacePoint& point) {
+    path_.path.points.push_back(point);
+    path_.path.lengths.push_back(walked_);
+  }
+
   /// Walks through one face; the walker in the next, or none at the end or the boundary.
   std::optional<Walker> step(const Walker& walker) {
     const int f = walker.point.face;
@@ -113,10 +118,12 @@ class Walk {
     const FaceExit exit = exitOfFace(bary, rates);
     if (path_.remaining < exit.length) {
       bary = (bary + path_.remaining * rates).cwiseMax(0.0);
-      path_.points.push_back({f, bary / bary.sum()});
+      walked_ += path_.remaining;
+      append({f, bary / bary.sum()});
       path_.remaining = 0;
       return std::nullopt;
     }
+    walked_ += exit.length;
     path_.remaining -= exit.length;
     bary += exit.length * rates;
     bary[exit.corner] = 0;
@@ -124,10 +131,10 @@ class Walk {
     const double s = std::clamp(bary[cornerOf(next(h))], 0.0, 1.0);
     if (s <= kVertexTolerance || s >= 1 - kVertexTolerance) {
       const int corner = s < 0.5 ? h : next(h);
-      path_.points.push_back(edgePoint(corner, 0));
+      append(edgePoint(corner, 0));
       return passVertex(geometry_, corner, walker.direction);
     }
-    path_.points.push_back(edgePoint(h, s));
+    append(edgePoint(h, s));
     const int t = geometry_.mesh->twin[h];
     if (t < 0) return std::nullopt;
     return Walker{edgePoint(t, 1 - s), acrossEdge(geometry_, h, walker.direction)};
@@ -135,6 +142,7 @@ class Walk {
 
   const Geometry& geometry_;
   int crossingsLeft_;
+  double walked_ = 0;
   StraightestPath path_;
 };
 

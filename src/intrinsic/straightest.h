@@ -1,6 +1,6 @@
 #pragma once
 
-#include "intrinsic/geometry.h"
+#include "intrinsic/surface_path.h"
 
 /// Straightest geodesics: K. Polthier, M. Schmies, "Straightest Geodesics on Polyhedral Surfaces"
 /// (1998). Straight inside faces and across unfolded edges; at a vertex the path leaves so that it
@@ -20,11 +20,12 @@ struct StraightestOptions {
   int maxCrossings = 1'000'000;
 };
 
-/// Consecutive points lie in one face, the face of the later one: a crossing of an edge is given
-/// in the face that the path leaves, and again in the face that it enters.
 struct StraightestPath {
-  Array<SurfacePoint> points;  ///< from the start to the end, at least these two
-  double remaining = 0;        ///< length that was not walked
+  /// From the start to the end, at least these two. Consecutive points lie in the face of the later
+  /// one: a crossing of an edge is given in the face that the path leaves, and again in the face
+  /// that it enters.
+  SurfacePath path;
+  double remaining = 0;  ///< length that was not walked
   TraceStop stop = TraceStop::kComplete;
   Vec2 direction = Vec2(1, 0);  ///< unit, of travel at the end, in the frame of the end's face
 };

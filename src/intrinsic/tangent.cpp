@@ -37,12 +37,12 @@ SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const 
   const TriangleMesh& mesh = *geometry.mesh;
   const PointLocation at = locate(mesh, point);
   if (at.simplex != Simplex::kVertex || !(vector.norm() > 0)) {
-    return pathThrough(mesh, traceStraightest(geometry, point, vector).points);
+    return traceStraightest(geometry, point, vector).path;
   }
   double angle = angleOf(vector);
   if (angle < 0) angle += 2 * kPi;
   const double direction = angle / geometry.angleScale[at.vertex];
-  return pathThrough(mesh, traceFromVertex(geometry, at.vertex, direction, vector.norm()).points);
+  return traceFromVertex(geometry, at.vertex, direction, vector.norm()).path;
 }
 
 }  // namespace karcher

@@ -189,7 +189,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
         if (found.status == Status::kConverged) break;
       }
     }
-    traced.push_back({plan_.table.t[i], found.point, found.status});
+    traced.push_back({plan_.table.t[i], found.point, sampleStatus(found.status)});
     if (found.status == Status::kConverged) last_ = found.point;
   }
 }

@@ -65,7 +65,7 @@ bool LogMapMean::descend(State& state, Weights weights) {
   double part = 1;
   for (int i = 0; i <= kMostHalvings; ++i, part /= 2) {
     const StraightestPath path = traceStraightest(geometry_, state.point, part * state.step);
-    const State candidate = stateAt(path.points.back(), weights);
+    const State candidate = stateAt(path.path.end(), weights);
     if (candidate.energy < state.energy || candidate.step.norm() < state.step.norm()) {
       state = candidate;
       return true;

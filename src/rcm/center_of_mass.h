@@ -6,16 +6,13 @@
 namespace karcher {
 
 /// How a search ended. Only kConverged is a center of mass (a local minimum of K); with the others
-/// the point is where the search stood. No search ends with the last two: they are of a curve's
-/// samples and intervals (curves/trace/bridge.h).
+/// the point is where the search stood.
 enum class Status {
   kConverged,
   kIndefinite,  ///< the Hessian is not positive definite: the points lie too far apart
   kBoundary,    ///< the minimum lies on the boundary, where grad K does not vanish
   kNoProgress,  ///< no point along the Newton step has a smaller gradient
   kLimit,       ///< the bound on iterations was reached
-  kJump,        ///< why an interval was bridged: from one local minimum to another
-  kBridged,     ///< the sample lies on a bridge
 };
 
 /// The name of a status in reports: "converged".

@@ -64,11 +64,22 @@ int FieldSet::findSpare() {
   return -1;
 }
 
-void FieldSet::dropSpare() {
-  std::erase_if(fields_, [](const auto& field) { return field.use_count() == 1; });
+void FieldSet::dropSpare(int kept) {
+  std::erase_if(fields_, [&](const auto& field) { return field.use_count() == 1 && --kept < 0; });
   placeOf_.clear();
   for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(keyOf(*fields_[i]), i);
   next_ = 0;
+}
+
+std::shared_ptr<FieldSet> FieldSets::of(const FieldOptions& options) {
+  std::erase_if(sets_, [](const auto& set) { return set.expired(); });
+  for (const auto& known : sets_) {
+    const std::shared_ptr<FieldSet> set = known.lock();
+    if (set->options() == options) return set;
+  }
+  const auto set = std::make_shared<FieldSet>(surface_, options);
+  sets_.push_back(set);
+  return set;
 }
 
 }  // namespace karcher

@@ -8,9 +8,9 @@
 
 namespace karcher {
 
-/// The fields of points on one surface, by point. Centers of mass and curves share a set: where one
-/// of them has the field of a point already, the others get that one. A field's values depend on
-/// the surface, the options and the point alone, so that no answer depends on what a set holds.
+/// The fields of points on one surface, by point. Centers of mass and curves may share a set: where
+/// one of them has the field of a point already, the others get that one. A field's values depend
+/// on the surface, the options and the point alone, so that no answer depends on what a set holds.
 ///
 /// A field that nobody holds is spare. It is still found by its point, until a new point needs its
 /// memory: a drag makes no fields but moves spare ones.
@@ -34,8 +34,8 @@ class FieldSet {
   std::shared_ptr<PointField> find(const SurfacePoint& point,
                                    const std::optional<OrientedBox>& box = std::nullopt) const;
 
-  /// Gives the memory of spare fields back.
-  void dropSpare();
+  /// Gives the memory of spare fields back, but of at most `kept` of them.
+  void dropSpare(int kept = 0);
 
   /// How many fields there are.
   int count() const { return fields_.count(); }
@@ -65,6 +65,23 @@ class FieldSet {
   std::unordered_map<Key, int, Hash> placeOf_;
   int next_ = 0;  ///< where the search for a spare field goes on
   int made_ = 0;
+};
+
+/// The sets of one surface: one for each options that somebody uses.
+class FieldSets {
+ public:
+  /// The surface must outlive the object.
+  explicit FieldSets(Surface& surface) : surface_(surface) {}
+
+  Surface& surface() const { return surface_; }
+
+  /// The set of these options, which lives as long as a caller holds it. Throws what
+  /// `checkFieldOptions` throws.
+  std::shared_ptr<FieldSet> of(const FieldOptions& options);
+
+ private:
+  Surface& surface_;
+  Array<std::weak_ptr<FieldSet>> sets_;
 };
 
 }  // namespace karcher

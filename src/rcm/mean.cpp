@@ -131,17 +131,17 @@ Array<std::shared_ptr<PointField>> fieldsOf(FieldSet& set, const Array<SurfacePo
 
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options) {
+  FieldSets sets(surface);
   std::shared_ptr<FieldSet> none;
-  return centerOfMass(surface, points, std::move(weights), options, none);
+  return centerOfMass(sets, points, std::move(weights), options, none);
 }
 
-Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
+Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept) {
+  Surface& surface = sets.surface();
+  std::shared_ptr<FieldSet> set = sets.of(options.field);
   // After an error none is kept.
-  std::shared_ptr<FieldSet> set = std::exchange(kept, nullptr);
-  if (!set || !(set->options() == options.field)) {
-    set = std::make_shared<FieldSet>(surface, options.field);
-  }
+  kept = nullptr;
   checkWeights(weights, points.count(), options.normalize);
   Array<SurfacePoint> connected = points;
   if (options.start) connected.push_back(*options.start);
@@ -158,15 +158,16 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
     FieldBlend field(surface.geometry(), {&sum});
     return withSoundEnergy(search(field, {1}, points, heaviest(weights), options), weights);
   }
-  const Array<std::shared_ptr<PointField>> fields = fieldsOf(*set, points);
+  Array<std::shared_ptr<PointField>> fields = fieldsOf(*set, points);
   Array<ControlField*> pointers;
   for (const auto& field : fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), std::move(pointers));
   Mean mean = withSoundEnergy(search(blend, weights, points, heaviest(weights), options), weights);
-  if (values > options.mostValues / 4) return mean;
+  const bool isKept = values <= options.mostValues / 4;
+  if (!isKept) fields.clear();
   // Of more points that there were before, not more than as many again.
-  if (set->count() > 2 * points.count()) set->dropSpare();
-  kept = std::move(set);
+  set->dropSpare(isKept ? points.count() : 0);
+  if (isKept) kept = std::move(set);
   return mean;
 }
 

@@ -39,11 +39,11 @@ struct MeanOptions {
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options);
 
-/// The same with the fields of a set, which `kept` holds for the next time: where only weights
-/// change no field is made anew, and where points move, only theirs. Without a set, or with one of
-/// other options, a new one is made; after an error, and where the fields are likely to hold more
-/// than a quarter of `mostValues`, none is kept. The answer does not depend on what was kept.
-Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
+/// The same with the fields of a set, which is put into `kept` for the next time: where only
+/// weights change no field is made anew, and where points move, only theirs. After an error, and
+/// where the fields are likely to hold more than a quarter of `mostValues`, none is kept. The
+/// answer does not depend on what the sets hold.
+Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept);
 
 /// The same for fields from a caller's own distances, one array of a distance a vertex for each

@@ -64,7 +64,7 @@ class NewtonSearch {
   /// smallest gradient.
   Candidate bestAlongStep(const Vec2& step) {
     Candidate best;
-    const StraightestPath path = traceStraightest(geometry_, point_, step);
+    const SurfacePath path = traceStraightest(geometry_, point_, step).path;
     for (int i = 1; i < path.points.count(); ++i) {
       const SurfacePoint& p = path.points[i];
       const double gradient = fields_.blend(p.face, weights_).at(p.bary).norm();

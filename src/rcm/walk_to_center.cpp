@@ -19,10 +19,6 @@ const char* statusName(Status status) {
       return "noProgress";
     case Status::kLimit:
       return "limit";
-    case Status::kJump:
-      return "jump";
-    case Status::kBridged:
-      return "bridged";
   }
   return "unknown";
 }
@@ -114,8 +110,7 @@ class ZeroWalk {
       const Vec2 wanted = -fields_.at(point, weights_) / 2;
       const Vec2 step =
           wanted * std::min(1.0, kLongestDescent * geometry_.diagonal / wanted.norm());
-      const StraightestPath path = traceStraightest(geometry_, point, step);
-      point = path.points.back();
+      point = traceStraightest(geometry_, point, step).path.end();
       const std::optional<CellZero> zero = zeroOfCell(fields_, weights_, cells_.at(point).cell);
       if (zero && zero->depth() > kFarWeight) break;
       if (step.norm() < 1e-3 * geometry_.meanEdge) break;

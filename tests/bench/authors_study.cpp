@@ -28,7 +28,7 @@ void study(const std::string& meshPath, const std::string& pointsPath,
     for (int i = 0; i < kSamples - 1; ++i) {
       ++total;
       const CurveSample& sample = curve.samples(j)[i];
-      lost += sample.status != Status::kConverged;
+      lost += sample.status != SampleStatus::kConverged;
       const int k = j * (kSamples - 1) + i;
       if (k > 0 && theirs[k] == theirs[k - 1]) continue;
       const double distance = (position(surface.mesh(), sample.point) - theirs[k]).norm();

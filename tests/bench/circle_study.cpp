@@ -88,7 +88,7 @@ void study(const std::string& name, TriangleMesh mesh) {
             const GeodesicCircle circle =
                 traceCircle(surface, center, radius, {arcs, 32, fields.options});
             for (const JoinedPath& path : circle.paths) {
-              deviation.add(geometry, center, radius, path.points);
+              deviation.add(geometry, center, radius, path.line.points);
             }
           }
         });

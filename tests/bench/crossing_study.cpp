@@ -38,9 +38,8 @@ void study(const std::string& meshPath, const std::string& pointsPath) {
     EdgeCrossings crossings(fields, basis, kField.method);
     for (int i = 1; i < samples.count(); ++i) {
       Array<SurfacePoint> path;
-      double length = 0;
       bool whole = false;
-      ms += timed([&] { whole = crossings.append(samples[i - 1], samples[i], path, length); });
+      ms += timed([&] { whole = crossings.append(samples[i - 1], samples[i], path); });
       filled += !whole;
       if (!whole) continue;
       for (const CurveSample& found : crossings.found()) {

@@ -21,7 +21,7 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
       ++result.samples;
-      result.lost += sample.status != Status::kConverged;
+      result.lost += sample.status != SampleStatus::kConverged;
     }
   }
   const int moved = curve.pointCount() / 2;

@@ -39,7 +39,7 @@ Array<SurfacePoint> zigzag(const Geometry& geometry, double spacing, uint64_t se
   while (points.count() < kPoints) {
     const Vec2 turned = rotate(unitVector(points.count() % 2 == 0 ? 0.7 : -0.7), direction);
     const StraightestPath path = traceStraightest(geometry, points.back(), spacing * turned);
-    points.push_back(path.points.back());
+    points.push_back(path.path.end());
     direction = path.direction;
   }
   return points;

@@ -26,7 +26,7 @@ int lost(Surface& surface, const Array<SurfacePoint>& points, Solver solver) {
   int count = 0;
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
-      count += sample.status != Status::kConverged;
+      count += sample.status != SampleStatus::kConverged;
     }
   }
   return count;

@@ -84,8 +84,9 @@ void printCurve(const Input& input, const Placement& placement, const char* name
   int lost = 0;
   Array<double> deviations;
   for (int i = 0; i < samples.count(); ++i) {
-    lost += samples[i].status != Status::kConverged;
-    if (samples[i].status != Status::kConverged || reference[i].status != Status::kConverged) {
+    lost += samples[i].status != SampleStatus::kConverged;
+    if (samples[i].status != SampleStatus::kConverged ||
+        reference[i].status != SampleStatus::kConverged) {
       continue;
     }
     const TriangleMesh& mesh = input.surface->mesh();

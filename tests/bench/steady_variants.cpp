@@ -41,11 +41,12 @@ TracedCurve described(Curve& curve) {
   TracedCurve result;
   result.levels = curve.levels();
   for (int j = 0; j < curve.segmentCount(); ++j) {
-    for (const SurfacePoint& p : curve.path(j).points) {
+    for (const SurfacePoint& p : curve.path(j).line.points) {
       result.polyline.push_back(position(curve.surface().mesh(), p));
     }
     for (const CurveSample& sample : curve.samples(j)) {
-      result.lost += sample.status != Status::kConverged && sample.status != Status::kBridged;
+      result.lost +=
+          sample.status != SampleStatus::kConverged && sample.status != SampleStatus::kBridged;
     }
     for (const Bridge& bridge : curve.bridges(j)) {
       result.bridged += (bridge.t1 - bridge.t0) / curve.segmentCount();
@@ -123,7 +124,8 @@ TracedCurve subdivided(Surface& surface, const Array<SurfacePoint>& points) {
   const double ms = processorTimed([&] { appendBezier(geometry, points, 0, 1, line); });
   TracedCurve traced;
   traced.stages = {{"subdivision", ms}};
-  for (const SurfacePoint& p : line.points) traced.polyline.push_back(position(surface.mesh(), p));
+  for (const SurfacePoint& p : line.path.points)
+    traced.polyline.push_back(position(surface.mesh(), p));
   for (int i = 1; i < points.count(); ++i) {
     traced.legs.push_back(geodesicLine(geometry, points[i - 1], points[i]).points);
   }

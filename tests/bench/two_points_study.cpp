@@ -74,7 +74,7 @@ Outcome measure(Surface& surface, const Array<Pair>& pairs, const FieldOptions& 
     SegmentFields fields(surface, {&from, &to});
     const Array<CurveSample> samples = traceSegment(fields, table, options.method);
     for (const CurveSample& sample : samples) {
-      if (sample.status != Status::kConverged) {
+      if (sample.status != SampleStatus::kConverged) {
         ++outcome.lost;
         continue;
       }

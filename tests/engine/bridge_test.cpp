@@ -29,17 +29,18 @@ void expectWhole(const Curve& curve, const Surface& surface) {
       EXPECT_EQ(bridge.line.t.front(), bridge.t0);
       EXPECT_EQ(bridge.line.t.back(), bridge.t1);
       EXPECT_TRUE(std::is_sorted(bridge.line.t.begin(), bridge.line.t.end()));
-      for (int i = 1; i < bridge.line.points.count(); ++i) {
-        EXPECT_TRUE(haveCommonFace(mesh, bridge.line.points[i - 1], bridge.line.points[i]));
+      for (int i = 1; i < bridge.line.path.points.count(); ++i) {
+        EXPECT_TRUE(
+            haveCommonFace(mesh, bridge.line.path.points[i - 1], bridge.line.path.points[i]));
       }
     }
     const Array<CurveSample>& samples = curve.samples(j);
     for (const CurveSample& sample : samples) {
       const Bridge* bridge = bridgeOver(curve.bridges(j), sample.t);
-      if (sample.status == Status::kBridged) {
+      if (sample.status == SampleStatus::kBridged) {
         ASSERT_NE(bridge, nullptr);
       } else {
-        EXPECT_EQ(sample.status, Status::kConverged);
+        EXPECT_EQ(sample.status, SampleStatus::kConverged);
       }
       if (bridge == nullptr) continue;
       const Vec3 onBridge = position(mesh, pointAt(mesh, *bridge, sample.t));
@@ -47,8 +48,8 @@ void expectWhole(const Curve& curve, const Surface& surface) {
                 1e-12 * surface.geometry().diagonal);
     }
     const JoinedPath& path = curve.path(j);
-    for (int i = 1; i < path.points.count(); ++i) {
-      EXPECT_TRUE(haveCommonFace(mesh, path.points[i - 1], path.points[i]));
+    for (int i = 1; i < path.line.points.count(); ++i) {
+      EXPECT_TRUE(haveCommonFace(mesh, path.line.points[i - 1], path.line.points[i]));
     }
     if (j == 0) continue;
     const Vec3 before = position(mesh, curve.samples(j - 1).back().point);
@@ -162,14 +163,14 @@ TEST(Bridge, EvaluationHasNoGapWithoutAMark) {
     while (points.count() < 5) {
       const double length = random.uniform(0.05, 0.3) * geometry.diagonal;
       const Vec2 step = length * unitVector(random.uniform(0, 2 * kPi));
-      points.push_back(traceStraightest(geometry, points.back(), step).points.back());
+      points.push_back(traceStraightest(geometry, points.back(), step).path.end());
     }
     for (int i = 0; i < points.count(); ++i) {
       shape.weights.push_back(std::exp(random.uniform(-1.6, 3.2)));
     }
     Curve curve(surface, {shape, 3, kFast}, points);
     const auto at = [&](double t) { return pointAt(curve, SegmentParameter{0, t}); };
-    const auto converged = [](const CurvePoint& p) { return p.status == Status::kConverged; };
+    const auto converged = [](const CurvePoint& p) { return p.status == SampleStatus::kConverged; };
     const auto gap = [&](const CurvePoint& a, const CurvePoint& b) {
       return (position(mesh, a.point) - position(mesh, b.point)).norm();
     };
@@ -204,7 +205,7 @@ TEST(Bridge, RoundACornerOfTheBoundaryItIsMarked) {
       pointsNear(surface.mesh(), {{2.1, 11.3, 0}, {3.6, 8.2, 0}, {8.2, 3.7, 0}, {11.2, 2.2, 0}});
   Curve curve(surface, {{CurveKind::kBezier}, 64, kFast}, points);
   ASSERT_FALSE(curve.bridges(0).empty());
-  EXPECT_EQ(curve.bridges(0)[0].reason, Status::kBoundary);
+  EXPECT_EQ(curve.bridges(0)[0].reason, SampleStatus::kBoundary);
   expectWhole(curve, surface);
 }
 

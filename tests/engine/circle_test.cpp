@@ -26,7 +26,7 @@ TEST(Circle, OnARegularGridIsTheCircleOfThePlane) {
       for (const Array<CurveSample>& arc : circle.samples) {
         for (const CurveSample& sample : arc) {
           const Vec3 p = position(surface.mesh(), sample.point);
-          EXPECT_EQ(sample.status, Status::kConverged);
+          EXPECT_EQ(sample.status, SampleStatus::kConverged);
           EXPECT_NEAR((p - center).norm(), radius, 1e-12);
         }
       }
@@ -117,7 +117,7 @@ TEST(Ellipse, OnThePlaneIsTheEllipse) {
           const Vec3 x = position(surface.mesh(), sample.point) - center;
           const Vec2 place(x.x(), x.y());
           const Vec2 scaled(axis.dot(place) / 3.1, cross(axis, place) / 1.4);
-          EXPECT_EQ(sample.status, Status::kConverged);
+          EXPECT_EQ(sample.status, SampleStatus::kConverged);
           EXPECT_NEAR(scaled.norm(), 1, 1e-12);
         }
       }

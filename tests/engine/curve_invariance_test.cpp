@@ -70,7 +70,7 @@ Array<Vec3> samplePositions(const Scene& scene, const CurveShape& shape, Solver 
   Array<Vec3> places;
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
-      EXPECT_EQ(sample.status, Status::kConverged);
+      EXPECT_EQ(sample.status, SampleStatus::kConverged);
       places.push_back(scene.back * position(surface.mesh(), sample.point));
     }
   }
@@ -181,7 +181,7 @@ TEST(CurveInvariance, ReversedControlPointsGiveTheSameCurve) {
       Array<SurfacePoint> points{randomPoint(surface.mesh(), random)};
       while (points.count() < 6) {
         const Vec2 step = spacing * unitVector(random.uniform(0, 2 * kPi));
-        points.push_back(traceStraightest(geometry, points.back(), step).points.back());
+        points.push_back(traceStraightest(geometry, points.back(), step).path.end());
       }
       Array<SurfacePoint> back = points;
       std::reverse(back.begin(), back.end());

@@ -8,6 +8,7 @@
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "mesh/mesh_import.h"
+#include "rcm/mean.h"
 #include "support.h"
 
 namespace karcher {
@@ -41,7 +42,7 @@ void expectSame(const Curve& a, const Curve& b) {
       EXPECT_EQ(a.samples(j)[i].point.face, b.samples(j)[i].point.face);
       EXPECT_EQ(a.samples(j)[i].point.bary, b.samples(j)[i].point.bary);
     }
-    EXPECT_EQ(a.path(j).length, b.path(j).length);
+    EXPECT_EQ(a.path(j).line.length(), b.path(j).line.length());
   }
 }
 
@@ -61,7 +62,7 @@ TEST(CurveKinds, OnThePlaneAreTheAffineAverages) {
         for (int k = 0; k < weights.count(); ++k) {
           expected += weights[k] * places[curve.pointsOf(j)[k]];
         }
-        EXPECT_EQ(sample.status, Status::kConverged);
+        EXPECT_EQ(sample.status, SampleStatus::kConverged);
         // quad2 on the plane: 1e-10 of the bounding box.
         EXPECT_LT((position(surface.mesh(), sample.point) - expected).norm(), 1e-10);
       }
@@ -82,8 +83,8 @@ TEST(CurveKinds, SegmentsMeetOnAnyMesh) {
       for (int j = shape.closed ? 0 : 1; j < count; ++j) {
         const CurveSample& before = curve.samples((j + count - 1) % count).back();
         const CurveSample& after = curve.samples(j).front();
-        EXPECT_EQ(before.status, Status::kConverged);
-        EXPECT_EQ(after.status, Status::kConverged);
+        EXPECT_EQ(before.status, SampleStatus::kConverged);
+        EXPECT_EQ(after.status, SampleStatus::kConverged);
         const double gap = (position(mesh, before.point) - position(mesh, after.point)).norm();
         EXPECT_LE(gap, 1e-9 * surface.geometry().diagonal);
         worst = std::max(worst, gap / surface.geometry().diagonal);
@@ -91,6 +92,41 @@ TEST(CurveKinds, SegmentsMeetOnAnyMesh) {
     }
   }
   std::printf("largest gap at a join: %.1e of the bounding box\n", worst);
+}
+
+TEST(CurveKinds, CurvesAndCentersOfMassShareFields) {
+  Surface surface(bunnyMesh());
+  const Array<SurfacePoint> points = ring(surface.mesh(), 6, 1);
+  const auto sets = std::make_shared<FieldSets>(surface);
+  CurveValue value;
+  value.options.field = kFast;
+  value.points = points;
+  Curve first(sets, value);
+  EXPECT_EQ(first.fieldsMade(), 6);
+  Curve second(sets, value);
+  EXPECT_EQ(second.fieldsMade(), 0);
+  MeanOptions options;
+  options.field = kFast;
+  options.normalize = true;
+  std::shared_ptr<FieldSet> kept;
+  const Array<double> equal(points.size(), 1.0);
+  const Mean mean = centerOfMass(*sets, points, equal, options, kept);
+  EXPECT_EQ(kept, sets->of(kFast));
+  EXPECT_EQ(kept->made(), 6);
+  const Mean alone = centerOfMass(surface, points, equal, options);
+  EXPECT_EQ(mean.point.bary, alone.point.bary);
+  EXPECT_EQ(mean.energy, alone.energy);
+  // What one of them moves, the others keep where it is.
+  first.movePoint(0, vertexPoint(surface.mesh(), 7));
+  EXPECT_EQ(first.fieldsMade(), 7);
+  expectSame(first, anew(first));
+  second.retrace();
+  expectSame(second, anew(second));
+  // Other options are another set.
+  value.options.field = kExact;
+  second.set(value);
+  EXPECT_EQ(second.fieldsMade(), 6);
+  EXPECT_NE(sets->of(kExact), sets->of(kFast));
 }
 
 TEST(CurveKinds, WeightsAndBetasComputeNoField) {
@@ -199,7 +235,7 @@ TEST(CurveKinds, AdaptiveSamplesKeepTheirTolerance) {
       double worst = 0;
       for (int j = 0; j < curve.segmentCount(); ++j) {
         count += curve.samples(j).count();
-        const Array<SurfacePoint>& path = curve.path(j).points;
+        const Array<SurfacePoint>& path = curve.path(j).line.points;
         for (const CurveSample& sample : dense.samples(j)) {
           const Vec3 p = position(mesh, sample.point);
           double nearest = kInfinity;

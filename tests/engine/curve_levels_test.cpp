@@ -46,8 +46,8 @@ void expectIdentical(const Curve& a, const Curve& b) {
   EXPECT_EQ(a.levels(), b.levels());
   EXPECT_EQ(largestGap(a, b), 0);
   for (int j = 0; j < a.segmentCount(); ++j) {
-    EXPECT_EQ(a.path(j).length, b.path(j).length);
-    EXPECT_EQ(a.path(j).points.count(), b.path(j).points.count());
+    EXPECT_EQ(a.path(j).line.length(), b.path(j).line.length());
+    EXPECT_EQ(a.path(j).line.points.count(), b.path(j).line.points.count());
   }
 }
 
@@ -98,8 +98,8 @@ TEST(CurveLevels, OfThePlaneKeepTolerancesAndCrossEdgesExactly) {
     options.levels = 0;
     Curve center(surface, options, points);
     for (int j = 0; j < curve.segmentCount(); ++j) {
-      for (int i = 0; i < curve.path(j).points.count(); ++i) {
-        const Vec3 place = position(surface.mesh(), curve.path(j).points[i]);
+      for (int i = 0; i < curve.path(j).line.points.count(); ++i) {
+        const Vec3 place = position(surface.mesh(), curve.path(j).line.points[i]);
         const NearestOnCurve nearest = nearestOnCurve(center, lineOf(center), place);
         EXPECT_LE(nearest.distance, (exact ? 1e-12 : 1e-4) * surface.geometry().diagonal);
         if (i % 7 != 0) i += 5;
@@ -148,7 +148,7 @@ TEST(CurveLevels, RunBackwardsGiveTheSameCurve) {
       points.push_back(last);
       const double angle = dice.uniform(0, 2 * kPi);
       last = traceStraightest(surface.geometry(), last, 0.06 * diagonal * unitVector(angle))
-                 .points.back();
+                 .path.end();
     }
     Curve forth(surface, optionsOf(shape, 17, 2, kExact), points);
     Curve back(surface, reversed(forth.value()));
@@ -194,7 +194,7 @@ TEST(CurveLevels, AfterAnyEditsAreTheCurveTracedAnew) {
       const SurfacePoint near =
           traceStraightest(surface.geometry(), curve.point(i),
                            0.03 * diagonal * unitVector(dice.uniform(0, 2 * kPi)))
-              .points.back();
+              .path.end();
       switch (dice.index(7)) {
         case 0:
           curve.insertPoint(i, near);

@@ -46,7 +46,7 @@ TEST(CurveMeasure, PointsAndTangentsOnThePlaneAreThoseOfThePlane) {
       const double parameter = part * curve.segmentCount();
       const SegmentParameter at = segmentParameter(curve, parameter);
       const CurvePoint point = pointAt(curve, parameter);
-      EXPECT_EQ(point.status, Status::kConverged);
+      EXPECT_EQ(point.status, SampleStatus::kConverged);
       EXPECT_LT((position(mesh, point.point) - planePoint(curve, at)).norm(), 1e-10);
       const CurveTangent tangent = tangentAt(curve, parameter);
       constexpr double kStep = 1e-4;
@@ -92,7 +92,7 @@ TEST(CurveMeasure, DividesCurvesEvenly) {
     Curve curve(surface, {shape, 2, kFast, 1e-4}, pointsNear(surface.mesh(), places));
     const CurveLine line = lineOf(curve);
     double length = 0;
-    for (int j = 0; j < curve.segmentCount(); ++j) length += curve.path(j).length;
+    for (int j = 0; j < curve.segmentCount(); ++j) length += curve.path(j).line.length();
     EXPECT_NEAR(line.path.lengths.back(), length, 1e-9);
     EXPECT_NEAR(lengthAt(curve, line, 0.999999 * curve.segmentCount()), length, 1e-3 * length);
     const int count = 20;

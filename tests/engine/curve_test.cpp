@@ -32,7 +32,7 @@ void expectSameCurve(const Curve& a, const Curve& b, double tolerance, const Tri
       const Vec3 pb = position(mesh, b.samples(j)[i].point);
       EXPECT_LE((pa - pb).norm(), tolerance);
     }
-    EXPECT_NEAR(a.path(j).length, b.path(j).length, 1e-6);
+    EXPECT_NEAR(a.path(j).line.length(), b.path(j).line.length(), 1e-6);
   }
 }
 
@@ -48,7 +48,7 @@ TEST(Curve, OnARegularGridIsTheBSplineOfThePlane) {
       const Array<double> weights = uniformCubicBasis(sample.t);
       Vec3 expected = Vec3::Zero();
       for (int k = 0; k < 4; ++k) expected += weights[k] * positions[j + k];
-      EXPECT_EQ(sample.status, Status::kConverged);
+      EXPECT_EQ(sample.status, SampleStatus::kConverged);
       // The rings of a regular grid are symmetric, so the paper's gradient is exact inside it.
       EXPECT_LT((position(surface.mesh(), sample.point) - expected).norm(), 1e-12);
     }
@@ -73,7 +73,8 @@ TEST(Curve, ConsecutiveSegmentsMeet) {
   for (int j = 1; j < curve.segmentCount(); ++j) {
     const CurveSample& before = curve.samples(j - 1).back();
     const CurveSample& after = curve.samples(j).front();
-    if (before.status != Status::kConverged || after.status != Status::kConverged) continue;
+    if (before.status != SampleStatus::kConverged || after.status != SampleStatus::kConverged)
+      continue;
     EXPECT_LT(
         (position(surface.mesh(), before.point) - position(surface.mesh(), after.point)).norm(),
         1e-9 * surface.geometry().diagonal);
@@ -89,9 +90,9 @@ TEST(Curve, IsJoinedOnTheSurface) {
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const JoinedPath& path = curve.path(j);
     double length = 0;
-    for (int i = 1; i < path.points.count(); ++i) {
-      const SurfacePoint& to = path.points[i];
-      const SurfacePoint& from = path.points[i - 1];
+    for (int i = 1; i < path.line.points.count(); ++i) {
+      const SurfacePoint& to = path.line.points[i];
+      const SurfacePoint& from = path.line.points[i - 1];
       // Either end's face may hold the piece.
       EXPECT_NO_THROW({
         try {
@@ -102,7 +103,7 @@ TEST(Curve, IsJoinedOnTheSurface) {
       });
       length += (position(mesh, to) - position(mesh, from)).norm();
     }
-    EXPECT_NEAR(length, path.length, 1e-9);
+    EXPECT_NEAR(length, path.line.length(), 1e-9);
     EXPECT_EQ(path.sample.back(), curve.samples(j).count() - 1);
   }
 }

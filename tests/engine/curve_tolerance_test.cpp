@@ -37,10 +37,11 @@ Deviation deviationOf(Curve& curve, int count) {
   const int looks = count / curve.segmentCount();
   for (int j = 0; j < curve.segmentCount(); ++j) {
     Array<Vec3> line;
-    for (const SurfacePoint& point : curve.path(j).points) line.push_back(position(mesh, point));
+    for (const SurfacePoint& point : curve.path(j).line.points)
+      line.push_back(position(mesh, point));
     for (int i = 0; i <= looks; ++i) {
       const CurvePoint point = pointAt(curve, {j, static_cast<double>(i) / looks});
-      if (point.status != Status::kConverged) continue;
+      if (point.status != SampleStatus::kConverged) continue;
       const double off =
           distanceToPolyline(position(mesh, point.point), line, deviation.most * diagonal) /
           diagonal;
@@ -122,7 +123,7 @@ TEST(CurveTolerance, CurvesThroughPointsPassThemHoweverTheirBetasDiffer) {
       shape.betas = {beta, 1, beta, 1, beta, beta};
       Curve curve = adaptiveCurve(grid, shape, points, 1e-4);
       Array<Vec3> line;
-      for (const SurfacePoint& point : curve.path(0).points) {
+      for (const SurfacePoint& point : curve.path(0).line.points) {
         line.push_back(position(grid.mesh(), point));
       }
       for (const SurfacePoint& point : points) {

@@ -28,8 +28,7 @@ Array<CurveSample> crossingsOf(Curve& curve, int segment, int* left) {
   const Array<CurveSample>& samples = curve.samples(segment);
   for (int i = 1; i < samples.count(); ++i) {
     Array<SurfacePoint> path;
-    double length = 0;
-    if (!crossings.append(samples[i - 1], samples[i], path, length)) ++*left;
+    if (!crossings.append(samples[i - 1], samples[i], path)) ++*left;
     for (const CurveSample& found : crossings.found()) {
       const Simplex simplex = locate(curve.surface().mesh(), found.point).simplex;
       if (simplex == Simplex::kEdge && found.t != samples[i].t) result.push_back(found);
@@ -78,7 +77,7 @@ TEST(EdgeCrossings, DoNotDependOnTheSamples) {
     int left = 0;
     for (int j = 0; j < curve.segmentCount(); ++j) {
       for (const CurveSample& crossing : crossingsOf(curve, j, &left)) all.push_back(crossing);
-      lengths[k] += curve.path(j).length;
+      lengths[k] += curve.path(j).line.length();
     }
     EXPECT_EQ(left, 0);
     Array<CurveSample>& atEdges = onEdges.emplace_back();

@@ -38,7 +38,7 @@ TEST_P(LogFields, GiveTheBSplineOfThePlaneOnAnyTessellation) {
         for (int k = 0; k < 4; ++k) {
           expected += weights[k] * position(surface.mesh(), points[j + k]);
         }
-        EXPECT_EQ(sample.status, Status::kConverged);
+        EXPECT_EQ(sample.status, SampleStatus::kConverged);
         EXPECT_LT((position(surface.mesh(), sample.point) - expected).norm(), 1e-12);
       }
     }
@@ -62,7 +62,7 @@ TEST_P(LogFields, LeaveAnEditedCurveAsTracedAnew) {
   Curve anew(surface, curveOptions, points);
   for (int j = 0; j < anew.segmentCount(); ++j) {
     for (int i = 0; i < anew.samples(j).count(); ++i) {
-      EXPECT_EQ(edited.samples(j)[i].status, Status::kConverged);
+      EXPECT_EQ(edited.samples(j)[i].status, SampleStatus::kConverged);
       EXPECT_LE(
           (position(mesh, edited.samples(j)[i].point) - position(mesh, anew.samples(j)[i].point))
               .norm(),
@@ -93,7 +93,7 @@ TEST_P(LogFields, LoseNoSampleOnTheBunny) {
     Curve curve(surface, {{CurveKind::kBSpline}, 256, options()}, points);
     for (int j = 0; j < curve.segmentCount(); ++j) {
       for (const CurveSample& sample : curve.samples(j)) {
-        EXPECT_EQ(sample.status, Status::kConverged) << curveNumber << " at " << j + sample.t;
+        EXPECT_EQ(sample.status, SampleStatus::kConverged) << curveNumber << " at " << j + sample.t;
       }
     }
   }

@@ -153,12 +153,13 @@ TEST(Mean, KeepsTheFieldsOfPointsThatStay) {
   }
   MeanOptions options;
   options.normalize = true;
+  FieldSets sets(surface);
   std::shared_ptr<FieldSet> kept;
   // What was kept does not show: the answers are those of a cold start, bit by bit.
   const auto expectMade = [&](int count) {
     const bool goesOn = kept && kept->options() == options.field;
     const int before = goesOn ? kept->made() : 0;
-    const Mean warm = centerOfMass(surface, points, weights, options, kept);
+    const Mean warm = centerOfMass(sets, points, weights, options, kept);
     EXPECT_EQ(kept->made() - before, count);
     const Mean cold = centerOfMass(surface, points, weights, options);
     EXPECT_EQ(warm.point.face, cold.point.face);
@@ -190,16 +191,17 @@ TEST(Mean, KeepsNoFieldsThatHoldTooMuchOrAfterAnError) {
   Surface surface(planeGrid(12, 12));
   const Array<SurfacePoint> points{nearestPoint(surface.mesh(), Vec3(3, 3.5, 0)),
                                    nearestPoint(surface.mesh(), Vec3(9, 4, 0))};
+  FieldSets sets(surface);
   std::shared_ptr<FieldSet> kept;
   MeanOptions options;
-  centerOfMass(surface, points, {0.5, 0.5}, options, kept);
+  centerOfMass(sets, points, {0.5, 0.5}, options, kept);
   EXPECT_EQ(kept->count(), 2);
-  EXPECT_EQ(codeOf([&] { centerOfMass(surface, points, {0.5}, options, kept); }),
+  EXPECT_EQ(codeOf([&] { centerOfMass(sets, points, {0.5}, options, kept); }),
             ErrorCode::kBadWeights);
   EXPECT_EQ(kept, nullptr);
   for (const double most : {0.0, 100.0}) {
     options.mostValues = most;
-    centerOfMass(surface, points, {0.5, 0.5}, options, kept);
+    centerOfMass(sets, points, {0.5, 0.5}, options, kept);
     EXPECT_EQ(kept, nullptr);
   }
 }

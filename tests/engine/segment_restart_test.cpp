@@ -30,7 +30,7 @@ TEST(SegmentRestart, ASampleIsLostOnlyIfItIsFromEveryControlPoint) {
     SegmentFields fields(surface, points);
     const Array<CurveSample> samples = traceSegment(fields, table, options.method);
     for (int i = 0; i < samples.count(); ++i) {
-      if (samples[i].status == Status::kConverged) {
+      if (samples[i].status == SampleStatus::kConverged) {
         ++converged;
         continue;
       }

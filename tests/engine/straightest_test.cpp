@@ -38,7 +38,7 @@ TEST(Straightest, IsAStraightLineInThePlane) {
     const StraightestPath path =
         traceStraightest(geometry, start, toFace(geometry, start.face, b - a));
     EXPECT_EQ(path.stop, TraceStop::kComplete);
-    EXPECT_LT((position(mesh, path.points.back()) - b).norm(), 1e-13);
+    EXPECT_LT((position(mesh, path.path.end()) - b).norm(), 1e-13);
   }
 }
 
@@ -50,7 +50,7 @@ TEST(Straightest, GoesThroughTheVerticesOfAGrid) {
     const StraightestPath path =
         traceStraightest(geometry, start, toFace(geometry, start.face, step));
     EXPECT_EQ(path.stop, TraceStop::kComplete);
-    EXPECT_LT((position(mesh, path.points.back()) - Vec3(1, 1, 0) - step).norm(), 1e-13);
+    EXPECT_LT((position(mesh, path.path.end()) - Vec3(1, 1, 0) - step).norm(), 1e-13);
   }
 }
 
@@ -64,7 +64,7 @@ TEST(Straightest, HalvesTheTotalAngleAtAVertex) {
       traceStraightest(geometry, start, toFace(geometry, start.face, Vec3(-1, 0, 0)));
   const double along = 0.5 / std::sqrt(2.0);
   EXPECT_EQ(path.stop, TraceStop::kComplete);
-  EXPECT_LT((position(mesh, path.points.back()) - Vec3(0, along, -along)).norm(), 1e-14);
+  EXPECT_LT((position(mesh, path.path.end()) - Vec3(0, along, -along)).norm(), 1e-14);
 }
 
 TEST(Straightest, StopsAtTheBoundaryWithTheLengthLeft) {
@@ -75,7 +75,7 @@ TEST(Straightest, StopsAtTheBoundaryWithTheLengthLeft) {
       traceStraightest(geometry, start, toFace(geometry, start.face, Vec3(5, 0, 0)));
   EXPECT_EQ(path.stop, TraceStop::kBoundary);
   EXPECT_NEAR(path.remaining, 5 - 1.7, 1e-13);
-  EXPECT_LT((position(mesh, path.points.back()) - Vec3(3, 1.4, 0)).norm(), 1e-13);
+  EXPECT_LT((position(mesh, path.path.end()) - Vec3(3, 1.4, 0)).norm(), 1e-13);
 
   const StraightestPath off = traceFromVertex(geometry, 0, 3.0, 1);
   EXPECT_EQ(off.stop, TraceStop::kBoundary);
@@ -96,7 +96,7 @@ TEST(Straightest, FollowsAStraightBoundary) {
   const Geometry geometry = buildGeometry(mesh);
   const StraightestPath path = traceFromVertex(geometry, 0, 0, 3.5);
   EXPECT_EQ(path.stop, TraceStop::kComplete);
-  EXPECT_LT((position(mesh, path.points.back()) - Vec3(3.5, 0, 0)).norm(), 1e-13);
+  EXPECT_LT((position(mesh, path.path.end()) - Vec3(3.5, 0, 0)).norm(), 1e-13);
 }
 
 TEST(Straightest, ConsecutivePointsShareAFaceAndAddUpToTheLength) {
@@ -110,9 +110,9 @@ TEST(Straightest, ConsecutivePointsShareAFaceAndAddUpToTheLength) {
     const Vec2 vector = random.uniform(0, 20) * unitVector(random.uniform(0, 2 * kPi));
     const StraightestPath path = traceStraightest(geometry, start, vector);
     double length = path.remaining;
-    for (int k = 1; k < path.points.count(); ++k) {
-      const SurfacePoint before = inFace(mesh, path.points[k - 1], path.points[k].face);
-      length += (position(mesh, path.points[k]) - position(mesh, before)).norm();
+    for (int k = 1; k < path.path.points.count(); ++k) {
+      const SurfacePoint before = inFace(mesh, path.path.points[k - 1], path.path.points[k].face);
+      length += (position(mesh, path.path.points[k]) - position(mesh, before)).norm();
     }
     ASSERT_NEAR(length, vector.norm(), 1e-10);
     if (path.stop == TraceStop::kComplete) {
@@ -147,7 +147,7 @@ TEST(Straightest, AgreesWithGeometryCentralOnTheBunny) {
     const SurfacePoint start = checkedPoint(mesh, face, bary);
     const StraightestPath path = traceStraightest(geometry, start, toFace(geometry, face, vector));
     const Vec3 expected = position(mesh, {endFace, endBary});
-    worst = std::max(worst, (position(mesh, path.points.back()) - expected).norm());
+    worst = std::max(worst, (position(mesh, path.path.end()) - expected).norm());
     ++count;
   }
   EXPECT_EQ(count, 200);

@@ -35,8 +35,7 @@ double apart(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath& 
 SurfacePath localPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to) {
   StripWorkspace workspace;
   Array<SurfacePoint> points{from};
-  double length = 0;
-  EXPECT_TRUE(appendLocalPath(geometry, from, to, workspace, points, length,
+  EXPECT_TRUE(appendLocalPath(geometry, from, to, workspace, points,
                               {.maxFaces = 2 * geometry.mesh->faceCount()}));
   return pathThrough(*geometry.mesh, std::move(points));
 }
@@ -373,8 +372,7 @@ void expectContinued(const MeasuredMesh& surface, int walks, uint64_t seed) {
       heading += random.uniform(-0.3, 0.3);
       const double length = random.uniform(0, 1.5) * surface.geometry.meanEdge;
       SurfacePoint end =
-          traceStraightest(surface.geometry, path.end(), length * unitVector(heading))
-              .points.back();
+          traceStraightest(surface.geometry, path.end(), length * unitVector(heading)).path.end();
       const int kind = random.index(4);
       if (kind == 1) end = edgePoint(3 * end.face + random.index(3), random.uniform());
       if (kind == 2) end = edgePoint(3 * end.face + random.index(3), 0);

@@ -44,7 +44,7 @@ Outcome measure(Surface& surface, const Array<PointPair>& pairs, const FieldOpti
       EXPECT_TRUE(point.face >= 0 && point.face < mesh.faceCount());
       EXPECT_GE(point.bary.minCoeff(), 0);
       EXPECT_NEAR(point.bary.sum(), 1, 1e-12);
-      if (sample.status != Status::kConverged) continue;
+      if (sample.status != SampleStatus::kConverged) continue;
       ++outcome.converged;
       const SurfacePoint truth = pointAlong(mesh, path.points, lengths, sample.t * path.length());
       errors.push_back((position(mesh, point) - position(mesh, truth)).norm());

@@ -28,7 +28,7 @@ SurfacePoint near(const Geometry& geometry, const SurfacePoint& point, double di
                   Random& dice) {
   const Vec2 direction = unitVector(2 * kPi * dice.uniform());
   return traceStraightest(geometry, point, distance * (0.3 + dice.uniform()) * direction)
-      .points.back();
+      .path.end();
 }
 
 class Fuzz {
@@ -117,11 +117,11 @@ class Fuzz {
     for (int j = 0; j < curve.segmentCount(); ++j) {
       for (const Bridge& bridge : curve.bridges(j)) {
         tally.marked += (bridge.t1 - bridge.t0) / curve.segmentCount();
-        checkPath(bridge.line.points);
+        checkPath(bridge.line.path.points);
         if (!std::is_sorted(bridge.line.t.begin(), bridge.line.t.end()))
           fault("a bridge turns back");
       }
-      checkPath(curve.path(j).points);
+      checkPath(curve.path(j).line.points);
       checkSamples(curve, j);
       const int next = j + 1 < curve.segmentCount() ? j + 1 : curve.shape().closed ? 0 : -1;
       if (next >= 0) checkJoin(curve.samples(j).back(), curve.samples(next).front());
@@ -149,7 +149,8 @@ class Fuzz {
     const Array<Bridge>& bridges = curve.bridges(j);
     for (const CurveSample& sample : samples) {
       const bool marked = bridgeOver(bridges, sample.t) != nullptr;
-      if (sample.status != Status::kConverged && !(sample.status == Status::kBridged && marked)) {
+      if (sample.status != SampleStatus::kConverged &&
+          !(sample.status == SampleStatus::kBridged && marked)) {
         fault(std::string("a sample is ") + statusName(sample.status) + " without a mark");
       }
     }
@@ -189,7 +190,7 @@ class Fuzz {
         ++tally_.lostBetween;
         return;
       }
-      const CurveSample middle{t, center.point, center.status};
+      const CurveSample middle{t, center.point};
       stack.emplace_back(a, middle);
       stack.emplace_back(middle, b);
     }

@@ -115,7 +115,7 @@ Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options) {
   for (int j = 0; j < curve.segmentCount(); ++j) {
     Array<Vec3> found;
     for (const CurveSample& sample : curve.samples(j)) {
-      result.lost += sample.status != Status::kConverged;
+      result.lost += sample.status != SampleStatus::kConverged;
       found.push_back(surface.project(position(mesh.mesh(), sample.point)));
     }
     const Array<Vec3> expected(truth.begin() + j * kSamples, truth.begin() + (j + 1) * kSamples);

@@ -19,7 +19,7 @@ Array<SurfacePoint> attempt(const Geometry& geometry, Random& random,
                           random.uniform(1 - options.variation, 1 + options.variation);
     const StraightestPath leg = traceStraightest(geometry, polygon.back(), length * direction);
     if (leg.stop != TraceStop::kComplete) return {};
-    polygon.push_back(leg.points.back());
+    polygon.push_back(leg.path.end());
     direction =
         rotate(unitVector(random.uniform(-options.turning, options.turning)), leg.direction);
   }
@@ -45,7 +45,7 @@ Array<SurfacePoint> dragPath(const Geometry& geometry, const SurfacePoint& start
   while (path.count() <= steps) {
     const StraightestPath piece = traceStraightest(geometry, path.back(), step * ahead);
     if (piece.stop != TraceStop::kComplete) return {};
-    path.push_back(piece.points.back());
+    path.push_back(piece.path.end());
     ahead = piece.direction;
   }
   return path;

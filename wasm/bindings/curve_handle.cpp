@@ -10,7 +10,7 @@ namespace karcher::bindings {
 
 CurveHandle::CurveHandle(MeshHandle& mesh, const val& value)
     : mesh_(mesh),
-      curve_(mesh.surface(), curveValueFromJs(mesh, value, legs_), emscripten_get_now) {}
+      curve_(mesh.fieldSets(), curveValueFromJs(mesh, value, legs_), emscripten_get_now) {}
 
 val CurveHandle::set(const val& value, int dragged, const val& options) {
   CurveValue next = curveValueFromJs(mesh_, value, legs_);

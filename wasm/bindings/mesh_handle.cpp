@@ -21,7 +21,8 @@ MeshHandle::MeshHandle(ImportedMesh imported)
     : numbering_(std::move(imported.numbering)),
       droppedPositions_(std::move(imported.droppedPositions)),
       repairs_(std::move(imported.repairs)),
-      surface_(std::move(imported.mesh)) {}
+      surface_(std::move(imported.mesh)),
+      fieldSets_(std::make_shared<FieldSets>(surface_)) {}
 
 val MeshHandle::info() {
   const Topology shape = topology(mesh());
@@ -107,10 +108,10 @@ val MeshHandle::straightest(const val& from, const val& direction, double length
   const Vec2 unit = directionInFace(start.face, direction);
   const StraightestPath path = traceStraightest(surface_.geometry(), start, length * unit);
   val result = val::object();
-  result.set("end", toJs(numbering_, path.points.back()));
+  result.set("end", toJs(numbering_, path.path.end()));
   result.set("remaining", path.remaining);
   result.set("stop", std::string(traceStopName(path.stop)));
-  result.set("path", pathToJs(numbering_, mesh(), path.points, length - path.remaining));
+  result.set("path", pathToJs(numbering_, mesh(), path.path.points, path.path.length()));
   return result;
 }
 
@@ -145,16 +146,13 @@ val MeshHandle::centerOfMass(const val& points, const val& weights, const val& s
                              bool normalize, const val& field) {
   MeanOptions options = meanOptions(start, normalize);
   options.field = fieldOptionsFromJs(field);
-  return meanToJs(karcher::centerOfMass(surface_, pointsFromJs(numbering_, mesh(), points),
+  return meanToJs(karcher::centerOfMass(*fieldSets_, pointsFromJs(numbering_, mesh(), points),
                                         fromJs<double>(weights), options, fields_));
 }
 
 val MeshHandle::weightsOf(const val& point, const val& points, const val& given, bool nonNegative,
                           const val& field) {
-  const FieldOptions options = fieldOptionsFromJs(field);
-  if (!fields_ || !(fields_->options() == options)) {
-    fields_ = std::make_shared<FieldSet>(surface_, options);
-  }
+  fields_ = fieldSets_->of(fieldOptionsFromJs(field));
   const MeanWeights weights = karcher::weightsOf(*fields_, pointFromJs(numbering_, mesh(), point),
                                                  pointsFromJs(numbering_, mesh(), points),
                                                  {fromJs<double>(given), nonNegative});

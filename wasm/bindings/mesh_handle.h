@@ -19,6 +19,8 @@ class MeshHandle {
   const TriangleMesh& mesh() const { return surface_.mesh(); }
   const Geometry& geometry() const { return surface_.geometry(); }
   const Numbering& numbering() const { return numbering_; }
+  /// Of the mesh's curves and centers of mass.
+  const std::shared_ptr<FieldSets>& fieldSets() const { return fieldSets_; }
 
   val info();
   int inputVertices() const { return numbering_.engineVertex.count(); }
@@ -66,6 +68,7 @@ class MeshHandle {
   Array<Vec3> droppedPositions_;
   Array<Repair> repairs_;
   Surface surface_;
+  std::shared_ptr<FieldSets> fieldSets_;
   /// Of the last center of mass.
   std::shared_ptr<FieldSet> fields_;
 };

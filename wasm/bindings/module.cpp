@@ -22,8 +22,8 @@ double allocatedBytes() { return static_cast<double>(mallinfo().uordblks); }
 /// The statuses' names by their numbers.
 val statusNames() {
   val names = val::array();
-  for (int i = 0; i <= static_cast<int>(Status::kBridged); ++i) {
-    names.set(i, std::string(statusName(static_cast<Status>(i))));
+  for (int i = 0; i <= static_cast<int>(kLastSampleStatus); ++i) {
+    names.set(i, std::string(statusName(static_cast<SampleStatus>(i))));
   }
   return names;
 }

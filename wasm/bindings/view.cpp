@@ -16,8 +16,8 @@ struct Vertices {
 Vertices verticesOf(const MeshHandle& mesh, const TracedLine& line) {
   Vertices result;
   for (const JoinedPath* segment : line.paths) {
-    const Array<int> kept =
-        append(result.path, mesh.numbering(), mesh.mesh(), segment->points, segment->length);
+    const Array<int> kept = append(result.path, mesh.numbering(), mesh.mesh(), segment->line.points,
+                                   segment->line.length());
     for (const int i : kept) result.unconverged.push_back(segment->unconverged[i]);
   }
   return result;

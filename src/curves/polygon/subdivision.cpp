@@ -71,11 +71,14 @@ std::pair<Polygon, Polygon> split(const Geometry& geometry, const Polygon& polyg
 
 void appendPolygon(const Polygon& polygon, double t0, double t1, ParametricLine& line) {
   const double step = (t1 - t0) / polygon.count();
+  SurfacePath& path = line.path;
   for (int i = 0; i < polygon.count(); ++i) {
     const SurfacePath& edge = polygon[i];
-    for (int k = line.points.empty() ? 0 : 1; k < edge.points.count(); ++k) {
+    const double before = path.points.empty() ? 0 : path.length();
+    for (int k = path.points.empty() ? 0 : 1; k < edge.points.count(); ++k) {
       const double part = edge.length() > 0 ? edge.lengths[k] / edge.length() : 1;
-      line.points.push_back(edge.points[k]);
+      path.points.push_back(edge.points[k]);
+      path.lengths.push_back(before + edge.lengths[k]);
       line.t.push_back(
           k + 1 == edge.points.count() && i + 1 == polygon.count() ? t1 : t0 + (i + part) * step);
     }
@@ -111,7 +114,7 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
     const Vec2 piece =
         pointInFace(geometry, end) - pointInFace(geometry, inFace(mesh, line.points[i], face));
     const Vec2 vector = (s - 1) * line.length() * piece.normalized();
-    return traceStraightest(geometry, end, vector).points.back();
+    return traceStraightest(geometry, end, vector).path.end();
   }
   return b;
 }

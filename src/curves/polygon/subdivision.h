@@ -20,10 +20,9 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
 SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>& points,
                              const Array<double>& weights);
 
-/// A curve on the surface as a polyline with a parameter per point, which does not fall.
+/// A curve on the surface as a path with a parameter per point, which does not fall.
 struct ParametricLine {
-  /// Consecutive points share a face.
-  Array<SurfacePoint> points;
+  SurfacePath path;
   Array<double> t;
 };
 

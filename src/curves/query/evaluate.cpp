@@ -19,8 +19,7 @@ int sampleAfter(const Array<CurveSample>& samples, double t) {
 
 /// The path between the samples around t, and where in it t lies.
 struct PathPiece {
-  Array<SurfacePoint> points;
-  Array<double> lengths;
+  SurfacePath path;
   double s = 0;
   double duration = 1;  ///< between the samples, in t
 };
@@ -49,10 +48,11 @@ PathPiece pathAround(const Curve& curve, const PieceParameter& at) {
   const auto begin = std::lower_bound(path.sample.begin(), path.sample.end(), i);
   const auto end = std::upper_bound(begin, path.sample.end(), i);
   PathPiece piece;
-  piece.points.push_back(samples[i - 1].point);
-  piece.points.insert(piece.points.end(), path.points.begin() + (begin - path.sample.begin()),
-                      path.points.begin() + (end - path.sample.begin()));
-  piece.lengths = lengthsAlong(curve.surface().mesh(), piece.points);
+  const Array<SurfacePoint>& points = path.line.points;
+  Array<SurfacePoint> between{samples[i - 1].point};
+  between.insert(between.end(), points.begin() + (begin - path.sample.begin()),
+                 points.begin() + (end - path.sample.begin()));
+  piece.path = pathThrough(curve.surface().mesh(), std::move(between));
   piece.duration = samples[i].t - samples[i - 1].t;
   piece.s = (at.t - samples[i - 1].t) / piece.duration;
   return piece;
@@ -65,22 +65,23 @@ FieldBlend blendOf(Curve& curve, const PieceParameter& at) {
 /// The center at a parameter between two samples, as the search for jumps (bridge.h) comes there:
 /// by halves of t, each search starting at the earlier end of its part. From a sample further off
 /// it might be another minimum's.
-CenterOfMass centerBetween(const Curve& curve, FieldBlend& fields, const PieceParameter& at,
-                           CurveSample from, CurveSample to) {
+CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PieceParameter& at,
+                          CurveSample from, CurveSample to) {
   const TriangleMesh& mesh = curve.surface().mesh();
   const double shortest = kLongestStep / 2 * fields.geometry().meanEdge;
   const auto centerAt = [&](double t) {
-    const CurveSample& start = from.status == Status::kConverged ? from : to;
-    if (start.status != Status::kConverged) return CenterOfMass{start.point, start.status, 0};
-    return findCenter(fields, pieceOf(curve, at).weights(t), start.point,
-                      curve.options().field.method);
+    const CurveSample& start = from.status == SampleStatus::kConverged ? from : to;
+    if (start.status != SampleStatus::kConverged) return CurveSample{t, start.point, start.status};
+    const CenterOfMass center = findCenter(fields, pieceOf(curve, at).weights(t), start.point,
+                                           curve.options().field.method);
+    return CurveSample{t, center.point, sampleStatus(center.status)};
   };
   while (to.t - from.t > kFinestDivision &&
          (position(mesh, to.point) - position(mesh, from.point)).norm() > shortest) {
     const double t = (from.t + to.t) / 2;
-    CenterOfMass center = centerAt(t);
-    if (center.status != Status::kConverged) return center;
-    (at.t < t ? to : from) = {t, center.point, center.status};
+    const CurveSample center = centerAt(t);
+    if (center.status != SampleStatus::kConverged) return center;
+    (at.t < t ? to : from) = center;
   }
   return centerAt(at.t);
 }
@@ -104,21 +105,20 @@ Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
 }
 
 CurveTangent tangentOfPath(Curve& curve, const CurvePoint& at, const PathPiece& piece) {
+  const SurfacePath& path = piece.path;
   const Geometry& geometry = curve.surface().geometry();
-  const int k = pieceAt(piece.lengths, piece.s * piece.lengths.back());
-  const SurfacePoint& from = piece.points[k];
-  const SurfacePoint& to = piece.points[k + 1];
+  const int k = pieceAt(path.lengths, piece.s * path.length());
+  const SurfacePoint& from = path.points[k];
+  const SurfacePoint& to = path.points[k + 1];
   const int face = commonFace(*geometry.mesh, from, to);
-  const double length = piece.lengths[k + 1] - piece.lengths[k];
+  const double length = path.lengths[k + 1] - path.lengths[k];
   CurveTangent tangent{at};
   if (face < 0 || !(length > 0)) return tangent;
-  tangent.at.point =
-      pointAlong(*geometry.mesh, piece.points, piece.lengths, piece.s * piece.lengths.back());
+  tangent.at.point = pointAlong(*geometry.mesh, path, piece.s * path.length());
   tangent.at.point = inFace(*geometry.mesh, tangent.at.point, face);
   const Vec2 along = pointInFace(geometry, inFace(*geometry.mesh, to, face)) -
                      pointInFace(geometry, inFace(*geometry.mesh, from, face));
-  tangent.inFace =
-      curve.piecesPerSegment() * piece.lengths.back() / piece.duration / length * along;
+  tangent.inFace = curve.piecesPerSegment() * path.length() / piece.duration / length * along;
   tangent.inSpace = toSpace(geometry, face, tangent.inFace);
   return tangent;
 }
@@ -148,25 +148,23 @@ CurvePoint pointAt(Curve& curve, const SegmentParameter& parameter) {
     if (sample.t == at.t) return {whole, sample.point, sample.status};
   }
   if (const Bridge* bridge = bridgeOver(pieceOf(curve, at).bridges(), at.t)) {
-    return {whole, pointAt(curve.surface().mesh(), *bridge, at.t), Status::kBridged};
+    return {whole, pointAt(curve.surface().mesh(), *bridge, at.t), SampleStatus::kBridged};
   }
-  Status status = Status::kConverged;
+  SampleStatus status = SampleStatus::kConverged;
   if (curve.isOfCenters()) {
     FieldBlend fields = blendOf(curve, at);
-    const CenterOfMass center = centerBetween(curve, fields, at, samples[i - 1], samples[i]);
-    if (center.status == Status::kConverged) return {whole, center.point, center.status};
+    const CurveSample center = centerBetween(curve, fields, at, samples[i - 1], samples[i]);
+    if (center.status == SampleStatus::kConverged) return {whole, center.point, center.status};
     status = center.status;
   }
-  const PathPiece path = pathAround(curve, at);
-  const SurfacePoint point =
-      pointAlong(curve.surface().mesh(), path.points, path.lengths, path.s * path.lengths.back());
-  return {whole, point, status};
+  const auto [path, s, duration] = pathAround(curve, at);
+  return {whole, pointAlong(curve.surface().mesh(), path, s * path.length()), status};
 }
 
 CurveTangent tangentAt(Curve& curve, const SegmentParameter& parameter) {
   const CurvePoint point = pointAt(curve, parameter);
   const PieceParameter at = inPiece(curve, parameter);
-  if (!curve.isOfCenters() || point.status != Status::kConverged) {
+  if (!curve.isOfCenters() || point.status != SampleStatus::kConverged) {
     return tangentOfPath(curve, point, pathAround(curve, at));
   }
   const Geometry& geometry = curve.surface().geometry();

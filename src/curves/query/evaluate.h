@@ -10,7 +10,7 @@ struct CurvePoint {
   SurfacePoint point;
   /// Where it is not kConverged, the point lies on a bridge (bridge.h) or, next to one, on the path
   /// that joins the samples around it.
-  Status status = Status::kConverged;
+  SampleStatus status = SampleStatus::kConverged;
 };
 
 /// The derivative of a curve by its parameter.

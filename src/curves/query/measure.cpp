@@ -25,12 +25,12 @@ double between(const Array<double>& values, const Place& place) {
   return values[place.piece] + place.s * (values[place.piece + 1] - values[place.piece]);
 }
 
-Status statusAt(const Curve& curve, double parameter) {
+SampleStatus statusAt(const Curve& curve, double parameter) {
   const SegmentParameter at = segmentParameter(curve, parameter);
   for (const CurveSample& sample : curve.samples(at.segment)) {
     if (sample.t >= at.t) return sample.status;
   }
-  return Status::kConverged;
+  return SampleStatus::kConverged;
 }
 
 CurvePoint pointOfLine(const Curve& curve, const CurveLine& line, const Place& place) {
@@ -50,14 +50,14 @@ CurveLine lineOf(const Curve& curve) {
     const Array<CurveSample>& samples = curve.samples(j);
     const JoinedPath& path = curve.path(j);
     int first = line.path.points.count();  // of the points that lead to a sample
-    for (int i = 0; i < path.points.count(); ++i) {
-      const Vec3 here = position(mesh, path.points[i]);
+    for (int i = 0; i < path.line.points.count(); ++i) {
+      const Vec3 here = position(mesh, path.line.points[i]);
       const double step = line.path.points.empty() ? 0 : (here - line.positions.back()).norm();
       line.path.lengths.push_back(line.path.points.empty() ? 0 : line.path.lengths.back() + step);
-      line.path.points.push_back(path.points[i]);
+      line.path.points.push_back(path.line.points[i]);
       line.positions.push_back(here);
       line.parameters.push_back(j + samples[path.sample[i]].t);
-      const bool atSample = i + 1 == path.points.count() || path.sample[i + 1] != path.sample[i];
+      const bool atSample = i + 1 == path.sample.count() || path.sample[i + 1] != path.sample[i];
       if (!atSample) continue;
       const int last = line.path.points.count() - 1;
       if (first > 0 && i > 0) {

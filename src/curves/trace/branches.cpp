@@ -16,8 +16,9 @@ void takeBestBranches(SegmentFields& fields, const Basis& basis, Method method,
   std::reverse(back.begin(), back.end());
   for (int i = 0; i < samples.count(); ++i) {
     const auto energy = [&](const CurveSample& sample) {
-      return sample.status == Status::kConverged ? fields.blend.energy(sample.point, table.row(i))
-                                                 : kInfinity;
+      return sample.status == SampleStatus::kConverged
+                 ? fields.blend.energy(sample.point, table.row(i))
+                 : kInfinity;
     };
     samples[i] = energy(back[i]) < energy(forth[i]) ? back[i] : forth[i];
   }

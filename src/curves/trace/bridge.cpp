@@ -25,7 +25,7 @@ struct Interval {
   int last = 0;
   bool keepsFirst = true;
   bool keepsLast = true;
-  Status reason = Status::kJump;
+  SampleStatus reason = SampleStatus::kJump;
 };
 
 class JumpSearch {
@@ -40,18 +40,19 @@ class JumpSearch {
 
   /// Whether the way from one converged sample to the next breaks in either direction, and how.
   /// `middle`: the weights in the middle of it, or none.
-  std::optional<Status> run(const CurveSample& from, const CurveSample& to, Weights middle) {
+  std::optional<SampleStatus> run(const CurveSample& from, const CurveSample& to, Weights middle) {
     if (!middle.empty() && (staysInCell(from.point, to.point, middle) ||
                             crossesAnEdge(from.point, to.point, middle))) {
       return std::nullopt;
     }
-    const std::optional<Status> reason = follow(from, to, false);
+    const std::optional<SampleStatus> reason = follow(from, to, false);
     return reason ? reason : follow(from, to, true);
   }
 
  private:
   /// Searches start at the earlier end of a step, or at the later one.
-  std::optional<Status> follow(const CurveSample& from, const CurveSample& to, bool backwards) {
+  std::optional<SampleStatus> follow(const CurveSample& from, const CurveSample& to,
+                                     bool backwards) {
     stack_.clear();
     stack_.push_back({{from.t, from.point}, {to.t, to.point}});
     for (int count = 0; !stack_.empty() && count < kMostDivisions; ++count) {
@@ -63,7 +64,7 @@ class JumpSearch {
       // A short step may hide a jump back that is a little longer.
       if (length <= longest_ / 2) continue;
       if (step.to.t - step.from.t <= kFinestDivision) {
-        if (length > longest_) return Status::kJump;
+        if (length > longest_) return SampleStatus::kJump;
         continue;
       }
       const double t = (step.from.t + step.to.t) / 2;
@@ -74,11 +75,11 @@ class JumpSearch {
       }
       const SurfacePoint& start = backwards ? step.to.point : step.from.point;
       const CenterOfMass center = findCenter(fields_, weights, start, method_);
-      if (center.status != Status::kConverged) return center.status;
+      if (center.status != Status::kConverged) return sampleStatus(center.status);
       stack_.push_back({step.from, {t, center.point}});
       stack_.push_back({{t, center.point}, step.to});
     }
-    return stack_.empty() ? std::nullopt : std::optional<Status>(Status::kJump);
+    return stack_.empty() ? std::nullopt : std::optional<SampleStatus>(SampleStatus::kJump);
   }
 
   struct Place {
@@ -190,19 +191,19 @@ class JumpSearch {
   Array<Step> stack_;
 };
 
-bool isConverged(const CurveSample& sample) { return sample.status == Status::kConverged; }
+bool isConverged(const CurveSample& sample) { return sample.status == SampleStatus::kConverged; }
 
 /// The steps between converged samples that break, by their first sample, and how.
-Array<std::pair<int, Status>> findJumps(FieldBlend& fields, const Basis& basis,
-                                        const WeightTable* middles, Method method,
-                                        const Array<CurveSample>& samples) {
+Array<std::pair<int, SampleStatus>> findJumps(FieldBlend& fields, const Basis& basis,
+                                              const WeightTable* middles, Method method,
+                                              const Array<CurveSample>& samples) {
   JumpSearch search(fields, basis, method);
-  Array<std::pair<int, Status>> jumps;
+  Array<std::pair<int, SampleStatus>> jumps;
   for (int i = 0; i + 1 < samples.count(); ++i) {
-    const bool converged =
-        samples[i].status == Status::kConverged && samples[i + 1].status == Status::kConverged;
+    const bool converged = samples[i].status == SampleStatus::kConverged &&
+                           samples[i + 1].status == SampleStatus::kConverged;
     if (!converged) continue;
-    const std::optional<Status> reason =
+    const std::optional<SampleStatus> reason =
         search.run(samples[i], samples[i + 1], middles ? middles->row(i) : Weights());
     if (reason) jumps.emplace_back(i, *reason);
   }
@@ -220,14 +221,14 @@ void addInterval(Array<Interval>& intervals, const Interval& interval) {
 }
 
 Array<Interval> intervalsToBridge(const Array<CurveSample>& samples,
-                                  const Array<std::pair<int, Status>>& jumps) {
+                                  const Array<std::pair<int, SampleStatus>>& jumps) {
   Array<Interval> intervals;
   const int count = samples.count();
   auto jump = jumps.begin();
   for (int i = 0; i < count; ++i) {
-    if (samples[i].status != Status::kConverged) {
+    if (samples[i].status != SampleStatus::kConverged) {
       int end = i;
-      while (end < count && samples[end].status != Status::kConverged) ++end;
+      while (end < count && samples[end].status != SampleStatus::kConverged) ++end;
       addInterval(intervals, {std::max(i - 1, 0), std::min(end, count - 1), i > 0, end < count,
                               samples[i].status});
       i = end;
@@ -352,24 +353,17 @@ SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t) {
   const int i = static_cast<int>(after - line.t.begin());
   const double duration = line.t[i] - line.t[i - 1];
   const double s = duration > 0 ? std::clamp((t - line.t[i - 1]) / duration, 0.0, 1.0) : 1;
-  return pointBetween(mesh, line.points[i - 1], line.points[i], s);
+  return pointBetween(mesh, line.path.points[i - 1], line.path.points[i], s);
 }
 
 void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, double to,
-                Array<SurfacePoint>& out, double& length) {
+                Array<SurfacePoint>& out) {
   const ParametricLine& line = bridge.line;
-  Vec3 last = position(mesh, pointAt(mesh, bridge, from));
-  const auto append = [&](const SurfacePoint& point) {
-    const Vec3 here = position(mesh, point);
-    length += (here - last).norm();
-    last = here;
-    out.push_back(point);
-  };
   const auto first = std::upper_bound(line.t.begin(), line.t.end(), from) - line.t.begin();
   for (int i = static_cast<int>(first); i < line.t.count() && line.t[i] < to; ++i) {
-    append(line.points[i]);
+    out.push_back(line.path.points[i]);
   }
-  append(pointAt(mesh, bridge, to));
+  out.push_back(pointAt(mesh, bridge, to));
 }
 
 const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
@@ -382,7 +376,8 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
 Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
                             const WeightTable* middles, Method method,
                             Array<CurveSample>& samples) {
-  Array<std::pair<int, Status>> jumps = findJumps(fields.blend, basis, middles, method, samples);
+  Array<std::pair<int, SampleStatus>> jumps =
+      findJumps(fields.blend, basis, middles, method, samples);
   const bool isWhole = jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
   if (isWhole) return {};
   // Samples that a tolerance placed are dense enough for the branch that they follow; the paper's
@@ -406,7 +401,7 @@ Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Arr
       if (i == interval.first && interval.keepsFirst) continue;
       if (i == interval.last && interval.keepsLast) continue;
       samples[i].point = pointAt(*geometry.mesh, bridge, samples[i].t);
-      samples[i].status = Status::kBridged;
+      samples[i].status = SampleStatus::kBridged;
     }
     bridges.push_back(std::move(bridge));
   }

@@ -22,7 +22,7 @@ struct Bridge {
   double t0 = 0;
   double t1 = 1;
   /// kJump, or the status of the first sample in the interval.
-  Status reason = Status::kJump;
+  SampleStatus reason = SampleStatus::kJump;
   /// Over [t0, t1].
   ParametricLine line;
 };
@@ -32,7 +32,7 @@ SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t);
 
 /// Appends the bridge's points between the parameters, without the first and with the last.
 void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, double to,
-                Array<SurfacePoint>& out, double& length);
+                Array<SurfacePoint>& out);
 
 /// The bridge over t, or none.
 const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);

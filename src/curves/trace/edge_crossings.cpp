@@ -46,18 +46,11 @@ Passage passageBetween(const TriangleMesh& mesh, const SurfacePoint& a, const Su
 EdgeCrossings::EdgeCrossings(SegmentFields& fields, const Basis& basis, Method method)
     : geometry_(fields.blend.geometry()), basis_(basis), method_(method), fields_(fields.blend) {}
 
-bool EdgeCrossings::append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out,
-                           double& length) {
+bool EdgeCrossings::append(const CurveSample& from, const CurveSample& to,
+                           Array<SurfacePoint>& out) {
   found_.clear();
   if (!appendBetween(from, to, 0)) return false;
-  const TriangleMesh& mesh = *geometry_.mesh;
-  Vec3 last = position(mesh, from.point);
-  for (const CurveSample& sample : found_) {
-    const Vec3 here = position(mesh, sample.point);
-    length += (here - last).norm();
-    last = here;
-    out.push_back(sample.point);
-  }
+  for (const CurveSample& sample : found_) out.push_back(sample.point);
   return true;
 }
 
@@ -73,7 +66,7 @@ bool EdgeCrossings::appendBetween(const CurveSample& from, const CurveSample& to
   const Array<double> weights = basis_(t);
   const CenterOfMass center = findCenter(fields_, weights, from.point, method_);
   if (center.status != Status::kConverged) return false;
-  const CurveSample middle{t, center.point, center.status};
+  const CurveSample middle{t, center.point, SampleStatus::kConverged};
   return appendBetween(from, middle, bisections + 1) && appendBetween(middle, to, bisections + 1);
 }
 
@@ -117,7 +110,7 @@ bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool o
   double s = values.tail.x() / (values.tail.x() - values.head.x());
   if (!(s >= 0 && s <= 1)) return false;
   if (fields_.cells().cut()) s = (half + s) / 2;
-  found_.push_back({t, edgePoint(h, s), Status::kConverged});
+  found_.push_back({t, edgePoint(h, s), SampleStatus::kConverged});
   return true;
 }
 

@@ -17,12 +17,11 @@ class EdgeCrossings {
   /// All must outlive the object.
   EdgeCrossings(SegmentFields& fields, const Basis& basis, Method method);
 
-  /// Appends the crossings between two converged samples, in ascending t, and the later sample, and
-  /// adds the length. Where the samples' faces do not share an edge, more samples are found and
-  /// appended. Returns false, and changes neither, where 2^-kMostBisections of the interval is not
-  /// fine enough to tell which edges the curve crosses: as it passes a vertex.
-  bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out,
-              double& length);
+  /// Appends the crossings between two converged samples, in ascending t, and the later sample.
+  /// Where the samples' faces do not share an edge, more samples are found and appended. Returns
+  /// false, and changes nothing, where 2^-kMostBisections of the interval is not fine enough to
+  /// tell which edges the curve crosses: as it passes a vertex.
+  bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
   /// What the last call found: the crossings, on edges, and the samples between them.
   const Array<CurveSample>& found() const { return found_; }

@@ -11,16 +11,14 @@ enum class CurveGeometry {
   kExact,     ///< the curve's own crossings of edges (edge_crossings.h)
 };
 
-/// A polyline on the surface through the samples: consecutive points lie in one face. Points of
-/// consecutive samples are joined by geodesics or by the curve's crossings, and along the bridges
-/// where there are any.
+/// A path through the samples. Consecutive samples are joined by geodesics or by the curve's
+/// crossings, and along the bridges where there are any.
 struct JoinedPath {
-  Array<SurfacePoint> points;
+  SurfacePath line;
   /// Per point the number of the sample that its piece leads to.
   Array<int> sample;
   /// Per point whether its piece lies on a bridge or leads to a sample that is not converged.
   Array<uint8_t> unconverged;
-  double length = 0;
 };
 
 /// With `crossings` exact; geodesics join what those leave open.

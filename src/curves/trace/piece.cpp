@@ -76,12 +76,14 @@ TracedSegment mergedPieces(const Array<std::shared_ptr<const TracedPiece>>& piec
                  : even > 0 ? static_cast<double>(next++) / (even - 1)
                             : inSegment(sample.t);
     }
-    for (int i = k == 0 ? 0 : 1; i < piece.path.points.count(); ++i) {
-      whole.path.points.push_back(piece.path.points[i]);
+    SurfacePath& line = whole.path.line;
+    const double before = k == 0 ? 0 : line.length();
+    for (int i = k == 0 ? 0 : 1; i < piece.path.sample.count(); ++i) {
+      line.points.push_back(piece.path.line.points[i]);
+      line.lengths.push_back(before + piece.path.line.lengths[i]);
       whole.path.sample.push_back(place[piece.path.sample[i]]);
       whole.path.unconverged.push_back(piece.path.unconverged[i]);
     }
-    whole.path.length += piece.path.length;
   }
   return whole;
 }

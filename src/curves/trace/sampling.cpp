@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "intrinsic/local_path.h"
+#include "intrinsic/surface_path.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -67,8 +68,9 @@ class AdaptiveTrace {
   /// Appends the samples that are needed between two.
   void refine(const CurveSample& from, const CurveSample& to, int bisections) {
     const CurveSample middle = sample((from.t + to.t) / 2, from);
-    const int lost = (from.status != Status::kConverged) + (middle.status != Status::kConverged) +
-                     (to.status != Status::kConverged);
+    const int lost = (from.status != SampleStatus::kConverged) +
+                     (middle.status != SampleStatus::kConverged) +
+                     (to.status != SampleStatus::kConverged);
     const int most = lost == 0 ? kMostBisections : lost < 3 ? kMostAtBorder : kMostInside;
     if (bisections >= most || samples_.count() >= kMostSamples) return;
     if (lost == 0 && isFine(from, middle, to)) return;
@@ -88,12 +90,13 @@ class AdaptiveTrace {
   /// curve may bend or jump at the edges. Between two looks it is taken to go off further by as
   /// much as it does from one to the other.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
-    path_.assign(1, from.point);
-    double length = 0;
-    if (!appendLocalPath(geometry_, from.point, to.point, workspace_, path_, length)) return false;
+    path_.points.assign(1, from.point);
+    if (!appendLocalPath(geometry_, from.point, to.point, workspace_, path_.points)) return false;
+    measure(*geometry_.mesh, path_);
     if (offGeodesic(position(*geometry_.mesh, middle.point)).norm() > tolerance_) return false;
-    const int looks = std::clamp(kLooksAFace * (path_.count() - 1), kFewestLooks, kMostLooks);
-    longestStep_ = kLongestOfSteps * length / looks;
+    const int looks =
+        std::clamp(kLooksAFace * (path_.points.count() - 1), kFewestLooks, kMostLooks);
+    longestStep_ = kLongestOfSteps * path_.length() / looks;
     farthest_ = largestChange_ = 0;
     Look before{from, position(*geometry_.mesh, from.point)};
     for (int k = 1; k <= looks; ++k) {
@@ -108,7 +111,7 @@ class AdaptiveTrace {
   /// Between two looks the curve may pass a face: where it goes faster than elsewhere, and where
   /// their faces do not meet.
   bool isFineBetween(const Look& from, const Look& to, int divisions) {
-    if (to.sample.status != Status::kConverged) return false;
+    if (to.sample.status != SampleStatus::kConverged) return false;
     const int face = from.sample.point.face;
     const int onward = to.sample.point.face;
     const bool isLong = (to.position - from.position).norm() > longestStep_;
@@ -140,9 +143,9 @@ class AdaptiveTrace {
   Vec3 offGeodesic(const Vec3& p) const {
     const TriangleMesh& mesh = *geometry_.mesh;
     Vec3 nearest = Vec3::Constant(kInfinity);
-    Vec3 last = position(mesh, path_[0]);
-    for (int i = 1; i < path_.count(); ++i) {
-      const Vec3 here = position(mesh, path_[i]);
+    Vec3 last = position(mesh, path_.points[0]);
+    for (int i = 1; i < path_.points.count(); ++i) {
+      const Vec3 here = position(mesh, path_.points[i]);
       const Vec3 off = offLine(p, last, here);
       if (off.squaredNorm() < nearest.squaredNorm()) nearest = off;
       last = here;
@@ -157,13 +160,13 @@ class AdaptiveTrace {
 
   CurveSample sample(double t, const CurveSample& before) {
     const Array<double> weights = basis_(t);
-    const bool warm = before.status == Status::kConverged;
+    const bool warm = before.status == SampleStatus::kConverged;
     return find(t, weights, warm ? before.point : points_[heaviest(weights)]->point());
   }
 
   CurveSample find(double t, Weights weights, const SurfacePoint& start) {
     const CenterOfMass center = findCenter(fields_, weights, start, method_);
-    return {t, center.point, center.status};
+    return {t, center.point, sampleStatus(center.status)};
   }
 
   const Geometry& geometry_;
@@ -178,7 +181,7 @@ class AdaptiveTrace {
   double farthest_ = 0;
   double largestChange_ = 0;
   StripWorkspace workspace_;
-  Array<SurfacePoint> path_;
+  SurfacePath path_;
 };
 
 }  // namespace

@@ -72,8 +72,8 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
       }
     }
     sample.point = center.point;
-    sample.status = center.status;
-    if (sample.status == Status::kConverged) start = &sample.point;
+    sample.status = sampleStatus(center.status);
+    if (center.status == Status::kConverged) start = &sample.point;
   }
   return samples;
 }

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "rcm/center_of_mass.h"
+#include "curves/trace/sample_status.h"
 #include "rcm/point_field.h"
 
 /// One segment of a curve: the center of mass of its control points with weights that a basis
@@ -12,7 +12,7 @@ namespace karcher {
 struct CurveSample {
   double t = 0;
   SurfacePoint point;
-  Status status = Status::kConverged;
+  SampleStatus status = SampleStatus::kConverged;
 };
 
 /// Of a segment of a curve, or an arc of a circle.

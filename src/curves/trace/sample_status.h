@@ -1,0 +1,26 @@
+#pragma once
+
+#include "rcm/center_of_mass.h"
+
+namespace karcher {
+
+/// What a point of a curve is: a center of mass, or where the search for one ended (rcm/
+/// center_of_mass.h), or a point of a bridge (bridge.h).
+enum class SampleStatus {
+  kConverged,
+  kIndefinite,
+  kBoundary,
+  kNoProgress,
+  kLimit,
+  kJump,     ///< why an interval was bridged: from one local minimum to another
+  kBridged,  ///< the sample lies on a bridge
+};
+inline constexpr SampleStatus kLastSampleStatus = SampleStatus::kBridged;
+
+/// The status of a sample whose search ended so.
+SampleStatus sampleStatus(Status ofSearch);
+
+/// The name of a status in reports: "converged".
+const char* statusName(SampleStatus status);
+
+}  // namespace karcher
