@@ -87,9 +87,10 @@ export async function start(): Promise<void> {
   const surfacePanel = new SurfacePanel({
     choose: (key) => opening.sample(key),
     openFile: (file) => opening.file(file),
+    reread: (key) => opening.reread(key),
   });
   opening.onEnd = () => {
-    if (session.client) surfacePanel.show(editor.state.mesh, session.client.info);
+    if (session.client) surfacePanel.show(editor.state.mesh, session.client);
   };
   const curvePanel = new CurvePanel(editor, edits, {
     async chooseMethod(id) {

@@ -6,23 +6,29 @@ import { fitting, formatLink, type Link, lostOf, parseLink } from './model/link'
 import {
   defaultMesh,
   fileKey,
+  fileSource,
+  keyOfFile,
   type MeshSource,
   madeSource,
   meshLabel,
   parseKey,
+  readingOf,
   sameSurface,
   sampleSource,
 } from './model/meshes';
 import { methodOptions } from './model/methods';
 import { keepFile, keptFile, recall, remember } from './model/storage';
-import { formatCount } from './panels/elements';
+import { formatBytes, formatCount } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
 import { startingLink } from './saving';
-import { drawnGeometry } from './viewer/drawn_geometry';
+import { drawnGeometry, type GeometryRequest } from './viewer/drawn_geometry';
 import type { Surface } from './viewer/surface';
 import type { Viewer } from './viewer/viewer';
 import { EngineClient } from './worker/client';
+
+/** Larger ones would not fit into the engine's memory. */
+const largestFile = 1 << 30;
 
 /** How often an engine that stopped by itself is started again for one surface. */
 const mostRestarts = 2;
@@ -40,6 +46,8 @@ export class Opening {
   #complaint: HTMLElement | null = null;
   /** Curves on files that this browser does not have, as links: shown once their file is opened. */
   readonly #awaited = new Map<string, string>();
+  /** The last file that was opened, where the browser does not keep it. */
+  #file: { key: string; file: File } | null = null;
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
   /** Called when an attempt has ended, well or not, and no other took its place. */
@@ -70,21 +78,24 @@ export class Opening {
     });
   }
 
-  /** Opens a surface (OBJ), or a curve that the page saved (JSON). */
+  /** Opens a surface, or a curve that the page saved (JSON). */
   async file(file: File): Promise<void> {
     try {
       if (/\.json$/i.test(file.name)) {
         await this.link(linkOfJson(await file.text()));
         return;
       }
+      if (file.size > largestFile) {
+        throw new Error(`it has ${formatBytes(file.size)}; files of up to 1 GB are opened`);
+      }
       const bytes = new Uint8Array(await file.arrayBuffer());
-      const key = fileKey(file.name, bytes);
-      const source = { kind: 'file', bytes } as const;
+      const key = await fileKey(file.name, bytes);
       const awaited = parseLink(this.#awaited.get(key) ?? recall(`awaited.${key}`) ?? '');
       const opened = awaited
-        ? await this.#openLink(awaited, source)
-        : await this.#open(key, source, () => null);
+        ? await this.#openLink(awaited, fileSource(awaited.mesh, bytes))
+        : await this.#open(key, fileSource(key, bytes), () => null);
       if (!opened) return;
+      this.#file = { key, file };
       if (awaited) this.#await(key, '');
       await keepFile(key, bytes);
     } catch (error) {
@@ -92,6 +103,36 @@ export class Opening {
     } finally {
       await this.#fallBack();
     }
+  }
+
+  /**
+   * Shows the file that is shown in another way, which its key says: other parts of it, or with another
+   * axis up, which keeps the curve.
+   */
+  async reread(key: string): Promise<void> {
+    const shown = this.editor.state.mesh;
+    const [before, after] = [readingOf(shown), readingOf(key)];
+    if (!before || !after || key === shown) return;
+    if (`${before.parts}` === `${after.parts}`) return this.#turn(key);
+    const file = keyOfFile(key);
+    const bytes =
+      (await keptFile(file)) ??
+      (this.#file?.key === file ? new Uint8Array(await this.#file.file.arrayBuffer()) : null);
+    if (bytes) await this.#open(key, fileSource(key, bytes), () => null);
+    else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
+  }
+
+  /** Shows the surface that is shown as another key's, with that key's axis up. */
+  async #turn(key: string): Promise<void> {
+    const [client, viewer] = [this.session.client, this.#viewer];
+    if (!client || !viewer) return;
+    const { document, standIn } = this.editor.state;
+    const drawn = await drawnGeometry(drawnMesh(client, key));
+    if (client !== this.session.client) return;
+    const { triangles } = viewer.showSurface(drawn);
+    viewer.resetView({ animated: false });
+    this.#showDocument(key, document, triangles, standIn);
+    this.onEnd();
   }
 
   /** Opens what a link says; false where that can't be, and why was said. */
@@ -109,8 +150,8 @@ export class Opening {
     }
     const made = madeSource(mesh);
     if (made) return this.#openLink(link, made);
-    const bytes = await keptFile(mesh);
-    if (bytes) return this.#openLink(link, { kind: 'file', bytes });
+    const bytes = await keptFile(keyOfFile(mesh));
+    if (bytes) return this.#openLink(link, fileSource(mesh, bytes));
     this.#await(mesh, formatLink(mesh, method ?? this.editor.state.method, link.document));
     this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to continue.`);
     return false;
@@ -156,8 +197,9 @@ export class Opening {
 
   /** Keeps a link until its file is there; an empty one ends that. */
   #await(mesh: string, link: string): void {
-    this.#awaited.set(mesh, link);
-    remember(`awaited.${mesh}`, link);
+    const file = keyOfFile(mesh);
+    this.#awaited.set(file, link);
+    remember(`awaited.${file}`, link);
   }
 
   async #open(
@@ -178,16 +220,8 @@ export class Opening {
         progress: (done, stage) => progress.set(0.4 * done, stage),
         signal,
       });
-      const mesh = {
-        positions: client.positions(),
-        triangles: client.triangles(),
-        // Triangles that were turned over are drawn as they came.
-        closed:
-          client.info.boundaryLoops === 0 &&
-          client.info.repairs.every(({ kind }) => kind !== 'turnedOver'),
-      };
       const [drawn, viewer] = await Promise.all([
-        drawnGeometry(mesh, signal),
+        drawnGeometry(drawnMesh(client, key), signal),
         this.#viewerReady.promise,
         client.mesh.prepare(methodOptions(this.editor.state.method), {
           progress: (done, stage) => progress.set(0.4 + 0.6 * done, stageName(stage)),
@@ -200,7 +234,7 @@ export class Opening {
       const surface = viewer.showSurface(drawn);
       if (key !== this.editor.state.mesh) viewer.resetView({ animated: false });
       if (key !== this.editor.state.mesh) this.#restarts = 0;
-      client.onStopped = () => this.#restart(key, source);
+      client.onStopped = () => this.#restart(source);
       if (!standIn) this.#complaint?.remove();
       this.#showDocument(key, wanted(surface, before), surface.triangles, standIn);
       return true;
@@ -245,7 +279,7 @@ export class Opening {
   }
 
   /** An engine that ended by itself, as when memory ran out, is replaced; the document stays. */
-  #restart(key: string, source: MeshSource): void {
+  #restart(source: MeshSource): void {
     if (this.#restarts++ >= mostRestarts) {
       showError(
         'The engine stopped again. Your curve is kept; open the surface again to continue.',
@@ -253,9 +287,21 @@ export class Opening {
       return;
     }
     showError('The engine stopped and was restarted. Your curve is kept.');
-    const { standIn } = this.editor.state;
-    void this.#open(key, source, () => null, { standIn });
+    const { mesh, standIn } = this.editor.state;
+    void this.#open(mesh, source, () => null, { standIn });
   }
+}
+
+/** A surface to be drawn, with the axis up that its key says, or that seems to be. */
+function drawnMesh(client: EngineClient, key: string): GeometryRequest {
+  const { info } = client;
+  return {
+    positions: client.positions(),
+    triangles: client.triangles(),
+    // Triangles that were turned over are drawn as they came.
+    closed: info.boundaryLoops === 0 && info.repairs.every(({ kind }) => kind !== 'turnedOver'),
+    up: readingOf(key)?.up ?? client.up,
+  };
 }
 
 /** The document of a link, as far as it is on the surface; says what is not. */

@@ -222,13 +222,18 @@ export class Tab {
 
   /** Drops a file of that text onto the page. */
   drop(name, text) {
+    return this.dropBytes(name, new TextEncoder().encode(text));
+  }
+
+  dropBytes(name, bytes) {
     return this.page.evaluate(
-      ([fileName, content]) => {
+      ([fileName, base64]) => {
+        const content = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
         const dataTransfer = new DataTransfer();
         dataTransfer.items.add(new File([content], fileName));
         window.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
       },
-      [name, text],
+      [name, Buffer.from(bytes).toString('base64')],
     );
   }
 }

@@ -1,5 +1,8 @@
 import { readFile } from 'node:fs/promises';
+import { basename, dirname, join } from 'node:path';
 import { parseArgs } from 'node:util';
+import type { FileInfo } from '../formats/index.js';
+import type { Karcher } from '../karcher.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
 import type {
@@ -28,7 +31,7 @@ export class Arguments {
       }
     }
     const [meshPath, ...extra] = positionals;
-    if (meshPath === undefined) throw new UsageError(`${command.name} needs a mesh: an OBJ file`);
+    if (meshPath === undefined) throw new UsageError(`${command.name} needs a mesh: a file`);
     if (extra.length > 0) {
       throw new UsageError(
         `${command.name} takes one mesh; '${extra[0]}' is one argument too many`,
@@ -140,14 +143,23 @@ export class Arguments {
     };
   }
 
-  meshBytes(): Promise<Uint8Array> {
-    return this.#read(this.#meshPath);
+  async mesh(): Promise<Mesh> {
+    const read = await this.meshFile();
+    return (await read(await load())).mesh;
   }
 
-  async mesh(): Promise<Mesh> {
-    const bytes = await this.meshBytes();
-    const karcher = await load();
-    return karcher.meshFromObj(bytes, this.meshOptions());
+  /** Loads the mesh's file, and gives what reads it into an engine. */
+  async meshFile(): Promise<(karcher: Karcher) => Promise<{ mesh: Mesh; file: FileInfo }>> {
+    const bytes = await this.#read(this.#meshPath);
+    const { meshFromFile, namesBeside } = await import('../formats/index.js');
+    const name = basename(this.#meshPath);
+    const beside: Record<string, Uint8Array> = {};
+    for (const other of namesBeside(bytes, name)) {
+      beside[other] = await this.#read(join(dirname(this.#meshPath), other));
+    }
+    const options = { ...this.meshOptions(), name, beside };
+    const parts = this.given('parts') ? this.numbers('parts') : undefined;
+    return (karcher) => meshFromFile(karcher, bytes, { ...options, ...(parts && { parts }) });
   }
 
   async #read(path: string): Promise<Buffer> {

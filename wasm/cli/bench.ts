@@ -25,11 +25,11 @@ export const bench: Command = {
   async run(args) {
     const samples = args.integer('samples');
     const points = await args.points();
-    const bytes = await args.meshBytes();
+    const read = await args.meshFile();
     // Only here: the other commands need not wait for a second module.
     const { loadPeers } = await import('../peers/index.js');
     const peers = await loadPeers();
-    const mesh = peers.karcher.meshFromObj(bytes, args.meshOptions());
+    const { mesh } = await read(peers.karcher);
     const { vertices, triangles } = mesh.info;
     // First, so that wrong points are told before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });

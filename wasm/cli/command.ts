@@ -48,6 +48,12 @@ export const pointsOption: Option = {
 /** How the mesh is read, for every command. */
 export const meshOptions: readonly Option[] = [
   {
+    name: 'parts',
+    value: 'NUMBERS',
+    help: 'parts of the file that are read, as 0,2; karcher info lists them',
+    default: 'all',
+  },
+  {
     name: 'repair',
     value: 'safe|none',
     help: 'mend what is no surface where that is safe, or refuse it',

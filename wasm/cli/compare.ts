@@ -31,13 +31,13 @@ export const compare: Command = {
     if (budgetMs < 0) throw new UsageError('--budget must be at least 0 seconds');
     const delaunay = args.given('delaunay');
     const points = await args.points();
-    const bytes = await args.meshBytes();
+    const read = await args.meshFile();
     // Only here: the other commands need not wait for a second module.
     const { comparedMethods, loadPeers, runMethod, standardOptions, traceReference } = await import(
       '../peers/index.js'
     );
     const peers = await loadPeers();
-    const mesh = peers.karcher.meshFromObj(bytes, args.meshOptions());
+    const { mesh } = await read(peers.karcher);
     const plan = peers.plan(points, samples);
     // First, so that wrong points are told before the long work.
     const reference = await traceReference(peers, mesh, plan);

@@ -9,9 +9,10 @@ const indented = (rows: readonly (readonly [string, string])[]) => {
 };
 
 export function generalHelp(commands: readonly Command[]): string {
-  return `karcher COMMAND MESH.obj [options]: centers of mass and splines on triangle meshes
+  return `karcher COMMAND MESH [options]: centers of mass and splines on triangle meshes
 
 ${indented(commands.map((command) => [command.name, command.summary]))}
+MESH is an OBJ, PLY, STL, OFF, GLB or glTF file.
 A point is 'face:b1,b2', the weights of the face's second and third corner, or 'v:vertex'. Faces and
 vertices are numbered from 0 in the file's order; faces count triangles, after polygons were cut.
 Results go to standard output, mistakes to standard error with exit status 1.
@@ -21,7 +22,7 @@ Results go to standard output, mistakes to standard error with exit status 1.
 
 export function commandHelp(command: Command): string {
   const required = command.options.filter((option) => option.required).map(label);
-  const usage = ['karcher', command.name, 'MESH.obj', ...required, '[options]'].join(' ');
+  const usage = ['karcher', command.name, 'MESH', ...required, '[options]'].join(' ');
   const rows = command.options.map((option): [string, string] => [
     label(option),
     option.default === undefined ? option.help : `${option.help} (${option.default})`,

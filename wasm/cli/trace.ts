@@ -61,11 +61,11 @@ export const trace: Command = {
     }
     const measures = measuresOf(args);
     const record = await readCurve(args);
-    const bytes = await args.meshBytes();
+    const read = await args.meshFile();
     const karcher = await load();
 
     const start = performance.now();
-    const mesh = karcher.meshFromObj(bytes, args.meshOptions());
+    const { mesh } = await read(karcher);
     await mesh.prepare(field);
     const prepare = performance.now() - start;
     const curve = mesh.curve({ ...record, ...sampling, ...field });

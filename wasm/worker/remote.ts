@@ -1,5 +1,6 @@
 import type { Curve } from '../curve.js';
 import { KarcherError } from '../errors.js';
+import type { FileInfo, FileOptions } from '../formats/index.js';
 import type { Karcher } from '../karcher.js';
 import type { Mesh } from '../mesh.js';
 import { namesOf } from '../options.js';
@@ -45,6 +46,11 @@ export type RemoteMesh = Remotely<Mesh, MeshMethod> & { readonly info: Readonly<
 
 /** An engine in a worker: the methods of `Karcher`. `dispose` ends the worker. */
 export type RemoteKarcher = Remotely<Karcher, MethodsOf<Karcher>> & {
+  /** As `meshFromFile` of `karcher/formats`, read in the worker, with progress and a signal. */
+  meshFromFile(
+    bytes: Uint8Array,
+    options?: FileOptions,
+  ): Promise<{ mesh: RemoteMesh; file: FileInfo }>;
   readonly client: WorkerClient;
   dispose(): void;
 };
@@ -110,7 +116,8 @@ const meshMethods = namesOf<Record<MeshMethod, true>>({
   dispose: true,
 });
 
-const karcherMethods = namesOf<Record<MethodsOf<Karcher>, true>>({
+const karcherMethods = namesOf<Record<MethodsOf<Karcher> | 'meshFromFile', true>>({
+  meshFromFile: true,
   meshFromObj: true,
   meshFromArrays: true,
   shape: true,

@@ -1,4 +1,7 @@
 import type { Shape } from 'karcher';
+import type { UpAxis } from 'karcher/formats';
+
+export type { UpAxis };
 
 export const tessellations = ['delaunay', 'grid', 'anisotropic'] as const;
 
@@ -18,10 +21,18 @@ export type MadeSource =
   | { kind: 'plane'; tessellation: Tessellation; triangles: number }
   | { kind: 'simplified'; of: MadeSource; triangles: number };
 
+/** A file, and which of its parts are read; null for all. */
+export interface FileSource {
+  kind: 'file';
+  bytes: Uint8Array;
+  name: string;
+  parts: readonly number[] | null;
+}
+
 /** Where a surface comes from. */
 export type MeshSource =
   | MadeSource
-  | { kind: 'file'; bytes: Uint8Array }
+  | FileSource
   | { kind: 'arrays'; positions: Float64Array; triangles: Int32Array };
 
 export interface Sample {
@@ -46,7 +57,9 @@ export const samples: readonly Sample[] = [
 
 /**
  * A surface's key: `bunny:levels`, `shape:triangles`, `plane:tessellation:triangles`,
- * `simplified:triangles:` and the key of what is simplified, or `file:digest:name`.
+ * `simplified:triangles:` and the key of what is simplified, or `file:digest:name`. After the digest come
+ * the numbers of the parts that are read, where these are not all, and the axis that points up, where it
+ * is not as guessed: `file:digest.0.2~z:name`.
  */
 export const defaultMesh = 'bunny:1';
 
@@ -57,11 +70,17 @@ const mostTriangles = 1_000_000;
 export type ParsedKey =
   | { sample: Sample; detail: number }
   | { made: MadeSource }
-  | { digest: string; name: string };
+  | ({ digest: string; name: string } & Reading);
+
+/** How a file is read: which parts, null for all, and which axis points up, null as guessed. */
+export interface Reading {
+  parts: readonly number[] | null;
+  up: UpAxis | null;
+}
 
 export function parseKey(key: string): ParsedKey | null {
   const [id, value, ...rest] = key.split(':');
-  if (id === 'file' && value) return { digest: value, name: rest.join(':') || 'file' };
+  if (id === 'file' && value) return parseFileKey(value, rest.join(':') || 'file');
   if (id === 'plane') {
     const tessellation = tessellations.find((one) => one === value);
     const triangles = countOf(rest.join(':'), mostTriangles);
@@ -139,9 +158,50 @@ export function meshLabel(key: string): string {
   return 'sample' in parsed ? parsed.sample.label : parsed.name;
 }
 
-/** Tells files apart (FNV-1a); `crypto.subtle` is missing on plain http. */
-export function fileKey(name: string, bytes: Uint8Array): string {
+/** What is hashed at once, in bytes: a few milliseconds. */
+const hashedAtOnce = 1 << 21;
+
+/**
+ * Tells files apart (FNV-1a); `crypto.subtle` is missing on plain http. In slices: a large file takes a
+ * while.
+ */
+export async function fileKey(name: string, bytes: Uint8Array): Promise<string> {
   let hash = 0x811c9dc5;
-  for (const byte of bytes) hash = Math.imul(hash ^ byte, 0x01000193);
+  for (let at = 0; at < bytes.length; at += hashedAtOnce) {
+    if (at > 0) await new Promise((resolve) => setTimeout(resolve));
+    for (const byte of bytes.subarray(at, at + hashedAtOnce)) {
+      hash = Math.imul(hash ^ byte, 0x01000193);
+    }
+  }
   return `file:${(hash >>> 0).toString(36)}-${bytes.length.toString(36)}:${name}`;
+}
+
+function parseFileKey(text: string, name: string): ParsedKey {
+  const [, digest, parts, up] = /^([^.~]+)((?:\.\d{1,9})*)(?:~([xyz]))?$/.exec(text) ?? [];
+  if (digest === undefined) return { digest: text, name, parts: null, up: null };
+  const numbers = parts ? parts.slice(1).split('.').map(Number) : null;
+  return { digest, name, parts: numbers, up: (up as UpAxis | undefined) ?? null };
+}
+
+/** How the file of a key is read; null where it is none of a file. */
+export function readingOf(key: string): Reading | null {
+  const parsed = parseKey(key);
+  return parsed && 'digest' in parsed ? { parts: parsed.parts, up: parsed.up } : null;
+}
+
+/** The key of the same file, read in another way. */
+export function readAs(key: string, reading: Partial<Reading>): string {
+  const parsed = parseKey(key);
+  if (!parsed || !('digest' in parsed)) return key;
+  const { digest, name, parts, up } = { ...parsed, ...reading };
+  const numbers = (parts ?? []).map((part) => `.${part}`).join('');
+  return `file:${digest}${numbers}${up ? `~${up}` : ''}:${name}`;
+}
+
+/** The key of a file itself, however it is read; any other key as it is. */
+export const keyOfFile = (key: string) => readAs(key, { parts: null, up: null });
+
+/** A file as its key says that it is read. */
+export function fileSource(key: string, bytes: Uint8Array): FileSource {
+  return { kind: 'file', bytes, name: meshLabel(key), parts: readingOf(key)?.parts ?? null };
 }

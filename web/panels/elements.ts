@@ -21,3 +21,9 @@ export const formatCount = (count: number, one: string, many = `${one}s`) =>
   `${integers.format(count)} ${count === 1 ? one : many}`;
 
 export const formatInteger = (value: number) => integers.format(value);
+
+/** A size as a person reads it: 3.2 MB. */
+export function formatBytes(bytes: number): string {
+  const power = Math.min(3, Math.max(1, Math.floor(Math.log10(Math.max(1, bytes)) / 3)));
+  return `${Number((bytes / 1000 ** power).toPrecision(2))} ${['', 'kB', 'MB', 'GB'][power]}`;
+}

@@ -1,10 +1,33 @@
 import type { MeshInfo } from 'karcher';
-import { detailLabels, meshLabel, parseKey, samples } from '../model/meshes';
+import type { FileInfo } from 'karcher/formats';
+import {
+  detailLabels,
+  meshLabel,
+  parseKey,
+  readAs,
+  readingOf,
+  samples,
+  type UpAxis,
+} from '../model/meshes';
 import { byId, formatInteger, make } from './elements';
 
 export interface SurfaceEvents {
   choose(key: string): void;
   openFile(file: File): void;
+  /** Shows the file in another way, which its key says. */
+  reread(key: string): void;
+}
+
+/** A longer menu is of no use. */
+const mostParts = 1000;
+
+/** What is shown of a surface. */
+export interface ShownSurface {
+  info: MeshInfo;
+  /** Of a surface from a file. */
+  file: FileInfo | null;
+  /** The axis that seems to point up. */
+  up: UpAxis;
 }
 
 /** The surface's menu, its details and its facts; also takes files that are dropped on the page. */
@@ -12,6 +35,8 @@ export class SurfacePanel {
   readonly #surface = byId<HTMLSelectElement>('surface');
   readonly #detail = byId<HTMLSelectElement>('detail');
   readonly #file = byId<HTMLInputElement>('file');
+  readonly #part = byId<HTMLSelectElement>('part');
+  readonly #up = byId<HTMLSelectElement>('up');
   #key = '';
 
   constructor(private readonly events: SurfaceEvents) {
@@ -26,11 +51,18 @@ export class SurfacePanel {
       this.#file.value = '';
       if (file) events.openFile(file);
     });
+    this.#part.addEventListener('change', () => {
+      const parts = this.#part.value === '' ? null : [Number(this.#part.value)];
+      events.reread(readAs(this.#key, { parts }));
+    });
+    this.#up.addEventListener('change', () => {
+      events.reread(readAs(this.#key, { up: this.#up.value as UpAxis }));
+    });
     this.#takeDrops();
   }
 
   /** Shows which surface is on the stage; also takes a menu back whose choice came to nothing. */
-  show(key: string, info: MeshInfo): void {
+  show(key: string, { info, file, up }: ShownSurface): void {
     this.#key = key;
     const parsed = parseKey(key);
     this.#surface.querySelector('[data-file]')?.remove();
@@ -46,7 +78,24 @@ export class SurfacePanel {
       this.#surface.value = key;
       this.#detail.append(make('option', 'As is'));
     }
-    this.#showFacts(info);
+    this.#showReading(file, up);
+    this.#showFacts(info, file?.notRead ?? []);
+  }
+
+  /** How a file is read: which of its parts, where it has several, and what points up. */
+  #showReading(file: FileInfo | null, up: UpAxis): void {
+    const reading = readingOf(this.#key);
+    byId('reading').hidden = !file || !reading;
+    if (!file || !reading) return;
+    const parts = file.parts
+      .slice(0, mostParts)
+      .map(({ name }, i) => make('option', name, { value: `${i}` }));
+    const all = make('option', `All ${formatInteger(file.parts.length)} parts`, { value: '' });
+    this.#part.replaceChildren(all, ...parts);
+    this.#part.disabled = file.parts.length < 2;
+    if (file.parts.length < 2) this.#part.replaceChildren(make('option', 'One part'));
+    else this.#part.value = reading.parts ? `${reading.parts[0]}` : '';
+    this.#up.value = reading.up ?? up;
   }
 
   #fillDetails(details: readonly number[], detail: number): void {
@@ -58,7 +107,7 @@ export class SurfacePanel {
     this.#detail.value = `${detail}`;
   }
 
-  #showFacts(info: MeshInfo): void {
+  #showFacts(info: MeshInfo, notRead: readonly string[]): void {
     const facts: [string, string][] = [
       ['Triangles', formatInteger(info.triangles)],
       ['Vertices', formatInteger(info.vertices)],
@@ -69,8 +118,9 @@ export class SurfacePanel {
     const terms = facts.flatMap(([name, value]) => [make('dt', name), make('dd', value)]);
     byId('facts').replaceChildren(...terms);
     const repairs = byId('repairs');
-    repairs.hidden = info.repairs.length === 0;
-    repairs.replaceChildren(...info.repairs.map(({ message }) => make('li', message)));
+    const notes = [...notRead, ...info.repairs.map(({ message }) => message)];
+    repairs.hidden = notes.length === 0;
+    repairs.replaceChildren(...notes.map((note) => make('li', note)));
   }
 
   #chooseSurface(): void {

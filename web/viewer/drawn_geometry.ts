@@ -1,10 +1,6 @@
 import type { SerializedBVH } from 'three-mesh-bvh';
-
-/** Takes a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2. */
-export interface Frame {
-  center: [number, number, number];
-  scale: number;
-}
+import type { UpAxis } from '../model/meshes';
+import type { Frame } from './frame';
 
 export interface DrawnGeometry {
   frame: Frame;
@@ -22,6 +18,8 @@ export interface GeometryRequest {
   triangles: Int32Array;
   /** Without a boundary. */
   closed: boolean;
+  /** The axis that points up. */
+  up: UpAxis;
 }
 
 /** Prepares a surface for drawing and picking in a worker of its own. */

@@ -1,12 +1,13 @@
 /** The worker that prepares a surface for drawing and picking, so that the page never waits. */
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
-import type { DrawnGeometry, Frame, GeometryRequest } from './drawn_geometry';
+import type { DrawnGeometry, GeometryRequest } from './drawn_geometry';
+import { type Frame, placesInScene } from './frame';
 
 type Corners = [number, number, number];
 
 /** The frame of the vertices that triangles use. */
-function frameOf({ positions, triangles }: GeometryRequest): Frame {
+function frameOf({ positions, triangles, up }: GeometryRequest): Frame {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   for (const vertex of triangles) {
@@ -18,7 +19,7 @@ function frameOf({ positions, triangles }: GeometryRequest): Frame {
   }
   const center = low.map((value, axis) => (value + high[axis]!) / 2) as Frame['center'];
   const diagonal = Math.hypot(...low.map((value, axis) => high[axis]! - value));
-  return { center, scale: 2 / diagonal };
+  return { center, scale: 2 / diagonal, up };
 }
 
 /** The sign of the volume that a closed surface encloses tells which way its triangles face. */
@@ -39,9 +40,8 @@ function outsideOf(positions: Float32Array, triangles: Uint32Array): 'front' | '
 self.onmessage = ({ data }: MessageEvent<GeometryRequest>) => {
   const frame = frameOf(data);
   // Vertices that no triangle uses may be anything; three.js asks for bounds of all.
-  const positions = Float32Array.from(data.positions, (value, i) =>
-    Number.isFinite(value) ? (value - frame.center[i % 3]!) * frame.scale : 0,
-  );
+  const positions = placesInScene(frame, data.positions);
+  for (let i = 0; i < positions.length; i++) if (!Number.isFinite(positions[i])) positions[i] = 0;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setIndex(new BufferAttribute(Uint32Array.from(data.triangles), 1));

@@ -15,7 +15,15 @@ import {
 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/document';
-import type { DrawnGeometry, Frame } from './drawn_geometry';
+import type { DrawnGeometry } from './drawn_geometry';
+import {
+  directionFromScene,
+  directionInScene,
+  type Frame,
+  placeFromScene,
+  placeInScene,
+  placesInScene,
+} from './frame';
 
 /** Digits after the point that the weights of a picked point have, so that links are short. */
 const shortened = (weight: number) => Math.floor(weight * 1e9) / 1e9;
@@ -170,20 +178,27 @@ export class Surface {
 
   /** A polyline in the surface's coordinates, x, y, z each, taken to the scene's. */
   toScene(polyline: Float32Array): Float32Array {
-    const { center, scale } = this.frame;
-    return polyline.map((value, i) => (value - center[i % 3]!) * scale);
+    return placesInScene(this.frame, polyline);
   }
 
   /** A place in the surface's coordinates, in the scene. */
   inScene(place: Vector): Vector3 {
-    const { center, scale } = this.frame;
-    return new Vector3().fromArray(place.map((value, axis) => (value - center[axis]!) * scale));
+    return new Vector3(...placeInScene(this.frame, place));
   }
 
   /** A place of the scene in the surface's coordinates. */
   fromScene(position: Vector3): Vector {
-    const { center, scale } = this.frame;
-    return position.toArray().map((value, axis) => value / scale + center[axis]!) as Vector;
+    return placeFromScene(this.frame, position.toArray());
+  }
+
+  /** A direction in the surface's coordinates, in the scene's. */
+  directionInScene(direction: Vector): Vector3 {
+    return new Vector3(...directionInScene(this.frame.up, direction));
+  }
+
+  /** A direction of the scene in the surface's coordinates. */
+  directionFromScene(direction: Vector3): Vector {
+    return directionFromScene(this.frame.up, direction.toArray());
   }
 
   /**

@@ -194,10 +194,12 @@ export class Viewer {
 
   /** A curve's tangent at a place, in the surface's coordinates. */
   showTangent(at: { position: Vector; tangent: Vector } | null): void {
-    const place = at && this.#surface?.toScene(Float32Array.from(at.position));
-    const [start, along] = [place, at?.tangent].map((of) => new Vector3(...(of ?? [0, 0, 0])));
-    const tip = along!.setLength(tangentLength).add(start!);
-    this.#tangent.set(place ? [Float32Array.from([...start!.toArray(), ...tip.toArray()])] : []);
+    const surface = this.#surface;
+    const start = at && surface?.inScene(at.position);
+    if (at && surface && start) {
+      const tip = surface.directionInScene(at.tangent).setLength(tangentLength).add(start);
+      this.#tangent.set([Float32Array.from([...start.toArray(), ...tip.toArray()])]);
+    } else this.#tangent.set([]);
     this.requestFrame();
   }
 
@@ -310,7 +312,8 @@ export class Viewer {
 
   /** The camera's direction to the right, in the surface's coordinates. */
   get right(): [number, number, number] {
-    return new Vector3().setFromMatrixColumn(this.#view.camera.matrixWorld, 0).toArray();
+    const right = new Vector3().setFromMatrixColumn(this.#view.camera.matrixWorld, 0);
+    return this.#surface?.directionFromScene(right) ?? right.toArray();
   }
 
   /** Turns the view about its target, by angles in radians. */

@@ -8,8 +8,9 @@ import type {
   MeshInfo,
   PointLike,
 } from 'karcher';
+import type { FileInfo } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
-import type { MeshSource } from '../model/meshes';
+import type { MeshSource, UpAxis } from '../model/meshes';
 import type { Measured, ShorterLeg, TracedCurve, TracedIsolines } from '../model/traced';
 import { type Edit, type Edited, edited } from './edits';
 import { tracedCircle, tracedCurve } from './traced';
@@ -20,6 +21,8 @@ interface Loaded {
   mesh: RemoteMesh;
   positions: Float64Array;
   triangles: Int32Array;
+  file: FileInfo | null;
+  up: UpAxis;
 }
 
 /**
@@ -54,6 +57,16 @@ export class EngineClient {
   /** What is asked of the surface itself. */
   get mesh(): RemoteMesh {
     return this.#loaded!.mesh;
+  }
+
+  /** What the file is that the surface comes from; null of another surface. */
+  get file(): FileInfo | null {
+    return this.#loaded!.file;
+  }
+
+  /** The axis of the surface's coordinates that seems to point up. */
+  get up(): UpAxis {
+    return this.#loaded!.up;
   }
 
   get info(): Readonly<MeshInfo> {

@@ -1,16 +1,51 @@
 /** The worker that runs the engine: `karcher/worker-thread` that also makes the page's meshes. */
 import { type Karcher, type LongWorkOptions, load, type Mesh } from 'karcher';
+import type { FileInfo } from 'karcher/formats';
 import { serve } from 'karcher/own-worker';
-import type { MeshSource } from '../model/meshes';
+import type { MeshSource, UpAxis } from '../model/meshes';
+
+interface Loaded {
+  mesh: Mesh;
+  positions: Float64Array;
+  triangles: Int32Array;
+  /** Of a surface from a file. */
+  file: FileInfo | null;
+  /** The axis that seems to point up. */
+  up: UpAxis;
+}
+
+/** What the page calls the stages of reading a file. */
+const fileStages: Record<string, string> = {
+  cutting: 'Cutting polygons',
+  making: 'Making the surface',
+};
+
+const arraysOf = (mesh: Mesh) => ({
+  mesh,
+  positions: mesh.positions(),
+  triangles: mesh.triangles(),
+});
 
 /** What can be asked of the worker; the rest is asked of the mesh. */
 const calls = {
-  async load(source: MeshSource, { progress = () => {} }: LongWorkOptions) {
+  async load(source: MeshSource, { progress = () => {} }: LongWorkOptions): Promise<Loaded> {
     progress(0, 'Starting the engine');
     const karcher = await load();
     progress(0.2, 'Reading the surface');
-    const mesh = await meshOf(karcher, source, progress);
-    return { mesh, positions: mesh.positions(), triangles: mesh.triangles() };
+    if (source.kind !== 'file') {
+      const mesh = await meshOf(karcher, source, progress);
+      return { ...arraysOf(mesh), file: null, up: 'y' };
+    }
+    const { guessUp, meshFromFile } = await import('karcher/formats');
+    const { bytes, name, parts } = source;
+    const read = await meshFromFile(karcher, bytes, {
+      ...{ name, ...(parts && { parts }) },
+      progress: (done, stage) =>
+        progress(0.2 + 0.6 * done, fileStages[stage] ?? 'Reading the file'),
+    });
+    const arrays = arraysOf(read.mesh);
+    const up = guessUp(arrays.positions, arrays.triangles, read.file.format);
+    return { ...arrays, file: read.file, up };
   },
 };
 
@@ -20,12 +55,10 @@ serve(calls);
 
 async function meshOf(
   karcher: Karcher,
-  source: MeshSource,
+  source: Exclude<MeshSource, { kind: 'file' }>,
   progress: NonNullable<LongWorkOptions['progress']>,
 ): Promise<Mesh> {
   switch (source.kind) {
-    case 'file':
-      return karcher.meshFromObj(source.bytes);
     case 'arrays':
       return karcher.meshFromArrays(source.positions, source.triangles);
     case 'bunny':

@@ -15,7 +15,7 @@ export class GeometryMaker {
           this.#worker.onmessage = ({ data }: MessageEvent<DrawnGeometry>) => resolve(data);
           this.#worker.onerror = (event) => reject(new Error(event.message));
           const closed = info.boundaryLoops === 0;
-          const request: GeometryRequest = { positions, triangles, closed };
+          const request: GeometryRequest = { positions, triangles, closed, up: 'y' };
           this.#worker.postMessage(request);
         }),
     );

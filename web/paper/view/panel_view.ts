@@ -180,8 +180,7 @@ export class PanelView {
     this.#raycaster.setFromCamera(place, this.#camera);
     const hit = this.#surface.pick(this.#raycaster.ray);
     if (!hit) return null;
-    const { center, scale } = this.#surface.frame;
-    return hit.position.toArray().map((value, c) => value / scale + center[c]!) as Vector;
+    return this.#surface.fromScene(hit.position);
   }
 
   /** Where a point of the scene is on the stage, in CSS pixels, and whether the surface hides it. */

@@ -1,0 +1,531 @@
+// Files of meshes: each format gives the mesh that was written, and what is damaged is refused with its
+// place.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { load } from 'karcher';
+import { fileEndings, formatOf, guessUp, meshFromFile, namesBeside } from 'karcher/formats';
+import { loadInWorker } from 'karcher/worker';
+import { SphereGeometry, Mesh as ThreeMesh, TorusGeometry } from 'three';
+import { PLYExporter } from 'three/addons/exporters/PLYExporter.js';
+import { STLExporter } from 'three/addons/exporters/STLExporter.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import * as files from './mesh_files.mjs';
+
+const { box, cutBox } = files;
+let karcher;
+before(async () => {
+  karcher = await load();
+});
+
+const open = (bytes, options) => meshFromFile(karcher, bytes, options);
+const encode = (text) => new TextEncoder().encode(text);
+
+/** Places of a mesh's corners, triangle by triangle. */
+function placesOf(mesh) {
+  const positions = mesh.positions();
+  return Array.from(mesh.triangles(), (vertex) =>
+    Array.from(positions.subarray(3 * vertex, 3 * vertex + 3)),
+  );
+}
+
+const written = ({ positions, faces }) =>
+  faces.flat().map((vertex) => positions.slice(3 * vertex, 3 * vertex + 3));
+
+test('every format gives the mesh that was written, corner by corner', async () => {
+  for (const [name, bytes] of Object.entries(files.everyFile(cutBox))) {
+    const { mesh, file } = await open(bytes, { name });
+    assert.deepEqual(placesOf(mesh), written(cutBox), name);
+    assert.equal(mesh.info.vertices, 8, name);
+    assert.equal(mesh.info.boundaryLoops, 0, name);
+    assert.deepEqual(mesh.info.repairs, [], name);
+    assert.equal(file.parts.length, 1, name);
+    assert.equal(file.parts[0].triangles, 12, name);
+    mesh.dispose();
+  }
+});
+
+test('the content tells the format, and the name where it does not', () => {
+  for (const [name, bytes] of Object.entries(files.everyFile(cutBox))) {
+    const format = name.split('.')[1].replace('glb', 'gltf');
+    assert.equal(formatOf(bytes), format, name);
+    assert.equal(formatOf(bytes, 'mesh.obj'), format, name);
+  }
+  assert.equal(formatOf(encode('anything'), 'x.STL'), 'stl');
+  assert.deepEqual(fileEndings, ['.obj', '.ply', '.stl', '.off', '.glb', '.gltf']);
+});
+
+test('polygons are cut as those of an OBJ file', async () => {
+  const wanted = await open(files.objFile(box));
+  for (const bytes of [
+    files.plyFile(box),
+    files.plyFile(box, { encoding: 'big' }),
+    files.offFile(box),
+  ]) {
+    const { mesh, file } = await open(bytes);
+    assert.deepEqual(mesh.triangles(), wanted.mesh.triangles());
+    assert.deepEqual(mesh.positions(), wanted.mesh.positions());
+    assert.deepEqual(mesh.info.repairs, wanted.mesh.info.repairs);
+    assert.equal(file.parts[0].triangles, 12);
+  }
+  const crossed = { positions: [0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1, 0], faces: [[0, 1, 2, 3]] };
+  await assert.rejects(open(files.offFile(crossed)), {
+    code: 'degenerateFace',
+    message: /^face 0: the face with 4 corners cannot be cut/,
+  });
+});
+
+test('numbers of a text are the nearest doubles, however they are written', async () => {
+  const numbers = [
+    ...['0.1', '1e22', '-1.7976931348623157e10', '123456789012345678', '+.5', '5.', '1E-5'],
+    ...['0.30000000000000004', '-0', '9007199254740993', '2.2250738585072014e-10', '1e-7'],
+  ];
+  const vertices = numbers.map((number, i) => `${number} ${i} ${i * i}`);
+  const text = `OFF\n${numbers.length} 1 0\n${vertices.join('\n')}\n3 0 8 5\n`;
+  // Vertices of no face are left out of the surface, and keep their place.
+  const { mesh } = await open(encode(text));
+  const xs = Array.from(mesh.positions()).filter((_, i) => i % 3 === 0);
+  assert.deepEqual(xs, numbers.map(Number));
+});
+
+test('what three.js writes is read, and what it reads is the same', async () => {
+  const torus = new TorusGeometry(1, 0.4, 12, 30);
+  const place = (i) =>
+    [0, 1, 2].map((axis) => Math.fround(torus.attributes.position.array[3 * i + axis]));
+  const wanted = Array.from(torus.index.array, place);
+  const near = (mesh) => {
+    const places = placesOf(mesh);
+    assert.equal(places.length, wanted.length);
+    for (const [i, found] of places.entries()) {
+      assert.ok(found.every((x, axis) => Math.abs(x - wanted[i][axis]) < 1e-6));
+    }
+    assert.deepEqual([mesh.info.boundaryLoops, mesh.info.genus], [0, 1]);
+  };
+  const object = new ThreeMesh(torus);
+  const bytesOf = (result) =>
+    typeof result === 'string' ? encode(result) : new Uint8Array(result.buffer ?? result);
+  const ply = (options) => bytesOf(new PLYExporter().parse(object, null, options));
+  near((await open(ply({}))).mesh);
+  near((await open(ply({ binary: true }))).mesh);
+  near((await open(ply({ binary: true, littleEndian: true }))).mesh);
+  near((await open(bytesOf(new STLExporter().parse(object)))).mesh);
+  near((await open(bytesOf(new STLExporter().parse(object, { binary: true })))).mesh);
+
+  const nodes = [
+    { children: [1, 2], translation: [1, 2, 3], rotation: [0.5, 0.5, 0.5, 0.5] },
+    { mesh: 0, scale: [2, -1, 1] },
+    { mesh: 0, matrix: [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 9, 0, 0, 1] },
+  ];
+  const glb = files.glbFile(cutBox, { nodes });
+  const { scene } = await new GLTFLoader().parseAsync(glb.slice().buffer, '');
+  scene.updateMatrixWorld(true);
+  const shown = [];
+  scene.traverse((node) => {
+    if (!node.isMesh) return;
+    const { position } = node.geometry.attributes;
+    const turned = node.matrixWorld.determinant() < 0;
+    const index = Array.from(node.geometry.index.array);
+    for (let i = 0; i < index.length; i += 3) {
+      const [a, b, c] = index.slice(i, i + 3);
+      for (const vertex of turned ? [a, c, b] : [a, b, c]) {
+        shown.push(
+          node.localToWorld(scene.position.clone().fromBufferAttribute(position, vertex)).toArray(),
+        );
+      }
+    }
+  });
+  const { mesh } = await open(glb);
+  for (const [i, found] of placesOf(mesh).entries()) {
+    assert.ok(found.every((x, axis) => Math.abs(x - shown[i][axis]) < 1e-12));
+  }
+  assert.equal(mesh.info.components, 2);
+});
+
+test('glTF: strips, fans, no indices, normalized and sparse numbers', async () => {
+  const { json, buffer } = files.gltfParts(cutBox);
+  const withMode = (mode, corners, changes = {}) => {
+    const view = new DataView(buffer.buffer.slice(0));
+    for (const [i, vertex] of corners.entries()) view.setUint32(4 * (24 + i), vertex, true);
+    const [position, index] = json.accessors;
+    return files.glbOf({
+      json: {
+        ...json,
+        meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1, mode }] }],
+        accessors: [position, { ...index, count: corners.length }],
+        ...changes,
+      },
+      buffer: new Uint8Array(view.buffer),
+    });
+  };
+  const trianglesOf = async (bytes) => Array.from((await open(bytes)).mesh.triangles());
+  assert.deepEqual(await trianglesOf(withMode(5, [0, 1, 2, 3, 7])), [0, 1, 2, 1, 3, 2, 2, 3, 7]);
+  assert.deepEqual(await trianglesOf(withMode(6, [0, 1, 2, 3])), [0, 1, 2, 0, 2, 3]);
+
+  const soup = { positions: written(cutBox).flat(), faces: [] };
+  const plain = files.gltfParts(soup);
+  plain.json.meshes = [{ primitives: [{ attributes: { POSITION: 0 } }] }];
+  const { mesh } = await open(files.glbOf(plain));
+  assert.deepEqual(placesOf(mesh), written(cutBox));
+  assert.deepEqual([mesh.info.vertices, mesh.info.boundaryLoops], [8, 0], 'welded');
+
+  // Three rows of bytes, of which row 2 is another: 0 0 0, 255 0 0, and 0 255 51 instead of 0 0 0.
+  const bytes = [0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 2, 0, 255, 51];
+  const quantized = {
+    asset: { version: '2.0' },
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    accessors: [
+      {
+        ...{ bufferView: 0, componentType: 5121, normalized: true, count: 3, type: 'VEC3' },
+        sparse: {
+          count: 1,
+          indices: { bufferView: 1, componentType: 5121 },
+          values: { bufferView: 1, byteOffset: 1 },
+        },
+      },
+    ],
+    bufferViews: [
+      { buffer: 0, byteLength: 12, byteStride: 4 },
+      { buffer: 0, byteOffset: 12, byteLength: 4 },
+    ],
+    buffers: [
+      { uri: `data:application/gltf-buffer;base64,${btoa(String.fromCharCode(...bytes))}` },
+    ],
+    extensionsRequired: ['KHR_mesh_quantization'],
+  };
+  const read = await open(encode(JSON.stringify(quantized)));
+  assert.deepEqual(placesOf(read.mesh), [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0.2],
+  ]);
+});
+
+test('glTF whose buffer lies beside it', async () => {
+  const { json, buffer } = files.gltfParts(cutBox);
+  json.buffers[0].uri = 'a%20body.bin';
+  const text = encode(JSON.stringify(json));
+  assert.deepEqual(namesBeside(text), ['a body.bin']);
+  assert.deepEqual(namesBeside(files.offFile(box)), []);
+  await assert.rejects(open(text), { code: 'badFile', message: /needs 'a body\.bin'/ });
+  const { mesh } = await open(text, { beside: { 'a body.bin': buffer } });
+  assert.deepEqual(placesOf(mesh), written(cutBox));
+  for (const uri of ['../up.bin', '/etc/hosts', 'https://elsewhere.invalid/x.bin', 'a/../../b']) {
+    json.buffers[0].uri = uri;
+    assert.throws(() => namesBeside(encode(JSON.stringify(json))), { message: /not lie beside/ });
+  }
+});
+
+test('parts are listed, and those that are asked for are read', async () => {
+  const obj = encode(
+    'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 6 1 0\no left\nf 1 2 3\no right\ng top\nf -4 -3 \\\n-2\nf 5 7 6\no left\nf 3 2 1\n',
+  );
+  const all = await open(obj);
+  assert.deepEqual(all.file.parts, [
+    { name: 'left', triangles: 2 },
+    { name: 'right, top', triangles: 2 },
+  ]);
+  const right = await open(obj, { parts: [1] });
+  assert.deepEqual(Array.from(right.mesh.triangles()), [3, 4, 5, 4, 6, 5]);
+
+  const stl = files.stlFile(cutBox, { text: true, solids: 3 });
+  const { file } = await open(stl);
+  assert.deepEqual(
+    file.parts.map(({ name, triangles }) => [name, triangles]),
+    [
+      ['part 0', 4],
+      ['part 1', 4],
+      ['part 2', 4],
+    ],
+  );
+  const some = await open(stl, { parts: [2, 0] });
+  assert.deepEqual(placesOf(some.mesh), [
+    ...written(cutBox).slice(0, 12),
+    ...written(cutBox).slice(24),
+  ]);
+  const nodes = [
+    { mesh: 0, name: 'one' },
+    { mesh: 0, name: 'two', translation: [9, 0, 0] },
+  ];
+  const glb = files.glbFile(cutBox, { nodes, scenes: [{ nodes: [0, 1] }] });
+  assert.deepEqual(
+    (await open(glb)).file.parts.map(({ name }) => name),
+    ['one', 'two'],
+  );
+  assert.equal((await open(glb, { parts: [1] })).mesh.positions()[0], 9);
+  await assert.rejects(open(glb, { parts: [2] }), { code: 'badArgument', message: /no part 2/ });
+  await assert.rejects(open(glb, { parts: [-1] }), { code: 'badArgument' });
+  await assert.rejects(open(glb, { parts: [] }), { code: 'badArgument' });
+});
+
+const replaceIn = (bytes, from, to) => encode(new TextDecoder().decode(bytes).replace(from, to));
+const json = (changes) => encode(JSON.stringify({ ...files.gltfParts(cutBox).json, ...changes }));
+const withByte = (bytes, at, value) => {
+  const changed = bytes.slice();
+  changed[at] = value;
+  return changed;
+};
+
+const damaged = {
+  'an empty file': [new Uint8Array(), 'badFile', /empty/],
+  'a PNG': [
+    Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10),
+    'badFile',
+    /a PNG picture, which is not read/,
+  ],
+  'an FBX': [encode('Kaydara FBX Binary  \0'), 'badFile', /an FBX file/],
+  'a 3MF': [Uint8Array.of(0x50, 0x4b, 3, 4), 'badFile', /a ZIP archive/],
+  'a COLLADA': [encode('<?xml version="1.0"?>\n<COLLADA>'), 'badFile', /a COLLADA file/],
+  'a word in a PLY': [
+    replaceIn(files.plyFile(box), '2 200 3 4', '2 200 x 4'),
+    'badFile',
+    /^line 22: there must be a coordinate, not 'x'/,
+  ],
+  'a PLY row that is short': [
+    replaceIn(files.plyFile(box), '2 200 3 4', '2 200 3'),
+    'badFile',
+    /^line 22 ends where there must be a coordinate/,
+  ],
+  'a PLY row that is long': [
+    replaceIn(files.plyFile(box), '2 200 3 4', '2 200 3 4 5'),
+    'badFile',
+    /^line 22: there must be the end of the line, not '5'/,
+  ],
+  'a PLY vertex that is not there': [
+    files.plyFile({ ...box, faces: [[0, 1, 8]] }),
+    'badIndex',
+    /^line 24: face 0 uses vertex 8, but the file has 8$/,
+  ],
+  'a PLY face of two corners': [
+    files.plyFile({ ...box, faces: [[0, 1]] }),
+    'badFile',
+    /face 0 has 2 corners/,
+  ],
+  'a binary PLY that is cut off': [
+    files.plyFile(box, { encoding: 'little' }).slice(0, -60),
+    'badFile',
+    /the file ends at byte \d+, where/,
+  ],
+  'a negative count in a PLY list': [
+    files.plyFile({ ...box, faces: [[]] }, { encoding: 'big', length: 'int' }),
+    'badFile',
+    /0 corners/,
+  ],
+  'more PLY vertices than bytes': [
+    replaceIn(files.plyFile(box), 'vertex 8', 'vertex 2000000000'),
+    'badFile',
+    /2,000,000,000 elements 'vertex'/,
+  ],
+  'a PLY of an unknown type': [
+    replaceIn(files.plyFile(box), 'double x', 'quad x'),
+    'badFile',
+    /^line 5: .*not 'quad'/,
+  ],
+  'a PLY without faces': [
+    encode(
+      'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n',
+    ),
+    'badFile',
+    /a cloud of 1 points/,
+  ],
+  'a PLY header without end': [encode('ply\nformat ascii 1.0\n'), 'badFile', /end_header/],
+  'a binary STL that is cut off': [
+    files.stlFile(cutBox).slice(0, -1),
+    'badFile',
+    /12 triangles, which take 684 bytes, but it has 683/,
+    'x.stl',
+  ],
+  'a text STL with a wrong word': [
+    replaceIn(files.stlFile(cutBox, { text: true }), 'endloop', 'endlop'),
+    'badFile',
+    /^line 7: there must be 'endloop', not 'endlop'/,
+  ],
+  'a text STL that ends': [
+    files.stlFile(cutBox, { text: true }).slice(0, 300),
+    'badFile',
+    /^line \d+: there must be .*(but the file ends|not )/,
+  ],
+  'an OFF vertex that is not there': [
+    files.offFile({ ...box, faces: [[0, 1, 8]] }),
+    'badIndex',
+    /^line 11: face 0 uses vertex 8/,
+  ],
+  'an OFF of another dimension': [files.offFile(box, '4OFF\n'), 'badFile', /another dimension/],
+  'a binary OFF': [encode('OFF BINARY\n\0\0'), 'badFile', /binary OFF/],
+  'an OFF with more than it tells': [
+    encode(`${new TextDecoder().decode(files.offFile(box))}3 0 1 2\n`),
+    'badFile',
+    /the end of the file/,
+  ],
+  'an OFF with a huge count': [
+    encode('OFF\n2000000000 1 0\n0 0 0\n'),
+    'badFile',
+    /2,000,000,000 vertices/,
+  ],
+  'a GLB of version 1': [withByte(files.glbFile(cutBox), 4, 1), 'badFile', /version 1/],
+  'a GLB that is cut off': [
+    files.glbFile(cutBox).slice(0, -4),
+    'badFile',
+    /tells of [\d,]+ bytes, but it has/,
+  ],
+  'a chunk that is too long': [
+    withByte(files.glbFile(cutBox), 15, 1),
+    'badFile',
+    /^byte 12: a chunk/,
+  ],
+  'glTF that is no JSON': [encode('{"asset"'), 'badFile', /JSON cannot be read/],
+  'glTF 1': [json({ asset: { version: '1.0' } }), 'badFile', /version 1\.0/],
+  'glTF compressed by Draco': [
+    json({ extensionsRequired: ['KHR_draco_mesh_compression'] }),
+    'badFile',
+    /compressed by Draco/,
+  ],
+  'glTF with an unknown extension': [
+    json({ extensionsRequired: ['ACME_mesh'] }),
+    'badFile',
+    /ACME_mesh/,
+  ],
+  'glTF nodes in a circle': [json({ nodes: [{ children: [0] }] }), 'badFile', /node 0 .* twice/],
+  'glTF without triangles': [json({ nodes: [{}] }), 'badFile', /no triangles/],
+  'glTF with an accessor beyond its buffer': [
+    files.glbFile(cutBox, {
+      bufferViews: [
+        { buffer: 0, byteLength: 90 },
+        { buffer: 0, byteOffset: 96, byteLength: 144 },
+      ],
+    }),
+    'badFile',
+    /accessor 0 tells of 8 rows/,
+  ],
+  'glTF with an index beyond its vertices': [
+    files.glbFile({ ...cutBox, faces: [[0, 1, 8]] }),
+    'badIndex',
+    /corner 2: a triangle uses vertex 8/,
+  ],
+  'a number that is none': [
+    files.plyFile({ ...cutBox, positions: [Number.NaN, ...box.positions.slice(1)] }),
+    'notFinite',
+    /vertex 0/,
+  ],
+};
+
+test('damaged files are refused with what is wrong and where', async () => {
+  for (const [what, [bytes, code, message, name]] of Object.entries(damaged)) {
+    await assert.rejects(
+      open(bytes, name ? { name } : {}),
+      (error) => {
+        assert.equal(error.name, 'KarcherError', `${what}: ${error.stack}`);
+        assert.equal(error.code, code, `${what}: ${error.message}`);
+        assert.match(error.message, message, what);
+        return true;
+      },
+      what,
+    );
+  }
+});
+
+test('instances that make more than fits are refused before they are made', async () => {
+  const many = { positions: box.positions, faces: Array.from({ length: 20_000 }, () => [0, 1, 2]) };
+  const nodes = Array.from({ length: 2501 }, () => ({ mesh: 0 }));
+  const scenes = [{ nodes: [...nodes.keys()] }];
+  const glb = files.glbFile(many, { nodes, scenes });
+  await assert.rejects(open(glb), { code: 'badFile', message: /makes 50,020,000 triangles/ });
+  const { mesh, file } = await open(glb, { parts: [3] });
+  assert.equal(file.parts.length, nodes.length);
+  const [{ kind, count }] = mesh.info.repairs;
+  assert.deepEqual([kind, count], ['duplicate', 19_999]);
+});
+
+test('what is read tells its progress, and stops when it is asked to', async () => {
+  const sphere = new SphereGeometry(1, 300, 300);
+  const mesh = {
+    positions: Array.from(sphere.attributes.position.array),
+    faces: Array.from({ length: sphere.index.count / 3 }, (_, i) =>
+      Array.from(sphere.index.array.slice(3 * i, 3 * i + 3)),
+    ),
+  };
+  const stl = files.stlFile(mesh, { text: true });
+  const told = [];
+  const controller = new AbortController();
+  const reason = new Error('enough');
+  await assert.rejects(
+    open(stl, {
+      progress(done, stage) {
+        told.push([done, stage]);
+        if (done > 0.2) controller.abort(reason);
+      },
+      signal: controller.signal,
+    }),
+    reason,
+  );
+  assert.ok(told.length > 1);
+  assert.ok(
+    told.every(([done, stage], i) => stage === 'reading' && (i === 0 || done >= told[i - 1][0])),
+  );
+  assert.ok(told.at(-1)[0] < 0.5, 'it did not go on');
+});
+
+test('in a worker: a file with its progress, its parts, and an end to it', async () => {
+  const remote = await loadInWorker();
+  after(() => remote.dispose());
+  const stages = new Set();
+  const { mesh, file } = await remote.meshFromFile(
+    files.stlFile(cutBox, { text: true, solids: 2 }),
+    {
+      parts: [1],
+      progress: (_, stage) => stages.add(stage),
+    },
+  );
+  assert.equal(mesh.info.triangles, 6);
+  assert.equal(file.parts.length, 2);
+  assert.ok(stages.has('making'));
+  await assert.rejects(remote.meshFromFile(encode('OFF BINARY')), { code: 'badFile' });
+  await assert.rejects(
+    remote.meshFromFile(files.stlFile(cutBox), { signal: AbortSignal.abort() }),
+    {
+      name: 'AbortError',
+    },
+  );
+  assert.equal((await mesh.positions()).length % 3, 0);
+});
+
+test('wrong arguments are refused', async () => {
+  const wrong = [
+    [['text'], /must be a Uint8Array/],
+    [[files.offFile(box), { part: 1 }], /no option 'part'/],
+    [[files.offFile(box), { parts: 1 }], /the parts must be an array/],
+    [[files.offFile(box), { signal: 1 }], /AbortSignal/],
+    [[files.offFile(box), { progress: 1 }], /progress must be a function/],
+    [[files.offFile(box), { repair: 'all' }], /repair/],
+  ];
+  for (const [args, message] of wrong) {
+    await assert.rejects(open(...args), { code: 'badArgument', message });
+  }
+});
+
+test('which way is up: a sole, a rim that is open below, or what is usual', () => {
+  const turned = ({ positions, faces }, order) => ({
+    positions: positions.map((_, i) => positions[3 * Math.floor(i / 3) + order[i % 3]]),
+    faces,
+  });
+  const guess = ({ positions, faces }, format = 'obj') => guessUp(positions, faces.flat(), format);
+  // A cone on z = 0, with its sole and without.
+  const ring = Array.from({ length: 40 }, (_, i) => (Math.PI * i) / 20);
+  const side = ring.map((_, i) => [i, (i + 1) % 40, 40]);
+  const positions = [...ring.flatMap((t) => [Math.cos(t), Math.sin(t), 0]), 0, 0, 3, 0, 0, 0];
+  const cone = { positions, faces: [...side, ...ring.map((_, i) => [(i + 1) % 40, i, 41])] };
+  const open = { positions, faces: side };
+  for (const shape of [cone, open]) {
+    assert.equal(guess(shape), 'z');
+    assert.equal(guess(turned(shape, [1, 2, 0])), 'y');
+    assert.equal(guess(shape, 'gltf'), 'y');
+  }
+  const sphere = new SphereGeometry(1, 40, 40);
+  const round = {
+    positions: Array.from(sphere.attributes.position.array),
+    faces: [Array.from(sphere.index.array)],
+  };
+  assert.deepEqual(
+    ['obj', 'ply', 'stl'].map((format) => guess(round, format)),
+    ['y', 'y', 'z'],
+  );
+});

@@ -1,0 +1,139 @@
+// Files of surfaces that are dropped on the page: their formats, parts, and what points up.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { box, cutBox, everyFile, glbFile, stlFile } from '../wasm/mesh_files.mjs';
+import { openBrowser, Tab } from './browser.mjs';
+import { sometimes } from './part.mjs';
+
+/** A cone that stands on z = 0, without a sole; its tip is the last vertex. */
+const ring = Array.from({ length: 60 }, (_, i) => (Math.PI * i) / 30);
+const cone = {
+  positions: [...ring.flatMap((t) => [Math.cos(t), Math.sin(t), 0]), 0, 0, 3],
+  faces: ring.map((_, i) => [i, (i + 1) % 60, 60]),
+};
+
+describe('files of surfaces', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  const opened = (tab, name) =>
+    tab.page.waitForFunction((ending) => window.karcherPage?.state().mesh.endsWith(ending), name);
+
+  /** How far above one another places of the surface are seen, in pixels. */
+  const above = (tab, high, low) =>
+    tab.page.evaluate(
+      ([a, b]) => {
+        const [top, bottom] = [a, b].map((place) => window.karcherPage.seen(place));
+        return { up: bottom.y - top.y, aside: Math.abs(top.x - bottom.x) };
+      },
+      [high, low],
+    );
+
+  sometimes('every format is opened', async () => {
+    const tab = await Tab.open(browser);
+    for (const [name, bytes] of Object.entries(everyFile(cutBox))) {
+      await tab.dropBytes(name, bytes);
+      await opened(tab, name);
+      await tab.settled();
+      assert.deepEqual((await tab.mesh()).info.triangles, 12, name);
+    }
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('what is no surface says what it is, and what was shown stays', async () => {
+    const tab = await Tab.open(browser);
+    await tab.dropBytes('photo.ply', Uint8Array.of(0x89, 0x50, 0x4e, 0x47));
+    const alert = tab.page.getByRole('alert');
+    await alert.waitFor();
+    assert.match(await alert.textContent(), /photo\.ply could not be opened\. The file is a PNG/);
+    assert.equal((await tab.state()).mesh, 'sphere:1500');
+    assert.equal(await tab.page.locator('#reading').isVisible(), false);
+    await tab.page.close();
+  });
+
+  test('a scan whose z points up stands, the choice is kept, and keeps the curve', async () => {
+    const tab = await Tab.open(browser);
+    await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);
+    await opened(tab, 'cone.ply');
+    await tab.settled();
+    const [tip, foot] = [
+      [0, 0, 3],
+      [0, -1, 0],
+    ];
+    const up = tab.page.getByRole('combobox', { name: 'What points up' });
+    assert.equal(await up.inputValue(), 'z');
+    const standing = await above(tab, tip, foot);
+    assert.ok(standing.up > 100, JSON.stringify(standing));
+    await tab.click([-20, 60], [30, 0], [0, -60], [10, 90]);
+    const before = await tab.view();
+    assert.equal(before.curve.samples.count, 128);
+
+    await up.selectOption('Y up');
+    await opened(tab, '~y:cone.ply');
+    await tab.still();
+    const after = await tab.view();
+    assert.deepEqual(after.polyline, before.polyline, 'the curve stays where it is on the surface');
+    const lying = await above(tab, tip, foot);
+    assert.ok(lying.up < standing.up / 2, JSON.stringify(lying));
+    // A click goes where it is seen.
+    await tab.click([60, 20]);
+    const { document } = await tab.state();
+    assert.equal(document.points.length, 5);
+
+    await tab.pastSaving();
+    await tab.page.reload();
+    await opened(tab, '~y:cone.ply');
+    await tab.settled();
+    assert.equal(await up.inputValue(), 'y');
+    assert.equal((await tab.state()).document.points.length, 5);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  sometimes('of several parts one can be chosen', async () => {
+    const tab = await Tab.open(browser);
+    await tab.dropBytes('solids.stl', stlFile(cutBox, { text: true, solids: 3 }));
+    await opened(tab, 'solids.stl');
+    const part = tab.page.getByRole('combobox', { name: 'Part of the file' });
+    assert.deepEqual(await part.locator('option').allTextContents(), [
+      'All 3 parts',
+      'part 0',
+      'part 1',
+      'part 2',
+    ]);
+    await part.selectOption('part 1');
+    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.pastSaving();
+    await tab.page.reload();
+    await tab.page.waitForFunction(() => window.karcherPage?.mesh()?.info.triangles === 4);
+    await tab.settled();
+    assert.equal(await part.inputValue(), '1');
+    await tab.page.close();
+  });
+
+  sometimes('names in a file are text', async () => {
+    const tab = await Tab.open(browser);
+    const nodes = [
+      { mesh: 0, name: '<img src=x onerror="window.ran = true">' },
+      { mesh: 0, name: 'two', translation: [9, 0, 0] },
+    ];
+    const file = glbFile(
+      { ...cutBox, positions: box.positions },
+      { nodes, scenes: [{ nodes: [0, 1] }] },
+    );
+    await tab.dropBytes('<b>names</b>.glb', file);
+    await opened(tab, '<b>names</b>.glb');
+    const part = tab.page.getByRole('combobox', { name: 'Part of the file' });
+    assert.equal(await part.locator('option').nth(1).textContent(), nodes[0].name);
+    assert.equal(
+      await tab.page.evaluate(() => document.querySelectorAll('#panel img, #panel b').length),
+      0,
+    );
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});

@@ -1,0 +1,70 @@
+import { isGlb } from './glb.js';
+import { isOff } from './off.js';
+import { badFile } from './slices.js';
+import { isBinaryStl, isTextStl } from './stl.js';
+import { startOf } from './text.js';
+import type { MeshFormat } from './types.js';
+
+/** Files that are no mesh that is read, by how they begin: what they are. */
+const others: readonly (readonly [RegExp | string, string])[] = [
+  [/^Kaydara FBX Binary/, 'an FBX file'],
+  [/^; FBX/, 'an FBX file'],
+  [/^BLENDER/, 'a Blender file'],
+  [/^# vtk DataFile/, 'a VTK file'],
+  [/^<VTKFile/, 'a VTK file'],
+  [/^PXR-USDC|^#usda/, 'a USD file'],
+  [/^DRACO/, 'a Draco file'],
+  [/^#(VRML|X3D)/, 'a VRML file'],
+  [/^ISO-10303-21/, 'a STEP file'],
+  [/^MeshVersionFormatted/, 'a MEDIT file'],
+  [/^\$MeshFormat/, 'a Gmsh file'],
+  [/^<\?xml[\s\S]{0,400}<COLLADA/, 'a COLLADA file'],
+  [/^<\?xml[\s\S]{0,400}<X3D/, 'an X3D file'],
+  [/^<\?xml[\s\S]{0,400}<amf/, 'an AMF file'],
+  [/^(<!doctype html|<html)/i, 'a web page'],
+  [/^<svg|^<\?xml[\s\S]{0,400}<svg/, 'an SVG drawing'],
+  [/^<\?xml/, 'an XML file'],
+  ['PK\x03\x04', 'a ZIP archive (as 3MF, USDZ and KMZ files are)'],
+  ['\x1f\x8b', 'compressed by gzip'],
+  ['7z\xbc\xaf', 'a 7z archive'],
+  ['\x89PNG', 'a PNG picture'],
+  ['\xff\xd8\xff', 'a JPEG picture'],
+  [/^GIF8/, 'a GIF picture'],
+  [/^%PDF/, 'a PDF document'],
+];
+
+const endings: Readonly<Record<string, MeshFormat>> = {
+  obj: 'obj',
+  ply: 'ply',
+  stl: 'stl',
+  off: 'off',
+  glb: 'gltf',
+  gltf: 'gltf',
+};
+
+/** The endings of the names of files that are read. */
+export const fileEndings: readonly string[] = Object.keys(endings).map((ending) => `.${ending}`);
+
+/**
+ * Which format bytes are of, by what they begin with; the name's ending decides where that says
+ * nothing. Throws `KarcherError` badFile with what they are where they are no mesh that is read.
+ */
+export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
+  const start = startOf(bytes).replace(/^\xef\xbb\xbf/, '');
+  if (/^ply[\r\n]/.test(start)) return 'ply';
+  if (isGlb(bytes)) return 'gltf';
+  const ending = endings[/\.([^.]+)$/.exec(name)?.[1]?.toLowerCase() ?? ''];
+  const other = others.find(([begin]) =>
+    typeof begin === 'string' ? start.startsWith(begin) : begin.test(start),
+  )?.[1];
+  // A binary STL file begins with 80 bytes of anything.
+  if (isBinaryStl(bytes) && (ending === 'stl' || !isTextStl(start))) return 'stl';
+  if (other) {
+    throw badFile(`the file is ${other}, which is not read; ${fileEndings.join(', ')} files are`);
+  }
+  if (isTextStl(start)) return 'stl';
+  if (isOff(start)) return 'off';
+  if (/^\s*\{/.test(start)) return 'gltf';
+  if (bytes.length === 0 && ending !== 'obj') throw badFile('the file is empty');
+  return ending ?? 'obj';
+}

@@ -1,0 +1,224 @@
+import type { GltfContent } from './glb.js';
+import { badFile, counted } from './slices.js';
+
+type Json = Readonly<Record<string, unknown>>;
+
+const isJson = (value: unknown): value is Json =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** Member `name` of an object, or an empty one. */
+export const objectOf = (json: Json, name: string): Json => {
+  const value = json[name];
+  return isJson(value) ? value : {};
+};
+
+export function listOf(json: Json, name: string): unknown[] {
+  const value = json[name] ?? [];
+  if (!Array.isArray(value)) throw badFile(`the glTF file's '${name}' is no list`);
+  return value;
+}
+
+/** Entry `number` of a list of objects. Throws where there is none. */
+export function entryOf(json: Json, list: string, number: unknown): Json {
+  const entry = Number.isInteger(number) ? listOf(json, list)[number as number] : undefined;
+  if (!isJson(entry)) throw badFile(`the glTF file has no entry ${String(number)} of '${list}'`);
+  return entry;
+}
+
+/** A whole number of at least 0. */
+export function countOf(json: Json, name: string, what: string, otherwise?: number): number {
+  const value = json[name] ?? otherwise;
+  if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0) return value;
+  throw badFile(`${what} has no whole number '${name}'`);
+}
+
+const componentBytes: Readonly<Record<number, number>> = {
+  5120: 1,
+  5121: 1,
+  5122: 2,
+  5123: 2,
+  5125: 4,
+  5126: 4,
+};
+/** What a whole number is divided by where it stands for one from -1 or 0 to 1. */
+const most: Readonly<Record<number, number>> = { 5120: 127, 5121: 255, 5122: 32767, 5123: 65535 };
+
+const components: Readonly<Record<string, number>> = { SCALAR: 1, VEC3: 3 };
+
+export interface Accessor {
+  count: number;
+  fill(row: number, values: Float64Array): void;
+}
+
+/** Rows of numbers in a buffer. */
+interface Rows {
+  view: DataView;
+  at: number;
+  stride: number;
+  type: number;
+}
+
+/** Reads the accessors of a glTF file: lists of numbers in its buffers. */
+export class Accessors {
+  readonly #json: Json;
+  readonly #content: GltfContent;
+  readonly #beside: Readonly<Record<string, Uint8Array>>;
+  readonly #buffers = new Map<unknown, Uint8Array>();
+
+  constructor(content: GltfContent, beside: Readonly<Record<string, Uint8Array>>) {
+    if (!isJson(content.json)) throw badFile("the glTF file's JSON is no object");
+    this.#json = content.json;
+    this.#content = content;
+    this.#beside = beside;
+  }
+
+  get json(): Json {
+    return this.#json;
+  }
+
+  /**
+   * An accessor whose rows are all in their buffers: how many they are, and `fill`, which gives a row's
+   * numbers.
+   */
+  accessor(number: unknown, type: 'SCALAR' | 'VEC3'): Accessor {
+    const what = `accessor ${number}`;
+    const accessor = entryOf(this.#json, 'accessors', number);
+    if (accessor.type !== type) throw badFile(`${what} has to be of type ${type}`);
+    const count = countOf(accessor, 'count', what);
+    const componentType = accessor.componentType as number;
+    const divisor = accessor.normalized === true ? (most[componentType] ?? 1) : 1;
+    const rows =
+      accessor.bufferView === undefined
+        ? null
+        : this.#rows(accessor, what, type, componentType, count);
+    const sparse = this.#sparse(accessor, what, type, componentType, count);
+    const fillRow = (row: number, values: Float64Array) => {
+      const instead = sparse?.get(row);
+      if (instead !== undefined) fill(values, instead.rows, instead.row);
+      else if (rows) fill(values, rows, row);
+      else values.fill(0);
+      if (divisor === 1) return;
+      for (let i = 0; i < values.length; i++) values[i] = Math.max(values[i]! / divisor, -1);
+    };
+    return { count, fill: fillRow };
+  }
+
+  /** Rows that stand instead of others. */
+  #sparse(accessor: Json, what: string, type: string, componentType: number, rows: number) {
+    // Zeros take no bytes: there could be any number of them.
+    if (accessor.bufferView === undefined && rows > 0) throw badFile(`${what} has no values`);
+    if (accessor.sparse === undefined) return null;
+    const sparse = objectOf(accessor, 'sparse');
+    const count = countOf(sparse, 'count', `the sparse part of ${what}`);
+    const indices = objectOf(sparse, 'indices');
+    const name = `the sparse part of ${what}`;
+    const at = this.#rows(indices, name, 'SCALAR', indices.componentType as number, count);
+    const values = this.#rows(objectOf(sparse, 'values'), name, type, componentType, count);
+    const instead = new Map<number, { rows: Rows; row: number }>();
+    const index = new Float64Array(1);
+    for (let row = 0; row < count; row++) {
+      fill(index, at, row);
+      if (!(index[0]! < rows)) throw badFile(`${name} changes row ${index[0]} of ${rows}`);
+      instead.set(index[0]!, { rows: values, row });
+    }
+    return instead;
+  }
+
+  #rows(of: Json, what: string, type: string, componentType: number, count: number): Rows {
+    const bytes = componentBytes[componentType];
+    if (bytes === undefined) throw badFile(`${what} has numbers of no type that is known`);
+    const view = entryOf(this.#json, 'bufferViews', of.bufferView);
+    const offset = countOf(view, 'byteOffset', `buffer view ${of.bufferView}`, 0);
+    const length = countOf(view, 'byteLength', `buffer view ${of.bufferView}`);
+    const row = bytes * components[type]!;
+    const stride = countOf(view, 'byteStride', `buffer view ${of.bufferView}`, row);
+    const start = countOf(of, 'byteOffset', what, 0);
+    const buffer = this.#buffer(view.buffer);
+    const end = count === 0 ? start : start + stride * (count - 1) + row;
+    if (stride < row || end > length || offset + length > buffer.length) {
+      throw badFile(
+        `${what} tells of ${counted(count)} rows, up to byte ${counted(offset + end)} of a buffer of ${counted(buffer.length)} bytes`,
+      );
+    }
+    const data = new DataView(buffer.buffer, buffer.byteOffset + offset, length);
+    return { view: data, at: start, stride, type: componentType };
+  }
+
+  #buffer(number: unknown): Uint8Array {
+    const known = this.#buffers.get(number);
+    if (known) return known;
+    const { uri } = entryOf(this.#json, 'buffers', number);
+    let buffer: Uint8Array | null | undefined;
+    if (uri === undefined) buffer = this.#content.buffer;
+    else if (typeof uri === 'string') {
+      buffer = uri.startsWith('data:') ? embedded(uri) : this.#beside[nameBeside(uri)];
+    }
+    if (!buffer) {
+      throw badFile(
+        typeof uri === 'string'
+          ? `the glTF file needs '${nameBeside(uri)}', which lies beside it: give both, or save it as one GLB file`
+          : `buffer ${String(number)} of the glTF file has no bytes`,
+      );
+    }
+    this.#buffers.set(number, buffer);
+    return buffer;
+  }
+}
+
+function fill(values: Float64Array, { view, at, stride, type }: Rows, row: number): void {
+  let place = at + stride * row;
+  const bytes = componentBytes[type]!;
+  for (let i = 0; i < values.length; i++, place += bytes) {
+    switch (type) {
+      case 5126:
+        values[i] = view.getFloat32(place, true);
+        break;
+      case 5125:
+        values[i] = view.getUint32(place, true);
+        break;
+      case 5123:
+        values[i] = view.getUint16(place, true);
+        break;
+      case 5122:
+        values[i] = view.getInt16(place, true);
+        break;
+      case 5121:
+        values[i] = view.getUint8(place);
+        break;
+      case 5120:
+        values[i] = view.getInt8(place);
+        break;
+    }
+  }
+}
+
+function embedded(uri: string): Uint8Array {
+  const [head = '', data] = uri.split(',', 2);
+  try {
+    if (data === undefined || !head.endsWith(';base64')) throw new Error();
+    return Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+  } catch {
+    throw badFile('a buffer within the glTF file is not in base64');
+  }
+}
+
+/** The names of the files beside a glTF file that its buffers are in. */
+export function buffersBeside(json: unknown): string[] {
+  if (!isJson(json)) return [];
+  const uris = listOf(json, 'buffers').map((buffer) => (isJson(buffer) ? buffer.uri : undefined));
+  const names = uris.filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
+  return [...new Set(names.map((uri) => nameBeside(uri as string)))];
+}
+
+function nameBeside(uri: string): string {
+  let name = uri;
+  try {
+    name = decodeURIComponent(uri);
+  } catch {
+    // As it is written.
+  }
+  if (/^[a-z][a-z+.-]*:|^[\\/]|(^|[\\/])\.\.([\\/]|$)/i.test(name)) {
+    throw badFile(`the glTF file names '${name.slice(0, 60)}', which does not lie beside it`);
+  }
+  return name;
+}

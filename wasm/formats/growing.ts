@@ -1,0 +1,54 @@
+/** Arrays whose lengths are known once a file is read: they double. */
+
+export class GrowingInts {
+  #array = new Int32Array(1 << 10);
+  length = 0;
+
+  push(value: number): void {
+    if (this.length === this.#array.length) {
+      const longer = new Int32Array(2 * this.length);
+      longer.set(this.#array);
+      this.#array = longer;
+    }
+    this.#array[this.length++] = value;
+  }
+
+  /** What was pushed; no copy where it can be avoided. */
+  get values(): Int32Array {
+    return this.#array.subarray(0, this.length);
+  }
+}
+
+/** The corners of polygons; their sizes are kept once one is no triangle. */
+export class GrowingPolygons {
+  readonly #corners = new GrowingInts();
+  #sizes: GrowingInts | null = null;
+  count = 0;
+
+  corner(vertex: number): void {
+    this.#corners.push(vertex);
+  }
+
+  /** Ends a polygon of so many corners. */
+  end(size: number): void {
+    if (size !== 3 && !this.#sizes) {
+      this.#sizes = new GrowingInts();
+      for (let i = 0; i < this.count; i++) this.#sizes.push(3);
+    }
+    this.#sizes?.push(size);
+    this.count++;
+  }
+
+  get corners(): Int32Array {
+    return this.#corners.values;
+  }
+
+  get sizes(): Int32Array | null {
+    return this.#sizes?.values ?? null;
+  }
+
+  /** How many triangles they are cut into. */
+  get triangles(): number {
+    return this.#corners.length - 2 * this.count;
+  }
+}

@@ -1,0 +1,144 @@
+import { checkArray, checkInteger, checkOptions, shown } from '../check.js';
+import { KarcherError } from '../errors.js';
+import { checkLongWork, namesOf } from '../options.js';
+import type { MeshOptions } from '../types.js';
+import { formatOf } from './format.js';
+import { gltfBeside, readGltf } from './gltf.js';
+import { objOf, objParts } from './obj.js';
+import { readOff } from './off.js';
+import { readPly } from './ply.js';
+import { readStl } from './stl.js';
+import type { FileInfo, FileOptions, MeshFormat, Polygons } from './types.js';
+
+export { KarcherError } from '../errors.js';
+export { fileEndings, formatOf } from './format.js';
+export type * from './types.js';
+export { guessUp } from './up.js';
+
+/** What makes a mesh: a `Karcher`, in this thread or in a worker. */
+export interface MeshMaker<Mesh> {
+  meshFromObj(bytes: Uint8Array, options?: MeshOptions): Mesh | Promise<Mesh>;
+  meshFromArrays(
+    positions: Float64Array,
+    triangles: Int32Array,
+    options?: MeshOptions,
+  ): Mesh | Promise<Mesh>;
+}
+
+const optionNames = namesOf<FileOptions>({
+  name: true,
+  parts: true,
+  beside: true,
+  progress: true,
+  signal: true,
+  repair: true,
+  weld: true,
+});
+
+/**
+ * Makes a mesh of a file: OBJ, PLY (text or binary), STL (text or binary), OFF, or glTF 2 (GLB, or text
+ * with its buffers in `beside`). The format is told by the content, or else by the name's ending.
+ *
+ * Vertices and faces keep the file's order, faces counting triangles; in an STL file, which has no
+ * vertices, corners at exactly the same place are one. Reading takes slices of a few milliseconds,
+ * between which the thread does other work; making the mesh is one call.
+ *
+ * Rejects with the signal's reason when it is aborted, and with `KarcherError`: badFile (with the line
+ * or byte, or with what the file is instead), badIndex, badArgument (options, and a part that the file
+ * does not have), and those of `meshFromObj`.
+ */
+export async function meshFromFile<Mesh>(
+  karcher: MeshMaker<Mesh>,
+  bytes: Uint8Array,
+  options: FileOptions = {},
+): Promise<{ mesh: Mesh; file: FileInfo }> {
+  if (!(bytes instanceof Uint8Array)) {
+    throw new KarcherError('badArgument', `a file must be a Uint8Array, not ${shown(bytes)}`);
+  }
+  checkOptions(options, optionNames);
+  const { name, parts, beside, progress, signal, ...meshOptions } = options;
+  const work = { ...(progress && { progress }), ...(signal && { signal }) };
+  checkLongWork(work);
+  const wantedParts = parts && checkArray(parts, 'the parts').map((part) => checkPart(part));
+  const wanted = (part: number) => wantedParts?.includes(part) ?? true;
+  const format = formatOf(bytes, name);
+  if (format === 'obj') {
+    const read = await objParts(bytes, wantedParts ? wanted : null, work);
+    const file: FileInfo = { format, parts: read.parts, notRead: [] };
+    checkParts(wantedParts, file);
+    progress?.(1, 'making');
+    return { mesh: await karcher.meshFromObj(read.bytes, meshOptions), file };
+  }
+  const polygons = await read(format, bytes, wanted, beside ?? {}, work);
+  checkParts(wantedParts, polygons.info);
+  const { positions, corners, sizes, info: file } = polygons;
+  if (sizes) {
+    const text = await objOf(polygons, work);
+    progress?.(1, 'making');
+    return { mesh: await cut(karcher, text, positions.length / 3, meshOptions), file };
+  }
+  progress?.(1, 'making');
+  return { mesh: await karcher.meshFromArrays(positions, corners, meshOptions), file };
+}
+
+/**
+ * The names of the files that lie beside a glTF file and hold its buffers, to be given as `beside`;
+ * none of any other file. Throws `KarcherError` badFile where its JSON cannot be read, or names files
+ * elsewhere.
+ */
+export function namesBeside(bytes: Uint8Array, name?: string): string[] {
+  return formatOf(bytes, name) === 'gltf' ? gltfBeside(bytes) : [];
+}
+
+function read(
+  format: Exclude<MeshFormat, 'obj'>,
+  bytes: Uint8Array,
+  wanted: (part: number) => boolean,
+  beside: Readonly<Record<string, Uint8Array>>,
+  work: Pick<FileOptions, 'progress' | 'signal'>,
+): Promise<Polygons> {
+  switch (format) {
+    case 'ply':
+      return readPly(bytes, work);
+    case 'stl':
+      return readStl(bytes, wanted, work);
+    case 'off':
+      return readOff(bytes, work);
+    case 'gltf':
+      return readGltf(bytes, wanted, beside, work);
+  }
+}
+
+function checkPart(part: unknown): number {
+  if (checkInteger(part, 'the number of a part') >= 0) return part as number;
+  throw new KarcherError('badArgument', `the number of a part must be at least 0, not ${part}`);
+}
+
+function checkParts(wanted: readonly number[] | undefined, { parts }: FileInfo): void {
+  if (wanted?.length === 0) throw new KarcherError('badArgument', 'no part is asked for');
+  const missing = wanted?.find((part) => part >= parts.length);
+  if (missing === undefined) return;
+  throw new KarcherError(
+    'badArgument',
+    `there is no part ${missing}: the file has ${parts.length}, numbered from 0`,
+  );
+}
+
+/** The mesh of polygons, as the OBJ file that was made of them: its lines are theirs. */
+async function cut<Mesh>(
+  karcher: MeshMaker<Mesh>,
+  text: Uint8Array,
+  vertices: number,
+  options: MeshOptions,
+): Promise<Mesh> {
+  try {
+    return await karcher.meshFromObj(text, options);
+  } catch (error) {
+    const [head, line] =
+      (error instanceof KarcherError && /^line (\d+): /.exec(error.message)) || [];
+    if (!(error instanceof KarcherError) || head === undefined) throw error;
+    const row = Number(line) - 1;
+    const place = row < vertices ? `vertex ${row}` : `face ${row - vertices}`;
+    throw new KarcherError(error.code, `${place}: ${error.message.slice(head.length)}`);
+  }
+}

@@ -1,0 +1,240 @@
+import { KarcherError } from '../errors.js';
+import type { LongWorkOptions } from '../types.js';
+import { GrowingPolygons } from './growing.js';
+import { type PlyElement, type PlyProperty, plyHeader } from './ply_header.js';
+import { badFile, batchMask, counted, Slices } from './slices.js';
+import { Words } from './text.js';
+import type { Polygons } from './types.js';
+
+/** Reads numbers of an element's rows, one after the other. */
+interface Rows {
+  /** The next number; `length` where it is that of a list. */
+  number(property: PlyProperty, what: string, length?: boolean): number;
+  /** Ends a row. */
+  endRow(): void;
+  /** Where the reading stands: "line 12", "byte 240". */
+  place(): string;
+  /** A part of 1. */
+  done(): number;
+}
+
+class TextRows implements Rows {
+  readonly #words: Words;
+  readonly #length: number;
+  #inRow = false;
+
+  constructor(bytes: Uint8Array, at: number, line: number) {
+    this.#words = new Words(bytes, at, line);
+    this.#length = bytes.length;
+  }
+
+  number(_: PlyProperty, what: string): number {
+    // A row is a line: a number that is missing is not taken from the next one.
+    const found = this.#inRow ? this.#words.nextInLine() : this.#words.next();
+    if (!found) {
+      throw badFile(
+        this.#inRow
+          ? `line ${this.#words.line} ends where there must be ${what}`
+          : `line ${this.#words.line}: the file ends where there must be ${what}`,
+      );
+    }
+    this.#inRow = true;
+    return this.#words.asNumber(what);
+  }
+
+  endRow(): void {
+    if (this.#words.nextInLine()) this.#words.fail('the end of the line');
+    this.#inRow = false;
+  }
+
+  place = () => `line ${this.#words.line}`;
+  done = () => this.#words.at / this.#length;
+}
+
+class BinaryRows implements Rows {
+  readonly #view: DataView;
+  readonly #little: boolean;
+  #at: number;
+
+  constructor(bytes: Uint8Array, at: number, little: boolean) {
+    this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    this.#at = at;
+    this.#little = little;
+  }
+
+  number({ type, length }: PlyProperty, what: string, isLength = false): number {
+    const { bytes, get } = isLength ? length! : type;
+    const at = this.#at;
+    if (at + bytes > this.#view.byteLength) {
+      throw badFile(`the file ends at byte ${at}, where there must be ${what}`);
+    }
+    this.#at += bytes;
+    switch (get) {
+      case 'Float32':
+        return this.#view.getFloat32(at, this.#little);
+      case 'Int32':
+        return this.#view.getInt32(at, this.#little);
+      case 'Uint8':
+        return this.#view.getUint8(at);
+      case 'Uint32':
+        return this.#view.getUint32(at, this.#little);
+      case 'Float64':
+        return this.#view.getFloat64(at, this.#little);
+      case 'Int8':
+        return this.#view.getInt8(at);
+      case 'Int16':
+        return this.#view.getInt16(at, this.#little);
+      case 'Uint16':
+        return this.#view.getUint16(at, this.#little);
+    }
+  }
+
+  endRow(): void {}
+  place = () => `byte ${this.#at}`;
+  done = () => this.#at / this.#view.byteLength;
+}
+
+/**
+ * Reads a PLY file: text, or binary with either order of bytes. Positions are the properties x, y, z of
+ * `vertex`, polygons the list `vertex_indices` (or `vertex_index`) of `face`.
+ *
+ * Rejects with `KarcherError` badFile or badIndex, naming the line or byte, or the signal's reason.
+ */
+export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise<Polygons> {
+  const { encoding, elements, end, line } = plyHeader(bytes);
+  checkElements(elements);
+  const rows =
+    encoding === 'ascii'
+      ? new TextRows(bytes, end, line)
+      : new BinaryRows(bytes, end, encoding === 'little');
+  const slices = new Slices(work, 'reading');
+  let positions = new Float64Array();
+  const polygons = new GrowingPolygons();
+  const vertices = elements.find(({ name }) => name === 'vertex')!.count;
+  for (const element of elements) {
+    if (element.name === 'vertex') positions = await readVertices(element, rows, slices);
+    else if (element.name === 'face') await readFaces(element, rows, vertices, polygons, slices);
+    else await skip(element, rows, slices);
+    // What follows the faces and vertices is of no use.
+    if (positions.length > 0 && polygons.count > 0) break;
+  }
+  const notRead = elements
+    .filter(({ name, count }) => !['vertex', 'face'].includes(name) && count > 0)
+    .map(({ name, count }) => `${counted(count)} elements '${name}' were left out.`);
+  const parts = [{ name: 'mesh', triangles: polygons.triangles }];
+  const info = { format: 'ply', parts, notRead } as const;
+  return { positions, corners: polygons.corners, sizes: polygons.sizes, info };
+}
+
+const indexNames = ['vertex_indices', 'vertex_index'];
+
+const isIndexList = ({ name, length }: PlyProperty) => length !== null && indexNames.includes(name);
+
+/** Throws where the elements are no mesh, saying what they are. */
+function checkElements(elements: readonly PlyElement[]): void {
+  const [vertex, face] = ['vertex', 'face'].map((wanted) =>
+    elements.find(({ name }) => name === wanted),
+  );
+  for (const name of ['vertex', 'face']) {
+    if (elements.filter((one) => one.name === name).length > 1) {
+      throw badFile(`the PLY file has two elements '${name}'`);
+    }
+  }
+  const scalar = (name: string) =>
+    vertex?.properties.some((one) => one.name === name && one.length === null);
+  if (!vertex || !['x', 'y', 'z'].every(scalar)) {
+    throw badFile("the PLY file has no element 'vertex' with properties x, y and z");
+  }
+  if (!face || face.count === 0) {
+    const strips = elements.some(({ name }) => name === 'tristrips');
+    throw badFile(
+      strips
+        ? 'the PLY file has triangle strips, which are not read: save it with faces'
+        : `the PLY file is a cloud of ${counted(vertex.count)} points: it has no faces`,
+    );
+  }
+  if (!face.properties.some(isIndexList)) {
+    throw badFile("the PLY file's faces have no list 'vertex_indices'");
+  }
+}
+
+async function readVertices(element: PlyElement, rows: Rows, slices: Slices) {
+  const positions = new Float64Array(3 * element.count);
+  const axes = element.properties.map(({ name, length }) =>
+    length === null ? ['x', 'y', 'z'].indexOf(name) : -1,
+  );
+  for (let vertex = 0; vertex < element.count; vertex++) {
+    if ((vertex & batchMask) === 0 && slices.over) await slices.rest(rows.done());
+    for (let i = 0; i < axes.length; i++) {
+      const property = element.properties[i]!;
+      const axis = axes[i]!;
+      if (axis < 0) skipProperty(property, rows);
+      else positions[3 * vertex + axis] = rows.number(property, 'a coordinate');
+    }
+    rows.endRow();
+  }
+  return positions;
+}
+
+async function readFaces(
+  element: PlyElement,
+  rows: Rows,
+  vertices: number,
+  polygons: GrowingPolygons,
+  slices: Slices,
+): Promise<void> {
+  const list = element.properties.find(isIndexList)!;
+  for (let face = 0; face < element.count; face++) {
+    if ((face & batchMask) === 0 && slices.over) await slices.rest(rows.done());
+    for (const property of element.properties) {
+      if (property !== list) skipProperty(property, rows);
+      else readFace(face, property, rows, vertices, polygons);
+    }
+    rows.endRow();
+  }
+}
+
+function readFace(
+  face: number,
+  list: PlyProperty,
+  rows: Rows,
+  vertices: number,
+  polygons: GrowingPolygons,
+): void {
+  const size = rows.number(list, 'the number of corners', true);
+  if (!(size >= 3 && Number.isInteger(size))) {
+    throw badFile(`${rows.place()}: face ${face} has ${size} corners, and at least 3 make one`);
+  }
+  for (let corner = 0; corner < size; corner++) {
+    const vertex = rows.number(list, 'the number of a vertex');
+    if (!(vertex >= 0 && vertex < vertices && Number.isInteger(vertex))) {
+      throw new KarcherError(
+        'badIndex',
+        `${rows.place()}: face ${face} uses vertex ${vertex}, but the file has ${counted(vertices)}`,
+      );
+    }
+    polygons.corner(vertex);
+  }
+  polygons.end(size);
+}
+
+async function skip(element: PlyElement, rows: Rows, slices: Slices): Promise<void> {
+  for (let row = 0; row < element.count; row++) {
+    if ((row & batchMask) === 0 && slices.over) await slices.rest(rows.done());
+    for (const property of element.properties) skipProperty(property, rows);
+    rows.endRow();
+  }
+}
+
+function skipProperty(property: PlyProperty, rows: Rows): void {
+  const what = `a number of '${property.name}'`;
+  if (property.length === null) {
+    rows.number(property, what);
+    return;
+  }
+  const size = rows.number(property, what, true);
+  if (!(size >= 0 && Number.isInteger(size))) {
+    throw badFile(`${rows.place()}: the list '${property.name}' cannot have ${size} entries`);
+  }
+  for (let i = 0; i < size; i++) rows.number(property, what);
+}

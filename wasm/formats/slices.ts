@@ -1,0 +1,39 @@
+import { KarcherError } from '../errors.js';
+import { pause, sliceTime } from '../prepare.js';
+import type { LongWorkOptions } from '../types.js';
+
+/** Items between two looks at the clock; a power of two less 1, for a mask. */
+export const batchMask = 0xfff;
+
+/**
+ * Long work in slices of a few milliseconds, between which its thread does what waits. A loop asks at
+ * each batch whether a slice is over, and if so awaits `rest`.
+ */
+export class Slices {
+  readonly #work: LongWorkOptions;
+  readonly #stage: string;
+  #end = performance.now() + sliceTime;
+
+  constructor(work: LongWorkOptions, stage: string) {
+    this.#work = work;
+    this.#stage = stage;
+    work.signal?.throwIfAborted();
+  }
+
+  get over(): boolean {
+    return performance.now() >= this.#end;
+  }
+
+  /** Tells the progress, a part of 1, and pauses. Rejects with the signal's reason. */
+  async rest(done: number): Promise<void> {
+    this.#work.progress?.(Math.min(1, done), this.#stage);
+    await pause();
+    this.#work.signal?.throwIfAborted();
+    this.#end = performance.now() + sliceTime;
+  }
+}
+
+export const badFile = (message: string) => new KarcherError('badFile', message);
+
+/** Numbers as a person reads them: 1,234,567. */
+export const counted = (count: number) => count.toLocaleString('en');

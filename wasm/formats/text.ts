@@ -1,0 +1,163 @@
+import { badFile } from './slices.js';
+
+const [newline, space, hash] = [10, 32, 35];
+const longestWord = 200;
+/** Powers of ten that are doubles. */
+const powers = Float64Array.from({ length: 23 }, (_, power) => Number(`1e${power}`));
+const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const named: Readonly<Record<string, number>> = {
+  nan: Number.NaN,
+  inf: Infinity,
+  infinity: Infinity,
+};
+
+/**
+ * The words of a text, one after the other, by its bytes: a text of many megabytes is no string. A `#`
+ * starts a comment.
+ */
+export class Words {
+  readonly #bytes: Uint8Array;
+  readonly #end: number;
+  /** Where the next word is looked for. */
+  at: number;
+  /** The line of the last word, from 1. */
+  line: number;
+  #from = 0;
+  #to = 0;
+
+  constructor(bytes: Uint8Array, at = 0, line = 1) {
+    this.#bytes = bytes;
+    this.#end = bytes.length;
+    this.at = at;
+    this.line = line;
+  }
+
+  /** Goes on to the next word, on whatever line; false at the end of the text. */
+  next(): boolean {
+    const bytes = this.#bytes;
+    let at = this.at;
+    for (; at < this.#end; at++) {
+      const byte = bytes[at]!;
+      if (byte === newline) this.line++;
+      else if (byte === hash) {
+        while (at + 1 < this.#end && bytes[at + 1] !== newline) at++;
+      } else if (byte > space) break;
+    }
+    this.#from = at;
+    while (at < this.#end && bytes[at]! > space && bytes[at] !== hash) at++;
+    this.#to = at;
+    this.at = at;
+    return this.#to > this.#from;
+  }
+
+  /** Goes on to the next word of this line; false at its end. */
+  nextInLine(): boolean {
+    let at = this.at;
+    while (at < this.#end && this.#bytes[at]! <= space && this.#bytes[at] !== newline) at++;
+    if (at === this.#end || this.#bytes[at] === newline || this.#bytes[at] === hash) {
+      this.at = at;
+      return false;
+    }
+    return this.next();
+  }
+
+  /** The rest of the line, which is skipped. */
+  restOfLine(): string {
+    const from = this.at;
+    while (this.at < this.#end && this.#bytes[this.at] !== newline) this.at++;
+    return ascii(this.#bytes, from, this.at).trim();
+  }
+
+  /** The last word. */
+  get word(): string {
+    return ascii(this.#bytes, this.#from, this.#to);
+  }
+
+  /** Throws `KarcherError` badFile with the line, and what was wanted there. */
+  fail(wanted: string): never {
+    const met = this.#to > this.#from ? `not '${shortened(this.word)}'` : 'but the file ends';
+    throw badFile(`line ${this.line}: there must be ${wanted}, ${met}`);
+  }
+
+  /** The next word as a number; NaN and infinity, written out, are numbers here. */
+  number(what: string): number {
+    if (!this.next()) this.fail(what);
+    return this.asNumber(what);
+  }
+
+  /** The last word as a number. */
+  asNumber(what: string): number {
+    const short = this.#shortNumber();
+    if (!Number.isNaN(short)) return short;
+    const text = this.word;
+    if (text.length < longestWord && decimal.test(text)) return Number(text);
+    const value = named[text.replace(/^[+-]/, '').toLowerCase()];
+    if (value === undefined) this.fail(what);
+    return text.startsWith('-') ? -value : value;
+  }
+
+  /** The next word as a whole number of at least 0. */
+  count(what: string): number {
+    const value = this.number(what);
+    if (!Number.isInteger(value) || value < 0 || value > 0x7fffffff) this.fail(what);
+    return value;
+  }
+
+  /**
+   * Of a number of at most 15 digits with a small power of ten, which both are doubles, so that their
+   * quotient or product is the nearest one; NaN of any other.
+   */
+  #shortNumber(): number {
+    const bytes = this.#bytes;
+    let at = this.#from;
+    const first = bytes[at];
+    if (first === 43 || first === 45) at++;
+    let value = 0;
+    let digits = 0;
+    let power = 0;
+    let point = false;
+    for (; at < this.#to; at++) {
+      const digit = bytes[at]! - 48;
+      if (digit >= 0 && digit <= 9) {
+        value = 10 * value + digit;
+        digits++;
+        if (point) power--;
+      } else if (digit === -2 && !point) point = true;
+      else break;
+    }
+    if (digits === 0 || digits > 15) return Number.NaN;
+    if (at < this.#to) {
+      if ((bytes[at]! | 32) !== 101) return Number.NaN;
+      at++;
+      const sign = bytes[at] === 45 ? -1 : 1;
+      if (bytes[at] === 43 || bytes[at] === 45) at++;
+      const start = at;
+      let exponent = 0;
+      for (; at < this.#to; at++) {
+        const digit = bytes[at]! - 48;
+        if (digit < 0 || digit > 9) return Number.NaN;
+        exponent = 10 * exponent + digit;
+      }
+      if (at === start || at > start + 3) return Number.NaN;
+      power += sign * exponent;
+    }
+    if (power < -22 || power > 22) return Number.NaN;
+    const size = power < 0 ? value / powers[-power]! : value * powers[power]!;
+    return first === 45 ? -size : size;
+  }
+}
+
+const shortened = (text: string) => (text.length > 30 ? `${text.slice(0, 27)}...` : text);
+
+/** Bytes as characters, one each; what is no ASCII is shown as a question mark. */
+export function ascii(bytes: Uint8Array, from: number, to: number): string {
+  let text = '';
+  for (let at = from; at < to && text.length < longestWord; at++) {
+    const byte = bytes[at]!;
+    text += byte >= space && byte < 127 ? String.fromCharCode(byte) : '?';
+  }
+  return text;
+}
+
+/** The first bytes of a file as characters, one each. */
+export const startOf = (bytes: Uint8Array) => String.fromCharCode(...bytes.subarray(0, 1000));

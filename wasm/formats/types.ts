@@ -1,0 +1,42 @@
+import type { LongWorkOptions, MeshOptions } from '../types.js';
+
+export type MeshFormat = 'obj' | 'ply' | 'stl' | 'off' | 'gltf';
+
+/** An axis of a file's coordinates that points up. */
+export type UpAxis = 'x' | 'y' | 'z';
+
+/** An object or group of an OBJ file, a solid of an STL file, a primitive of a glTF scene. */
+export interface FilePart {
+  name: string;
+  /** Of polygons, as many as they are cut into. */
+  triangles: number;
+}
+
+export interface FileOptions extends LongWorkOptions, MeshOptions {
+  /** The file's name: its ending tells the format where the content does not. */
+  name?: string;
+  /** Numbers of the parts that are wanted, in the file's order; all by default. */
+  parts?: readonly number[];
+  /** The files that a glTF file names (`namesBeside`), by these names. */
+  beside?: Readonly<Record<string, Uint8Array>>;
+}
+
+/** What a file is, beside its surface. */
+export interface FileInfo {
+  format: MeshFormat;
+  /** All of them, whichever were asked for; one where the format has none. */
+  parts: FilePart[];
+  /** Sentences about what the file holds and no mesh has: lines, skins, other elements. */
+  notRead: string[];
+}
+
+/** What a reader gives: positions of vertices, and the corners of polygons. */
+export interface Polygons {
+  /** x, y, z a vertex. */
+  positions: Float64Array;
+  /** Vertex numbers, polygon by polygon. */
+  corners: Int32Array;
+  /** Corners a polygon; null where all are triangles. */
+  sizes: Int32Array | null;
+  info: FileInfo;
+}

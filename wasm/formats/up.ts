@@ -1,0 +1,111 @@
+import type { MeshFormat, UpAxis } from './types.js';
+
+/** How near to the lowest place something is the sole: a part of the height. */
+const soleHeight = 0.02;
+/** Cosine of the most that a sole's triangle leans. */
+const flat = 0.94;
+/** The least part of the box's face that is a sole, and how much more than another axis has. */
+const [leastSole, muchMore] = [0.06, 2];
+
+/** Up where the shape does not tell: what programs that write the format mostly mean. */
+const usual: Readonly<Record<MeshFormat, UpAxis>> = {
+  obj: 'y',
+  gltf: 'y',
+  off: 'y',
+  ply: 'y',
+  stl: 'z',
+};
+
+/**
+ * Which axis of a file's coordinates points up, y or z: that on which the surface stands, on a flat
+ * sole or on the rim of a hole that is open below. Where neither is clear, what is usual for the
+ * format; for glTF, which says it, y.
+ */
+export function guessUp(
+  positions: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  format: MeshFormat,
+): UpAxis {
+  if (format === 'gltf') return 'y';
+  const [y, z] = soles(positions, triangles);
+  if (Math.max(y, z) < leastSole) return usual[format];
+  if (y > muchMore * z) return 'y';
+  return z > muchMore * y ? 'z' : usual[format];
+}
+
+/**
+ * What the surface stands on along y and z, as parts of the bounding box's face there: the area of
+ * flat triangles at the bottom, and that which boundary edges there enclose.
+ */
+function soles(positions: ArrayLike<number>, triangles: ArrayLike<number>): [number, number] {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < triangles.length; i++) {
+    for (let axis = 0; axis < 3; axis++) {
+      const value = positions[3 * triangles[i]! + axis]!;
+      if (value < low[axis]!) low[axis] = value;
+      if (value > high[axis]!) high[axis] = value;
+    }
+  }
+  const size = low.map((value, axis) => high[axis]! - value) as [number, number, number];
+  const soleOf = (axis: 1 | 2) => {
+    const [b, c] = [(axis + 1) % 3, (axis + 2) % 3] as [number, number];
+    const box = size[b]! * size[c]!;
+    // What has no height does not stand.
+    if (!(box > 0) || size[axis] < 0.02 * Math.max(...size)) return 0;
+    const floor = low[axis]! + soleHeight * size[axis];
+    const at = (corner: number, along: number) => positions[3 * triangles[corner]! + along]!;
+    let sum = 0;
+    for (let i = 0; i < triangles.length; i += 3) {
+      if (at(i, axis) > floor || at(i + 1, axis) > floor || at(i + 2, axis) > floor) continue;
+      sum += flatArea(
+        [at(i, b), at(i, c), at(i, axis)],
+        [at(i + 1, b), at(i + 1, c), at(i + 1, axis)],
+        [at(i + 2, b), at(i + 2, c), at(i + 2, axis)],
+      );
+    }
+    return (sum + openArea(positions, triangles, { axis, b, c, floor })) / box;
+  };
+  return [soleOf(1), soleOf(2)];
+}
+
+type Place = [number, number, number];
+
+/** The area of a triangle, seen along its last coordinate, unless it leans. */
+function flatArea(p: Place, q: Place, r: Place): number {
+  const [ux, uy, uz] = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
+  const [vx, vy, vz] = [r[0] - p[0], r[1] - p[1], r[2] - p[2]];
+  const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx] as const;
+  const along = Math.abs(normal[2]);
+  return along >= flat * Math.hypot(...normal) ? along / 2 : 0;
+}
+
+/** The area that boundary edges at the bottom go around, seen from below. */
+function openArea(
+  positions: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  { axis, b, c, floor }: { axis: number; b: number; c: number; floor: number },
+): number {
+  const isLow = (vertex: number) => positions[3 * vertex + axis]! <= floor;
+  const open = new Map<string, [number, number]>();
+  const nameOf = (vertex: number) =>
+    `${positions[3 * vertex]},${positions[3 * vertex + 1]},${positions[3 * vertex + 2]}`;
+  for (let i = 0; i < triangles.length; i += 3) {
+    for (let corner = 0; corner < 3; corner++) {
+      const from = triangles[i + corner]!;
+      const to = triangles[i + ((corner + 1) % 3)]!;
+      if (!isLow(from) || !isLow(to)) continue;
+      const [one, other] = [nameOf(from), nameOf(to)];
+      const key = one < other ? `${one} ${other}` : `${other} ${one}`;
+      // An edge of two faces is none of the boundary.
+      if (!open.delete(key)) open.set(key, [from, to]);
+    }
+  }
+  let twice = 0;
+  for (const [from, to] of open.values()) {
+    twice +=
+      positions[3 * from + b]! * positions[3 * to + c]! -
+      positions[3 * from + c]! * positions[3 * to + b]!;
+  }
+  return Math.abs(twice) / 2;
+}

@@ -1,0 +1,74 @@
+import type { UpAxis } from '../model/meshes';
+
+type Vector = [number, number, number];
+
+/**
+ * Takes a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2, and
+ * its axis up to y.
+ */
+export interface Frame {
+  center: Vector;
+  scale: number;
+  up: UpAxis;
+}
+
+/** Which of a surface's coordinates each of the scene's is, and its sign: rotations all. */
+const turns: Readonly<Record<UpAxis, readonly (readonly [number, number])[]>> = {
+  x: [
+    [1, -1],
+    [0, 1],
+    [2, 1],
+  ],
+  y: [
+    [0, 1],
+    [1, 1],
+    [2, 1],
+  ],
+  z: [
+    [0, 1],
+    [2, 1],
+    [1, -1],
+  ],
+};
+
+/** A direction of the surface's coordinates, in the scene's. */
+export function directionInScene(up: UpAxis, direction: ArrayLike<number>): Vector {
+  return turns[up].map(([axis, sign]) => sign * direction[axis]!) as Vector;
+}
+
+/** A direction of the scene's coordinates, in the surface's. */
+export function directionFromScene(up: UpAxis, direction: ArrayLike<number>): Vector {
+  const result: Vector = [0, 0, 0];
+  for (const [i, [axis, sign]] of turns[up].entries()) result[axis] = sign * direction[i]!;
+  return result;
+}
+
+/** Places in the surface's coordinates, x, y, z each, in the scene's. */
+export function placesInScene(
+  { center, scale, up }: Frame,
+  places: ArrayLike<number>,
+): Float32Array {
+  const result = new Float32Array(places.length);
+  for (const [i, [axis, sign]] of turns[up].entries()) {
+    const middle = center[axis]!;
+    for (let at = 0; at < places.length; at += 3) {
+      result[at + i] = sign * (places[at + axis]! - middle) * scale;
+    }
+  }
+  return result;
+}
+
+/** A place in the surface's coordinates, in the scene's, in doubles. */
+export function placeInScene({ center, scale, up }: Frame, place: Vector): Vector {
+  return directionInScene(
+    up,
+    place.map((value, axis) => (value - center[axis]!) * scale),
+  );
+}
+
+/** A place of the scene in the surface's coordinates. */
+export function placeFromScene({ center, scale, up }: Frame, place: ArrayLike<number>): Vector {
+  return directionFromScene(up, place).map(
+    (value, axis) => value / scale + center[axis]!,
+  ) as Vector;
+}
