@@ -1,8 +1,8 @@
 /**
  * The types of Karcher's JavaScript API.
  *
- * A method makes what it gives: arrays and objects are the caller's, to change, keep or transfer. What
- * costs nothing is a property. Options, points and arrays that are given are copied at once.
+ * A method returns new arrays and objects, which the caller may change, keep or transfer. A property
+ * costs nothing to read. The engine copies the options, points and arrays that it is given.
  *
  * Vertices, faces and control points are numbered from 0 in the caller's own order; faces count
  * triangles, after polygons were cut. Lengths are in the units of the mesh.
@@ -16,42 +16,47 @@ export interface SurfacePoint {
   bary: [number, number, number];
 }
 
-/** Where a point is asked for: a surface point, or a vertex by its number. */
+/** A point as an argument: a surface point, or a vertex by its number. */
 export type PointLike = SurfacePoint | { vertex: number };
 
-/** A place or a direction in space: three numbers, or an object with x, y and z. */
+/** A place or a direction in space as an argument: three numbers, or an object with x, y and z. */
 export type VectorLike = ArrayLike<number> | { x: number; y: number; z: number };
 
-/** How x, y, z of a line's vertices are given. */
+/** The format of the coordinates x, y, z of a line's vertices. */
 export interface PolylineOptions {
-  /** In 32 bits, as they are drawn (the default), or in 64. */
+  /** 32 bits a number, as graphics take them (the default), or 64. */
   bits?: 32 | 64;
 }
 
 /**
- * How geodesic distances are found: `fast`: by virtual sources, exact on a plane, with a mean error of
- * 1e-3 elsewhere, and as `exact` on meshes that it does not suit (`info.fastSolver`); `exact`: by
- * windows; `graph`: on the graph of each vertex's k-ring.
+ * How geodesic distances are found.
+ *
+ * - `fast`: by virtual sources. Exact on a plane, with a mean relative error of 1e-3 elsewhere. On a
+ *   mesh that it does not suit, `exact` takes its place (`info.fastSolver`);
+ * - `exact`: by windows on the edges, exact on every mesh;
+ * - `graph`: along the edges of a graph that joins each vertex to its k-ring.
  */
 export type Solver = 'fast' | 'exact' | 'graph';
 
 /**
- * How a control point's field is made, and centers of mass are found. `karcher`: the log vectors
- * that a solver yields, read where the search goes; exact on any tessellation of the plane. `paper`:
- * gradients of squared distances at all vertices, and Newton's method along geodesics (Mancinelli,
- * Puppo, Algorithm 1); with the solvers `exact` and `graph`.
+ * How a control point's field is made, and how centers of mass are found.
+ *
+ * - `karcher`: by the log vectors that the solver yields, read only where the search goes. Exact on
+ *   every triangulation of a plane;
+ * - `paper`: by gradients of squared distances at all vertices, and Newton's method along geodesics
+ *   (Mancinelli, Puppo, Algorithm 1). It takes the solvers `exact` and `graph`.
  */
 export type Method = 'karcher' | 'paper';
 
 /**
- * How the search for a center of mass ended. Only `converged` is a center of mass; with the others
- * the point is where the search stood.
+ * How the search for a center of mass ended. Only `converged` means that the point is one; otherwise
+ * the point is where the search stopped.
  *
  * - `indefinite`: the Hessian is not positive definite; the points lie too far apart;
  * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
  * - `noProgress`: no point along the Newton step has a smaller gradient;
  * - `limit`: the bound on iterations was reached;
- * - `jump`: as the reason of a bridge: the curve would go from one local minimum to another;
+ * - `jump`, only as the reason of a bridge: the curve would jump from one local minimum to another;
  * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`.
  */
 export type Status =
@@ -64,7 +69,7 @@ export type Status =
   | 'bridged';
 
 /**
- * What a curve is, by its control points:
+ * The kind of a curve:
  *
  * - `bspline`: a B-spline of degree 1 to 5, with weights a NURBS curve; uniform by default, so that
  *   it starts and ends near the middle of its first and last points;
@@ -77,8 +82,9 @@ export type Status =
  * - `polyline`: paths from point to point, the exact shortest ones unless `legs` says otherwise;
  * - `custom`: one segment with a basis of your own.
  *
- * On a curved mesh a curve comes within a few hundredths of a mean edge of the points that it goes
- * through: its fields are estimates. On a plane, and with `polyline`, it goes through them.
+ * A curve that should pass through a control point does so exactly on a plane, and if it is a
+ * `polyline`. On a curved mesh its fields are estimates, and it passes within a few hundredths of a
+ * mean edge.
  */
 export type CurveKind =
   | 'bspline'
@@ -89,12 +95,12 @@ export type CurveKind =
   | 'polyline'
   | 'custom';
 
-/** Knots of a Catmull-Rom curve: by the root of the distance between points, or even. */
+/** The knots of a Catmull-Rom curve: spaced by the root of the distance between points, or evenly. */
 export type Parametrization = 'centripetal' | 'uniform';
 
 /**
- * From t in [0, 1] to the weights of the control points, one each, of sum 1 within 1e-9. They may be
- * negative.
+ * A basis of your own: takes t in [0, 1] to a weight for each control point. The weights sum to 1
+ * within 1e-9 and may be negative.
  */
 export type CurveBasis = (t: number, points: number) => ArrayLike<number>;
 
@@ -124,35 +130,35 @@ export type ErrorCode =
 /** How a mesh is read. */
 export interface MeshOptions {
   /**
-   * `safe` (the default): what is no surface is mended where that is safe, and told in `info.repairs`.
-   * `none`: it is refused; polygons are still cut, vertices at exactly the same place welded, and
-   * vertices of no face left out.
+   * `safe` (the default): defects are repaired where that is safe, and listed in `info.repairs`.
+   * `none`: a mesh with defects is refused. Polygons are still cut into triangles, vertices at exactly
+   * the same place welded, and vertices of no face dropped.
    */
   repair?: 'safe' | 'none';
   /**
-   * How far apart vertices on boundaries may lie that are welded, in the units of the mesh, and at most
-   * a third of the shortest edge at either; 0: none are. By default the smaller of 1e-6 of the
-   * diagonal and 1 % of the shortest edge.
+   * The distance within which vertices on boundaries are welded, in the units of the mesh; never more
+   * than a third of the shortest edge at either vertex. 0 welds none. By default the smaller of 1e-6
+   * of the diagonal and 1 % of the shortest edge.
    */
   weld?: number;
 }
 
 /**
- * What was mended while a mesh was read, in this order; `count` is of what stands in brackets.
+ * What was repaired while a mesh was read, in this order; `count` counts what is in brackets.
  *
- * - `triangulated`: polygons were cut (polygons);
- * - `contracted`: edges without length, of at most 1e-14 of the diagonal, became a point (vertices);
- * - `welded`: vertices at one place became one, where two faces lie along each other (vertices);
- * - `keptApart`: they did not, as parts only touch there (vertices);
- * - `repeatedCorner`: faces with one vertex at two corners were left out (faces);
- * - `duplicate`: faces at the place of another were left out (faces);
+ * - `triangulated`: polygons were cut into triangles (polygons);
+ * - `contracted`: edges of at most 1e-14 of the diagonal were contracted to a point (vertices);
+ * - `welded`: vertices at one place became one where their faces share an edge (vertices);
+ * - `keptApart`: vertices at one place stayed apart because the parts only touch there (vertices);
+ * - `repeatedCorner`: faces with one vertex at two corners were dropped (faces);
+ * - `duplicate`: faces with the same corners as another were dropped (faces);
  * - `noArea`: faces whose corners lie on a line were flipped away: the corner between the ends of the
  *   longest edge became a corner of the face on its other side (faces);
- * - `turnedOver`: faces that disagreed with their neighbours were turned over (faces);
- * - `branching`: of the faces at an edge of more than two, pairs with the widest angle between them
- *   stayed together, and the others were parted from them (edges);
- * - `bowTie`: vertices where several fans of faces met became one for each (vertices);
- * - `dropped`: vertices of no face were left out (vertices).
+ * - `turnedOver`: faces oriented against their neighbours were turned over (faces);
+ * - `branching`: where more than two faces share an edge, the pairs with the widest angle between them
+ *   stayed together, and each other face got an edge of its own (edges);
+ * - `bowTie`: vertices where several fans of faces met became one vertex for each fan (vertices);
+ * - `dropped`: vertices of no face were dropped (vertices).
  */
 export type RepairKind =
   | 'triangulated'
@@ -186,19 +192,22 @@ export interface MeshInfo {
   /** Length of the bounding box's diagonal. */
   diagonal: number;
   /**
-   * What finds distances where the solver `fast` is asked for: `exact` on a mesh that the fast one
-   * does not suit. Every mesh is tried in some 40 ms when it is made. Those of which many vertices
-   * are at sharp corners of thin triangles do not pass, nor do stretched tubes and needles.
+   * The solver that answers where `fast` is asked for: `exact` on a mesh that the fast one does not
+   * suit. Each mesh is tested when it is made, in about 40 ms. It fails with many vertices at sharp
+   * corners of thin triangles, and with stretched tubes or needles.
    */
   fastSolver: 'fast' | 'exact';
   repairs: Repair[];
 }
 
-/** How fields are made; the defaults are `karcher` and `fast`, with `paper` `exact`. */
+/**
+ * How fields are made. The default method is `karcher`. The default solver is `fast`, with the method
+ * `paper` it is `exact`.
+ */
 export interface FieldOptions {
   method?: Method;
   solver?: Solver;
-  /** Of the solver `graph`, 1 to 10; 6 by default. */
+  /** The k of the solver `graph`, 1 to 10; 6 by default. */
   rings?: number;
 }
 
@@ -212,8 +221,8 @@ export interface CenterOfMass {
   /** Sum of weight times squared distance, in squared units of the mesh. */
   energy: number;
   /**
-   * Whether searches from other control points ended at other minima, of which this is the lowest.
-   * The method `paper` searches once and does not know.
+   * Whether searches from other control points ended at other minima; this is the lowest of them.
+   * Always false with the method `paper`, which searches once.
    */
   otherMinima: boolean;
 }
@@ -223,21 +232,21 @@ export interface MeanWeights {
   /** One a point; their sum is 1. */
   weights: Float64Array;
   /**
-   * Whether the center of mass of these weights, searched for from the point, is the point, to 1e-9
-   * mean edges. It is not where the energy's Hessian is not positive definite, as may be where weights
-   * are negative or the points lie far apart; nor where, beside an edge at which fields jump, the face
-   * on the other side has the deeper minimum.
+   * Whether the search for the center of mass of these weights, started at the point, stays there, to
+   * 1e-9 mean edges. It does not where the energy's Hessian is not positive definite, which happens
+   * with negative weights and with points far apart; nor beside an edge at which fields jump, if the
+   * face on the other side has the deeper minimum.
    */
   isMinimum: boolean;
 }
 
 export interface WeightsOptions extends FieldOptions {
   /**
-   * Weights that are changed as little as can be, by the sum of squares; they are divided by their
-   * sum. Equal ones by default.
+   * The result is the solution nearest to these weights, by the sum of squared differences, after they
+   * are divided by their sum. Equal ones by default.
    */
   weights?: ArrayLike<number>;
-  /** Take no weight below 0. */
+  /** Allow no weight below 0. */
   nonNegative?: boolean;
 }
 
@@ -277,9 +286,9 @@ export interface CurveOptions extends FieldOptions {
    */
   samples?: number | 'adaptive';
   /**
-   * Of adaptive samples: the largest distance of the curve from the geodesics between them, as a
-   * part of the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default. It is kept wherever the
-   * curve is looked at, a dozen times or more between two samples.
+   * For adaptive samples: the largest distance of the curve from the geodesics between them, as a
+   * fraction of the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default. It is checked at a dozen
+   * or more places between two samples.
    */
   tolerance?: number;
   /**
@@ -325,14 +334,14 @@ export interface CurveOptions extends FieldOptions {
 /** A leg of a curve's control polygon. */
 export interface CurveLeg {
   path: Path;
-  /** A shorter path between its ends, where the leg is not the shortest. */
+  /** The shortest path between its ends, if the leg is another one. */
   shorter?: Path;
 }
 
 export interface SetOptions extends PolylineOptions {
   /**
-   * The number of a control point that is dragged: where the value gives no legs there, they are
-   * continued from where they lie in the curve that it was, whether or not they stay the shortest.
+   * The number of the control point that is being dragged. Legs at it that the value does not give
+   * are continued from where they lie now, whether or not they stay the shortest.
    */
   dragged?: number;
 }
@@ -442,11 +451,11 @@ export interface StraightestPath {
   path: Path;
   end: SurfacePoint;
   /**
-   * Why it ended: the length was walked (`complete`), it met the boundary, or it crossed a million
-   * edges (`limit`).
+   * Why the path ended: it has the whole length (`complete`), it met the boundary, or it crossed a
+   * million edges (`limit`).
    */
   stop: 'complete' | 'boundary' | 'limit';
-  /** Length that was left where the path did not walk all of it; 0 for `complete`. */
+  /** The length that was not walked; 0 for `complete`. */
   remaining: number;
 }
 
@@ -484,7 +493,7 @@ export interface LoadOptions {
   wasm?: WasmSource;
 }
 
-/** Progress of long work: a part of 1, and what is being done. */
+/** Progress of long work: the fraction that is done, and what is being done. */
 export type Progress = (done: number, stage: string) => void;
 
 export interface LongWorkOptions {

@@ -5,21 +5,21 @@
 
 namespace karcher {
 
-/// A piece of a curve is a safe center of mass where its points reach no more total absolute
-/// curvature than this, radians: the square of a cubic's leg times the absolute curvature per area.
-/// By the study of steadiness, at twice as much curves begin to turn more than their limit, and at
-/// four times as much some shiver.
+/// Radians: a piece of a curve is a safe center of mass if its points reach no more total absolute
+/// curvature than this, which is the square of a cubic's leg times the absolute curvature per area.
+/// By the study of steadiness, curves begin to turn more than their limit at twice as much, and
+/// some shiver at four times as much.
 inline constexpr double kSafeCurvature = 0.5;
 
 /// The fewest levels at which the pieces of a curve are safe centers of mass: 0 on smooth surfaces
-/// with near points, more where points are far or the surface is rough. The curvature per area is
-/// that of the faces that the legs cross, by the angle defects of their vertices. The legs are
-/// those of the whole control polygon. Depends on nothing else.
+/// with near points, more where points are far apart or the surface is rough. The curvature per
+/// area is estimated from the angle defects at the faces that the legs cross. `legs` are those of
+/// the whole control polygon. The result depends on these arguments alone.
 int automaticLevels(const Geometry& geometry, const CurveShape& shape, int points,
                     const Array<SurfacePath>& legs);
 
-/// So many levels that legs are twice as long as edges, as far as the work allows, and at least
-/// two: what is then averaged is the subdivision curve but for a small part of an edge.
+/// As many levels as make legs twice as long as edges, if the work allows that, and at least two.
+/// The averages then lie within a small fraction of an edge of the subdivision curve.
 int levelsToLimit(const Geometry& geometry, const CurveShape& shape, int points,
                   const Array<SurfacePath>& legs);
 
