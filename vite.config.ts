@@ -1,5 +1,6 @@
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 
@@ -30,6 +31,8 @@ const contentSecurityPolicy = [
   "form-action 'none'",
 ];
 
+const serviceWorker = 'service-worker.js';
+
 /** Says it in each page, for hosts that set no headers. */
 const policyInPages: Plugin = {
   name: 'content-security-policy',
@@ -46,6 +49,35 @@ const policyInPages: Plugin = {
   ],
 };
 
+/** Tells the service worker which files it keeps: all that are built, and those that are copied. */
+const filesInServiceWorker: Plugin = {
+  name: 'files-in-service-worker',
+  apply: 'build',
+  enforce: 'post',
+  generateBundle: {
+    order: 'post',
+    handler(_, bundle) {
+      const worker = bundle[serviceWorker];
+      if (worker?.type !== 'chunk') this.error('there is no service worker');
+      const hash = createHash('sha256');
+      const contents = new Map<string, string | Uint8Array>();
+      for (const file of Object.values(bundle)) {
+        contents.set(file.fileName, file.type === 'chunk' ? file.code : file.source);
+      }
+      for (const name of readdirSync(here('./web/public'))) {
+        contents.set(name, readFileSync(here(`./web/public/${name}`)));
+      }
+      contents.delete(serviceWorker);
+      const files = [...contents.keys()].filter((name) => !name.endsWith('.map')).sort();
+      for (const name of files) hash.update(name).update(contents.get(name)!);
+      const told = { version: hash.digest('hex').slice(0, 16), files };
+      const code = worker.code.replaceAll('__KARCHER_FILES__', JSON.stringify(told));
+      if (code === worker.code) this.error('the service worker asks for no files');
+      worker.code = code;
+    },
+  },
+};
+
 export default defineConfig({
   root: here('./web'),
   // Relative addresses: the built page can be put in any folder of any static host.
@@ -59,8 +91,8 @@ export default defineConfig({
     ],
   },
   define: { __KARCHER_BUILD__: JSON.stringify(buildName()) },
-  worker: { format: 'es' },
-  plugins: [policyInPages],
+  worker: { format: 'es', rollupOptions: { checks: { pluginTimings: false } } },
+  plugins: [policyInPages, filesInServiceWorker],
   preview: {
     headers: {
       'content-security-policy': [...contentSecurityPolicy, "frame-ancestors 'none'"].join('; '),
@@ -72,6 +104,18 @@ export default defineConfig({
     emptyOutDir: true,
     target: 'es2022',
     chunkSizeWarningLimit: 1000,
-    rollupOptions: { input: [here('./web/index.html'), here('./web/paper.html')] },
+    rollupOptions: {
+      input: {
+        index: here('./web/index.html'),
+        paper: here('./web/paper.html'),
+        service: here('./web/service_worker.ts'),
+      },
+      output: {
+        // A service worker has power over what lies beside it, and keeps its name.
+        entryFileNames: ({ name }) =>
+          name === 'service' ? serviceWorker : 'assets/[name]-[hash].js',
+      },
+      checks: { pluginTimings: false },
+    },
   },
 });

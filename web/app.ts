@@ -7,7 +7,8 @@ import { Session } from './editor/session';
 import { exposeState } from './inspection';
 import { formatLink, parseLink } from './model/link';
 import { isMethod } from './model/methods';
-import { recall } from './model/storage';
+import { onKeeping, recall } from './model/storage';
+import { workOffline } from './offline';
 import { Opening } from './opening';
 import { CurvePanel } from './panels/curve_panel';
 import { showDetailsOnDemand } from './panels/details';
@@ -120,6 +121,7 @@ export async function start(): Promise<void> {
   curvePanel.show(editor.state, session.view);
   showDetailsOnDemand();
   saveChanges(editor);
+  onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', () => {
     const link = parseLink(location.hash);
     if (link && location.hash.slice(1) !== fragment()) void opening.link(link);
@@ -127,4 +129,5 @@ export async function start(): Promise<void> {
   exposeState(editor, session, viewer);
   opening.show(viewer);
   await first;
+  workOffline();
 }

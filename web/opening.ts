@@ -97,7 +97,8 @@ export class Opening {
       if (!opened) return;
       this.#file = { key, file };
       if (awaited) this.#await(key, '');
-      await keepFile(key, bytes);
+      if (await keepFile(key, bytes)) return;
+      showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
     } catch (error) {
       this.#complain(`${file.name} could not be read. ${sentenceOf(error)}`);
     } finally {

@@ -54,13 +54,23 @@ function servePage() {
   return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
 }
 
-/** Whether the page complains. The driver's words on its canvas being read are the browser's doing. */
+/** What the driver says where a page may have no service worker. */
+const blocked = 'Service Worker registration blocked by Playwright';
+
+/**
+ * Whether the page complains. The driver's words on its canvas being read are the browser's doing, and
+ * that a test has no service worker is its own.
+ */
 export function isComplaint(message) {
   if (!['error', 'warning'].includes(message.type())) return false;
-  return !/GL Driver Message .*GPU stall due to ReadPixels/.test(message.text());
+  const text = message.text();
+  return !(/GL Driver Message .*GPU stall due to ReadPixels/.test(text) || text.includes(blocked));
 }
 
-/** Serves the page and opens a browser with a profile of its own. */
+/**
+ * Serves the page and opens a browser with a profile of its own; without a service worker, which would
+ * answer in place of what a test serves.
+ */
 export async function openBrowser(options = {}) {
   const server = await servePage();
   const profile = mkdtempSync(join(tmpdir(), 'karcher-page-'));
@@ -68,6 +78,7 @@ export async function openBrowser(options = {}) {
     executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium',
     args: flags,
     viewport: { width: 900, height: 640 },
+    serviceWorkers: 'block',
     ...options,
   });
   context.setDefaultTimeout(patience);
@@ -75,6 +86,11 @@ export async function openBrowser(options = {}) {
   return {
     context,
     address,
+    /** From then on nobody answers. */
+    stopServing() {
+      server.close();
+      server.closeAllConnections();
+    },
     async close() {
       await context.close();
       server.close();

@@ -10,6 +10,7 @@ import type { CurveTool, Editor } from './editor';
 import { handlesOf, idOf, selectionOf } from './handle_list';
 import type { Session } from './session';
 import { type Target, targetAt } from './targets';
+import { twoFingersMeanTheView } from './two_fingers';
 
 /** A press that moves less, in CSS pixels, is a click. */
 const clickSlop = 4;
@@ -63,6 +64,7 @@ export class Gestures {
       focus: (id) => editor.select(selectionOf(id)),
       key: (id, event) => this.#nudge(id, event),
     });
+    this.#handles.severalFingers = twoFingersMeanTheView(stage, this.#handles);
     // The stage takes keys of its own: it turns, zooms and places points.
     stage.tabIndex = 0;
     stage.addEventListener('pointerdown', (event) => this.#down(event));

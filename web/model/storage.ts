@@ -7,11 +7,20 @@ const prefix = 'karcher.';
 const longestFile = 128 * 1024 * 1024;
 const filesKept = 4;
 
-function keep(storage: () => Storage, name: string, value: string): void {
+let heardOfKeeping: (kept: boolean) => void = () => {};
+
+/** Calls a listener whenever something is to be kept beyond this tab, with whether it was. */
+export function onKeeping(listener: (kept: boolean) => void): void {
+  heardOfKeeping = listener;
+}
+
+function keep(storage: () => Storage, name: string, value: string): boolean {
   try {
     storage().setItem(prefix + name, value);
+    return true;
   } catch {
     // Full or forbidden.
+    return false;
   }
 }
 
@@ -23,7 +32,8 @@ function find(storage: () => Storage, name: string): string | null {
   }
 }
 
-export const remember = (name: string, value: string) => keep(() => localStorage, name, value);
+export const remember = (name: string, value: string) =>
+  heardOfKeeping(keep(() => localStorage, name, value));
 export const recall = (name: string) => find(() => localStorage, name);
 
 /** For this tab only, through reloads. */
@@ -50,18 +60,21 @@ interface StoredFile {
   opened: number;
 }
 
-export async function keepFile(key: string, bytes: Uint8Array): Promise<void> {
-  if (bytes.length > longestFile) return;
+/** Keeps a file in place of the oldest; false where it is too long, or the browser keeps none. */
+export async function keepFile(key: string, bytes: Uint8Array): Promise<boolean> {
+  if (bytes.length > longestFile) return false;
   try {
     const files = await openFiles('readwrite');
     await request(files.put({ bytes, opened: Date.now() } satisfies StoredFile, key));
     const keys = await request(files.getAllKeys());
-    if (keys.length <= filesKept) return;
+    if (keys.length <= filesKept) return true;
     const stored: StoredFile[] = await request(files.getAll());
     const oldest = stored.reduce((a, b, i) => (b.opened < stored[a]!.opened ? i : a), 0);
     await request(files.delete(keys[oldest]!));
+    return true;
   } catch {
     // Full or forbidden.
+    return false;
   }
 }
 

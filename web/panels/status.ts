@@ -65,6 +65,11 @@ export class Status {
     else element.hidden = true;
   }
 
+  /** Says when what is made is not kept, as the browser's storage is full or blocked. */
+  setKept(kept: boolean): void {
+    byId('status-kept').hidden = kept;
+  }
+
   #showLost({ curve }: View): void {
     const badge = byId('status-lost');
     const lost = curve?.lost ?? [];

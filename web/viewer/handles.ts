@@ -30,6 +30,11 @@ export class Handles {
   #centerPosition: Vector3 | null = null;
   readonly #beacon = document.createElement('div');
   #beaconPosition: Vector3 | null = null;
+  /** The drag that is going on: its pointer, and how far from the handle's middle that is. */
+  #held: { button: HTMLButtonElement; id: string; pointer: number; x: number; y: number } | null =
+    null;
+  /** Whether several fingers are down, which mean the view. */
+  severalFingers: () => boolean = () => false;
 
   constructor(
     private readonly viewer: Pick<Viewer, 'onFrame' | 'requestFrame' | 'project'>,
@@ -109,6 +114,25 @@ export class Handles {
     return { x: box.left + x, y: box.top + y };
   }
 
+  /** The pointer that drags a handle; null without one. */
+  get heldBy(): number | null {
+    return this.#held?.pointer ?? null;
+  }
+
+  /** Takes back the drag that is going on. */
+  letGo(): void {
+    const held = this.#held;
+    if (!held) return;
+    this.#release(true);
+    held.button.releasePointerCapture(held.pointer);
+  }
+
+  #release(cancelled: boolean): void {
+    const held = this.#held;
+    this.#held = null;
+    if (held) this.events.release(held.id, cancelled);
+  }
+
   get hasFocus(): boolean {
     return this.layer.contains(document.activeElement);
   }
@@ -135,32 +159,31 @@ export class Handles {
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'handle';
-    let offset: { x: number; y: number } | null = null;
     button.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0 || offset) return;
+      if (event.button !== 0 || this.#held || this.severalFingers()) return;
       // The view's controls listen on the stage: a drag of a handle is none of theirs.
       event.stopPropagation();
       button.setPointerCapture(event.pointerId);
       const box = button.getBoundingClientRect();
-      offset = {
-        x: event.clientX - (box.left + box.width / 2),
-        y: event.clientY - (box.top + box.height / 2),
-      };
-      this.events.grab(id, event.clientX - offset.x, event.clientY - offset.y);
+      const x = event.clientX - (box.left + box.width / 2);
+      const y = event.clientY - (box.top + box.height / 2);
+      this.#held = { button, id, pointer: event.pointerId, x, y };
+      this.events.grab(id, event.clientX - x, event.clientY - y);
     });
+    const holds = ({ pointerId }: PointerEvent) =>
+      this.#held?.button === button && this.#held.pointer === pointerId ? this.#held : null;
     button.addEventListener('pointermove', (event) => {
-      if (!offset) return;
+      const held = holds(event);
+      if (!held) return;
       event.stopPropagation();
-      this.events.drag(id, event.clientX - offset.x, event.clientY - offset.y);
+      this.events.drag(id, event.clientX - held.x, event.clientY - held.y);
     });
-    const end = (cancelled: boolean) => {
-      if (!offset) return;
-      offset = null;
-      this.events.release(id, cancelled);
+    const end = (event: PointerEvent, cancelled: boolean) => {
+      if (holds(event)) this.#release(cancelled);
     };
-    button.addEventListener('pointerup', () => end(false));
-    button.addEventListener('pointercancel', () => end(true));
-    button.addEventListener('lostpointercapture', () => end(false));
+    button.addEventListener('pointerup', (event) => end(event, false));
+    button.addEventListener('pointercancel', (event) => end(event, true));
+    button.addEventListener('lostpointercapture', (event) => end(event, false));
     button.addEventListener('focus', () => this.events.focus(id));
     button.addEventListener('keydown', (event) => this.events.key(id, event));
     this.layer.append(button);
