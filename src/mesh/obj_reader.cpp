@@ -12,6 +12,8 @@
 #include "mesh/positions.h"
 #include "mesh/triangle_mesh.h"
 
+// Under another name: a program that links this library may have a tinyobjloader of its own.
+#define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>

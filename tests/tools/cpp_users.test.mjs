@@ -1,0 +1,139 @@
+// Karcher in the CMake projects of C++ users: as a folder, fetched and installed. The program is the
+// README's. Only against the installed library is it linked and run: the engine is compiled already.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { inRoot } from '../../.tools/shell.mjs';
+
+const program = () =>
+  /^```cpp\n([\s\S]*?)^```$/m.exec(readFileSync(inRoot('README.md'), 'utf8'))[1];
+
+/** What a user's project has in front of Karcher, and behind it: no variable of CMake's has changed. */
+const head = `cmake_minimum_required(VERSION 3.24)
+project(user LANGUAGES CXX)
+get_cmake_property(names VARIABLES)
+foreach(name \${names})
+  if(name MATCHES "^(CMAKE|BUILD)_")
+    set("before_\${name}" "\${\${name}}")
+  endif()
+endforeach()
+set(before_CMAKE_BUILD_TYPE "")
+`;
+const tail = `get_cmake_property(names VARIABLES)
+foreach(name \${names})
+  if(name MATCHES "^(CMAKE_(CXX|C|BUILD|UNITY|EXPORT|POSITION|FIND_ROOT|INTERPROCEDURAL|COMPILE)|BUILD)_")
+    if(NOT "\${\${name}}" STREQUAL "\${before_\${name}}")
+      message(SEND_ERROR "\${name} was '\${before_\${name}}' and is '\${\${name}}'")
+    endif()
+  endif()
+endforeach()
+add_executable(app main.cpp)
+target_link_libraries(app PRIVATE karcher::karcher)
+`;
+
+describe('a C++ project', () => {
+  let folder;
+  before(() => {
+    folder = mkdtempSync(join(tmpdir(), 'karcher users '));
+  });
+  after(() => rmSync(folder, { recursive: true, force: true }));
+
+  const run = (name, command, ...args) => {
+    const { status, stdout, stderr } = spawnSync(command, args, {
+      cwd: join(folder, name),
+      encoding: 'utf8',
+    });
+    assert.equal(status, 0, `${command} ${args.join(' ')}\n${stdout}${stderr}`);
+    return stdout;
+  };
+
+  const configure = (name, middle, end = '', ...args) => {
+    mkdirSync(join(folder, name), { recursive: true });
+    writeFileSync(join(folder, name, 'CMakeLists.txt'), head + middle + tail + end);
+    writeFileSync(join(folder, name, 'main.cpp'), program());
+    const options = ['-DCMAKE_EXPORT_COMPILE_COMMANDS=ON', '-DCMAKE_CXX_FLAGS=-Wall -Werror'];
+    run(name, 'cmake', '-S', '.', '-B', 'build', '-G', 'Ninja', ...options, ...args);
+  };
+
+  /** How a file is compiled. */
+  const commandOf = (name, file) =>
+    JSON.parse(readFileSync(join(folder, name, 'build/compile_commands.json'), 'utf8')).find(
+      (entry) => entry.file.endsWith(file),
+    )?.command;
+
+  /** Of a project that compiles the engine: how, that nothing else is built, and that the program compiles. */
+  const checkWithEngine = (name) => {
+    const engine = commandOf(name, '/src/curves/curve.cpp');
+    assert.match(engine, / -fPIC .*-std=c\+\+20 /);
+    assert.doesNotMatch(engine, / -(Wextra|Wconversion|Wshadow|O3|DNDEBUG) /);
+    assert.equal(engine.split('-Werror').length, 2, 'the user’s own, no other');
+    const own = commandOf(name, 'main.cpp');
+    assert.match(own, / -std=(c|gnu)\+\+20 /);
+    assert.doesNotMatch(own, / -(Wextra|Wconversion|Wshadow|O3|DNDEBUG|fPIC) /);
+    assert.equal(commandOf(name, '/tests/engine/mesh_test.cpp'), undefined);
+    assert.equal(commandOf(name, '/tests/bench/karcher_bench.cpp'), undefined);
+    run(name, 'ninja', '-C', 'build', 'CMakeFiles/app.dir/main.cpp.o');
+    const commands = run(name, 'ninja', '-C', 'build', '-t', 'commands', 'all');
+    assert.match(commands, /libkarcher\.a/);
+    assert.doesNotMatch(commands, /src\/peers/);
+  };
+
+  test('takes it as a folder', () => {
+    const source = inRoot('.').replace(/\/\.$/, '');
+    configure('folder', `add_subdirectory("${source}" karcher)\n`);
+    checkWithEngine('folder');
+    const compiled = run('folder', 'ninja', '-C', 'build', '-t', 'targets', 'all');
+    const object = /^(\S*src\/mesh\/error\.cpp\.o):/m.exec(compiled)[1];
+    run('folder', 'ninja', '-C', 'build', object);
+  });
+
+  test('fetches it', () => {
+    configure(
+      'fetched',
+      `include(FetchContent)
+FetchContent_Declare(karcher SOURCE_DIR "${inRoot('.')}")
+FetchContent_MakeAvailable(karcher)
+`,
+    );
+    checkWithEngine('fetched');
+  });
+
+  test('finds it where it is installed, beside a tinyobjloader of its own', () => {
+    const prefix = join(folder, 'prefix');
+    run(
+      '.',
+      'cmake',
+      '--install',
+      inRoot('build/native'),
+      '--prefix',
+      prefix,
+      '--component',
+      'karcher',
+    );
+    mkdirSync(join(folder, 'found'));
+    cpSync(
+      inRoot('build/native/third_party/tiny_obj_loader.h'),
+      join(folder, 'found/tiny_obj_loader.h'),
+    );
+    writeFileSync(
+      join(folder, 'found/reader.cpp'),
+      '#define TINYOBJLOADER_IMPLEMENTATION\n#include "tiny_obj_loader.h"\n',
+    );
+    // The plug-in is a shared library: the engine's code can lie anywhere in memory.
+    configure(
+      'found',
+      'find_package(karcher 0.1 REQUIRED)\n',
+      `target_sources(app PRIVATE reader.cpp)
+add_library(plugin SHARED main.cpp)
+target_link_libraries(plugin PRIVATE karcher::karcher)
+`,
+      `-DCMAKE_PREFIX_PATH=${prefix}`,
+    );
+    run('found', 'ninja', '-C', 'build');
+    const said = run('found', join(folder, 'found/build/app'), inRoot('build/data/bunny.obj'));
+    assert.match(said, /^the center of mass: (-?\d+\.\d+ ?){3}\na curve of length \d+\.\d+\n$/);
+  });
+});
