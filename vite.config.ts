@@ -86,6 +86,7 @@ export default defineConfig({
     alias: [
       { find: /^karcher$/, replacement: here('./dist/index.js') },
       { find: /^karcher\/peers$/, replacement: here('./dist/peers/index.js') },
+      { find: /^karcher\/checkup$/, replacement: here('./dist/checkup/index.js') },
       { find: /^karcher\/formats$/, replacement: here('./dist/formats/index.js') },
       { find: /^karcher\/own-worker$/, replacement: here('./dist/worker/own.js') },
     ],

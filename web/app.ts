@@ -10,6 +10,7 @@ import { isMethod } from './model/methods';
 import { onKeeping, recall } from './model/storage';
 import { workOffline } from './offline';
 import { Opening } from './opening';
+import { CheckUpPanel } from './panels/checkup_panel';
 import { CurvePanel } from './panels/curve_panel';
 import { showDetailsOnDemand } from './panels/details';
 import { byId } from './panels/elements';
@@ -21,6 +22,7 @@ import { SurfacePanel } from './panels/surface_panel';
 import { Tools } from './panels/tools';
 import { saveChanges } from './saving';
 import { Viewer } from './viewer/viewer';
+import { checkedUp } from './worker/checkup';
 
 /** Lets the browser start what was asked for, before work that holds the page up. */
 const breathe = () => new Promise((resolve) => setTimeout(resolve));
@@ -90,8 +92,11 @@ export async function start(): Promise<void> {
     openFile: (file) => opening.file(file),
     reread: (key) => opening.reread(key),
   });
+  const checkUpPanel = new CheckUpPanel(checkedUp, (places) => viewer.showPlaces(places));
   opening.onEnd = () => {
-    if (session.client) surfacePanel.show(editor.state.mesh, session.client);
+    if (!session.client) return;
+    surfacePanel.show(editor.state.mesh, session.client);
+    checkUpPanel.show(session.client);
   };
   const curvePanel = new CurvePanel(editor, edits, {
     async chooseMethod(id) {

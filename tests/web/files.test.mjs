@@ -115,6 +115,39 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
+  test('the check-up tells what the surface is like, and shows where', async () => {
+    const tab = await Tab.open(browser);
+    await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);
+    await opened(tab, 'cone.ply');
+    await tab.page.getByText('Check-up').click();
+    const found = tab.page.locator('#checkup-found');
+    const show = found.getByRole('button', { name: 'Show 60 boundary edges' });
+    await show.waitFor();
+    // The foot's edges, and those from it to the tip.
+    const [foot, side] = [2 * Math.sin(Math.PI / 60), Math.hypot(1, 3)];
+    assert.match(
+      await found.textContent(),
+      new RegExp(`${foot.toPrecision(3)} to ${side.toPrecision(3)}`),
+    );
+    await tab.still();
+    const picture = () => tab.page.locator('#stage').screenshot();
+    const before = await picture();
+    await show.click();
+    await tab.still();
+    assert.equal(await show.getAttribute('aria-pressed'), 'true');
+    const shown = await picture();
+    assert.notDeepEqual(shown, before, 'the places are drawn');
+    await show.click();
+    await tab.still();
+    assert.deepEqual(await picture(), before, 'and taken away');
+    // Another surface is looked over anew.
+    await tab.page.locator('#surface').selectOption('torus');
+    await tab.page.getByText('Nothing is in a curve’s way.').waitFor();
+    assert.equal(await found.getByRole('button').count(), 0);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   sometimes('names in a file are text', async () => {
     const tab = await Tab.open(browser);
     const nodes = [

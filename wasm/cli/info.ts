@@ -1,15 +1,34 @@
+import { type CheckUp, checkUp } from '../checkup/index.js';
 import { load } from '../load.js';
 import type { Command } from './command.js';
 
 export const info: Command = {
   name: 'info',
-  summary: 'what a mesh consists of, and what was mended while it was read',
+  summary:
+    'what a mesh consists of, what was mended while it was read, and what to expect of curves',
   output:
-    '{vertices, triangles, components, boundaryLoops, genus, meanEdge, diagonal, fastSolver, repairs: [{kind, count, message}, …], file: {format, parts: [{name, triangles}, …], notRead: [sentence, …]}}',
+    '{vertices, triangles, components, boundaryLoops, genus, meanEdge, diagonal, fastSolver, repairs: [{kind, count, message}, …], file: {format, parts: [{name, triangles}, …], notRead: [sentence, …]}, checkUp: {shortestEdge, longestEdge, smallestAngle, largestAngle, needles: {count, faces}, caps: {count, faces}, boundaryEdges, nearBoundaries: {vertices, weld}, expected: [sentence, …]}}; angles are in degrees, and of needles and caps the first 20 faces are told',
   options: [],
   async run(args) {
     const read = await args.meshFile();
     const { mesh, file } = await read(await load());
-    return { json: { ...mesh.info, file } };
+    return { json: { ...mesh.info, file, checkUp: summaryOf(await checkUp(mesh)) } };
   },
 };
+
+/** Longer lists are for programs, which call `checkUp` themselves. */
+const mostFaces = 20;
+
+function summaryOf({ needles, caps, boundary, nearBoundaries: near, ...rest }: CheckUp) {
+  const thin = (faces: Int32Array) => ({
+    count: faces.length,
+    faces: Array.from(faces.subarray(0, mostFaces)),
+  });
+  return {
+    ...rest,
+    needles: thin(needles),
+    caps: thin(caps),
+    boundaryEdges: boundary.length / 6,
+    nearBoundaries: near && { vertices: near.places.length / 3, weld: near.weld },
+  };
+}

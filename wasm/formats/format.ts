@@ -1,6 +1,6 @@
+import { badFile } from './failures.js';
 import { isGlb } from './glb.js';
 import { isOff } from './off.js';
-import { badFile } from './slices.js';
 import { isBinaryStl, isTextStl } from './stl.js';
 import { startOf } from './text.js';
 import type { MeshFormat } from './types.js';

@@ -1,4 +1,4 @@
-import { badFile, counted } from './slices.js';
+import { badFile, counted } from './failures.js';
 
 /** What a glTF file consists of: its JSON, and the buffer in the same file, where there is one. */
 export interface GltfContent {

@@ -1,5 +1,7 @@
 import { KarcherError } from '../errors.js';
+import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
+import { badFile, counted } from './failures.js';
 import { gltfContent } from './glb.js';
 import {
   type Accessor,
@@ -11,7 +13,6 @@ import {
   objectOf,
 } from './gltf_accessors.js';
 import { GrowingInts } from './growing.js';
-import { badFile, batchMask, counted, Slices } from './slices.js';
 import type { Polygons } from './types.js';
 
 type Json = Readonly<Record<string, unknown>>;

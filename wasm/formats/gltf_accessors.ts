@@ -1,5 +1,5 @@
+import { badFile, counted } from './failures.js';
 import type { GltfContent } from './glb.js';
-import { badFile, counted } from './slices.js';
 
 type Json = Readonly<Record<string, unknown>>;
 

@@ -1,5 +1,5 @@
+import { Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
-import { Slices } from './slices.js';
 import type { FilePart, Polygons } from './types.js';
 
 const [newline, space] = [10, 32];

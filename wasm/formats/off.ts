@@ -1,7 +1,8 @@
 import { KarcherError } from '../errors.js';
+import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
+import { badFile, counted } from './failures.js';
 import { GrowingPolygons } from './growing.js';
-import { badFile, batchMask, counted, Slices } from './slices.js';
 import { Words } from './text.js';
 import type { Polygons } from './types.js';
 

@@ -1,8 +1,9 @@
 import { KarcherError } from '../errors.js';
+import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
+import { badFile, counted } from './failures.js';
 import { GrowingPolygons } from './growing.js';
 import { type PlyElement, type PlyProperty, plyHeader } from './ply_header.js';
-import { badFile, batchMask, counted, Slices } from './slices.js';
 import { Words } from './text.js';
 import type { Polygons } from './types.js';
 
@@ -120,7 +121,7 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
   }
   const notRead = elements
     .filter(({ name, count }) => !['vertex', 'face'].includes(name) && count > 0)
-    .map(({ name, count }) => `${counted(count)} elements '${name}' were left out.`);
+    .map(({ name, count }) => `The file’s '${name}' (${counted(count)}) was left out.`);
   const parts = [{ name: 'mesh', triangles: polygons.triangles }];
   const info = { format: 'ply', parts, notRead } as const;
   return { positions, corners: polygons.corners, sizes: polygons.sizes, info };

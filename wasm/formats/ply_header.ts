@@ -1,4 +1,4 @@
-import { badFile, counted } from './slices.js';
+import { badFile, counted } from './failures.js';
 import { ascii, Words } from './text.js';
 
 /** How a number lies in a binary file. */

@@ -1,7 +1,8 @@
+import { Places } from '../places.js';
+import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
+import { badFile, counted } from './failures.js';
 import { GrowingInts } from './growing.js';
-import { Places } from './places.js';
-import { badFile, batchMask, counted, Slices } from './slices.js';
 import { startOf, Words } from './text.js';
 import type { FilePart, Polygons } from './types.js';
 

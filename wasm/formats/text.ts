@@ -1,4 +1,4 @@
-import { badFile } from './slices.js';
+import { badFile } from './failures.js';
 
 const [newline, space, hash] = [10, 32, 35];
 const longestWord = 200;

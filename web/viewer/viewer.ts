@@ -48,9 +48,10 @@ export class Viewer {
   readonly #shorter = new FatLine({ width: 2.5, dashed: true, hidden: 0.3 }, 2);
   readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
   readonly #tangent = new FatLine({ width: 2.5, hidden: 0.5 }, 7);
+  readonly #places = new FatLine({ width: 3, hidden: 0.45 }, 5);
   readonly #lines = [
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
-    ...[this.#shorter, this.#marks, this.#tangent],
+    ...[this.#shorter, this.#marks, this.#tangent, this.#places],
   ];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
@@ -127,6 +128,7 @@ export class Viewer {
     this.showTangent(null);
     this.showOthers([]);
     this.showShorter([]);
+    this.showPlaces([]);
     return this.#surface;
   }
 
@@ -140,6 +142,7 @@ export class Viewer {
     this.#beside.setColor(new Color(colors.curve).lerp(surface, 0.35), surface);
     this.#shorter.setColor(new Color(colors.center), surface);
     this.#tangent.setColor(new Color(colors.center), surface);
+    this.#places.setColor(new Color(colors.lost), surface);
     this.#marks.setColor(new Color(colors.marks), surface);
     this.requestFrame();
   }
@@ -189,6 +192,13 @@ export class Viewer {
       return Float32Array.of(x!, y!, z!, x! + 1e-4, y!, z!);
     });
     this.#marks.set(dots);
+    this.requestFrame();
+  }
+
+  /** Outlines of places of the surface, in its coordinates; those before go. */
+  showPlaces(lines: readonly Float32Array[]): void {
+    const surface = this.#surface;
+    this.#places.set(surface ? lines.map((line) => surface.toScene(line)) : []);
     this.requestFrame();
   }
 

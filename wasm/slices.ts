@@ -1,6 +1,5 @@
-import { KarcherError } from '../errors.js';
-import { pause, sliceTime } from '../prepare.js';
-import type { LongWorkOptions } from '../types.js';
+import { pause, sliceTime } from './prepare.js';
+import type { LongWorkOptions } from './types.js';
 
 /** Items between two looks at the clock; a power of two less 1, for a mask. */
 export const batchMask = 0xfff;
@@ -32,8 +31,3 @@ export class Slices {
     this.#end = performance.now() + sliceTime;
   }
 }
-
-export const badFile = (message: string) => new KarcherError('badFile', message);
-
-/** Numbers as a person reads them: 1,234,567. */
-export const counted = (count: number) => count.toLocaleString('en');

@@ -1,0 +1,95 @@
+import { checkLongWork } from '../options.js';
+import { Slices } from '../slices.js';
+import type { LongWorkOptions, MeshInfo } from '../types.js';
+import { boundaryEdges } from './boundary.js';
+import { nearBoundaries } from './near_boundaries.js';
+import { shapesOf } from './shapes.js';
+
+/** What a mesh is like, triangle by triangle, and where it is not as curves would have it. */
+export interface CheckUp {
+  /** Lengths of the shortest and the longest edge. */
+  shortestEdge: number;
+  longestEdge: number;
+  /** In degrees. */
+  smallestAngle: number;
+  largestAngle: number;
+  /** Numbers of triangles with an angle below 2 degrees, and none above 170. */
+  needles: Int32Array;
+  /** Numbers of triangles with an angle above 170 degrees. */
+  caps: Int32Array;
+  /** Edges of one face only: x, y, z of both ends, six numbers an edge. */
+  boundary: Float64Array;
+  /** Boundaries that lie near each other and are not joined; null without any. */
+  nearBoundaries: NearBoundaries | null;
+  /** Sentences about what is to be expected of curves. */
+  expected: string[];
+}
+
+export interface NearBoundaries {
+  /** x, y, z of the vertices on them that lie within 1e-4 of the diagonal of another one. */
+  places: Float64Array;
+  /** The tolerance, as `weld` of `MeshOptions`, that joins them. */
+  weld: number;
+}
+
+/** A mesh of this thread or of a worker. */
+export interface CheckedMesh {
+  readonly info: Readonly<MeshInfo>;
+  positions(): Float64Array | Promise<Float64Array>;
+  triangles(): Int32Array | Promise<Int32Array>;
+}
+
+/**
+ * Looks a mesh over, in slices of some milliseconds: two seconds for two million triangles. Faces are
+ * numbered as the caller's; those that were left out or flipped away while the mesh was read are passed
+ * over.
+ *
+ * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed.
+ */
+export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Promise<CheckUp> {
+  checkLongWork(work);
+  const slices = new Slices(work, 'checking');
+  const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
+  const { info } = mesh;
+  const { numbers, ...shapes } = await shapesOf(positions, triangles, slices);
+  const boundary =
+    info.boundaryLoops === 0
+      ? new Float64Array()
+      : await boundaryEdges(positions, triangles, numbers, slices);
+  const near = nearBoundaries(boundary, info.diagonal);
+  const found = { ...shapes, boundary, nearBoundaries: near };
+  return { ...found, expected: expectedOf(info, found) };
+}
+
+/** Edges that differ by more leave distances fewer right digits (the gallery of `docs/gallery.md`). */
+const widestRange = 1e8;
+
+function expectedOf(info: Readonly<MeshInfo>, found: Omit<CheckUp, 'expected'>): string[] {
+  const { nearBoundaries: near, needles, caps, shortestEdge, longestEdge } = found;
+  const sentences: string[] = [];
+  if (info.components > 1) {
+    sentences.push(`No curve goes from one of the ${info.components} parts to another.`);
+  }
+  if (near) {
+    sentences.push(
+      `Boundaries lie on each other and are not joined, so that paths go around: a weld of ${near.weld} joins them.`,
+    );
+  } else if (info.boundaryLoops > 0) {
+    sentences.push('Paths keep to the boundary where they meet it, and a center may lie on it.');
+  }
+  if (info.fastSolver === 'exact') {
+    sentences.push(
+      'Its triangles do not suit the fast solver: distances are exact, and take longer.',
+    );
+  }
+  if (needles.length + caps.length > 0) {
+    sentences.push(
+      'Distances are right across thin triangles; the directions there are less sure.',
+    );
+  }
+  if (longestEdge > widestRange * shortestEdge) {
+    sentences.push('Its edges differ so widely in length that distances have fewer right digits.');
+  }
+  if (sentences.length === 0) sentences.push('Nothing is in a curve’s way.');
+  return sentences;
+}

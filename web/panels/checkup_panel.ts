@@ -1,0 +1,164 @@
+import type { LongWorkOptions, MeshInfo } from 'karcher';
+import type { CheckUp } from 'karcher/checkup';
+import { byId, formatCount, formatInteger, make } from './elements';
+import { sentenceOf } from './messages';
+import { showProgress } from './progress';
+
+/** More outlines than this are not drawn at once. */
+const mostOutlines = 20_000;
+
+/** A surface as it is looked over. */
+export interface CheckedSurface {
+  info: Readonly<MeshInfo>;
+  positions: Float64Array;
+  triangles: Int32Array;
+}
+
+/** What is shown, which can be asked for its arrays. */
+interface Shown {
+  info: Readonly<MeshInfo>;
+  positions(): Float64Array;
+  triangles(): Int32Array;
+}
+
+/** The surface's check-up, made when it is asked for; the places that it tells of can be shown. */
+export class CheckUpPanel {
+  readonly #details = byId<HTMLDetailsElement>('checkup');
+  readonly #found = byId('checkup-found');
+  #client: Shown | null = null;
+  /** The surface that was looked over, or is. */
+  #checked: Shown | null = null;
+  #shown: HTMLButtonElement | null = null;
+
+  /**
+   * `check` looks a surface over; `showPlaces` draws outlines on it, x, y, z each, in place of those
+   * before.
+   */
+  constructor(
+    private readonly check: (surface: CheckedSurface, work: LongWorkOptions) => Promise<CheckUp>,
+    private readonly showPlaces: (places: readonly Float32Array[]) => void,
+  ) {
+    this.#details.addEventListener('toggle', () => {
+      if (this.#details.open) void this.#check();
+      else this.#toggle(null, []);
+    });
+  }
+
+  /** Another surface is shown, or the same in another way. */
+  show(client: Shown): void {
+    this.#client = client;
+    this.#toggle(null, []);
+    if (client === this.#checked) return;
+    this.#checked = null;
+    this.#found.replaceChildren();
+    if (this.#details.open) void this.#check();
+  }
+
+  async #check(): Promise<void> {
+    const client = this.#client;
+    if (!client || client === this.#checked) return;
+    this.#checked = client;
+    const controller = new AbortController();
+    const progress = showProgress('Checking the surface', () => controller.abort());
+    const mesh = {
+      info: client.info,
+      positions: client.positions(),
+      triangles: client.triangles(),
+    };
+    try {
+      const found = await this.check(mesh, {
+        progress: (done) => progress.set(done, 'Checking the surface'),
+        signal: controller.signal,
+      });
+      if (client === this.#checked) this.#show(found, mesh);
+    } catch (error) {
+      if (client !== this.#checked) return;
+      this.#checked = null;
+      this.#details.open = false;
+      if (!controller.signal.aborted) this.#found.replaceChildren(make('p', sentenceOf(error)));
+    } finally {
+      progress.hide();
+    }
+  }
+
+  #show(found: CheckUp, mesh: CheckedSurface): void {
+    const { shortestEdge, longestEdge, smallestAngle, largestAngle } = found;
+    const facts = make('dl', '', { className: 'facts' });
+    for (const [name, value] of [
+      ['Edges', `${shortestEdge.toPrecision(3)} to ${longestEdge.toPrecision(3)}`],
+      ['Angles', `${degrees(smallestAngle)} to ${degrees(largestAngle)}`],
+    ] as const) {
+      facts.append(make('dt', name), make('dd', value));
+    }
+    const { needles, caps, boundary, nearBoundaries: near } = found;
+    const rows = [
+      this.#row(needles.length, 'needle', () => outlines(needles, mesh)),
+      this.#row(caps.length, 'cap', () => outlines(caps, mesh)),
+      this.#row(boundary.length / 6, 'boundary edge', () => segments(boundary)),
+      this.#row(
+        near ? near.places.length / 3 : 0,
+        'vertex on a boundary that lies on another',
+        () => dots(near!.places, mesh.info.diagonal),
+        'vertices on boundaries that lie on others',
+      ),
+    ].filter((row) => row !== null);
+    const list = make('ul', '', { className: 'checkup-rows' });
+    list.append(...rows);
+    const expected = make('ul', '', { className: 'notes' });
+    expected.append(...found.expected.map((sentence) => make('li', sentence)));
+    this.#found.replaceChildren(facts, ...(rows.length > 0 ? [list] : []), expected);
+  }
+
+  /** So many of something, and a button that shows them; null for none. */
+  #row(count: number, one: string, lines: () => Float32Array[], many = `${one}s`) {
+    if (count === 0) return null;
+    const row = make('li');
+    const button = make('button', 'Show', { type: 'button', className: 'link' });
+    button.setAttribute('aria-pressed', 'false');
+    button.setAttribute('aria-label', `Show ${formatCount(count, one, many)}`);
+    if (count > mostOutlines) button.title = `The first ${formatInteger(mostOutlines)} are shown`;
+    button.addEventListener('click', () => {
+      if (this.#shown === button) this.#toggle(null, []);
+      else this.#toggle(button, lines());
+    });
+    row.append(make('span', formatCount(count, one, many)), button);
+    return row;
+  }
+
+  #toggle(button: HTMLButtonElement | null, places: readonly Float32Array[]): void {
+    this.#shown?.setAttribute('aria-pressed', 'false');
+    this.#shown = button;
+    button?.setAttribute('aria-pressed', 'true');
+    this.showPlaces(places);
+  }
+}
+
+const degrees = (angle: number) => `${Number(angle.toPrecision(3))}°`;
+
+/** Around triangles. */
+function outlines(faces: Int32Array, { positions, triangles }: CheckedSurface): Float32Array[] {
+  return Array.from(faces.subarray(0, mostOutlines), (face) =>
+    Float32Array.from(
+      [0, 1, 2, 0].flatMap((corner) => {
+        const at = 3 * triangles[3 * face + corner]!;
+        return [positions[at]!, positions[at + 1]!, positions[at + 2]!];
+      }),
+    ),
+  );
+}
+
+function segments(ends: Float64Array): Float32Array[] {
+  const count = Math.min(mostOutlines, ends.length / 6);
+  return Array.from({ length: count }, (_, i) =>
+    Float32Array.from(ends.subarray(6 * i, 6 * i + 6)),
+  );
+}
+
+/** A line so short is a dot. */
+function dots(places: Float64Array, diagonal: number): Float32Array[] {
+  const count = Math.min(mostOutlines, places.length / 3);
+  return Array.from({ length: count }, (_, i) => {
+    const [x, y, z] = places.subarray(3 * i, 3 * i + 3);
+    return Float32Array.of(x!, y!, z!, x! + 1e-4 * diagonal, y!, z!);
+  });
+}
