@@ -74,7 +74,7 @@ const stages = [
   tests('the tools', () => runNode('tests/tools'), short),
   tests('the engine, g++', () => runNative('native')),
   tests('the engine, clang++ with sanitizers', () => runNative('sanitize'), short),
-  tests('the module and the command line', () => runNode('tests/wasm')),
+  tests('the module and the command line', () => runNode('tests/wasm', longCases)),
   tests('the figures', () => runNode('tests/paper')),
   tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];

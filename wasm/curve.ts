@@ -9,7 +9,7 @@ import type {
   EngineMesh,
   EngineViewOptions,
 } from './karcher-engine.mjs';
-import { namesOf } from './options.js';
+import { curveOptionNames, namesOf } from './options.js';
 import { Path } from './path.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { inDouble } from './polyline.js';
@@ -113,6 +113,7 @@ export class Curve {
    * edits come to. Throws as `Mesh.curve` does.
    */
   set(value: CurveOptions, options: SetOptions = {}): CurveView {
+    checkOptions(value, curveOptionNames);
     checkOptions(options, setOptionNames);
     const { dragged, ...polyline } = options;
     const point = dragged === undefined ? noPoint : checkPointNumber(dragged);

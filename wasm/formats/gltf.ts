@@ -1,3 +1,4 @@
+import { shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
@@ -122,15 +123,16 @@ function primitivesOf(accessors: Accessors): { strips: Strip[]; notRead: string[
 function checkVersion(json: Json): void {
   const { version } = objectOf(json, 'asset');
   if (typeof version !== 'string' || !version.startsWith('2.')) {
-    throw badFile(`the file is glTF of version ${String(version)}; version 2 is read`);
+    const told = typeof version === 'string' ? `version ${version.slice(0, 20)}` : 'no version';
+    throw badFile(`the file is glTF of ${told}; version 2 is read`);
   }
   for (const name of listOf(json, 'extensionsRequired')) {
     if (typeof name === 'string' && harmless.test(name)) continue;
-    const compression = compressions[`${name}`];
+    const compression = typeof name === 'string' ? compressions[name] : undefined;
     throw badFile(
       compression
         ? `the glTF file is compressed by ${compression}, which is not read: save it uncompressed`
-        : `the glTF file needs the extension ${String(name)}, which is not read`,
+        : `the glTF file needs the extension ${shown(name)}, which is not read`,
     );
   }
 }

@@ -21,8 +21,10 @@ export function listOf(json: Json, name: string): unknown[] {
 /** Entry `number` of a list of objects. Throws where there is none. */
 export function entryOf(json: Json, list: string, number: unknown): Json {
   const entry = Number.isInteger(number) ? listOf(json, list)[number as number] : undefined;
-  if (!isJson(entry)) throw badFile(`the glTF file has no entry ${String(number)} of '${list}'`);
-  return entry;
+  if (isJson(entry)) return entry;
+  if (typeof number === 'number')
+    throw badFile(`the glTF file has no entry ${number} of '${list}'`);
+  throw badFile(`the glTF file names no entry of '${list}' where one is needed`);
 }
 
 /** A whole number of at least 0. */
@@ -157,7 +159,7 @@ export class Accessors {
       throw badFile(
         typeof uri === 'string'
           ? `the glTF file needs '${nameBeside(uri)}', which lies beside it: give both, or save it as one GLB file`
-          : `buffer ${String(number)} of the glTF file has no bytes`,
+          : `buffer ${number} of the glTF file has no bytes`,
       );
     }
     this.#buffers.set(number, buffer);

@@ -1,5 +1,6 @@
 import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
+import type { LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
 import { errorOf, isSent, type Reply, type Request, replaced } from './protocol.js';
 import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './remote.js';
@@ -33,6 +34,8 @@ export class WorkerClient {
     listen(worker, 'message', (reply) => this.#receive(reply as Reply));
     listen(worker, 'error', (error) => this.#break(error));
     listen(worker, 'messageerror', (error) => this.#break(error));
+    // One of Node's that ended by itself, or was ended by others.
+    listen(worker, 'exit', () => this.#break(new Error('the worker has ended')));
   }
 
   /** Whether it ended, or was disposed of. */
@@ -44,13 +47,23 @@ export class WorkerClient {
    * Calls a method of an object in the worker, by default of the one that it serves. A signal among
    * the arguments, or in an object among them, rejects the call with its reason at once. Rejects with
    * the `KarcherError` of the engine, or with `disposed`.
+   *
+   * `work` is for calls that know of no signals and progress themselves: its signal does the same, its
+   * progress hears when the worker begins with the call (0) and has ended (1).
    */
-  call(name: string, args: readonly unknown[], of?: object): Promise<unknown> {
+  call(
+    name: string,
+    args: readonly unknown[],
+    of?: object,
+    { progress, signal: own }: LongWorkOptions = {},
+  ): Promise<unknown> {
     if (this.#end) return Promise.reject(this.#end);
     const id = ++this.#calls;
     const callbacks: Pending['callbacks'] = [];
-    const signals: AbortSignal[] = [];
-    return new Promise((resolve, reject) => {
+    const signals: AbortSignal[] = own ? [own] : [];
+    if (progress) callbacks.push(progress as Pending['callbacks'][number]);
+    const tells = progress !== undefined;
+    const done = new Promise((resolve, reject) => {
       const target = of === undefined ? 0 : this.#targets.get(of)!;
       const sent = args.map((arg) => this.#sent(arg, callbacks, signals));
       for (const signal of signals) {
@@ -59,13 +72,15 @@ export class WorkerClient {
         signal.addEventListener('abort', abort, { once: true });
       }
       try {
-        this.#worker.postMessage({ id, target, call: name, args: sent } satisfies Request);
+        this.#worker.postMessage({ id, target, call: name, args: sent, tells } satisfies Request);
       } catch (cause) {
         const why = cause instanceof Error ? cause.message : `${cause}`;
         throw new KarcherError('badArgument', `it cannot be sent to a worker: ${why}`, { cause });
       }
       this.#pending.set(id, { resolve, reject, callbacks });
     });
+    if (progress) done.then(() => progress(1, 'done')).catch(() => {});
+    return done;
   }
 
   /** Ends the worker, and every call that is under way. Safe to repeat. */
@@ -149,7 +164,7 @@ export class WorkerClient {
 /** Hears a worker's event: the data of a message, or an error. */
 function listen(
   worker: WorkerLike,
-  type: 'message' | 'error' | 'messageerror',
+  type: 'message' | 'error' | 'messageerror' | 'exit',
   hear: (value: unknown) => void,
 ): void {
   const { addEventListener, on } = worker as WorkerLike & {

@@ -27,8 +27,11 @@ export interface WorkerOptions {
 
 /**
  * Loads the engine in a worker of its own. All names are those of `load`'s engine, and return
- * promises; what they return is the caller's, large arrays are transferred. Progress and signals are
- * given as there.
+ * promises; what they return is the caller's, large arrays are transferred.
+ *
+ * Every method takes `{ progress, signal }` behind its other arguments. A signal rejects the call at once
+ * with its reason: a call that waits is not begun, of one that the worker is at the answer is dropped,
+ * and files, graphs and check-ups stop.
  *
  * Every call rejects with the engine's `KarcherError`; once the worker ended by itself, all with
  * `internal`, after `dispose` with `disposed`.

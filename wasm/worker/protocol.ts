@@ -8,9 +8,16 @@ import type { ViewData } from '../view.js';
  * which number 0 is the one that is served. Arguments and results travel as structured clones, but
  * for what is written as `Sent`.
  */
-export type Request =
-  | { id: number; target: number; call: string; args: unknown[] }
-  | { cancel: number };
+/** With `tells` the first function among the arguments hears when the worker begins with the call. */
+export interface Call {
+  id: number;
+  target: number;
+  call: string;
+  args: unknown[];
+  tells: boolean;
+}
+
+export type Request = Call | { cancel: number };
 
 export type Reply =
   | { id: number; result: unknown }

@@ -3,8 +3,8 @@ import { KarcherError } from '../errors.js';
 import type { FileInfo, FileOptions } from '../formats/index.js';
 import type { Karcher } from '../karcher.js';
 import type { Mesh } from '../mesh.js';
-import { namesOf } from '../options.js';
-import type { MeshInfo, PolylineOptions } from '../types.js';
+import { checkLongWork, namesOf } from '../options.js';
+import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
 import type { WorkerClient } from './client.js';
 
 /** What stays in the worker is here by its methods. */
@@ -18,10 +18,13 @@ type Remote<Value> = Value extends Mesh
 
 type RemoteArgs<Args extends unknown[]> = { [Index in keyof Args]: Remote<Args[Index]> };
 
-/** The methods of a class, returning promises. */
+/**
+ * The methods of a class, returning promises. Each takes a signal, and progress, behind its last
+ * argument.
+ */
 type Remotely<Class, Name extends keyof Class> = {
   [Method in Name]: Class[Method] extends (...args: infer Args) => infer Result
-    ? (...args: RemoteArgs<Args>) => Promise<Remote<Awaited<Result>>>
+    ? (...args: [...RemoteArgs<Args>, work?: LongWorkOptions]) => Promise<Remote<Awaited<Result>>>
     : never;
 };
 
@@ -126,11 +129,29 @@ const karcherMethods = namesOf<Record<MethodsOf<Karcher> | 'meshFromFile', true>
 
 type Call = (...args: unknown[]) => Promise<unknown>;
 
+/** Methods that take progress and a signal themselves, and tell more of it. */
+const longMethods: readonly string[] = ['prepare', 'meshFromFile'];
+const workNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
+
+/** Whether an argument is nothing but progress and a signal. */
+function isWork(value: unknown): value is LongWorkOptions {
+  if (typeof value !== 'object' || value === null) return false;
+  const names = Object.keys(value);
+  return names.length > 0 && names.every((name) => workNames.includes(name));
+}
+
 /** An object whose methods are calls into the worker, of `object` where it is one of several. */
 function calling(client: WorkerClient, names: readonly string[], object?: object) {
-  return Object.fromEntries(
-    names.map((name): [string, Call] => [name, (...args) => client.call(name, args, object)]),
-  );
+  const callOf = (name: string): Call => {
+    if (longMethods.includes(name)) return (...args) => client.call(name, args, object);
+    return async (...args) => {
+      const work = args.at(-1);
+      if (!isWork(work)) return client.call(name, args, object);
+      checkLongWork(work);
+      return client.call(name, args.slice(0, -1), object, work);
+    };
+  };
+  return Object.fromEntries(names.map((name): [string, Call] => [name, callOf(name)]));
 }
 
 /** The same of a curve's value, in which a basis is refused. */

@@ -2,8 +2,17 @@ import { Curve } from '../curve.js';
 import { KarcherError } from '../errors.js';
 import { Mesh } from '../mesh.js';
 import { Path } from '../path.js';
+import { pause } from '../prepare.js';
 import { CurveView } from '../view.js';
-import { failureOf, isSent, type Reply, type Request, replaced, type Sent } from './protocol.js';
+import {
+  type Call,
+  failureOf,
+  isSent,
+  type Reply,
+  type Request,
+  replaced,
+  type Sent,
+} from './protocol.js';
 
 /** A worker's own end, in a page's worker and in one of Node's. */
 interface Scope {
@@ -33,6 +42,9 @@ class Server {
   readonly #scope: Scope;
   readonly #objects = new Map<number, Mesh | Curve>();
   readonly #running = new Map<number, AbortController>();
+  /** Calls that are not begun. */
+  readonly #waiting: Call[] = [];
+  #beginning = false;
   #lastObject = 0;
 
   constructor(root: object | Promise<object>, scope: Scope) {
@@ -43,14 +55,35 @@ class Server {
   listen(): void {
     this.#scope.addEventListener('message', ({ data }) => {
       const request = data as Request;
-      if ('cancel' in request) this.#running.get(request.cancel)?.abort();
-      else void this.#answer(request);
+      if ('cancel' in request) this.#cancel(request.cancel);
+      else {
+        this.#waiting.push(request);
+        void this.#begin();
+      }
     });
   }
 
-  async #answer({ id, target, call, args }: Exclude<Request, { cancel: number }>): Promise<void> {
+  /** Begins with the calls that wait, and hears between them which of the others are cancelled. */
+  async #begin(): Promise<void> {
+    if (this.#beginning) return;
+    this.#beginning = true;
+    for (let next = this.#waiting.shift(); next; next = this.#waiting.shift()) {
+      void this.#answer(next);
+      await pause();
+    }
+    this.#beginning = false;
+  }
+
+  #cancel(id: number): void {
+    const waiting = this.#waiting.findIndex((call) => call.id === id);
+    if (waiting >= 0) this.#waiting.splice(waiting, 1);
+    else this.#running.get(id)?.abort();
+  }
+
+  async #answer({ id, target, call, args, tells }: Call): Promise<void> {
     const controller = new AbortController();
     this.#running.set(id, controller);
+    if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
     try {
       const owner = target === 0 ? await this.#root : this.#object(target);
       const method: unknown = (owner as Record<string, unknown>)[call];
