@@ -33,7 +33,7 @@ function readArguments() {
 
 try {
   const named = readArguments();
-  await setUp('build', 'test');
+  await setUp('build', 'native');
   await writeBunny();
   const mesh = named.mesh ? resolve(named.mesh) : inRoot('build/data/bunny.obj');
   const points = named.points ? resolve(named.points) : await writeBunnyPoints();

@@ -92,7 +92,7 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
     console.error(`There is no part '${unknown}' to build: ${Object.keys(parts).join(', ')}.`);
     process.exit(1);
   }
-  await setUp('build', ...(names.includes('native') ? ['test'] : []));
+  await setUp('build', ...(names.includes('native') ? ['native'] : []));
   try {
     for (const name of names.length > 0
       ? names

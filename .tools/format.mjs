@@ -3,7 +3,7 @@ import { setUp } from './setup.mjs';
 import { filesBelow, inRoot, run } from './shell.mjs';
 
 const check = process.argv.includes('--check');
-await setUp('lint');
+await setUp('format');
 const sources = ['src', 'wasm', 'tests'].flatMap((folder) => filesBelow(folder, /\.(h|cpp)$/));
 const mode = check ? ['--dry-run', '-Werror'] : ['-i'];
 try {

@@ -2,11 +2,11 @@
 // on Debian and Ubuntu, npm packages by `npm ci`. Elsewhere it says what is missing and how to get
 // it. With KARCHER_NO_INSTALL=1 it only prints the commands.
 //
-//   node .tools/setup.mjs [build] [test] [lint]     (all three without arguments)
+//   node .tools/setup.mjs [build] [native] [test] [format] [lint]     (all without arguments)
 import { spawnSync } from 'node:child_process';
-import { existsSync, readFileSync, statSync } from 'node:fs';
+import { accessSync, constants, existsSync, readFileSync, statSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
-import { inRoot, run, which } from './shell.mjs';
+import { inRoot, root, run, which } from './shell.mjs';
 
 const kOldestCmake = [3, 24];
 
@@ -36,7 +36,8 @@ export function chromiumPath() {
   );
 }
 
-// `optional`: CMake downloads it where it is not installed. Ubuntu has Chromium only as a snap.
+// `for`: what it is needed for: `native` are the native library, its benchmarks and studies, `test` all
+// tests. `optional`: CMake downloads it where it is not installed. Ubuntu has Chromium only as a snap.
 const needs = [
   {
     what: 'Emscripten (emcc)',
@@ -75,21 +76,21 @@ const needs = [
   },
   {
     what: 'a C++ compiler (c++)',
-    for: 'test',
+    for: ['native', 'test', 'lint'],
     found: () => which('c++') && which('g++'),
     apt: ['g++'],
     how: 'xcode-select --install, or your system’s g++',
   },
   {
     what: 'clang++ with its sanitizers',
-    for: 'test',
+    for: ['test', 'lint'],
     found: clangHasSanitizers,
     apt: ['clang', 'libclang-rt-dev'],
     how: 'xcode-select --install, or your system’s clang and compiler-rt',
   },
   {
     what: 'GoogleTest',
-    for: 'test',
+    for: ['native', 'test', 'lint'],
     found: () => hasHeader('gtest/gtest.h'),
     apt: ['libgtest-dev'],
     how: 'brew install googletest',
@@ -104,7 +105,7 @@ const needs = [
   },
   {
     what: 'clang-format',
-    for: 'lint',
+    for: ['format', 'lint'],
     found: () => which('clang-format'),
     apt: ['clang-format'],
     how: 'brew install clang-format',
@@ -136,9 +137,9 @@ function rootPrefix() {
 async function installByApt(packages, noInstall) {
   const prefix = rootPrefix();
   const apt = ['env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', '-o', 'DPkg::Lock::Timeout=300'];
-  const update = [...(prefix ?? ['sudo']), ...apt, 'update'];
+  const update = [...(prefix ?? []), ...apt, 'update'];
   const install = [
-    ...(prefix ?? ['sudo']),
+    ...(prefix ?? []),
     ...apt,
     'install',
     '-y',
@@ -147,15 +148,18 @@ async function installByApt(packages, noInstall) {
   ];
   const script = `  ${update.join(' ')}\n  ${install.join(' ')}`;
   if (noInstall || !prefix) {
-    const why = noInstall ? 'KARCHER_NO_INSTALL is set' : 'this needs root or sudo';
-    throw new SetupError(`Not installing, as ${why}. The commands are:\n${script}`);
+    const why = noInstall ? 'KARCHER_NO_INSTALL is set' : 'only root may, and there is no sudo';
+    const who = prefix?.length === 0 ? '' : ', as root';
+    throw new SetupError(`Not installing, as ${why}. The commands are${who}:\n${script}`);
   }
-  console.log(`Installing system packages:\n${script}`);
+  console.log(`Installing system packages (up to 600 MB to download, some minutes):\n${script}`);
   for (const [program, ...args] of [update, install]) {
     const { status } = spawnSync(program, args, { stdio: ['ignore', 'inherit', 'inherit'] });
     // Without a fresh list the packages may still be found; the installation itself must work.
     if (status !== 0 && args.includes('install')) {
-      throw new SetupError('apt-get could not install them: see its message above.');
+      throw new SetupError(
+        `apt-get could not install them: see its message above. The commands are, as root:\n${script.replaceAll(/sudo (-n )?/g, '')}`,
+      );
     }
   }
 }
@@ -163,7 +167,7 @@ async function installByApt(packages, noInstall) {
 class SetupError extends Error {}
 
 async function installSystemPackages(purposes, noInstall) {
-  const wanted = needs.filter((need) => purposes.includes(need.for));
+  const wanted = needs.filter((need) => [need.for].flat().some((one) => purposes.includes(one)));
   let missing = wanted.filter((need) => !need.found());
   if (missing.length === 0) return;
   console.log(`Missing: ${missing.map((need) => need.what).join(', ')}.`);
@@ -210,17 +214,30 @@ async function installNpmPackages(noInstall) {
       `Not installing, as KARCHER_NO_INSTALL is set. The command is:\n  ${command}`,
     );
   }
-  console.log(`Installing npm packages into node_modules: ${command}`);
+  console.log(`Installing npm packages into node_modules (about 100 MB): ${command}`);
   const npm = process.env.npm_execpath;
   if (npm?.endsWith('.js')) await run(process.execPath, [npm, ...args]);
   else await run('npm', args);
 }
 
+/** Ends the process with a sentence where nothing can be built in the project's folder. */
+function checkWritable() {
+  try {
+    accessSync(root, constants.W_OK);
+  } catch {
+    console.error(
+      `${root} cannot be written to; build/, dist/ and node_modules/ are made there. Copy the folder to a place of yours.`,
+    );
+    process.exit(1);
+  }
+}
+
 /**
- * Makes the machine ready for `purposes` ('build', 'test', 'lint'); returns at once where it is.
+ * Makes the machine ready for `purposes` ('build', 'native', 'test', 'format', 'lint'); returns at once where it is.
  * Prints what is wrong and ends the process where it cannot.
  */
 export async function setUp(...purposes) {
+  checkWritable();
   const noInstall = !!process.env.KARCHER_NO_INSTALL && process.env.KARCHER_NO_INSTALL !== '0';
   let ready = true;
   for (const step of [
@@ -241,6 +258,6 @@ export async function setUp(...purposes) {
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const purposes = process.argv.slice(2);
-  await setUp(...(purposes.length > 0 ? purposes : ['build', 'test', 'lint']));
+  await setUp(...(purposes.length > 0 ? purposes : ['build', 'native', 'test', 'format', 'lint']));
   console.log('Everything that is needed is installed.');
 }

@@ -2,7 +2,7 @@
 import { spawn } from 'node:child_process';
 import { accessSync, constants, existsSync, readdirSync, statSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
-import { delimiter, join } from 'node:path';
+import { basename, delimiter, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 /** The project's folder, with a slash at its end. */
@@ -42,7 +42,8 @@ export class CommandError extends Error {}
 /**
  * Runs a program in the project's folder, without standard input, and waits for it.
  *
- * Its output goes to ours, or with `quiet` into the resolved string. Throws a `CommandError` (with
+ * Its output goes to ours, or with `quiet` into the resolved string; then we say now and then that it
+ * goes on. Throws a `CommandError` (with
  * the collected `output`) when it cannot start, fails, or takes longer than `minutes`; then it and
  * what it started are ended.
  */
@@ -75,10 +76,17 @@ export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {
       late = true;
       endGroup('SIGKILL');
     };
+    const started = performance.now();
+    const patience = setInterval(() => {
+      const seconds = Math.round((performance.now() - started) / 1000);
+      console.error(`${basename(program)} goes on: ${seconds} s`);
+    }, 25_000);
+    if (!quiet) clearInterval(patience);
     const timer = minutes < Infinity ? setTimeout(end, minutes * 60_000) : undefined;
     process.on('SIGINT', passOn).on('SIGTERM', passOn);
     const settle = (problem) => {
       clearTimeout(timer);
+      clearInterval(patience);
       process.off('SIGINT', passOn).off('SIGTERM', passOn);
       if (!problem) return resolve(output);
       const error = new CommandError(`${program} ${args[0] ?? ''}: ${problem}`);

@@ -10,7 +10,8 @@ let options;
 try {
   const known = { port: { type: 'string', default: '4173' }, host: { type: 'boolean' } };
   options = parseArgs({ options: known }).values;
-  if (!/^\d{1,5}$/.test(options.port)) throw new Error(`'${options.port}' is not a port.`);
+  const isPort = /^\d{1,5}$/.test(options.port) && Number(options.port) <= 65535;
+  if (!isPort) throw new Error(`'${options.port}' is not a port: a number from 0 to 65535 is.`);
 } catch (error) {
   console.error(`${error.message}\nUsage: npm start -- [--port N] [--host]`);
   process.exit(1);
@@ -27,10 +28,16 @@ try {
 }
 
 const { preview } = await import('vite');
-const server = await preview({
-  configFile: `${root}vite.config.ts`,
-  preview: { port: Number(options.port), host: options.host },
-});
+let server;
+try {
+  server = await preview({
+    configFile: `${root}vite.config.ts`,
+    preview: { port: Number(options.port), host: options.host },
+  });
+} catch (error) {
+  console.error(`The page cannot be served at port ${options.port}: ${error.message}`);
+  process.exit(1);
+}
 console.log('\nKarcher is at (Ctrl-C ends it):');
 for (const url of [...server.resolvedUrls.local, ...server.resolvedUrls.network]) {
   console.log(`  ${url}`);

@@ -18,7 +18,7 @@ if (!names.includes(name)) {
   process.exit(name === undefined ? 0 : 1);
 }
 try {
-  await setUp('build', 'test');
+  await setUp('build', 'native');
   await buildNative('native', name + suffix);
   const from = (path) => resolve(process.env.INIT_CWD ?? '.', path);
   const paths = rest.map((value) => (existsSync(from(value)) ? from(value) : value));

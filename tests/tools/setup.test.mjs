@@ -1,0 +1,98 @@
+// What the commands say where they cannot work: a sentence and status 1, and no stack.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import {
+  chmodSync,
+  cpSync,
+  mkdirSync,
+  mkdtempSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), 'karcher-tools-'));
+after(() => rmSync(folder, { recursive: true }));
+
+function run(args, { env = {}, cwd = root } = {}) {
+  const options = { cwd, encoding: 'utf8', env: { ...process.env, ...env } };
+  const { status, stdout, stderr } = spawnSync(process.execPath, args, options);
+  return { status, stdout, stderr };
+}
+
+test('a port that is none', () => {
+  for (const port of ['99999', 'abc', '-1', '']) {
+    const { status, stderr } = run([join(root, '.tools/start.mjs'), `--port=${port}`]);
+    assert.equal(status, 1);
+    assert.match(stderr, /is not a port/);
+    assert.doesNotMatch(stderr, /\n {4}at /);
+  }
+});
+
+/** A PATH with these programs only, as scripts. */
+function pathWith(name, programs) {
+  const path = join(folder, name);
+  mkdirSync(path);
+  for (const [program, script] of Object.entries(programs)) {
+    const file = join(path, program);
+    writeFileSync(file, `#!/bin/sh\n${script}\n`);
+    chmodSync(file, 0o755);
+  }
+  return path;
+}
+
+test('each command asks for what it needs, and for no more', () => {
+  const path = pathWith('bare', { 'apt-get': 'exit 0' });
+  const asked = (...purposes) => {
+    const env = { PATH: path, KARCHER_NO_INSTALL: '1', CHROMIUM_PATH: '' };
+    const { status, stdout, stderr } = run([join(root, '.tools/setup.mjs'), ...purposes], { env });
+    assert.equal(status, 1, stderr);
+    assert.doesNotMatch(stderr, /\n {4}at /);
+    return /^Missing: (.*)\.$/m.exec(stdout)[1];
+  };
+  assert.equal(asked('format'), 'clang-format');
+  assert.doesNotMatch(asked('build', 'native'), /Chromium|clang/);
+  assert.doesNotMatch(asked('build', 'lint'), /Chromium/);
+  assert.match(asked('test'), /Chromium/);
+  assert.doesNotMatch(asked('build'), /GoogleTest|Chromium|clang/);
+});
+
+test('without root and sudo the commands that are told are those of root', {
+  skip: !process.getuid,
+}, () => {
+  const path = pathWith('nobody', { 'apt-get': 'exit 0' });
+  const code = `process.getuid = () => 1000; process.argv[1] = ''; await (await import(${JSON.stringify(`${root}.tools/setup.mjs`)})).setUp('format');`;
+  const { status, stdout, stderr } = run(['--input-type=module', '-e', code], {
+    env: { PATH: path },
+  });
+  assert.equal(status, 1);
+  assert.match(stdout, /Missing: clang-format/);
+  if (!/Not installing/.test(stderr)) return assert.match(stderr, /brew install clang-format/);
+  assert.match(stderr, /there is no sudo\. The commands are, as root:\n {2}env /);
+  assert.doesNotMatch(stderr, /\bsudo env/);
+});
+
+test('a folder that cannot be written to', () => {
+  const copy = join(folder, 'copy');
+  mkdirSync(join(copy, '.tools'), { recursive: true });
+  cpSync(join(root, '.tools'), join(copy, '.tools'), { recursive: true });
+  symlinkSync(join(root, 'package.json'), join(copy, 'package.json'));
+  // Root may write anywhere but where the system refuses it: the call itself is what is refused.
+  const code = `import fs from 'node:fs'; import { syncBuiltinESMExports } from 'node:module';
+    const before = fs.accessSync;
+    fs.accessSync = (path, mode) => {
+      if (mode === fs.constants.W_OK) throw Object.assign(new Error('read-only'), { code: 'EROFS' });
+      return before(path, mode);
+    };
+    syncBuiltinESMExports();
+    process.argv[1] = '';
+    await (await import(${JSON.stringify(join(copy, '.tools/setup.mjs'))})).setUp('build');`;
+  const { status, stderr } = run(['--input-type=module', '-e', code]);
+  assert.equal(status, 1);
+  assert.match(stderr, /copy\/ cannot be written to; .* Copy the folder to a place of yours\.\n$/);
+});
