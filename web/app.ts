@@ -1,31 +1,56 @@
+import type { Beside } from './editor/beside';
 import { messageOf, polylinesOf } from './editor/compute';
 import { CurveEdits } from './editor/curve_edits';
-import { Editor } from './editor/editor';
+import { Editor, type State } from './editor/editor';
 import { Gestures } from './editor/gestures';
 import { Measure } from './editor/measure';
 import { Session } from './editor/session';
 import { exposeState } from './inspection';
-import { formatLink, parseLink } from './model/link';
+import { formatLink } from './model/link';
 import { isMethod } from './model/methods';
 import { onKeeping, recall } from './model/storage';
 import { workOffline } from './offline';
 import { Opening } from './opening';
 import { CheckUpPanel } from './panels/checkup_panel';
+import { Clipboard } from './panels/clipboard';
 import { CurvePanel } from './panels/curve_panel';
 import { showDetailsOnDemand } from './panels/details';
 import { byId } from './panels/elements';
 import { LostPanel } from './panels/lost_panel';
 import { sentenceOf, showNote } from './panels/messages';
+import { ObjectPanel } from './panels/object_panel';
 import { SaveMenu } from './panels/save_menu';
 import { Status } from './panels/status';
 import { SurfacePanel } from './panels/surface_panel';
 import { Tools } from './panels/tools';
-import { saveChanges } from './saving';
+import { addressOf, linkOf, longestLink, saveChanges } from './saving';
+import type { ObjectDrawing } from './viewer/object_lines';
+import type { Surface } from './viewer/surface';
 import { Viewer } from './viewer/viewer';
 import { checkedUp } from './worker/checkup';
 
 /** Lets the browser start what was asked for, before work that holds the page up. */
 const breathe = () => new Promise((resolve) => setTimeout(resolve));
+
+/** An object beside the edited one, in the scene. */
+function drawingOf(
+  { id, style, locked, lines, points, center }: Beside,
+  viewer: Viewer,
+): ObjectDrawing {
+  const surface = viewer.surface!;
+  const single = center ? [...points, center] : points;
+  return {
+    ...{ id, style, locked },
+    lines: lines.map((line) => surface.toScene(line)),
+    dots: single.map((point) => surface.position(point)),
+  };
+}
+
+/** Several selected objects are told by a halo; a single one has its handles. */
+function showChosen(viewer: Viewer, { drawing, chosen }: State): void {
+  const others = chosen.filter((id) => id !== drawing.active);
+  viewer.showChosen(others, others.length > 0 && chosen.includes(drawing.active));
+}
 
 /**
  * Builds the page from its parts and opens the first surface; rejects where the browser cannot draw
@@ -55,21 +80,30 @@ export async function start(): Promise<void> {
     curveClicked: (tool, position, within) =>
       edits.atCurve(tool, viewer.surface!.fromScene(position), within),
     curveMeasured: (position) => measure.at(viewer.surface!.fromScene(position)),
-    otherClicked: (tool, index) => edits.atOther(tool, index),
+    otherClicked: (tool, id) => edits.atOther(tool, id),
     shorterClicked: (index) => shorten(index),
   });
-  const remove = () => gestures.keepFocus(() => edits.removeSelected());
+  const remove = () => {
+    if (editor.state.selection === null) editor.deleteObjects();
+    else void gestures.keepFocus(() => edits.removeSelected());
+  };
   const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));
   const status = new Status(editor, {
     remove,
     goToLost: () => lostPanel.goToNext(),
     shorten: () => shorten(0),
   });
+  let besideShown: readonly Beside[] = [];
+  let surfaceShown: Surface | null = null;
   session.onView = (view) => {
+    viewer.showStyle(editor.active);
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);
-    viewer.showOthers(view.others);
+    if (view.others !== besideShown || viewer.surface !== surfaceShown) {
+      [besideShown, surfaceShown] = [view.others, viewer.surface];
+      viewer.showObjects(besideShown.map((one) => drawingOf(one, viewer)));
+    }
     viewer.showShorter(view.shorter.map(({ polyline }) => polyline));
     viewer.showMarks(view.curve?.marks?.position ?? []);
     gestures.show();
@@ -83,7 +117,8 @@ export async function start(): Promise<void> {
     gestures.showMeasured(measured?.position ?? null);
     status.showMeasured(measured, editor.state, session.view);
   };
-  session.onLegs = (document, dragged, legs) => editor.keepLegs(document, dragged, legs);
+  session.onLegs = (figure, dragged, legs) => editor.keepLegs(figure, dragged, legs);
+  editor.onRefusal = showNote;
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);
 
@@ -104,16 +139,22 @@ export async function start(): Promise<void> {
       else curvePanel.show(editor.state, session.view);
     },
   });
-  const fragment = () => formatLink(editor.state.mesh, editor.state.method, editor.state.document);
   const saveMenu = new SaveMenu(editor, session, viewer);
   new Tools(editor, viewer, edits, {
     saveJson: () => saveMenu.save('json'),
     removeSelected: remove,
-    link: () => ({
-      address: `${location.href.split('#')[0]}#${fragment()}`,
-      complete: !editor.state.mesh.startsWith('file:'),
-    }),
+    link() {
+      const { mesh, method, drawing } = editor.state;
+      const link = formatLink(mesh, method, drawing);
+      return {
+        address: `${location.href.split('#')[0]}#${link}`,
+        complete: !mesh.startsWith('file:'),
+        short: link.length <= longestLink,
+      };
+    },
   });
+  const objectPanel = new ObjectPanel(editor);
+  new Clipboard(editor, () => session.client?.info.triangles ?? 0);
 
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;
@@ -121,15 +162,18 @@ export async function start(): Promise<void> {
     if (state.tool !== 'measure' || state.revision !== before.revision) measure.clear();
     gestures.show();
     curvePanel.show(state, session.view);
+    objectPanel.show(state);
     status.showHint(state, session.view);
+    showChosen(viewer, state);
   });
   curvePanel.show(editor.state, session.view);
+  objectPanel.show(editor.state);
   showDetailsOnDemand();
   saveChanges(editor);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', () => {
-    const link = parseLink(location.hash);
-    if (link && location.hash.slice(1) !== fragment()) void opening.link(link);
+    const link = linkOf(location.hash);
+    if (link && location.hash.slice(1) !== addressOf(editor.state)) void opening.link(link);
   });
   exposeState(editor, session, viewer);
   opening.show(viewer);

@@ -1,7 +1,7 @@
 import type { MeshInfo } from 'karcher';
 import type { Editor, State } from './editor/editor';
 import type { Session, View } from './editor/session';
-import type { Vector } from './model/document';
+import type { Vector } from './model/figure';
 import type { Viewer } from './viewer/viewer';
 
 /** What the page shows, as copies: for tests, and for a look from the browser's console. */

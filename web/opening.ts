@@ -1,7 +1,7 @@
 import type { Editor } from './editor/editor';
 import type { Session } from './editor/session';
 import { linkOfJson } from './export/curve_file';
-import { type CurveDocument, emptyDocument, withPlaces } from './model/document';
+import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
 import { fitting, formatLink, type Link, lostOf, parseLink } from './model/link';
 import {
   defaultMesh,
@@ -17,11 +17,12 @@ import {
   sampleSource,
 } from './model/meshes';
 import { methodOptions } from './model/methods';
+import type { History } from './model/saved_work';
 import { keepFile, keptFile, recall, remember } from './model/storage';
 import { formatBytes, formatCount } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
-import { startingLink } from './saving';
+import { startingLink, workOn } from './saving';
 import { drawnGeometry, type GeometryRequest } from './viewer/drawn_geometry';
 import type { Surface } from './viewer/surface';
 import type { Viewer } from './viewer/viewer';
@@ -33,8 +34,8 @@ const largestFile = 1 << 30;
 /** How often an engine that stopped by itself is started again for one surface. */
 const mostRestarts = 2;
 
-/** A document for a new surface: from a link, or made from what was shown before. */
-type Wanted = (surface: Surface, before: Surface | null) => CurveDocument | null;
+/** A drawing for a new surface: from a link, or made from what was shown before. */
+type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 
 /**
  * Opens surfaces, each in an engine of its own. What is on the stage stays there until the new
@@ -48,6 +49,8 @@ export class Opening {
   readonly #awaited = new Map<string, string>();
   /** The last file that was opened, where the browser does not keep it. */
   #file: { key: string; file: File } | null = null;
+  /** What was done, before a reload, to the drawing that the page starts with. */
+  #history: { history: History; link: Link } | null = null;
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
   /** Called when an attempt has ended, well or not, and no other took its place. */
@@ -72,9 +75,9 @@ export class Opening {
       return false;
     }
     return this.#open(key, sampleSource(parsed.sample, parsed.detail), (surface, before) => {
-      const { mesh, document } = this.editor.state;
+      const { mesh, drawing } = this.editor.state;
       const carries = before && mesh !== key && sameSurface(mesh, key);
-      return carries ? carried(document, before, surface) : null;
+      return carries ? carried(drawing, before, surface) : null;
     });
   }
 
@@ -127,12 +130,12 @@ export class Opening {
   async #turn(key: string): Promise<void> {
     const [client, viewer] = [this.session.client, this.#viewer];
     if (!client || !viewer) return;
-    const { document, standIn } = this.editor.state;
+    const { drawing, standIn } = this.editor.state;
     const drawn = await drawnGeometry(drawnMesh(client, key));
     if (client !== this.session.client) return;
     const { triangles } = viewer.showSurface(drawn);
     viewer.resetView({ animated: false });
-    this.#showDocument(key, document, triangles, standIn);
+    this.#showDrawing(key, drawing, triangles, standIn);
     this.onEnd();
   }
 
@@ -153,7 +156,7 @@ export class Opening {
     if (made) return this.#openLink(link, made);
     const bytes = await keptFile(keyOfFile(mesh));
     if (bytes) return this.#openLink(link, fileSource(mesh, bytes));
-    this.#await(mesh, formatLink(mesh, method ?? this.editor.state.method, link.document));
+    this.#await(mesh, formatLink(mesh, method ?? this.editor.state.method, link.drawing));
     this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to continue.`);
     return false;
   }
@@ -161,7 +164,10 @@ export class Opening {
   /** What the address says, or what was last made here, or else the page's first surface. */
   async first(): Promise<void> {
     const link = startingLink();
-    if (!link || !(await this.link(link))) await this.#fallBack();
+    const work = link && workOn(link);
+    if (work) this.#history = work;
+    const wanted = work?.link ?? link;
+    if (!wanted || !(await this.link(wanted))) await this.#fallBack();
   }
 
   /** Where nothing is shown and nothing comes, the page's first surface, in place of a link's. */
@@ -237,7 +243,7 @@ export class Opening {
       if (key !== this.editor.state.mesh) this.#restarts = 0;
       client.onStopped = () => this.#restart(source);
       if (!standIn) this.#complaint?.remove();
-      this.#showDocument(key, wanted(surface, before), surface.triangles, standIn);
+      this.#showDrawing(key, wanted(surface, before), surface.triangles, standIn);
       return true;
     } catch (error) {
       client?.close();
@@ -258,28 +264,27 @@ export class Opening {
     this.#complaint = showError(sentence);
   }
 
-  #showDocument(
-    key: string,
-    wanted: CurveDocument | null,
-    triangles: number,
-    standIn: boolean,
-  ): void {
-    const kept = parseLink(recall(`document.${key}`) ?? '')?.document ?? emptyDocument;
+  #showDrawing(key: string, wanted: Drawing | null, triangles: number, standIn: boolean): void {
+    const kept = parseLink(recall(`document.${key}`) ?? '')?.drawing ?? emptyDrawing;
     const isFirst = this.editor.state.mesh === '';
-    this.editor.open(key, isFirst && wanted ? wanted : fitting(kept, triangles), { standIn });
+    const starting = isFirst && wanted;
+    const same = starting && JSON.stringify(wanted) === JSON.stringify(this.#history?.link.drawing);
+    const history = same ? this.#history!.history : null;
+    const drawing = starting || fitting(kept, triangles);
+    this.editor.open(key, drawing, { standIn, history });
     if (wanted) this.#replace(wanted);
-    // The engine is new, even where the document is not.
+    // The engine is new, even where the drawing is not.
     this.session.update(this.editor.state);
   }
 
-  /** Shows another document of the surface that is shown; the one before can be had back. */
-  #replace(to: CurveDocument): void {
-    const { mesh, method, document: from } = this.editor.state;
+  /** Shows another drawing of the surface that is shown; the one before can be had back. */
+  #replace(to: Drawing): void {
+    const { mesh, method, drawing: from } = this.editor.state;
     if (formatLink(mesh, method, from) === formatLink(mesh, method, to)) return;
-    this.editor.run({ type: 'replace', from, to }, null);
+    this.editor.draw(to);
   }
 
-  /** An engine that ended by itself, as when memory ran out, is replaced; the document stays. */
+  /** An engine that ended by itself, as when memory ran out, is replaced; the drawing stays. */
   #restart(source: MeshSource): void {
     if (this.#restarts++ >= mostRestarts) {
       showError(
@@ -305,16 +310,19 @@ function drawnMesh(client: EngineClient, key: string): GeometryRequest {
   };
 }
 
-/** The document of a link, as far as it is on the surface; says what is not. */
+/** The drawing of a link, as far as it is on the surface; says what is not. */
 function wantedOf(link: Link) {
-  return (surface: Surface): CurveDocument => {
-    const fit = fitting(link.document, surface.triangles);
-    const { points, circle } = lostOf(link, fit);
+  return (surface: Surface): Drawing => {
+    const fit = fitting(link.drawing, surface.triangles);
+    const { points, circles } = lostOf(link, fit);
     if (points > 0) {
       const counted = formatCount(points, 'point of the link is', 'points of the link are');
       showNote(`${counted} not on this surface and ${points === 1 ? 'was' : 'were'} left out.`);
     }
-    if (circle) showNote('The circle of the link is not on this surface and was left out.');
+    if (circles > 0) {
+      const counted = formatCount(circles, 'circle of the link is', 'circles of the link are');
+      showNote(`${counted} not on this surface and ${circles === 1 ? 'was' : 'were'} left out.`);
+    }
     return fit;
   };
 }
@@ -332,6 +340,8 @@ const stageNames: Record<string, string> = { graph: 'Building the graph' };
 
 const stageName = (stage: string) => stageNames[stage] ?? 'Preparing';
 
-/** A document taken to another mesh of the same surface: to the nearest points. */
-const carried = (document: CurveDocument, from: Surface, to: Surface) =>
-  withPlaces(document, (point) => to.nearest(to.inScene(from.fromScene(from.position(point)))));
+/** A drawing taken to another mesh of the same surface: to the nearest points. */
+const carried = (drawing: Drawing, from: Surface, to: Surface) =>
+  withDrawingPlaces(drawing, (point) =>
+    to.nearest(to.inScene(from.fromScene(from.position(point)))),
+  );

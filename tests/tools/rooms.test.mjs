@@ -20,12 +20,12 @@ const files = {
   'src/mesh/mesh.h': '#include <Eigen/Core>\n#include <vector>\n',
   'src/distance/exact.h': '#include <algorithm>\n\n#include "mesh/mesh.h"\n',
   'src/curves/curve.h': '#include "distance/exact.h"\n',
-  'web/model/document.ts':
+  'web/model/figure.ts':
     "import type { Point } from 'karcher';\nimport { read } from './link/read';\n",
   'web/model/link/read.ts': "import {\n  type Curve,\n  type Point,\n} from 'karcher';\n",
   'web/viewer/view.ts': "import { Vector3 } from 'three';\nimport './view.css';\n",
   'web/main.ts':
-    "import { readFile } from 'node:fs/promises';\nimport { a } from './model/document';\n",
+    "import { readFile } from 'node:fs/promises';\nimport { a } from './model/figure';\n",
 };
 
 /** What is wrong with these files, some of them with another text. */
@@ -51,18 +51,18 @@ describe('rooms', () => {
       'emscripten',
     ],
     'an import of a room': [
-      'web/model/document.ts',
+      'web/model/figure.ts',
       "import { v } from '../viewer/view';",
       'web/viewer',
     ],
-    'an import for its effect': ['web/model/document.ts', "import '../viewer/view';", 'web/viewer'],
+    'an import for its effect': ['web/model/figure.ts', "import '../viewer/view';", 'web/viewer'],
     'an import over several lines': [
-      'web/model/document.ts',
+      'web/model/figure.ts',
       "import {\n  a,\n  b as c,\n} from '../viewer/view.js';",
       'web/viewer',
     ],
     'an export of what is imported': [
-      'web/model/document.ts',
+      'web/model/figure.ts',
       "export * from '../viewer/view';",
       'web/viewer',
     ],
@@ -77,24 +77,24 @@ describe('rooms', () => {
       'web/viewer',
     ],
     'an import of a package': [
-      'web/model/document.ts',
+      'web/model/figure.ts',
       "import { Vector3 } from 'three/addons/a.js';",
       'three',
     ],
-    'an import of Node': ['web/model/document.ts', "import { join } from 'node:path';", 'node'],
+    'an import of Node': ['web/model/figure.ts', "import { join } from 'node:path';", 'node'],
     'a value where types are allowed': [
-      'web/model/document.ts',
+      'web/model/figure.ts',
       "import { load } from 'karcher';",
       'karcher',
     ],
     'a value beside a type': [
-      'web/model/document.ts',
+      'web/model/figure.ts',
       "import { type A, b } from 'karcher';",
       'karcher',
     ],
     'a value of a room for its types': [
       'web/viewer/view.ts',
-      "import { a } from '../model/document';",
+      "import { a } from '../model/figure';",
       'web/model',
     ],
   };

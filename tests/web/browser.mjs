@@ -193,7 +193,7 @@ export class Tab {
     return this.page.evaluate(
       ([from, index]) => {
         const { curve, others } = window.karcherPage.view();
-        const polyline = index === null ? curve.polyline : others[index];
+        const polyline = index === null ? curve.polyline : others[index].lines[0];
         const handles = [...document.querySelectorAll('.handle')].map((handle) => {
           const box = handle.getBoundingClientRect();
           return [box.left + box.width / 2, box.top + box.height / 2];

@@ -36,7 +36,7 @@ describe('a center of mass', () => {
     await tab.settled();
     const weighted = await tab.view();
     assert.deepEqual(
-      (await tab.state()).document.points.map(({ weight = 1 }) => weight),
+      (await tab.state()).figure.points.map(({ weight = 1 }) => weight),
       [4, 1],
     );
     const [near, far] = weighted.legs.map(lengthOf);
@@ -91,7 +91,7 @@ describe('a center of mass', () => {
     await tab.page.evaluate((text) => {
       location.hash = `mesh=sphere:5000&kind=center&points=${text}`;
     }, points);
-    await tab.page.waitForFunction(() => window.karcherPage.state().document.points.length === 6);
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.points.length === 6);
     const { center } = await tab.view();
     assert.ok(center.otherMinima);
     assert.match(await tab.page.locator('#hint').textContent(), /several minima/);

@@ -79,7 +79,7 @@ describe('circles', () => {
       assert.ok(farthestFromSurface(line, surface) <= onSurface * diagonal);
       assert.ok(far(line.slice(0, 3), line.slice(-3)) <= onSurface * diagonal);
     }
-    const { center } = (await tab.state()).document.circle;
+    const { center } = (await tab.state()).figure.circle;
     for (const distance of await distancesAlong(lines, center, surface, 25)) {
       assert.ok(Math.abs(distance - 1.6) <= 1e-5 * diagonal, `${distance}`);
     }
@@ -144,7 +144,7 @@ describe('circles', () => {
     const many = await tab.view();
     assert.equal(segments(many), 20);
     assert.equal(await tab.page.locator('#arcs-count').textContent(), '20');
-    const { center } = (await tab.state()).document.circle;
+    const { center } = (await tab.state()).figure.circle;
     const surface = await tab.mesh();
     const spread = async (view) => {
       const ways = await distancesAlong(linesOf(view), center, surface, 17);
@@ -180,7 +180,7 @@ describe('circles', () => {
     await tab.page.keyboard.type('0,35');
     await field.press('Enter');
     const wider = await tab.view();
-    assert.equal((await tab.state()).document.kind, 'circle');
+    assert.equal((await tab.state()).figure.kind, 'circle');
     assert.equal(wider.circle.radius, 0.35);
     assert.deepEqual(wider.circle.direction, first.circle.direction);
     await field.press('Control+z');
@@ -219,7 +219,7 @@ describe('circles', () => {
     const lasting = svg.match(/<path [^>]*stroke-width="3.5"/g);
     assert.ok(lasting.length >= 2 && !svg.includes('NaN'));
 
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     const { name, text } = await tab.save('JSON');
     const content = JSON.parse(text);
     assert.deepEqual([content.kind, content.type, content.radius], ['circle', 'exact', 1.6]);
@@ -231,8 +231,8 @@ describe('circles', () => {
     );
     await tab.page.getByRole('button', { name: 'Clear' }).click();
     await tab.drop(name, text);
-    await tab.page.waitForFunction(() => window.karcherPage.state().document.circle !== null);
-    assert.deepEqual((await tab.state()).document, document);
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.circle !== null);
+    assert.deepEqual((await tab.state()).figure, document);
     assert.deepEqual(linesOf(await tab.view()), lines);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
@@ -248,16 +248,16 @@ describe('circles', () => {
     await tab.page.reload();
     const again = await tab.view();
     assert.deepEqual(linesOf(again), linesOf(view));
-    assert.deepEqual((await tab.state()).document.circleForm, { type: 'exact', arcs: 5 });
+    assert.deepEqual((await tab.state()).figure.circleForm, { type: 'exact', arcs: 5 });
     const address = await tab.page.evaluate(() => location.href);
     await tab.page.evaluate(() => {
       location.hash = 'mesh=bunny:0&kind=bspline&points=';
     });
-    await tab.page.waitForFunction(() => window.karcherPage.state().document.kind === 'bspline');
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.kind === 'bspline');
     await tab.page.evaluate((href) => {
       location.href = href;
     }, address);
-    await tab.page.waitForFunction(() => window.karcherPage.state().document.kind === 'circle');
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.kind === 'circle');
     assert.deepEqual(linesOf(await tab.view()), linesOf(view));
     assert.deepEqual(tab.logged, []);
     await tab.page.close();

@@ -43,7 +43,7 @@ describe('editing a curve', () => {
       await tab.dragHandle('Control point 2 of 4', 25, -20);
       const moved = await tab.view();
       assert.notDeepEqual(moved.polyline, first.polyline);
-      assert.equal((await tab.state()).document.points.length, 4, 'a drag adds no point');
+      assert.equal((await tab.state()).figure.points.length, 4, 'a drag adds no point');
 
       const surface = await tab.mesh();
       const tolerance = onSurface * surface.info.diagonal;
@@ -68,14 +68,14 @@ describe('editing a curve', () => {
     await tab.page.getByRole('button', { name: 'Control point 1 of 4' }).focus();
     await tab.page.keyboard.press('Delete');
     await tab.settled();
-    const end = (await tab.state()).document;
+    const end = (await tab.state()).figure;
     assert.equal(end.points.length, 3);
     assert.equal(end.kind, 'bezier');
 
     const documents = [end];
     while (await tab.page.locator('#undo').isEnabled()) {
       await tab.page.keyboard.press('Control+z');
-      documents.push((await tab.state()).document);
+      documents.push((await tab.state()).figure);
     }
     const counts = documents.map(({ points }) => points.length);
     assert.deepEqual(counts, [3, 4, 4, 4, 3, 2, 1, 0], 'delete, kind, drag, four clicks');
@@ -84,7 +84,7 @@ describe('editing a curve', () => {
 
     for (const document of documents.slice(0, -1).reverse()) {
       await tab.page.keyboard.press('Control+Shift+z');
-      assert.deepEqual((await tab.state()).document, document);
+      assert.deepEqual((await tab.state()).figure, document);
     }
     const again = await tab.view();
     assert.equal(again.curve.samples.count, 128);
@@ -112,10 +112,10 @@ describe('editing a curve', () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=rational');
     const { page } = tab;
     await tab.click(...places);
-    const { points } = (await tab.state()).document;
+    const { points } = (await tab.state()).figure;
     const before = await tab.view();
     await page.getByRole('button', { name: 'Move point 1 down in order' }).click();
-    const faces = async () => (await tab.state()).document.points.map(({ face }) => face);
+    const faces = async () => (await tab.state()).figure.points.map(({ face }) => face);
     const [a, b, c, d] = points.map(({ face }) => face);
     assert.deepEqual(await faces(), [b, a, c, d]);
     assert.equal((await tab.state()).selection, 1);
@@ -129,7 +129,7 @@ describe('editing a curve', () => {
     await page.keyboard.press('Alt+ArrowUp');
     assert.deepEqual(await faces(), [b, c, a, d], 'and from a handle');
     for (let step = 0; step < 4; step++) await page.keyboard.press('Control+z');
-    assert.deepEqual((await tab.state()).document.points, points);
+    assert.deepEqual((await tab.state()).figure.points, points);
     assert.deepEqual((await tab.view()).polyline, before.polyline);
     assert.deepEqual(tab.logged, []);
     await page.close();
@@ -138,12 +138,12 @@ describe('editing a curve', () => {
   test('a drag of empty space or of the surface turns the view and edits nothing', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     const handle = await tab.handle('Control point 1 of 4');
     const { x, y } = await tab.middle();
     await tab.drag({ x, y: y + 60 }, { x: x + 50, y: y + 60 });
     await tab.drag({ x: x - 300, y: y - 250 }, { x: x - 300, y: y - 200 });
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     const turned = await tab.handle('Control point 1 of 4');
     assert.ok(Math.hypot(turned.x - handle.x, turned.y - handle.y) > 5);
 
@@ -164,7 +164,7 @@ describe('editing a curve', () => {
     assert.ok(Math.hypot(box.x + 7 - x - 30, box.y + 7 - y + 20) < 1);
     await tab.page.mouse.move(x - 300, y - 300);
     await mark.waitFor({ state: 'hidden' });
-    assert.equal((await tab.state()).document.points.length, 0);
+    assert.equal((await tab.state()).figure.points.length, 0);
     await tab.page.close();
   });
 
@@ -175,17 +175,17 @@ describe('editing a curve', () => {
     for (const key of ['Enter', 'ArrowLeft', 'ArrowLeft', 'Enter']) await page.keyboard.press(key);
     await page.keyboard.press('Tab');
     assert.equal((await tab.state()).selection, 0);
-    const before = (await tab.state()).document.points;
+    const before = (await tab.state()).figure.points;
     assert.equal(before.length, 2);
     await page.keyboard.press('Shift+ArrowDown');
-    const moved = (await tab.state()).document.points;
+    const moved = (await tab.state()).figure.points;
     assert.notDeepEqual(moved[0], before[0]);
     assert.deepEqual(moved[1], before[1]);
     await page.keyboard.press('Backspace');
-    assert.equal((await tab.state()).document.points.length, 1);
+    assert.equal((await tab.state()).figure.points.length, 1);
     await page.keyboard.press('Control+z');
     await page.keyboard.press('Control+z');
-    assert.deepEqual((await tab.state()).document.points, before);
+    assert.deepEqual((await tab.state()).figure.points, before);
     assert.deepEqual(tab.logged, []);
     await page.close();
   });

@@ -33,7 +33,7 @@ describe('ellipses', () => {
     await tab.drop('flat.obj', flatGrid(16));
     await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 512);
     await tab.page.keyboard.press('8');
-    assert.equal((await tab.state()).document.kind, 'ellipse');
+    assert.equal((await tab.state()).figure.kind, 'ellipse');
     assert.equal(
       await tab.page.locator('#hint').textContent(),
       'Click the surface to place the center',
@@ -135,7 +135,7 @@ describe('ellipses', () => {
       assert.notDeepEqual((await tab.view()).polyline, before.polyline, handle);
     }
     await tab.page.keyboard.press('Delete');
-    assert.equal((await tab.state()).document.circle, null);
+    assert.equal((await tab.state()).figure.circle, null);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
@@ -155,11 +155,11 @@ describe('ellipses', () => {
     await tab.page.keyboard.press('8');
     assert.deepEqual((await tab.view()).polyline, wider.polyline);
 
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     await tab.page.waitForFunction(() => location.hash.includes('kind=ellipse&'));
     await tab.page.reload();
     assert.deepEqual((await tab.view()).polyline, wider.polyline);
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     const { name, text } = await tab.save('JSON');
     const content = JSON.parse(text);
     assert.equal(content.kind, 'ellipse');
@@ -170,7 +170,7 @@ describe('ellipses', () => {
     await tab.page.getByRole('button', { name: 'Clear' }).click();
     assert.equal((await tab.view()).curve, null);
     await tab.drop(name, text);
-    await tab.page.waitForFunction(() => window.karcherPage.state().document.circle !== null);
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.circle !== null);
     assert.deepEqual((await tab.view()).polyline, wider.polyline);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();

@@ -49,7 +49,7 @@ export async function openPage(triangles) {
   const failures = [];
   session.onFailure = (error) => failures.push(error.message);
   editor.setMethod('karcher-fast');
-  editor.open(`sphere:${triangles}`, parts.emptyDocument);
+  editor.open(`sphere:${triangles}`, parts.emptyDrawing);
   const sphere = (await loadEngine()).shape('sphere', triangles);
   const arrays = { positions: sphere.positions(), triangles: sphere.triangles() };
   session.use(await parts.EngineClient.load({ kind: 'arrays', ...arrays }));

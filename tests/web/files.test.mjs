@@ -81,15 +81,14 @@ describe('files of surfaces', () => {
     assert.ok(lying.up < standing.up / 2, JSON.stringify(lying));
     // A click goes where it is seen.
     await tab.click([60, 20]);
-    const { document } = await tab.state();
-    assert.equal(document.points.length, 5);
+    assert.equal((await tab.state()).figure.points.length, 5);
 
     await tab.pastSaving();
     await tab.page.reload();
     await opened(tab, '~y:cone.ply');
     await tab.settled();
     assert.equal(await up.inputValue(), 'y');
-    assert.equal((await tab.state()).document.points.length, 5);
+    assert.equal((await tab.state()).figure.points.length, 5);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });

@@ -31,7 +31,7 @@ describe('nothing that was made is lost', () => {
   test('a bad file is a sentence, and the curve stays', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
-    const [document, { polyline }] = [(await tab.state()).document, await tab.view()];
+    const [document, { polyline }] = [(await tab.state()).figure, await tab.view()];
     for (const [name, text] of part(Object.entries(badFiles), 3)) {
       await tab.drop(name, text);
       const alert = tab.page.getByRole('alert');
@@ -40,7 +40,7 @@ describe('nothing that was made is lost', () => {
       assert.ok(said.startsWith(`${name} could not be opened. `) && said.endsWith('.'), said);
       await alert.getByRole('button', { name: 'Dismiss' }).click();
       await alert.waitFor({ state: 'detached' });
-      assert.deepEqual((await tab.state()).document, document);
+      assert.deepEqual((await tab.state()).figure, document);
       assert.deepEqual((await tab.view()).polyline, polyline);
       assert.equal(await tab.page.locator('#surface').inputValue(), 'sphere');
     }
@@ -56,7 +56,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
     await tab.page.keyboard.press('2');
     await tab.click([-10, 0], [15, 10]);
-    const [{ document, mesh }, { polyline }] = [await tab.state(), await tab.view()];
+    const [{ figure: document, mesh }, { polyline }] = [await tab.state(), await tab.view()];
     assert.equal(document.points.length, 2);
     await tab.page.waitForFunction(() => location.hash.includes('points='));
     // The browser keeps the file after it is shown.
@@ -82,7 +82,7 @@ describe('nothing that was made is lost', () => {
 
     await tab.page.locator('#surface').selectOption('torus');
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
-    assert.equal((await tab.state()).document.points.length, 0);
+    assert.equal((await tab.state()).figure.points.length, 0);
     await tab.drop('tetrahedron.obj', tetrahedron);
     await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
     assert.deepEqual((await tab.view()).polyline, polyline);
@@ -136,10 +136,10 @@ describe('nothing that was made is lost', () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('2');
     await tab.click(...places);
-    const [{ document }, { polyline }] = [await tab.state(), await tab.view()];
+    const [{ figure: document }, { polyline }] = [await tab.state(), await tab.view()];
     await tab.page.reload();
     const reloaded = await tab.view();
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     assert.deepEqual(reloaded.polyline, polyline);
     const address = tab.page.url();
     assert.match(address, /#mesh=sphere:1500&kind=bezier&/);
@@ -158,11 +158,11 @@ describe('nothing that was made is lost', () => {
   test('leaving the page and coming back restores what was made', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
-    const [{ document }, { polyline }] = [await tab.state(), await tab.view()];
+    const [{ figure: document }, { polyline }] = [await tab.state(), await tab.view()];
     await tab.page.goto('about:blank');
     await tab.page.goBack();
     await tab.settled();
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     assert.deepEqual((await tab.view()).polyline, polyline);
     await tab.page.close();
   });
@@ -170,20 +170,20 @@ describe('nothing that was made is lost', () => {
   sometimes('a link pasted over the address is shown, and can be taken back', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     await tab.page.evaluate(() => {
       location.hash = 'mesh=sphere:1500&kind=bezier&points=1,0.2,0.3;700,0.1,0.5;99999,0,0';
     });
-    await tab.page.waitForFunction(() => window.karcherPage.state().document.kind === 'bezier');
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.kind === 'bezier');
     assert.deepEqual(
-      (await tab.state()).document.points.map(({ face }) => face),
+      (await tab.state()).figure.points.map(({ face }) => face),
       [1, 700],
       'points beyond the surface are left out',
     );
     const note = tab.page.getByText('1 point of the link is not on this surface and was left out.');
     await note.waitFor();
     await tab.page.keyboard.press('Control+z');
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
@@ -196,7 +196,7 @@ describe('nothing that was made is lost', () => {
       await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
       await tab.page.keyboard.press('2');
       await tab.click([-10, 0], [15, 10]);
-      const { document } = await tab.state();
+      const { figure: document } = await tab.state();
       await tab.page.waitForFunction(() => location.hash.includes('kind=bezier'));
       const fragment = tab.page.url().split('#')[1];
       await tab.page.close();
@@ -217,14 +217,14 @@ describe('nothing that was made is lost', () => {
         await elsewhere.settled();
         await asksForFile();
         await elsewhere.click([0, 0]);
-        assert.equal((await elsewhere.state()).document.points.length, 1);
+        assert.equal((await elsewhere.state()).figure.points.length, 1);
         await elsewhere.page.waitForFunction(() => location.hash.startsWith('#mesh=bunny:1'));
         await elsewhere.page.reload();
         await elsewhere.settled();
 
         await elsewhere.drop('tetrahedron.obj', tetrahedron);
         await elsewhere.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
-        assert.deepEqual((await elsewhere.state()).document, document);
+        assert.deepEqual((await elsewhere.state()).figure, document);
         await elsewhere.page.waitForFunction(() => location.hash.startsWith('#mesh=file:'));
         assert.deepEqual(elsewhere.logged, []);
       } finally {
@@ -261,7 +261,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh === 'bunny:1');
     const finer = await tab.view();
     const { info } = await tab.mesh();
-    assert.equal((await tab.state()).document.points.length, 4);
+    assert.equal((await tab.state()).figure.points.length, 4);
     // Loop subdivision moves the coarse bunny's surface by less than an edge.
     const off = [0, 1, 2].map((axis) => finer.polyline[axis] - polyline[axis]);
     assert.ok(Math.hypot(...off) < 2 * info.meanEdge);

@@ -66,7 +66,7 @@ describe('kinds of curves', () => {
       assert.equal(problem, null, kind);
       assert.equal(await tab.page.locator('#hint').textContent(), '', kind);
       assert.ok(farthestFromSurface(polyline, surface) <= 2e-6 * diagonal, kind);
-      const points = placesOf((await tab.state()).document.points, surface);
+      const points = placesOf((await tab.state()).figure.points, surface);
       const [start, end] = ends(polyline);
       if (kind !== 'bspline') {
         assert.ok(far(start, points[0]) <= meets, `${kind} starts at its first point`);
@@ -120,7 +120,7 @@ describe('kinds of curves', () => {
     await tab.page.locator('#degree').selectOption('3');
     await tab.page.getByLabel('Clamped ends').check();
     const { polyline } = await tab.view();
-    const points = placesOf((await tab.state()).document.points, surface);
+    const points = placesOf((await tab.state()).figure.points, surface);
     const meets = 0.05 * surface.info.meanEdge;
     assert.ok(far(ends(polyline)[0], points[0]) <= meets);
     assert.ok(far(ends(polyline)[1], points.at(-1)) <= meets);
@@ -136,7 +136,7 @@ describe('kinds of curves', () => {
       await choose(tab, kind);
       const before = await tab.view();
       const surface = await tab.mesh();
-      const [point] = placesOf([(await tab.state()).document.points[2]], surface);
+      const [point] = placesOf([(await tab.state()).figure.points[2]], surface);
       const slider = tab.page.getByRole('slider', { name: `${name} of point 3` });
       for (const value of [36, 42, 48]) {
         await slider.evaluate((input, to) => {
@@ -173,14 +173,14 @@ describe('kinds of curves', () => {
       await tab.click(...places);
       await choose(tab, kind);
       const before = await tab.view();
-      const { points } = (await tab.state()).document;
+      const { points } = (await tab.state()).figure;
       // Where a sample is seen, away from all handles and from the knot in the middle.
       const at = await tab.onCurve(0.3);
       await tab.page.mouse.move(at.x, at.y);
       await tab.page.locator('.preview[data-on="curve"]').waitFor();
       await tab.page.mouse.click(at.x, at.y);
       await tab.page.waitForFunction(
-        (count) => window.karcherPage.state().document.points.length === count,
+        (count) => window.karcherPage.state().figure.points.length === count,
         points.length + 1,
       );
       const { selection } = await tab.state();
@@ -191,7 +191,7 @@ describe('kinds of curves', () => {
         assert.ok(
           distanceTo(
             after.polyline,
-            placesOf([(await tab.state()).document.points[selection]], await tab.mesh())[0],
+            placesOf([(await tab.state()).figure.points[selection]], await tab.mesh())[0],
           ) <
             0.05 * meanEdge,
         );
@@ -213,11 +213,11 @@ describe('kinds of curves', () => {
     const knot = await tab.onCurve(0.5);
     await page.mouse.click(knot.x, knot.y);
     await page.getByText('The curve has a knot there already.').waitFor();
-    assert.equal((await tab.state()).document.points.length, 5, 'no second knot beside the first');
+    assert.equal((await tab.state()).figure.points.length, 5, 'no second knot beside the first');
     const at = await tab.onCurve(0.3);
     await page.mouse.click(at.x, at.y);
-    await page.waitForFunction(() => window.karcherPage.state().document.points.length === 6);
-    const { document: knotted } = await tab.state();
+    await page.waitForFunction(() => window.karcherPage.state().figure.points.length === 6);
+    const { figure: knotted } = await tab.state();
     assert.equal(knotted.settings.knots.length, 10);
     const { polyline } = await tab.view();
     const edits = {
@@ -235,14 +235,14 @@ describe('kinds of curves', () => {
       const { problem, curve } = await tab.view();
       assert.equal(problem, null, name);
       assert.ok(curve, name);
-      const { settings } = (await tab.state()).document;
+      const { settings } = (await tab.state()).figure;
       const count = { removed: 9, added: 11 }[name];
       assert.equal(settings.knots?.length, count, name);
       await page.locator('#stage').focus();
-      const isBack = async () => isDeepStrictEqual((await tab.state()).document, knotted);
+      const isBack = async () => isDeepStrictEqual((await tab.state()).figure, knotted);
       for (let step = 0; step < 6 && !(await isBack()); step++)
         await page.keyboard.press('Control+z');
-      assert.deepEqual((await tab.state()).document, knotted, name);
+      assert.deepEqual((await tab.state()).figure, knotted, name);
       assert.deepEqual((await tab.view()).polyline, polyline, name);
     }
     assert.deepEqual(tab.logged, []);
@@ -262,9 +262,9 @@ describe('kinds of curves', () => {
       );
       const at = await tab.onCurve(0.4);
       await tab.page.mouse.click(at.x, at.y);
-      await tab.page.waitForFunction(() => window.karcherPage.state().document.others.length === 1);
+      await tab.page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 2);
       const cut = await tab.view();
-      const [first, second] = [cut.polyline, Object.values(cut.others[0])];
+      const [first, second] = [cut.polyline, Object.values(cut.others[0].lines[0])];
       const { meanEdge } = (await tab.mesh()).info;
       assert.ok(far(ends(first)[1], ends(second)[0]) < 0.1 * meanEdge, `${kind}: ends meet`);
       const length = lengthOf(first) + lengthOf(second);
@@ -272,7 +272,7 @@ describe('kinds of curves', () => {
       assert.equal(await tab.page.locator('#hint').textContent(), '');
 
       await tab.page.getByRole('button', { name: 'Join' }).click();
-      await tab.page.waitForFunction(() => window.karcherPage.state().document.others.length === 0);
+      await tab.page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 1);
       const whole = await tab.view();
       assert.ok(Math.abs(whole.curve.length - before.curve.length) < 0.05 * length, kind);
       await tab.page.keyboard.press('Control+z');
@@ -313,10 +313,10 @@ describe('kinds of curves', () => {
     assert.equal(await problem.isVisible(), false);
     await knots.fill('0; 0; 0; 0; 1,5 2 2, 2, 2'.replace('1,5', '1.5'));
     await knots.press('Enter');
-    await page.waitForFunction(() => window.karcherPage.state().document.settings.knots);
-    assert.deepEqual((await tab.state()).document.settings.knots, [0, 0, 0, 0, 1.5, 2, 2, 2, 2]);
+    await page.waitForFunction(() => window.karcherPage.state().figure.settings.knots);
+    assert.deepEqual((await tab.state()).figure.settings.knots, [0, 0, 0, 0, 1.5, 2, 2, 2, 2]);
     const { polyline } = await tab.view();
-    const points = placesOf((await tab.state()).document.points, await tab.mesh());
+    const points = placesOf((await tab.state()).figure.points, await tab.mesh());
     const { meanEdge } = (await tab.mesh()).info;
     assert.ok(far(ends(polyline)[0], points[0]) <= 0.05 * meanEdge, 'it reaches its ends');
     await knots.fill('');
@@ -370,7 +370,7 @@ describe('kinds of curves', () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     await page.keyboard.press('m');
     const hint = page.locator('#hint');
     assert.match(await hint.textContent(), /^Point at the curve/);
@@ -397,7 +397,7 @@ describe('kinds of curves', () => {
     const at = await tab.onCurve(0.5);
     await page.mouse.click(at.x, at.y);
     await tab.settled();
-    assert.deepEqual((await tab.state()).document, document, 'and stay as they are');
+    assert.deepEqual((await tab.state()).figure, document, 'and stay as they are');
     await page.keyboard.press('Escape');
     assert.equal((await tab.state()).tool, 'insert');
     assert.equal(await hint.textContent(), '');
@@ -430,20 +430,22 @@ describe('kinds of curves', () => {
     const tab = await Tab.open(browser, `mesh=openSheet:1500&kind=bspline&points=&other=${other}`);
     await tab.click([-110, 90], [-60, 40], [10, 90], [60, 40]);
     const first = await tab.view();
-    assert.ok(first.others[0], 'the other curve is drawn');
+    assert.ok(first.others[0].lines[0], 'the other curve is drawn');
     const at = await tab.onCurve(0.4, 0);
     await tab.page.mouse.click(at.x, at.y);
     await tab.settled();
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     assert.equal(document.kind, 'catmullrom');
     assert.equal(document.points.length, 3);
+    const { objects, active } = (await tab.state()).drawing;
+    const others = objects.filter(({ id }) => id !== active);
     assert.deepEqual(
-      document.others.map(({ kind, points }) => [kind, points.length]),
+      others.map(({ figure: { kind, points } }) => [kind, points.length]),
       [['bspline', 4]],
     );
-    assert.ok((await tab.view()).others[0]);
+    assert.ok((await tab.view()).others[0].lines[0]);
     await tab.page.keyboard.press('Control+z');
-    assert.equal((await tab.state()).document.kind, 'bspline');
+    assert.equal((await tab.state()).figure.kind, 'bspline');
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });

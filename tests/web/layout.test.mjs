@@ -50,7 +50,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     assert.ok(stage.height > 0.3 * 844, 'and the surface is still seen');
     await tab.page.locator('#clear').tap();
     await tab.settled();
-    assert.equal((await tab.state()).document.points.length, 0);
+    assert.equal((await tab.state()).figure.points.length, 0);
     await more.tap();
     assert.equal(await tab.page.locator('#facts').isVisible(), false);
     assert.deepEqual(tab.logged, []);
@@ -99,9 +99,9 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.page.touchscreen.tap(x - 40, y);
     await tab.page.touchscreen.tap(x + 40, y + 10);
     await tab.settled();
-    assert.equal((await tab.state()).document.points.length, 2);
+    assert.equal((await tab.state()).figure.points.length, 2);
     await tab.page.getByRole('button', { name: 'Delete' }).tap();
-    assert.equal((await tab.state()).document.points.length, 1);
+    assert.equal((await tab.state()).figure.points.length, 1);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
@@ -115,7 +115,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     const slider = tab.page.locator('#notice').getByRole('slider', { name: 'Weight of point 2' });
     await slider.fill('48');
     await tab.settled();
-    const { points } = (await tab.state()).document;
+    const { points } = (await tab.state()).figure;
     assert.deepEqual(
       points.map(({ weight = 1 }) => weight),
       [1, 4],
@@ -129,7 +129,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.page.touchscreen.tap(x - 40, y);
     await tab.page.touchscreen.tap(x + 40, y + 10);
     await tab.settled();
-    const before = (await tab.state()).document.points;
+    const before = (await tab.state()).figure.points;
     const protocol = await tab.page.context().newCDPSession(tab.page);
     const touch = (type, ...places) =>
       protocol.send('Input.dispatchTouchEvent', {
@@ -142,7 +142,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.page.waitForFunction(() => window.karcherPage.state().dragging);
     await touch('touchEnd');
     await tab.settled();
-    const { points } = (await tab.state()).document;
+    const { points } = (await tab.state()).figure;
     assert.equal(points.length, 2);
     assert.notDeepEqual(points[0], before[0]);
     assert.deepEqual(points[1], before[1]);
@@ -164,7 +164,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await touch('touchEnd');
     await tab.still();
     assert.ok((await apart()) > 1.3 * near, 'nearer');
-    assert.equal((await tab.state()).document.points.length, 2, 'and no point is added');
+    assert.equal((await tab.state()).figure.points.length, 2, 'and no point is added');
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });

@@ -40,7 +40,7 @@ describe('legs of the control polygon', () => {
   test('stay as they are drawn; a shorter way is shown, and a click takes it', async () => {
     const tab = await drawnAround();
     const drawn = await tab.view();
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     assert.ok(document.points[0].leg.length >= 1);
     assert.ok(drawn.curve.length > 3, `${drawn.curve.length} long`);
     assert.equal(drawn.shorter.length, 1);
@@ -50,7 +50,7 @@ describe('legs of the control polygon', () => {
     await tab.page.reload();
     await tab.settled();
     const again = await tab.view();
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     assert.deepEqual(again.polyline, drawn.polyline);
     assert.equal(again.shorter.length, 1);
 
@@ -62,7 +62,7 @@ describe('legs of the control polygon', () => {
 
     await tab.page.keyboard.press('Control+z');
     assert.deepEqual((await tab.view()).polyline, drawn.polyline);
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
 
     // A click on the shorter way itself.
     const place = await tab.page.evaluate(() => {
@@ -78,23 +78,23 @@ describe('legs of the control polygon', () => {
 
   test('of a drag are one step of the history with it', async () => {
     const tab = await drawnAround();
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     await tab.page.keyboard.press('Control+z');
-    const before = (await tab.state()).document;
+    const before = (await tab.state()).figure;
     assert.equal(before.points.length, 2);
     assert.ok(before.points.every(({ leg }) => leg === undefined));
     await tab.page.keyboard.press('Control+Shift+z');
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     // Moved back by Escape, a point has its leg again.
     const handle = await tab.handle('Control point 2 of 2');
     await tab.page.mouse.move(handle.x, handle.y);
     await tab.page.mouse.down();
     await tab.page.mouse.move(handle.x + 12, handle.y + 12, { steps: 3 });
-    assert.equal((await tab.state()).document.points[0].leg, undefined);
+    assert.equal((await tab.state()).figure.points[0].leg, undefined);
     await tab.page.keyboard.press('Escape');
     await tab.page.mouse.up();
     await tab.settled();
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     await tab.page.close();
   });
 });

@@ -2,8 +2,12 @@
 export { CurveEdits } from '../../web/editor/curve_edits';
 export { Editor } from '../../web/editor/editor';
 export { Session } from '../../web/editor/session';
-export { emptyDocument, isSpline, pointsNeeded } from '../../web/model/document';
+export { copiedText, pastedObjects } from '../../web/model/copied';
+export { emptyDrawing, othersOf } from '../../web/model/drawing';
+export { isEmpty, isSpline, knotsFit, pointsNeeded } from '../../web/model/figure';
 export { formatLink, parseLink } from '../../web/model/link';
 export { methodOptions } from '../../web/model/methods';
-export { activated, curveOptions, splineOf } from '../../web/model/splines';
+export { readDrawing, savedDrawing } from '../../web/model/saved_drawing';
+export { historyOf, readWork, savedWork } from '../../web/model/saved_work';
+export { curveOptions, splineOf } from '../../web/model/splines';
 export { EngineClient } from '../../web/worker/client';

@@ -306,7 +306,7 @@ describe('the Paper page', () => {
       () => window.karcherPage?.settled && window.karcherPage.mesh() !== null,
     );
     const editor = await tab.evaluate(() => ({
-      document: window.karcherPage.state().document,
+      edited: window.karcherPage.state().figure,
       info: window.karcherPage.mesh().info,
       length: window.karcherPage.view().curve?.length ?? null,
     }));
@@ -325,22 +325,22 @@ describe('the Paper page', () => {
   ];
   for (const [figure, index, kind, mesh] of part(links, 2)) {
     test(`opens a curve of the kind '${kind}' on ${mesh} in the editor`, async () => {
-      const { href, panel, document, info, length } = await openedInEditor(figure, index);
+      const { href, panel, edited, info, length } = await openedInEditor(figure, index);
       assert.ok(href.startsWith(`./index.html#mesh=${mesh}&kind=${kind}&`), href);
-      assert.equal(document.kind, kind);
+      assert.equal(edited.kind, kind);
       assert.deepEqual(info, panel.info);
       if (kind !== 'center') assert.ok(length > 0);
       if (kind === 'circle') return;
       assert.deepEqual(
-        document.points.map(({ face }) => face),
+        edited.points.map(({ face }) => face),
         panel.points.map(({ face }) => face),
       );
       const numbers = panel.curve.weights ?? panel.curve.betas ?? [];
       const name = kind === 'barycentric' ? 'beta' : 'weight';
       // Only their ratios count.
-      const factor = (document.points[0][name] ?? 1) / numbers[0];
+      const factor = (edited.points[0][name] ?? 1) / numbers[0];
       numbers.forEach((number, i) => {
-        assert.ok(Math.abs((document.points[i][name] ?? 1) - factor * number) < 1e-5 * number);
+        assert.ok(Math.abs((edited.points[i][name] ?? 1) - factor * number) < 1e-5 * number);
       });
     });
   }

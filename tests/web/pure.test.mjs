@@ -23,26 +23,23 @@ const settings = {
   marks: 0,
   levels: 'auto',
 };
-const document = {
+const figure = {
   kind: 'bspline',
   settings,
   points: [1, 2, 3, 4].map((face) => point(face)),
   circle: null,
   circleForm: { type: 'arcs', arcs: 7 },
-  others: [],
 };
 const circle = { center: point(5), rim: { radius: 0.5, direction: [0, 0, 1] } };
 const ellipse = { ...circle, across: { radius: 0.2 } };
 
-describe('a document', () => {
+describe('a figure', () => {
   test('has all of its places taken elsewhere, and nothing else', async () => {
-    const { withPlaces } = await load('model/document.ts');
-    const other = { kind: 'bezier', settings, points: [point(11), { ...point(12), beta: 2 }] };
+    const { withPlaces } = await load('model/figure.ts');
     const whole = {
-      ...document,
+      ...figure,
       points: [point(1), { ...point(2), weight: 3, leg: [point(9), point(10)] }],
       circle: { center: point(5), rim: point(6), across: point(7) },
-      others: [other],
     };
     const move = ({ face }) => point(face + 100, 0.125, 0.25);
     const moved = withPlaces(whole, move);
@@ -53,14 +50,11 @@ describe('a document', () => {
       rim: move(point(6)),
       across: move(point(7)),
     });
-    assert.deepEqual(moved.others, [
-      { ...other, points: [move(point(11)), { ...move(point(12)), beta: 2 }] },
-    ]);
-    const { points: _, circle: __, others: ___, ...rest } = document;
+    const { points: _, circle: __, ...rest } = figure;
     assert.deepEqual({ ...moved, ...rest }, moved);
-    const byLengths = withPlaces({ ...document, circle: ellipse }, move);
+    const byLengths = withPlaces({ ...figure, circle: ellipse }, move);
     assert.deepEqual(byLengths.circle, { ...ellipse, center: move(ellipse.center) });
-    assert.equal('across' in withPlaces({ ...document, circle }, move).circle, false);
+    assert.equal('across' in withPlaces({ ...figure, circle }, move).circle, false);
   });
 });
 
@@ -70,7 +64,7 @@ describe('legs', () => {
     legs = await load('model/legs.ts');
   });
   const drawn = [point(7), point(8)];
-  const withOne = { settings, points: document.points.with(1, { ...point(2), leg: drawn }) };
+  const withOne = { settings, points: figure.points.with(1, { ...point(2), leg: drawn }) };
   const legOf = ({ points }) => points.map(({ leg }) => leg);
   const fitting = (points, changed = settings) =>
     legOf(legs.withFittingLegs({ settings: changed, points }, withOne));
@@ -93,7 +87,7 @@ describe('legs', () => {
   });
 
   test('of the last point lead on to the first of a closed curve only', () => {
-    const points = document.points.with(3, { ...point(4), leg: drawn });
+    const points = figure.points.with(3, { ...point(4), leg: drawn });
     const closed = { settings: { ...settings, closed: true }, points };
     assert.deepEqual(legs.legsOf(closed), { legs: [null, null, null, drawn] });
     assert.deepEqual(legs.legsOf({ ...closed, settings }), {});
@@ -102,18 +96,21 @@ describe('legs', () => {
 
   test('are named in the order of the points, or not at all', () => {
     assert.deepEqual(legs.legsOf(withOne), { legs: [null, drawn, null] });
-    assert.deepEqual(legs.legsOf(document), {});
+    assert.deepEqual(legs.legsOf(figure), {});
   });
 });
 
-describe('commands', () => {
+describe('commands of a figure', () => {
   let module;
   before(async () => {
-    module = { ...(await load('model/document.ts')), ...(await load('model/commands.ts')) };
+    module = {
+      ...(await load('model/figure.ts')),
+      ...(await load('model/figure_commands.ts')),
+    };
   });
 
   test('the inverse takes a command back', () => {
-    const [from, to] = [document.points[1], point(9)];
+    const [from, to] = [figure.points[1], point(9)];
     const commands = [
       { type: 'insert', index: 2, point: point(7) },
       { type: 'remove', index: 1, point: from },
@@ -124,14 +121,22 @@ describe('commands', () => {
       { type: 'kind', from: 'bspline', to: 'circle' },
       { type: 'settings', from: settings, to: { ...settings, closed: true } },
       { type: 'circle', from: null, to: circle },
-      { type: 'circleForm', from: document.circleForm, to: { type: 'exact', arcs: 5 } },
-      { type: 'replace', from: document, to: module.emptyDocument },
+      { type: 'circleForm', from: figure.circleForm, to: { type: 'exact', arcs: 5 } },
+      { type: 'replace', from: figure, to: module.emptyFigure },
     ];
     for (const command of commands) {
-      const done = module.apply(document, command);
-      assert.notDeepEqual(done, document, command.type);
-      assert.deepEqual(module.apply(done, module.invert(command)), document, command.type);
-      assert.deepEqual(module.invert(module.invert(command)), command, command.type);
+      const done = module.applyToFigure(figure, command);
+      assert.notDeepEqual(done, figure, command.type);
+      assert.deepEqual(
+        module.applyToFigure(done, module.invertFigureCommand(command)),
+        figure,
+        command.type,
+      );
+      assert.deepEqual(
+        module.invertFigureCommand(module.invertFigureCommand(command)),
+        command,
+        command.type,
+      );
     }
   });
 });
@@ -190,46 +195,87 @@ describe('keys of surfaces', () => {
 
 describe('links', () => {
   let link;
+  let drawing;
   before(async () => {
     link = await load('model/link.ts');
+    drawing = await load('model/drawing.ts');
   });
+  /** The edited figure of a link. */
+  const figureOf = (text) => drawing.activeObject(link.parseLink(text).drawing).figure;
+  const fitted = (whole, triangles) =>
+    drawing.activeObject(link.fitting(drawing.drawingOf(whole), triangles)).figure;
 
   test('say what they were made of', () => {
-    const whole = {
-      kind: 'circle',
+    const curve = {
+      ...figure,
       settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7], levels: 2 },
       points: [
         point(1),
         { ...point(2), weight: 4, leg: [point(12), point(13, 0.1, 0.2)] },
         { ...point(3), beta: 0.25 },
       ],
-      circle,
-      circleForm: { type: 'linear', arcs: 24 },
-      others: [
-        {
-          kind: 'polyline',
-          settings: { ...settings, closed: true, tolerance: 1e-5 },
-          points: document.points.with(3, { ...point(4), leg: [point(9)] }),
-        },
-        {
-          kind: 'catmullrom',
-          settings: {
-            ...settings,
-            parametrization: 'uniform',
-            samples: 64,
-            marks: 9,
-            levels: 'limit',
-          },
-          points: [point(7), { ...point(8), weight: 2, beta: 3 }],
-        },
+    };
+    const round = { ...figure, kind: 'circle', points: [], circle };
+    const form = { type: 'linear', arcs: 24 };
+    const polyline = {
+      ...figure,
+      kind: 'polyline',
+      settings: { ...settings, closed: true, tolerance: 1e-5 },
+      points: figure.points.with(3, { ...point(4), leg: [point(9)] }),
+    };
+    const through = {
+      ...figure,
+      kind: 'catmullrom',
+      settings: { ...settings, parametrization: 'uniform', samples: 64, marks: 9, levels: 'limit' },
+      points: [point(7), { ...point(8), weight: 2, beta: 3 }],
+    };
+    const whole = {
+      objects: [
+        drawing.newObject(1, polyline, { name: 'a b&c=#;é', width: 0.5, group: 'Group 1' }),
+        drawing.newObject(2, { ...round, circleForm: form }, { color: '#0a0B0c'.toLowerCase() }),
+        drawing.newObject(3, curve, { visible: false, group: 'Group 1' }),
+        drawing.newObject(4, through, { locked: true, dash: 'dotted' }),
       ],
     };
     for (const mesh of ['bunny:1', 'file:1x-9:a b&c=#.obj']) {
-      const text = link.formatLink(mesh, 'paper-exact', whole);
-      const read = link.parseLink(`#${text}`);
-      const unread = { points: 0, circle: false };
-      assert.deepEqual(read, { mesh, method: 'paper-exact', document: whole, unread });
+      for (const active of [1, 2, 3, 4]) {
+        const made = { ...whole, active };
+        const text = link.formatLink(mesh, 'paper-exact', made);
+        const read = link.parseLink(`#${text}`);
+        const unread = { points: 0, circles: 0 };
+        assert.deepEqual(read, { mesh, method: 'paper-exact', drawing: made, unread });
+        assert.equal(JSON.stringify(read.drawing), JSON.stringify(made));
+      }
     }
+  });
+
+  test('of before there were objects keep what was not shown as an object', () => {
+    const fields = 'points=1,0.25,0.5;2,0.25,0.5&circle=5,0.25,0.5;0.5,0,0,1';
+    const other = encodeURIComponent('kind=polyline&points=3,0.25,0.5;4,0.25,0.5');
+    const shownOf = (kind) => {
+      const { drawing: read, unread } = link.parseLink(
+        `#mesh=torus:9&kind=${kind}&${fields}&other=${other}`,
+      );
+      assert.deepEqual(unread, { points: 0, circles: 0 });
+      assert.equal(read.active, 1);
+      return read.objects.map((one) => [
+        one.figure.kind,
+        one.figure.points.length,
+        one.figure.circle !== null,
+        one.visible,
+      ]);
+    };
+    const line = ['polyline', 2, false, true];
+    assert.deepEqual(shownOf('bezier'), [
+      ['bezier', 2, false, true],
+      line,
+      ['circle', 0, true, false],
+    ]);
+    assert.deepEqual(shownOf('ellipse'), [
+      ['ellipse', 0, true, true],
+      line,
+      ['bspline', 2, false, false],
+    ]);
   });
 
   test('say every form of a circle and an ellipse', () => {
@@ -239,9 +285,9 @@ describe('links', () => {
       for (const rim of rims) {
         for (const across of acrosses) {
           const shape = { center: point(5), rim, ...(across && { across }) };
-          const whole = { ...document, kind, circle: shape };
-          const { document: read } = link.parseLink(link.formatLink('torus:9', 'karcher', whole));
-          assert.deepEqual(read, whole);
+          const whole = { ...figure, kind, points: [], circle: shape };
+          const text = link.formatLink('torus:9', 'karcher', drawing.drawingOf(whole));
+          assert.deepEqual(figureOf(text), whole);
         }
       }
     }
@@ -253,22 +299,23 @@ describe('links', () => {
       '#mesh=torus:9&kind=conic&method=magic&points=1,0.2;x;2,0.1,0.2;-1,0,0;3,2,2;4,nan,0';
     const read = link.parseLink(text);
     assert.equal(read.method, null);
-    assert.equal(read.document.kind, 'bspline');
+    const { points, kind } = figureOf(text);
+    assert.equal(kind, 'bspline');
     assert.deepEqual(
-      read.document.points.map(({ face }) => face),
+      points.map(({ face }) => face),
       [2],
     );
-    assert.equal(link.parseLink('#mesh=torus:9&circle=1,0.2,0.2;-3,1,0,0').document.circle, null);
-    const form = (fields) => link.parseLink(`#mesh=torus:9&${fields}`).document.circleForm;
-    const knots = (fields) => link.parseLink(`#mesh=torus:9&${fields}`).document.settings.knots;
+    assert.equal(figureOf('#mesh=torus:9&kind=circle&circle=1,0.2,0.2;-3,1,0,0').circle, null);
+    const form = (fields) => figureOf(`#mesh=torus:9&${fields}`).circleForm;
+    const knots = (fields) => figureOf(`#mesh=torus:9&${fields}`).settings.knots;
     assert.deepEqual(knots('degree=1&knots=0,1,2,4&points=1,0,0;2,0,0'), [0, 1, 2, 4]);
     assert.equal(knots('degree=1&knots=0,1,2&points=1,0,0;2,0,0'), null, 'one too few');
     for (const fields of ['samples=1', 'samples=2.5', 'tolerance=0', 'tolerance=x', 'marks=1e9']) {
-      assert.deepEqual(link.parseLink(`#mesh=torus:9&${fields}`).document.settings, settings);
+      assert.deepEqual(figureOf(`#mesh=torus:9&${fields}`).settings, settings);
     }
-    assert.deepEqual(form('circletype=round&arcs=2'), document.circleForm);
+    assert.deepEqual(form('circletype=round&arcs=2'), figure.circleForm);
     assert.deepEqual(form('circletype=exact&arcs=25'), { type: 'exact', arcs: 7 });
-    const leg = (fields) => link.parseLink(`#mesh=torus:9&points=1,0,0;2,0,0&${fields}`);
+    const leg = (fields) => figureOf(`#mesh=torus:9&points=1,0,0;2,0,0&${fields}`);
     for (const fields of [
       'legs=',
       'legs=0',
@@ -278,66 +325,80 @@ describe('links', () => {
       'legs=7:3,0,0',
     ]) {
       assert.ok(
-        leg(fields).document.points.every((point) => !('leg' in point)),
+        leg(fields).points.every((point) => !('leg' in point)),
         fields,
       );
     }
     const many = 'legs=0:3,0,0;1:'.concat(Array.from({ length: 65 }, () => '3,0,0').join(':'));
     assert.deepEqual(
-      leg(many).document.points.map((point) => point.leg?.length),
+      leg(many).points.map((point) => point.leg?.length),
       [1, undefined],
     );
     for (const across of ['', ';', ';-1', ';0', ';wide', ';1,2']) {
-      const text = `#mesh=torus:9&circle=5,0.25,0.5;0.5,0,0,1${across}`;
-      assert.deepEqual(link.parseLink(text).document.circle, circle, across);
+      const text = `#mesh=torus:9&kind=circle&circle=5,0.25,0.5;0.5,0,0,1${across}`;
+      assert.deepEqual(figureOf(text).circle, circle, across);
     }
   });
 
   test('count what they say wrongly, and what is beyond the surface', () => {
     const lost = (fields) => {
       const read = link.parseLink(`#mesh=torus:9&${fields}`);
-      return link.lostOf(read, link.fitting(read.document, 4));
+      return link.lostOf(read, link.fitting(read.drawing, 4));
     };
-    assert.deepEqual(lost('points='), { points: 0, circle: false });
-    assert.deepEqual(lost('points=3,0.2,0.2;4,0.2,0.2;x'), { points: 2, circle: false });
-    assert.deepEqual(lost('kind=center&points=1,0.7,0.7;;1,-0.1,0'), { points: 2, circle: false });
+    assert.deepEqual(lost('points='), { points: 0, circles: 0 });
+    assert.deepEqual(lost('points=3,0.2,0.2;4,0.2,0.2;x'), { points: 2, circles: 0 });
+    assert.deepEqual(lost('kind=center&points=1,0.7,0.7;;1,-0.1,0'), { points: 2, circles: 0 });
     const other = encodeURIComponent('kind=bezier&points=1,0,0;9,0,0;1,nan,0');
-    assert.deepEqual(lost(`points=1,0,0&other=${other}`), { points: 2, circle: false });
+    assert.deepEqual(lost(`points=1,0,0&other=${other}`), { points: 2, circles: 0 });
     for (const [circle, isLost] of [
       ['1,0,0;2,0,0', false],
       ['1,0,0;7,0,0', true],
       ['1,0,0;-3,0,0,1', true],
     ]) {
-      assert.deepEqual(lost(`circle=${circle}`), { points: 0, circle: isLost });
+      assert.deepEqual(lost(`circle=${circle}`), { points: 0, circles: isLost ? 1 : 0 });
     }
   });
 
   test('keep only points of the surface', () => {
-    const far = { ...document, circle: { center: point(99), rim: point(1) } };
-    const others = [5, 2].map((face) => ({ kind: 'bezier', settings, points: [point(face)] }));
-    const fit = link.fitting({ ...far, others }, 4);
-    assert.deepEqual(fit.others, [others[1]]);
-    assert.deepEqual(fit.points, document.points.slice(0, 3));
+    const others = [5, 2].map((face, i) =>
+      drawing.newObject(i + 2, { ...figure, kind: 'bezier', points: [point(face)] }),
+    );
+    const far = {
+      ...figure,
+      points: [],
+      kind: 'circle',
+      circle: { center: point(99), rim: point(1) },
+    };
+    const objects = [drawing.newObject(1, figure), ...others, drawing.newObject(4, far)];
+    const fit = link.fitting({ objects, active: 1 }, 4);
+    assert.deepEqual(
+      fit.objects.map(({ id }) => id),
+      [1, 3],
+      'what has nothing on the surface is left out',
+    );
+    assert.deepEqual(fit.objects[0].figure.points, figure.points.slice(0, 3));
+    assert.deepEqual(fit.objects[1], others[1]);
+    const empty = link.fitting({ objects, active: 4 }, 4).objects.at(-1);
+    assert.equal(empty.figure.circle, null, 'the edited one stays');
     const drawn = [
       { ...point(1), leg: [point(3)] },
       { ...point(2), leg: [point(3), point(4)] },
       { ...point(3), leg: [point(1)] },
       point(4),
     ];
-    const legsLeft = link.fitting({ ...document, points: drawn }, 4).points.map(({ leg }) => leg);
+    const legsLeft = fitted({ ...figure, points: drawn }, 4).points.map(({ leg }) => leg);
     assert.deepEqual(legsLeft, [[point(3)], undefined, undefined]);
     const knots = [0, 1, 2, 3, 4, 5, 6, 8];
-    const knotted = { ...document, settings: { ...settings, knots } };
-    assert.deepEqual(link.fitting(knotted, 5).settings.knots, knots);
-    assert.equal(link.fitting(knotted, 4).settings.knots, null, 'they are for other points');
-    assert.equal(fit.circle, null);
+    const knotted = { ...figure, settings: { ...settings, knots } };
+    assert.deepEqual(fitted(knotted, 5).settings.knots, knots);
+    assert.equal(fitted(knotted, 4).settings.knots, null, 'they are for other points');
     for (const [across, fits] of [
       [point(3), true],
       [point(4), false],
       [{ radius: 5 }, true],
     ]) {
       const shape = { ...circle, center: point(1), across };
-      assert.deepEqual(link.fitting({ ...document, circle: shape }, 4).circle, fits ? shape : null);
+      assert.deepEqual(fitted({ ...figure, circle: shape }, 4).circle, fits ? shape : null);
     }
   });
 });

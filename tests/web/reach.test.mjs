@@ -1,6 +1,7 @@
 // Every control of every panel is hit where a person would click it, in a wide and a narrow window.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
+import { cutBox, stlFile } from '../wasm/mesh_files.mjs';
 import { openBrowser, Tab } from './browser.mjs';
 import { Controls } from './controls.mjs';
 
@@ -48,7 +49,7 @@ describe('every control is hit where it is clicked', () => {
       for (const radio of await page.locator('[name="kind"]').all()) {
         await controls.click(radio);
         await tab.settled();
-        const { kind } = (await tab.state()).document;
+        const { kind } = (await tab.state()).figure;
         assert.equal(kind, await radio.inputValue());
         assert.ok((await controls.look(kind)) > 10, kind);
         await checkBoxes(tab, controls, kind);
@@ -62,6 +63,11 @@ describe('every control is hit where it is clicked', () => {
       await tab.drop('bad.obj', 'nothing');
       await page.getByRole('alert').waitFor();
       await controls.look('a message');
+      await page.getByRole('alert').getByRole('button', { name: 'Dismiss' }).click();
+      await tab.dropBytes('solids.stl', stlFile(cutBox, { text: true, solids: 3 }));
+      await page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('solids.stl'));
+      await tab.settled();
+      await controls.look('a file of several parts');
       const open = await holdEngine(page);
       await page.locator('#surface').selectOption('torus');
       await page.locator('#progress').waitFor();

@@ -45,7 +45,7 @@ describe('saving', () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('2');
     await tab.click(...places);
-    const [{ document }, view] = [await tab.state(), await tab.view()];
+    const [{ figure: document }, view] = [await tab.state(), await tab.view()];
     const { name, text } = await tab.save('JSON');
     const content = JSON.parse(text);
     assert.deepEqual(content.points, document.points);
@@ -56,10 +56,10 @@ describe('saving', () => {
 
     await tab.page.getByRole('button', { name: 'Clear' }).click();
     await tab.drop(name, text);
-    await tab.page.waitForFunction(() => window.karcherPage.state().document.points.length === 4);
-    assert.deepEqual((await tab.state()).document, document);
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.points.length === 4);
+    assert.deepEqual((await tab.state()).figure, document);
     await tab.page.keyboard.press('Control+z');
-    assert.equal((await tab.state()).document.points.length, 0);
+    assert.equal((await tab.state()).figure.points.length, 0);
     await tab.page.close();
 
     const other = await openBrowser();
@@ -82,7 +82,7 @@ describe('saving', () => {
     await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 8);
     await tab.page.keyboard.press('2');
     await tab.click([-30, -20], [40, 10]);
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     const { name, text } = await tab.save('JSON');
     await tab.page.close();
 
@@ -95,7 +95,7 @@ describe('saving', () => {
       assert.match(await alert.textContent(), /octahedron\.obj/);
       await elsewhere.drop('octahedron.obj', octahedron);
       await elsewhere.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 8);
-      assert.deepEqual((await elsewhere.state()).document, document);
+      assert.deepEqual((await elsewhere.state()).figure, document);
       await alert.waitFor({ state: 'detached' });
     } finally {
       await other.close();
@@ -137,7 +137,7 @@ describe('saving', () => {
     await tab.page.keyboard.press('Escape');
     await tab.page.locator('#save-menu').waitFor({ state: 'hidden' });
     await tab.click(...places);
-    const { document } = await tab.state();
+    const { figure: document } = await tab.state();
     for (const [name, text] of Object.entries({
       'broken.json': '{',
       'other.json': '{"format":"something"}',
@@ -148,7 +148,7 @@ describe('saving', () => {
       await alert.waitFor();
       assert.match(await alert.locator('p').textContent(), /could not be read\. .*JSON.*\.$/);
     }
-    assert.deepEqual((await tab.state()).document, document);
+    assert.deepEqual((await tab.state()).figure, document);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });

@@ -11,11 +11,21 @@ const mostPoints = 9;
 const refusals =
   /can(not)? be joined|has no end to join|at least \d control points|not at one|control point there|takes no more|has a knot there/;
 
-/** What a link says of splines; the first of three weights follows from the others. */
-const plain = ({ kind, settings, points, others = [] }) => ({
-  ...{ kind, settings },
-  points: points.map(({ face, bary: [, u, v], ...numbers }) => ({ face, u, v, ...numbers })),
-  others: others.map(plain),
+/** What a link says of objects, which are numbered anew; the first of three weights follows from the others. */
+const plain = ({ objects, active }) => ({
+  active: objects.findIndex(({ id }) => id === active),
+  objects: objects.map(({ id: _, figure, ...properties }) => ({
+    ...properties,
+    figure: {
+      ...figure,
+      points: figure.points.map(({ face, bary: [, u, v], ...numbers }) => ({
+        face,
+        u,
+        v,
+        ...numbers,
+      })),
+    },
+  })),
 });
 
 describe('sequences of edits', () => {
@@ -26,9 +36,9 @@ describe('sequences of edits', () => {
 
   /** Edits of the page's own, by their names; each may find nothing to do. */
   function editsOf(random) {
-    const { editor, session, edits } = page;
+    const { editor, session, edits, othersOf } = page;
     const below = (count) => Math.floor(random() * count);
-    const settings = () => editor.state.document.settings;
+    const settings = () => editor.state.figure.settings;
     const point = () => {
       const [u, v] = [random() / 2, random() / 2];
       return { face: below(triangles), bary: [1 - u - v, u, v] };
@@ -41,34 +51,34 @@ describe('sequences of edits', () => {
     /** How far from a click a knot is meant: often one is. */
     const within = () => (random() < 0.3 ? 0.05 : 0);
     const change = (make) => {
-      const { points } = editor.state.document;
+      const { points } = editor.state.figure;
       const index = below(points.length);
       const from = points[index];
       if (from) editor.run({ type: 'change', index, from, to: make(from) });
     };
     return {
-      append: () => editor.state.document.points.length < mostPoints && edits.append(point()),
+      append: () => editor.state.figure.points.length < mostPoints && edits.append(point()),
       remove: () => {
-        const { points } = editor.state.document;
+        const { points } = editor.state.figure;
         if (points.length > 0) editor.select(below(points.length));
         return edits.removeSelected();
       },
       insert: () => {
-        const near = editor.state.document.points.length < mostPoints && onCurve();
+        const near = editor.state.figure.points.length < mostPoints && onCurve();
         return near && edits.atCurve('insert', near, within());
       },
       split: () => {
-        const near = editor.state.document.others.length < 2 && onCurve();
+        const near = othersOf(editor.state.drawing).length < 2 && onCurve();
         return near && edits.atCurve('split', near, within());
       },
       join: () => {
-        const { others, kind } = editor.state.document;
-        const index = others.findIndex((other) => other.kind === kind);
-        return index >= 0 && edits.join(index);
+        const { drawing, figure } = editor.state;
+        const other = othersOf(drawing).find((one) => one.figure.kind === figure.kind);
+        return other && edits.join(other.id);
       },
       activate: () => {
-        const { others } = editor.state.document;
-        return others.length > 0 && edits.atOther('insert', below(others.length));
+        const others = othersOf(editor.state.drawing);
+        return others.length > 0 && edits.atOther('insert', others[below(others.length)].id);
       },
       reverse: () => session.view.curve && edits.reverse(),
       close: () => edits.setClosed(!settings().closed),
@@ -86,14 +96,14 @@ describe('sequences of edits', () => {
         editor.setSettings({ samples, tolerance, marks: below(5) * 3 });
       },
       reorder: () => {
-        const { points } = editor.state.document;
+        const { points } = editor.state.figure;
         if (points.length > 0) editor.select(below(points.length));
         editor.moveInOrder(below(9) - 4);
       },
       move: () => change((from) => ({ ...from, ...point() })),
       drag: async () => {
-        const index = below(editor.state.document.points.length);
-        const from = editor.state.document.points[index];
+        const index = below(editor.state.figure.points.length);
+        const from = editor.state.figure.points[index];
         if (!from) return;
         for (let step = 0; step < 2; step++) {
           editor.preview({ type: 'change', index, from, to: { ...from, ...point() } });
@@ -107,18 +117,24 @@ describe('sequences of edits', () => {
       undo: () => edits.undo(),
       redo: () => edits.redo(),
       clear: () => random() < 0.2 && editor.clear(),
+      begin: () => othersOf(editor.state.drawing).length < 3 && editor.begin(),
+      duplicate: () => {
+        const { drawing } = editor.state;
+        return othersOf(drawing).length < 2 && editor.duplicate([drawing.active]);
+      },
+      delete: () => random() < 0.2 && editor.deleteObjects([editor.state.drawing.active]),
     };
   }
 
   /** The link says all of the document, and what is shown is the document's curve, made anew. */
   async function assertSameAnew(view, told) {
     const { editor, session, parseLink, formatLink, curveOptions, methodOptions, splineOf } = page;
-    const { mesh, method, document } = editor.state;
-    const read = parseLink(formatLink(mesh, method, document)).document;
-    assert.deepEqual(plain(read), plain(document), told);
+    const { mesh, method, drawing, figure } = editor.state;
+    const read = parseLink(formatLink(mesh, method, drawing)).drawing;
+    assert.deepEqual(plain(read), plain(drawing), told);
     if (!view.curve) return;
-    const options = curveOptions(splineOf(document), methodOptions(method));
-    const anew = await session.client.curve(options, { keep: false });
+    const options = curveOptions(splineOf(figure), methodOptions(method));
+    const anew = await session.client.curve(options);
     const [shown, made] = [view.curve, anew].map(({ samples }) => samples.position);
     assert.equal(made.length, shown.length, told);
     const farthest = made.reduce((most, x, i) => Math.max(most, Math.abs(x - shown[i])), 0);
@@ -127,13 +143,13 @@ describe('sequences of edits', () => {
 
   test('a drag has the number of samples where a tolerance takes more of them', async () => {
     const { editor, edits, session } = page;
-    editor.open('sphere:drag', page.emptyDocument);
+    editor.open('sphere:drag', page.emptyDrawing);
     for (const face of [10, 60, 110, 160]) await edits.append({ face, bary: [0.5, 0.25, 0.25] });
     editor.setSettings({ samples: 4, tolerance: 1e-4 });
     const count = async () => (await page.settled()).curve.samples.count;
     const fine = await count();
     assert.ok(fine > 4);
-    const [from] = editor.state.document.points;
+    const [from] = editor.state.figure.points;
     editor.preview({ type: 'change', index: 0, from, to: { ...from, face: 12 } });
     assert.equal(await count(), 4);
     editor.commitDrag();
@@ -157,13 +173,13 @@ describe('sequences of edits', () => {
       const names = [...Object.keys(edits), 'append', 'append', 'append', 'insert', 'remove'];
       const done = [];
       // A document of its own, so that a run is the same alone.
-      page.editor.open(`sphere:${run}`, page.emptyDocument);
+      page.editor.open(`sphere:${run}`, page.emptyDrawing);
       for (let step = 0; step < 150; step++) {
         const name = step < 5 ? 'append' : names[Math.floor(random() * names.length)];
         done.push(name);
         await edits[name]();
         const view = await page.settled();
-        const { document } = page.editor.state;
+        const { figure: document } = page.editor.state;
         const told = `${done.join(' ')}: ${JSON.stringify(document)}`;
         assert.equal(view.problem, null, told);
         const enough = document.points.length >= page.pointsNeeded(document);

@@ -27,7 +27,7 @@ describe('the page survives', () => {
       await tab.pastSaving();
       await tab.page.reload();
       await tab.settled();
-      assert.equal((await tab.state()).document.points.length, 4);
+      assert.equal((await tab.state()).figure.points.length, 4);
       await chip.waitFor();
       // What was not asked for yet is there, too: the other page, and its module.
       const paper = await browser.context.newPage();
@@ -102,7 +102,7 @@ describe('the page survives', () => {
       }
     }
 
-    const pointsOf = async (tab) => (await tab.state()).document.points;
+    const pointsOf = async (tab) => (await tab.state()).figure.points;
     /** How far two points are apart on the screen. */
     const spread = async (tab) => {
       await tab.still();

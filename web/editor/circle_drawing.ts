@@ -1,7 +1,7 @@
 /** What the engine makes of a circle or an ellipse: where its handles are, and its lines. */
 import type { FieldOptions, SurfacePoint } from 'karcher';
 import { acrossDirection, defaultAcross, reachAlong } from '../model/circle';
-import type { Across, CircleForm, CircleShape, Vector } from '../model/document';
+import type { Across, CircleForm, CircleShape, Vector } from '../model/figure';
 import type { TracedCurve, TracedIsolines } from '../model/traced';
 import type { EngineClient } from '../worker/client';
 

@@ -1,12 +1,13 @@
 import type { CenterOfMass, ErrorCode, FieldOptions } from 'karcher';
-import { type CurveDocument, isRound, pointsNeeded } from '../model/document';
+import { type Figure, isRound, pointsNeeded } from '../model/figure';
+import { type MethodId, type Quality, qualityOf } from '../model/methods';
 import { curveOptions, splineOf } from '../model/splines';
 import type { TracedCurve } from '../model/traced';
 import { type EngineClient, KarcherError } from '../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
 import { type Shift, shiftBetween } from './shift';
 
-/** What the engine makes of a document: a curve, isolines or a center, with a circle's handles. */
+/** What the engine makes of a figure: a curve, isolines or a center, with a circle's handles. */
 export interface Shown {
   curve: TracedCurve | null;
   isolines: ShownIsolines | null;
@@ -28,33 +29,42 @@ export const nothing: Shown = {
   problem: null,
 };
 
-/** The polylines of what is shown, but for those of curves beside it. */
+/** The polylines of what is shown. */
 export function polylinesOf({ curve, isolines }: Shown): Float32Array[] {
   if (curve) return [curve.polyline];
   return isolines?.lines.map(({ polyline }) => polyline) ?? [];
 }
 
-/** A draft has a better answer to follow, by other options; of a drag, the number of its point. */
+/** How a figure is computed. */
+export interface Computation {
+  /** The id of its object, of which the engine keeps the curve. */
+  object: number;
+  /** Whether a better answer is to follow, by other options. */
+  draft?: boolean;
+  /** Of a drag, the number of its point. */
+  dragged?: number | undefined;
+}
+
 export function compute(
   client: EngineClient,
-  document: CurveDocument,
+  figure: Figure,
   options: FieldOptions,
-  draft: boolean,
-  dragged?: number,
+  { object, draft = false, dragged }: Computation,
 ): Promise<Shown> {
-  if (isRound(document.kind)) return computeCircle(client, document, options, draft);
-  if (document.points.length < pointsNeeded(document)) return Promise.resolve(nothing);
-  const spline = splineOf(document);
-  if (!spline) return computeCenter(client, document, options);
+  if (isRound(figure.kind)) return computeCircle(client, figure, options, draft);
+  const few = figure.points.length < pointsNeeded(figure);
+  if (few || figure.kind === 'points') return Promise.resolve(nothing);
+  const spline = splineOf(figure);
+  if (!spline) return computeCenter(client, figure, options);
   const { marks } = spline.settings;
   return client
-    .curve(curveOptions(spline, options), marks, dragged)
+    .curve(curveOptions(spline, options), { object, marks, dragged })
     .then((curve) => ({ ...nothing, curve }));
 }
 
 async function computeCenter(
   client: EngineClient,
-  { points }: CurveDocument,
+  { points }: Figure,
   options: FieldOptions,
 ): Promise<Shown> {
   const started = performance.now();
@@ -68,7 +78,7 @@ async function computeCenter(
 
 async function computeCircle(
   client: EngineClient,
-  { kind, circle: shape, circleForm }: CurveDocument,
+  { kind, circle: shape, circleForm }: Figure,
   options: FieldOptions,
   draft: boolean,
 ): Promise<Shown> {
@@ -81,6 +91,12 @@ async function computeCircle(
     // The handles stay, so that the radius can be taken back.
     return { ...nothing, circle, problem: messageOf(error) };
   }
+}
+
+/** How good the first answer is; an exact isoline is exact by any method. */
+export function qualityShown({ curve, isolines, center }: Shown, method: MethodId): Quality | null {
+  if (isolines?.exact) return 'exact';
+  return curve || isolines || center ? qualityOf(method) : null;
 }
 
 /** How far what is shown moved from one quality to the other, in a unit of length. */

@@ -1,9 +1,18 @@
 import type { SurfacePoint } from 'karcher';
-import { apply, type Command } from '../model/commands';
-import { type CurveDocument, knotsFit, type Vector } from '../model/document';
-import { activated, inPieces, joined, splineOf, withSpline } from '../model/splines';
+import type { Command } from '../model/commands';
+import { activeObject, freeId, indexOf, objectOf, othersOf } from '../model/drawing';
+import {
+  type Figure,
+  isEmpty,
+  isSpline,
+  knotsFit,
+  type Spline,
+  type Vector,
+} from '../model/figure';
+import { applyToFigure, type FigureCommand } from '../model/figure_commands';
+import { splineOf, withSpline } from '../model/splines';
 import type { Edit } from '../worker/edits';
-import type { CurveTool, Editor, Selection } from './editor';
+import type { CurveTool, Editor, Selection, State } from './editor';
 import type { Session } from './session';
 
 /** How often an edit is begun anew because another one, as a drag, overtook it. */
@@ -11,12 +20,12 @@ const mostAttempts = 20;
 
 /** A command, and what is selected after it. */
 interface Step {
-  command: Command;
+  command: FigureCommand;
   selection: Selection;
 }
 
 /** What a command is to a B-spline's own knots; null where they have nothing to do with it. */
-function editOf(command: Command): Edit | null {
+function editOf(command: FigureCommand): Edit | null {
   switch (command.type) {
     case 'insert':
       return { type: 'insertPoint', index: command.index, point: command.point };
@@ -42,8 +51,9 @@ export class CurveEdits {
     private readonly session: Session,
   ) {}
 
-  /** Adds a control point after the others. */
+  /** Adds a control point after the others; what is locked or not shown gets none. */
   append(point: SurfacePoint): Promise<void> {
+    if (!this.editor.isOpen) this.editor.begin();
     return this.#edit(({ points }) => ({
       command: { type: 'insert', index: points.length, point },
       selection: points.length,
@@ -52,15 +62,15 @@ export class CurveEdits {
 
   /** Removes the selected control point, or the circle. */
   removeSelected(): Promise<void> {
-    return this.#edit((document) => {
+    return this.#edit((figure) => {
       const { selection } = this.editor.state;
       if (selection === null) return null;
       if (typeof selection === 'string') {
-        return { command: { type: 'circle', from: document.circle, to: null }, selection: null };
+        return { command: { type: 'circle', from: figure.circle, to: null }, selection: null };
       }
-      const point = document.points[selection];
+      const point = figure.points[selection];
       if (!point) return null;
-      const left = document.points.length - 1;
+      const left = figure.points.length - 1;
       const next = left === 0 ? null : Math.min(selection, left - 1);
       return { command: { type: 'remove', index: selection, point }, selection: next };
     });
@@ -78,8 +88,8 @@ export class CurveEdits {
   async setKnots(knots: readonly number[]): Promise<string | null> {
     let problem: string | null = null;
     await this.#inOrder(async () => {
-      const { document, revision } = this.editor.state;
-      const spline = splineOf(document);
+      const { figure, revision } = this.editor.state;
+      const spline = splineOf(figure);
       if (!spline) return;
       const settings = { ...spline.settings, clamped: false, knots };
       problem = await this.session.problemWith({ ...spline, settings });
@@ -105,36 +115,62 @@ export class CurveEdits {
   }
 
   async #atCurve(tool: CurveTool, near: Vector, within: number): Promise<void> {
-    const { document } = this.editor.state;
+    const { figure } = this.editor.state;
     if (tool === 'split') {
       const made = await this.session.reshaped({ type: 'split', near, within });
-      if (made) this.editor.replace(inPieces(document, made.splines));
+      if (made) this.#cut(made.splines);
       else this.editor.setTool('insert');
       return;
     }
     const made = await this.session.reshaped({ type: 'insert', near, within });
     const spline = made?.splines[0];
-    if (spline) this.editor.replace(withSpline(document, spline), made.point);
+    if (spline) this.editor.replace(withSpline(figure, spline), made.point);
   }
 
-  /** What a click on another curve does. */
-  async atOther(tool: CurveTool, index: number): Promise<void> {
-    if (tool === 'join') await this.join(index);
-    else this.editor.replace(activated(this.editor.state.document, index));
+  /** The edited object becomes the first piece; the others lie above it, of the same style. */
+  #cut([first, ...rest]: readonly Spline[]): void {
+    const { drawing, figure } = this.editor.state;
+    if (!first) return;
+    const object = activeObject(drawing);
+    const at = indexOf(drawing, object.id);
+    const to = withSpline(figure, first);
+    const steps: Command[] = [
+      { type: 'figure', id: object.id, edit: { type: 'replace', from: figure, to } },
+      ...rest.map((piece, i): Command => {
+        const made = { ...object, id: freeId(drawing) + i, figure: withSpline(figure, piece) };
+        return { type: 'add', index: at + 1 + i, object: made };
+      }),
+    ];
+    this.editor.perform({ type: 'steps', steps }, { selection: null });
   }
 
-  /** Makes one curve of the edited one and another. */
-  join(index: number): Promise<void> {
-    return this.#inOrder(() => this.#join(index));
+  /** What a click on another object does. */
+  async atOther(tool: CurveTool, id: number): Promise<void> {
+    if (tool === 'join') await this.join(id);
+    else this.editor.activate(id);
   }
 
-  async #join(index: number): Promise<void> {
-    const { document } = this.editor.state;
-    const other = document.others[index];
+  /** Makes one curve of the edited object and another one. */
+  join(id: number): Promise<void> {
+    return this.#inOrder(() => this.#join(id));
+  }
+
+  async #join(id: number): Promise<void> {
+    const { drawing, figure } = this.editor.state;
+    const object = objectOf(drawing, id);
+    const other = object && splineOf(object.figure);
     const made = other && (await this.session.reshaped({ type: 'join', other }));
     const whole = made?.splines[0];
-    if (whole) this.editor.replace(joined(document, index, whole));
-    else this.editor.setTool('insert');
+    if (!object || !whole) {
+      this.editor.setTool('insert');
+      return;
+    }
+    const to = withSpline(figure, whole);
+    const steps: Command[] = [
+      { type: 'figure', id: drawing.active, edit: { type: 'replace', from: figure, to } },
+      { type: 'delete', index: indexOf(drawing, id), object },
+    ];
+    this.editor.perform({ type: 'steps', steps }, { selection: null });
   }
 
   reverse(): Promise<void> {
@@ -142,25 +178,25 @@ export class CurveEdits {
   }
 
   async #reverse(): Promise<void> {
-    const { document } = this.editor.state;
+    const { figure } = this.editor.state;
     const made = await this.session.reshaped({ type: 'reverse' });
     const spline = made?.splines[0];
-    if (spline) this.editor.replace(withSpline(document, spline));
+    if (spline) this.editor.replace(withSpline(figure, spline));
   }
 
   /**
    * Carries out a step, at once where it needs no engine. A B-spline's own knots go on as those of
    * the engine's curve; where there is none, they go.
    */
-  #edit(stepOn: (document: CurveDocument) => Step | null): Promise<void> {
+  #edit(stepOn: (figure: Figure) => Step | null): Promise<void> {
     return this.#inOrder(async () => {
       const { mesh } = this.editor.state;
       for (let attempt = 0; ; attempt++) {
-        const { document, revision } = this.editor.state;
-        const step = stepOn(document);
+        const { figure, revision } = this.editor.state;
+        const step = stepOn(figure);
         if (!step || this.editor.state.mesh !== mesh) return;
-        const to = apply(document, step.command);
-        const [before, after] = [splineOf(document), splineOf(to)];
+        const to = applyToFigure(figure, step.command);
+        const [before, after] = [splineOf(figure), splineOf(to)];
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
         const edit = asks && editOf(step.command);
         const knots = edit ? await this.session.knotsAfter(before, edit) : null;
@@ -186,22 +222,35 @@ export class CurveEdits {
   /** Makes ready for a click on the curve to cut. */
   chooseSplit(): void {
     const { tool } = this.editor.state;
-    if (this.session.view.curve) this.editor.setTool(tool === 'split' ? 'insert' : 'split');
+    if (!this.#hasCurve() || this.editor.refuses()) return;
+    this.editor.setTool(tool === 'split' ? 'insert' : 'split');
   }
 
   /** Makes ready to measure the curve, until something else is chosen or done. */
   chooseMeasure(): void {
     const { tool } = this.editor.state;
-    if (tool !== 'measure' && !this.session.view.curve) return;
+    if (tool !== 'measure' && !this.#hasCurve()) return;
     this.editor.select(null);
     this.editor.setTool(tool === 'measure' ? 'insert' : 'measure');
   }
 
   /** Joins the only other curve, or makes ready for a click on one of them. */
   chooseJoin(): void {
-    const { tool, document } = this.editor.state;
-    if (!this.session.view.curve || document.others.length === 0) return;
-    if (document.others.length === 1) void this.join(0);
+    const { tool } = this.editor.state;
+    const others = joinable(this.editor.state);
+    if (!this.#hasCurve() || others.length === 0 || this.editor.refuses()) return;
+    if (others.length === 1) void this.join(others[0]!);
     else this.editor.setTool(tool === 'join' ? 'insert' : 'join');
   }
+
+  #hasCurve(): boolean {
+    return this.session.view.curve !== null && isSpline(this.editor.state.figure.kind);
+  }
 }
+
+/** The ids of the curves that the edited one could be joined with. */
+export const joinable = ({ drawing }: State): number[] =>
+  othersOf(drawing)
+    .filter(({ figure, visible, locked }) => visible && !locked && !isEmpty(figure))
+    .filter(({ figure }) => isSpline(figure.kind))
+    .map(({ id }) => id);

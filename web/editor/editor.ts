@@ -1,19 +1,41 @@
 import type { SurfacePoint } from 'karcher';
+import {
+  activation,
+  addition,
+  beginning,
+  deletion,
+  duplication,
+  grouping,
+  ofKind,
+  reordering,
+  restyling,
+  withGroups,
+} from '../model/arranging';
 import type { CircleHandle } from '../model/circle';
 import { apply, type Command, invert } from '../model/commands';
 import {
+  activeObject,
+  type Drawing,
+  type DrawnObject,
+  emptyDrawing,
+  indexOf,
+  objectOf,
+  type Properties,
+} from '../model/drawing';
+import {
   type CircleForm,
-  type CurveDocument,
   type CurveSettings,
   cleared,
-  emptyDocument,
+  type Figure,
   isEmpty,
   isRound,
   type Kind,
   withFittingKnots,
-} from '../model/document';
+} from '../model/figure';
+import { applyToFigure, type FigureCommand } from '../model/figure_commands';
 import { withFittingLegs, withLeg } from '../model/legs';
 import { defaultMethod, type MethodId } from '../model/methods';
+import { type History, historyOf, longestHistory } from '../model/saved_work';
 
 /** A control point by its number, or one of a circle's or ellipse's handles. */
 export type Selection = number | CircleHandle | null;
@@ -21,18 +43,23 @@ export type Selection = number | CircleHandle | null;
 export interface State {
   /** The key of the surface that is shown; empty before the first one. */
   readonly mesh: string;
-  readonly document: CurveDocument;
+  readonly drawing: Drawing;
+  /** Of the object that is edited. */
+  readonly figure: Figure;
   /** Whether this surface stands in for one that could not be opened, and nothing was done on it. */
   readonly standIn: boolean;
+  /** What is selected of the edited object. */
   readonly selection: Selection;
+  /** The objects that are selected, by their ids. */
+  readonly chosen: readonly number[];
   readonly method: MethodId;
-  /** Whether the document is a drag's, which may go on. */
+  /** Whether the drawing is a drag's, which may go on. */
   readonly dragging: boolean;
   /** The number of the control point that is dragged. */
   readonly dragged: number | null;
   /** What a click on a curve does; but for `measure` it is for one click. */
   readonly tool: CurveTool;
-  /** Grows with every change of the document or the method. */
+  /** Grows with every change of the drawing or the method. */
   readonly revision: number;
   /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
   readonly epoch: number;
@@ -41,25 +68,20 @@ export interface State {
 /** Puts a point into the edited curve, cuts it there, joins another one to it, or measures it. */
 export type CurveTool = 'insert' | 'split' | 'join' | 'measure';
 
-interface History {
-  done: Command[];
-  undone: Command[];
-}
-
-const longestHistory = 1000;
-
-/** What a command led to, with legs and knots that fit; replaced documents are as they are wanted. */
-function fitted(to: CurveDocument, from: CurveDocument, command: Command): CurveDocument {
-  return withFittingKnots(command.type === 'replace' ? to : withFittingLegs(to, from));
+/** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
+function fitted(to: Figure, from: Figure, edit: FigureCommand): Figure {
+  return withFittingKnots(edit.type === 'replace' ? to : withFittingLegs(to, from));
 }
 
 /** The page's one state, and the only way to change it. */
 export class Editor {
   #state: State = {
     mesh: '',
-    document: emptyDocument,
+    drawing: emptyDrawing,
+    figure: activeObject(emptyDrawing).figure,
     standIn: false,
     selection: null,
+    chosen: [],
     method: defaultMethod,
     dragging: false,
     dragged: null,
@@ -68,11 +90,14 @@ export class Editor {
     epoch: 0,
   };
   readonly #listeners: ((state: State, before: State) => void)[] = [];
-  /** The surfaces that were shown: what was done there, and the document it led to. */
+  /** The surfaces that were shown: what was done there, and the drawing it led to. */
   readonly #histories = new Map<string, History>();
-  readonly #documents = new Map<string, CurveDocument>();
-  /** The document before the drag that is going on, and the drag as one command. */
-  #drag: { base: CurveDocument; command: Command | null } | null = null;
+  readonly #drawings = new Map<string, Drawing>();
+  /** The drawing before the drag that is going on, and the drag as one command. */
+  #drag: { base: Drawing; command: Command | null } | null = null;
+
+  /** Called where an edit is refused, with a sentence. */
+  onRefusal: (sentence: string) => void = () => {};
 
   get state(): State {
     return this.#state;
@@ -83,35 +108,53 @@ export class Editor {
   }
 
   /**
-   * Shows another surface, with the document it had when it was last shown, or else with this one.
-   * What was done there can still be undone.
+   * Shows another surface, with the drawing it had when it was last shown, or else with this one and
+   * what was done to it. What was done there can still be undone.
    */
-  open(mesh: string, document: CurveDocument, { standIn } = { standIn: false }): void {
+  open(
+    mesh: string,
+    drawing: Drawing,
+    { standIn = false, history }: { standIn?: boolean; history?: History | null } = {},
+  ): void {
     this.cancelDrag();
-    this.#documents.set(this.#state.mesh, this.#state.document);
-    const kept = this.#documents.get(mesh) ?? document;
-    this.#change({ mesh, document: kept, standIn, selection: null, tool: 'insert' }, true);
+    this.#drawings.set(this.#state.mesh, this.#state.drawing);
+    const kept = this.#drawings.get(mesh) ?? drawing;
+    if (history && !this.#drawings.has(mesh)) this.#histories.set(mesh, history);
+    const part = { mesh, drawing: kept, standIn, selection: null, chosen: [] };
+    this.#change({ ...part, tool: 'insert' }, true);
   }
 
-  /** Knots of its own that do not fit any more go: `CurveEdits` knows how they go on. */
-  run(command: Command, selection: Selection = this.#state.selection): void {
+  /** Changes the whole drawing, as one step of the history. */
+  perform(
+    command: Command | null,
+    part: { selection?: Selection; chosen?: readonly number[] } = {},
+  ): void {
+    if (!command) return;
     this.cancelDrag();
-    const from = this.#state.document;
-    const wanted = apply(from, command);
-    const to = fitted(wanted, from, command);
-    this.#record(to === wanted ? command : { type: 'replace', from, to });
-    this.#change({ document: to, selection, tool: 'insert' }, true);
+    const drawing = apply(this.#state.drawing, command);
+    this.#record(command);
+    this.#change({ drawing, ...part, tool: 'insert' }, true);
   }
 
-  /** Shows the document as it is after a command that is not yet done: a drag's next position. */
-  preview(command: Command): void {
-    this.#drag ??= { base: this.#state.document, command: null };
+  /**
+   * Changes the object that is edited. Knots of its own that do not fit any more go: `CurveEdits`
+   * knows how they go on.
+   */
+  run(edit: FigureCommand, selection: Selection = this.#state.selection): void {
+    this.cancelDrag();
+    if (this.refuses()) return;
+    this.perform(this.#commandOf(edit), { selection });
+  }
+
+  /** Shows the drawing as it is after an edit that is not yet done: a drag's next position. */
+  preview(edit: FigureCommand): void {
+    if (!this.#drag && this.refuses()) return;
+    this.#drag ??= { base: this.#state.drawing, command: null };
     const { base } = this.#drag;
-    const wanted = apply(base, command);
-    const to = fitted(wanted, base, command);
-    this.#drag.command = to === wanted ? command : { type: 'replace', from: base, to };
-    const dragged = command.type === 'change' ? command.index : null;
-    this.#change({ document: to, dragging: true, dragged }, false);
+    this.#drag.command = this.#commandOf(edit);
+    const drawing = apply(base, this.#drag.command);
+    const dragged = edit.type === 'change' ? edit.index : null;
+    this.#change({ drawing, dragging: true, dragged }, false);
   }
 
   /** Makes the drag one step of the history. */
@@ -125,35 +168,39 @@ export class Editor {
   cancelDrag(): void {
     const drag = this.#drag;
     this.#drag = null;
-    if (drag) this.#change({ document: drag.base, dragging: false, dragged: null }, true);
+    if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: null }, true);
   }
 
   /**
    * Makes the legs that the last drag drew out part of it: those that meet at point `dragged` of the
-   * document that it led to. Does nothing where that is not the newest step any more.
+   * figure that it led to. Does nothing where that is not the newest step any more.
    */
   keepLegs(
-    document: CurveDocument,
+    figure: Figure,
     dragged: number,
     legs: readonly (readonly SurfacePoint[] | null)[],
   ): void {
     const last = this.#history.done.at(-1);
-    const base = this.base;
-    if (!last || base.points !== document.points) return;
+    const { base } = this;
+    if (last?.type !== 'figure' || base.points !== figure.points) return;
     const before = (dragged + base.points.length - 1) % base.points.length;
     const points = base.points.map((point, i) =>
       i === dragged || i === before ? withLeg(point, legs[i]) : point,
     );
     const to = { ...base, points };
-    const from = last.type === 'replace' ? last.from : apply(base, invert(last));
-    this.#history.done[this.#history.done.length - 1] = { type: 'replace', from, to };
-    if (!this.#drag) this.#change({ document: to }, false);
-    else this.#drag.base = to;
+    const drawing = this.#drag?.base ?? this.#state.drawing;
+    const undone = apply(drawing, invert(last));
+    const from = objectOf(undone, last.id)!.figure;
+    const command: Command = { ...last, edit: { type: 'replace', from, to } };
+    this.#history.done[this.#history.done.length - 1] = command;
+    const kept = apply(undone, command);
+    if (!this.#drag) this.#change({ drawing: kept }, false);
+    else this.#drag.base = kept;
   }
 
   /** Replaces the leg from a control point to the next by the shortest path. */
   takeShortest(index: number): void {
-    const from = this.#state.document.points[index];
+    const from = this.#state.figure.points[index];
     if (from?.leg) this.run({ type: 'change', index, from, to: withLeg(from, null) });
   }
 
@@ -161,9 +208,13 @@ export class Editor {
     return this.#state.dragging;
   }
 
-  /** The document without the drag that is going on. */
-  get base(): CurveDocument {
-    return this.#drag?.base ?? this.#state.document;
+  /** The edited figure without the drag that is going on. */
+  get base(): Figure {
+    return activeObject(this.#drag?.base ?? this.#state.drawing).figure;
+  }
+
+  get active(): DrawnObject {
+    return activeObject(this.#state.drawing);
   }
 
   get canUndo(): boolean {
@@ -172,6 +223,11 @@ export class Editor {
 
   get canRedo(): boolean {
     return this.#history.undone.length > 0;
+  }
+
+  /** What was done on the surface that is shown. */
+  get history(): Readonly<History> {
+    return this.#history;
   }
 
   undo(): void {
@@ -201,19 +257,101 @@ export class Editor {
     if (selection !== this.#state.selection) this.#change({ selection }, false);
   }
 
+  /** Selects objects, of which the last one that is not locked is edited. */
+  choose(ids: readonly number[]): void {
+    const chosen = withGroups(this.#state.drawing, ids);
+    const edited = ids.findLast((id) => objectOf(this.#state.drawing, id));
+    const command = edited === undefined ? null : activation(this.#state.drawing, edited);
+    if (command) this.perform(command, { selection: null, chosen });
+    else if (`${chosen}` !== `${this.#state.chosen}`) {
+      this.#change({ chosen, selection: null }, false);
+    }
+  }
+
+  /** Edits another object, which alone is selected with those of its group. */
+  activate(id: number): void {
+    this.choose([id]);
+  }
+
+  /** Selects an object, or takes it out of the selection. */
+  toggle(id: number): void {
+    const { chosen, drawing } = this.#state;
+    if (!chosen.includes(id)) {
+      this.choose([...chosen, id]);
+      return;
+    }
+    const group = withGroups(drawing, [id]);
+    const left = chosen.filter((one) => !group.includes(one));
+    this.#change({ chosen: left, selection: null }, false);
+  }
+
+  chooseAll(): void {
+    const { objects, active } = this.#state.drawing;
+    const ids = objects.filter(({ figure, locked }) => !isEmpty(figure) && !locked);
+    const chosen = ids.map(({ id }) => id);
+    const last = chosen.includes(active) ? active : chosen.at(-1);
+    if (last !== undefined) this.choose([...chosen.filter((id) => id !== last), last]);
+  }
+
+  /** What is drawn next is another object. */
+  begin(kind?: Kind): void {
+    this.perform(beginning(this.#state.drawing, kind), { selection: null, chosen: [] });
+    if (this.#state.chosen.length > 0) this.#change({ chosen: [] }, false);
+  }
+
+  /** Chooses the kind of what is drawn next; a curve with points becomes another kind of curve. */
   setKind(kind: Kind): void {
-    const { document } = this.#state;
-    if (kind !== document.kind) this.run({ type: 'kind', from: document.kind, to: kind }, null);
+    const command = ofKind(this.#state.drawing, kind);
+    if (!command) return;
+    if (command.type === 'figure') this.run(command.edit, null);
+    else this.perform(command, { selection: null, chosen: [] });
+  }
+
+  deleteObjects(ids: readonly number[] = this.#state.chosen): void {
+    const { objects } = this.#state.drawing;
+    const free = ids.filter((id) => objects.some((one) => one.id === id && !one.locked));
+    if (free.length < ids.length) this.onRefusal('What is locked is not deleted. Unlock it first.');
+    this.perform(deletion(this.#state.drawing, free), { selection: null, chosen: [] });
+  }
+
+  duplicate(ids: readonly number[] = this.#state.chosen): void {
+    this.#add(duplication(this.#state.drawing, ids));
+  }
+
+  /** Adds copies of objects; their ids become others. */
+  addObjects(objects: readonly DrawnObject[]): void {
+    this.#add(addition(this.#state.drawing, objects));
+  }
+
+  #add(made: ReturnType<typeof addition>): void {
+    if (made) this.perform(made.command, { selection: null, chosen: made.ids });
+  }
+
+  group(ids: readonly number[] = this.#state.chosen): void {
+    this.perform(grouping(this.#state.drawing, ids));
+  }
+
+  ungroup(ids: readonly number[] = this.#state.chosen): void {
+    this.setProperties(ids, { group: null });
+  }
+
+  setProperties(ids: readonly number[], to: Partial<Properties>): void {
+    this.perform(restyling(this.#state.drawing, ids, to));
+  }
+
+  /** Moves an object so many places up in the order. */
+  raise(id: number, steps: number): void {
+    this.perform(reordering(this.#state.drawing, id, steps));
   }
 
   setSettings(part: Partial<CurveSettings>): void {
-    const from = this.#state.document.settings;
+    const from = this.#state.figure.settings;
     const to = { ...from, ...part };
     if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'settings', from, to });
   }
 
   setCircleForm(part: Partial<CircleForm>): void {
-    const from = this.#state.document.circleForm;
+    const from = this.#state.figure.circleForm;
     const to = { ...from, ...part };
     if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'circleForm', from, to });
   }
@@ -224,28 +362,57 @@ export class Editor {
 
   /** Makes the selected control point one of so many numbers more, as far as there are points. */
   moveInOrder(steps: number): void {
-    const { document, selection: from } = this.#state;
-    if (typeof from !== 'number' || isRound(document.kind) || !document.points[from]) return;
-    const to = Math.min(Math.max(from + steps, 0), document.points.length - 1);
+    const { figure, selection: from } = this.#state;
+    if (typeof from !== 'number' || isRound(figure.kind) || !figure.points[from]) return;
+    const to = Math.min(Math.max(from + steps, 0), figure.points.length - 1);
     if (to !== from) this.run({ type: 'reorder', from, to }, to);
   }
 
-  /** Shows another document of the surface, as one step of the history. */
-  replace(to: CurveDocument, selection: Selection = null): void {
-    const from = this.#state.document;
+  /** Makes the edited object another figure, as one step of the history. */
+  replace(to: Figure, selection: Selection = null): void {
+    const from = this.#state.figure;
     if (to !== from) this.run({ type: 'replace', from, to }, selection);
   }
 
+  /** Shows another drawing of the surface, as one step of the history. */
+  draw(to: Drawing): void {
+    const from = this.#state.drawing;
+    this.perform({ type: 'draw', from, to }, { selection: null, chosen: [] });
+  }
+
   clear(): void {
-    const { document } = this.#state;
-    if (!isEmpty(document)) this.replace(cleared(document));
+    const { figure } = this.#state;
+    if (!isEmpty(figure)) this.replace(cleared(figure));
+  }
+
+  /** An edit of the active object as a command of the drawing before the drag. */
+  #commandOf(edit: FigureCommand): Command {
+    const base = this.#drag?.base ?? this.#state.drawing;
+    const { id, figure: from } = activeObject(base);
+    const wanted = applyToFigure(from, edit);
+    const to = fitted(wanted, from, edit);
+    return { type: 'figure', id, edit: to === wanted ? edit : { type: 'replace', from, to } };
+  }
+
+  /** Whether what is clicked goes into the active object: it is seen, and not locked. */
+  get isOpen(): boolean {
+    const { locked, visible } = this.active;
+    return visible && !locked;
+  }
+
+  /** Whether the active object is locked, which is said. */
+  refuses(): boolean {
+    const { locked } = this.active;
+    if (locked)
+      this.onRefusal('This object is locked. Unlock it in the list of objects to edit it.');
+    return locked;
   }
 
   get #history(): History {
     const { mesh } = this.#state;
     let history = this.#histories.get(mesh);
     if (!history) {
-      history = { done: [], undone: [] };
+      history = historyOf();
       this.#histories.set(mesh, history);
     }
     return history;
@@ -260,23 +427,26 @@ export class Editor {
 
   /** One step back or forth; what the step touched is selected, so that it is seen. */
   #step(command: Command): void {
-    const document = apply(this.#state.document, command);
+    const drawing = apply(this.#state.drawing, command);
+    const chosen = this.#state.chosen.filter((id) => indexOf(drawing, id) >= 0);
     let { selection } = this.#state;
-    if (command.type === 'insert' || command.type === 'change') selection = command.index;
-    else if (command.type === 'reorder') selection = command.to;
-    else if (command.type !== 'circle' || !command.to) selection = null;
-    this.#change({ document, selection }, true);
+    const edit = command.type === 'figure' && command.id === drawing.active ? command.edit : null;
+    if (edit?.type === 'insert' || edit?.type === 'change') selection = edit.index;
+    else if (edit?.type === 'reorder') selection = edit.to;
+    else if (edit?.type !== 'circle' || !edit.to) selection = null;
+    this.#change({ drawing, selection, chosen }, true);
   }
 
-  #change(part: Partial<State>, newEpoch: boolean): void {
+  #change(part: Partial<Omit<State, 'figure'>>, newEpoch: boolean): void {
     const before = this.#state;
     const state = { ...before, ...part };
     const traced =
-      state.document !== before.document ||
+      state.drawing !== before.drawing ||
       state.method !== before.method ||
       state.mesh !== before.mesh;
     this.#state = {
       ...state,
+      figure: activeObject(state.drawing).figure,
       standIn: part.standIn ?? (before.standIn && !traced),
       revision: before.revision + (traced ? 1 : 0),
       epoch: before.epoch + (newEpoch ? 1 : 0),

@@ -1,11 +1,12 @@
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import { byRadii, newCircle, withHandle } from '../model/circle';
-import type { Command } from '../model/commands';
-import { type CircleShape, isRound, type Vector } from '../model/document';
+import { type CircleShape, isRound, type Vector } from '../model/figure';
+import type { FigureCommand } from '../model/figure_commands';
 import { Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
+import { BoxSelection } from './box_selection';
 import type { CurveTool, Editor } from './editor';
 import { handlesOf, idOf, selectionOf } from './handle_list';
 import type { Session } from './session';
@@ -31,7 +32,8 @@ export interface CurveClicks {
   curveClicked(tool: CurveTool, position: Vector3, within: number): void;
   /** The pointer is over the curve that is measured, or a click was there. */
   curveMeasured(position: Vector3): void;
-  otherClicked(tool: CurveTool, index: number): void;
+  /** Another object, by its id. */
+  otherClicked(tool: CurveTool, id: number): void;
   /** By its number in the view. */
   shorterClicked(index: number): void;
 }
@@ -67,6 +69,7 @@ export class Gestures {
     this.#handles.severalFingers = twoFingersMeanTheView(stage, this.#handles);
     // The stage takes keys of its own: it turns, zooms and places points.
     stage.tabIndex = 0;
+    new BoxSelection(editor, viewer, stage);
     stage.addEventListener('pointerdown', (event) => this.#down(event));
     stage.addEventListener('pointermove', (event) => this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#up(event));
@@ -183,6 +186,7 @@ export class Gestures {
     const { tool } = this.editor.state;
     if (!target) {
       this.editor.select(null);
+      this.editor.choose([]);
       if (tool !== 'measure') this.editor.setTool('insert');
     } else if (target.type === 'surface') this.#put(target.pick);
     else if (target.type === 'curve' && tool === 'measure') {
@@ -191,17 +195,18 @@ export class Gestures {
       const pixels = place.touch ? nearKnot.touch : nearKnot.mouse;
       this.events.curveClicked(tool, target.position, this.viewer.reach(target.position, pixels));
     } else if (target.type === 'shorter') this.events.shorterClicked(target.index);
-    else this.events.otherClicked(tool, target.index);
+    else this.events.otherClicked(tool, target.id);
   }
 
   /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */
   #put({ point }: Pick): void {
-    const { document } = this.editor.state;
-    if (!isRound(document.kind)) {
+    const { figure } = this.editor.state;
+    if (!isRound(figure.kind)) {
       this.events.surfaceClicked(point);
       return;
     }
-    const from = document.circle;
+    if (!this.editor.isOpen) this.editor.begin();
+    const from = this.editor.state.figure.circle;
     const { diagonal } = this.session.client!.info;
     const to = from
       ? withHandle(from, byRadii(from, this.session.view.circle), 'rim', point)
@@ -211,7 +216,7 @@ export class Gestures {
 
   #grab(id: string, place: { x: number; y: number }): void {
     this.editor.select(selectionOf(id));
-    const { circle } = this.editor.state.document;
+    const { circle } = this.editor.state.figure;
     this.#grabbed = { ...place, circle: circle && byRadii(circle, this.session.view.circle) };
   }
 
@@ -231,7 +236,7 @@ export class Gestures {
     if (!point) return;
     const base = this.editor.base;
     const selection = selectionOf(id);
-    let command: Command | null = null;
+    let command: FigureCommand | null = null;
     if (typeof selection === 'number') {
       const from = base.points[selection];
       if (from) command = { type: 'change', index: selection, from, to: { ...from, ...point } };
@@ -270,8 +275,11 @@ export class Gestures {
     if (arrow) this.viewer.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
     else if (event.key === '+' || event.key === '=') this.viewer.zoom(1 / 1.15);
     else if (event.key === '-') this.viewer.zoom(1.15);
-    else if (event.key === 'Enter') this.#click({ ...middle, touch: false });
-    else return;
+    else if (event.key === 'Enter') {
+      // With a mouse points are placed where it is: the key is left to end the curve.
+      if (this.stage.classList.contains('pointed')) return;
+      this.#click({ ...middle, touch: false });
+    } else return;
     event.preventDefault();
     this.stage.classList.remove('pointed');
     this.#aim(middle);

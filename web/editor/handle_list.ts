@@ -1,16 +1,26 @@
 import type { SurfacePoint } from 'karcher';
 import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle';
-import { isRound } from '../model/document';
+import { activeObject } from '../model/drawing';
+import { isRound } from '../model/figure';
 import type { Handle } from '../viewer/handles';
 import type { Surface } from '../viewer/surface';
 import type { Selection, State } from './editor';
 import type { View } from './session';
 
-/** The handles of what is edited: one a control point, or those of a circle or an ellipse. */
-export function handlesOf({ document, selection }: State, view: View, surface: Surface): Handle[] {
-  const { kind, points, circle } = document;
+/**
+ * The handles of what is edited: one a control point, or those of a circle or an ellipse; none of
+ * what is locked or not shown.
+ */
+export function handlesOf(
+  { drawing, figure, selection }: State,
+  view: View,
+  surface: Surface,
+): Handle[] {
+  const { locked, visible } = activeObject(drawing);
+  if (locked || !visible) return [];
+  const { kind, points, circle } = figure;
   if (!isRound(kind)) {
-    const name = kind === 'center' ? 'Point' : 'Control point';
+    const name = kind === 'center' || kind === 'points' ? 'Point' : 'Control point';
     return points.map((point, i) => ({
       id: idOf(i),
       position: surface.position(point),

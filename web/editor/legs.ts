@@ -1,13 +1,13 @@
 import type { SurfacePoint } from 'karcher';
-import { type CurveDocument, isRound } from '../model/document';
+import { type Figure, isRound } from '../model/figure';
 import type { EngineClient } from '../worker/client';
 
 export type Ends = readonly [SurfacePoint, SurfacePoint];
 
 /** What geodesics join beside a curve: neighbouring points, or a center of mass and its points. */
-export function endsOf(document: CurveDocument, center: SurfacePoint | null): Ends[] {
-  const { kind, points, settings } = document;
-  if (isRound(kind)) return [];
+export function endsOf(figure: Figure, center: SurfacePoint | null): Ends[] {
+  const { kind, points, settings } = figure;
+  if (isRound(kind) || kind === 'points') return [];
   if (kind === 'center') return center ? points.map((point) => [center, point]) : [];
   const ends = points.slice(1).map((point, i): Ends => [points[i]!, point]);
   if (settings.closed && points.length > 2) ends.push([points.at(-1)!, points[0]!]);

@@ -1,4 +1,4 @@
-import type { Vector } from '../model/document';
+import type { Vector } from '../model/figure';
 import type { Measured } from '../model/traced';
 import { Newest } from './newest';
 import type { Session } from './session';

@@ -1,27 +1,17 @@
-import type { CurveLevels, CurveOptions, SurfacePoint } from 'karcher';
-import {
-  type CurveDocument,
-  isRound,
-  pointsNeeded,
-  type Spline,
-  type Vector,
-} from '../model/document';
-import {
-  type MethodId,
-  methodOptions,
-  type Quality,
-  qualityOf,
-  refinedOptions,
-} from '../model/methods';
+import type { CurveLevels, SurfacePoint } from 'karcher';
+import { activeObject } from '../model/drawing';
+import { type Figure, isRound, pointsNeeded, type Spline, type Vector } from '../model/figure';
+import { methodOptions, type Quality, refinedOptions } from '../model/methods';
 import { curveOptions, splineFrom, splineOf, usesLegs, waypointsOf } from '../model/splines';
 import type { Measured, ShorterLeg, TracedCurve } from '../model/traced';
 import type { EngineClient } from '../worker/client';
 import type { Edit } from '../worker/edits';
-import { compute, messageOf, nothing, type Shown, shiftOf } from './compute';
+import { type Beside, BesideObjects } from './beside';
+import { compute, messageOf, nothing, qualityShown, type Shown, shiftOf } from './compute';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
-import { Others } from './others';
+
 import { Refinement } from './refinement';
 import type { Shift } from './shift';
 
@@ -41,8 +31,8 @@ export interface View extends Shown {
   legs: readonly Float32Array[];
   /** Ways from points to the next ones that are shorter than the curve's by more than is rounding. */
   shorter: readonly ShorterLeg[];
-  /** Polylines of the document's other curves; null while they are not traced. */
-  others: readonly (Float32Array | null)[];
+  /** The drawing's other objects, as far as they are shown. */
+  others: readonly Beside[];
   /** The polygon stands for the curve, which has too few points yet. */
   polygonOnly: boolean;
 }
@@ -72,12 +62,6 @@ function moreThanFixed({ settings }: Spline, { samples }: TracedCurve): boolean 
   return settings.tolerance !== null && samples.count > settings.samples * segments;
 }
 
-/** How good the first answer is; an exact isoline is exact by any method. */
-function qualityShown({ curve, isolines, center }: Shown, method: MethodId): Quality | null {
-  if (isolines?.exact) return 'exact';
-  return curve || isolines || center ? qualityOf(method) : null;
-}
-
 /**
  * Keeps the view up to date with the editor: the newest state first, then the geodesics beside it,
  * and once the edit is done the exact curve.
@@ -92,14 +76,14 @@ export class Session {
   #manySamples = false;
   /** Of a curve whose levels are automatic, how many it has between drags. */
   #levels: CurveLevels = 0;
-  /** The control point of a drag whose legs the document does not tell yet. */
+  /** The control point of a drag whose legs the figure does not tell yet. */
   #held: number | null = null;
-  /** The document whose legs were compared with the shortest ones. */
-  #compared: CurveDocument | null = null;
+  /** The figure whose legs were compared with the shortest ones. */
+  #compared: Figure | null = null;
   /** Whether what is shown has other samples or levels for the time of a drag. */
   #coarse = false;
   readonly #legs = new Legs();
-  readonly #others = new Others();
+  readonly #others = new BesideObjects();
   readonly #refinement = new Refinement<Shown>();
   readonly #newest = new Newest<State>(
     (state) => this.#trace(state),
@@ -116,7 +100,7 @@ export class Session {
   onBusy: (busy: boolean) => void = () => {};
   /** Called with the legs that a drag drew out: those that meet at its point. */
   onLegs: (
-    document: CurveDocument,
+    figure: Figure,
     dragged: number,
     legs: readonly (readonly SurfacePoint[] | null)[],
   ) => void = () => {};
@@ -153,8 +137,12 @@ export class Session {
 
   update(state: State): void {
     const epoch = this.#state?.epoch;
+    if (state.drawing.active !== this.#state?.drawing.active) {
+      this.#manySamples = false;
+      this.#levels = 0;
+    }
     this.#state = state;
-    if (state.dragged !== null && usesLegs(state.document.kind)) this.#held = state.dragged;
+    if (state.dragged !== null && usesLegs(state.figure.kind)) this.#held = state.dragged;
     // What was dragged was taken back, or something else was done.
     else if (state.epoch !== epoch) this.#held = null;
     if (!this.#client) return;
@@ -172,12 +160,12 @@ export class Session {
   /** The curve that is shown, where it is nearest to a place; null where that cannot be said. */
   async measured(near: Vector): Promise<Measured | null> {
     const [state, view] = [this.#state, this.#view];
-    const spline = state && splineOf(state.document);
+    const spline = state && splineOf(state.figure);
     if (!spline || !view.curve || state.dragging || view.revision !== state.revision) return null;
     const refined = view.quality === 'exact' ? refinedOptions(state.method) : null;
     const client = refined ? this.#refinement.client : this.#client;
     const options = curveOptions(spline, refined ?? methodOptions(state.method));
-    const measured = await client?.measure(options, near).catch(() => null);
+    const measured = await client?.measure(state.drawing.active, options, near).catch(() => null);
     return this.#state?.revision === state.revision ? (measured ?? null) : null;
   }
 
@@ -189,25 +177,27 @@ export class Session {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state) return null;
     const options = curveOptions(spline, methodOptions(state.method));
-    return client.otherCurve(options).then(() => null, messageOf);
+    return client.curve(options).then(() => null, messageOf);
   }
 
   /**
-   * The curves that an edit makes of the document's curve, and the number of a point that it put in;
-   * null where it can't be made, or the document has changed in the meantime.
+   * The curves that an edit makes of the figure's curve, and the number of a point that it put in;
+   * null where it can't be made, or the figure has changed in the meantime.
    */
   async reshaped(
     edit: Exclude<Edit, { type: 'join' }> | { type: 'join'; other: Spline },
   ): Promise<{ splines: Spline[]; point: number | null } | null> {
     const [client, state] = [this.#client, this.#state];
-    const spline = state && splineOf(state.document);
+    const spline = state && splineOf(state.figure);
     if (!client || !spline) return null;
     const options = (one: Spline) => curveOptions(one, methodOptions(state.method));
     const wanted = edit.type === 'join' ? { ...edit, other: options(edit.other) } : edit;
-    const made = await client.edited(options(spline), wanted).catch((error) => {
-      if (!client.closed) this.onFailure(error);
-      return null;
-    });
+    const made = await client
+      .edited(state.drawing.active, options(spline), wanted)
+      .catch((error) => {
+        if (!client.closed) this.onFailure(error);
+        return null;
+      });
     if (this.#state?.revision !== state.revision || client !== this.#client) return null;
     return made && { ...made, splines: made.curves.map((curve) => splineFrom(curve, spline)) };
   }
@@ -220,7 +210,7 @@ export class Session {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state) return null;
     const options = curveOptions(spline, methodOptions(state.method));
-    const made = await client.edited(options, edit).catch(() => null);
+    const made = await client.edited(state.drawing.active, options, edit).catch(() => null);
     const knots = made?.curves[0]?.knots;
     return knots === undefined || typeof knots === 'string' ? null : Array.from(knots);
   }
@@ -238,34 +228,35 @@ export class Session {
   async #trace(state: State): Promise<void> {
     const client = this.#client;
     if (!client || client.closed) return;
-    const { method, revision } = state;
+    const { method } = state;
     this.onBusy(true);
     try {
       if (!state.dragging && (await this.#keepLegs(client, state))) return;
-      const { document, coarse } = this.#asTraced(state);
-      this.#coarse = coarse;
-      const dragged = state.dragged ?? undefined;
-      const draft = refinedOptions(method) !== null;
-      const shown = await compute(client, document, methodOptions(method), draft, dragged).catch(
-        (error) => {
-          if (client.closed) throw error;
-          return { ...nothing, problem: messageOf(error) };
-        },
-      );
-      if (!this.#current(client, state)) return;
-      const spline = splineOf(document);
-      if (spline && shown.curve && !coarse) {
-        this.#manySamples = moreThanFixed(spline, shown.curve);
-        this.#levels = shown.curve.levels;
-        this.#others.keep(curveOptions(spline, methodOptions(method)), shown.curve.polyline);
+      client.keepCurves(state.drawing.objects.map(({ id }) => id));
+      const known = state.dragging ? null : this.#others.known(state.figure, method);
+      if (known) {
+        this.#coarse = false;
+        this.#took(state.figure, known.shown);
+        this.#showTraced(state, known.shown, known.quality);
+        return;
       }
+      const { figure, coarse } = this.#asTraced(state);
+      this.#coarse = coarse;
+      const shown = await compute(client, figure, methodOptions(method), {
+        object: state.drawing.active,
+        draft: refinedOptions(method) !== null,
+        dragged: state.dragged ?? undefined,
+      }).catch((error) => {
+        if (client.closed) throw error;
+        return { ...nothing, problem: messageOf(error) };
+      });
+      if (!this.#current(client, state)) return;
+      const quality = qualityShown(shown, method);
+      if (!coarse) this.#took(figure, shown);
+      if (!coarse && !state.dragging) this.#others.keep(figure, method, shown, quality);
       // A draft of averages alone needs no fields.
       if (state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft) this.#levels = 'limit';
-      const quality = qualityShown(shown, method);
-      // Those of another document may be none any more.
-      const shorter = this.#compared === state.document ? this.#view.shorter : [];
-      const fresh = { quality, refining: false, shift: null, notRefined: null, shorter };
-      this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
+      this.#showTraced(state, shown, quality);
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
     } finally {
@@ -273,32 +264,51 @@ export class Session {
     }
   }
 
-  /** Asks for the legs that a drag drew out, once it has ended; whether they change the document. */
+  /** What a drag of the figure keeps to. */
+  #took(figure: Figure, { curve }: Shown): void {
+    const spline = splineOf(figure);
+    if (!spline || !curve) return;
+    this.#manySamples = moreThanFixed(spline, curve);
+    this.#levels = curve.levels;
+  }
+
+  #showTraced(state: State, traced: Shown, quality: Quality | null): void {
+    const shown = activeObject(state.drawing).visible ? traced : nothing;
+    // Those of another figure may be none any more.
+    const shorter = this.#compared === state.figure ? this.#view.shorter : [];
+    const fresh = { quality, refining: false, shift: null, notRefined: null, shorter };
+    const { revision } = state;
+    this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
+  }
+
+  /** Asks for the legs that a drag drew out, once it has ended; whether they change the figure. */
   async #keepLegs(client: EngineClient, state: State): Promise<boolean> {
     const dragged = this.#held;
-    const { document } = this.#asTraced({ ...state, dragging: true });
-    const spline = splineOf(document);
+    const { figure } = this.#asTraced({ ...state, dragging: true });
+    const spline = splineOf(figure);
     this.#held = null;
     if (dragged === null || !spline) return false;
     const legs = await client
-      .drawnLegs(curveOptions(spline, methodOptions(state.method)), dragged)
+      .drawnLegs(state.drawing.active, curveOptions(spline, methodOptions(state.method)), dragged)
       .catch(() => []);
     const drawn = legs.map(waypointsOf);
     const before = (dragged + spline.points.length - 1) % spline.points.length;
     if (!drawn[dragged] && !drawn[before]) return false;
-    this.onLegs(state.document, dragged, drawn);
+    this.onLegs(state.figure, dragged, drawn);
     return this.#state?.revision !== state.revision;
   }
 
-  /** Looks for shorter ways than the legs of the newest document. */
+  /** Looks for shorter ways than the legs of the newest figure. */
   async #compareLegs(): Promise<boolean> {
     const [client, state] = [this.#client, this.#state];
-    const spline = state && splineOf(state.document);
-    if (!client || !spline || state.dragging || this.#compared === state.document) return false;
-    this.#compared = state.document;
+    const spline = state && splineOf(state.figure);
+    if (!client || !spline || state.dragging || this.#compared === state.figure) return false;
+    this.#compared = state.figure;
     const options = curveOptions(spline, methodOptions(state.method));
-    const found = options.legs ? await client.shorterLegs(options).catch(() => []) : [];
-    if (this.#state?.document !== state.document || client !== this.#client) return false;
+    const found = options.legs
+      ? await client.shorterLegs(state.drawing.active, options).catch(() => [])
+      : [];
+    if (this.#state?.figure !== state.figure || client !== this.#client) return false;
     const shorter = found.filter(({ part }) => part < 1 - leastGain);
     if (shorter.length > 0 || this.#view.shorter.length > 0) this.#show({ shorter });
     return true;
@@ -308,17 +318,17 @@ export class Session {
    * While something is dragged, fewer samples than a tolerance takes will do, and a curve keeps the
    * levels that it began with: on release both are asked for again.
    */
-  #asTraced({ document, dragging }: State): { document: CurveDocument; coarse: boolean } {
-    const { settings } = document;
+  #asTraced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
+    const { settings } = figure;
     const fewer = dragging && this.#manySamples && settings.tolerance !== null;
     const keeps = dragging && this.#levels !== 0 && settings.levels === 'auto';
-    if (!fewer && !keeps) return { document, coarse: false };
+    if (!fewer && !keeps) return { figure, coarse: false };
     const held = {
       ...settings,
       ...(fewer && { tolerance: null }),
       ...(keeps && { levels: this.#levels }),
     };
-    return { document: { ...document, settings: held }, coarse: true };
+    return { figure: { ...figure, settings: held }, coarse: true };
   }
 
   /** Asks for the exact form of what is shown, where it is a draft and nothing is dragged. */
@@ -330,9 +340,10 @@ export class Session {
     const unit = this.#client!.info.meanEdge;
     this.#refinement.request({
       revision: state.revision,
-      compute: (client) => compute(client, state.document, options, false),
+      compute: (client) => compute(client, state.figure, options, { object: state.drawing.active }),
       done: (exact) => {
         const refined = { quality: 'exact', refining: false } as const;
+        this.#others.keep(state.figure, state.method, exact, 'exact');
         this.#show({ ...exact, ...refined, shift: shiftOf(draft, exact, unit) });
         // A center has moved a little: its paths start elsewhere.
         this.#newest.wake();
@@ -343,18 +354,19 @@ export class Session {
     return false;
   }
 
-  /** What joins the points of the newest document. */
+  /** What joins the points of the newest figure. */
   #ends(): Ends[] {
     if (this.#view.curve && this.#view.curve.legs.length > 0) return [];
-    return this.#state ? endsOf(this.#state.document, this.#view.center?.point ?? null) : [];
+    return this.#state ? endsOf(this.#state.figure, this.#view.center?.point ?? null) : [];
   }
 
-  /** The geodesics beside what is shown, of the newest document. */
+  /** The geodesics beside what is shown, of the newest figure. */
   #beside(shown: Shown): Partial<View> {
     const state = this.#state;
     if (!state) return {};
-    const { kind, points } = state.document;
-    const others = this.#others.of(this.#otherOptions());
+    const { kind, points } = state.figure;
+    const others = this.#others.of(state);
+    if (!activeObject(state.drawing).visible) return { legs: [], others, polygonOnly: false };
     if (isRound(kind)) {
       const { circle } = shown;
       // A radius that is refused may go around the surface any number of times.
@@ -362,25 +374,19 @@ export class Session {
       const legs = paths.filter((leg) => leg !== undefined);
       return { legs, others, polygonOnly: false };
     }
-    const ends = endsOf(state.document, shown.center?.point ?? null);
+    const ends = endsOf(state.figure, shown.center?.point ?? null);
     const own = shown.curve?.legs ?? [];
     return {
       legs: own.length > 0 ? own : this.#legs.between(ends, state.epoch),
       others,
-      polygonOnly: points.length < pointsNeeded(state.document),
+      polygonOnly: points.length < pointsNeeded(state.figure),
     };
   }
 
-  #otherOptions(): CurveOptions[] {
-    if (!this.#state) return [];
-    const { document, method } = this.#state;
-    return document.others.map((spline) => curveOptions(spline, methodOptions(method)));
-  }
-
   async #traceOther(): Promise<boolean> {
-    const client = this.#client;
-    if (!client || client.closed) return false;
-    const traced = await this.#others.trace(client, this.#otherOptions());
+    const [client, state] = [this.#client, this.#state];
+    if (!client || client.closed || !state) return false;
+    const traced = await this.#others.trace(client, state);
     if (client !== this.#client) return false;
     if (traced) this.#show(this.#beside(this.#view));
     return traced;

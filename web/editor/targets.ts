@@ -1,5 +1,6 @@
 import type { Vector3 } from 'three';
-import { isSpline } from '../model/document';
+import { activeObject } from '../model/drawing';
+import { isSpline } from '../model/figure';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
 import type { State } from './editor';
@@ -8,8 +9,8 @@ import type { State } from './editor';
 export type Target =
   /** The curve that is edited: a point is put on it there. */
   | { type: 'curve'; position: Vector3 }
-  /** A curve beside it: that one is edited next. */
-  | { type: 'other'; index: number }
+  /** An object beside it, by its id: that one is edited next. */
+  | { type: 'other'; id: number }
   /** A shorter way than a leg of the curve: the leg takes it. */
   | { type: 'shorter'; index: number }
   | { type: 'surface'; pick: Pick };
@@ -22,7 +23,7 @@ const measuredWithin = 48;
 
 export function targetAt(
   viewer: Viewer,
-  { document: { kind }, tool }: State,
+  { drawing, figure: { kind }, tool }: State,
   place: { x: number; y: number; touch: boolean },
 ): Target | null {
   const pick = viewer.pick(place.x, place.y);
@@ -30,15 +31,15 @@ export function targetAt(
     const position = viewer.pickCurve(place.x, place.y, measuredWithin);
     return position && { type: 'curve', position };
   }
-  if (isSpline(kind)) {
-    const within = place.touch ? reach.touch : reach.mouse;
+  const within = place.touch ? reach.touch : reach.mouse;
+  if (isSpline(kind) && !activeObject(drawing).locked) {
     const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);
     if (position) return { type: 'curve', position };
     const shorter = tool === 'insert' ? viewer.pickShorter(place.x, place.y, within) : -1;
     if (shorter >= 0) return { type: 'shorter', index: shorter };
-    const index = tool !== 'split' ? viewer.pickOther(place.x, place.y, within) : -1;
-    if (index >= 0) return { type: 'other', index };
-    if (tool !== 'insert') return null;
   }
+  const other = tool !== 'split' ? viewer.pickObject(place.x, place.y, within) : null;
+  if (other !== null) return { type: 'other', id: other };
+  if (tool !== 'insert') return null;
   return pick && { type: 'surface', pick };
 }

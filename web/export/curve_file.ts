@@ -2,11 +2,15 @@
 import type { CurvePoints } from 'karcher';
 import type { State } from '../editor/editor';
 import type { View } from '../editor/session';
-import { isRound } from '../model/document';
+import { isRound } from '../model/figure';
 import { formatLink, type Link, parseLink } from '../model/link';
+import { readDrawing, savedDrawing } from '../model/saved_drawing';
 import type { TracedCurve } from '../model/traced';
 
 const format = 'karcher-curve';
+const version = 2;
+/** In letters; a drawing of as much as one may have is shorter. */
+const longestFile = 256 * 1024 * 1024;
 
 /** Float32 coordinates as the shortest decimals that are these floats. */
 export function shortest(value: number): string {
@@ -41,19 +45,22 @@ export function objOf(
   return `${lines.join('\n')}\n`;
 }
 
-/** Everything about a curve: how it is made, in a link that opens it again, and its samples. */
+/**
+ * Everything about a drawing: all of its objects, a link that opens it again, and of the edited object
+ * what the engine made of it.
+ */
 export function jsonOf(state: State, view: View): string {
   const { curve, isolines } = view;
-  const { kind, settings, points, circle, circleForm, others } = state.document;
+  const { kind, settings, points, circle, circleForm } = state.figure;
   return `${JSON.stringify({
     format,
-    version: 1,
-    link: formatLink(state.mesh, state.method, state.document),
+    version,
+    link: formatLink(state.mesh, state.method, state.drawing),
     surface: state.mesh,
     method: state.method,
+    drawing: savedDrawing(state.drawing),
     kind,
     ...(isRound(kind) ? { circle, ...circleForm, ...radiiOf(view) } : { settings, points }),
-    others,
     quality: view.quality,
     center: view.center ?? undefined,
     length: (curve ?? isolines)?.length,
@@ -101,8 +108,9 @@ function samplesOf({ samples, lost }: TracedCurve) {
 
 /** What a file made by `jsonOf` opens; throws where it is none. */
 export function linkOfJson(text: string): Link {
-  const notOurs = 'the file is JSON, but no curve that this page saved';
-  let content: { format?: unknown; link?: unknown } | null;
+  const notOurs = 'the file is JSON, but no drawing that this page saved';
+  if (text.length > longestFile) throw new Error('the file is too long for a drawing');
+  let content: Partial<Record<'format' | 'version' | 'link' | 'drawing', unknown>> | null;
   try {
     content = JSON.parse(text);
   } catch {
@@ -111,5 +119,10 @@ export function linkOfJson(text: string): Link {
   if (content?.format !== format || typeof content.link !== 'string') throw new Error(notOurs);
   const link = parseLink(content.link);
   if (!link) throw new Error(notOurs);
-  return link;
+  // Files of the first version say all in their link.
+  if (content.version === 1) return link;
+  if (content.version !== version) {
+    throw new Error(`the file is a drawing in JSON of version ${content.version}, which is newer`);
+  }
+  return { ...link, drawing: readDrawing(content.drawing), unread: { points: 0, circles: 0 } };
 }

@@ -3,6 +3,8 @@ import type { SeenLine } from '../viewer/viewer';
 export interface DrawnLine extends SeenLine {
   color: string;
   width: number;
+  /** As `stroke-dasharray`; solid without any. */
+  dashes?: string;
   /** Segments, by the number of their first vertex, that are drawn otherwise. */
   lost?: { color: string; has(segment: number): boolean };
 }
@@ -35,12 +37,12 @@ ${dots.join('\n')}
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
 /** A path for each run of segments that look alike. */
-function pathsOf({ x, y, hidden, color, width, lost }: DrawnLine): string[] {
+function pathsOf({ x, y, hidden, color, width, dashes, lost }: DrawnLine): string[] {
   const look = (segment: number) => {
     const seen = hidden[segment] && hidden[segment + 1] ? ' opacity="0.3"' : '';
     const stroke = lost?.has(segment)
       ? `stroke="${lost.color}" stroke-dasharray="4 5"`
-      : `stroke="${color}"`;
+      : `stroke="${color}"${dashes ? ` stroke-dasharray="${dashes}"` : ''}`;
     return `${stroke} stroke-width="${width}"${seen}`;
   };
   const at = (vertex: number) => `${short(x[vertex]!)} ${short(y[vertex]!)}`;

@@ -1,6 +1,6 @@
 /** How the handles and the numbers of a circle or an ellipse change its shape. */
 import type { SurfacePoint } from 'karcher';
-import type { CircleShape, RoundKind, Vector } from './document';
+import type { CircleShape, RoundKind, Vector } from './figure';
 
 /** A new circle's radius as a part of the surface's diagonal. */
 const newRadius = 0.08;

@@ -1,74 +1,74 @@
 /**
- * The edits of a document: `apply` gives the document after one, and `invert` the command that takes
- * it back.
+ * The edits of a drawing: `apply` gives the drawing after one, and `invert` the command that takes it
+ * back. Done and taken back, a drawing is the one it was, to the last byte of its JSON.
  */
-import type {
-  CircleForm,
-  CircleShape,
-  ControlPoint,
-  CurveDocument,
-  CurveSettings,
-  Kind,
-} from './document';
+import { type Drawing, type DrawnObject, indexOf, type Properties } from './drawing';
+import { applyToFigure, type FigureCommand, invertFigureCommand } from './figure_commands';
 
 export type Command =
-  | { type: 'insert'; index: number; point: ControlPoint }
-  | { type: 'remove'; index: number; point: ControlPoint }
-  /** Makes a point the one of another number. */
-  | { type: 'reorder'; from: number; to: number }
-  /** A point's place, or a number of it. */
-  | { type: 'change'; index: number; from: ControlPoint; to: ControlPoint }
-  | { type: 'kind'; from: Kind; to: Kind }
-  | { type: 'settings'; from: CurveSettings; to: CurveSettings }
-  | { type: 'circle'; from: CircleShape | null; to: CircleShape | null }
-  | { type: 'circleForm'; from: CircleForm; to: CircleForm }
-  | { type: 'replace'; from: CurveDocument; to: CurveDocument };
+  | { type: 'figure'; id: number; edit: FigureCommand }
+  | { type: 'add'; index: number; object: DrawnObject }
+  | { type: 'delete'; index: number; object: DrawnObject }
+  /** Puts an object into another place of the order. */
+  | { type: 'order'; from: number; to: number }
+  | { type: 'properties'; id: number; from: Partial<Properties>; to: Partial<Properties> }
+  /** Another object is edited. */
+  | { type: 'activate'; from: number; to: number }
+  /** Another drawing takes its place. */
+  | { type: 'draw'; from: Drawing; to: Drawing }
+  /** Several as one. */
+  | { type: 'steps'; steps: readonly Command[] };
 
-export function apply(document: CurveDocument, command: Command): CurveDocument {
-  const { points } = document;
+/** Throws where the command is for another drawing. */
+export function apply(drawing: Drawing, command: Command): Drawing {
+  const { objects } = drawing;
+  const changed = (id: number, change: (object: DrawnObject) => DrawnObject): Drawing => {
+    const index = indexOf(drawing, id);
+    if (index < 0) throw new Error(`the drawing has no object ${id}`);
+    return { ...drawing, objects: objects.with(index, change(objects[index]!)) };
+  };
   switch (command.type) {
-    case 'insert':
-      return { ...document, points: points.toSpliced(command.index, 0, command.point) };
-    case 'remove':
-      return { ...document, points: points.toSpliced(command.index, 1) };
-    case 'reorder': {
-      const left = points.toSpliced(command.from, 1);
-      return { ...document, points: left.toSpliced(command.to, 0, points[command.from]!) };
+    case 'figure':
+      return changed(command.id, (object) => ({
+        ...object,
+        figure: applyToFigure(object.figure, command.edit),
+      }));
+    case 'add':
+      return { ...drawing, objects: objects.toSpliced(command.index, 0, command.object) };
+    case 'delete':
+      return { ...drawing, objects: objects.toSpliced(command.index, 1) };
+    case 'order': {
+      const left = objects.toSpliced(command.from, 1);
+      return { ...drawing, objects: left.toSpliced(command.to, 0, objects[command.from]!) };
     }
-    case 'change':
-      return { ...document, points: points.with(command.index, command.to) };
-    case 'kind':
-      return { ...document, kind: command.to };
-    case 'settings':
-      return { ...document, settings: command.to };
-    case 'circle':
-      return { ...document, circle: command.to };
-    case 'circleForm':
-      return { ...document, circleForm: command.to };
-    case 'replace':
+    case 'properties':
+      return changed(command.id, (object) => ({ ...object, ...command.to }));
+    case 'activate':
+      return { ...drawing, active: command.to };
+    case 'draw':
       return command.to;
+    case 'steps':
+      return command.steps.reduce(apply, drawing);
   }
 }
 
 export function invert(command: Command): Command {
   switch (command.type) {
-    case 'insert':
-      return { ...command, type: 'remove' };
-    case 'remove':
-      return { ...command, type: 'insert' };
-    case 'reorder':
+    case 'figure':
+      return { ...command, edit: invertFigureCommand(command.edit) };
+    case 'add':
+      return { ...command, type: 'delete' };
+    case 'delete':
+      return { ...command, type: 'add' };
+    case 'steps':
+      return { ...command, steps: command.steps.toReversed().map(invert) };
+    case 'order':
       return { ...command, from: command.to, to: command.from };
-    case 'change':
+    case 'properties':
       return { ...command, from: command.to, to: command.from };
-    case 'kind':
+    case 'activate':
       return { ...command, from: command.to, to: command.from };
-    case 'settings':
-      return { ...command, from: command.to, to: command.from };
-    case 'circle':
-      return { ...command, from: command.to, to: command.from };
-    case 'circleForm':
-      return { ...command, from: command.to, to: command.from };
-    case 'replace':
+    case 'draw':
       return { ...command, from: command.to, to: command.from };
   }
 }

@@ -3,7 +3,7 @@
  * otherwise.
  */
 import type { CurveOptions, SurfacePoint } from 'karcher';
-import type { ControlPoint, Spline } from './document';
+import type { ControlPoint, Spline } from './figure';
 
 type Polygon = Pick<Spline, 'settings' | 'points'>;
 

@@ -1,23 +1,40 @@
 /**
- * A document as a link's fragment:
+ * A drawing as a link's fragment. The object that is edited:
  * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
  * `&legs=0:face,b1,b2:face,b1,b2;3:…&samples=64&tolerance=0.001&marks=9&levels=2`
- * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`. Legs are told by a point's number
- * and the points that its way to the next one goes through. Weights and betas of 1, shortest legs and
- * other defaults go without saying.
+ * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`
+ * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&group=…&place=2`. Legs are told by a
+ * point's number and the points that its way to the next one goes through, its place by how many
+ * objects lie below it. Then the others from the lowest to the topmost, each with the same fields in a
+ * field `other`. Weights and betas of 1, shortest legs and other defaults go without saying. Ids are
+ * not told: objects are numbered anew in their order.
  */
 import type { CurveLevels, SurfacePoint } from 'karcher';
+import {
+  activeObject,
+  type Drawing,
+  type DrawnObject,
+  dashes,
+  defaultStyle,
+  indexOf,
+  newObject,
+  othersOf,
+  type Properties,
+  widthRange,
+} from './drawing';
 import {
   type Across,
   type CircleForm,
   type CircleShape,
   type ControlPoint,
-  type CurveDocument,
   type CurveSettings,
   defaultCircleForm,
   defaultSettings,
-  emptyDocument,
+  type Figure,
   fewestArcs,
+  isEmpty,
+  isRound,
+  type Kind,
   kinds,
   marksRange,
   mostArcs,
@@ -30,23 +47,23 @@ import {
   type Vector,
   withFittingKnots,
   withParameter,
-} from './document';
+} from './figure';
 import { withLeg } from './legs';
 import { isMethod, type MethodId } from './methods';
-import { splineOf } from './splines';
+import { isColor, longestName, mostObjects } from './saved_drawing';
 
 export interface Link {
   mesh: string;
   method: MethodId | null;
-  document: CurveDocument;
-  /** What it says so wrongly that the document is without it. */
+  drawing: Drawing;
+  /** What it says so wrongly that the drawing is without it. */
   unread: Lost;
 }
 
-/** Places that a document is without. */
+/** Places that a drawing is without. */
 export interface Lost {
   points: number;
-  circle: boolean;
+  circles: number;
 }
 
 const formatPoint = ({ face, bary }: SurfacePoint) => `${face},${bary[1]},${bary[2]}`;
@@ -71,28 +88,37 @@ function formatCircle({ center, rim, across }: CircleShape): string {
   return [...parts, ...(across ? [formatAcross(across)] : [])].join(';');
 }
 
-export function formatLink(mesh: string, method: MethodId, document: CurveDocument): string {
-  const parts = [
+export function formatLink(mesh: string, method: MethodId, drawing: Drawing): string {
+  const active = activeObject(drawing);
+  const others = othersOf(drawing);
+  const place = indexOf(drawing, active.id);
+  const [kind, ...rest] = objectFields(active);
+  return [
     `mesh=${encodeURIComponent(mesh).replaceAll('%3A', ':')}`,
-    `kind=${document.kind}`,
+    kind,
     `method=${method}`,
-    `points=${document.points.map(formatControlPoint).join(';')}`,
-  ];
-  const { circle, circleForm } = document;
-  parts.push(...legsFields(document.points), ...settingsFields(document.settings));
+    ...rest,
+    ...(place > 0 ? [`place=${place}`] : []),
+    ...others.map((other) => `other=${encodeURIComponent(objectFields(other).join('&'))}`),
+  ].join('&');
+}
+
+function objectFields({ figure, ...properties }: DrawnObject): string[] {
+  const { kind, points, settings, circle, circleForm } = figure;
+  const parts = [`kind=${kind}`, `points=${points.map(formatControlPoint).join(';')}`];
+  parts.push(...legsFields(points), ...settingsFields(settings));
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
-  for (const { kind, points, settings } of document.others) {
-    const other = [
-      `kind=${kind}`,
-      `points=${points.map(formatControlPoint).join(';')}`,
-      ...legsFields(points),
-      ...settingsFields(settings),
-    ];
-    parts.push(`other=${encodeURIComponent(other.join('&'))}`);
-  }
-  return parts.join('&');
+  const { name, visible, locked, color, width, dash, group } = properties;
+  if (name) parts.push(`name=${encodeURIComponent(name)}`);
+  if (!visible) parts.push('hidden=1');
+  if (locked) parts.push('locked=1');
+  if (color) parts.push(`color=${color.slice(1)}`);
+  if (width !== defaultStyle.width) parts.push(`width=${width}`);
+  if (dash !== defaultStyle.dash) parts.push(`dash=${dash}`);
+  if (group !== null) parts.push(`group=${encodeURIComponent(group)}`);
+  return parts;
 }
 
 function legsFields(points: readonly ControlPoint[]): string[] {
@@ -123,45 +149,66 @@ export function parseLink(fragment: string): Link | null {
   const mesh = fields.get('mesh');
   if (!mesh) return null;
   const method = fields.get('method');
-  const splines = [fragment, ...fields.getAll('other')];
-  const others = splines.slice(1).map((text) => splineOf(parseSpline(text)));
-  const document = {
-    ...parseSpline(fragment),
-    circle: parseCircle(fields.get('circle') ?? ''),
-    circleForm: parseCircleForm(fields),
-    others: others.filter((spline) => spline !== null),
+  const others = fields.getAll('other').slice(0, mostObjects);
+  const objects = others.flatMap(parseObjects).filter(({ figure }) => !isEmpty(figure));
+  const place = Math.min(objects.length, parseWhole(fields.get('place')) ?? 0);
+  const [active, ...hidden] = parseObjects(fragment);
+  objects.splice(place, 0, active!);
+  objects.push(...hidden);
+  const all = [fragment, ...others];
+  const said = all.reduce((sum, text) => sum + pointTexts(text).length, 0);
+  const circles = all.filter((text) => new URLSearchParams(text).get('circle')).length;
+  const drawing = {
+    objects: objects.map((object, i) => ({ ...object, id: i + 1 })),
+    active: place + 1,
   };
-  const said = splines.reduce((sum, text) => sum + pointTexts(text).length, 0);
+  const read = countPlaces(drawing);
   return {
     mesh,
     method: isMethod(method) ? method : null,
-    document,
-    unread: {
-      points: said - countPoints(document),
-      circle: Boolean(fields.get('circle')) && !document.circle,
-    },
+    drawing,
+    unread: { points: said - read.points, circles: circles - read.circles },
   };
 }
 
-/** The points of a spline's fragment, as they are said. */
+/** The points of a figure's fragment, as they are said. */
 function pointTexts(fragment: string): string[] {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   return (fields.get('points') ?? '').split(';').filter((text) => text !== '');
 }
 
-const countPoints = ({ points, others }: CurveDocument) =>
-  others.reduce((sum, other) => sum + other.points.length, points.length);
+const countPlaces = ({ objects }: Drawing): Lost => ({
+  points: objects.reduce((sum, { figure }) => sum + figure.points.length, 0),
+  circles: objects.filter(({ figure }) => figure.circle).length,
+});
 
-/** What a link says and a document that was made of it is without. */
-export function lostOf({ document: said, unread }: Link, document: CurveDocument): Lost {
+/** What a link says and a drawing that was made of it is without. */
+export function lostOf({ drawing: said, unread }: Link, drawing: Drawing): Lost {
+  const [all, left] = [countPlaces(said), countPlaces(drawing)];
   return {
-    points: unread.points + countPoints(said) - countPoints(document),
-    circle: unread.circle || (said.circle !== null && document.circle === null),
+    points: unread.points + all.points - left.points,
+    circles: unread.circles + all.circles - left.circles,
   };
 }
 
-/** The kind, settings and points that a fragment says. */
-function parseSpline(fragment: string): CurveDocument {
+/**
+ * The object that a fragment says. Links once kept the circle behind a curve's points, or the points
+ * behind a circle: these are another object, which is not shown.
+ */
+function parseObjects(fragment: string): DrawnObject[] {
+  const figure = parseFigure(fragment);
+  const object = newObject(0, figure, parseProperties(fragment));
+  const curve = { ...figure, circle: null };
+  const round = withFittingKnots({ ...figure, points: [] });
+  const behind = (other: Figure, kind: Kind) =>
+    [newObject(0, { ...other, kind }, { visible: false })].filter((one) => !isEmpty(one.figure));
+  return isRound(figure.kind)
+    ? [{ ...object, figure: round }, ...behind(curve, 'bspline')]
+    : [{ ...object, figure: curve }, ...behind(round, 'circle')];
+}
+
+/** The figure that a fragment says. */
+function parseFigure(fragment: string): Figure {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const legs = parseLegs(fields.get('legs') ?? '');
   const points = pointTexts(fragment).map((text, i) => {
@@ -169,12 +216,31 @@ function parseSpline(fragment: string): CurveDocument {
     return point && withLeg(point, legs.get(i));
   });
   return withFittingKnots({
-    ...emptyDocument,
     kind: kinds.find((one) => one === fields.get('kind')) ?? 'bspline',
     settings: parseSettings(fields),
     points: points.filter((point) => point !== null),
+    circle: parseCircle(fields.get('circle') ?? ''),
+    circleForm: parseCircleForm(fields),
   });
 }
+
+function parseProperties(fragment: string): Partial<Properties> {
+  const fields = new URLSearchParams(fragment.replace(/^#/, ''));
+  const color = `#${fields.get('color')}`;
+  const width = Number(fields.get('width') ?? defaultStyle.width);
+  const fits = width >= widthRange.least && width <= widthRange.most;
+  return {
+    name: (fields.get('name') ?? '').slice(0, longestName),
+    visible: fields.get('hidden') !== '1',
+    locked: fields.get('locked') === '1',
+    color: isColor(color) ? color : null,
+    width: fits ? width : defaultStyle.width,
+    dash: dashes.find((one) => one === fields.get('dash')) ?? defaultStyle.dash,
+    group: fields.get('group')?.slice(0, longestName) || null,
+  };
+}
+
+const parseWhole = (text: string | null) => (text && /^\d{1,9}$/.test(text) ? Number(text) : null);
 
 /** Legs by the numbers of their points; those that are said wrongly are left out. */
 function parseLegs(text: string): Map<number, SurfacePoint[]> {
@@ -288,19 +354,30 @@ function fittingPoints(points: readonly ControlPoint[], triangles: number): Cont
   return points.map((point, i) => withLeg(point, holds(i))).filter(fits);
 }
 
-/** A document of which every point is on a surface of that many triangles; null if none is left. */
-export function fitting(document: CurveDocument, triangles: number): CurveDocument {
+/** A figure of which every place is on a surface of that many triangles. */
+function fittingFigure(figure: Figure, triangles: number): Figure {
   const fits = (place: object) => !('face' in place) || (place as SurfacePoint).face < triangles;
-  const { circle } = document;
+  const { circle } = figure;
   const circleFits = circle && [circle.center, circle.rim, circle.across ?? {}].every(fits);
   return withFittingKnots({
-    ...document,
-    points: fittingPoints(document.points, triangles),
+    ...figure,
+    points: fittingPoints(figure.points, triangles),
     circle: circleFits ? circle : null,
-    others: document.others
-      .map((other) =>
-        withFittingKnots({ ...other, points: fittingPoints(other.points, triangles) }),
-      )
-      .filter(({ points }) => points.length > 0),
   });
+}
+
+/** Objects with what lies on a surface of that many triangles; without those that have nothing there. */
+export const fittingObjects = (objects: readonly DrawnObject[], triangles: number) =>
+  objects
+    .map((object) => ({ ...object, figure: fittingFigure(object.figure, triangles) }))
+    .filter(({ figure }) => !isEmpty(figure));
+
+/** A drawing of which every place is on a surface of that many triangles. */
+export function fitting(drawing: Drawing, triangles: number): Drawing {
+  const { active } = drawing;
+  const objects = drawing.objects.map((object) => ({
+    ...object,
+    figure: fittingFigure(object.figure, triangles),
+  }));
+  return { objects: objects.filter(({ id, figure }) => id === active || !isEmpty(figure)), active };
 }

@@ -1,49 +1,28 @@
-/** Documents with several splines: one is edited, the others lie beside it. */
+/** Figures that are splines, as the engine takes them and gives them back. */
 import type { CurveOptions, FieldOptions, LegPoints, SurfacePoint } from 'karcher';
 import {
   type ControlPoint,
-  type CurveDocument,
   defaultSettings,
+  type Figure,
   isSpline,
   type Kind,
   parameterOf,
   type Spline,
   surfacePoint,
   withParameter,
-} from './document';
+} from './figure';
 import { legsOf, withLeg } from './legs';
 
-/** The spline that is edited; null where there is none. */
-export function splineOf({ kind, settings, points }: CurveDocument): Spline | null {
+/** A figure as a spline; null where it is none, or has no points. */
+export function splineOf({ kind, settings, points }: Figure): Spline | null {
   return isSpline(kind) && points.length > 0 ? { kind, settings, points } : null;
 }
 
-/** The document with another spline in place of the edited one. */
-export const withSpline = (document: CurveDocument, spline: Spline): CurveDocument => ({
-  ...document,
+/** The figure with another spline in place of its own. */
+export const withSpline = (figure: Figure, spline: Spline): Figure => ({
+  ...figure,
   ...spline,
 });
-
-/** Edits another spline of the document; the one before takes its place. */
-export function activated(document: CurveDocument, index: number): CurveDocument {
-  const spline = document.others[index];
-  if (!spline) return document;
-  const before = splineOf(document);
-  const others = document.others.toSpliced(index, 1, ...(before ? [before] : []));
-  return { ...withSpline(document, spline), others };
-}
-
-/** The edited spline in several pieces: the first is edited, the others lie beside it. */
-export function inPieces(document: CurveDocument, pieces: readonly Spline[]): CurveDocument {
-  const [first, ...rest] = pieces;
-  if (!first) return document;
-  return { ...withSpline(document, first), others: [...document.others, ...rest] };
-}
-
-/** The document with the edited spline and another one joined. */
-export function joined(document: CurveDocument, index: number, whole: Spline): CurveDocument {
-  return { ...withSpline(document, whole), others: document.others.toSpliced(index, 1) };
-}
 
 /** Kinds that are subdivided; the others are one mean of all their points, or paths. */
 export const mayHaveLevels = (kind: Kind) =>

@@ -1,7 +1,7 @@
 import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/session';
 import { handleNames, withRadius } from '../model/circle';
-import { type CircleType, isRound } from '../model/document';
+import { type CircleType, isRound } from '../model/figure';
 import { byId, make } from './elements';
 import { NumberField } from './number_field';
 
@@ -43,7 +43,7 @@ export class CircleSettings {
     this.#arcs.addEventListener('change', () => editor.commitDrag());
     const makeField = (id: string, handle: 'rim' | 'across') =>
       new NumberField(byId<HTMLInputElement>(id), (value) => {
-        const { circle: from } = editor.state.document;
+        const { circle: from } = editor.state.figure;
         const drawn = this.#view?.circle;
         if (!from || !drawn) return;
         editor.run({ type: 'circle', from, to: withRadius(from, drawn, handle, value) }, handle);
@@ -52,9 +52,9 @@ export class CircleSettings {
     this.#across = makeField('across', 'across');
   }
 
-  show({ document }: State, view: View): void {
+  show({ figure }: State, view: View): void {
     this.#view = view;
-    const { kind, circle, circleForm } = document;
+    const { kind, circle, circleForm } = figure;
     const { type, arcs } = circleForm;
     this.#group.hidden = !isRound(kind);
     if (!isRound(kind)) return;

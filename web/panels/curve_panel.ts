@@ -1,7 +1,7 @@
-import type { CurveEdits } from '../editor/curve_edits';
+import { type CurveEdits, joinable } from '../editor/curve_edits';
 import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/session';
-import { isEmpty, isSpline, type Kind, kinds } from '../model/document';
+import { isEmpty, isSpline, type Kind, kinds } from '../model/figure';
 import { type MethodId, methods } from '../model/methods';
 import { CircleSettings } from './circle_settings';
 import { byId, make } from './elements';
@@ -51,15 +51,15 @@ export class CurvePanel {
   }
 
   show(state: State, view: View): void {
-    const { kind } = state.document;
+    const { kind } = state.figure;
     for (const input of this.#kinds) input.checked = input.value === kind;
     this.#method.value = state.method;
     byId('actions').hidden = !isSpline(kind) || !view.curve;
     this.#split.setAttribute('aria-pressed', `${state.tool === 'split'}`);
     this.#measure.setAttribute('aria-pressed', `${state.tool === 'measure'}`);
     this.#join.setAttribute('aria-pressed', `${state.tool === 'join'}`);
-    this.#join.hidden = state.document.others.length === 0;
-    this.#clear.hidden = isEmpty(state.document);
+    this.#join.hidden = joinable(state).length === 0;
+    this.#clear.hidden = isEmpty(state.figure);
     byId('points-title').textContent = pointsTitles[kind] ?? 'Control points';
     this.#rows.show(state, view);
     this.#settings.show(state);
@@ -80,4 +80,5 @@ const pointsTitles: Partial<Record<Kind, string>> = {
   circle: 'Circle',
   ellipse: 'Ellipse',
   center: 'Points and their weights',
+  points: 'Points',
 };

@@ -8,7 +8,7 @@ import {
   marksRange,
   samplesRange,
   toleranceRange,
-} from '../model/document';
+} from '../model/figure';
 import { levelsOf } from '../model/link';
 import { mayHaveLevels } from '../model/splines';
 import { byId } from './elements';
@@ -62,8 +62,8 @@ export class FineSettings {
     this.#knots = new KnotsField(editor, edits);
   }
 
-  show({ document }: State, { curve }: View): void {
-    const { kind, settings } = document;
+  show({ figure }: State, { curve }: View): void {
+    const { kind, settings } = figure;
     this.#group.hidden = !isSpline(kind);
     const withKnots = kind === 'bspline';
     byId('fine-title').textContent = withKnots ? 'Samples, marks and knots' : 'Samples and marks';

@@ -4,14 +4,14 @@ import type { View } from '../editor/session';
 import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle';
 import {
   type ControlPoint,
-  type CurveDocument,
+  type Figure,
   isRound,
   isSpline,
   type ParameterName,
   parameterOf,
   parameterRange,
   withParameter,
-} from '../model/document';
+} from '../model/figure';
 import { byId, formatInteger, make } from './elements';
 
 const names: Record<ParameterName, string> = { weight: 'Weight', beta: 'Beta' };
@@ -31,8 +31,8 @@ export class PointRows {
 
   constructor(private readonly editor: Editor) {}
 
-  show({ document, selection }: State, view: View): void {
-    const rows = rowsOf(document, view);
+  show({ figure, selection }: State, view: View): void {
+    const rows = rowsOf(figure, view);
     if (rows.length === 0) {
       this.#list.replaceChildren(make('li', 'None yet', { className: 'none' }));
       return;
@@ -43,7 +43,7 @@ export class PointRows {
       const element = this.#list.children[i] ?? this.#list.appendChild(this.#makeRow(i));
       showRow(element as HTMLElement, row, selection);
       const [up, down] = element.querySelectorAll<HTMLButtonElement>('.move');
-      for (const button of [up!, down!]) button.hidden = !isSpline(document.kind);
+      for (const button of [up!, down!]) button.hidden = !isSpline(figure.kind);
       up!.disabled = i === 0;
       down!.disabled = i === rows.length - 1;
     }
@@ -140,7 +140,7 @@ function showRow(element: HTMLElement, { which, name, value, slider }: Row, sele
   if (slider) showOnSlider(input, Number(which), slider.point, slider.name);
 }
 
-function rowsOf({ kind, points, circle }: CurveDocument, view: View): Row[] {
+function rowsOf({ kind, points, circle }: Figure, view: View): Row[] {
   const place = ({ face }: SurfacePoint) => `on face ${formatInteger(face)}`;
   if (isRound(kind)) {
     if (!circle) return [];

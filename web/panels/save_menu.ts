@@ -4,7 +4,8 @@ import type { Editor } from '../editor/editor';
 import type { Session } from '../editor/session';
 import { jsonOf, objOf } from '../export/curve_file';
 import { type DrawnLine, svgOf } from '../export/svg';
-import { isRound } from '../model/document';
+import { isBlank, type LineStyle } from '../model/drawing';
+import { isEmpty, isRound } from '../model/figure';
 import { meshLabel } from '../model/meshes';
 import type { Viewer } from '../viewer/viewer';
 import { byId, make } from './elements';
@@ -52,7 +53,7 @@ export class SaveMenu {
     }
     const { state } = this.editor;
     const surface = meshLabel(state.mesh).replace(/\.obj$/i, '');
-    const title = `${state.document.kind} on ${surface}`;
+    const title = `${state.figure.kind} on ${surface}`;
     const text = {
       obj: () => objOf(this.#polylines, this.#marks, title),
       svg: () => this.#drawing(),
@@ -67,7 +68,7 @@ export class SaveMenu {
   /** All curves, the edited one first. */
   get #polylines(): Float32Array[] {
     const { view } = this.session;
-    return [...polylinesOf(view), ...view.others.filter((line) => line !== null)];
+    return [...polylinesOf(view), ...view.others.flatMap(({ lines }) => lines)];
   }
 
   /** Points that are marked along the edited curve: x, y, z each. */
@@ -75,10 +76,14 @@ export class SaveMenu {
     return this.session.view.curve?.marks?.position ?? [];
   }
 
-  /** A center of mass is no polyline. */
+  /** Points and centers of mass are no polylines. */
   #has(format: Format): boolean {
-    const { curve, isolines, center } = this.session.view;
-    return curve !== null || isolines !== null || (center !== null && format !== 'obj');
+    if (format === 'obj') return this.#polylines.length > 0;
+    if (format === 'json') return !isBlank(this.editor.state.drawing);
+    const { view } = this.session;
+    const { figure } = this.editor.state;
+    const own = view.center || (figure.kind === 'points' && !isEmpty(figure));
+    return Boolean(own) || this.#polylines.length > 0 || view.others.length > 0;
   }
 
   #showWhatThereIs(): void {
@@ -103,17 +108,20 @@ export class SaveMenu {
       color: colors.lost,
       has: (segment: number) => curve!.polylineStatus[segment + 1] === 1,
     };
-    const beside = others.filter((line) => line !== null);
     const lines: DrawnLine[] = [
-      ...beside.map((line) => ({ ...viewer.seen(line), color: colors.curve, width: 2 })),
+      ...others.flatMap(({ style, lines: all }) =>
+        all.map((line) => ({ ...viewer.seen(line), ...drawnStyle(style, colors.curve) })),
+      ),
       ...legs.map((leg) => ({ ...viewer.seen(leg), color: colors.polygon, width: 1.2 })),
     ];
-    if (curve)
-      lines.push({ ...viewer.seen(curve.polyline), color: colors.curve, width: 3.5, lost });
+    const { active, isOpen } = this.editor;
+    const style = drawnStyle(active, colors.curve);
+    if (curve) lines.push({ ...viewer.seen(curve.polyline), ...style, lost });
     for (const { polyline } of isolines?.lines ?? [])
-      lines.push({ ...viewer.seen(polyline), color: colors.curve, width: 3.5 });
-    const { kind, points, circle } = this.editor.state.document;
-    const handles = isRound(kind) ? [circle!.center] : points;
+      lines.push({ ...viewer.seen(polyline), ...style });
+    const { kind, points, circle } = this.editor.state.figure;
+    const own = isRound(kind) ? (circle ? [circle.center] : []) : points;
+    const handles = isOpen ? own : [];
     const dot = (point: SurfacePoint, color: string) => ({
       ...viewer.project(viewer.surface!.position(point)),
       color,
@@ -122,6 +130,17 @@ export class SaveMenu {
     const marks = x.map((at, i) => ({ x: at, y: y[i]!, color: colors.marks, filled: true }));
     const dots = [...marks, ...handles.map((point) => dot(point, colors.curve))];
     if (center) dots.push(dot(center.point, colors.center));
+    for (const { style: look, points: single, center: mass } of others) {
+      for (const point of mass ? [...single, mass] : single) {
+        dots.push({ ...dot(point, look.color ?? colors.curve), filled: true });
+      }
+    }
     return svgOf({ ...viewer.size, lines, points: dots });
   }
+}
+
+/** A line's style in an SVG, where dashes are told in pixels. */
+function drawnStyle({ color, width, dash }: LineStyle, curve: string) {
+  const dashes = { solid: undefined, dashed: '12 8', dotted: '2 6' }[dash];
+  return { color: color ?? curve, width, ...(dashes && { dashes }) };
 }

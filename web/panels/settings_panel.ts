@@ -1,7 +1,7 @@
 import type { Parametrization } from 'karcher';
 import type { CurveEdits } from '../editor/curve_edits';
 import type { Editor, State } from '../editor/editor';
-import { type CurveSettings, isSpline, type Kind } from '../model/document';
+import { type CurveSettings, isSpline, type Kind } from '../model/figure';
 import { byId, make } from './elements';
 
 const degrees = ['1, linear', '2, quadratic', '3, cubic', '4, quartic', '5, quintic'];
@@ -34,8 +34,8 @@ export class SettingsPanel {
     );
   }
 
-  show({ document }: State): void {
-    const { kind, settings } = document;
+  show({ figure }: State): void {
+    const { kind, settings } = figure;
     this.#group.hidden = !isSpline(kind);
     this.#closed.checked = settings.closed;
     this.#clamped.checked = settings.clamped && !settings.knots;
@@ -65,6 +65,7 @@ export const kindNames: Record<Kind, string> = {
   circle: 'Circle',
   ellipse: 'Ellipse',
   center: 'Center',
+  points: 'Points',
 };
 
 /** What a kind is, in a few words. */
@@ -78,4 +79,5 @@ export const kindNotes: Record<Kind, string> = {
   circle: 'All points at one distance from a center',
   ellipse: 'Two radii around a center, at right angles',
   center: 'The center of mass of the points',
+  points: 'Single points of the surface',
 };

@@ -3,7 +3,7 @@ import type { ShownCenter } from '../editor/compute';
 import type { Editor, Selection, State } from '../editor/editor';
 import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
-import { isRound, type Kind, parameterOf, pointsNeeded } from '../model/document';
+import { isRound, type Kind, parameterOf, pointsNeeded } from '../model/figure';
 import type { LostReason } from '../model/lost';
 import type { Quality } from '../model/methods';
 import type { Measured } from '../model/traced';
@@ -103,7 +103,7 @@ export class Status {
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
     byId('shorten').hidden = hint === '' || hint !== shorterHint(view);
-    const { kind, points } = state.document;
+    const { kind, points } = state.figure;
     byId('selected').textContent = nameOf(kind, selection);
     const name = parameterOf(kind);
     const point = typeof selection === 'number' ? points[selection] : undefined;
@@ -119,7 +119,7 @@ function nameOf(kind: Kind, selection: Selection): string {
   return typeof selection === 'number' ? `Point ${selection + 1}` : kindNames[kind];
 }
 
-function hintOf({ mesh, document, tool }: State, view: View, measured: Measured | null): string {
+function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | null): string {
   if (!mesh) return '';
   if (tool === 'split') return 'Click the curve where you want to cut it';
   if (tool === 'join') return 'Click the curve to join with this one';
@@ -127,13 +127,13 @@ function hintOf({ mesh, document, tool }: State, view: View, measured: Measured 
     return measured ? measuredText(measured) : 'Point at the curve, or tap it, to measure it there';
   }
   if (view.problem) return sentenceOf(view.problem);
-  const { kind, points, circle } = document;
+  const { kind, points, circle } = figure;
   if (view.center) return centerHint(view.center);
   if (isRound(kind)) return circle ? '' : 'Click the surface to place the center';
   if (points.length === 0) {
-    return `Click the surface to place a ${kind === 'center' ? '' : 'control '}point`;
+    return `Click the surface to place a ${kind === 'center' || kind === 'points' ? '' : 'control '}point`;
   }
-  const missing = pointsNeeded(document) - points.length;
+  const missing = pointsNeeded(figure) - points.length;
   if (missing <= 0) return shorterHint(view);
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }

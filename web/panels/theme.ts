@@ -51,6 +51,7 @@ export function sceneColors(): ViewerColors {
     polygon: read('polygon'),
     marks: read('ink'),
     center: read('center'),
+    chosen: read('chosen'),
   };
   probe.remove();
   return colors;

@@ -1,6 +1,6 @@
 import type { CurveEdits } from '../editor/curve_edits';
 import type { Editor } from '../editor/editor';
-import { isSpline, kinds } from '../model/document';
+import { isSpline, kinds } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
 import { showNote } from './messages';
@@ -8,7 +8,8 @@ import { onTheme, sceneColors, toggleTheme } from './theme';
 
 export interface ToolEvents {
   removeSelected(): void;
-  link(): { address: string; complete: boolean };
+  /** What opens the drawing again: also elsewhere where it is complete, and in any program where it is short. */
+  link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;
 }
 
@@ -58,16 +59,21 @@ export class Tools {
     const { editor } = this;
     if (editor.dragging) editor.cancelDrag();
     else if (editor.state.tool !== 'insert') editor.setTool('insert');
-    else editor.select(null);
+    else if (editor.state.selection !== null) editor.select(null);
+    else editor.choose([]);
   }
 
   #toggleClosed(): void {
-    const { kind, settings } = this.editor.state.document;
+    const { kind, settings } = this.editor.state.figure;
     if (isSpline(kind)) this.edits.setClosed(!settings.closed);
   }
 
   async #share(): Promise<void> {
-    const { address, complete } = this.events.link();
+    const { address, complete, short } = this.events.link();
+    if (!short) {
+      showNote('This drawing is too large for a link. Save it as JSON to pass it on.');
+      return;
+    }
     try {
       await navigator.clipboard.writeText(address);
       showNote(
@@ -103,12 +109,23 @@ export class Tools {
       else if (key === 'z') this.edits.undo();
       else if (key === 'y') this.edits.redo();
       else if (key === 's') this.events.saveJson();
+      else if (typing) return;
+      else if (key === 'a') this.editor.chooseAll();
+      else if (key === 'd') this.editor.duplicate();
+      else if (key === 'g' && event.shiftKey) this.editor.ungroup();
+      else if (key === 'g') this.editor.group();
       else return;
       event.preventDefault();
       return;
     }
     if (typing) return;
-    const kind = kinds[Number(key) - 1];
+    // On a button or a row it presses that.
+    if (key === 'enter' && !element?.closest('button, a, summary, input')) {
+      event.preventDefault();
+      this.editor.begin();
+      return;
+    }
+    const kind = /^\d$/.test(key) ? kinds[(Number(key) + 9) % 10] : undefined;
     const action = kind ? () => this.editor.setKind(kind) : this.#actions[key];
     if (!action) return;
     event.preventDefault();
@@ -119,6 +136,7 @@ export class Tools {
     delete: () => this.events.removeSelected(),
     backspace: () => this.events.removeSelected(),
     escape: () => this.#escape(),
+    n: () => this.editor.begin(),
     r: () => this.viewer.resetView({ animated: true }),
     home: () => this.viewer.resetView({ animated: true }),
     t: () => this.#toggleEdges(),

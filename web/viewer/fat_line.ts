@@ -14,7 +14,8 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 export interface LineStyle {
   /** In CSS pixels. */
   width: number;
-  dashed?: boolean;
+  /** Dash and gap in the scene's units; solid where there are none. */
+  dash?: readonly [number, number] | null;
   /** How much of the color is left where the surface hides the line. */
   hidden: number;
 }
@@ -22,9 +23,8 @@ export interface LineStyle {
 /** Lines are drawn this part of the way to the camera nearer, so that the surface cuts none. */
 const nearer = 0.003;
 
-/** Dash and gap in the scene's units; a surface's diagonal is 2. */
-const dash = 0.009;
-const gap = 0.006;
+/** Of what stands in for something else, as a part of a curve without a center. */
+export const fineDash = [0.009, 0.006] as const;
 const smallest = 256;
 
 /**
@@ -42,23 +42,29 @@ export class FatLine {
 
   constructor(style: LineStyle, order: number) {
     this.#left = style.hidden;
-    const { width: linewidth, dashed = false } = style;
-    const common = { linewidth, dashed, transparent: true, depthWrite: false };
+    const common = { transparent: true, depthWrite: false };
     const seen = new LineMaterial(common);
     // Not see-through: the segments' round ends lie over each other, and would show as beads.
     const hidden = new LineMaterial(common);
     hidden.depthFunc = GreaterDepth;
     this.#materials = [hidden, seen];
     for (const [i, material] of this.#materials.entries()) {
-      material.dashSize = dash;
-      material.gapSize = gap;
       const line = new LineSegments2(this.#geometry, material);
       line.frustumCulled = false;
       line.renderOrder = order + i;
       this.object.add(line);
     }
+    this.setStyle(style);
     this.#reserve(smallest);
     this.clear();
+  }
+
+  setStyle({ width, dash }: Pick<LineStyle, 'width' | 'dash'>): void {
+    for (const material of this.#materials) {
+      material.linewidth = width;
+      material.dashed = Boolean(dash);
+      if (dash) [material.dashSize, material.gapSize] = dash;
+    }
   }
 
   /** The line's color, and the surface's around it. */

@@ -14,7 +14,7 @@ import {
   Vector3,
 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
-import { surfacePoint, type Vector } from '../model/document';
+import { surfacePoint, type Vector } from '../model/figure';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
   directionFromScene,

@@ -1,8 +1,10 @@
 import { Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { defaultStyle, type LineStyle } from '../model/drawing';
 import { outliveContextLoss } from './context_loss';
 import { nearestOnScreen } from './curve_pick';
 import type { DrawnGeometry } from './drawn_geometry';
-import { FatLine } from './fat_line';
+import { FatLine, fineDash } from './fat_line';
+import { dashLengths, dotAt, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
 import { colorSurface, type Pick, Surface } from './surface';
 
@@ -19,6 +21,8 @@ export interface ViewerColors {
   polygon: string;
   marks: string;
   center: string;
+  /** Around what is selected. */
+  chosen: string;
 }
 
 /** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
@@ -41,24 +45,30 @@ export class Viewer {
   readonly #view: OrbitView;
   readonly #raycaster = new Raycaster();
   readonly #curve = new FatLine({ width: 4, hidden: 0.26 }, 4);
-  readonly #lost = new FatLine({ width: 4, dashed: true, hidden: 0.4 }, 4);
+  readonly #lost = new FatLine({ width: 4, dash: fineDash, hidden: 0.4 }, 4);
   readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
-  readonly #sketch = new FatLine({ width: 2.5, dashed: true, hidden: 0.25 }, 2);
-  readonly #beside = new FatLine({ width: 2.5, hidden: 0.2 }, 2);
-  readonly #shorter = new FatLine({ width: 2.5, dashed: true, hidden: 0.3 }, 2);
+  readonly #sketch = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.25 }, 2);
+  readonly #beside = new ObjectLines(2);
+  /** Around what is selected, below it. */
+  readonly #halo = new FatLine({ width: 10, hidden: 0 }, 1);
+  readonly #shorter = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.3 }, 2);
   readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
   readonly #tangent = new FatLine({ width: 2.5, hidden: 0.5 }, 7);
   readonly #places = new FatLine({ width: 3, hidden: 0.45 }, 5);
   readonly #lines = [
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
-    ...[this.#shorter, this.#marks, this.#tangent, this.#places],
+    ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#halo],
   ];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
   /** The curve that is shown, in the scene. */
   #line: Float32Array = new Float32Array();
-  /** The curves beside it; empty while one is not traced. */
-  #others: Float32Array[] = [];
+  /** All lines of the edited object, in the scene. */
+  #own: readonly Float32Array[] = [];
+  #style: LineStyle = defaultStyle;
+  #colors: ViewerColors | null = null;
+  #chosen: readonly number[] = [];
+  #isChosen = false;
   #shorterLines: Float32Array[] = [];
   #edges = false;
   #frame = 0;
@@ -126,7 +136,7 @@ export class Viewer {
     this.showPolygon([], false);
     this.showMarks([]);
     this.showTangent(null);
-    this.showOthers([]);
+    this.showObjects([]);
     this.showShorter([]);
     this.showPlaces([]);
     return this.#surface;
@@ -135,11 +145,12 @@ export class Viewer {
   set colors(colors: ViewerColors) {
     colorSurface(colors);
     const surface = new Color(colors.front).multiplyScalar(surfaceShade);
-    this.#curve.setColor(new Color(colors.curve), surface);
+    this.#colors = colors;
     this.#lost.setColor(new Color(colors.lost), surface);
     this.#polygon.setColor(new Color(colors.polygon), surface);
-    this.#sketch.setColor(new Color(colors.curve), surface);
-    this.#beside.setColor(new Color(colors.curve).lerp(surface, 0.35), surface);
+    this.#beside.setColors(new Color(colors.curve), surface);
+    this.#halo.setColor(new Color(colors.chosen).lerp(surface, 0.35), surface);
+    this.#showStyle();
     this.#shorter.setColor(new Color(colors.center), surface);
     this.#tangent.setColor(new Color(colors.center), surface);
     this.#places.setColor(new Color(colors.lost), surface);
@@ -162,15 +173,18 @@ export class Viewer {
     if (curve && this.#surface) {
       const line = this.#surface.toScene(curve.polyline);
       this.#line = line;
+      this.#own = [line];
       // A vertex's status is that of the sample it leads to.
       const lost = (segment: number) => curve.polylineStatus[segment + 1] === 1;
       this.#curve.setChosen(line, (segment) => !lost(segment));
       this.#lost.setChosen(line, lost);
     } else {
       this.#line = new Float32Array();
+      this.#own = [];
       this.#curve.clear();
       this.#lost.clear();
     }
+    this.#showHalo();
     this.requestFrame();
   }
 
@@ -178,19 +192,19 @@ export class Viewer {
   showLines(lines: readonly Float32Array[]): void {
     const surface = this.#surface;
     this.#line = new Float32Array();
-    this.#curve.set(surface ? lines.map((line) => surface.toScene(line)) : []);
+    this.#own = surface ? lines.map((line) => surface.toScene(line)) : [];
+    this.#curve.set(this.#own);
     this.#lost.clear();
+    this.#showHalo();
     this.requestFrame();
   }
 
   /** Marks points of the curve: x, y, z each, in the surface's coordinates. */
   showMarks(places: ArrayLike<number>): void {
     const points = this.#surface?.toScene(Float32Array.from(places)) ?? new Float32Array();
-    // The round ends of a line so short are a dot.
-    const dots = Array.from({ length: points.length / 3 }, (_, i) => {
-      const [x, y, z] = points.subarray(3 * i, 3 * i + 3);
-      return Float32Array.of(x!, y!, z!, x! + 1e-4, y!, z!);
-    });
+    const dots = Array.from({ length: points.length / 3 }, (_, i) =>
+      dotAt(new Vector3().fromArray(points, 3 * i)),
+    );
     this.#marks.set(dots);
     this.requestFrame();
   }
@@ -213,12 +227,46 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Curves beside the one that is edited; null where one is not traced yet. */
-  showOthers(others: readonly (Float32Array | null)[]): void {
-    const surface = this.#surface;
-    this.#others = others.map((line) => (line && surface?.toScene(line)) ?? new Float32Array());
-    this.#beside.set(this.#others);
+  /** How the edited object is drawn. */
+  showStyle(style: LineStyle): void {
+    const { color, width, dash } = this.#style;
+    if (color === style.color && width === style.width && dash === style.dash) return;
+    this.#style = style;
+    this.#showStyle();
     this.requestFrame();
+  }
+
+  /** The objects beside the one that is edited. */
+  showObjects(objects: readonly ObjectDrawing[]): void {
+    this.#beside.show(objects);
+    this.#showHalo();
+    this.requestFrame();
+  }
+
+  /** Which objects are selected, by their ids, and whether the edited one is. */
+  showChosen(others: readonly number[], edited: boolean): void {
+    if (`${others}` === `${this.#chosen}` && edited === this.#isChosen) return;
+    [this.#chosen, this.#isChosen] = [others, edited];
+    this.#showHalo();
+    this.requestFrame();
+  }
+
+  #showHalo(): void {
+    const others = this.#beside.objects.filter(({ id }) => this.#chosen.includes(id));
+    const lines = others.flatMap(({ lines: all, dots }) => [...all, ...dots.map(dotAt)]);
+    this.#halo.set([...lines, ...(this.#isChosen ? this.#own : [])]);
+  }
+
+  #showStyle(): void {
+    const { color, width, dash } = this.#style;
+    const colors = this.#colors;
+    if (!colors) return;
+    const surface = new Color(colors.front).multiplyScalar(surfaceShade);
+    const own = new Color(color ?? colors.curve);
+    this.#curve.setColor(own, surface);
+    this.#curve.setStyle({ width, dash: dashLengths[dash] });
+    this.#lost.setStyle({ width, dash: fineDash });
+    this.#sketch.setColor(own, surface);
   }
 
   /** Shorter ways than the legs of the curve. */
@@ -256,9 +304,45 @@ export class Viewer {
     return this.#pickLine(this.#line, clientX, clientY, within);
   }
 
-  /** The number of the other curve that is seen there; -1 without one. */
-  pickOther(clientX: number, clientY: number, within: number): number {
-    return this.#others.findIndex((line) => this.#pickLine(line, clientX, clientY, within));
+  /** The id of the topmost object beside the edited one that is seen there; null without one. */
+  pickObject(clientX: number, clientY: number, within: number): number | null {
+    const isSeen = (line: Float32Array) => this.#pickLine(line, clientX, clientY, within);
+    const found = this.#beside.objects.findLast(
+      ({ locked, lines, dots }) =>
+        !locked && (lines.some(isSeen) || dots.some((dot) => isSeen(dotAt(dot)))),
+    );
+    return found?.id ?? null;
+  }
+
+  /** Whether the edited object is seen there. */
+  pickOwn(clientX: number, clientY: number, within: number): boolean {
+    return this.#own.some((line) => this.#pickLine(line, clientX, clientY, within));
+  }
+
+  /** The objects of which something is seen in a box of the window; what is locked is not among them. */
+  objectsIn(
+    left: number,
+    top: number,
+    width: number,
+    height: number,
+  ): { others: number[]; edited: boolean } {
+    const { box } = this;
+    this.#view.camera.updateMatrixWorld();
+    const place = new Vector3();
+    const isWithin = (line: Float32Array) => {
+      for (let i = 0; i < line.length; i += 3) {
+        const { x, y } = this.#onStage(place.fromArray(line, i));
+        const [dx, dy] = [x + box.left - left, y + box.top - top];
+        if (dx < 0 || dx > width || dy < 0 || dy > height) continue;
+        if (!this.project(new Vector3().fromArray(line, i)).hidden) return true;
+      }
+      return false;
+    };
+    const others = this.#beside.objects.filter(
+      ({ locked, lines, dots }) =>
+        !locked && (lines.some(isWithin) || dots.map(dotAt).some(isWithin)),
+    );
+    return { others: others.map(({ id }) => id), edited: this.#own.some(isWithin) };
   }
 
   /** The number of the shorter way that is seen there; -1 without one. */
@@ -282,11 +366,17 @@ export class Viewer {
     ray.origin.copy(this.#view.camera.position);
     ray.direction.copy(position).sub(ray.origin).normalize();
     const hidden = (this.#surface?.depth(ray) ?? Infinity) < distance - 0.004;
-    const place = position.clone().project(this.#view.camera);
+    const { x, y, z } = this.#onStage(position.clone());
+    return { x, y, hidden: hidden || z > 1 };
+  }
+
+  /** Takes a point of the scene to where it is on the stage, in CSS pixels, and its depth. */
+  #onStage(position: Vector3): Vector3 {
+    const place = position.project(this.#view.camera);
     const { clientWidth, clientHeight } = this.stage;
-    const x = ((place.x + 1) / 2) * clientWidth;
-    const y = ((1 - place.y) / 2) * clientHeight;
-    return { x, y, hidden: hidden || place.z > 1 };
+    place.x = ((place.x + 1) / 2) * clientWidth;
+    place.y = ((1 - place.y) / 2) * clientHeight;
+    return place;
   }
 
   /** The stage's size, in CSS pixels. */

@@ -25,16 +25,28 @@ interface Loaded {
   up: UpAxis;
 }
 
+/** What a curve is asked for, beside its value. */
+export interface CurveRequest {
+  /** The object that it belongs to; without one it is given back once it is seen. */
+  object?: number;
+  /** How many points are marked along it. */
+  marks?: number;
+  /** The number of a point that is dragged: the legs that meet there are continued. */
+  dragged?: number | undefined;
+}
+
 /**
- * A surface in a worker of its own, and the curve that is edited on it. `close` ends the worker and
- * every call that is under way; every call fails with a `KarcherError`.
+ * A surface in a worker of its own, and a curve for each object on it: of a changed one only what
+ * changed is computed. `close` ends the worker and every call that is under way; every call fails with
+ * a `KarcherError`.
  */
 export class EngineClient {
   readonly #worker = new WorkerClient(
     new Worker(new URL('./engine.ts', import.meta.url), { type: 'module' }),
   );
   #loaded: Loaded | null = null;
-  #curve: Promise<RemoteCurve | null> | null = null;
+  /** By the ids of objects; null where there is no curve of the first value that was asked for. */
+  readonly #curves = new Map<number, Promise<RemoteCurve | null>>();
   /** Called when the worker ends by itself, as when memory runs out. */
   onStopped: (() => void) | null = null;
 
@@ -83,57 +95,66 @@ export class EngineClient {
     return this.#loaded!.triangles;
   }
 
-  /**
-   * The edited curve, with so many points marked along it. The legs that meet at the `dragged` point
-   * are continued.
-   */
-  async curve(value: CurveOptions, marks = 0, dragged?: number): Promise<TracedCurve> {
-    const before = await this.#curve;
-    const curve = before ?? (await this.#first(value));
-    // Both are asked at once: nothing comes in between.
-    const [view, marked] = await both(
-      before ? curve.set(value, dragged === undefined ? {} : { dragged }) : curve.view(),
-      marks > 0 ? curve.equallySpaced(marks) : null,
-    );
-    return tracedCurve(view, marked);
+  /** The curve of a value. */
+  async curve(
+    value: CurveOptions,
+    { object, marks = 0, dragged }: CurveRequest = {},
+  ): Promise<TracedCurve> {
+    const before = object === undefined ? null : await this.#curves.get(object);
+    const curve = before ?? (await this.#first(object, value));
+    try {
+      // Both are asked at once: nothing comes in between.
+      const [view, marked] = await both(
+        before ? curve.set(value, dragged === undefined ? {} : { dragged }) : curve.view(),
+        marks > 0 ? curve.equallySpaced(marks) : null,
+      );
+      return tracedCurve(view, marked);
+    } finally {
+      if (object === undefined) void curve.dispose();
+    }
+  }
+
+  /** Gives back the curves of all objects but these. */
+  keepCurves(objects: readonly number[]): void {
+    for (const [object, curve] of this.#curves) {
+      if (objects.includes(object)) continue;
+      this.#curves.delete(object);
+      // Where the worker has ended, nothing is left to give back.
+      void curve.then((one) => one?.dispose()).catch(() => {});
+    }
   }
 
   /**
-   * The legs of the edited curve with a dragged point where the value has it, by the points that they
+   * The legs of an object's curve with a dragged point where the value has it, by the points that they
    * go through; the shortest are null.
    */
   async drawnLegs(
+    object: number,
     value: CurveOptions,
     dragged: number,
   ): Promise<NonNullable<CurveOptions['legs']>> {
-    const curve = await this.#curve;
+    const curve = await this.#curves.get(object);
     if (!curve) return [];
     const [, drawn] = await both(curve.set(value, { dragged }), curve.value());
     return drawn.legs ?? [];
   }
 
-  /** Shorter ways that legs of the curve of a value could take, the edited one from then on. */
-  async shorterLegs(value: CurveOptions): Promise<ShorterLeg[]> {
-    const curve = (await this.#curve) ?? (await this.#first(value));
+  /** Shorter ways that legs of the curve of a value could take, the object's from then on. */
+  async shorterLegs(object: number, value: CurveOptions): Promise<ShorterLeg[]> {
+    const curve = await this.#curveOf(object, value);
     const [, legs] = await both(curve.set(value), curve.legs());
     return legs.flatMap(({ path, shorter }, index) =>
       shorter ? [{ index, polyline: shorter.polyline(), part: shorter.length / path.length }] : [],
     );
   }
 
-  /** A curve beside it. */
-  async otherCurve(value: CurveOptions): Promise<TracedCurve> {
-    const curve = await this.mesh.curve(value);
-    try {
-      return tracedCurve(await curve.view(), null);
-    } finally {
-      void curve.dispose();
-    }
-  }
-
-  /** The edited curve, which has this value, where it is nearest to a place. */
-  async measure(value: CurveOptions, near: [number, number, number]): Promise<Measured> {
-    const curve = (await this.#curve) ?? (await this.#first(value));
+  /** An object's curve, which has this value, where it is nearest to a place. */
+  async measure(
+    object: number,
+    value: CurveOptions,
+    near: [number, number, number],
+  ): Promise<Measured> {
+    const curve = await this.#curveOf(object, value);
     const [view, { parameter, position }] = await both(curve.set(value), curve.nearest(near));
     const [{ inSpace: tangent }, length] = await both(
       curve.tangentAt(parameter),
@@ -142,10 +163,9 @@ export class EngineClient {
     return { parameter, position, length, wholeLength: view.length, tangent };
   }
 
-  /** What an edit makes of the curve of a value, which is the edited one from then on. */
-  async edited(value: CurveOptions, edit: Edit): Promise<Edited> {
-    const curve = (await this.#curve) ?? (await this.#first(value));
-    return edited(this.mesh, curve, value, edit);
+  /** What an edit makes of the curve of a value, which is the object's from then on. */
+  async edited(object: number, value: CurveOptions, edit: Edit): Promise<Edited> {
+    return edited(this.mesh, await this.#curveOf(object, value), value, edit);
   }
 
   async circle(center: PointLike, options: CircleOptions): Promise<TracedCurve> {
@@ -174,9 +194,17 @@ export class EngineClient {
     this.#worker.dispose();
   }
 
-  #first(value: CurveOptions): Promise<RemoteCurve> {
+  async #curveOf(object: number, value: CurveOptions): Promise<RemoteCurve> {
+    return (await this.#curves.get(object)) ?? (await this.#first(object, value));
+  }
+
+  #first(object: number | undefined, value: CurveOptions): Promise<RemoteCurve> {
     const curve = this.mesh.curve(value);
-    this.#curve = curve.catch(() => null);
+    if (object !== undefined)
+      this.#curves.set(
+        object,
+        curve.catch(() => null),
+      );
     return curve;
   }
 }

@@ -1,11 +1,12 @@
 import type { SurfacePoint } from 'karcher';
+import { drawingOf } from '../../model/drawing';
 import {
   type ControlPoint,
-  type CurveDocument,
-  emptyDocument,
+  emptyFigure,
+  type Figure,
   type ParameterName,
   parameterRange,
-} from '../../model/document';
+} from '../../model/figure';
 import { formatLink } from '../../model/link';
 import { madeKey } from '../../model/meshes';
 import type { CurveSpec, MeshSpec } from '../figures/types';
@@ -19,15 +20,15 @@ export function editorLink(
   curve: CurveSpec,
   points: readonly SurfacePoint[],
 ): string | null {
-  const document = documentOf(curve, points);
-  return document && `./index.html#${formatLink(madeKey(mesh), 'karcher', document)}`;
+  const figure = figureOf(curve, points);
+  return figure && `./index.html#${formatLink(madeKey(mesh), 'karcher', drawingOf(figure))}`;
 }
 
-function documentOf(curve: CurveSpec, points: readonly SurfacePoint[]): CurveDocument | null {
+function figureOf(curve: CurveSpec, points: readonly SurfacePoint[]): Figure | null {
   const { kind } = curve;
   if (kind === 'circle') {
     const [center, rim] = points;
-    return { ...emptyDocument, kind, circle: { center: center!, rim: rim! } };
+    return { ...emptyFigure, kind, circle: { center: center!, rim: rim! } };
   }
   const numbered =
     kind === 'center' || kind === 'rational'
@@ -35,7 +36,7 @@ function documentOf(curve: CurveSpec, points: readonly SurfacePoint[]): CurveDoc
       : kind === 'barycentric'
         ? withNumbers(points, 'beta', curve.betas)
         : [...points];
-  return numbered && { ...emptyDocument, kind, points: numbered };
+  return numbered && { ...emptyFigure, kind, points: numbered };
 }
 
 /**

@@ -11,7 +11,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { DrawnGeometry } from '../../viewer/drawn_geometry';
-import { FatLine } from '../../viewer/fat_line';
+import { FatLine, fineDash } from '../../viewer/fat_line';
 import { Surface } from '../../viewer/surface';
 import type { LineResult, Panel, Vector } from '../figures/types';
 import type { SharedRenderer } from './shared_renderer';
@@ -125,7 +125,7 @@ export class PanelView {
     if (!shown) {
       shown = {
         seen: new FatLine({ width: look.width, hidden: 0.2 }, order),
-        lost: new FatLine({ width: look.width, hidden: 0.2, dashed: true }, order),
+        lost: new FatLine({ width: look.width, hidden: 0.2, dash: fineDash }, order),
       };
       // The part of a line that the surface hides is its first.
       shown.seen.object.children[0]!.visible = !look.opaque;

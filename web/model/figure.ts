@@ -1,10 +1,10 @@
-/** What the user makes on one surface: a value, which is never changed in place. */
+/** What one object of a drawing is made of: a value, which is never changed in place. */
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
 
 /** A curve with control points; a basis of one's own is for programs. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
-/** `center` is no curve: the center of mass of the points. */
-export type Kind = SplineKind | RoundKind | 'center';
+/** `center` is no curve: the center of mass of the points; `points` are the points alone. */
+export type Kind = SplineKind | RoundKind | 'center' | 'points';
 /** Around a center. */
 export type RoundKind = 'circle' | 'ellipse';
 export type Vector = [number, number, number];
@@ -76,15 +76,14 @@ export interface Spline {
   readonly points: readonly ControlPoint[];
 }
 
-export interface CurveDocument {
+/** A curve, a circle, a center or points: what is drawn of it is its kind's part. */
+export interface Figure {
   readonly kind: Kind;
   readonly settings: CurveSettings;
   /** The points of all kinds but the round ones; kept while one of those is shown. */
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
   readonly circleForm: CircleForm;
-  /** Curves that lie beside the one that is edited. */
-  readonly others: readonly Spline[];
 }
 
 export const defaultSettings: CurveSettings = {
@@ -113,13 +112,12 @@ export const mostArcs = 24;
 
 export const defaultCircleForm: CircleForm = { type: 'arcs', arcs: 7 };
 
-export const emptyDocument: CurveDocument = {
+export const emptyFigure: Figure = {
   kind: 'bspline',
   settings: defaultSettings,
   points: [],
   circle: null,
   circleForm: defaultCircleForm,
-  others: [],
 };
 
 /** The kinds in the menu's order. */
@@ -133,11 +131,12 @@ export const kinds: readonly Kind[] = [
   'circle',
   'ellipse',
   'center',
+  'points',
 ];
 
 /** Whether a kind is a curve with control points. */
 export function isSpline(kind: Kind): kind is SplineKind {
-  return !isRound(kind) && kind !== 'center';
+  return !isRound(kind) && kind !== 'center' && kind !== 'points';
 }
 
 export function isRound(kind: Kind): kind is RoundKind {
@@ -145,8 +144,8 @@ export function isRound(kind: Kind): kind is RoundKind {
 }
 
 /** Points that are needed before there is anything to show. */
-export function pointsNeeded({ kind, settings }: CurveDocument): number {
-  if (kind === 'center') return 1;
+export function pointsNeeded({ kind, settings }: Figure): number {
+  if (kind === 'center' || kind === 'points') return 1;
   if (settings.closed) return 3;
   return kind === 'bspline' ? settings.degree + 1 : 2;
 }
@@ -175,23 +174,20 @@ export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
   return { face, bary: [Math.max(0, 1 - u - v), u, v] };
 }
 
-/** Whether the user has put nothing on the surface yet, for the kind that is shown. */
-export function isEmpty({ kind, points, circle, others }: CurveDocument): boolean {
-  return isRound(kind) ? circle === null : points.length + others.length === 0;
+/** Whether nothing of the figure's kind is on the surface yet. */
+export function isEmpty({ kind, points, circle }: Figure): boolean {
+  return isRound(kind) ? circle === null : points.length === 0;
 }
 
-/** Removes everything of the kind that is shown. */
-export function cleared(document: CurveDocument): CurveDocument {
-  if (isRound(document.kind)) return { ...document, circle: null };
-  return withFittingKnots({ ...document, points: [], others: [] });
+/** Without everything of the figure's kind. */
+export function cleared(figure: Figure): Figure {
+  if (isRound(figure.kind)) return { ...figure, circle: null };
+  return withFittingKnots({ ...figure, points: [] });
 }
 
-/** The document with each of its places on the surface taken to another one. */
-export function withPlaces(
-  document: CurveDocument,
-  move: (point: SurfacePoint) => SurfacePoint,
-): CurveDocument {
-  const { circle } = document;
+/** The figure with each of its places on the surface taken to another one. */
+export function withPlaces(figure: Figure, move: (point: SurfacePoint) => SurfacePoint): Figure {
+  const { circle } = figure;
   const moved = (point: ControlPoint): ControlPoint => ({
     ...point,
     ...move(point),
@@ -200,9 +196,8 @@ export function withPlaces(
   const reached = <Place extends object>(place: Place | SurfacePoint) =>
     'face' in place ? move(place) : place;
   return {
-    ...document,
-    points: document.points.map(moved),
-    others: document.others.map((other) => ({ ...other, points: other.points.map(moved) })),
+    ...figure,
+    points: figure.points.map(moved),
     circle: circle && {
       center: move(circle.center),
       rim: reached(circle.rim),

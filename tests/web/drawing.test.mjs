@@ -1,0 +1,290 @@
+// A drawing of many objects as a value: its commands, its JSON, and what a tab keeps of it.
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { runnerImport } from 'vite';
+import { long, randoms, seed } from './part.mjs';
+
+async function load(path) {
+  const file = fileURLToPath(new URL(path, import.meta.url));
+  const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });
+  return module;
+}
+
+const triangles = 5000;
+const kinds = ['bspline', 'bezier', 'polyline', 'circle', 'ellipse', 'center', 'points'];
+const steps = 200;
+
+describe('a drawing', () => {
+  let page;
+  before(async () => {
+    page = await load('./page_parts.ts');
+  });
+
+  const json = ({ state }) => JSON.stringify(state.drawing);
+
+  /** Commands of the page's own, by their names; each may find nothing to do. */
+  function commandsOf(editor, random) {
+    const below = (count) => Math.floor(random() * count);
+    const one = (list) => list[below(list.length)];
+    const point = () => {
+      const [u, v] = [random() / 2, random() / 2];
+      return { face: below(triangles), bary: [1 - u - v, u, v] };
+    };
+    const ids = () => editor.state.drawing.objects.map(({ id }) => id);
+    const some = () => ids().filter(() => random() < 0.3);
+    const points = () => editor.state.figure.points;
+    const isRound = () => ['circle', 'ellipse'].includes(editor.state.figure.kind);
+    const place = () => {
+      if (!isRound()) editor.run({ type: 'insert', index: points().length, point: point() });
+      else {
+        const { circle: from } = editor.state.figure;
+        const to = { center: point(), rim: { radius: 1 + random(), direction: [1, 0, 0] } };
+        editor.run({ type: 'circle', from, to });
+      }
+    };
+    const drag = (end) => {
+      const index = below(points().length);
+      const from = points()[index];
+      if (!from || isRound()) return;
+      for (let step = 0; step < 3; step++) {
+        editor.preview({ type: 'change', index, from, to: { ...from, ...point() } });
+      }
+      end();
+    };
+    return {
+      place,
+      remove: () => {
+        const index = below(points().length);
+        if (points()[index]) editor.run({ type: 'remove', index, point: points()[index] });
+      },
+      drag: () => drag(() => editor.commitDrag()),
+      cancel: () => drag(() => editor.cancelDrag()),
+      weigh: () => {
+        const index = below(points().length);
+        const from = points()[index];
+        if (from)
+          editor.run({ type: 'change', index, from, to: { ...from, weight: 1 + random() } });
+      },
+      kind: () => editor.setKind(one(kinds)),
+      settings: () => editor.setSettings({ closed: random() < 0.5, degree: 1 + below(5) }),
+      begin: () => editor.begin(random() < 0.5 ? one(kinds) : undefined),
+      activate: () => editor.activate(one(ids())),
+      choose: () => editor.choose(some()),
+      toggle: () => editor.toggle(one(ids())),
+      duplicate: () => ids().length < 30 && editor.duplicate(),
+      delete: () => editor.deleteObjects(some().slice(0, 2)),
+      group: () => editor.group(some()),
+      ungroup: () => editor.ungroup(some()),
+      raise: () => editor.raise(one(ids()), below(9) - 4),
+      name: () => editor.setProperties([one(ids())], { name: `curve ${below(99)}` }),
+      style: () =>
+        editor.setProperties(some(), {
+          color: random() < 0.3 ? null : '#0b8457',
+          width: 1 + below(9),
+          dash: one(['solid', 'dashed', 'dotted']),
+        }),
+      show: () => editor.setProperties(some(), { visible: random() < 0.7 }),
+      lock: () => editor.setProperties(some(), { locked: random() < 0.2 }),
+      clear: () => random() < 0.3 && editor.clear(),
+    };
+  }
+
+  /** An editor of a drawing of twenty objects. */
+  function editorOfMany(random) {
+    const editor = new page.Editor();
+    editor.open('sphere:5000', page.emptyDrawing);
+    const { place } = commandsOf(editor, random);
+    for (let object = 0; object < 20; object++) {
+      editor.begin(kinds[object % kinds.length]);
+      if (object === 0) editor.setKind(kinds[0]);
+      for (let count = 0; count < 4; count++) place();
+    }
+    assert.equal(editor.state.drawing.objects.length, 20);
+    return editor;
+  }
+
+  const assertWhole = ({ state: { drawing, figure } }, told) => {
+    const { objects, active } = drawing;
+    assert.equal(new Set(objects.map(({ id }) => id)).size, objects.length, told);
+    assert.ok(objects.find(({ id }) => id === active)?.figure === figure, told);
+    const empty = objects.filter((one) => page.isEmpty(one.figure));
+    assert.ok(
+      empty.every(({ id }) => id === active),
+      `only the edited one may be empty: ${told}`,
+    );
+    assert.ok(
+      objects.every(({ figure: one }) => page.knotsFit(one)),
+      told,
+    );
+  };
+
+  const runs = long ? 40 : 4;
+  for (let run = 0; run < runs; run++) {
+    test(`is the same byte for byte undone and redone: KARCHER_SEED=${seed}, run ${run}`, () => {
+      const numbers = randoms(1000 * seed + run);
+      const random = () => numbers.next().value;
+      const editor = editorOfMany(random);
+      const commands = commandsOf(editor, random);
+      const names = Object.keys(commands);
+      const done = [];
+      const before = editor.history.done.length;
+      const states = [json(editor)];
+      while (editor.history.done.length < before + steps) {
+        const name = names[Math.floor(random() * names.length)];
+        done.push(name);
+        const count = editor.history.done.length;
+        commands[name]();
+        assertWhole(editor, done.slice(-5).join(' '));
+        if (editor.history.done.length > count) states.push(json(editor));
+        else assert.equal(json(editor), states.at(-1), `${name} did something without a step`);
+      }
+      assert.equal(states.length, steps + 1);
+      for (const state of states.toReversed().slice(1)) {
+        editor.undo();
+        assertWhole(editor, 'undone');
+        assert.equal(json(editor), state);
+      }
+      for (const state of states.slice(1)) {
+        editor.redo();
+        assert.equal(json(editor), state);
+      }
+      // At any step a reload finds the drawing and all steps, back and forth.
+      for (let step = 0; step < steps; step += 1 + Math.floor(random() * 60)) {
+        for (let back = 0; back < step; back++) editor.undo();
+        const { mesh, method, drawing } = editor.state;
+        const link = page.formatLink(mesh, method, drawing);
+        const work = page.readWork(page.savedWork(link, drawing, editor.history), link);
+        const again = new page.Editor();
+        again.open(mesh, work.drawing, { history: work.history });
+        assert.equal(json(again), json(editor));
+        for (const state of states.slice(0, steps - step).reverse()) {
+          again.undo();
+          assert.equal(json(again), state);
+        }
+        for (const state of states.slice(1)) {
+          again.redo();
+          assert.equal(json(again), state);
+        }
+        for (let forth = 0; forth < step; forth++) editor.redo();
+      }
+    });
+  }
+
+  test('is read from its JSON as it was, and anything else is a sentence', () => {
+    const numbers = randoms(seed);
+    const { drawing } = editorOfMany(() => numbers.next().value).state;
+    const text = JSON.stringify(page.savedDrawing(drawing));
+    assert.equal(JSON.stringify(page.readDrawing(JSON.parse(text))), JSON.stringify(drawing));
+    // Each value in turn is taken for another one.
+    const wrong = [undefined, null, {}, [], 'text', -1, 1e300, true];
+    const pathsOf = (value, path = []) =>
+      value !== null && typeof value === 'object'
+        ? [path, ...Object.entries(value).flatMap(([key, one]) => pathsOf(one, [...path, key]))]
+        : [path];
+    const whole = JSON.parse(text);
+    whole.objects = whole.objects.slice(0, 7);
+    whole.active = whole.objects[0].id;
+    let refused = 0;
+    for (const path of pathsOf(whole)) {
+      for (const value of wrong) {
+        const changed = structuredClone(whole);
+        const holder = path.slice(0, -1).reduce((one, key) => one[key], changed);
+        if (path.length > 0) holder[path.at(-1)] = value;
+        try {
+          const read = page.readDrawing(path.length > 0 ? changed : value);
+          // What is taken is a drawing, which is read again as it is.
+          const again = JSON.parse(JSON.stringify(page.savedDrawing(read)));
+          assert.deepEqual(page.readDrawing(again), read);
+        } catch (error) {
+          assert.ok(!(error instanceof TypeError), `${path.join('.')}: ${error.stack}`);
+          assert.ok(error.message.length > 10, error.message);
+          refused++;
+        }
+      }
+    }
+    assert.ok(refused > 1000, `${refused}`);
+    const many = { ...whole, objects: Array.from({ length: 2001 }, () => whole.objects[0]) };
+    assert.throws(() => page.readDrawing(many), /more than 2000/);
+    const long = structuredClone(whole);
+    long.objects[0].figure.points = Array.from(
+      { length: 10_001 },
+      () => long.objects[0].figure.points[0],
+    );
+    assert.throws(() => page.readDrawing(long), /more than 10000/);
+    assert.throws(() => page.readDrawing({ ...whole, version: 2 }), /version 2/);
+  });
+
+  test('that was kept for another link, or with a history that leads elsewhere, is not taken', () => {
+    const numbers = randoms(seed);
+    const editor = editorOfMany(() => numbers.next().value);
+    const { mesh, method, drawing } = editor.state;
+    const link = page.formatLink(mesh, method, drawing);
+    const text = page.savedWork(link, drawing, editor.history);
+    assert.equal(page.readWork(text, `${link}&x`), null);
+    assert.equal(page.readWork(text.slice(0, -1), link), null);
+    const work = JSON.parse(text);
+    for (const change of [
+      () => work.done.pop(),
+      () => work.done.push({ type: 'order', from: 0, to: 1 }),
+      () => work.undone.push({ type: 'figure', id: 99, edit: {} }),
+      () => work.done.splice(0, 1, null),
+    ]) {
+      const before = structuredClone([work.done, work.undone]);
+      change();
+      const read = page.readWork(JSON.stringify(work), link);
+      const kept = page.historyOf();
+      assert.deepEqual(read.history, kept);
+      assert.equal(JSON.stringify(read.drawing), JSON.stringify(drawing));
+      [work.done, work.undone] = before;
+    }
+  });
+
+  test('takes objects that were copied, as new ones, on the same surface only', () => {
+    const numbers = randoms(seed);
+    const editor = editorOfMany(() => numbers.next().value);
+    editor.group(editor.state.drawing.objects.slice(0, 3).map(({ id }) => id));
+    const { objects } = editor.state.drawing;
+    const grouped = objects.filter(({ group }) => group !== null);
+    const text = page.copiedText('sphere:5000', grouped);
+    editor.addObjects(page.pastedObjects(text, 'sphere:5000', triangles));
+    const added = editor.state.drawing.objects.slice(20);
+    assert.deepEqual(
+      added.map(({ figure }) => figure),
+      grouped.map(({ figure }) => figure),
+    );
+    assert.deepEqual(new Set(added.map(({ group }) => group)), new Set(['Group 2']));
+    assert.deepEqual(
+      editor.state.chosen,
+      added.map(({ id }) => id),
+    );
+    editor.undo();
+    assert.deepEqual(editor.state.drawing.objects, objects);
+    assert.equal(page.pastedObjects('words', 'sphere:5000', triangles), null);
+    assert.equal(page.pastedObjects('{"a":1}', 'sphere:5000', triangles), null);
+    assert.throws(() => page.pastedObjects(text, 'torus:5000', triangles), /another surface/);
+    assert.deepEqual(page.pastedObjects(text, 'sphere:5000', 0), [], 'all lies beyond the surface');
+  });
+
+  test('keeps what is locked, and says so', () => {
+    const numbers = randoms(seed);
+    const editor = editorOfMany(() => numbers.next().value);
+    const said = [];
+    editor.onRefusal = (sentence) => said.push(sentence);
+    const { id } = editor.state.drawing.objects[1];
+    editor.activate(id);
+    editor.setProperties([id], { locked: true });
+    const before = json(editor);
+    const [point] = editor.state.figure.points;
+    editor.run({ type: 'remove', index: 0, point });
+    editor.preview({ type: 'change', index: 0, from: point, to: { ...point, face: 1 } });
+    editor.clear();
+    editor.deleteObjects([id]);
+    assert.equal(json(editor), before);
+    assert.equal(said.length, 4);
+    assert.ok(said.every((sentence) => /locked/.test(sentence)));
+    editor.setProperties([id], { locked: false });
+    editor.clear();
+    assert.notEqual(json(editor), before);
+  });
+});

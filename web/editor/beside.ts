@@ -1,0 +1,108 @@
+import type { SurfacePoint } from 'karcher';
+import { type DrawnObject, type LineStyle, othersOf } from '../model/drawing';
+import { type Figure, isEmpty } from '../model/figure';
+import { type MethodId, methodOptions, type Quality } from '../model/methods';
+import type { EngineClient } from '../worker/client';
+import { compute, messageOf, nothing, polylinesOf, qualityShown, type Shown } from './compute';
+import type { State } from './editor';
+
+/** An object that lies beside the edited one, as it is drawn. */
+export interface Beside {
+  id: number;
+  style: LineStyle;
+  locked: boolean;
+  /** None while it is not traced. */
+  lines: readonly Float32Array[];
+  /** Points that are drawn themselves. */
+  points: readonly SurfacePoint[];
+  /** A center of mass. */
+  center: SurfacePoint | null;
+}
+
+/** What the engine made of a figure by a method, and how good it is. */
+interface Traced {
+  method: MethodId;
+  shown: Shown;
+  quality: Quality | null;
+}
+
+/** How many figures are remembered beyond those of the drawing: of steps that are taken back. */
+const mostRemembered = 64;
+
+/**
+ * What the engine made of figures. A figure is a value, so what was traced of it holds for as long as
+ * the figure itself is used, by whichever object, and after a step is taken back.
+ */
+export class BesideObjects {
+  readonly #traced = new Map<Figure, Traced>();
+  readonly #drawn = new WeakMap<DrawnObject, Beside>();
+  #last: readonly Beside[] = [];
+
+  clear(): void {
+    this.#traced.clear();
+    this.#last = [];
+  }
+
+  /** What was made of an edited figure: it may be seen again, beside another one or edited. */
+  keep(figure: Figure, method: MethodId, shown: Shown, quality: Quality | null): void {
+    this.#traced.delete(figure);
+    this.#traced.set(figure, { method, shown, quality });
+  }
+
+  /** What was made of a figure by a method. */
+  known(figure: Figure, method: MethodId): Traced | null {
+    const traced = this.#traced.get(figure);
+    return traced?.method === method ? traced : null;
+  }
+
+  /** What lies beside the edited object; the very same list where nothing of it has changed. */
+  of({ drawing, method }: State): readonly Beside[] {
+    const next = shownBeside(drawing).map((object) => this.#besideOf(object, method));
+    const same = next.length === this.#last.length && next.every((one, i) => one === this.#last[i]);
+    if (!same) this.#last = next;
+    return this.#last;
+  }
+
+  /** Traces one that is missing; false when there is none. */
+  async trace(client: EngineClient, { drawing, method }: State): Promise<boolean> {
+    const missing = shownBeside(drawing).find(({ figure }) => !this.known(figure, method));
+    if (!missing) return false;
+    const { id, figure } = missing;
+    const shown = await compute(client, figure, methodOptions(method), { object: id }).catch(
+      (error) => ({ ...nothing, problem: messageOf(error) }),
+    );
+    if (client.closed) return false;
+    this.keep(figure, method, shown, qualityShown(shown, method));
+    this.#forgetAllBut(drawing.objects);
+    return true;
+  }
+
+  #besideOf(object: DrawnObject, method: MethodId): Beside {
+    const known = this.#drawn.get(object);
+    const { id, figure, locked, color, width, dash } = object;
+    const traced = this.known(figure, method);
+    const lines = traced ? polylinesOf(traced.shown) : [];
+    const center = traced?.shown.center?.point ?? null;
+    const sameLines =
+      known?.lines.length === lines.length && lines.every((line, i) => line === known.lines[i]);
+    if (known && sameLines && known.center === center) return known;
+    const points = figure.kind === 'points' ? figure.points : [];
+    const beside = { id, style: { color, width, dash }, locked, lines, points, center };
+    this.#drawn.set(object, beside);
+    return beside;
+  }
+
+  #forgetAllBut(objects: readonly DrawnObject[]): void {
+    const used = new Set(objects.map(({ figure }) => figure));
+    let beyond = this.#traced.size - used.size - mostRemembered;
+    for (const figure of this.#traced.keys()) {
+      if (beyond <= 0) return;
+      if (used.has(figure)) continue;
+      this.#traced.delete(figure);
+      beyond--;
+    }
+  }
+}
+
+const shownBeside = (drawing: State['drawing']) =>
+  othersOf(drawing).filter(({ visible, figure }) => visible && !isEmpty(figure));

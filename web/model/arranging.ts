@@ -1,0 +1,205 @@
+/** Commands on whole objects, made of a drawing; null where there is nothing to do. */
+import type { Command } from './commands';
+import {
+  activeObject,
+  type Drawing,
+  type DrawnObject,
+  freeId,
+  indexOf,
+  objectOf,
+  type Properties,
+  successorOf,
+} from './drawing';
+import { cleared, type Figure, isEmpty, isRound, isSpline, type Kind } from './figure';
+
+const together = (steps: readonly Command[]): Command | null =>
+  steps.length > 0 ? { type: 'steps', steps } : null;
+
+/** Edits another object. The one before goes where there is nothing of it. */
+export function activation(drawing: Drawing, to: number): Command | null {
+  const { active } = drawing;
+  if (to === active || !objectOf(drawing, to)) return null;
+  const activate: Command = { type: 'activate', from: active, to };
+  const object = activeObject(drawing);
+  if (!isEmpty(object.figure)) return activate;
+  const index = indexOf(drawing, active);
+  return together([activate, { type: 'delete', index, object }]);
+}
+
+/** Puts an object on top of the others, which is edited from then on. */
+function onTop(drawing: Drawing, object: DrawnObject): Command {
+  const add: Command = { type: 'add', index: drawing.objects.length, object };
+  const activate: Command = { type: 'activate', from: drawing.active, to: object.id };
+  const before = activeObject(drawing);
+  if (!isEmpty(before.figure)) return { type: 'steps', steps: [add, activate] };
+  const index = indexOf(drawing, before.id);
+  const remove: Command = { type: 'delete', index, object: before };
+  return { type: 'steps', steps: [add, activate, remove] };
+}
+
+/** A figure of the same kind and settings with nothing of it on the surface. */
+function begun(figure: Figure, kind: Kind): Figure {
+  const { settings } = figure;
+  return {
+    ...cleared({ ...figure, kind }),
+    points: [],
+    circle: null,
+    settings: { ...settings, closed: false, knots: null },
+  };
+}
+
+/** Ends the object that is edited: what is drawn next is another one. */
+export function beginning(drawing: Drawing, kind?: Kind): Command | null {
+  const { figure } = activeObject(drawing);
+  if (isEmpty(figure)) return null;
+  return onTop(drawing, successorOf(drawing, begun(figure, kind ?? figure.kind)));
+}
+
+/** Kinds that say something else of the same places, and are changed into each other. */
+const familyOf = (kind: Kind) => (isRound(kind) ? 'round' : isSpline(kind) ? 'spline' : kind);
+
+/**
+ * Makes the object that is edited one of another kind; where its places mean nothing to that, another
+ * object begins.
+ */
+export function ofKind(drawing: Drawing, to: Kind): Command | null {
+  const { id, figure } = activeObject(drawing);
+  const { kind: from } = figure;
+  if (from === to) return null;
+  if (!isEmpty(figure) && familyOf(from) !== familyOf(to)) return beginning(drawing, to);
+  return { type: 'figure', id, edit: { type: 'kind', from, to } };
+}
+
+/** Takes objects out; where the edited one is among them, one of its kind begins. */
+export function deletion(drawing: Drawing, ids: readonly number[]): Command | null {
+  const gone = drawing.objects.filter(({ id }) => ids.includes(id));
+  if (gone.length === 0) return null;
+  const steps: Command[] = [];
+  const { active } = drawing;
+  let { objects } = drawing;
+  if (ids.includes(active)) {
+    const { figure } = activeObject(drawing);
+    const object = successorOf(drawing, begun(figure, figure.kind));
+    steps.push({ type: 'add', index: objects.length, object });
+    steps.push({ type: 'activate', from: active, to: object.id });
+    objects = [...objects, object];
+  }
+  for (const object of gone) {
+    const index = objects.indexOf(object);
+    steps.push({ type: 'delete', index, object });
+    objects = objects.toSpliced(index, 1);
+  }
+  return together(steps);
+}
+
+/** Puts objects on top, as new ones; the last is edited. Gives their ids, too. */
+export function addition(
+  drawing: Drawing,
+  added: readonly DrawnObject[],
+): { command: Command; ids: number[] } | null {
+  if (added.length === 0) return null;
+  const first = freeId(drawing);
+  const groups = freshGroups(drawing, added);
+  const objects = added.map((object, i) => ({
+    ...object,
+    id: first + i,
+    group: object.group === null ? null : groups.get(object.group)!,
+  }));
+  const steps: Command[] = objects.map((object, i) => ({
+    ...{ type: 'add', index: drawing.objects.length + i },
+    object,
+  }));
+  const last = first + objects.length - 1;
+  steps.push({ type: 'activate', from: drawing.active, to: last });
+  const before = activeObject(drawing);
+  if (isEmpty(before.figure)) {
+    steps.push({ type: 'delete', index: indexOf(drawing, before.id), object: before });
+  }
+  return { command: { type: 'steps', steps }, ids: objects.map(({ id }) => id) };
+}
+
+/** Groups of a copy are others than the drawing's own. */
+function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<string, string> {
+  const taken = new Set(drawing.objects.map(({ group }) => group));
+  const fresh = new Map<string, string>();
+  for (const { group } of added) {
+    if (group === null || fresh.has(group)) continue;
+    const name = freeName(group, taken);
+    taken.add(name);
+    fresh.set(group, name);
+  }
+  return fresh;
+}
+
+/** The name, or with the first number that makes it another one than those taken. */
+function freeName(name: string, taken: ReadonlySet<string | null>): string {
+  if (!taken.has(name)) return name;
+  const stem = name.replace(/ \d+$/, '');
+  for (let number = 2; ; number++) {
+    const next = `${stem} ${number}`;
+    if (!taken.has(next)) return next;
+  }
+}
+
+/** Copies of objects, above them. */
+export function duplication(drawing: Drawing, ids: readonly number[]) {
+  const copied = drawing.objects.filter(({ id, figure }) => ids.includes(id) && !isEmpty(figure));
+  return addition(
+    drawing,
+    copied.map((object) => ({ ...object, name: object.name && `${object.name} copy` })),
+  );
+}
+
+/** Changes properties of objects, each of which may say what it becomes. */
+export function restyling(
+  drawing: Drawing,
+  ids: readonly number[],
+  to: Partial<Properties>,
+): Command | null {
+  const names = Object.keys(to) as (keyof Properties)[];
+  const steps = drawing.objects.flatMap((object): Command[] => {
+    if (!ids.includes(object.id) || names.every((name) => object[name] === to[name])) return [];
+    const from = Object.fromEntries(names.map((name) => [name, object[name]]));
+    return [{ type: 'properties', id: object.id, from, to }];
+  });
+  return together(steps);
+}
+
+/** Moves an object so many places up in the order; a place lower where the steps are negative. */
+export function reordering(drawing: Drawing, id: number, steps: number): Command | null {
+  const from = indexOf(drawing, id);
+  const to = Math.min(Math.max(from + steps, 0), drawing.objects.length - 1);
+  return from < 0 || to === from ? null : { type: 'order', from, to };
+}
+
+/** Makes one group of objects, above all others of them in the order. */
+export function grouping(drawing: Drawing, ids: readonly number[]): Command | null {
+  const members = drawing.objects.filter(({ id }) => ids.includes(id));
+  if (members.length < 2) return null;
+  const name = freeName('Group 1', new Set(drawing.objects.map(({ group }) => group)));
+  const steps: Command[] = [];
+  let { objects } = drawing;
+  // From the top down each comes to lie directly below the one before.
+  for (let i = members.length - 2; i >= 0; i--) {
+    const object = members[i]!;
+    const from = objects.indexOf(object);
+    const left = objects.toSpliced(from, 1);
+    const to = left.indexOf(members[i + 1]!);
+    if (to !== from) steps.push({ type: 'order', from, to });
+    objects = left.toSpliced(to, 0, object);
+  }
+  for (const { id, group } of members) {
+    steps.push({ type: 'properties', id, from: { group }, to: { group: name } });
+  }
+  return together(steps);
+}
+
+/** The ids with those of all members of their groups. */
+export function withGroups({ objects }: Drawing, ids: readonly number[]): number[] {
+  const groups = new Set(
+    objects.flatMap(({ id, group }) => (ids.includes(id) && group !== null ? [group] : [])),
+  );
+  return objects.flatMap(({ id, group }) =>
+    ids.includes(id) || (group !== null && groups.has(group)) ? [id] : [],
+  );
+}

@@ -1,0 +1,33 @@
+/** Objects as text that is copied, and pasted here or in another tab. */
+import type { DrawnObject } from './drawing';
+import { fittingObjects } from './link';
+import { drawingVersion, readObjects } from './saved_drawing';
+
+const format = 'karcher-objects';
+
+/** Objects of a surface, by its key. */
+export const copiedText = (mesh: string, objects: readonly DrawnObject[]) =>
+  JSON.stringify({ format, version: drawingVersion, surface: mesh, objects });
+
+/**
+ * The objects of a copied text for a surface; null where the text is none of ours. Throws a sentence
+ * where it is, but cannot be pasted there.
+ */
+export function pastedObjects(
+  text: string,
+  mesh: string,
+  triangles: number,
+): readonly DrawnObject[] | null {
+  let content: Partial<Record<'format' | 'version' | 'surface' | 'objects', unknown>> | null;
+  try {
+    content = JSON.parse(text);
+  } catch {
+    return null;
+  }
+  if (content?.format !== format) return null;
+  if (content.version !== drawingVersion) {
+    throw new Error('what was copied comes from another version of this page');
+  }
+  if (content.surface !== mesh) throw new Error('what was copied lies on another surface');
+  return fittingObjects(readObjects(content.objects), triangles);
+}

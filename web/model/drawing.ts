@@ -1,0 +1,111 @@
+/**
+ * What the user makes on one surface: objects in an order, of which one is edited. A value, which is
+ * never changed in place.
+ */
+import type { SurfacePoint } from 'karcher';
+import { emptyFigure, type Figure, isEmpty, withPlaces } from './figure';
+
+export type Dash = 'solid' | 'dashed' | 'dotted';
+
+export const dashes: readonly Dash[] = ['solid', 'dashed', 'dotted'];
+
+/** How a line is drawn. */
+export interface LineStyle {
+  /** `#rrggbb`; null is the theme's color of curves. */
+  readonly color: string | null;
+  /** In CSS pixels. */
+  readonly width: number;
+  readonly dash: Dash;
+}
+
+/** What an object has beside its figure. */
+export interface Properties extends LineStyle {
+  /** Empty where the user gave none. */
+  readonly name: string;
+  readonly visible: boolean;
+  /** What is locked is neither picked nor edited. */
+  readonly locked: boolean;
+  /** The name of the group that it belongs to. */
+  readonly group: string | null;
+}
+
+export interface DrawnObject extends Properties {
+  /** From 1; tells it from the others of its drawing, and stays. */
+  readonly id: number;
+  readonly figure: Figure;
+}
+
+export interface Drawing {
+  /** From the lowest to the topmost. At least one; only the active one may be empty. */
+  readonly objects: readonly DrawnObject[];
+  /** The id of the object that is edited. */
+  readonly active: number;
+}
+
+export const widthRange = { least: 0.5, most: 20 };
+export const defaultStyle: LineStyle = { color: null, width: 4, dash: 'solid' };
+
+const defaultProperties: Properties = {
+  name: '',
+  visible: true,
+  locked: false,
+  ...defaultStyle,
+  group: null,
+};
+
+/** An object of a figure, with its other properties as they are by default. */
+export function newObject(
+  id: number,
+  figure: Figure,
+  properties: Partial<Properties> = {},
+): DrawnObject {
+  return { id, ...defaultProperties, ...properties, figure };
+}
+
+/** A drawing of one figure. */
+export const drawingOf = (figure: Figure): Drawing => ({
+  objects: [newObject(1, figure)],
+  active: 1,
+});
+
+export const emptyDrawing: Drawing = drawingOf(emptyFigure);
+
+export const indexOf = ({ objects }: Drawing, id: number) =>
+  objects.findIndex((object) => object.id === id);
+
+/** The object of an id; undefined where there is none. */
+export const objectOf = ({ objects }: Drawing, id: number) =>
+  objects.find((object) => object.id === id);
+
+/** The object that is edited. */
+export function activeObject(drawing: Drawing): DrawnObject {
+  return objectOf(drawing, drawing.active)!;
+}
+
+/** The objects beside the one that is edited. */
+export const othersOf = ({ objects, active }: Drawing) => objects.filter(({ id }) => id !== active);
+
+/** An id that no object has. */
+export const freeId = ({ objects }: Drawing) =>
+  1 + objects.reduce((most, { id }) => Math.max(most, id), 0);
+
+/** Whether there is nothing on the surface. */
+export const isBlank = ({ objects }: Drawing) => objects.every(({ figure }) => isEmpty(figure));
+
+/** An object of the same style for what comes next, of the same kind and settings. */
+export function successorOf(drawing: Drawing, figure: Figure): DrawnObject {
+  const { color, width, dash } = activeObject(drawing);
+  return newObject(freeId(drawing), figure, { color, width, dash });
+}
+
+/** The drawing with each of its places on the surface taken to another one. */
+export function withDrawingPlaces(
+  drawing: Drawing,
+  move: (point: SurfacePoint) => SurfacePoint,
+): Drawing {
+  const objects = drawing.objects.map((object) => ({
+    ...object,
+    figure: withPlaces(object.figure, move),
+  }));
+  return { ...drawing, objects };
+}

@@ -1,0 +1,67 @@
+/**
+ * The edits of a figure: `applyToFigure` gives the figure after one, and `invertFigureCommand` the
+ * command that takes it back.
+ */
+import type { CircleForm, CircleShape, ControlPoint, CurveSettings, Figure, Kind } from './figure';
+
+export type FigureCommand =
+  | { type: 'insert'; index: number; point: ControlPoint }
+  | { type: 'remove'; index: number; point: ControlPoint }
+  /** Makes a point the one of another number. */
+  | { type: 'reorder'; from: number; to: number }
+  /** A point's place, or a number of it. */
+  | { type: 'change'; index: number; from: ControlPoint; to: ControlPoint }
+  | { type: 'kind'; from: Kind; to: Kind }
+  | { type: 'settings'; from: CurveSettings; to: CurveSettings }
+  | { type: 'circle'; from: CircleShape | null; to: CircleShape | null }
+  | { type: 'circleForm'; from: CircleForm; to: CircleForm }
+  | { type: 'replace'; from: Figure; to: Figure };
+
+export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
+  const { points } = figure;
+  switch (command.type) {
+    case 'insert':
+      return { ...figure, points: points.toSpliced(command.index, 0, command.point) };
+    case 'remove':
+      return { ...figure, points: points.toSpliced(command.index, 1) };
+    case 'reorder': {
+      const left = points.toSpliced(command.from, 1);
+      return { ...figure, points: left.toSpliced(command.to, 0, points[command.from]!) };
+    }
+    case 'change':
+      return { ...figure, points: points.with(command.index, command.to) };
+    case 'kind':
+      return { ...figure, kind: command.to };
+    case 'settings':
+      return { ...figure, settings: command.to };
+    case 'circle':
+      return { ...figure, circle: command.to };
+    case 'circleForm':
+      return { ...figure, circleForm: command.to };
+    case 'replace':
+      return command.to;
+  }
+}
+
+export function invertFigureCommand(command: FigureCommand): FigureCommand {
+  switch (command.type) {
+    case 'insert':
+      return { ...command, type: 'remove' };
+    case 'remove':
+      return { ...command, type: 'insert' };
+    case 'reorder':
+      return { ...command, from: command.to, to: command.from };
+    case 'change':
+      return { ...command, from: command.to, to: command.from };
+    case 'kind':
+      return { ...command, from: command.to, to: command.from };
+    case 'settings':
+      return { ...command, from: command.to, to: command.from };
+    case 'circle':
+      return { ...command, from: command.to, to: command.from };
+    case 'circleForm':
+      return { ...command, from: command.to, to: command.from };
+    case 'replace':
+      return { ...command, from: command.to, to: command.from };
+  }
+}

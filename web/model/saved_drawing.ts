@@ -1,0 +1,258 @@
+/**
+ * A drawing as JSON, and its check: what is read is a drawing in every part and of a bounded size, or
+ * it is refused with a sentence.
+ */
+import type { SurfacePoint } from 'karcher';
+import {
+  type Dash,
+  type Drawing,
+  type DrawnObject,
+  dashes,
+  type LineStyle,
+  widthRange,
+} from './drawing';
+import {
+  type Across,
+  type CircleForm,
+  type CircleShape,
+  type ControlPoint,
+  type CurveSettings,
+  type Figure,
+  fewestArcs,
+  isEmpty,
+  kinds,
+  knotsFit,
+  marksRange,
+  mostArcs,
+  mostLegPoints,
+  mostLevels,
+  type Rim,
+  samplesRange,
+  toleranceRange,
+  type Vector,
+} from './figure';
+
+export const drawingFormat = 'karcher-drawing';
+export const drawingVersion = 1;
+
+/** What a drawing has at most. */
+export const mostObjects = 2000;
+export const mostPoints = 10_000;
+export const longestName = 200;
+
+export const savedDrawing = ({ active, objects }: Drawing) => ({
+  format: drawingFormat,
+  version: drawingVersion,
+  active,
+  objects,
+});
+
+/** The drawing that a value of JSON is. Throws a sentence about the first thing that it is not. */
+export function readDrawing(value: unknown): Drawing {
+  const { format, version, active, objects } = record(value, 'the drawing');
+  if (format !== drawingFormat) throw new Error(`the format is not '${drawingFormat}'`);
+  if (version !== drawingVersion) {
+    throw new Error(
+      `the drawing has version ${version}; this page reads version ${drawingVersion}`,
+    );
+  }
+  const read = list(objects, 'the objects', mostObjects).map((object, i) =>
+    readObject(object, `object ${i + 1}`),
+  );
+  const ids = new Set(read.map(({ id }) => id));
+  if (ids.size < read.length) throw new Error('two objects have the same id');
+  if (typeof active !== 'number' || !ids.has(active))
+    throw new Error('no object is the active one');
+  if (read.some(({ id, figure }) => id !== active && isEmpty(figure))) {
+    throw new Error('an object that is not the active one is empty');
+  }
+  return { objects: read, active };
+}
+
+/** Objects that were copied, here or in another tab. */
+export function readObjects(value: unknown): DrawnObject[] {
+  return list(value, 'the objects', mostObjects).map((object, i) =>
+    readObject(object, `object ${i + 1}`),
+  );
+}
+
+function readObject(value: unknown, what: string): DrawnObject {
+  const { id, name, visible, locked, group, figure, ...style } = record(value, what);
+  return {
+    id: whole(id, 1, Number.MAX_SAFE_INTEGER, `the id of ${what}`),
+    name: text(name, `the name of ${what}`),
+    visible: flag(visible, `'visible' of ${what}`),
+    locked: flag(locked, `'locked' of ${what}`),
+    ...readStyle(style, what),
+    group: group === null ? null : text(group, `the group of ${what}`),
+    figure: readFigure(figure, what),
+  };
+}
+
+function readStyle(
+  { color, width, dash }: Partial<Record<keyof LineStyle, unknown>>,
+  what: string,
+) {
+  if (color !== null && !isColor(color)) throw new Error(`the color of ${what} is none`);
+  const { least, most } = widthRange;
+  return {
+    color,
+    width: number(width, least, most, `the width of ${what}`),
+    dash: oneOf<Dash>(dash, dashes, `the dash of ${what}`),
+  };
+}
+
+export const isColor = (value: unknown): value is string =>
+  typeof value === 'string' && /^#[0-9a-f]{6}$/.test(value);
+
+function readFigure(value: unknown, what: string): Figure {
+  const { kind, settings, points, circle, circleForm } = record(value, `the figure of ${what}`);
+  const figure: Figure = {
+    kind: oneOf(kind, kinds, `the kind of ${what}`),
+    settings: readSettings(settings, what),
+    points: list(points, `the points of ${what}`, mostPoints).map((point, i) =>
+      readControlPoint(point, `point ${i + 1} of ${what}`),
+    ),
+    circle: circle === null ? null : readCircle(circle, what),
+    circleForm: readCircleForm(circleForm, what),
+  };
+  if (!knotsFit(figure)) throw new Error(`the knots of ${what} are not as many as its points take`);
+  return figure;
+}
+
+function readSettings(value: unknown, of: string): CurveSettings {
+  const what = `the settings of ${of}`;
+  const { closed, degree, clamped, knots, parametrization, samples, tolerance, marks, levels } =
+    record(value, what);
+  const within = (one: unknown, { least, most }: { least: number; most: number }, name: string) =>
+    number(one, least, most, `${name} in ${what}`);
+  return {
+    closed: flag(closed, `'closed' in ${what}`),
+    degree: whole(degree, 1, 5, `the degree in ${what}`),
+    clamped: flag(clamped, `'clamped' in ${what}`),
+    knots:
+      knots === null
+        ? null
+        : list(knots, `the knots in ${what}`, mostPoints + 6).map((knot) =>
+            number(knot, -Infinity, Infinity, `a knot in ${what}`),
+          ),
+    parametrization: oneOf(parametrization, ['centripetal', 'uniform'], `the spacing in ${what}`),
+    samples: whole(samples, samplesRange.least, samplesRange.most, `the samples in ${what}`),
+    tolerance: tolerance === null ? null : within(tolerance, toleranceRange, 'the tolerance'),
+    marks:
+      marks === 0 ? 0 : whole(marks, marksRange.least, marksRange.most, `the marks in ${what}`),
+    levels:
+      levels === 'auto' || levels === 'limit'
+        ? levels
+        : whole(levels, 0, mostLevels, `the levels in ${what}`),
+  };
+}
+
+function readControlPoint(value: unknown, what: string): ControlPoint {
+  const { weight, beta, leg } = record(value, what);
+  const positive = (one: unknown, name: string) => number(one, 1e-12, 1e12, `${name} of ${what}`);
+  return {
+    ...readPoint(value, what),
+    ...(weight !== undefined && { weight: positive(weight, 'the weight') }),
+    ...(beta !== undefined && { beta: positive(beta, 'the beta') }),
+    ...(leg !== undefined && {
+      leg: list(leg, `the leg of ${what}`, mostLegPoints).map((point) =>
+        readPoint(point, `a point of the leg of ${what}`),
+      ),
+    }),
+  };
+}
+
+function readPoint(value: unknown, what: string): SurfacePoint {
+  const { face, bary } = record(value, what);
+  const weights = list(bary, `the place of ${what}`, 3).map((weight) =>
+    number(weight, 0, 1, `a weight of ${what}`),
+  );
+  const sum = weights.reduce((total, weight) => total + weight, 0);
+  if (weights.length !== 3 || Math.abs(sum - 1) > 1e-6) {
+    throw new Error(`the place of ${what} is not three weights of sum 1`);
+  }
+  return { face: whole(face, 0, 2 ** 31 - 1, `the face of ${what}`), bary: weights as Vector };
+}
+
+function readCircle(value: unknown, of: string): CircleShape {
+  const what = `the circle of ${of}`;
+  const { center, rim, across } = record(value, what);
+  return {
+    center: readPoint(center, `the center of ${what}`),
+    rim: readRim(rim, what),
+    ...(across !== undefined && { across: readAcross(across, what) }),
+  };
+}
+
+const isPoint = (value: unknown) => value !== null && typeof value === 'object' && 'face' in value;
+
+function readRim(value: unknown, what: string): Rim {
+  if (isPoint(value)) return readPoint(value, `the rim of ${what}`);
+  const { radius, direction } = record(value, `the rim of ${what}`);
+  const along = list(direction, `the direction of ${what}`, 3).map((one) =>
+    number(one, -Infinity, Infinity, `the direction of ${what}`),
+  );
+  if (along.length !== 3) throw new Error(`the direction of ${what} is not three numbers`);
+  return { radius: length(radius, what), direction: along as Vector };
+}
+
+function readAcross(value: unknown, what: string): Across {
+  if (isPoint(value)) return readPoint(value, `the radius across of ${what}`);
+  return { radius: length(record(value, what).radius, what) };
+}
+
+const length = (value: unknown, what: string) =>
+  number(value, Number.MIN_VALUE, Infinity, `the radius of ${what}`);
+
+function readCircleForm(value: unknown, of: string): CircleForm {
+  const { type, arcs } = record(value, `the circle's form of ${of}`);
+  return {
+    type: oneOf(type, ['arcs', 'linear', 'exact'], `the circle's type of ${of}`),
+    arcs: whole(arcs, fewestArcs, mostArcs, `the arcs of ${of}`),
+  };
+}
+
+function record(value: unknown, what: string): Record<string, unknown> {
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) {
+    throw new Error(`${what} is not an object`);
+  }
+  return value as Record<string, unknown>;
+}
+
+function list(value: unknown, what: string, most: number): unknown[] {
+  if (!Array.isArray(value)) throw new Error(`${what} are no list`);
+  if (value.length > most) throw new Error(`${what} are more than ${most}`);
+  return value;
+}
+
+/** A finite number. */
+function number(value: unknown, least: number, most: number, what: string): number {
+  if (typeof value !== 'number' || !Number.isFinite(value) || value < least || value > most) {
+    throw new Error(`${what} is ${JSON.stringify(value)}`);
+  }
+  return value;
+}
+
+function whole(value: unknown, least: number, most: number, what: string): number {
+  if (!Number.isInteger(value)) throw new Error(`${what} is ${JSON.stringify(value)}`);
+  return number(value, least, most, what);
+}
+
+function flag(value: unknown, what: string): boolean {
+  if (typeof value !== 'boolean') throw new Error(`${what} is neither true nor false`);
+  return value;
+}
+
+function text(value: unknown, what: string): string {
+  if (typeof value !== 'string' || value.length > longestName) {
+    throw new Error(`${what} is no text of at most ${longestName} letters`);
+  }
+  return value;
+}
+
+function oneOf<Value>(value: unknown, all: readonly Value[], what: string): Value {
+  const found = all.find((one) => one === value);
+  if (found === undefined) throw new Error(`${what} is ${JSON.stringify(value)}`);
+  return found;
+}

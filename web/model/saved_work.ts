@@ -1,0 +1,87 @@
+/** What was done to a drawing, and how a tab keeps it with the drawing through reloads. */
+import { apply, type Command, invert } from './commands';
+import type { Drawing } from './drawing';
+import { drawingVersion, readDrawing, savedDrawing } from './saved_drawing';
+
+export interface History {
+  /** The newest last. */
+  done: Command[];
+  /** What was taken back, the next one to be done again last. */
+  undone: Command[];
+}
+
+/** How many steps can be taken back. */
+export const longestHistory = 1000;
+
+export const historyOf = (): History => ({ done: [], undone: [] });
+
+/** A tab's storage takes a few millions of letters; of more steps the newest are kept. */
+const mostLetters = 1_500_000;
+
+/** Commands as text: each is written once. */
+const texts = new WeakMap<Command, string>();
+
+function textOf(command: Command): string {
+  let text = texts.get(command);
+  if (text === undefined) {
+    text = JSON.stringify(command);
+    texts.set(command, text);
+  }
+  return text;
+}
+
+/** The last commands of a list, of so many letters at most. */
+function lastOf(commands: readonly Command[], letters: number): string[] {
+  let left = letters;
+  const kept: string[] = [];
+  for (const command of commands.toReversed()) {
+    const text = textOf(command);
+    left -= text.length;
+    if (left < 0) break;
+    kept.push(text);
+  }
+  return kept.reverse();
+}
+
+/** A drawing and what was done to it as text. `link` tells the drawing, too, and is what finds it. */
+export function savedWork(link: string, drawing: Drawing, history: Readonly<History>): string {
+  const [done, undone] = [history.done, history.undone].map((one) => lastOf(one, mostLetters / 2));
+  const head = JSON.stringify({ link, drawing: savedDrawing(drawing), version: drawingVersion });
+  return `${head.slice(0, -1)},"done":[${done!.join(',')}],"undone":[${undone!.join(',')}]}`;
+}
+
+const canonical = (drawing: Drawing) =>
+  JSON.stringify(readDrawing(JSON.parse(JSON.stringify(savedDrawing(drawing)))));
+
+/**
+ * What such a text holds for a link; null where it is for another one. Its history leads from a
+ * drawing to this one and on, or there is none.
+ */
+export function readWork(
+  text: string,
+  link: string,
+): { drawing: Drawing; history: History } | null {
+  try {
+    const work = JSON.parse(text);
+    if (work.link !== link || work.version !== drawingVersion) return null;
+    readDrawing(work.drawing);
+    const { objects, active } = work.drawing as Drawing;
+    const drawing = { objects, active };
+    const history: History = { done: work.done, undone: work.undone };
+    return { drawing, history: leadsTo(drawing, history) ? history : historyOf() };
+  } catch {
+    return null;
+  }
+}
+
+function leadsTo(drawing: Drawing, { done, undone }: History): boolean {
+  try {
+    const first = done.toReversed().map(invert).reduce(apply, drawing);
+    const again = done.reduce(apply, first);
+    canonical(first);
+    canonical(undone.toReversed().reduce(apply, again));
+    return canonical(again) === canonical(drawing);
+  } catch {
+    return false;
+  }
+}

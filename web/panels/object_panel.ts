@@ -1,0 +1,209 @@
+import type { Editor, State } from '../editor/editor';
+import {
+  activeObject,
+  type Dash,
+  type DrawnObject,
+  type Properties,
+  widthRange,
+} from '../model/drawing';
+import { isEmpty } from '../model/figure';
+import { longestName } from '../model/saved_drawing';
+import { byId, make } from './elements';
+import { NumberField, positiveNumber } from './number_field';
+import { kindNames } from './settings_panel';
+
+/** Colors that are told apart on light and dark surfaces; null is the theme's. */
+const colors: readonly [string | null, string][] = [
+  [null, 'Default color'],
+  ['#d9480f', 'Orange'],
+  ['#c81e5b', 'Pink'],
+  ['#8a3ffc', 'Violet'],
+  ['#0b8457', 'Green'],
+  ['#0e7c9e', 'Teal'],
+  ['#222831', 'Black'],
+  ['#f8f9fa', 'White'],
+];
+
+const eye =
+  '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M2.500 10S5.200 5 10 5s7.500 5 7.500 5-2.700 5-7.500 5-7.500-5-7.500-5z" /><circle cx="10" cy="10" r="2.200" /><path class="off" d="m4 16 12-12" /></svg>';
+const lock =
+  '<svg viewBox="0 0 20 20" aria-hidden="true"><rect x="5" y="9" width="10" height="7" rx="1.500" /><path class="on" d="M7 9V7a3 3 0 0 1 6 0v2" /><path class="off" d="M7 9V6a3 3 0 0 1 5.600-1.500" /></svg>';
+
+/** What the page calls an object that has no name of its own. */
+export const nameOf = ({ id, name, figure }: DrawnObject) =>
+  name || `${kindNames[figure.kind]} ${id}`;
+
+/** The list of objects, what can be done with those that are selected, and their style. */
+export class ObjectPanel {
+  readonly #list = byId('objects');
+  readonly #name = byId<HTMLInputElement>('object-name');
+  readonly #dash = byId<HTMLSelectElement>('dash');
+  readonly #custom = byId<HTMLInputElement>('color');
+  readonly #swatches = colors.map(([color, name]) => this.#makeSwatch(color, name));
+  readonly #width: NumberField;
+  readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
+  #shown: State | null = null;
+
+  constructor(private readonly editor: Editor) {
+    byId('new-object').addEventListener('click', () => editor.begin());
+    const set = (to: Partial<Properties>) => editor.setProperties(this.#targets, to);
+    this.#name.maxLength = longestName;
+    this.#name.addEventListener('change', () => {
+      const { id } = activeObject(editor.state.drawing);
+      editor.setProperties([id], { name: this.#name.value.trim() });
+    });
+    this.#name.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') this.#name.blur();
+      if (event.key !== 'Escape') return;
+      event.preventDefault();
+      this.#name.value = activeObject(editor.state.drawing).name;
+    });
+    this.#custom.addEventListener('change', () => set({ color: this.#custom.value }));
+    this.#dash.addEventListener('change', () => set({ dash: this.#dash.value as Dash }));
+    this.#width = new NumberField(byId<HTMLInputElement>('width'), (width) => set({ width }), {
+      read(text) {
+        const value = positiveNumber(text);
+        return value && Math.min(widthRange.most, Math.max(widthRange.least, value));
+      },
+      write: (value) => `${value}`,
+    });
+    const lone = ({ chosen, drawing }: State) =>
+      chosen.length < 2 && !isEmpty(activeObject(drawing).figure);
+    const some = ({ chosen, drawing }: State) =>
+      chosen.length > 0 || !isEmpty(activeObject(drawing).figure);
+    const place = ({ drawing }: State) =>
+      drawing.objects.findIndex(({ id }) => id === drawing.active);
+    const action = (
+      id: string,
+      act: () => void,
+      isPossible: (state: State) => boolean,
+    ): [HTMLButtonElement, (state: State) => boolean] => {
+      const button = byId<HTMLButtonElement>(id);
+      button.addEventListener('click', act);
+      return [button, isPossible];
+    };
+    this.#actions = [
+      action('duplicate', () => editor.duplicate(this.#targets), some),
+      action('delete-object', () => editor.deleteObjects(this.#targets), some),
+      action(
+        'raise',
+        () => editor.raise(editor.state.drawing.active, 1),
+        (state) => lone(state) && place(state) < state.drawing.objects.length - 1,
+      ),
+      action(
+        'lower',
+        () => editor.raise(editor.state.drawing.active, -1),
+        (state) => lone(state) && place(state) > 0,
+      ),
+      action(
+        'group',
+        () => editor.group(),
+        ({ chosen }) => chosen.length > 1,
+      ),
+      action(
+        'ungroup',
+        () => editor.ungroup(this.#targets),
+        ({ chosen, drawing }) =>
+          drawing.objects.some(({ id, group }) => group !== null && chosen.includes(id)),
+      ),
+    ];
+  }
+
+  show(state: State): void {
+    const before = this.#shown;
+    this.#shown = state;
+    // A drag changes none of it.
+    if (before?.dragging && state.dragging) return;
+    const same = before?.drawing === state.drawing && before.chosen === state.chosen;
+    if (before && same) return;
+    this.#showRows(state);
+    this.#showStyle(activeObject(state.drawing));
+    for (const [button, isPossible] of this.#actions) button.disabled = !isPossible(state);
+    byId<HTMLButtonElement>('new-object').disabled = isEmpty(activeObject(state.drawing).figure);
+  }
+
+  /** What the panel changes: the selected objects, or else the edited one. */
+  get #targets(): readonly number[] {
+    const { chosen, drawing } = this.editor.state;
+    return chosen.length > 0 ? chosen : [drawing.active];
+  }
+
+  #showRows({ drawing, chosen }: State): void {
+    const { objects, active } = drawing;
+    while (this.#list.childElementCount > objects.length) this.#list.lastElementChild!.remove();
+    for (const [i, object] of objects.toReversed().entries()) {
+      const row = this.#list.children[i] ?? this.#list.appendChild(this.#makeRow());
+      this.#showRow(row as HTMLElement, object, object.id === active, chosen.includes(object.id));
+    }
+  }
+
+  #showRow(row: HTMLElement, object: DrawnObject, isActive: boolean, isChosen: boolean): void {
+    const { id, visible, locked, color, figure, group } = object;
+    const [main, see, hold] = [...row.children] as HTMLButtonElement[];
+    const name = nameOf(object);
+    row.dataset.id = `${id}`;
+    row.classList.toggle('hidden-object', !visible);
+    row.classList.toggle('grouped', group !== null);
+    main!.setAttribute('aria-pressed', `${isChosen}`);
+    main!.toggleAttribute('aria-current', isActive);
+    const [dot, words, tag] = [...main!.children] as HTMLElement[];
+    dot!.style.background = color ?? '';
+    words!.textContent = isEmpty(figure) ? `${name}, empty` : name;
+    tag!.textContent = group ?? '';
+    see!.setAttribute('aria-pressed', `${visible}`);
+    see!.setAttribute('aria-label', `Show ${name}`);
+    hold!.setAttribute('aria-pressed', `${locked}`);
+    hold!.setAttribute('aria-label', `Lock ${name}`);
+  }
+
+  #makeRow(): HTMLLIElement {
+    const row = make('li');
+    const id = () => Number(row.dataset.id);
+    const main = make('button', '', { type: 'button', className: 'object' });
+    main.append(make('i'), make('span'), make('small'));
+    main.addEventListener('click', ({ shiftKey, ctrlKey, metaKey }) => {
+      if (shiftKey || ctrlKey || metaKey) this.editor.toggle(id());
+      else this.editor.activate(id());
+    });
+    main.addEventListener('dblclick', () => this.#name.select());
+    const toggle = (className: string, title: string, icon: string, name: 'visible' | 'locked') => {
+      const button = make('button', '', { type: 'button', className, title });
+      button.innerHTML = icon;
+      button.addEventListener('click', () => {
+        const object = this.editor.state.drawing.objects.find((one) => one.id === id());
+        if (object) this.editor.setProperties([object.id], { [name]: !object[name] });
+      });
+      return button;
+    };
+    row.append(
+      main,
+      toggle('eye', 'Show or hide', eye, 'visible'),
+      toggle('lock', 'Lock or unlock', lock, 'locked'),
+    );
+    return row;
+  }
+
+  #showStyle(object: DrawnObject): void {
+    const { name, color, width, dash } = object;
+    if (document.activeElement !== this.#name) this.#name.value = name;
+    this.#name.placeholder = nameOf({ ...object, name: '' });
+    this.#width.show(width);
+    this.#dash.value = dash;
+    for (const swatch of this.#swatches) {
+      swatch.setAttribute('aria-pressed', `${(swatch.dataset.color || null) === color}`);
+    }
+    const isOwn = colors.every(([one]) => one !== color);
+    this.#custom.classList.toggle('chosen', isOwn);
+    if (color) this.#custom.value = color;
+  }
+
+  #makeSwatch(color: string | null, title: string): HTMLButtonElement {
+    const swatch = make('button', '', { type: 'button', className: 'swatch', title });
+    swatch.setAttribute('aria-label', title);
+    swatch.dataset.color = color ?? '';
+    swatch.style.background = color ?? '';
+    swatch.addEventListener('click', () => this.editor.setProperties(this.#targets, { color }));
+    byId('swatches').append(swatch);
+    return swatch;
+  }
+}

@@ -1,0 +1,87 @@
+import { Color, Group, type Vector3 } from 'three';
+import type { Dash, LineStyle } from '../model/drawing';
+import { FatLine } from './fat_line';
+
+/** An object as it is drawn: lines and single points, in the scene. */
+export interface ObjectDrawing {
+  id: number;
+  style: LineStyle;
+  /** What is locked is not picked. */
+  locked: boolean;
+  lines: readonly Float32Array[];
+  dots: readonly Vector3[];
+}
+
+/** Dash and gap in the scene's units; a surface's diagonal is 2. */
+export const dashLengths: Record<Dash, readonly [number, number] | null> = {
+  solid: null,
+  dashed: [0.032, 0.02],
+  dotted: [0.007, 0.013],
+};
+
+/** How much of the color is left where the surface hides a line. */
+const hidden = 0.22;
+/** A point is so many times as wide as a line. */
+const dotWidth = 2.4;
+
+/** A line so short that its round ends are a dot. */
+export const dotAt = ({ x, y, z }: Vector3) => Float32Array.of(x, y, z, x + 1e-4, y, z);
+
+/** The objects beside the edited one: a line for each style, so that many objects are few draws. */
+export class ObjectLines {
+  readonly object = new Group();
+  readonly #lines = new Map<string, FatLine>();
+  #objects: readonly ObjectDrawing[] = [];
+  #color = new Color();
+  #surface = new Color();
+
+  constructor(private readonly order: number) {}
+
+  get objects(): readonly ObjectDrawing[] {
+    return this.#objects;
+  }
+
+  setColors(curve: Color, surface: Color): void {
+    [this.#color, this.#surface] = [curve, surface];
+    this.show(this.#objects);
+  }
+
+  show(objects: readonly ObjectDrawing[]): void {
+    this.#objects = objects;
+    const styles = new Map<string, { style: LineStyle; lines: Float32Array[] }>();
+    const add = (style: LineStyle, lines: readonly Float32Array[]) => {
+      const key = `${style.color} ${style.width} ${style.dash}`;
+      const entry = styles.get(key) ?? { style, lines: [] };
+      entry.lines.push(...lines);
+      styles.set(key, entry);
+    };
+    for (const { style, lines, dots } of objects) {
+      if (lines.length > 0) add(style, lines);
+      if (dots.length > 0) {
+        add({ ...style, width: dotWidth * style.width, dash: 'solid' }, dots.map(dotAt));
+      }
+    }
+    for (const [key, line] of this.#lines) {
+      if (styles.has(key)) continue;
+      this.object.remove(line.object);
+      line.dispose();
+      this.#lines.delete(key);
+    }
+    for (const [key, { style, lines }] of styles) {
+      const line = this.#lines.get(key) ?? this.#make(key, style);
+      line.setColor(style.color ? new Color(style.color) : this.#color, this.#surface);
+      line.set(lines);
+    }
+  }
+
+  follow(camera: Vector3): void {
+    for (const line of this.#lines.values()) line.follow(camera);
+  }
+
+  #make(key: string, { width, dash }: LineStyle): FatLine {
+    const line = new FatLine({ width, dash: dashLengths[dash], hidden }, this.order);
+    this.#lines.set(key, line);
+    this.object.add(line.object);
+    return line;
+  }
+}
