@@ -134,6 +134,7 @@ export async function start(): Promise<void> {
     checkUpPanel.show(session.client);
   };
   const curvePanel = new CurvePanel(editor, edits, {
+    setJoint: (joint) => gestures.setJoint(joint),
     async chooseMethod(id) {
       if (await opening.prepare(id)) editor.setMethod(id);
       else curvePanel.show(editor.state, session.view);

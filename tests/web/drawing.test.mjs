@@ -12,7 +12,7 @@ async function load(path) {
 }
 
 const triangles = 5000;
-const kinds = ['bspline', 'bezier', 'polyline', 'circle', 'ellipse', 'center', 'points'];
+const kinds = ['bspline', 'pen', 'polyline', 'circle', 'ellipse', 'center', 'points'];
 const steps = 200;
 
 describe('a drawing', () => {
@@ -35,8 +35,17 @@ describe('a drawing', () => {
     const some = () => ids().filter(() => random() < 0.3);
     const points = () => editor.state.figure.points;
     const isRound = () => ['circle', 'ellipse'].includes(editor.state.figure.kind);
+    const tangents = () => {
+      const ahead = { direction: [0, 0.6, 0.8], length: random() };
+      const behind = one([{ length: null }, { length: random() }, point(), undefined]);
+      return { ...(behind && { before: behind }), after: one([ahead, point()]) };
+    };
+    const placed = () => {
+      const isPen = editor.state.figure.kind === 'pen';
+      return isPen && random() < 0.7 ? { ...point(), tangents: tangents() } : point();
+    };
     const place = () => {
-      if (!isRound()) editor.run({ type: 'insert', index: points().length, point: point() });
+      if (!isRound()) editor.run({ type: 'insert', index: points().length, point: placed() });
       else {
         const { circle: from } = editor.state.figure;
         const to = { center: point(), rim: { radius: 1 + random(), direction: [1, 0, 0] } };

@@ -35,8 +35,11 @@ class InThisThread {
   }
 }
 
-/** The page's parts on a sphere, by a method without a second engine. */
-export async function openPage(triangles) {
+/**
+ * The page's parts on a sphere of so many triangles, or on the surface of arrays, by a method without
+ * a second engine.
+ */
+export async function openPage(surface) {
   globalThis.addEventListener = (_, hear) => {
     InThisThread.served = hear;
   };
@@ -49,9 +52,12 @@ export async function openPage(triangles) {
   const failures = [];
   session.onFailure = (error) => failures.push(error.message);
   editor.setMethod('karcher-fast');
-  editor.open(`sphere:${triangles}`, parts.emptyDrawing);
-  const sphere = (await loadEngine()).shape('sphere', triangles);
-  const arrays = { positions: sphere.positions(), triangles: sphere.triangles() };
+  const isSphere = typeof surface === 'number';
+  editor.open(isSphere ? `sphere:${surface}` : 'arrays', parts.emptyDrawing);
+  const sphere = isSphere && (await loadEngine()).shape('sphere', surface);
+  const arrays = sphere
+    ? { positions: sphere.positions(), triangles: sphere.triangles() }
+    : surface;
   session.use(await parts.EngineClient.load({ kind: 'arrays', ...arrays }));
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;

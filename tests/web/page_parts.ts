@@ -1,12 +1,15 @@
 /** What the tests take of the page's parts: of one import, so that they are the same ones. */
+
+export { curveValueOf } from '../../web/editor/compute';
 export { CurveEdits } from '../../web/editor/curve_edits';
 export { Editor } from '../../web/editor/editor';
 export { Session } from '../../web/editor/session';
 export { copiedText, pastedObjects } from '../../web/model/copied';
-export { emptyDrawing, othersOf } from '../../web/model/drawing';
+export { activeObject, emptyDrawing, othersOf } from '../../web/model/drawing';
 export { isEmpty, isSpline, knotsFit, pointsNeeded } from '../../web/model/figure';
 export { formatLink, parseLink } from '../../web/model/link';
 export { methodOptions } from '../../web/model/methods';
+export { asJoint, jointOf, withHandleAt } from '../../web/model/pen';
 export { readDrawing, savedDrawing } from '../../web/model/saved_drawing';
 export { historyOf, readWork, savedWork } from '../../web/model/saved_work';
 export { curveOptions, splineOf } from '../../web/model/splines';

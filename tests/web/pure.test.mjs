@@ -229,16 +229,30 @@ describe('links', () => {
       settings: { ...settings, parametrization: 'uniform', samples: 64, marks: 9, levels: 'limit' },
       points: [point(7), { ...point(8), weight: 2, beta: 3 }],
     };
+    const pen = {
+      ...figure,
+      kind: 'pen',
+      points: [
+        { ...point(1), tangents: { after: { direction: [0, 0.6, -0.8], length: 0.25 } } },
+        { ...point(2), tangents: { before: { length: null }, after: point(3, 0.1, 0.2) } },
+        point(4),
+        {
+          ...point(5),
+          tangents: { before: { direction: [1, 0, 0], length: 2 }, after: { length: 0.5 } },
+        },
+      ],
+    };
     const whole = {
       objects: [
         drawing.newObject(1, polyline, { name: 'a b&c=#;é', width: 0.5, group: 'Group 1' }),
         drawing.newObject(2, { ...round, circleForm: form }, { color: '#0a0B0c'.toLowerCase() }),
         drawing.newObject(3, curve, { visible: false, group: 'Group 1' }),
         drawing.newObject(4, through, { locked: true, dash: 'dotted' }),
+        drawing.newObject(5, pen),
       ],
     };
     for (const mesh of ['bunny:1', 'file:1x-9:a b&c=#.obj']) {
-      for (const active of [1, 2, 3, 4]) {
+      for (const active of [1, 2, 3, 4, 5]) {
         const made = { ...whole, active };
         const text = link.formatLink(mesh, 'paper-exact', made);
         const read = link.parseLink(`#${text}`);

@@ -45,7 +45,10 @@ describe('every control is hit where it is clicked', () => {
       await controls.look('at first');
       await unfold(controls);
       await controls.click(page.locator('#points button').first());
+      await controls.look('a point selected');
       const chosen = new Set();
+      // Of the curve that is there; another kind of tool begins another one.
+      await chooseAll(tab, controls, 'the curve', chosen);
       for (const radio of await page.locator('[name="kind"]').all()) {
         await controls.click(radio);
         await tab.settled();

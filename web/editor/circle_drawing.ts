@@ -116,7 +116,7 @@ export async function drawCircle(
 }
 
 /** The first step of a polyline that is no repeated point; any direction when all are. */
-export function directionOf(polyline: Float32Array): Vector {
+export function directionOf(polyline: Float32Array | Float64Array): Vector {
   for (let i = 3; i < polyline.length; i += 3) {
     const step = [0, 1, 2].map((axis) => polyline[i + axis]! - polyline[axis]!) as Vector;
     const length = Math.hypot(...step);

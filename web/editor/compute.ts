@@ -1,10 +1,12 @@
-import type { CenterOfMass, ErrorCode, FieldOptions } from 'karcher';
+import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions } from 'karcher';
 import { type Figure, isRound, pointsNeeded } from '../model/figure';
 import { type MethodId, type Quality, qualityOf } from '../model/methods';
+import { type DrawnTangents, penOptions } from '../model/pen';
 import { curveOptions, splineOf } from '../model/splines';
 import type { TracedCurve } from '../model/traced';
 import { type EngineClient, KarcherError } from '../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
+import { drawnTangents } from './pen_drawing';
 import { type Shift, shiftBetween } from './shift';
 
 /** What the engine makes of a figure: a curve, isolines or a center, with a circle's handles. */
@@ -13,6 +15,8 @@ export interface Shown {
   isolines: ShownIsolines | null;
   circle: ShownCircle | null;
   center: ShownCenter | null;
+  /** Of a curve of the pen, the handles of its anchors. */
+  tangents: readonly DrawnTangents[] | null;
   /** Why there is less than was asked for, as a sentence. */
   problem: string | null;
 }
@@ -26,6 +30,7 @@ export const nothing: Shown = {
   isolines: null,
   circle: null,
   center: null,
+  tangents: null,
   problem: null,
 };
 
@@ -52,6 +57,7 @@ export function compute(
   { object, draft = false, dragged }: Computation,
 ): Promise<Shown> {
   if (isRound(figure.kind)) return computeCircle(client, figure, options, draft);
+  if (figure.kind === 'pen') return computePen(client, figure, options, object);
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
   const spline = splineOf(figure);
@@ -60,6 +66,38 @@ export function compute(
   return client
     .curve(curveOptions(spline, options), { object, marks, dragged })
     .then((curve) => ({ ...nothing, curve }));
+}
+
+/** The value that a figure's curve is traced of; null where it is none. */
+export async function curveValueOf(
+  client: EngineClient,
+  figure: Figure,
+  options: FieldOptions,
+): Promise<CurveOptions | null> {
+  if (figure.points.length < pointsNeeded(figure)) return null;
+  if (figure.kind === 'pen')
+    return penOptions(figure, await drawnTangents(client, figure), options);
+  const spline = splineOf(figure);
+  return spline && curveOptions(spline, options);
+}
+
+async function computePen(
+  client: EngineClient,
+  figure: Figure,
+  options: FieldOptions,
+  object: number,
+): Promise<Shown> {
+  const tangents = await drawnTangents(client, figure);
+  if (figure.points.length < pointsNeeded(figure)) return { ...nothing, tangents };
+  try {
+    const { marks } = figure.settings;
+    const curve = await client.curve(penOptions(figure, tangents, options), { object, marks });
+    return { ...nothing, tangents, curve };
+  } catch (error) {
+    if (client.closed) throw error;
+    // The handles stay, so that they can be taken back.
+    return { ...nothing, tangents, problem: messageOf(error) };
+  }
 }
 
 async function computeCenter(

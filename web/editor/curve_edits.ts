@@ -3,6 +3,7 @@ import type { Command } from '../model/commands';
 import { activeObject, freeId, indexOf, objectOf, othersOf } from '../model/drawing';
 import {
   type Figure,
+  isCurve,
   isEmpty,
   isSpline,
   knotsFit,
@@ -10,6 +11,7 @@ import {
   type Vector,
 } from '../model/figure';
 import { applyToFigure, type FigureCommand } from '../model/figure_commands';
+import { withAnchorAt } from '../model/pen';
 import { splineOf, withSpline } from '../model/splines';
 import type { Edit } from '../worker/edits';
 import type { CurveTool, Editor, Selection, State } from './editor';
@@ -116,6 +118,10 @@ export class CurveEdits {
 
   async #atCurve(tool: CurveTool, near: Vector, within: number): Promise<void> {
     const { figure } = this.editor.state;
+    if (figure.kind === 'pen') {
+      await this.#putAnchor(near);
+      return;
+    }
     if (tool === 'split') {
       const made = await this.session.reshaped({ type: 'split', near, within });
       if (made) this.#cut(made.splines);
@@ -125,6 +131,17 @@ export class CurveEdits {
     const made = await this.session.reshaped({ type: 'insert', near, within });
     const spline = made?.splines[0];
     if (spline) this.editor.replace(withSpline(figure, spline), made.point);
+  }
+
+  /** Puts an anchor in where the curve of the pen is nearest to a place. */
+  async #putAnchor(near: Vector): Promise<void> {
+    const { figure } = this.editor.state;
+    const { tangents } = this.session.view;
+    const measured = await this.session.measured(near);
+    if (!measured || !tangents || this.editor.state.figure !== figure) return;
+    const { parameter, point, tangent } = measured;
+    const { points, index } = withAnchorAt(figure, tangents, parameter, point, tangent);
+    this.editor.replace({ ...figure, points }, index);
   }
 
   /** The edited object becomes the first piece; the others lie above it, of the same style. */
@@ -222,7 +239,7 @@ export class CurveEdits {
   /** Makes ready for a click on the curve to cut. */
   chooseSplit(): void {
     const { tool } = this.editor.state;
-    if (!this.#hasCurve() || this.editor.refuses()) return;
+    if (!this.#hasSpline() || this.editor.refuses()) return;
     this.editor.setTool(tool === 'split' ? 'insert' : 'split');
   }
 
@@ -238,13 +255,17 @@ export class CurveEdits {
   chooseJoin(): void {
     const { tool } = this.editor.state;
     const others = joinable(this.editor.state);
-    if (!this.#hasCurve() || others.length === 0 || this.editor.refuses()) return;
+    if (!this.#hasSpline() || others.length === 0 || this.editor.refuses()) return;
     if (others.length === 1) void this.join(others[0]!);
     else this.editor.setTool(tool === 'join' ? 'insert' : 'join');
   }
 
+  #hasSpline(): boolean {
+    return this.#hasCurve() && isSpline(this.editor.state.figure.kind);
+  }
+
   #hasCurve(): boolean {
-    return this.session.view.curve !== null && isSpline(this.editor.state.figure.kind);
+    return this.session.view.curve !== null && isCurve(this.editor.state.figure.kind);
   }
 }
 

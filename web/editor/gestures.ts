@@ -3,12 +3,14 @@ import { Vector3 } from 'three';
 import { byRadii, newCircle, withHandle } from '../model/circle';
 import { type CircleShape, isRound, type Vector } from '../model/figure';
 import type { FigureCommand } from '../model/figure_commands';
+import type { DrawnTangents, Joint } from '../model/pen';
 import { Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
 import { BoxSelection } from './box_selection';
 import type { CurveTool, Editor } from './editor';
-import { handlesOf, idOf, selectionOf } from './handle_list';
+import { handlesOf, idOf, selectionOf, tangentOf } from './handle_list';
+import { type HeldKeys, PenGestures } from './pen_gestures';
 import type { Session } from './session';
 import { type Target, targetAt } from './targets';
 import { twoFingersMeanTheView } from './two_fingers';
@@ -38,11 +40,24 @@ export interface CurveClicks {
   shorterClicked(index: number): void;
 }
 
+/** What a drag of a handle began with. */
+interface Grabbed {
+  x: number;
+  y: number;
+  circle: CircleShape | null;
+  /** Of an anchor of the pen. */
+  tangents: DrawnTangents;
+  /** Whether a click there, as one on the first anchor, closes the curve. */
+  closes: boolean;
+}
+
 /** Turns what the pointer and the keys do on the stage into commands. */
 export class Gestures {
   readonly #handles: Handles;
   #press: { id: number; x: number; y: number; slop: number } | null = null;
-  #grabbed: { x: number; y: number; circle: CircleShape | null } | null = null;
+  #grabbed: Grabbed | null = null;
+  #keys: HeldKeys = { alt: false, shift: false };
+  readonly #pen: PenGestures;
   #pointers = 0;
   #hover: { x: number; y: number } | null = null;
   #drag: { id: string; x: number; y: number } | null = null;
@@ -66,7 +81,27 @@ export class Gestures {
       focus: (id) => editor.select(selectionOf(id)),
       key: (id, event) => this.#nudge(id, event),
     });
-    this.#handles.severalFingers = twoFingersMeanTheView(stage, this.#handles);
+    const handles = this.#handles;
+    const held = {
+      get heldBy() {
+        return handles.heldBy ?? pen.heldBy;
+      },
+      letGo() {
+        handles.letGo();
+        pen.letGo();
+      },
+    };
+    let severalFingers = () => false;
+    const pen = new PenGestures(editor, session, viewer, stage, () => severalFingers());
+    severalFingers = twoFingersMeanTheView(stage, held);
+    this.#handles.severalFingers = severalFingers;
+    this.#pen = pen;
+    const keys = ({ altKey, shiftKey }: PointerEvent) => {
+      this.#keys = { alt: altKey, shift: shiftKey };
+    };
+    for (const type of ['pointerdown', 'pointermove'] as const) {
+      window.addEventListener(type, keys, { capture: true });
+    }
     // The stage takes keys of its own: it turns, zooms and places points.
     stage.tabIndex = 0;
     new BoxSelection(editor, viewer, stage);
@@ -91,8 +126,24 @@ export class Gestures {
     const { surface } = this.viewer;
     const { view } = this.session;
     this.#handles.show(surface ? handlesOf(this.editor.state, view, surface) : []);
+    this.#showTangents();
     const { center } = view;
     this.#handles.showCenter(surface && center ? surface.position(center.point) : null);
+  }
+
+  /** The selected anchor's handles are joined with it. */
+  #showTangents(): void {
+    const { figure, selection } = this.editor.state;
+    if (figure.kind !== 'pen') return;
+    const drawn = typeof selection === 'number' && this.editor.isOpen;
+    const { before, after } = (drawn && this.session.view.tangents?.[selection as number]) || {};
+    const paths = [before, after].flatMap((tangent) => (tangent ? [tangent.path] : []));
+    this.viewer.showPolygon(paths, false);
+  }
+
+  /** Makes the selected anchor of the pen, or else all of them, corners or smooth. */
+  setJoint(joint: Joint): void {
+    this.#pen.setJoint(joint);
   }
 
   /** Marks the place of the curve that is measured. */
@@ -215,9 +266,22 @@ export class Gestures {
   }
 
   #grab(id: string, place: { x: number; y: number }): void {
-    this.editor.select(selectionOf(id));
-    const { circle } = this.editor.state.figure;
-    this.#grabbed = { ...place, circle: circle && byRadii(circle, this.session.view.circle) };
+    const { figure, selection: before } = this.editor.state;
+    const selection = selectionOf(id);
+    const { points, settings } = figure;
+    const last = points.length - 1;
+    const isPen = figure.kind === 'pen';
+    const closes =
+      isPen && id === idOf(0) && !settings.closed && last > 0 && before === last && !this.#keys.alt;
+    this.editor.select(selection);
+    const { view } = this.session;
+    const { circle } = figure;
+    this.#grabbed = {
+      ...place,
+      circle: circle && byRadii(circle, view.circle),
+      tangents: (isPen && typeof selection === 'number' && view.tangents?.[selection]) || {},
+      closes,
+    };
   }
 
   #dragNow(): void {
@@ -227,11 +291,11 @@ export class Gestures {
     if (!drag || !grabbed) return;
     const moved = Math.hypot(drag.x - grabbed.x, drag.y - grabbed.y);
     if (!this.editor.dragging && moved <= clickSlop / 2) return;
-    this.#moveTo(drag.id, drag.x, drag.y, grabbed.circle);
+    this.#moveTo(drag.id, drag.x, drag.y, grabbed);
   }
 
   /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
-  #moveTo(id: string, x: number, y: number, grabbed: CircleShape | null): void {
+  #moveTo(id: string, x: number, y: number, { circle, tangents }: Grabbed): void {
     const point = this.viewer.pick(x, y)?.point;
     if (!point) return;
     const base = this.editor.base;
@@ -239,9 +303,16 @@ export class Gestures {
     let command: FigureCommand | null = null;
     if (typeof selection === 'number') {
       const from = base.points[selection];
-      if (from) command = { type: 'change', index: selection, from, to: { ...from, ...point } };
-    } else if (base.circle && grabbed) {
-      const to = withHandle(base.circle, grabbed, selection, point);
+      const side = tangentOf(id)?.side;
+      const to =
+        from && side
+          ? this.#pen.withHandle(from, tangents, side, { x, y }, this.#keys)
+          : from && base.kind === 'pen'
+            ? this.#pen.moved(from, tangents, point, this.#keys)
+            : from && { ...from, ...point };
+      if (from && to) command = { type: 'change', index: selection, from, to };
+    } else if (base.circle && circle) {
+      const to = withHandle(base.circle, circle, selection, point);
       command = { type: 'circle', from: base.circle, to };
     }
     if (command) this.editor.preview(command);
@@ -249,7 +320,9 @@ export class Gestures {
 
   #release(cancelled: boolean): void {
     this.#dragNow();
+    const closes = this.#grabbed?.closes && !this.editor.dragging;
     this.#grabbed = null;
+    if (closes && !cancelled) this.editor.setSettings({ closed: true });
     if (cancelled) this.editor.cancelDrag();
     else this.editor.commitDrag();
   }
@@ -263,8 +336,10 @@ export class Gestures {
     const place = this.#handles.place(id);
     if (!place) return;
     if (!this.editor.dragging) this.#grab(id, place);
-    const circle = this.#grabbed?.circle ?? null;
-    this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], circle);
+    const grabbed = this.#grabbed;
+    if (!grabbed) return;
+    this.#keys = { alt: false, shift: false };
+    this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], grabbed);
   }
 
   #stageKey(event: KeyboardEvent): void {

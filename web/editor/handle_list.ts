@@ -1,7 +1,8 @@
 import type { SurfacePoint } from 'karcher';
 import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle';
 import { activeObject } from '../model/drawing';
-import { isRound } from '../model/figure';
+import { type ControlPoint, isRound } from '../model/figure';
+import type { Side } from '../model/pen';
 import type { Handle } from '../viewer/handles';
 import type { Surface } from '../viewer/surface';
 import type { Selection, State } from './editor';
@@ -19,6 +20,7 @@ export function handlesOf(
   const { locked, visible } = activeObject(drawing);
   if (locked || !visible) return [];
   const { kind, points, circle } = figure;
+  if (kind === 'pen') return penHandles(points, view, surface, selection);
   if (!isRound(kind)) {
     const name = kind === 'center' || kind === 'points' ? 'Point' : 'Control point';
     return points.map((point, i) => ({
@@ -56,10 +58,60 @@ export function handlesOf(
   ];
 }
 
+/** Anchors, and the handles of the selected one. */
+function penHandles(
+  points: readonly ControlPoint[],
+  view: View,
+  surface: Surface,
+  selection: Selection,
+): Handle[] {
+  const anchors = points.map(
+    (point, i): Handle => ({
+      id: idOf(i),
+      position: surface.position(point),
+      label: `Anchor ${i + 1} of ${points.length}`,
+      tag: `${i + 1}`,
+      look: 'anchor',
+      selected: selection === i,
+    }),
+  );
+  const anchor = typeof selection === 'number' ? points[selection] : undefined;
+  const drawn = typeof selection === 'number' ? view.tangents?.[selection] : undefined;
+  if (!anchor || !drawn) return anchors;
+  const sides: Side[] = ['before', 'after'];
+  const tangents = sides.flatMap((side): Handle[] => {
+    const told = anchor.tangents?.[side];
+    const found = drawn[side];
+    if (!told || !found) return [];
+    return [
+      {
+        id: tangentId(side, selection as number),
+        // While it is dragged it is where it is told, before the engine has answered.
+        position: surface.position('face' in told ? told : found.point),
+        label: `Handle ${side} anchor ${(selection as number) + 1}`,
+        tag: side,
+        look: 'tangent',
+        selected: false,
+      },
+    ];
+  });
+  return [...anchors, ...tangents];
+}
+
+const tangentId = (side: Side, anchor: number) => `${side}-${anchor}`;
+
+/** Which handle of an anchor an id means; null where it means something else. */
+export function tangentOf(id: string): { side: Side; anchor: number } | null {
+  const [, side, anchor] = /^(before|after)-(\d+)$/.exec(id) ?? [];
+  return side ? { side: side as Side, anchor: Number(anchor) } : null;
+}
+
 export function idOf(selection: NonNullable<Selection>): string {
   return typeof selection === 'number' ? `point-${selection}` : selection;
 }
 
 export function selectionOf(id: string): NonNullable<Selection> {
+  const tangent = tangentOf(id);
+  if (tangent) return tangent.anchor;
   return isCircleHandle(id) ? id : Number(id.slice('point-'.length));
 }

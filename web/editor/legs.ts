@@ -7,7 +7,7 @@ export type Ends = readonly [SurfacePoint, SurfacePoint];
 /** What geodesics join beside a curve: neighbouring points, or a center of mass and its points. */
 export function endsOf(figure: Figure, center: SurfacePoint | null): Ends[] {
   const { kind, points, settings } = figure;
-  if (isRound(kind) || kind === 'points') return [];
+  if (isRound(kind) || kind === 'points' || kind === 'pen') return [];
   if (kind === 'center') return center ? points.map((point) => [center, point]) : [];
   const ends = points.slice(1).map((point, i): Ends => [points[i]!, point]);
   if (settings.closed && points.length > 2) ends.push([points.at(-1)!, points[0]!]);

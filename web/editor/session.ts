@@ -1,13 +1,28 @@
 import type { CurveLevels, SurfacePoint } from 'karcher';
 import { activeObject } from '../model/drawing';
-import { type Figure, isRound, pointsNeeded, type Spline, type Vector } from '../model/figure';
+import {
+  type Figure,
+  isCurve,
+  isRound,
+  pointsNeeded,
+  type Spline,
+  type Vector,
+} from '../model/figure';
 import { methodOptions, type Quality, refinedOptions } from '../model/methods';
 import { curveOptions, splineFrom, splineOf, usesLegs, waypointsOf } from '../model/splines';
 import type { Measured, ShorterLeg, TracedCurve } from '../model/traced';
 import type { EngineClient } from '../worker/client';
 import type { Edit } from '../worker/edits';
 import { type Beside, BesideObjects } from './beside';
-import { compute, messageOf, nothing, qualityShown, type Shown, shiftOf } from './compute';
+import {
+  compute,
+  curveValueOf,
+  messageOf,
+  nothing,
+  qualityShown,
+  type Shown,
+  shiftOf,
+} from './compute';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
@@ -160,12 +175,14 @@ export class Session {
   /** The curve that is shown, where it is nearest to a place; null where that cannot be said. */
   async measured(near: Vector): Promise<Measured | null> {
     const [state, view] = [this.#state, this.#view];
-    const spline = state && splineOf(state.figure);
-    if (!spline || !view.curve || state.dragging || view.revision !== state.revision) return null;
+    const isShown = view.curve && view.revision === state?.revision;
+    if (!state || !isShown || state.dragging || !isCurve(state.figure.kind)) return null;
     const refined = view.quality === 'exact' ? refinedOptions(state.method) : null;
     const client = refined ? this.#refinement.client : this.#client;
-    const options = curveOptions(spline, refined ?? methodOptions(state.method));
-    const measured = await client?.measure(state.drawing.active, options, near).catch(() => null);
+    const options = refined ?? methodOptions(state.method);
+    const value = client && (await curveValueOf(client, state.figure, options).catch(() => null));
+    if (!value) return null;
+    const measured = await client.measure(state.drawing.active, value, near).catch(() => null);
     return this.#state?.revision === state.revision ? (measured ?? null) : null;
   }
 
@@ -375,6 +392,7 @@ export class Session {
       return { legs, others, polygonOnly: false };
     }
     const ends = endsOf(state.figure, shown.center?.point ?? null);
+    if (kind === 'pen') return { legs: [], others, polygonOnly: false };
     const own = shown.curve?.legs ?? [];
     return {
       legs: own.length > 0 ? own : this.#legs.between(ends, state.epoch),

@@ -1,6 +1,6 @@
 import type { Vector3 } from 'three';
 import { activeObject } from '../model/drawing';
-import { isSpline } from '../model/figure';
+import { isCurve } from '../model/figure';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
 import type { State } from './editor';
@@ -27,12 +27,12 @@ export function targetAt(
   place: { x: number; y: number; touch: boolean },
 ): Target | null {
   const pick = viewer.pick(place.x, place.y);
-  if (isSpline(kind) && tool === 'measure') {
+  if (isCurve(kind) && tool === 'measure') {
     const position = viewer.pickCurve(place.x, place.y, measuredWithin);
     return position && { type: 'curve', position };
   }
   const within = place.touch ? reach.touch : reach.mouse;
-  if (isSpline(kind) && !activeObject(drawing).locked) {
+  if (isCurve(kind) && !activeObject(drawing).locked) {
     const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);
     if (position) return { type: 'curve', position };
     const shorter = tool === 'insert' ? viewer.pickShorter(place.x, place.y, within) : -1;

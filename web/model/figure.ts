@@ -1,10 +1,11 @@
 /** What one object of a drawing is made of: a value, which is never changed in place. */
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
+import type { Tangent, Tangents } from './pen';
 
 /** A curve with control points; a basis of one's own is for programs. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
-/** `center` is no curve: the center of mass of the points; `points` are the points alone. */
-export type Kind = SplineKind | RoundKind | 'center' | 'points';
+/** `pen` is a curve of anchors with handles; `center` is no curve: the center of mass of the points; `points` are the points alone. */
+export type Kind = SplineKind | 'pen' | RoundKind | 'center' | 'points';
 /** Around a center. */
 export type RoundKind = 'circle' | 'ellipse';
 export type Vector = [number, number, number];
@@ -25,6 +26,8 @@ export type ParameterName = 'weight' | 'beta';
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number } & {
   /** Points that the way to the next point goes through, where it is not the shortest. */
   readonly leg?: readonly SurfacePoint[];
+  /** Of an anchor of the pen. */
+  readonly tangents?: Tangents;
 };
 
 /** Of a circle and of an ellipse: each is the other's shape where that has more to say. */
@@ -132,12 +135,16 @@ export const kinds: readonly Kind[] = [
   'ellipse',
   'center',
   'points',
+  'pen',
 ];
 
 /** Whether a kind is a curve with control points. */
 export function isSpline(kind: Kind): kind is SplineKind {
-  return !isRound(kind) && kind !== 'center' && kind !== 'points';
+  return !isRound(kind) && kind !== 'center' && kind !== 'points' && kind !== 'pen';
 }
+
+/** Whether a kind is a curve through or near its points, which may be closed. */
+export const isCurve = (kind: Kind) => isSpline(kind) || kind === 'pen';
 
 export function isRound(kind: Kind): kind is RoundKind {
   return kind === 'circle' || kind === 'ellipse';
@@ -146,6 +153,7 @@ export function isRound(kind: Kind): kind is RoundKind {
 /** Points that are needed before there is anything to show. */
 export function pointsNeeded({ kind, settings }: Figure): number {
   if (kind === 'center' || kind === 'points') return 1;
+  if (kind === 'pen') return 2;
   if (settings.closed) return 3;
   return kind === 'bspline' ? settings.degree + 1 : 2;
 }
@@ -185,6 +193,14 @@ export function cleared(figure: Figure): Figure {
   return withFittingKnots({ ...figure, points: [] });
 }
 
+function withTangentPlaces(
+  { before, after }: Tangents,
+  move: (point: SurfacePoint) => SurfacePoint,
+): Tangents {
+  const moved = (tangent: Tangent) => ('face' in tangent ? move(tangent) : tangent);
+  return { ...(before && { before: moved(before) }), ...(after && { after: moved(after) }) };
+}
+
 /** The figure with each of its places on the surface taken to another one. */
 export function withPlaces(figure: Figure, move: (point: SurfacePoint) => SurfacePoint): Figure {
   const { circle } = figure;
@@ -192,6 +208,7 @@ export function withPlaces(figure: Figure, move: (point: SurfacePoint) => Surfac
     ...point,
     ...move(point),
     ...(point.leg && { leg: point.leg.map(move) }),
+    ...(point.tangents && { tangents: withTangentPlaces(point.tangents, move) }),
   });
   const reached = <Place extends object>(place: Place | SurfacePoint) =>
     'face' in place ? move(place) : place;

@@ -1,7 +1,7 @@
 /**
  * A drawing as a link's fragment. The object that is edited:
  * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
- * `&legs=0:face,b1,b2:face,b1,b2;3:…&samples=64&tolerance=0.001&marks=9&levels=2`
+ * `&legs=0:face,b1,b2:face,b1,b2;3:…&tangents=0:before:after;…&samples=64&tolerance=0.001&marks=9&levels=2`
  * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`
  * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&group=…&place=2`. Legs are told by a
  * point's number and the points that its way to the next one goes through, its place by how many
@@ -50,6 +50,7 @@ import {
 } from './figure';
 import { withLeg } from './legs';
 import { isMethod, type MethodId } from './methods';
+import { type Tangent, type Tangents, withTangents } from './pen';
 import { isColor, longestName, mostObjects } from './saved_drawing';
 
 export interface Link {
@@ -106,7 +107,7 @@ export function formatLink(mesh: string, method: MethodId, drawing: Drawing): st
 function objectFields({ figure, ...properties }: DrawnObject): string[] {
   const { kind, points, settings, circle, circleForm } = figure;
   const parts = [`kind=${kind}`, `points=${points.map(formatControlPoint).join(';')}`];
-  parts.push(...legsFields(points), ...settingsFields(settings));
+  parts.push(...legsFields(points), ...tangentsFields(points), ...settingsFields(settings));
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
@@ -125,6 +126,45 @@ function legsFields(points: readonly ControlPoint[]): string[] {
   const legs = points.map(({ leg }, i) => leg && [i, ...leg.map(formatPoint)].join(':'));
   const told = legs.filter((leg) => leg !== undefined);
   return told.length > 0 ? [`legs=${told.join(';')}`] : [];
+}
+
+/** The handles of anchors: by a point's number those before and after it, each told as it is. */
+function tangentsFields(points: readonly ControlPoint[]): string[] {
+  const told = points.flatMap(({ tangents }, i) =>
+    tangents ? [`${i}:${formatTangent(tangents.before)}:${formatTangent(tangents.after)}`] : [],
+  );
+  return told.length > 0 ? [`tangents=${told.join(';')}`] : [];
+}
+
+function formatTangent(tangent: Tangent | undefined): string {
+  if (!tangent) return '';
+  if ('face' in tangent) return formatPoint(tangent);
+  if ('direction' in tangent) return [tangent.length, ...tangent.direction].join(',');
+  return tangent.length === null ? 'same' : `${tangent.length}`;
+}
+
+function parseTangent(text: string): Tangent | undefined {
+  if (text === 'same') return { length: null };
+  const point = parsePoint(text);
+  if (point) return point;
+  const [length = -1, ...direction] = parseNumbers(text, 4) ?? parseNumbers(text, 1) ?? [];
+  if (length < 0) return undefined;
+  return direction.length > 0 ? { direction: direction as Vector, length } : { length };
+}
+
+/** Handles by the numbers of their anchors. */
+function parseTangents(text: string): Map<string, Tangents> {
+  const parts = text.split(';').map((part) => part.split(':'));
+  return new Map(
+    parts.map(([number = '', before = '', after = '']) => {
+      const read = { before: parseTangent(before), after: parseTangent(after) };
+      const told = {
+        ...(read.before && { before: read.before }),
+        ...(read.after && { after: read.after }),
+      };
+      return [number, told];
+    }),
+  );
 }
 
 function settingsFields(settings: CurveSettings): string[] {
@@ -211,9 +251,10 @@ function parseObjects(fragment: string): DrawnObject[] {
 function parseFigure(fragment: string): Figure {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const legs = parseLegs(fields.get('legs') ?? '');
+  const tangents = parseTangents(fields.get('tangents') ?? '');
   const points = pointTexts(fragment).map((text, i) => {
     const point = parseControlPoint(text);
-    return point && withLeg(point, legs.get(i));
+    return point && withTangents(withLeg(point, legs.get(i)), tangents.get(`${i}`));
   });
   return withFittingKnots({
     kind: kinds.find((one) => one === fields.get('kind')) ?? 'bspline',
@@ -351,7 +392,14 @@ function fittingPoints(points: readonly ControlPoint[], triangles: number): Cont
   const fits = ({ face }: SurfacePoint) => face < triangles;
   const holds = (i: number) =>
     points[i]!.leg?.every(fits) && fits(points[i + 1] ?? points[0]!) ? points[i]!.leg : null;
-  return points.map((point, i) => withLeg(point, holds(i))).filter(fits);
+  const fitting = ({ tangents }: ControlPoint) => {
+    const all = [tangents?.before, tangents?.after];
+    return all.every((tangent) => !tangent || !('face' in tangent) || fits(tangent));
+  };
+  return points
+    .map((point, i) => withLeg(point, holds(i)))
+    .map((point) => (fitting(point) ? point : withTangents(point, undefined)))
+    .filter(fits);
 }
 
 /** A figure of which every place is on a surface of that many triangles. */

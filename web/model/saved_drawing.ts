@@ -31,6 +31,7 @@ import {
   toleranceRange,
   type Vector,
 } from './figure';
+import type { Tangent, Tangents } from './pen';
 
 export const drawingFormat = 'karcher-drawing';
 export const drawingVersion = 1;
@@ -149,7 +150,7 @@ function readSettings(value: unknown, of: string): CurveSettings {
 }
 
 function readControlPoint(value: unknown, what: string): ControlPoint {
-  const { weight, beta, leg } = record(value, what);
+  const { weight, beta, leg, tangents } = record(value, what);
   const positive = (one: unknown, name: string) => number(one, 1e-12, 1e12, `${name} of ${what}`);
   return {
     ...readPoint(value, what),
@@ -160,7 +161,24 @@ function readControlPoint(value: unknown, what: string): ControlPoint {
         readPoint(point, `a point of the leg of ${what}`),
       ),
     }),
+    ...(tangents !== undefined && { tangents: readTangents(tangents, what) }),
   };
+}
+
+function readTangents(value: unknown, what: string): Tangents {
+  const { before, after } = record(value, `the handles of ${what}`);
+  return {
+    ...(before !== undefined && { before: readTangent(before, what) }),
+    ...(after !== undefined && { after: readTangent(after, what) }),
+  };
+}
+
+function readTangent(value: unknown, of: string): Tangent {
+  const what = `a handle of ${of}`;
+  if (isPoint(value)) return readPoint(value, what);
+  const { direction, length: own } = record(value, what);
+  if (direction === undefined) return { length: own === null ? null : number(own, 0, 1e300, what) };
+  return { direction: readDirection(direction, what), length: number(own, 0, 1e300, what) };
 }
 
 function readPoint(value: unknown, what: string): SurfacePoint {
@@ -190,11 +208,15 @@ const isPoint = (value: unknown) => value !== null && typeof value === 'object' 
 function readRim(value: unknown, what: string): Rim {
   if (isPoint(value)) return readPoint(value, `the rim of ${what}`);
   const { radius, direction } = record(value, `the rim of ${what}`);
-  const along = list(direction, `the direction of ${what}`, 3).map((one) =>
+  return { radius: length(radius, what), direction: readDirection(direction, what) };
+}
+
+function readDirection(value: unknown, what: string): Vector {
+  const along = list(value, `the direction of ${what}`, 3).map((one) =>
     number(one, -Infinity, Infinity, `the direction of ${what}`),
   );
   if (along.length !== 3) throw new Error(`the direction of ${what} is not three numbers`);
-  return { radius: length(radius, what), direction: along as Vector };
+  return along as Vector;
 }
 
 function readAcross(value: unknown, what: string): Across {

@@ -26,10 +26,11 @@ export const withSpline = (figure: Figure, spline: Spline): Figure => ({
 
 /** Kinds that are subdivided; the others are one mean of all their points, or paths. */
 export const mayHaveLevels = (kind: Kind) =>
-  ['bspline', 'bezier', 'rational', 'catmullrom'].includes(kind);
+  ['bspline', 'bezier', 'rational', 'catmullrom', 'pen'].includes(kind);
 
 /** Kinds that follow the legs of their control polygon, or are made of them. */
-export const usesLegs = (kind: Kind) => kind === 'polyline' || mayHaveLevels(kind);
+export const usesLegs = (kind: Kind) =>
+  kind === 'polyline' || (isSpline(kind) && mayHaveLevels(kind));
 
 /** A spline as the engine takes it: with what its kind has a use for. */
 export function curveOptions(spline: Spline, options: FieldOptions): CurveOptions {

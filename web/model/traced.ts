@@ -1,5 +1,5 @@
 /** What the engine makes of a document, as the page draws and shows it. */
-import type { CurvePoints, CurveSamples } from 'karcher';
+import type { CurvePoints, CurveSamples, SurfacePoint } from 'karcher';
 import type { LostInterval } from './lost';
 
 /** A curve as the page draws it. */
@@ -46,6 +46,7 @@ export interface TracedIsolines {
 /** A point of a curve, with what is worth knowing there. */
 export interface Measured {
   parameter: number;
+  point: SurfacePoint;
   position: [number, number, number];
   /** From the curve's start, and of all of it. */
   length: number;

@@ -1,8 +1,9 @@
 import { type CurveEdits, joinable } from '../editor/curve_edits';
 import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/session';
-import { isEmpty, isSpline, type Kind, kinds } from '../model/figure';
+import { isCurve, isEmpty, isSpline, type Kind, kinds } from '../model/figure';
 import { type MethodId, methods } from '../model/methods';
+import type { Joint } from '../model/pen';
 import { CircleSettings } from './circle_settings';
 import { byId, make } from './elements';
 import { FineSettings } from './fine_settings';
@@ -11,6 +12,7 @@ import { kindNames, kindNotes, SettingsPanel } from './settings_panel';
 
 export interface CurveEvents {
   chooseMethod(id: MethodId): void;
+  setJoint(joint: Joint): void;
 }
 
 /** The curve's kind, how it is computed, and the list of its control points. */
@@ -22,7 +24,7 @@ export class CurvePanel {
   readonly #join = byId<HTMLButtonElement>('join');
   readonly #measure = byId<HTMLButtonElement>('measure');
   readonly #reverse = byId<HTMLButtonElement>('reverse');
-  readonly #kinds = kinds.map(makeKind);
+  readonly #kinds = menuOrder.map(makeKind);
   readonly #settings: SettingsPanel;
   readonly #circle: CircleSettings;
   readonly #fine: FineSettings;
@@ -33,7 +35,7 @@ export class CurvePanel {
     events: CurveEvents,
   ) {
     this.#rows = new PointRows(editor);
-    this.#settings = new SettingsPanel(editor, edits);
+    this.#settings = new SettingsPanel(editor, edits, (joint) => events.setJoint(joint));
     this.#circle = new CircleSettings(editor);
     this.#fine = new FineSettings(editor, edits);
     for (const input of this.#kinds) {
@@ -54,11 +56,13 @@ export class CurvePanel {
     const { kind } = state.figure;
     for (const input of this.#kinds) input.checked = input.value === kind;
     this.#method.value = state.method;
-    byId('actions').hidden = !isSpline(kind) || !view.curve;
+    byId('actions').hidden = !isCurve(kind) || !view.curve;
+    // Curves of the pen are edited by their anchors.
+    for (const button of [this.#split, this.#reverse]) button.hidden = !isSpline(kind);
     this.#split.setAttribute('aria-pressed', `${state.tool === 'split'}`);
     this.#measure.setAttribute('aria-pressed', `${state.tool === 'measure'}`);
     this.#join.setAttribute('aria-pressed', `${state.tool === 'join'}`);
-    this.#join.hidden = joinable(state).length === 0;
+    this.#join.hidden = !isSpline(kind) || joinable(state).length === 0;
     this.#clear.hidden = isEmpty(state.figure);
     byId('points-title').textContent = pointsTitles[kind] ?? 'Control points';
     this.#rows.show(state, view);
@@ -67,6 +71,9 @@ export class CurvePanel {
     this.#fine.show(state, view);
   }
 }
+
+/** The pen first, as it is what most drawing is done with. */
+const menuOrder: readonly Kind[] = ['pen', ...kinds.filter((kind) => kind !== 'pen')];
 
 function makeKind(kind: Kind): HTMLInputElement {
   const label = make('label', '', { title: kindNotes[kind] });
@@ -81,4 +88,5 @@ const pointsTitles: Partial<Record<Kind, string>> = {
   ellipse: 'Ellipse',
   center: 'Points and their weights',
   points: 'Points',
+  pen: 'Anchors',
 };

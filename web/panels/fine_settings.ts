@@ -4,7 +4,7 @@ import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/session';
 import {
   defaultSettings,
-  isSpline,
+  isCurve,
   marksRange,
   samplesRange,
   toleranceRange,
@@ -64,7 +64,7 @@ export class FineSettings {
 
   show({ figure }: State, { curve }: View): void {
     const { kind, settings } = figure;
-    this.#group.hidden = !isSpline(kind);
+    this.#group.hidden = !isCurve(kind);
     const withKnots = kind === 'bspline';
     byId('fine-title').textContent = withKnots ? 'Samples, marks and knots' : 'Samples and marks';
     const { samples, tolerance, marks } = settings;

@@ -1,7 +1,8 @@
 import type { Parametrization } from 'karcher';
 import type { CurveEdits } from '../editor/curve_edits';
 import type { Editor, State } from '../editor/editor';
-import { type CurveSettings, isSpline, type Kind } from '../model/figure';
+import { type CurveSettings, isCurve, type Kind } from '../model/figure';
+import { type Joint, jointOf } from '../model/pen';
 import { byId, make } from './elements';
 
 const degrees = ['1, linear', '2, quadratic', '3, cubic', '4, quartic', '5, quintic'];
@@ -13,10 +14,12 @@ export class SettingsPanel {
   readonly #clamped = byId<HTMLInputElement>('clamped');
   readonly #degree = byId<HTMLSelectElement>('degree');
   readonly #spacing = byId<HTMLSelectElement>('spacing');
+  readonly #joint = byId<HTMLSelectElement>('joint');
 
   constructor(
     private readonly editor: Editor,
     edits: CurveEdits,
+    setJoint: (joint: Joint) => void,
   ) {
     for (const [i, label] of degrees.entries()) {
       this.#degree.append(make('option', label, { value: `${i + 1}` }));
@@ -29,14 +32,20 @@ export class SettingsPanel {
     this.#degree.addEventListener('change', () =>
       this.#set({ degree: Number(this.#degree.value), knots: null }),
     );
+    this.#joint.addEventListener('change', () => {
+      setJoint(this.#joint.value as Joint);
+      this.show(editor.state);
+    });
     this.#spacing.addEventListener('change', () =>
       this.#set({ parametrization: this.#spacing.value as Parametrization }),
     );
   }
 
-  show({ figure }: State): void {
-    const { kind, settings } = figure;
-    this.#group.hidden = !isSpline(kind);
+  show({ figure, selection }: State): void {
+    const { kind, settings, points } = figure;
+    const anchor = points[typeof selection === 'number' ? selection : 0];
+    this.#joint.value = jointOf(anchor?.tangents);
+    this.#group.hidden = !isCurve(kind);
     this.#closed.checked = settings.closed;
     this.#clamped.checked = settings.clamped && !settings.knots;
     this.#degree.value = `${settings.degree}`;
@@ -45,6 +54,7 @@ export class SettingsPanel {
       [this.#clamped, kind === 'bspline' && !settings.closed],
       [this.#degree, kind === 'bspline'],
       [this.#spacing, kind === 'catmullrom'],
+      [this.#joint, kind === 'pen'],
     ];
     for (const [element, used] of uses) element.closest('label')!.hidden = !used;
   }
@@ -66,6 +76,7 @@ export const kindNames: Record<Kind, string> = {
   ellipse: 'Ellipse',
   center: 'Center',
   points: 'Points',
+  pen: 'Pen',
 };
 
 /** What a kind is, in a few words. */
@@ -80,4 +91,5 @@ export const kindNotes: Record<Kind, string> = {
   ellipse: 'Two radii around a center, at right angles',
   center: 'The center of mass of the points',
   points: 'Single points of the surface',
+  pen: 'Bézier curves through anchors with handles: click a corner, drag a smooth anchor (P)',
 };

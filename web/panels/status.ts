@@ -116,6 +116,7 @@ export class Status {
 
 function nameOf(kind: Kind, selection: Selection): string {
   if (selection === null) return '';
+  if (kind === 'pen') return `Anchor ${Number(selection) + 1}`;
   return typeof selection === 'number' ? `Point ${selection + 1}` : kindNames[kind];
 }
 
@@ -130,6 +131,7 @@ function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | 
   const { kind, points, circle } = figure;
   if (view.center) return centerHint(view.center);
   if (isRound(kind)) return circle ? '' : 'Click the surface to place the center';
+  if (points.length === 0 && kind === 'pen') return penHint;
   if (points.length === 0) {
     return `Click the surface to place a ${kind === 'center' || kind === 'points' ? '' : 'control '}point`;
   }
@@ -137,6 +139,8 @@ function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | 
   if (missing <= 0) return shorterHint(view);
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }
+
+const penHint = 'Click to place a corner, or drag to draw a smooth anchor';
 
 /** Of legs that were drawn out by a drag. */
 function shorterHint({ shorter }: View): string {

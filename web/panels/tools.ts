@@ -1,6 +1,6 @@
 import type { CurveEdits } from '../editor/curve_edits';
 import type { Editor } from '../editor/editor';
-import { isSpline, kinds } from '../model/figure';
+import { isCurve, kinds } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
 import { showNote } from './messages';
@@ -65,7 +65,7 @@ export class Tools {
 
   #toggleClosed(): void {
     const { kind, settings } = this.editor.state.figure;
-    if (isSpline(kind)) this.edits.setClosed(!settings.closed);
+    if (isCurve(kind)) this.edits.setClosed(!settings.closed);
   }
 
   async #share(): Promise<void> {
@@ -137,6 +137,7 @@ export class Tools {
     backspace: () => this.events.removeSelected(),
     escape: () => this.#escape(),
     n: () => this.editor.begin(),
+    p: () => this.editor.setKind('pen'),
     r: () => this.viewer.resetView({ animated: true }),
     home: () => this.viewer.resetView({ animated: true }),
     t: () => this.#toggleEdges(),

@@ -8,7 +8,7 @@ export interface Handle {
   label: string;
   /** Text beside the handle while it is selected or pointed at. */
   tag: string;
-  look: 'point' | 'center' | 'rim';
+  look: 'point' | 'center' | 'rim' | 'anchor' | 'tangent';
   selected: boolean;
 }
 

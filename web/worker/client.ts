@@ -155,12 +155,15 @@ export class EngineClient {
     near: [number, number, number],
   ): Promise<Measured> {
     const curve = await this.#curveOf(object, value);
-    const [view, { parameter, position }] = await both(curve.set(value), curve.nearest(near));
+    const [view, { parameter, point, position }] = await both(
+      curve.set(value),
+      curve.nearest(near),
+    );
     const [{ inSpace: tangent }, length] = await both(
       curve.tangentAt(parameter),
       curve.lengthAt(parameter),
     );
-    return { parameter, position, length, wholeLength: view.length, tangent };
+    return { parameter, point, position, length, wholeLength: view.length, tangent };
   }
 
   /** What an edit makes of the curve of a value, which is the object's from then on. */

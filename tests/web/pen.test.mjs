@@ -1,0 +1,188 @@
+// The pen: anchors and handles drawn and edited with a mouse, a finger and keys.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const penOf = async (tab) => (await tab.state()).figure;
+const bytesOf = async (tab) => JSON.stringify((await tab.state()).drawing);
+const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
+
+describe('the pen', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  /** A place of the stage by its offsets from the middle. */
+  async function placeOf(tab, [dx, dy]) {
+    const { x, y } = await tab.middle();
+    return { x: x + dx, y: y + dy };
+  }
+
+  /** Presses at one place, drags to another, and lets go. */
+  async function pull(tab, from, to) {
+    await tab.drag(await placeOf(tab, from), await placeOf(tab, to));
+  }
+
+  /** A corner, a smooth anchor, and a corner. */
+  async function drawn(mesh = 'sphere:1500') {
+    const tab = await Tab.open(browser, `mesh=${mesh}`);
+    await tab.page.keyboard.press('p');
+    await tab.click([-100, 40]);
+    await pull(tab, [0, -40], [60, -50]);
+    await tab.click([100, 50]);
+    return tab;
+  }
+
+  test('places corners by clicks and smooth anchors by drags, each one step', async () => {
+    const tab = await Tab.open(browser);
+    await tab.page.keyboard.press('p');
+    assert.match(await tab.page.locator('#hint').textContent(), /^Click to place a corner/);
+    const states = [await bytesOf(tab)];
+    const eye = await tab.page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
+    await tab.click([-100, 40]);
+    states.push(await bytesOf(tab));
+    await pull(tab, [0, -40], [60, -50]);
+    states.push(await bytesOf(tab));
+    await tab.click([100, 50]);
+    states.push(await bytesOf(tab));
+    const { kind, points } = await penOf(tab);
+    assert.equal(kind, 'pen');
+    assert.deepEqual(
+      points.map(({ tangents }) => tangents !== undefined),
+      [false, true, false],
+    );
+    assert.deepEqual(points[1].tangents.before, { length: null }, 'opposite, and as long');
+    const { curve, tangents, problem } = await tab.view();
+    assert.equal(problem, null);
+    assert.equal(new Set(Object.values(curve.samples.segment)).size, 2);
+    const { before, after } = tangents[1];
+    assert.ok(dot(before.direction, after.direction) < -1 + 1e-9);
+    assert.ok(Math.abs(before.length - after.length) < 1e-9);
+    const now = await tab.page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
+    assert.deepEqual(now, eye, 'the view has not turned');
+    for (const state of states.toReversed().slice(1)) {
+      await tab.page.keyboard.press('Control+z');
+      assert.equal(await bytesOf(tab), state);
+    }
+    for (const state of states.slice(1)) {
+      await tab.page.keyboard.press('Control+Shift+z');
+      assert.equal(await bytesOf(tab), state);
+    }
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('drags handles and anchors, Alt breaks them, and all of it comes back with the link', async () => {
+    const tab = await drawn();
+    const { page } = tab;
+    const anchor = await tab.handle('Anchor 2 of 3');
+    await page.mouse.click(anchor.x, anchor.y);
+    assert.equal(await page.locator('.handle[data-look="tangent"]').count(), 2);
+    const first = (await tab.view()).tangents[1];
+    await tab.dragHandle('Handle after anchor 2', 15, 35);
+    let { before, after } = (await tab.view()).tangents[1];
+    assert.ok(dot(after.direction, first.after.direction) < 0.99, 'it is turned');
+    assert.ok(dot(before.direction, after.direction) < -1 + 1e-9, 'the other one goes along');
+    await page.locator('#joint').selectOption('smooth');
+    await tab.dragHandle('Handle before anchor 2', -30, 0);
+    const smooth = (await tab.view()).tangents[1];
+    assert.ok(dot(smooth.before.direction, smooth.after.direction) < -1 + 1e-9);
+    assert.ok(Math.abs(smooth.after.length - after.length) < 1e-9, 'its length is kept');
+    await page.keyboard.down('Alt');
+    await tab.dragHandle('Handle before anchor 2', 0, -40);
+    await page.keyboard.up('Alt');
+    ({ before, after } = (await tab.view()).tangents[1]);
+    assert.ok(dot(before.direction, after.direction) > -0.999, 'broken');
+    assert.ok(dot(after.direction, smooth.after.direction) > 1 - 1e-9, 'the other one stays');
+    assert.equal(await page.locator('#joint').inputValue(), 'corner');
+    await tab.dragHandle('Anchor 2 of 3', 20, 20);
+    const moved = (await tab.view()).tangents[1];
+    assert.ok(Math.abs(moved.after.length - after.length) < 1e-9, 'handles go with their anchor');
+    assert.ok(dot(moved.after.direction, after.direction) > 0.9);
+
+    const whole = await bytesOf(tab);
+    const { polyline } = await tab.view();
+    await tab.pastSaving();
+    await page.reload();
+    await tab.settled();
+    assert.equal(await bytesOf(tab), whole);
+    assert.deepEqual((await tab.view()).polyline, polyline);
+    const fragment = page.url().split('#')[1];
+    await page.evaluate(() => sessionStorage.clear());
+    const other = await Tab.open(browser, fragment);
+    assert.deepEqual((await other.view()).polyline, polyline, 'the link alone tells it');
+    assert.deepEqual([...tab.logged, ...other.logged], []);
+    await other.page.close();
+    await page.close();
+  });
+
+  test('closes at the first anchor, ends with Escape, and a click on the curve adds an anchor', async () => {
+    const tab = await drawn();
+    const { page } = tab;
+    const first = await tab.handle('Anchor 1 of 3');
+    await page.mouse.click(first.x, first.y);
+    await tab.settled();
+    assert.equal((await penOf(tab)).settings.closed, true);
+    const { curve } = await tab.view();
+    assert.equal(new Set(Object.values(curve.samples.segment)).size, 3);
+    const at = await tab.onCurve(0.15);
+    await page.mouse.click(at.x, at.y);
+    await page.waitForFunction(() => window.karcherPage.state().figure.points.length === 4);
+    assert.equal((await tab.state()).selection, 1);
+    const { length } = (await tab.view()).curve;
+    assert.ok(Math.abs(length / curve.length - 1) < 0.02, 'the curve stays nearly as it is');
+    await page.keyboard.press('Delete');
+    await tab.settled();
+    assert.equal((await penOf(tab)).points.length, 3);
+
+    await page.keyboard.press('Escape');
+    await tab.click([-120, -110], [-60, -130]);
+    assert.equal((await tab.state()).drawing.objects.length, 2, 'a closed one has ended');
+    await page.keyboard.press('Escape');
+    await tab.click([60, -130]);
+    const { drawing, figure } = await tab.state();
+    assert.equal(drawing.objects.length, 3, 'Escape ends one');
+    assert.equal(figure.kind, 'pen');
+    assert.equal(figure.points.length, 1);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  test('keeps handles to 45 degrees with Shift, and draws by keys alone', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await page.keyboard.press('p');
+    await pull(tab, [-60, 0], [0, 0]);
+    await page.keyboard.down('Shift');
+    await tab.dragHandle('Handle after anchor 1', 8, 5);
+    await page.keyboard.up('Shift');
+    const { after } = (await tab.view()).tangents[0];
+    const { after: told } = (await penOf(tab)).points[0].tangents;
+    assert.ok(dot(told.direction, after.direction) > 1 - 1e-9);
+    const seen = await page.evaluate(
+      ([place, direction]) => {
+        const at = window.karcherPage.seen(place);
+        const on = window.karcherPage.seen(place.map((x, i) => x + 1e-3 * direction[i]));
+        return Math.atan2(on.y - at.y, on.x - at.x);
+      },
+      [Object.values(after.path).slice(0, 3), told.direction],
+    );
+    // Seen from the side the surface is foreshortened.
+    assert.ok(Math.abs(seen) < 0.15, `to the right: ${seen}`);
+    await page.keyboard.press('n');
+    await page.locator('#stage').focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Enter');
+    await tab.settled();
+    const { figure } = await tab.state();
+    assert.equal(figure.kind, 'pen');
+    assert.equal(figure.points.length, 2);
+    assert.ok((await tab.view()).curve);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+});

@@ -1,0 +1,194 @@
+/**
+ * Curves of the pen: cubic Bézier segments between anchors, each with a tangent handle on either side
+ * or none. A handle lies at the end of a straightest geodesic from its anchor. Where one handle is told
+ * as the opposite of the other the curve is smooth there, whatever is done to either.
+ */
+import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
+import type { ControlPoint, Figure, Vector } from './figure';
+
+export type Side = 'before' | 'after';
+
+/**
+ * Where a handle is: at a point of the surface, as far as a vector in the anchor's tangent plane
+ * leads, or opposite to the anchor's other handle, of a length or (null) as long as that.
+ */
+export type Tangent =
+  | SurfacePoint
+  | { readonly direction: Vector; readonly length: number }
+  | { readonly length: number | null };
+
+export type Tangents = { readonly [Which in Side]?: Tangent };
+
+/** How the handles of an anchor go together. */
+export type Joint = 'corner' | 'smooth' | 'symmetric';
+
+/** A handle as it was found on the surface. */
+export interface DrawnTangent {
+  point: SurfacePoint;
+  /** From the anchor; of length 1. */
+  direction: Vector;
+  length: number;
+  /** The geodesic from the anchor. */
+  path: Float32Array;
+}
+
+export type DrawnTangents = { readonly [Which in Side]?: DrawnTangent };
+
+export const otherSide = (side: Side): Side => (side === 'before' ? 'after' : 'before');
+
+export const isOpposite = (tangent: Tangent | undefined): tangent is { length: number | null } =>
+  tangent !== undefined && !('face' in tangent) && !('direction' in tangent);
+
+export function jointOf(tangents: Tangents | undefined): Joint {
+  const opposite = [tangents?.before, tangents?.after].find(isOpposite);
+  if (!opposite) return 'corner';
+  return opposite.length === null ? 'symmetric' : 'smooth';
+}
+
+/** The anchor with other handles; a corner without any where there are none. */
+export function withTangents(point: ControlPoint, tangents: Tangents | undefined): ControlPoint {
+  const { tangents: _, ...rest } = point;
+  const { before, after } = tangents ?? {};
+  if (!before && !after) return rest;
+  return { ...rest, tangents: { ...(before && { before }), ...(after && { after }) } };
+}
+
+/** A handle as a vector at its anchor. */
+const vectorOf = ({ direction, length }: DrawnTangent): Tangent => ({ direction, length });
+
+/** The handles of a joint as they are drawn, one of which leads: as vectors, which go with the anchor. */
+export function byVectors(
+  tangents: Tangents | undefined,
+  drawn: DrawnTangents,
+  turn: (direction: Vector) => Vector = (direction) => direction,
+): Tangents {
+  const told = (side: Side): Tangent | undefined => {
+    const [tangent, found] = [tangents?.[side], drawn[side]];
+    if (!tangent || !found || isOpposite(tangent)) return tangent;
+    return { ...vectorOf(found), direction: turn(found.direction) };
+  };
+  return { before: told('before'), after: told('after') };
+}
+
+/**
+ * The handles with one of them dragged elsewhere. The other one keeps its length and stays opposite,
+ * or where it is: at a corner, and where the joint is broken.
+ */
+export function withHandleAt(
+  tangents: Tangents | undefined,
+  drawn: DrawnTangents,
+  side: Side,
+  to: Tangent,
+  { broken }: { broken: boolean },
+): Tangents {
+  const other = otherSide(side);
+  const found = drawn[other];
+  const joint = jointOf(tangents);
+  if (joint === 'corner' || broken) {
+    const kept = found && tangents?.[other] ? vectorOf(found) : undefined;
+    return { [side]: to, ...(kept && { [other]: kept }) };
+  }
+  return {
+    [side]: to,
+    [other]: { length: joint === 'symmetric' ? null : (found?.length ?? null) },
+  };
+}
+
+/** The handles of another joint, made of those that are drawn. */
+export function asJoint(
+  tangents: Tangents | undefined,
+  drawn: DrawnTangents,
+  joint: Joint,
+): Tangents {
+  const { before, after } = drawn;
+  if (joint === 'corner') {
+    return {
+      ...(before && { before: vectorOf(before) }),
+      ...(after && { after: vectorOf(after) }),
+    };
+  }
+  const side: Side = isOpposite(tangents?.after) || !after ? 'before' : 'after';
+  const lead = drawn[side];
+  if (!lead) return {};
+  const length = joint === 'symmetric' ? null : (drawn[otherSide(side)]?.length ?? lead.length);
+  return { [side]: vectorOf(lead), [otherSide(side)]: { length } };
+}
+
+/** Whether a figure's anchors make a curve that ends where it starts. */
+const isClosed = ({ settings, points }: Figure) => settings.closed && points.length > 1;
+
+/** How many segments a curve of the pen has. */
+export const segmentsOf = (figure: Figure) => figure.points.length - (isClosed(figure) ? 0 : 1);
+
+/**
+ * The curve of anchors with handles where they are drawn: a B-spline of degree 3 whose knots are
+ * threefold, so that each segment is the Bézier curve of its two anchors and the handles between them.
+ */
+export function penOptions(
+  figure: Figure,
+  drawn: readonly DrawnTangents[],
+  options: FieldOptions,
+): CurveOptions {
+  const { points, settings } = figure;
+  const { samples, tolerance, levels } = settings;
+  const count = segmentsOf(figure);
+  const control: SurfacePoint[] = [];
+  const knots = [0];
+  for (let i = 0; i < count; i++) {
+    const next = (i + 1) % points.length;
+    const [from, to] = [placeOf(points[i]!), placeOf(points[next]!)];
+    control.push(from, drawn[i]?.after?.point ?? from, drawn[next]?.before?.point ?? to);
+    knots.push(i, i, i);
+  }
+  control.push(placeOf(points[count % points.length]!));
+  knots.push(count, count, count, count);
+  return {
+    ...options,
+    kind: 'bspline',
+    degree: 3,
+    points: control,
+    knots,
+    ...(tolerance === null ? { samples } : { tolerance }),
+    ...(options.method !== 'paper' && { levels }),
+  };
+}
+
+const placeOf = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
+
+/**
+ * The anchors with one put in where the curve goes through a place at a parameter: by de Casteljau's
+ * algorithm, so that on a plane the curve is the same. `derivative` is the curve's there.
+ */
+export function withAnchorAt(
+  { points }: Figure,
+  drawn: readonly DrawnTangents[],
+  parameter: number,
+  place: SurfacePoint,
+  derivative: Vector,
+): { points: ControlPoint[]; index: number } {
+  const segment = Math.min(Math.floor(parameter), points.length - 1);
+  const t = parameter - segment;
+  const next = (segment + 1) % points.length;
+  const speed = Math.hypot(...derivative);
+  const direction = derivative.map((value) => value / (speed || 1)) as Vector;
+  const shortened = (index: number, side: Side, part: number): ControlPoint => {
+    const point = points[index]!;
+    const found = drawn[index]?.[side];
+    if (!found) return point;
+    const kept = asJoint(point.tangents, drawn[index]!, 'corner');
+    const smooth = jointOf(point.tangents) !== 'corner';
+    const shorter = { direction: found.direction, length: part * found.length };
+    const other = otherSide(side);
+    const length = drawn[index]?.[other]?.length;
+    const opposite = smooth && length !== undefined ? { [other]: { length } } : {};
+    return withTangents(point, { ...kept, [side]: shorter, ...opposite });
+  };
+  const put = withTangents(place, {
+    after: { direction, length: ((1 - t) * speed) / 3 },
+    before: { length: (t * speed) / 3 },
+  });
+  const changed = points
+    .with(segment, shortened(segment, 'after', t))
+    .with(next, shortened(next, 'before', 1 - t));
+  return { points: changed.toSpliced(segment + 1, 0, put), index: segment + 1 };
+}
