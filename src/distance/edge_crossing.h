@@ -86,6 +86,21 @@ inline bool hides(const EdgeEnd& end, const EdgeEnd& other) {
   return later > 0 && later * later > end.squaredRadiusAtOtherEnd();
 }
 
+/// Straight from the source of the end at (0, 0), where that may hide the other end. Paths over the
+/// edge then come the later, the nearer they pass to that end. They do so no more than in
+/// proportion: how much later distances are than straight ones is a convex function along the edge.
+/// A source that is used beyond its shadow would give too short a path, which nothing would mend.
+inline ApexArrival fromSource(const EdgeEnd& end, const EdgeEnd& other, const Vec2& apex) {
+  ApexArrival result = straight(end, apex);
+  if (result.distance < kInfinity && hides(end, other)) {
+    const Vec2 source = end.source();
+    const double part = cross(source, apex) / (apex.y() - source.y());
+    const double later = other.distance - end.base - std::sqrt(end.squaredRadiusAtOtherEnd());
+    result.distance += std::clamp(part, 0.0, 1.0) * later;
+  }
+  return result;
+}
+
 /// One source is the other's pseudo-source: decides on which side of the line through both the apex
 /// lies. Returns false if that is not how the two sources are related.
 inline bool aroundCorner(const EdgeEnd& a, const EdgeEnd& b, const Vec2& apex,
@@ -167,13 +182,12 @@ inline ApexArrival crossSettledEdge(const EdgeEnd& a, const EdgeEnd& b, const Ve
     if (bending > kConvex) return throughFront(a, b, apex);
     if (bending > kOneFront) result = throughFront(a, b, apex);
   }
-  // A source that is used beyond its shadow gives too short a path, which nothing would mend.
-  if (a.seen && !hides(a, b)) {
-    const ApexArrival fromA = straight(a, apex);
+  if (a.seen) {
+    const ApexArrival fromA = fromSource(a, b, apex);
     if (fromA.distance < result.distance) result = fromA;
   }
-  if (b.seen && !hides(b, a)) {
-    const ApexArrival fromB = mirrored(straight(b, {1 - apex.x(), apex.y()}));
+  if (b.seen) {
+    const ApexArrival fromB = mirrored(fromSource(b, a, {1 - apex.x(), apex.y()}));
     if (fromB.distance < result.distance) result = fromB;
   }
   return result;

@@ -104,6 +104,10 @@ void FastDistance::settle(int vertex) {
   if (from.alongEdge) {
     const FanEdge& along = fans_->edges[from.corner];
     from.toSource = along.vector / along.length;
+    const VertexRecord& before = vertices_.touch(along.head);
+    if (before.distance == from.base && goesStraightOn(along.head, before, along.reverse)) {
+      from.base = before.base;
+    }
     if (box_ && isAtBorder(vertex)) from.unsure = true;
   }
   isFromUnsure_ = from.unsure;
@@ -111,6 +115,21 @@ void FastDistance::settle(int vertex) {
   for (int first = 0; first < edges; first += Ring::kCorners) {
     goRound(vertex, from, first, std::min(edges - first, Ring::kCorners));
   }
+}
+
+/// Whether the path to a vertex, gone on along an edge, is straight on both sides: it does not turn
+/// round the vertex.
+bool FastDistance::goesStraightOn(int vertex, const VertexRecord& record, int number) const {
+  const FanEdge& edge = fans_->edges[number];
+  const double slack = kStraight * edge.length;
+  const double sine = karcher::cross(record.toSource, edge.vector);
+  const double cosine = record.toSource.dot(edge.vector);
+  if (!(cosine < 0) || std::abs(sine) > slack) return false;
+  if (fans_->onBoundary(vertex)) return true;
+  // The other way round.
+  const Vec2& turn = fans_->turn[vertex];
+  const double side = number <= record.corner ? 1 : -1;
+  return std::abs(sine * turn.x() + side * cosine * turn.y()) <= slack;
 }
 
 /// Whether a vertex lies outside the box; noted with its record.
@@ -159,7 +178,7 @@ void FastDistance::goRound(int vertex, const VertexRecord& from, int first, int 
   }
 
   if (from.distance > 0) {
-    findCrossings(from.distance - from.base, corners);
+    findCrossings(from.distance, from.distance - from.base, corners);
     const int arrivalCorner = from.corner - begin - first;
     if (arrivalCorner >= 0 && arrivalCorner < corners) {
       ring_.crossesLeft[arrivalCorner] = false;
@@ -208,14 +227,9 @@ inline void FastDistance::goAlongEdge(const VertexRecord& from, const Vec2 (&tur
   const double distance = from.distance + edge.length;
   const bool isLeftOut = box_ && isOutside(edge.head, record);
   const bool isNearer = (distance < record.distance * kShorter) & !isFinal(record) & !isLeftOut;
-  // Straight on, on both sides, the path does not turn round the vertex.
-  const double slack = kStraight * edge.length;
-  const bool turnsLeft = std::abs(ring_.left[place]) > slack;
-  const bool turnsRight = std::abs(ring_.right[place]) > slack;
-  const bool isStraight = (cosine < 0) & !turnsLeft & !turnsRight;
   VertexRecord& reached = *(isNearer ? &record : &nowhere_);
   reached.distance = distance;
-  reached.base = isStraight ? from.base : from.distance;
+  reached.base = from.distance;
   reached.corner = edge.reverse;
   reached.settled = false;
   reached.alongEdge = true;
@@ -255,9 +269,12 @@ void FastDistance::closeRing(int place) {
 /// Tells which edges a path may cross. No path over an edge is shorter than
 /// (d_v + d_w - length) / 2 and the height above the edge; if that is no less than the distance of
 /// an end that is not settled, the end comes first. The line from the vertex's own source must not
-/// miss the edge by much, unless the edge's other end looks through it from a source of its own.
-void FastDistance::findCrossings(double radius, int corners) {
+/// miss the edge by much, unless another front came to the edge's other end, which may go through
+/// it: the end is nearer than straight on from this vertex.
+void FastDistance::findCrossings(double distance, double radius, int corners) {
   Ring& ring = ring_;
+  // By more than this part of the edge.
+  constexpr double kNearer = 0.2;
   const auto mayCross = [&](int edge, int apex, double area, const double* sines) {
     const double sine = sines[edge];
     const double drop = area + radius * sine;
@@ -265,7 +282,8 @@ void FastDistance::findCrossings(double radius, int corners) {
     const bool isBefore = place < -kFarBeside * drop;
     const bool isBehind = place > (1 + kFarBeside) * drop;
     const bool crosses = (sine >= 0) & !isBefore & !isBehind;
-    const bool isSeen = (sine < 0) & (ring.room[edge] == kInfinity);
+    const double soonest = distance - ring.dot[edge] - kNearer * ring.length[edge];
+    const bool isSeen = (ring.distance[edge] < soonest) & (ring.room[edge] == kInfinity);
     const bool isInTurn = area < ring.room[edge];
     const bool isNearer = area + ring.least[edge] < ring.length[edge] * ring.distance[apex];
     return isNearer & isInTurn & (crosses | isSeen);

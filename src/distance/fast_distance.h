@@ -124,11 +124,12 @@ class FastDistance final : public DistanceSolver {
   bool isAtBorder(int vertex);
   void placeInFace(int face, const Vec2& source);
   void settle(int vertex);
+  bool goesStraightOn(int vertex, const VertexRecord& record, int number) const;
   void goRound(int vertex, const VertexRecord& from, int first, int count);
   void goAlongEdge(const VertexRecord& from, const Vec2 (&turns)[2], const FanEdge& edge,
                    int number, int place);
   void closeRing(int place);
-  void findCrossings(double radius, int corners);
+  void findCrossings(double distance, double radius, int corners);
   template <int kSide>
   void cross(int vertex, const VertexRecord& from, int edgeInRing, int targetInRing);
   template <int kSide>

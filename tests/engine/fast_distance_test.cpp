@@ -11,6 +11,7 @@
 #include "distance/ordered_queue.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
+#include "generators/random_points.h"
 #include "rcm/point_field.h"
 #include "support.h"
 
@@ -154,6 +155,30 @@ TEST(FastDistance, IsNearExactAlongTheOtherSideOfATube) {
     exact.grow(kInfinity);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
       EXPECT_NEAR(fast.distance(v), exact.distance(v), 0.02 * exact.distance(v));
+    }
+  }
+}
+
+TEST(FastDistance, GoesThroughEdgesWhoseEndsOtherFrontsReachedFirst) {
+  // On the tube a front passes an end whose own lies far beside; on the other surface an end of a
+  // long edge is reached later than straight from the source that the front comes from.
+  for (const char* const name : {"ring tube, r = 0.1, quads 1:1", "genus 3"}) {
+    SCOPED_TRACE(name);
+    const TriangleMesh mesh = galleryMesh(name);
+    const Geometry geometry = buildGeometry(mesh);
+    FastDistance fast(geometry);
+    ExactDistance exact(geometry);
+    Random random(21);
+    random.index(mesh.vertexCount());
+    for (int i = 0; i < 3; ++i) {
+      const SurfacePoint source = randomPoint(mesh, random);
+      fast.setSource(source);
+      fast.grow(kInfinity);
+      exact.setSource(source);
+      exact.grow(kInfinity);
+      for (int v = 0; v < mesh.vertexCount(); ++v) {
+        EXPECT_NEAR(fast.distance(v), exact.distance(v), 0.02 * exact.distance(v));
+      }
     }
   }
 }
