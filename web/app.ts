@@ -82,6 +82,7 @@ export async function start(): Promise<void> {
     curveMeasured: (position) => measure.at(viewer.surface!.fromScene(position)),
     otherClicked: (tool, id) => edits.atOther(tool, id),
     shorterClicked: (index) => shorten(index),
+    moveStopped: () => showNote('The move stops where something would leave the surface.'),
   });
   const remove = () => {
     if (editor.state.selection === null) editor.deleteObjects();

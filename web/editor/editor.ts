@@ -157,9 +157,18 @@ export class Editor {
     this.#change({ drawing, dragging: true, dragged }, false);
   }
 
+  /** Shows the drawing as it is after a command on whole objects, as a drag's next position. */
+  previewCommand(command: Command): void {
+    this.#drag ??= { base: this.#state.drawing, command: null };
+    this.#drag.command = command;
+    const drawing = apply(this.#drag.base, command);
+    this.#change({ drawing, dragging: true, dragged: null }, false);
+  }
+
   /** Makes the drag one step of the history. */
   commitDrag(): void {
-    if (this.#drag?.command) this.#record(this.#drag.command);
+    const { command = null, base = null } = this.#drag ?? {};
+    if (command && base !== this.#state.drawing) this.#record(command);
     const dragged = this.#drag !== null;
     this.#drag = null;
     if (dragged) this.#change({ dragging: false, dragged: null }, false);

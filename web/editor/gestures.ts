@@ -10,6 +10,7 @@ import type { Viewer } from '../viewer/viewer';
 import { BoxSelection } from './box_selection';
 import type { CurveTool, Editor } from './editor';
 import { handlesOf, idOf, selectionOf, tangentOf } from './handle_list';
+import { MoveGestures } from './move_gestures';
 import { type HeldKeys, PenGestures } from './pen_gestures';
 import type { Session } from './session';
 import { type Target, targetAt } from './targets';
@@ -20,6 +21,8 @@ const clickSlop = 4;
 const touchSlop = 10;
 /** How near to a knot, in CSS pixels, a click means the knot. */
 const nearKnot = { mouse: 6, touch: 12 };
+/** How far an arrow moves what is selected, in CSS pixels; with Shift ten times. */
+const nudgePixels = 4;
 const arrows: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -38,6 +41,8 @@ export interface CurveClicks {
   otherClicked(tool: CurveTool, id: number): void;
   /** By its number in the view. */
   shorterClicked(index: number): void;
+  /** A move would take something off the surface. */
+  moveStopped(): void;
 }
 
 /** What a drag of a handle began with. */
@@ -58,6 +63,7 @@ export class Gestures {
   #grabbed: Grabbed | null = null;
   #keys: HeldKeys = { alt: false, shift: false };
   readonly #pen: PenGestures;
+  readonly #moves: MoveGestures;
   #pointers = 0;
   #hover: { x: number; y: number } | null = null;
   #drag: { id: string; x: number; y: number } | null = null;
@@ -84,18 +90,27 @@ export class Gestures {
     const handles = this.#handles;
     const held = {
       get heldBy() {
-        return handles.heldBy ?? pen.heldBy;
+        return handles.heldBy ?? pen.heldBy ?? moves.heldBy;
       },
       letGo() {
         handles.letGo();
         pen.letGo();
+        moves.letGo();
       },
     };
     let severalFingers = () => false;
     const pen = new PenGestures(editor, session, viewer, stage, () => severalFingers());
+    const moves = new MoveGestures(editor, session, viewer, stage, () => severalFingers(), {
+      clicked: (place) => this.#click(place),
+      stopped: () => events.moveStopped(),
+    });
     severalFingers = twoFingersMeanTheView(stage, held);
     this.#handles.severalFingers = severalFingers;
     this.#pen = pen;
+    this.#moves = moves;
+    stage.addEventListener('keyup', (event) => {
+      if (event.key in arrows) moves.endNudge();
+    });
     const keys = ({ altKey, shiftKey }: PointerEvent) => {
       this.#keys = { alt: altKey, shift: shiftKey };
     };
@@ -347,7 +362,10 @@ export class Gestures {
     const arrow = arrows[event.key];
     const box = this.stage.getBoundingClientRect();
     const middle = { x: box.left + box.width / 2, y: box.top + box.height / 2 };
-    if (arrow) this.viewer.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
+    const nudge = event.shiftKey ? 10 * nudgePixels : nudgePixels;
+    if (arrow && this.editor.state.chosen.length > 0) {
+      this.#moves.nudge(nudge * arrow[0], nudge * arrow[1]);
+    } else if (arrow) this.viewer.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
     else if (event.key === '+' || event.key === '=') this.viewer.zoom(1 / 1.15);
     else if (event.key === '-') this.viewer.zoom(1.15);
     else if (event.key === 'Enter') {

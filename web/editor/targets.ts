@@ -16,7 +16,7 @@ export type Target =
   | { type: 'surface'; pick: Pick };
 
 /** How near to a curve, in CSS pixels, its clicks are. */
-const reach = { mouse: 7, touch: 16 };
+export const reach = { mouse: 7, touch: 16 };
 
 /** What is measured need not be hit. */
 const measuredWithin = 48;
