@@ -2,7 +2,8 @@ import type { Editor } from './editor/editor';
 import type { Session } from './editor/session';
 import { linkOfJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
-import { fitting, formatLink, type Link, lostOf, parseLink } from './model/link';
+import { fitting, formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';
+import { mostLinkPoints } from './model/link_problems';
 import {
   defaultMesh,
   fileKey,
@@ -19,7 +20,7 @@ import {
 import { methodOptions } from './model/methods';
 import type { History } from './model/saved_work';
 import { keepFile, keptFile, recall, remember } from './model/storage';
-import { formatBytes, formatCount } from './panels/elements';
+import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
 import { startingLink, workOn } from './saving';
@@ -141,7 +142,15 @@ export class Opening {
 
   /** Opens what a link says; false where that can't be, and why was said. */
   async link(link: Link): Promise<boolean> {
-    const { mesh, method } = link;
+    const { mesh, method, problems } = link;
+    const points = pointsOf(link.drawing);
+    if (points > mostLinkPoints) {
+      this.#complain(
+        `The link has ${formatInteger(points)} points; up to ${formatInteger(mostLinkPoints)} are opened.`,
+      );
+      return false;
+    }
+    if (problems.length > 0) showError(problems.join(' '));
     const parsed = parseKey(mesh);
     if (!parsed) {
       this.#complain(`The link asks for a surface '${mesh}', which this page does not have.`);

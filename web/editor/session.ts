@@ -77,6 +77,9 @@ function moreThanFixed({ settings }: Spline, { samples }: TracedCurve): boolean 
   return settings.tolerance !== null && samples.count > settings.samples * segments;
 }
 
+/** Legs are shown again after so many times as long as it took to show them. */
+const restPart = 5;
+
 /**
  * Keeps the view up to date with the editor: the newest state first, then the geodesics beside it,
  * and once the edit is done the exact curve.
@@ -98,6 +101,9 @@ export class Session {
   /** Whether what is shown has other samples or levels for the time of a drag. */
   #coarse = false;
   readonly #legs = new Legs();
+  /** Until when legs that are traced are not shown, and whether there are some. */
+  #legsRest = 0;
+  #legsUnseen = false;
   readonly #others = new BesideObjects();
   readonly #refinement = new Refinement<Shown>();
   readonly #newest = new Newest<State>(
@@ -415,7 +421,15 @@ export class Session {
     if (!client || client.closed) return false;
     const traced = await this.#legs.trace(client, this.#ends());
     if (client !== this.#client) return false;
-    if (traced) this.#show(this.#beside(this.#view));
+    // To show each of many takes longer than to trace it: those in between wait for the next.
+    const started = performance.now();
+    if (traced && started < this.#legsRest) this.#legsUnseen = true;
+    else if (traced || this.#legsUnseen) {
+      this.#legsUnseen = false;
+      this.#show(this.#beside(this.#view));
+      const ended = performance.now();
+      this.#legsRest = ended + restPart * (ended - started);
+    }
     return traced;
   }
 }

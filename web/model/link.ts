@@ -49,6 +49,7 @@ import {
   withParameter,
 } from './figure';
 import { withLeg } from './legs';
+import { linkProblems } from './link_problems';
 import { isMethod, type MethodId } from './methods';
 import { type Tangent, type Tangents, withTangents } from './pen';
 import { isColor, longestName, mostObjects } from './saved_drawing';
@@ -59,6 +60,8 @@ export interface Link {
   drawing: Drawing;
   /** What it says so wrongly that the drawing is without it. */
   unread: Lost;
+  /** Sentences about what else it says wrongly, and what is taken in its place. */
+  problems: readonly string[];
 }
 
 /** Places that a drawing is without. */
@@ -208,6 +211,7 @@ export function parseLink(fragment: string): Link | null {
     method: isMethod(method) ? method : null,
     drawing,
     unread: { points: said - read.points, circles: circles - read.circles },
+    problems: linkProblems(fragment),
   };
 }
 
@@ -216,6 +220,9 @@ function pointTexts(fragment: string): string[] {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   return (fields.get('points') ?? '').split(';').filter((text) => text !== '');
 }
+
+/** How many points a drawing's objects have. */
+export const pointsOf = (drawing: Drawing) => countPlaces(drawing).points;
 
 const countPlaces = ({ objects }: Drawing): Lost => ({
   points: objects.reduce((sum, { figure }) => sum + figure.points.length, 0),
@@ -297,7 +304,8 @@ function parseLegs(text: string): Map<number, SurfacePoint[]> {
 
 function parseNumbers(text: string, count: number): number[] | null {
   const fields = text.split(',');
-  const values = fields.map(Number);
+  // -0 is 0.
+  const values = fields.map((field) => Number(field) + 0);
   const good = fields.length === count && fields.every((field) => field.trim() !== '');
   return good && values.every(Number.isFinite) ? values : null;
 }

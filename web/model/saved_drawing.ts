@@ -54,7 +54,7 @@ export function readDrawing(value: unknown): Drawing {
   if (format !== drawingFormat) throw new Error(`the format is not '${drawingFormat}'`);
   if (version !== drawingVersion) {
     throw new Error(
-      `the drawing has version ${version}; this page reads version ${drawingVersion}`,
+      `the drawing has version ${shown(version)}; this page reads version ${drawingVersion}`,
     );
   }
   const read = list(objects, 'the objects', mostObjects).map((object, i) =>
@@ -251,13 +251,13 @@ function list(value: unknown, what: string, most: number): unknown[] {
 /** A finite number. */
 function number(value: unknown, least: number, most: number, what: string): number {
   if (typeof value !== 'number' || !Number.isFinite(value) || value < least || value > most) {
-    throw new Error(`${what} is ${JSON.stringify(value)}`);
+    throw new Error(`${what} is ${shown(value)}`);
   }
   return value;
 }
 
 function whole(value: unknown, least: number, most: number, what: string): number {
-  if (!Number.isInteger(value)) throw new Error(`${what} is ${JSON.stringify(value)}`);
+  if (!Number.isInteger(value)) throw new Error(`${what} is ${shown(value)}`);
   return number(value, least, most, what);
 }
 
@@ -275,6 +275,12 @@ function text(value: unknown, what: string): string {
 
 function oneOf<Value>(value: unknown, all: readonly Value[], what: string): Value {
   const found = all.find((one) => one === value);
-  if (found === undefined) throw new Error(`${what} is ${JSON.stringify(value)}`);
+  if (found === undefined) throw new Error(`${what} is ${shown(value)}`);
   return found;
+}
+
+/** A value in a sentence, cut to a readable length. */
+function shown(value: unknown): string {
+  const text = JSON.stringify(value) ?? 'nothing';
+  return text.length > 60 ? `${text.slice(0, 59)}…` : text;
 }

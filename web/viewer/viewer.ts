@@ -71,6 +71,8 @@ export class Viewer {
   #isChosen = false;
   #shorterLines: Float32Array[] = [];
   #edges = false;
+  /** The stage's, in CSS pixels: to ask the stage lays the page out, which a thousand handles cannot bear. */
+  #size = { width: 1, height: 1 };
   #frame = 0;
 
   /** `stage` takes the pointer; the canvas fills it. Throws where there is no WebGL 2. */
@@ -373,15 +375,15 @@ export class Viewer {
   /** Takes a point of the scene to where it is on the stage, in CSS pixels, and its depth. */
   #onStage(position: Vector3): Vector3 {
     const place = position.project(this.#view.camera);
-    const { clientWidth, clientHeight } = this.stage;
-    place.x = ((place.x + 1) / 2) * clientWidth;
-    place.y = ((1 - place.y) / 2) * clientHeight;
+    const { width, height } = this.#size;
+    place.x = ((place.x + 1) / 2) * width;
+    place.y = ((1 - place.y) / 2) * height;
     return place;
   }
 
   /** The stage's size, in CSS pixels. */
   get size(): { width: number; height: number } {
-    return { width: this.stage.clientWidth, height: this.stage.clientHeight };
+    return this.#size;
   }
 
   /** How far so many CSS pixels reach at a point of the scene, in the surface's unit. */
@@ -389,7 +391,7 @@ export class Viewer {
     const { camera } = this.#view;
     const away = camera.position.distanceTo(position);
     const height = 2 * away * Math.tan((camera.fov * Math.PI) / 360);
-    return ((height / this.stage.clientHeight) * pixels) / (this.#surface?.frame.scale ?? 1);
+    return ((height / this.#size.height) * pixels) / (this.#surface?.frame.scale ?? 1);
   }
 
   /** Where the stage is in the window. */
@@ -439,6 +441,7 @@ export class Viewer {
   #resize(): void {
     const { clientWidth, clientHeight } = this.stage;
     if (clientWidth === 0 || clientHeight === 0) return;
+    this.#size = { width: clientWidth, height: clientHeight };
     this.#renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.#renderer.setSize(clientWidth, clientHeight, false);
     this.#view.resize(clientWidth, clientHeight);

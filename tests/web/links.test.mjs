@@ -1,0 +1,196 @@
+// Links that say too much, or what no page knows: refused or told, and never a failure of the page.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import fc from 'fast-check';
+import { runnerImport } from 'vite';
+import { draws } from '../wasm/draws.mjs';
+import { openBrowser, Tab } from './browser.mjs';
+import { sometimes } from './part.mjs';
+
+const load = async (path) => {
+  const file = fileURLToPath(new URL(`../../web/${path}`, import.meta.url));
+  const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });
+  return module;
+};
+
+const link =
+  'mesh=sphere:1500&kind=bspline&method=karcher&points=1,0.2,0.3;40,0.1,0.1,2;90,0.3,0.3;7,0.5,0.25' +
+  '&legs=1:5,0.2,0.2&closed=1&degree=2&samples=64&marks=9&levels=2&name=a%20name&color=d9560b&width=6' +
+  '&other=kind%3Dcircle%26points%3D%26circle%3D3%2C0.2%2C0.2%3B0.5%2C0%2C0%2C1%26arcs%3D5';
+
+describe('links', () => {
+  let model;
+  before(async () => {
+    const [{ parseLink, formatLink }, { linkProblems }] = [
+      await load('model/link.ts'),
+      await load('model/link_problems.ts'),
+    ];
+    model = { parseLink, formatLink, linkProblems };
+  });
+
+  test('what they say wrongly is told with its bounds and what is taken', () => {
+    const told = (fragment) => model.linkProblems(`mesh=sphere:1500&${fragment}`);
+    assert.deepEqual(told('samples=5000000'), [
+      "The link's samples is '5000000', not a whole number from 2 to 5,000: 128 is taken.",
+    ]);
+    assert.match(
+      told('kind=spiral')[0],
+      /kind is 'spiral', not one of bspline, .*: bspline is taken/,
+    );
+    assert.match(told('method=guess')[0], /method 'guess' is not known/);
+    for (const wrong of [
+      'degree=9',
+      'levels=x',
+      'marks=1',
+      'tolerance=7',
+      'arcs=2.5',
+      'closed=yes',
+    ]) {
+      assert.equal(told(wrong).length, 1, wrong);
+    }
+    assert.equal(told(`other=${encodeURIComponent('kind=bezier&samples=1')}`).length, 1);
+    assert.deepEqual(told(`samples=${'9'.repeat(500)}`)[0].length < 200, true);
+    assert.equal(told('degree=9&levels=x&marks=1&tolerance=7&arcs=2.5&closed=yes').length, 5);
+    assert.deepEqual(model.linkProblems(link), []);
+  });
+
+  test('what a page writes has no problem, and is read as it was written', () => {
+    const { mesh, method, drawing, problems } = model.parseLink(link);
+    assert.deepEqual(problems, []);
+    const written = model.formatLink(mesh, method, drawing);
+    assert.deepEqual(model.parseLink(written).drawing, drawing);
+    assert.equal(model.formatLink(mesh, method, model.parseLink(written).drawing), written);
+  });
+
+  test('random ones, and some that were good, are read or are none', () => {
+    const piece = fc.oneof(
+      fc.constantFrom(
+        '&',
+        '=',
+        ';',
+        ',',
+        ':',
+        '%',
+        '%00',
+        '#',
+        '-1',
+        '1e999',
+        'NaN',
+        '__proto__',
+        'other',
+      ),
+      fc.constantFrom(
+        'points',
+        'mesh',
+        'kind',
+        'circle',
+        'knots',
+        'legs',
+        'samples',
+        'constructor',
+      ),
+      fc.string({ maxLength: 8 }),
+      fc.double().map(String),
+    );
+    const change = fc.record({
+      at: fc.nat(link.length),
+      take: fc.nat(12),
+      put: fc.array(piece, { maxLength: 4 }),
+    });
+    const changed = (changes) =>
+      changes.reduce(
+        (text, { at, take, put }) => text.slice(0, at) + put.join('') + text.slice(at + take),
+        link,
+      );
+    const text = fc.oneof(
+      fc.array(piece, { maxLength: 30 }).map((pieces) => pieces.join('')),
+      fc.array(change, { minLength: 1, maxLength: 4 }).map(changed),
+    );
+    let read = 0;
+    fc.assert(
+      fc.property(text, (fragment) => {
+        const parsed = model.parseLink(fragment);
+        if (!parsed) return;
+        read++;
+        const { mesh, method, drawing, problems } = parsed;
+        assert.ok(problems.every((one) => typeof one === 'string' && one.length < 400));
+        // What it is read as is a drawing: what is written of it is read as the same, without a word.
+        const written = model.formatLink(mesh, method ?? 'karcher', drawing);
+        const again = model.parseLink(written);
+        assert.deepEqual(again.problems, []);
+        assert.equal(model.formatLink(mesh, method ?? 'karcher', again.drawing), written);
+        assert.deepEqual(JSON.parse(JSON.stringify(drawing)), drawing, 'finite, and plain');
+      }),
+      draws(500),
+    );
+    assert.ok(read > 100);
+  });
+
+  test('saved drawings of random JSON are drawings, or refused with a sentence', async () => {
+    const { readDrawing, savedDrawing } = await load('model/saved_drawing.ts');
+    const good = () => savedDrawing(model.parseLink(link).drawing);
+    const paths = [];
+    (function walk(value, path) {
+      if (path.length > 0) paths.push(path);
+      if (typeof value !== 'object' || value === null) return;
+      for (const key of Object.keys(value)) walk(value[key], [...path, key]);
+    })(good(), []);
+    const value = fc.oneof(
+      fc.jsonValue(),
+      fc.constantFrom(-1, 1e15, 0.5, '', '0', [], {}, null, [[]], 2 ** 53, true),
+    );
+    fc.assert(
+      fc.property(
+        fc.array(fc.tuple(fc.constantFrom(...paths), value), { maxLength: 3 }),
+        (changes) => {
+          const copy = JSON.parse(JSON.stringify(good()));
+          for (const [path, instead] of changes) {
+            const owner = path.slice(0, -1).reduce((at, key) => at?.[key], copy);
+            if (typeof owner === 'object' && owner !== null) owner[path.at(-1)] = instead;
+          }
+          let drawing;
+          try {
+            drawing = readDrawing(copy);
+          } catch (error) {
+            assert.equal(error.constructor.name, 'Error', error.stack);
+            assert.ok(error.message.length > 5 && error.message.length < 400);
+            return;
+          }
+          const written = model.formatLink('sphere:1500', 'karcher', drawing);
+          assert.deepEqual(model.linkProblems(written), [], written);
+        },
+      ),
+      draws(400),
+    );
+  });
+});
+
+describe('a page with a link', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  test('of 5,000 points refuses it with its bound', async () => {
+    const points = Array.from({ length: 5000 }, (_, i) => `${i % 1400},0.3,0.3`).join(';');
+    const tab = await Tab.open(browser, `mesh=sphere:1500&kind=bspline&points=${points}`);
+    const alert = tab.page.getByRole('alert');
+    assert.match(await alert.textContent(), /The link has 5,000 points; up to 1,000 are opened\./);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  sometimes('of wrong settings tells them', async () => {
+    const tab = await Tab.open(
+      browser,
+      'mesh=sphere:1500&kind=spiral&samples=5000000&points=1,0.2,0.3;40,0.1,0.1;90,0.3,0.3;7,0.5,0.25',
+    );
+    const said = await tab.page.getByRole('alert').textContent();
+    assert.match(said, /samples is '5000000', not a whole number from 2 to 5,000: 128 is taken/);
+    assert.match(said, /kind is 'spiral'/);
+    assert.equal((await tab.view()).curve.samples.count, 128);
+    await tab.page.close();
+  });
+});
