@@ -8,6 +8,19 @@ namespace {
 /// A bound on the windows of one call; only a surface folded upon itself many times comes near.
 constexpr int kMostWindows = 200'000;
 
+/// Rings do not go round a vertex of more edges: all its neighbours would see each other, and arcs
+/// grow as the square of their number. Paths to those behind lead over the vertex, or from
+/// neighbour to neighbour.
+constexpr int kMostEdges = 256;
+
+bool hasManyEdges(const TriangleMesh& mesh, int vertex) {
+  int edges = 0;
+  for ([[maybe_unused]] const int h : outgoingHalfedges(mesh, vertex)) {
+    if (++edges > kMostEdges) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Visibility::Visibility(const Geometry& geometry) : geometry_(geometry), mesh_(*geometry.mesh) {
@@ -79,6 +92,7 @@ void Visibility::allowRing(int vertex, int rings) {
   for (int ring = 0; ring < rings; ++ring) {
     const int end = ring_.count();
     for (; begin < end; ++begin) {
+      if (ring > 0 && hasManyEdges(mesh_, ring_[begin])) continue;
       for (const int h : outgoingHalfedges(mesh_, ring_[begin])) {
         for (const int w : {mesh_.head(h), mesh_.opposite(h)}) {
           if (allowed(w)) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "distance/exact_distance.h"
+#include "generators/gallery.h"
 #include "mesh/error.h"
 #include "support.h"
 
@@ -103,6 +104,23 @@ TEST(RingGraph, ArcsMakeUpExactDistancesInsideTheRing) {
     }
   }
   EXPECT_GT(compared, 500);
+}
+
+TEST(RingGraph, GrowsWithTheMeshAtAVertexOfManyEdgesToo) {
+  // Through the middle all vertices lie in each other's rings: 1e8 arcs.
+  const TriangleMesh mesh = galleryMesh("disk, valence 10000");
+  const Geometry geometry = buildGeometry(mesh);
+  const RingGraph graph = buildRingGraph(geometry, 6);
+  EXPECT_LT(graph.target.size(), 20 * mesh.positions.size());
+  GraphDistance solver(geometry, graph);
+  solver.setSource(vertexPoint(mesh, 77));
+  solver.grow(kInfinity);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const double straight = (mesh.positions[v] - mesh.positions[77]).norm();
+    EXPECT_GE(solver.distance(v), straight * (1 - 1e-9));
+    // Round the rim or over the middle.
+    EXPECT_LE(solver.distance(v), straight * 1.25);
+  }
 }
 
 TEST(RingGraph, RefusesOtherNumbersOfRings) {
