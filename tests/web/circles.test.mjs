@@ -216,7 +216,7 @@ describe('circles', () => {
       lines.flat(),
     );
     const svg = (await tab.save('SVG')).text;
-    const lasting = svg.match(/<path [^>]*stroke-width="3.5"/g);
+    const lasting = svg.match(/<path [^>]*stroke-width="4"/g);
     assert.ok(lasting.length >= 2 && !svg.includes('NaN'));
 
     const { figure: document } = await tab.state();

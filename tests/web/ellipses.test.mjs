@@ -165,7 +165,7 @@ describe('ellipses', () => {
     assert.equal(content.kind, 'ellipse');
     assert.deepEqual(content.radii, radiiOf(wider));
     assert.deepEqual(content.direction, wider.circle.direction);
-    assert.match((await tab.save('SVG')).text, /<path [^>]*stroke-width="3.5"/);
+    assert.match((await tab.save('SVG')).text, /<path [^>]*stroke-width="4"/);
     assert.match((await tab.save('OBJ')).text, /\nl 1 2 /);
     await tab.page.getByRole('button', { name: 'Clear' }).click();
     assert.equal((await tab.view()).curve, null);
