@@ -29,6 +29,10 @@ bool spreadsPaths(const Geometry& geometry, int vertex) {
 /// ones.
 constexpr double kWide = 1e6;
 
+/// From this ratio on a window may come to the same edges again and again, no nearer to a vertex
+/// that would beat it.
+constexpr double kThin = 1e3;
+
 /// The two sides of a face above half-edge h, as vectors from its tail and from its head.
 struct FaceSides {
   Vec2 fromTail;
@@ -71,6 +75,7 @@ ExactDistance::ExactDistance(const Geometry& geometry)
       vertices_(mesh_.vertexCount()),
       faces_(mesh_.faceCount()),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
+      isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
       midpoints_(geometry),
       queue_(kBucketWidth * geometry.meanEdge),
       target_(geometry),
@@ -88,6 +93,7 @@ ExactDistance::ExactDistance(const Geometry& geometry)
 void ExactDistance::setSource(const SurfacePoint& source) {
   vertices_.clear();
   faces_.clear();
+  widest_.clear();
   midpoints_.clear();
   queue_.clear();
   pool_.clear();
@@ -387,7 +393,26 @@ void ExactDistance::reachAlongEdges() {
   }
 }
 
+/// Whether all of the window is farther from its source than through one that came before.
+bool ExactDistance::isBehindAnother(int h, const Window& window) {
+  constexpr double kNearer = 1 - 1e-9;
+  constexpr double kRounding = 1 + 1e-14;
+  const auto [entry, isNew] = widest_.try_emplace(h, window);
+  if (isNew) return false;
+  Window& other = entry->second;
+  if (other.offset == window.offset && other.begin <= window.begin && window.end <= other.end) {
+    // Squared lengths through both differ by a linear function along the edge. At a tip they are
+    // equal.
+    const double atBegin = squaredLegTo(other, window.begin) / squaredLegTo(window, window.begin);
+    const double atEnd = squaredLegTo(other, window.end) / squaredLegTo(window, window.end);
+    if (std::max(atBegin, atEnd) <= kRounding && std::min(atBegin, atEnd) < kNearer) return true;
+  }
+  if (window.end - window.begin > other.end - other.begin) other = window;
+  return false;
+}
+
 void ExactDistance::addWindow(int h, const Window& window) {
+  if (isThin_ && isBehindAnother(h, window)) return;
   if (keepsMidpoints_) midpoints_.take(h, window, queue_.leastKey());
   WaitingWindows& waiting = waitingAt(h);
   const int bucket = queue_.bucketOf(leastDistance(window));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <unordered_map>
+
 #include "distance/bucket_queue.h"
 #include "distance/distance_solver.h"
 #include "distance/edge_midpoints.h"
@@ -119,6 +121,7 @@ class ExactDistance final : public DistanceSolver {
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
   void addWindow(int h, const Window& window);
+  bool isBehindAnother(int h, const Window& window);
   void reachAlongEdges();
 
   const Geometry& geometry_;
@@ -126,7 +129,9 @@ class ExactDistance final : public DistanceSolver {
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
   PagedArray<FaceRecord, 7> faces_;
-  bool isWide_;  ///< edges of very different lengths meet
+  bool isWide_;                             ///< edges of very different lengths meet
+  bool isThin_;                             ///< paths may wind round a tip
+  std::unordered_map<int, Window> widest_;  ///< by half-edge the widest window so far, if isThin_
   bool keepsMidpoints_ = false;
   EdgeMidpoints midpoints_;
   BucketQueue queue_;

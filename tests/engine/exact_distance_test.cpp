@@ -286,6 +286,27 @@ TEST(ExactDistance, TouchesOnlyTheNeighbourhood) {
   EXPECT_GT(reached, 78);
 }
 
+TEST(ExactDistance, WindowsDoNotWindRoundATip) {
+  // 1 wide and 1e5 high: the paths round it once are so short that no vertex beats those that go
+  // round ten thousand times.
+  constexpr int kSides = 13;
+  const TriangleSoup soup = wheel(kSides, 0, 1e5);
+  const MeasuredMesh cone(buildMesh(soup.positions, soup.triangles));
+  ExactDistance solver(cone.geometry);
+  const double side = (cone.mesh.positions[1] - cone.mesh.positions[2]).norm();
+  const double slant = (cone.mesh.positions[0] - cone.mesh.positions[1]).norm();
+  solver.setSource(vertexPoint(cone.mesh, 1));
+  solver.grow(kInfinity);
+  EXPECT_NEAR(solver.distance(0), slant, 1e-12 * slant);
+  for (int k = 1; k <= kSides / 2; ++k) {
+    const double chord = 2 * slant * std::sin(k * std::asin(side / (2 * slant)));
+    EXPECT_NEAR(solver.distance(1 + k), chord, 1e-6 * chord);
+  }
+  solver.setSource({3, Vec3(0.5, 0.2, 0.3)});
+  solver.grow(kInfinity);
+  EXPECT_EQ(solver.reached(), kInfinity);
+}
+
 TEST(ExactDistance, RefusesATargetAtAVertex) {
   const MeasuredMesh surface(planeGrid(2, 2));
   ExactDistance solver(surface.geometry);
