@@ -85,11 +85,8 @@ double allowedByAverages(const Geometry& geometry, const TracedCurve& before,
 }
 
 /// Tells a step that counts, by its motion in steps of the hand.
-void tellStep(AverageFigures& figures, const Geometry& geometry, const TracedCurve& before,
-              const TracedCurve& after, double motion) {
+void tellStep(AverageFigures& figures, double motion, double allowed) {
   if (motion > DragFigures::kShiver) {
-    const double allowed =
-        allowedByAverages(geometry, before, after) / (Drag::kStep * geometry.meanEdge);
     if (motion <= allowed) {
       ++figures.passing;
       figures.largestPassing = std::max(figures.largestPassing, motion / allowed);
@@ -153,28 +150,37 @@ Drag randomDrag(const Geometry& geometry, Random& random, const ControlPolygonOp
 HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const Array<Drag>& drags) {
   const Geometry& geometry = surface.geometry();
   HandFigures figures;
-  for (const Drag& drag : drags) {
+  for (int d = 0; d < drags.count(); ++d) {
+    const Drag& drag = drags[d];
     HeldCurve curve = variant.hold(surface, drag.polygon);
     TracedCurve before = curve.drag(Drag::kPoint, drag.path[0]);
     MeasuredPolyline lineBefore(before.polyline);
     for (int i = 1; i < drag.path.count(); ++i) {
       TracedCurve after = curve.drag(Drag::kPoint, drag.path[i]);
       addStages(figures, after);
+      figures.allocations.push_back(static_cast<double>(after.allocations));
       figures.bridged += after.bridged;
       figures.lost += after.lost;
       MeasuredPolyline lineAfter(after.polyline);
       const int counted = figures.motion.steps;
-      const double motion =
-          countStep(figures.motion, lineBefore, lineAfter, Drag::kStep * geometry.meanEdge,
-                    allowedLeap(geometry, before, after));
-      if (figures.motion.steps > counted) {
-        tellStep(figures.averages, geometry, before, after, motion);
+      const double step = Drag::kStep * geometry.meanEdge;
+      const double byLegs = allowedLeap(geometry, before, after);
+      Leap leap{d, i, countStep(figures.motion, lineBefore, lineAfter, step, byLegs)};
+      const bool counts = figures.motion.steps > counted;
+      if (leap.motion > DragFigures::kShiver) {
+        leap.allowedByAverages = allowedByAverages(geometry, before, after) / step;
+        if (!counts) leap.allowedByLegs = byLegs / step;
+        const double allowed = counts ? leap.allowedByAverages : leap.allowedByLegs;
+        if (leap.motion > allowed) figures.leaps.push_back(leap);
       }
+      if (counts) tellStep(figures.averages, leap.motion, leap.allowedByAverages);
       before = std::move(after);
       lineBefore = std::move(lineAfter);
     }
     figures.released.push_back(partMoved(before.polyline, curve.release().polyline));
   }
+  std::sort(figures.leaps.begin(), figures.leaps.end(),
+            [](const Leap& a, const Leap& b) { return a.motion > b.motion; });
   return figures;
 }
 

@@ -55,12 +55,23 @@ struct AverageFigures {
   double largestLeap = 0;  ///< of all steps that count but these passing ones, in steps of the hand
 };
 
+/// A step that leapt farther than it may. Lengths in steps of the hand.
+struct Leap {
+  int drag = 0;
+  int step = 0;
+  double motion = 0;
+  double allowedByLegs = 0;      ///< 0 in steps that count
+  double allowedByAverages = 0;  ///< by one passage of an average's path
+};
+
 struct HandFigures {
   DragFigures motion;
   AverageFigures averages;
-  Array<double> ms;  ///< a step
+  Array<double> ms;           ///< a step
+  Array<double> allocations;  ///< a step
   std::map<std::string, Array<double>> stageMs;
   Array<std::string> stages;  ///< their order
+  Array<Leap> leaps;          ///< the farthest first
   double bridged = 0;         ///< sum over the steps
   int lost = 0;
   /// How far release moves the curve, as a part of its length; a drag.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -17,8 +18,8 @@
 ///   steadiness_study [OPTIONS] MESH ...
 ///
 /// A mesh is an OBJ file or the name of a built-in shape. The options:
-///   --polygons 30        random control polygons a spacing
-///   --drags 20           drags a spacing
+///   --polygons 30        random control polygons a spacing; 0 for no table of curves
+///   --drags 20           drags a spacing; 0 for no table of drags
 ///   --steps 100          steps a drag, each a tenth of a mean edge
 ///   --spacing 0.1        this spacing alone
 ///   --levels 0,1,2,3,4,auto,averages,limit
@@ -26,6 +27,9 @@
 ///                        subdivision by the engine and by itself (steady_variants.h); the last one
 ///                        is what the others are measured beside
 ///   --seed 1
+///   --worst 0            so many of the farthest leaps are listed, by the numbers of the drag and
+///   of
+///                        its step
 ///   --rough 4            on the meshes with every face cut into 4^2, as noisy scans (rough.h)
 ///   --plots FOLDER       for pictures of the tables
 ///   --reference FOLDER   which holds reference/bsurf/MESH.json: curves of another program, and the
@@ -47,6 +51,7 @@ struct Options {
   int steps = 100;
   int seed = 1;
   int rough = 0;
+  int worst = 0;
   std::string plots;
   std::string reference;
 };
@@ -123,9 +128,9 @@ void printDrags(Surface& surface, const Options& options, Plots& plots) {
   std::printf(
       "\n| spacing | levels | shiver | largest leap | left out | their leap | beyond | passing "
       "averages | their leap | other shiver | its largest leap | bridged | lost | release | step | "
-      "90 %% of them | beside the last | its stages |\n"
+      "90 %% of them | beside the last | allocations | its stages |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | "
-      "--- | --- | --- |\n");
+      "--- | --- | --- | --- |\n");
   for (const double spacing : options.spacings) {
     Random random(static_cast<uint64_t>(options.seed));
     Array<Drag> drags;
@@ -140,14 +145,14 @@ void printDrags(Surface& surface, const Options& options, Plots& plots) {
       const HandFigures& f = figures[i];
       std::printf(
           "| %g | %s | %.2f %% | %.1f | %.2f %% | %.2f | %.2f %% | %.2f %% | %.2f | %.2f %% | %.1f "
-          "| %.2f %% | %d | %.2f %% | %.2f ms | %.2f ms | %.2f |",
+          "| %.2f %% | %d | %.2f %% | %.2f ms | %.2f ms | %.2f | %.0f |",
           spacing, options.variants[i].name.c_str(), 100 * f.motion.shiverShare(),
           f.motion.largestLeap, 100 * f.motion.passingShare(), f.motion.largestPassing,
           100 * f.motion.beyondShare(), 100.0 * f.averages.passing / std::max(1, f.motion.steps),
           f.averages.largestPassing, 100.0 * f.averages.unexplained / std::max(1, f.motion.steps),
           f.averages.largestLeap, 100 * f.bridged / f.ms.count(), f.lost,
           100 * quantile(f.released, 1), median(f.ms), quantile(f.ms, 0.9),
-          median(f.ms) / median(figures.back().ms));
+          median(f.ms) / median(figures.back().ms), median(f.allocations));
       for (const std::string& stage : f.stages) {
         std::printf(" %s %.2f", stage.c_str(), median(f.stageMs.at(stage)));
       }
@@ -156,6 +161,15 @@ void printDrags(Surface& surface, const Options& options, Plots& plots) {
       plots.shiver[i].y.push_back(std::max(1e-4, f.motion.shiverShare()));
       plots.ms[i].x.push_back(spacing);
       plots.ms[i].y.push_back(median(f.ms));
+    }
+    for (int i = 0; i < figures.count(); ++i) {
+      const Array<Leap>& leaps = figures[i].leaps;
+      for (int k = 0; k < std::min(options.worst, leaps.count()); ++k) {
+        const Leap& leap = leaps[k];
+        std::printf("%s at %g: drag %d leaps by %.1f in step %d; legs allow %.1f, averages %.1f\n",
+                    options.variants[i].name.c_str(), spacing, leap.drag, leap.motion, leap.step,
+                    leap.allowedByLegs, leap.allowedByAverages);
+      }
     }
     std::fflush(stdout);
   }
@@ -244,8 +258,8 @@ void study(const std::string& name, const Options& options) {
       series->push_back({variant.name, {}, {}});
     }
   }
-  printCurves(surface, measure, options, plots);
-  printDrags(surface, options, plots);
+  if (options.polygons > 0) printCurves(surface, measure, options, plots);
+  if (options.drags > 0) printDrags(surface, options, plots);
   if (options.plots.empty()) return;
   const std::string stem = options.plots + "/steadiness-" + nameOf(name);
   const std::string x = "spacing / bounding box";
@@ -266,11 +280,9 @@ Array<SteadyVariant> variantsOf(const std::string& names) {
 Options parse(int argc, char** argv) {
   Options options;
   std::string levels = "0,1,2,3,4,auto,averages,limit";
-  const std::map<std::string, int*> numbers = {{"--polygons", &options.polygons},
-                                               {"--drags", &options.drags},
-                                               {"--steps", &options.steps},
-                                               {"--seed", &options.seed},
-                                               {"--rough", &options.rough}};
+  const std::map<std::string, int*> numbers = {
+      {"--polygons", &options.polygons}, {"--drags", &options.drags}, {"--steps", &options.steps},
+      {"--seed", &options.seed},         {"--rough", &options.rough}, {"--worst", &options.worst}};
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     const std::string value = i + 1 < argc ? argv[i + 1] : "";
@@ -297,8 +309,8 @@ Options parse(int argc, char** argv) {
     throw std::runtime_error("usage: steadiness_study [OPTIONS] MESH ...");
   options.variants = variantsOf(levels);
   if (options.variants.empty()) throw std::runtime_error("--levels names no variant");
-  if (options.polygons < 1 || options.drags < 1 || options.steps < 1) {
-    throw std::runtime_error("polygons, drags and steps are at least 1");
+  if (options.polygons < 0 || options.drags < 0 || options.steps < 1) {
+    throw std::runtime_error("there are at least 0 polygons and drags, and 1 step");
   }
   for (const double spacing : options.spacings) {
     if (!(spacing > 0)) throw std::runtime_error("a spacing is positive");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "allocations.h"
 #include "bench_support.h"
 #include "curves/polygon/subdivision.h"
 #include "curves/query/evaluate.h"
@@ -37,8 +38,9 @@ double cornerAt(Curve& curve, double parameter) {
   return std::abs(std::atan2(cross(in, after.inFace), in.dot(after.inFace))) * 180 / kPi;
 }
 
-TracedCurve described(Curve& curve) {
+TracedCurve described(Curve& curve, int64_t allocations = 0) {
   TracedCurve result;
+  result.allocations = allocations;
   result.levels = curve.levels();
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const SurfacePoint& p : curve.path(j).line.points) {
@@ -93,15 +95,16 @@ SteadyVariant refined(const std::string& name, int levels) {
     }
     HeldCurve held;
     held.drag = [curve](int i, const SurfacePoint& place) {
+      const int64_t allocations = allocationsSoFar();
       if (curve->levels() == 0) {
         // It has no use for legs.
         curve->movePoint(i, place);
-        return described(*curve);
+        return described(*curve, allocationsSoFar() - allocations);
       }
       CurveValue value;
       const double continued = processorTimed([&] { value = curve->withPointDragged(i, place); });
       curve->set(std::move(value));
-      TracedCurve traced = described(*curve);
+      TracedCurve traced = described(*curve, allocationsSoFar() - allocations);
       traced.stages[0].ms += continued;
       for (const SurfacePath& leg : curve->legs()) traced.legs.push_back(leg.points);
       return traced;
@@ -121,8 +124,10 @@ SteadyVariant refined(const std::string& name, int levels) {
 TracedCurve subdivided(Surface& surface, const Array<SurfacePoint>& points) {
   const Geometry& geometry = surface.geometry();
   ParametricLine line;
+  const int64_t allocations = allocationsSoFar();
   const double ms = processorTimed([&] { appendBezier(geometry, points, 0, 1, line); });
   TracedCurve traced;
+  traced.allocations = allocationsSoFar() - allocations;
   traced.stages = {{"subdivision", ms}};
   for (const SurfacePoint& p : line.path.points)
     traced.polyline.push_back(position(surface.mesh(), p));

@@ -22,6 +22,7 @@ struct TracedCurve {
   double bridged = 0;  ///< the part of the parameter over which the curve is no center of mass
   int lost = 0;        ///< samples that are neither converged nor on a bridge
   Array<StageTime> stages;
+  int64_t allocations = 0;  ///< of the step of the hand
 };
 
 /// A curve under the hand.
