@@ -15,7 +15,7 @@ import type {
   EngineCurveValue,
   EngineSampling,
 } from './karcher-engine.mjs';
-import { curveOptionNames, engineFieldOptions } from './options.js';
+import { curveOptionNames, engineFieldOptions, engineLevels } from './options.js';
 import { toSurfacePoints, wirePoints } from './points.js';
 import type {
   CurveBasis,
@@ -37,7 +37,6 @@ export const curveKinds: readonly CurveKind[] = [
 const geometries: readonly CurveGeometry[] = ['geodesic', 'exact'];
 const defaultSamples = 128;
 const defaultTolerance = 1e-4;
-const mostLevels = 8;
 
 export const parametrizations: readonly Parametrization[] = ['centripetal', 'uniform'];
 
@@ -74,19 +73,6 @@ export class OwnBasis {
       throw failure ? failure.cause : error;
     }
   }
-}
-
-/** What stands for `auto` and `limit` in the engine. */
-const namedLevels = { auto: -1, limit: -2 } as const;
-
-function engineLevels({ levels = 'auto' }: CurveOptions): number {
-  if (levels === 'auto' || levels === 'limit') return namedLevels[levels];
-  const number = checkInteger(levels, "the levels, unless 'auto' or 'limit',");
-  if (number >= 0 && number <= mostLevels) return number;
-  throw new KarcherError(
-    'badArgument',
-    `a curve takes 0 to ${mostLevels} levels, 'auto' or 'limit', not ${number}`,
-  );
 }
 
 /** How a curve is sampled and drawn, as the engine takes it. */

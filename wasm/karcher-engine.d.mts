@@ -86,6 +86,7 @@ export interface EngineMesh {
     radius: number,
     arcs: number,
     samples: number,
+    levels: number,
     field: EngineFieldOptions,
   ): EngineCircle;
   ellipse(
@@ -95,6 +96,7 @@ export interface EngineMesh {
     direction: Float64Array,
     arcs: number,
     samples: number,
+    levels: number,
     field: EngineFieldOptions,
   ): EngineCircle;
   isolines(

@@ -22,6 +22,7 @@ import {
   distanceOptionNames,
   ellipseOptionNames,
   engineFieldOptions,
+  engineLevels,
   fieldOptionNames,
   isolineOptionNames,
   startOptionNames,
@@ -263,9 +264,10 @@ export class Mesh {
     const radius = checkNumber(options.radius, 'the radius');
     const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
     const samples = checkInteger(options.samples ?? 32, 'the number of samples');
+    const levels = engineLevels(options);
     const field = engineFieldOptions(options);
     return this.#toCircle(
-      this.#handle.call((mesh) => mesh.circle(wire, radius, arcs, samples, field)),
+      this.#handle.call((mesh) => mesh.circle(wire, radius, arcs, samples, levels, field)),
     );
   }
 
@@ -286,10 +288,11 @@ export class Mesh {
     const direction = toVector(options.direction, 'the direction');
     const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
     const samples = checkInteger(options.samples ?? 32, 'the number of samples');
+    const levels = engineLevels(options);
     const field = engineFieldOptions(options);
     return this.#toCircle(
       this.#handle.call((mesh) =>
-        mesh.ellipse(wire, along, across, direction, arcs, samples, field),
+        mesh.ellipse(wire, along, across, direction, arcs, samples, levels, field),
       ),
     );
   }
@@ -357,9 +360,9 @@ export class Mesh {
 
   #toCircle(circle: EngineCircle): Circle {
     const view = new CurveView({ bytes: circle.view, statusNames: this.#engine.statusNames });
-    const { samples, bridged, unconverged } = view;
+    const { samples, bridged, unconverged, levels } = view;
     const notShortest = Array.from(circle.notShortest);
-    return { samples, bridged, path: view.path(), unconverged, notShortest };
+    return { samples, bridged, path: view.path(), unconverged, levels, notShortest };
   }
 
   /** The start of a search as it travels: empty for the engine's choice. */

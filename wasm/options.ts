@@ -11,6 +11,7 @@ import type { EngineFieldOptions } from './karcher-engine.mjs';
 import type {
   CenterOptions,
   CircleOptions,
+  CurveLevels,
   CurveOptions,
   DistanceOptions,
   EllipseOptions,
@@ -58,7 +59,7 @@ export const curveOptionNames = namesOf<CurveOptions>({
   parametrization: true,
   basis: true,
 });
-const arcs = { ...field, arcs: true, samples: true } as const;
+const arcs = { ...field, arcs: true, samples: true, levels: true } as const;
 export const circleOptionNames = namesOf<CircleOptions>({ ...arcs, radius: true });
 export const ellipseOptionNames = namesOf<EllipseOptions>({
   ...arcs,
@@ -87,6 +88,21 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
     throw new KarcherError('badArgument', `the solver '${solver}' has no rings; 'graph' has`);
   }
   return { method, solver, rings };
+}
+
+/** What stands for `auto` and `limit` in the engine. */
+const namedLevels = { auto: -1, limit: -2 } as const;
+const mostLevels = 8;
+
+/** The levels of a curve or of a circle's arcs, as the engine takes them. */
+export function engineLevels({ levels = 'auto' }: { levels?: CurveLevels }): number {
+  if (levels === 'auto' || levels === 'limit') return namedLevels[levels];
+  const number = checkInteger(levels, "the levels, unless 'auto' or 'limit',");
+  if (number >= 0 && number <= mostLevels) return number;
+  throw new KarcherError(
+    'badArgument',
+    `a curve takes 0 to ${mostLevels} levels, 'auto' or 'limit', not ${number}`,
+  );
 }
 
 /** How a mesh is read, as the engine takes it. */

@@ -414,6 +414,8 @@ export interface ArcOptions extends FieldOptions {
   arcs?: number;
   /** Samples an arc, both ends included; 32 by default. */
   samples?: number;
+  /** As those of a curve; `auto` by default. */
+  levels?: CurveLevels;
 }
 
 export interface EllipseOptions extends ArcOptions {
@@ -443,6 +445,8 @@ export interface Circle {
   path: Path;
   /** A number for each point of the path: 1 where the piece that leads to it is no center of mass. */
   unconverged: Uint8Array;
+  /** How many levels the arcs have, also where `levels` leaves that to them. */
+  levels: number;
   /** Numbers of the arcs whose geodesics from the center stopped being shortest. */
   notShortest: number[];
 }

@@ -1,9 +1,8 @@
 #include "curves/circle.h"
 
-#include <memory>
 #include <string>
 
-#include "curves/spec/bases.h"
+#include "curves/curve.h"
 #include "distance/exact_distance.h"
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
@@ -112,6 +111,20 @@ struct ArcPoint {
   double distance = 0;
 };
 
+/// The arcs as one closed NURBS curve of degree 2, whose doubled knots make each a rational
+/// quadratic Bezier curve.
+CurveOptions optionsOfArcs(int arcs, double middleWeight, const CircleOptions& options) {
+  CurveOptions result{
+      {CurveKind::kBSpline, true, 2, KnotRule::kOwn}, options.samples, options.field};
+  result.shape.knots.push_back(0);
+  for (int j = 1; j <= arcs; ++j) {
+    result.shape.knots.insert(result.shape.knots.end(), 2, j);
+    result.shape.weights.insert(result.shape.weights.end(), {1, middleWeight});
+  }
+  result.levels = options.levels;
+  return result;
+}
+
 GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double radius,
                          const Array<ArcPoint>& arcPoints, double middleWeight,
                          const CircleOptions& options) {
@@ -125,7 +138,7 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
   checkRadius(surface.mesh(), distance, radius);
 
   const double tolerance = 0.05 * geometry.meanEdge;
-  Array<std::unique_ptr<PointField>> fields;
+  Array<SurfacePoint> points;
   Array<uint8_t> shortest;
   for (int i = 0; i < arcPoints.count(); ++i) {
     const double length = arcPoints[i].distance;
@@ -134,27 +147,18 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
       throw Error(ErrorCode::kBoundary,
                   "the geodesic to arc " + std::to_string(i / 2) + " meets the boundary");
     }
-    fields.push_back(std::make_unique<PointField>(surface, options.field));
-    fields.back()->setPoint(path.path.end());
-    shortest.push_back(distanceAt(geometry, distance, path.path.end()) > length - tolerance);
+    points.push_back(path.path.end());
+    shortest.push_back(distanceAt(geometry, distance, points.back()) > length - tolerance);
   }
 
+  const Curve curve(surface, optionsOfArcs(options.arcs, middleWeight, options), points);
   GeodesicCircle circle;
-  const Array<double> weights{1, middleWeight, 1};
-  const Basis basis = [&](double t) { return rationalBasis(bernsteinBasis(2, t), weights); };
-  const WeightTable table = tabulate(basis, options.samples);
-  const WeightTable middles = tabulateMiddles(basis, options.samples);
+  circle.levels = curve.levels();
   for (int j = 0; j < options.arcs; ++j) {
-    const int ends[3] = {2 * j, 2 * j + 1, (2 * j + 2) % fields.count()};
-    const Array<PointField*> points{fields[ends[0]].get(), fields[ends[1]].get(),
-                                    fields[ends[2]].get()};
-    SegmentFields arc(surface, points);
-    Array<CurveSample>& samples =
-        circle.samples.emplace_back(traceSegment(arc, table, options.field.method));
-    circle.bridges.push_back(
-        bridgeSegment(arc, basis, {}, &middles, options.field.method, samples));
-    circle.paths.push_back(joinSamples(surface, samples, circle.bridges.back()));
-    if (!shortest[ends[0]] || !shortest[ends[1]] || !shortest[ends[2]]) {
+    circle.samples.push_back(curve.samples(j));
+    circle.bridges.push_back(curve.bridges(j));
+    circle.paths.push_back(curve.path(j));
+    if (!shortest[2 * j] || !shortest[2 * j + 1] || !shortest[(2 * j + 2) % points.count()]) {
       circle.notShortest.push_back(j);
     }
   }

@@ -8,6 +8,8 @@ struct CircleOptions {
   int arcs = 7;      ///< 3 to 64
   int samples = 32;  ///< an arc, both ends included
   FieldOptions field;
+  /// As those of a curve (curve_value.h).
+  int levels = 0;
 };
 
 struct GeodesicCircle {
@@ -15,6 +17,7 @@ struct GeodesicCircle {
   Array<Array<CurveSample>> samples;
   Array<Array<Bridge>> bridges;
   Array<JoinedPath> paths;
+  int levels = 0;  ///< how many there are
   /// The numbers of the arcs with a geodesic from the center that is not the shortest.
   Array<int> notShortest;
 };

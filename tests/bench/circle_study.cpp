@@ -3,6 +3,7 @@
 
 #include "bench_support.h"
 #include "curves/circle.h"
+#include "curves/curve_value.h"
 #include "curves/isoline.h"
 #include "distance/shortest_path.h"
 #include "intrinsic/along_path.h"
@@ -76,8 +77,11 @@ void study(const std::string& name, TriangleMesh mesh) {
     struct Fields {
       const char* name;
       FieldOptions options;
+      int levels = 0;
     };
-    const Fields allFields[] = {{"log, fast", {Method::kKarcher, Solver::kFast, 6}},
+    const FieldOptions fast{Method::kKarcher, Solver::kFast, 6};
+    const Fields allFields[] = {{"log, fast", fast},
+                                {"log, fast, levels that fit", fast, kAutomaticLevels},
                                 {"log, exact", {Method::kKarcher, Solver::kExact, 6}},
                                 {"paper, exact", {Method::kPaper, Solver::kExact, 6}}};
     for (const Fields& fields : allFields) {
@@ -86,7 +90,7 @@ void study(const std::string& name, TriangleMesh mesh) {
         row(title.c_str(), [&](Deviation& deviation) {
           for (const SurfacePoint& center : centers) {
             const GeodesicCircle circle =
-                traceCircle(surface, center, radius, {arcs, 32, fields.options});
+                traceCircle(surface, center, radius, {arcs, 32, fields.options, fields.levels});
             for (const JoinedPath& path : circle.paths) {
               deviation.add(geometry, center, radius, path.line.points);
             }

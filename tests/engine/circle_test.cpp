@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "curve_support.h"
+#include "curves/curve_value.h"
+#include "generators/rough.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -55,6 +57,43 @@ TEST(Circle, OnTheSphereComesNearerToEquidistanceWithMoreArcs) {
     EXPECT_LT(worst, before);
     before = worst;
   }
+}
+
+TEST(Circle, OnThePlaneIsTheSameAtEveryLevel) {
+  Surface surface(planeGrid(24, 20));
+  const Vec3 center(11.3, 9.8, 0);
+  const SurfacePoint point = nearestPoint(surface.mesh(), center);
+  for (const int levels : {1, 2, 5, kAutomaticLevels, kLimitLevels}) {
+    for (const int arcs : {3, 7}) {
+      const CircleOptions options{arcs, 20, {Method::kKarcher, Solver::kExact, 6}, levels};
+      const GeodesicCircle circle = traceCircle(surface, point, 2.6, options);
+      ASSERT_EQ(circle.samples.count(), arcs);
+      for (const Array<CurveSample>& arc : circle.samples) {
+        ASSERT_EQ(arc.count(), 20);
+        for (const CurveSample& sample : arc) {
+          const Vec3 p = position(surface.mesh(), sample.point);
+          EXPECT_NEAR((p - center).norm(), 2.6, 1e-12) << levels << " levels";
+        }
+      }
+    }
+  }
+}
+
+TEST(Circle, HoldsTogetherOnARoughSurface) {
+  const TriangleMesh smooth = importMesh(icosphere(10)).mesh;
+  const TriangleSoup rough = roughened(smooth, 3, 3, 0.25);
+  Surface surface(buildMesh(rough.positions, rough.triangles));
+  const SurfacePoint center = nearestPoint(surface.mesh(), Vec3(0.3, -0.2, 1));
+  const auto breaks = [&](int levels) {
+    int count = 0;
+    const CircleOptions options{3, 32, {}, levels};
+    const GeodesicCircle circle = traceCircle(surface, center, 1.2, options);
+    if (levels == kAutomaticLevels) EXPECT_GT(circle.levels, 0);
+    for (const Array<Bridge>& bridges : circle.bridges) count += bridges.count();
+    return count;
+  };
+  EXPECT_GT(breaks(0), 0);
+  EXPECT_EQ(breaks(kAutomaticLevels), 0);
 }
 
 TEST(Circle, MarksArcsWhoseGeodesicsAreNotShortest) {

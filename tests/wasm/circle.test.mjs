@@ -35,6 +35,33 @@ test('on a plane a geodesic circle is a circle', () => {
   }
 });
 
+test('on a plane circles and ellipses are the same at every level', () => {
+  const mesh = karcher.meshFromObj(grid(cells));
+  const ellipse = { radii: [4.5, 3], direction: [1, 0, 0] };
+  for (const levels of [0, 3, 'auto', 'limit']) {
+    const round = mesh.circle(center, { radius: 4.5, levels });
+    const long = mesh.ellipse(center, { ...ellipse, levels });
+    // Nothing is curved.
+    const expected = levels === 'auto' ? 0 : levels;
+    if (levels !== 'limit') assert.deepEqual([round.levels, long.levels], [expected, expected]);
+    else assert.ok(round.levels > 0 && long.levels > 0);
+    for (const [{ samples }, radius] of [
+      [round, 4.5],
+      [long, 3],
+    ]) {
+      assert.equal(samples.count, 7 * 32);
+      for (let i = 0; i < samples.count; i++) {
+        const [x, y] = samples.position.slice(3 * i, 3 * i + 2);
+        assert.ok(Math.abs(Math.hypot((x - 8) / 4.5, (y - 8) / radius) - 1) < 1e-9);
+      }
+    }
+  }
+  assert.throws(() => mesh.circle(center, { radius: 3, levels: 9 }), { code: 'badArgument' });
+  assert.throws(() => mesh.circle(center, { radius: 3, levels: 2, ...paper }), {
+    code: 'badArgument',
+  });
+});
+
 test('circles that cannot be', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const good = { radius: 3, ...paper };

@@ -10,6 +10,7 @@ namespace {
 val circleToJs(const MeshHandle& mesh, const GeodesicCircle& circle) {
   TracedLine line;
   line.closed = true;
+  line.levels = circle.levels;
   for (int j = 0; j < circle.samples.count(); ++j) {
     line.samples.push_back(&circle.samples[j]);
     line.bridges.push_back(&circle.bridges[j]);
@@ -23,17 +24,18 @@ val circleToJs(const MeshHandle& mesh, const GeodesicCircle& circle) {
 
 }  // namespace
 
-val MeshHandle::circle(const val& center, double radius, int arcs, int samples, const val& field) {
+val MeshHandle::circle(const val& center, double radius, int arcs, int samples, int levels,
+                       const val& field) {
   return circleToJs(*this, traceCircle(surface_, pointFromJs(numbering_, mesh(), center), radius,
-                                       {arcs, samples, fieldOptionsFromJs(field)}));
+                                       {arcs, samples, fieldOptionsFromJs(field), levels}));
 }
 
 val MeshHandle::ellipse(const val& center, double along, double across, const val& direction,
-                        int arcs, int samples, const val& field) {
+                        int arcs, int samples, int levels, const val& field) {
   const SurfacePoint point = pointFromJs(numbering_, mesh(), center);
   return circleToJs(
       *this, traceEllipse(surface_, point, along, across, directionInFace(point.face, direction),
-                          {arcs, samples, fieldOptionsFromJs(field)}));
+                          {arcs, samples, fieldOptionsFromJs(field), levels}));
 }
 
 val MeshHandle::isolines(const val& center, double radius, bool exact, const val& field) {

@@ -6,6 +6,7 @@ import type { Karcher } from '../karcher.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
 import type {
+  CurveLevels,
   FieldOptions,
   MeshOptions,
   Method,
@@ -133,6 +134,12 @@ export class Arguments {
       ...(this.given('solver') && { solver }),
       ...this.whereGiven(['rings'], () => this.integer('rings')),
     };
+  }
+
+  /** How many levels a curve has. */
+  levels(): CurveLevels {
+    const text = this.text('levels');
+    return text === 'auto' || text === 'limit' ? text : this.integer('levels');
   }
 
   /** How the mesh is read. */

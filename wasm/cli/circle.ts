@@ -1,20 +1,29 @@
 import type { Circle } from '../types.js';
-import { type Command, fieldOptions, formatOption, type Option, type Result } from './command.js';
+import {
+  type Command,
+  fieldOptions,
+  formatOption,
+  levelsOption,
+  type Option,
+  type Result,
+} from './command.js';
 import { UsageError } from './errors.js';
 import { sampleRecords, triples } from './output.js';
 
 const arcOptions: readonly Option[] = [
   { name: 'arcs', value: 'N', help: 'the number of arcs, 3 to 64', default: '7' },
   { name: 'samples', value: 'N', help: 'samples an arc, both ends included', default: '32' },
+  levelsOption,
 ];
 
 const circleOutput =
-  '{polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …]}';
+  '{levels, polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …]}';
 
 function resultOf(circle: Circle): Result {
   const polyline = circle.path.polyline({ bits: 64 });
   return {
     json: {
+      levels: circle.levels,
       polyline: triples(polyline),
       samples: sampleRecords(circle.samples),
       bridged: circle.bridged,
@@ -48,12 +57,14 @@ export const circle: Command = {
     const type = args.choice<'arcs' | 'linear' | 'exact'>('type');
     const arcs = args.integer('arcs');
     const samples = args.integer('samples');
+    const levels = args.levels();
     const { method, ...distance } = args.field();
-    if (type !== 'arcs') args.refuse(['arcs', 'samples', 'method'], `with --type ${type}`);
+    if (type !== 'arcs')
+      args.refuse(['arcs', 'samples', 'levels', 'method'], `with --type ${type}`);
     if (type === 'exact') args.refuse(['solver', 'rings'], 'with --type exact');
     const mesh = await args.mesh();
     if (type === 'arcs') {
-      return resultOf(mesh.circle(center, { radius, arcs, samples, method, ...distance }));
+      return resultOf(mesh.circle(center, { radius, arcs, samples, levels, method, ...distance }));
     }
     const lines = mesh.isolines(center, { radius, type, ...distance });
     const polylines = lines.map((line) => line.polyline({ bits: 64 }));
@@ -95,9 +106,10 @@ export const ellipse: Command = {
     const direction = args.numbers('direction');
     const arcs = args.integer('arcs');
     const samples = args.integer('samples');
+    const levels = args.levels();
     const field = args.field();
     const mesh = await args.mesh();
     const radii = [along, across] as const;
-    return resultOf(mesh.ellipse(center, { radii, direction, arcs, samples, ...field }));
+    return resultOf(mesh.ellipse(center, { radii, direction, arcs, samples, levels, ...field }));
   },
 };

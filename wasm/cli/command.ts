@@ -68,6 +68,13 @@ export const meshOptions: readonly Option[] = [
   },
 ];
 
+export const levelsOption: Option = {
+  name: 'levels',
+  value: '0…8|auto|limit',
+  help: 'how often the control polygon is subdivided before its points are averaged; 0 is one center of mass a segment',
+  default: 'auto',
+};
+
 /** How fields are made, for the commands that need some. */
 export const fieldOptions: readonly Option[] = [
   { name: 'method', value: 'karcher|paper', help: 'how fields are made', default: 'karcher' },

@@ -1,9 +1,9 @@
 import type { Curve } from '../curve.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
-import type { CurveGeometry, CurveLevels, CurveOptions } from '../types.js';
+import type { CurveGeometry, CurveOptions } from '../types.js';
 import type { Arguments } from './arguments.js';
-import { type Command, fieldOptions, formatOption } from './command.js';
+import { type Command, fieldOptions, formatOption, levelsOption } from './command.js';
 import { curveOptions, readCurve } from './curve_arguments.js';
 import { UsageError } from './errors.js';
 import { pointRecords, sampleRecords, triples } from './output.js';
@@ -33,12 +33,7 @@ export const trace: Command = {
       help: "what lies between the samples: geodesics, or the curve's own crossings of edges",
       default: 'geodesic',
     },
-    {
-      name: 'levels',
-      value: '0…8|auto|limit',
-      help: 'how often the control polygon is subdivided before its points are averaged; 0 is one center of mass a segment',
-      default: 'auto',
-    },
+    levelsOption,
     {
       name: 'at',
       value: 't1,t2,…',
@@ -94,16 +89,11 @@ function samplingOf(
   }
   return {
     geometry: args.choice<CurveGeometry>('geometry'),
-    levels: levelsOf(args),
+    levels: args.levels(),
     ...(adaptive
       ? { samples: 'adaptive' as const, tolerance: args.number('tolerance') }
       : { samples: args.integer('samples') }),
   };
-}
-
-function levelsOf(args: Arguments): CurveLevels {
-  const text = args.text('levels');
-  return text === 'auto' || text === 'limit' ? text : args.integer('levels');
 }
 
 /** Checks what is asked of the curve, before it is traced. */

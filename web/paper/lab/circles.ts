@@ -79,7 +79,7 @@ export function circleArcs(task: Task, id: LineId): LineResult {
   const radius = radiusOf(task);
   const arcs = task.curve.kind === 'circle' ? task.curve.arcs : 7;
   const start = performance.now();
-  const circle = task.scene.mesh.circle(task.points[0]!, { radius, arcs, samples: 16 });
+  const circle = task.scene.mesh.circle(task.points[0]!, { radius, arcs, samples: 16, levels: 0 });
   const traceMs = performance.now() - start;
   const { count, face, bary, status } = circle.samples;
   const on = Array.from({ length: count }, (_, i) => ({ face: face[i]!, bary: at(bary, i) }));
