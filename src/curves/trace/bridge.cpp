@@ -117,7 +117,10 @@ class JumpSearch {
     }
     CellZero zero;
     if (!fields_.findZero(cell, middleWeights, zero)) return false;
-    if (!isTheOnlyZero(zero, std::min(least.minCoeff(), zero.depth()) / 2)) return false;
+    if (!isTheOnlyZero(zero, std::min(least.minCoeff(), zero.depth()) / 2) &&
+        !turnsBesideNoEdge(zero)) {
+      return false;
+    }
     return length(zero.bary - (a + b) / 2) < margin;
   }
 
@@ -173,6 +176,20 @@ class JumpSearch {
   /// Whether no face over the other two edges can have a zero as well.
   static bool isAlone(int h, const CellZero& zero) {
     return isTheOnlyZero(zero, std::min(zero.bary[cornerOf(h)], zero.bary[cornerOf(next(h))]) / 2);
+  }
+
+  /// Whether the values at the ends of each edge make angles so far from 0 and pi that no face
+  /// beside has a zero, nor would if they turned as much again (isTheOnlyZero).
+  static bool turnsBesideNoEdge(const CellZero& zero) {
+    constexpr double kRoom = 2;
+    const double bound = kRoom * kRoom * zero.holonomy * zero.holonomy;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2& a = zero.field.corner[k];
+      const Vec2& b = zero.field.corner[(k + 1) % 3];
+      const double sine = cross(a, b);
+      if (!(sine * sine > bound * a.squaredNorm() * b.squaredNorm())) return false;
+    }
+    return true;
   }
 
   /// Of a difference of barycentric weights.
