@@ -1,26 +1,35 @@
-// `npm run paper`: computes the figures of the Paper page in Node and writes their numbers to
-// build/paper.md.
+// `npm run paper`: computes the figures of the Paper page and Table 1 in Node, judges the paper's claims by
+// them and writes all of it to build/paper.md, the verdicts with their date and machine to
+// build/paper.json too.
 //
-//   npm run paper -- [--figure ID] [--detail PART] [--table TRIANGLES] [--samples N] [--built]
+//   npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N]
+//                    [--meshes FOLDER] [--save] [--built]
 //
-// One figure only (or none); meshes of a part of the triangles; Table 1 too, up to so many triangles
-// and with so many samples a segment; what is in dist/ as it is. Where there is nothing to write, the
-// last report stays.
-import { mkdirSync, writeFileSync } from 'node:fs';
+// One figure only (or none), and then no claims; meshes of a part of the triangles; Table 1 up to so many
+// triangles (20,000) and with so many samples a segment; every OBJ file of a folder by every method, for the
+// claims about meshes that the project does not hold; the verdicts kept in docs/paper-report.json, from
+// which the page shows them; what is in dist/ as it is. Where there is nothing to write, the last report
+// stays.
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpus, release, type } from 'node:os';
+import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildWasm } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { inRoot } from './shell.mjs';
 
 const usage =
-  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--built]';
+  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--save] [--built]';
 const budgetMs = 120_000;
 
 const known = {
   figure: { type: 'string' },
   detail: { type: 'string', default: '1' },
-  table: { type: 'string', default: '0' },
+  table: { type: 'string' },
   samples: { type: 'string', default: '4096' },
+  meshes: { type: 'string' },
+  save: { type: 'boolean' },
   built: { type: 'boolean' },
 };
 
@@ -40,6 +49,8 @@ function numberOf(options, name, fits, what) {
 /** The command line's options, checked before anything is built. */
 function readOptions() {
   const options = parseArgs({ options: known }).values;
+  // One figure is asked for to be seen soon.
+  options.table ??= options.figure === undefined ? '20000' : '0';
   const count = (least) => (value) => Number.isInteger(value) && value >= least;
   return {
     ...options,
@@ -55,7 +66,7 @@ async function figuresPart({ figure, detail }) {
   const { figures, smallFigures } = await load('figures/index.ts');
   const { report } = await load('report.ts');
   const all = detail < 1 ? smallFigures(detail, 33) : figures;
-  if (figure === 'none') return '';
+  if (figure === 'none') return { text: '', panels: {} };
   const chosen = all.filter(({ id }) => figure === undefined || figure === id);
   if (chosen.length > 0) return report(chosen, tell);
   throw new Error(`There is no figure '${figure}': ${all.map(({ id }) => id).join(', ')}.`);
@@ -65,7 +76,61 @@ async function tablePart({ table, samples }) {
   const { expectedTriangles, tableRows } = await load('table/rows.ts');
   const { tableReport } = await load('report.ts');
   const rows = tableRows.filter(({ mesh }) => expectedTriangles(mesh) <= table);
-  return rows.length > 0 ? tableReport({ rows, samples, budgetMs }, tell) : '';
+  if (rows.length === 0) return { text: '', cells: [] };
+  return tableReport({ rows, samples, budgetMs }, tell);
+}
+
+/** The meshes of the folder; null without one. */
+async function meshesPart({ meshes }, seed) {
+  if (meshes === undefined) return { text: '', found: null };
+  const names = readdirSync(meshes).filter((name) => name.endsWith('.obj'));
+  if (names.length === 0) throw new Error(`There is no OBJ file in ${meshes}.`);
+  const { judgeMesh } = await load('claims/meshes.ts');
+  const { meshesReport } = await load('report.ts');
+  const { loadPeers } = await load('../../dist/peers/index.js');
+  const peers = await loadPeers();
+  const found = [];
+  for (const name of names.toSorted()) {
+    const bytes = readFileSync(join(meshes, name));
+    found.push(await judgeMesh(peers, name, bytes, { seed, budgetMs }, tell));
+  }
+  return { text: meshesReport(found), found };
+}
+
+/** Where and when: what the numbers depend on. */
+function about(seed) {
+  const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
+  const git = spawnSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: inRoot('.') });
+  const commit = git.status === 0 ? ` ${git.stdout.toString().trim()}` : '';
+  const [{ model }] = cpus();
+  return {
+    date: new Date().toISOString().slice(0, 10),
+    machine: `${model}, ${type()} ${release()}, Node ${process.version}`,
+    version: `${version}${commit}`,
+    seed,
+  };
+}
+
+async function everything(options) {
+  const { runStudies, studySeed } = await load('claims/studies.ts');
+  const figures = await figuresPart(options);
+  const table = await tablePart(options);
+  const meshes = await meshesPart(options, studySeed);
+  const parts = [figures.text, table.text, meshes.text].filter(Boolean);
+  const where = about(studySeed);
+  const head = `# The paper, judged\n\n${where.date}, version ${where.version}, seed ${where.seed}, ${where.machine}.\n`;
+  if (options.figure !== undefined) return { parts: parts.length > 0 ? [head, ...parts] : [] };
+  const { loadPeers } = await load('../../dist/peers/index.js');
+  const studies = await runStudies(await loadPeers(), tell);
+  const { judge } = await load('claims/judge.ts');
+  const { claimsReport } = await load('report.ts');
+  const measured = { panels: figures.panels, table: table.cells, studies, meshes: meshes.found };
+  const claims = judge(measured);
+  return {
+    parts: [head, claimsReport(claims), ...parts],
+    verdicts: { ...where, claims },
+    measured,
+  };
 }
 
 try {
@@ -75,13 +140,18 @@ try {
     await buildWasm();
     await buildFacade();
   }
-  const parts = [await figuresPart(options), await tablePart(options)].filter(Boolean);
+  const { parts, verdicts, measured } = await everything(options);
   if (parts.length === 0) {
     throw new Error('There is nothing to write: no figure, and no row of Table 1 so small.');
   }
   mkdirSync(inRoot('build'), { recursive: true });
   writeFileSync(inRoot('build/paper.md'), parts.join('\n'));
   console.log('Written to build/paper.md.');
+  if (verdicts) {
+    const text = (value) => `${JSON.stringify(value, null, 2)}\n`;
+    writeFileSync(inRoot('build/paper.json'), text({ ...verdicts, measured }));
+    if (options.save) writeFileSync(inRoot('docs/paper-report.json'), text(verdicts));
+  }
 } catch (error) {
   const wrongArguments = error.code?.startsWith('ERR_PARSE_ARGS');
   console.error(wrongArguments ? `${error.message}\n${usage}` : error.message);

@@ -2,13 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
+#include "curves/polygon/subdivision.h"
 #include "distance/exact_distance.h"
 #include "mesh/error.h"
+#include "peers/ring_gradients.h"
 
 namespace karcher {
+namespace {
+
+bool takesRing(const ComparedOptions& options) {
+  return options.star == GradientStar::kRing && options.field.method == Method::kPaper;
+}
+
+}  // namespace
 
 PreparedMethod::PreparedMethod(Surface& surface, const ComparedOptions& options)
     : surface_(surface), options_(options) {
@@ -68,11 +78,13 @@ ComparedCurve::ComparedCurve(PreparedMethod& method, ComparedPlan plan)
     : method_(method), plan_(std::move(plan)) {
   check();
   segments_.resize(plan_.first.size());
+  lostByOwnRule_.assign(plan_.first.size(), 0);
   moved_.assign(plan_.points.size(), 1);
   const ComparedOptions& options = method.options();
   if (options.method == ComparedMethod::kFields) {
     for (int i = 0; i < plan_.points.count(); ++i) {
       fields_.push_back(std::make_unique<PointField>(method.surface(), options.field));
+      ringFields_.push_back(ControlField(method.surface().mesh().vertexCount()));
     }
   } else if (options.method == ComparedMethod::kVectorHeat ||
              options.method == ComparedMethod::kAffineHeat) {
@@ -120,6 +132,7 @@ void ComparedCurve::movePoint(int i, const SurfacePoint& point) {
     if (plan_.first[j] <= i && i < plan_.first[j] + plan_.table.points) segments_[j].clear();
   }
   blend_.reset();
+  hasFound_ = false;
   if (mean_) mean_->movePoint(i, point);
 }
 
@@ -146,7 +159,7 @@ bool ComparedCurve::makeNextField() {
   const int i = static_cast<int>(next - moved_.begin());
   moved_[i] = 0;
   if (!fields_.empty()) {
-    fields_[i]->setPoint(plan_.points[i]);
+    makeField(i);
     return true;
   }
   if (method_.options().method != ComparedMethod::kDescent) return makeNextField();
@@ -159,44 +172,84 @@ bool ComparedCurve::makeNextField() {
   return true;
 }
 
+void ComparedCurve::makeField(int i) {
+  const ComparedOptions& options = method_.options();
+  if (!takesRing(options)) {
+    fields_[i]->setPoint(plan_.points[i]);
+    return;
+  }
+  Surface& surface = method_.surface();
+  auto squares = std::make_shared<Array<double>>(distancesFrom(
+      *makeDistanceSolver(surface, options.field), plan_.points[i], surface.mesh().vertexCount()));
+  for (double& d : *squares) d = d == kInfinity ? 0 : d * d;
+  auto gradients = std::make_shared<Array<Vec2>>(ringGradients(surface.geometry(), *squares));
+  ringFields_[i].reset([squares, gradients](int v) {
+    return FieldValue{(*gradients)[v], (*squares)[v]};
+  });
+}
+
+ControlField& ComparedCurve::fieldOf(int i) {
+  return takesRing(method_.options()) ? ringFields_[i] : fields_[i]->field();
+}
+
 void ComparedCurve::traceOn(int segment, int samples) {
   Array<CurveSample>& traced = segments_[segment];
   if (traced.empty()) {
-    last_ = startOf(segment, 0);
+    lostByOwnRule_[segment] = 0;
     blend_.reset();
   }
   if (!fields_.empty() && !blend_) {
     Array<ControlField*> fields;
     for (int i = 0; i < plan_.table.points; ++i) {
-      fields.push_back(&fields_[plan_.first[segment] + i]->field());
+      fields.push_back(&fieldOf(plan_.first[segment] + i));
     }
     blend_.emplace(method_.surface().geometry(), std::move(fields));
   }
-  const ComparedOptions& options = method_.options();
-  const bool isPaper =
-      options.method == ComparedMethod::kFields && options.field.method == Method::kPaper;
   const int end = static_cast<int>(
       std::min<int64_t>(plan_.table.t.count(), static_cast<int64_t>(traced.count()) + samples));
   for (int i = traced.count(); i < end; ++i) {
     // As traceSegment does: the end of one segment is the start of the next.
     const bool isEnd = i == 0 || i == plan_.table.t.count() - 1;
-    if (isEnd) last_ = startOf(segment, i);
+    if (needsSeed(isEnd)) last_ = startOf(segment, i);
     const Weights weights = plan_.table.row(i);
-    CenterOfMass found = center(segment, weights, last_);
-    if (isPaper && found.status != Status::kConverged) {
-      for (const int k : restarts(weights, Method::kPaper, isEnd && !start_)) {
-        found = center(segment, weights, plan_.points[plan_.first[segment] + k]);
-        if (found.status == Status::kConverged) break;
-      }
-    }
+    CenterOfMass found = centerAgain(segment, weights, isEnd, center(segment, weights, last_));
+    lostByOwnRule_[segment] += isLostByOwnRule(found);
     traced.push_back({plan_.table.t[i], found.point, sampleStatus(found.status)});
-    if (found.status == Status::kConverged) last_ = found.point;
+    if (found.status != Status::kConverged) continue;
+    last_ = found.point;
+    hasFound_ = true;
   }
+}
+
+/// What was found, or where the search failed and the method starts again, what it found then.
+CenterOfMass ComparedCurve::centerAgain(int segment, Weights weights, bool isEnd,
+                                        CenterOfMass found) {
+  const ComparedOptions& options = method_.options();
+  if (options.method != ComparedMethod::kFields || options.seeds == Seeds::kAuthors) return found;
+  if (found.status == Status::kConverged) return found;
+  for (const int k : restarts(weights, options.field.method, isEnd && !start_)) {
+    found = center(segment, weights, plan_.points[plan_.first[segment] + k]);
+    if (found.status == Status::kConverged) break;
+  }
+  return found;
+}
+
+bool ComparedCurve::isLostByOwnRule(const CenterOfMass& found) const {
+  return mean_ ? !mean_->metLibraryRule() : found.status != Status::kConverged;
+}
+
+int ComparedCurve::lostByOwnRule() const {
+  return std::accumulate(lostByOwnRule_.begin(), lostByOwnRule_.end(), 0);
 }
 
 CenterOfMass ComparedCurve::center(int segment, Weights weights, const SurfacePoint& start) {
   const int first = plan_.first[segment];
   const int count = plan_.table.points;
+  const bool authors = method_.options().seeds == Seeds::kAuthors;
+  for (int k = 0; authors && k < count; ++k) {
+    // Their program takes the ends of a Bezier curve from its control points.
+    if (weights[static_cast<size_t>(k)] == 1) return {plan_.points[first + k]};
+  }
   switch (method_.options().method) {
     case ComparedMethod::kFields:
       return findCenter(*blend_, weights, start, method_.options().field.method);
@@ -218,7 +271,18 @@ CenterOfMass ComparedCurve::center(int segment, Weights weights, const SurfacePo
 
 SurfacePoint ComparedCurve::startOf(int segment, int sample) const {
   if (start_) return *start_;
-  return plan_.points[plan_.first[segment] + heaviest(plan_.table.row(sample))];
+  const int first = plan_.first[segment];
+  const Weights weights = plan_.table.row(sample);
+  if (method_.options().seeds == Seeds::kAuthors) {
+    const auto begin = plan_.points.begin() + first;
+    return repeatedAverage(method_.surface().geometry(), {begin, begin + plan_.table.points},
+                           {weights.begin(), weights.end()});
+  }
+  return plan_.points[first + heaviest(weights)];
+}
+
+bool ComparedCurve::needsSeed(bool isEnd) const {
+  return method_.options().seeds == Seeds::kAuthors ? !hasFound_ : isEnd;
 }
 
 }  // namespace karcher

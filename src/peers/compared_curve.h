@@ -12,8 +12,8 @@
 
 /// Curves by every method that is compared, our own and the paper's among them, behind the same
 /// steps: prepare the mesh, trace a curve, move a point. All take the same weights and start each
-/// search at the same points, so that times and results can be set side by side; the paper's method
-/// alone starts again where it fails (`restarts`), since from elsewhere it often finds a way.
+/// search at the same points (`Seeds`), so that times and results can be set side by side. The
+/// paper's method and ours start again where they fail (`restarts`), as they do in the engine.
 namespace karcher {
 
 enum class ComparedMethod {
@@ -24,9 +24,28 @@ enum class ComparedMethod {
   kDescent,           ///< descent.h: two points only
 };
 
+/// Where the searches of a curve start.
+enum class Seeds {
+  /// As the engine's (traceSegment): both ends of a segment at the control point of the largest
+  /// weight, other samples at the last one that converged.
+  kHeaviest,
+  /// As in the program of the paper's authors: the first sample at the geodesic de Boor point
+  /// (repeatedAverage), as are those after it until one is found; then each at the last one that
+  /// was, through all segments, and never again.
+  kAuthors,
+};
+
+/// Which faces the paper's Eq. 3 averages at a vertex.
+enum class GradientStar {
+  kWide,  ///< as the authors' program, those beyond its ring too (gradient_operator.h)
+  kRing,  ///< those around it, as the paper prints it (ring_gradients.h)
+};
+
 struct ComparedOptions {
   ComparedMethod method = ComparedMethod::kFields;
-  FieldOptions field;     ///< of kFields
+  FieldOptions field;                       ///< of kFields
+  GradientStar star = GradientStar::kWide;  ///< of the paper's method
+  Seeds seeds = Seeds::kHeaviest;
   bool delaunay = false;  ///< of the heat methods: on the intrinsic Delaunay triangulation
   AffineVariant variant = AffineVariant::kLocal;
   EmbeddingOptions embedding;                ///< of kWeightedAverages,
@@ -87,22 +106,36 @@ class ComparedCurve {
 
   int segmentCount() const { return segments_.count(); }
   int samplesLeft() const;
+  /// Samples that a method's own authors would not have accepted either: for the heat methods those
+  /// beyond their library's tolerance (LogMapMean::metLibraryRule), for others those that did not
+  /// converge.
+  int lostByOwnRule() const;
+  /// Of the heat methods; null for others.
+  const LogMapMean* logMaps() const { return mean_.get(); }
   const Array<CurveSample>& samples(int segment) const { return segments_[segment]; }
 
  private:
   void check() const;
   bool makeNextField();
+  void makeField(int i);
+  ControlField& fieldOf(int i);
   void traceOn(int segment, int samples);
   CenterOfMass center(int segment, Weights weights, const SurfacePoint& start);
+  CenterOfMass centerAgain(int segment, Weights weights, bool isEnd, CenterOfMass found);
+  bool isLostByOwnRule(const CenterOfMass& found) const;
   SurfacePoint startOf(int segment, int sample) const;
+  bool needsSeed(bool isEnd) const;
 
   PreparedMethod& method_;
   ComparedPlan plan_;
   std::optional<SurfacePoint> start_;
   Array<Array<CurveSample>> segments_;  ///< as far as they are traced
+  Array<int> lostByOwnRule_;            ///< a segment
   Array<uint8_t> moved_;                ///< points whose field is to be made
-  SurfacePoint last_;                   ///< the last sample that converged
+  SurfacePoint last_;                   ///< where the next search starts
+  bool hasFound_ = false;               ///< whether that is a sample that converged
   Array<std::unique_ptr<PointField>> fields_;
+  Array<ControlField> ringFields_;   ///< in their place, where Eq. 3 is as the paper prints it
   std::optional<FieldBlend> blend_;  ///< of the segment that is traced
   std::unique_ptr<LogMapMean> mean_;
   DescentPath path_;

@@ -1,5 +1,7 @@
 #include "peers/log_map_mean.h"
 
+#include <cmath>
+
 #include "intrinsic/straightest.h"
 
 namespace karcher {
@@ -16,6 +18,7 @@ void LogMapMean::setPoints(Array<SurfacePoint> points) {
   known_.clear();
   keptBytes_ = 0;
   logMapCount_ = 0;
+  logMapsAsked_ = 0;
 }
 
 void LogMapMean::movePoint(int i, const SurfacePoint& point) {
@@ -57,6 +60,8 @@ CenterOfMass LogMapMean::centerOfMass(Weights weights, const SurfacePoint& start
     }
   }
   center.point = state.point;
+  const double faceSize = std::sqrt(doubleArea(geometry_, state.point.face) / 2);
+  metLibraryRule_ = state.step.norm() < faceSize / 3;
   return center;
 }
 
@@ -92,6 +97,7 @@ LogMapMean::State LogMapMean::stateAt(const SurfacePoint& point, Weights weights
 }
 
 const Array<Vec2>& LogMapMean::logarithmsAt(int vertex) {
+  ++logMapsAsked_;
   const auto known = known_.find(vertex);
   if (known != known_.end()) return known->second.ofPoints;
   KnownMap made{logMapFromVertex_(vertex), {}};

@@ -40,8 +40,16 @@ class LogMapMean {
   /// has no logarithm where the search stands.
   CenterOfMass centerOfMass(Weights weights, const SurfacePoint& start);
 
+  /// Whether the last search ended where the authors' library would have stopped: where the
+  /// weighted sum is shorter than a third of the root of the face's area (geometry-central,
+  /// findCenter).
+  bool metLibraryRule() const { return metLibraryRule_; }
+
   /// How many log maps were computed since the points were set.
   int logMapCount() const { return logMapCount_; }
+
+  /// How many were asked for: so many the authors' library would have computed, which keeps none.
+  int64_t logMapsAsked() const { return logMapsAsked_; }
 
  private:
   /// The weighted sum of logarithms, in the frame of the point's face, and the energy (Eq. 1).
@@ -68,7 +76,9 @@ class LogMapMean {
   Array<SurfacePoint> points_;
   std::unordered_map<int, KnownMap> known_;
   size_t keptBytes_ = 0;
+  bool metLibraryRule_ = false;
   int logMapCount_ = 0;
+  int64_t logMapsAsked_ = 0;
 };
 
 }  // namespace karcher

@@ -233,12 +233,16 @@ test('the report names every figure and every line', async () => {
   const { smallFigures } = await load('figures/index.ts');
   const { report } = await load('report.ts');
   const figures = smallFigures(0.02, 5).filter(({ id }) => ['circles', 'plane'].includes(id));
-  const text = await report(figures);
+  const { text, panels } = await report(figures);
   for (const { name, title, panels } of figures) {
     assert.ok(text.includes(`## ${name}: ${title}`));
     for (const panel of panels) assert.ok(text.includes(`### ${panel.title}, `));
   }
-  assert.match(text, /\| Karcher \| [^|]+ \| [^|]+ \| [^|]+ \| 0 of 15 \|/);
+  assert.match(text, /\| Karcher \| [^|]+ \| [^|]+ \| [^|]+ \| 0 of 15 \| 0 \| 0 \|/);
+  // What the claims are judged by.
+  const karcher = panels['plane/grid'].find(({ id }) => id === 'karcher');
+  assert.ok(karcher.ruler.residual.median < 1e-9);
+  assert.equal('polylines' in karcher, false);
 });
 
 test('npm run paper refuses what is no number, and leaves the last report', () => {

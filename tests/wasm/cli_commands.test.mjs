@@ -348,11 +348,11 @@ test('compare prints each method with its measures or its reason', () => {
   const { mesh: printedMesh, methods } = printed(...args);
   assert.deepEqual(printedMesh, { vertices: 169, triangles: 288, meanEdge: mesh.info.meanEdge });
   assert.deepEqual(Object.keys(methods), [
-    ...['vectorHeat', 'affineHeat', 'weightedAverages', 'descent', 'paper', 'karcher'],
+    ...['vectorHeat', 'affineHeat', 'weightedAverages', 'descent', 'bSurf', 'paper', 'karcher'],
   ]);
   const keys = [
-    ...['ok', 'reason', 'prepareMs', 'traceMs', 'dragMs', 'samples', 'lost', 'deviation'],
-    'turningNoise',
+    ...['solver', 'ok', 'reason', 'prepareMs', 'traceMs', 'dragMs', 'samples', 'lost'],
+    ...['lostByOwnRule', 'logMaps', 'deviation', 'turningNoise', 'breaks', 'ruler'],
   ];
   for (const [name, method] of Object.entries(methods)) {
     assert.deepEqual(Object.keys(method), keys, name);

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { load } from 'karcher';
 import {
+  CurveMeter,
   comparedMethods,
   loadPeers,
   runMethod,
@@ -59,7 +60,7 @@ test("ours and the paper's are the curves of the engine, sample by sample", asyn
 });
 
 describe('every method', () => {
-  const curved = comparedMethods.filter((name) => name !== 'descent');
+  const curved = comparedMethods.filter((name) => name !== 'descent' && name !== 'bSurf');
 
   test('gives a control point that has all the weight', async () => {
     for (const name of curved) {
@@ -145,6 +146,124 @@ describe('every method', () => {
       method.dispose();
     }
   });
+});
+
+describe('the paper’s authors', () => {
+  const authors = { method: 'paper', solver: 'exact', seeds: 'authors' };
+  const traced = async (mesh, plan, options) => {
+    const method = await peers.prepare(mesh, options);
+    const curve = method.curve(plan);
+    curve.finish();
+    const samples = curve.samples();
+    method.dispose();
+    return samples;
+  };
+
+  test('end a Bézier curve at its control points, which gradients alone miss', async () => {
+    const mesh = peers.karcher.shape('torus', 500);
+    const inside = (face) => ({ face, bary: [0.2, 0.5, 0.3] });
+    const ends = [inside(20), inside(47), inside(60)];
+    const plan = peers.plan(ends, 9);
+    const away = ({ position, count }) =>
+      [
+        [0, 0],
+        [count - 1, 2],
+      ].map(([i, k]) =>
+        distance(Array.from(position.slice(3 * i, 3 * i + 3)), mesh.position(ends[k])),
+      );
+    for (const error of away(await traced(mesh, plan, authors))) assert.ok(error < 1e-12);
+    const heaviest = away(await traced(mesh, plan, { ...authors, seeds: 'heaviest' }));
+    assert.ok(Math.max(...heaviest) > 1e-3, `${heaviest}`);
+  });
+
+  test('find the same centers where there is only one, and go on through all segments', async () => {
+    const plan = peers.plan(points, 9);
+    const [one, other] = [
+      await traced(plane, plan, authors),
+      await traced(plane, plan, { ...authors, seeds: 'heaviest' }),
+    ];
+    assert.ok(one.status.every((status) => status === 'converged'));
+    for (let i = 0; i < 3 * one.count; i++) {
+      assert.ok(Math.abs(one.position[i] - other.position[i]) < 1e-9);
+    }
+    // A lost sample is where the next search starts, so that none is found again from a control point.
+    const sphere = peers.karcher.shape('sphere', 2000);
+    const around = [
+      [1, 0, 0],
+      [0, 1, 0],
+      [-1, 0, 0.1],
+      [0, -1, 0],
+    ].map((place) => ({ vertex: nearestVertex(sphere, place) }));
+    const far = peers.plan(around, 33);
+    const lost = ({ status }) => status.filter((name) => name !== 'converged').length;
+    const theirs = lost(await traced(sphere, far, authors));
+    const ours = lost(await traced(sphere, far, { ...authors, seeds: 'heaviest' }));
+    assert.ok(theirs >= ours && theirs > 0, `${theirs} and ${ours}`);
+  });
+
+  test('average more faces than Eq. 3 prints: elsewhere than on a regular grid it differs', async () => {
+    const mesh = peers.karcher.shape('genus3', 1000);
+    const inside = [0, 40, 90, 130].map((face) => ({ face, bary: [0.2, 0.5, 0.3] }));
+    const plan = peers.plan(inside, 5);
+    const wide = await traced(mesh, plan, { ...authors, star: 'wide' });
+    const ring = await traced(mesh, plan, { ...authors, star: 'ring' });
+    assert.deepEqual(wide, await traced(mesh, plan, authors));
+    assert.notDeepEqual(wide.position, ring.position);
+    // On the plane's regular grid both are exact.
+    const flat = await traced(plane, peers.plan(points, 5), { ...authors, star: 'ring' });
+    const expected = await traced(plane, peers.plan(points, 5), { method: 'karcher' });
+    for (let i = 0; i < 3 * flat.count; i++) {
+      assert.ok(Math.abs(flat.position[i] - expected.position[i]) < 1e-6);
+    }
+  });
+});
+
+describe('b/Surf', () => {
+  test('is the engine’s limit curve, and is dragged', async () => {
+    const method = await peers.prepare(plane, { method: 'bSurf' });
+    const curve = method.curve(peers.plan(points, 9));
+    assert.ok((await curve.trace()) >= 0);
+    const limit = (all) =>
+      plane.curve({ kind: 'bspline', points: all, samples: 9, levels: 'limit' });
+    assert.deepEqual(curve.samples(), limit(points).samples());
+    curve.movePoint(2, { vertex: 71 });
+    const moved = limit(points.with(2, { vertex: 71 }));
+    assert.deepEqual(curve.samples(), moved.samples());
+    assert.deepEqual(curve.line().path.polyline(), moved.polyline());
+    assert.deepEqual([curve.lostByOwnRule(), curve.logMaps()], [0, null]);
+    method.dispose();
+  });
+
+  test('makes no curves of other kinds, and no centers', async () => {
+    const method = await peers.prepare(plane, { method: 'bSurf' });
+    const table = peers.barycentric([1, 2, 1], 5);
+    const badArgument = { name: 'KarcherError', code: 'badArgument' };
+    assert.throws(
+      () => method.curve({ points: points.slice(0, 3), first: [0], table }),
+      badArgument,
+    );
+    assert.throws(() => method.centerOfMass(points, [0, 0, 1, 0, 0]), badArgument);
+  });
+});
+
+test('a leap is counted, a bend is not', () => {
+  const meter = new CurveMeter(plane);
+  const row = (xs, status = xs.map(() => 'converged')) => ({
+    count: xs.length,
+    segment: new Int32Array(xs.length),
+    t: Float64Array.from(xs, (_, i) => i),
+    face: new Int32Array(xs.length),
+    bary: Float64Array.from(xs.flatMap(() => [1, 0, 0])),
+    position: Float64Array.from(xs.flatMap((x) => [x, 0, 0])),
+    status,
+  });
+  const breaks = (line) => meter.measure(line, line).breaks;
+  assert.equal(breaks(row([0, 1, 2, 3, 4, 5])), 0);
+  assert.equal(breaks(row([0, 0.1, 0.2, 8, 8.1, 8.2])), 1);
+  // Ever faster, and slower again.
+  assert.equal(breaks(row([0, 0.5, 1.5, 4, 9, 11.5, 12.5])), 0);
+  const lost = ['converged', 'converged', 'noProgress', 'converged', 'converged', 'converged'];
+  assert.equal(breaks(row([0, 0.1, 9, 0.3, 0.4, 0.5], lost)), 0);
 });
 
 describe('errors', () => {
@@ -235,7 +354,7 @@ describe('a comparison', () => {
     const options = { method: 'karcher', solver: 'exact' };
     const run = await runMethod(peers, plane, plan, options, reference.samples);
     assert.equal(run.ok, true);
-    assert.deepEqual(run.deviation, { median: 0, max: 0 });
+    assert.deepEqual(run.deviation, { median: 0, max: 0, samples: 34 });
     assert.equal(run.turningNoise, 0);
     assert.equal(run.samples, 34);
     assert.equal(run.lost, 0);

@@ -6,7 +6,7 @@ export const compare: Command = {
   name: 'compare',
   summary: 'a curve by each method: times, and how far it is from exact log vectors or paths',
   output:
-    '{mesh: {vertices, triangles, meanEdge}, methods: {vectorHeat|affineHeat|weightedAverages|descent|paper|karcher: {ok, reason, prepareMs, traceMs, dragMs, samples, lost, deviation: {median, max}, turningNoise}}}; two points give the shortest path between them, three a quadratic Bezier curve, more a B-spline; deviations, from the exact path or the curve of exact log vectors, are in mean edges, null is what was not measured',
+    '{mesh: {vertices, triangles, meanEdge}, reference, methods: {vectorHeat|affineHeat|weightedAverages|descent|bSurf|paper|karcher: {solver, ok, reason, prepareMs, traceMs, dragMs, samples, lost, lostByOwnRule, logMaps: {made, asked}, deviation: {median, max, samples}, turningNoise, breaks, ruler: {residual: {median, max}, energy: {median, excess}, measured, of}}}}; two points give the shortest path between them, three a quadratic Bezier curve, more a B-spline. solver says how the method finds distances or log maps: paper has exact distances for two points and the graph of k = 6 for more, karcher fast ones. Deviations, from the reference (the exact path, or our curve of exact log vectors), are in mean edges h, over so many samples as converged. lost counts samples that did not converge to 1e-6 h, lostByOwnRule those that the method’s authors would not have accepted either (vector heat’s library stops at a third of the root of a face’s area). logMaps tells how many the heat methods made, and asked for, each of which their library computes anew. ruler is the same for all: at up to 33 samples, by exact shortest paths, the residual |sum w log p| in h and the energy sum w d^2 in h^2, excess over the reference’s. breaks counts leaps between neighbouring samples. null is what was not measured',
   options: [
     pointsOption,
     { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
@@ -33,26 +33,40 @@ export const compare: Command = {
     const points = await args.points();
     const read = await args.meshFile();
     // Only here: the other commands need not wait for a second module.
-    const { comparedMethods, loadPeers, runMethod, standardOptions, traceReference } = await import(
-      '../peers/index.js'
-    );
+    const {
+      comparedMethods,
+      loadPeers,
+      Ruler,
+      referenceOptions,
+      runMethod,
+      solverWords,
+      standardOptions,
+      traceReference,
+    } = await import('../peers/index.js');
     const peers = await loadPeers();
     const { mesh } = await read(peers.karcher);
     const plan = peers.plan(points, samples);
     // First, so that wrong points are told before the long work.
     const reference = await traceReference(peers, mesh, plan);
+    const ruler = new Ruler(mesh, plan);
+    await ruler.compareWith(reference.samples);
     const methods: Record<string, object> = {};
     for (const name of comparedMethods) {
       const options: MethodOptions = { ...standardOptions(name, plan), landmarks, delaunay };
       const run = await runMethod(peers, mesh, plan, options, reference.samples, {
         budgetMs,
+        ruler,
         progress: reporter(name),
       });
       const { curve: _, ...result } = run;
-      methods[name] = result;
+      methods[name] = { solver: solverWords(mesh, options), ...result };
     }
     const { vertices, triangles, meanEdge } = mesh.info;
-    return { json: { mesh: { vertices, triangles, meanEdge }, methods } };
+    const words =
+      points.length === 2
+        ? 'the exact shortest path'
+        : `our method, ${solverWords(mesh, referenceOptions)}`;
+    return { json: { mesh: { vertices, triangles, meanEdge }, reference: words, methods } };
   },
 };
 

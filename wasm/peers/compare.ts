@@ -3,11 +3,19 @@ import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import { nextCorner, toSurfacePoint, wirePoint } from '../points.js';
 import type { CurveSamples, LongWorkOptions } from '../types.js';
-import type { ComparedCurve } from './compared_curve.js';
 import { alongPath, type CurveMeasures, CurveMeter, type ReferenceSamples } from './measure.js';
 import type { Peers } from './peers.js';
-import { comparedMethods, type PreparedMethod } from './prepared_method.js';
-import type { ComparedLine, ComparedMethod, CurvePlan, MethodOptions } from './types.js';
+import { comparedMethods } from './prepared_method.js';
+import type { Ruler, RulerMeasures } from './ruler.js';
+import type {
+  ComparedLine,
+  ComparedMethod,
+  CurvePlan,
+  LogMapCounts,
+  MethodCurve,
+  MethodOptions,
+  PreparedCurves,
+} from './types.js';
 import { warm } from './warm.js';
 
 export { comparedMethods };
@@ -25,8 +33,19 @@ export interface MethodResult {
   dragMs: number | null;
   samples: number | null;
   lost: number | null;
+  /** Those that its own authors would not have accepted either (`MethodCurve.lostByOwnRule`). */
+  lostByOwnRule: number | null;
+  /**
+   * Log maps of the heat methods. A library that computes one at each evaluation takes about
+   * `traceMs * asked / made`.
+   */
+  logMaps: LogMapCounts | null;
   deviation: CurveMeasures['deviation'];
   turningNoise: number | null;
+  /** Where the curve leaps (`CurveMeasures.breaks`). */
+  breaks: number | null;
+  /** By exact shortest paths, the same for all methods; null where no ruler was given. */
+  ruler: RulerMeasures | null;
 }
 
 /** A result with the curve itself, where there is one. */
@@ -39,13 +58,52 @@ export interface CompareOptions extends LongWorkOptions {
   budgetMs?: number;
   /** Leaves out the drag, and the repetitions of what is quickly done: for figures that only show. */
   once?: boolean;
+  /** Measures the curve by exact shortest paths too. */
+  ruler?: Ruler;
 }
 
-/** How each method is set up for a curve: the paper's distances are exact for two points, and on the
- * graph with k = 6 else, as in its Table 1. */
+/**
+ * How each method is set up for a curve. The paper's distances are exact for two points, and on the graph
+ * with k = 6 else, as in its Table 1; its searches start as its authors' do.
+ */
 export function standardOptions(method: ComparedMethod, plan: CurvePlan): MethodOptions {
+  if (method === 'karcher') return { method, solver: 'fast' };
   if (method !== 'paper') return { method };
-  return { method, solver: plan.points.length === 2 ? 'exact' : 'graph' };
+  const exact = plan.points.length === 2;
+  return {
+    method,
+    seeds: 'authors',
+    ...(exact ? { solver: 'exact' } : { solver: 'graph', rings: 6 }),
+  };
+}
+
+/** How a method is set up, in words: what finds its distances, or its log maps. */
+export function solverWords(mesh: Mesh, options: MethodOptions): string {
+  const { method, solver, rings = 6, star = 'wide', seeds = 'heaviest' } = options;
+  const delaunay = options.delaunay ? ', on the intrinsic Delaunay triangulation' : '';
+  switch (method) {
+    case 'vectorHeat':
+      return `log maps by heat flow${delaunay}`;
+    case 'affineHeat':
+      return `log maps by affine heat flow${delaunay}`;
+    case 'weightedAverages':
+      return `an embedding of ${options.landmarks ?? 500} landmarks, ${options.landmarkDistances ?? 'fast'} distances`;
+    case 'descent':
+      return 'exact distances at the vertices';
+    case 'bSurf':
+      return 'averages of two points along geodesics';
+    case 'paper': {
+      const faces = star === 'ring' ? 'around a vertex' : 'around a vertex and beyond';
+      const start = seeds === 'authors' ? 'authors’ seeds' : 'seeds at the heaviest points';
+      const found = solver === 'graph' ? `graph distances, k = ${rings}` : 'exact distances';
+      return `${found}; gradients of the faces ${faces}; ${start}`;
+    }
+    case 'karcher': {
+      if (solver === 'graph') return `graph distances, k = ${rings}`;
+      const fast = (solver ?? 'fast') === 'fast' && mesh.info.fastSolver === 'fast';
+      return fast ? 'fast distances' : 'exact distances';
+    }
+  }
 }
 
 /** Log vectors of exact distances with the quadratic estimator: what curves of more than two points
@@ -89,7 +147,13 @@ export async function runMethod(
   plan: CurvePlan,
   options: MethodOptions,
   reference: ReferenceSamples | null,
-  { progress, signal, budgetMs = Number.POSITIVE_INFINITY, once = false }: CompareOptions = {},
+  {
+    progress,
+    signal,
+    budgetMs = Number.POSITIVE_INFINITY,
+    once = false,
+    ruler,
+  }: CompareOptions = {},
 ): Promise<MethodRun> {
   const run: MethodRun = { ...nothingMeasured, curve: null };
   const budget = new Budget(budgetMs, signal);
@@ -101,7 +165,7 @@ export async function runMethod(
     },
   };
   const own = peers.karcher.meshFromArrays(mesh.positions(), mesh.triangles());
-  let method: PreparedMethod | undefined;
+  let method: PreparedCurves | undefined;
   try {
     await warm(peers, options);
     method = await peers.prepare(own, options, work);
@@ -110,6 +174,8 @@ export async function runMethod(
     run.traceMs = await curve.trace(work);
     run.curve = { samples: curve.samples(), ...curve.line() };
     Object.assign(run, measures(mesh, run.curve.samples, reference));
+    run.lostByOwnRule = curve.lostByOwnRule();
+    run.logMaps = curve.logMaps();
     // With fewer it is no curve.
     run.ok = run.lost! <= run.samples! / 2;
     if (!run.ok) run.reason = `${run.lost} of ${run.samples} samples did not converge`;
@@ -123,6 +189,8 @@ export async function runMethod(
     method?.dispose();
     own.dispose();
   }
+  // The time that measuring takes is not the method's.
+  if (ruler && run.curve) run.ruler = await ruler.measure(run.curve.samples, { progress, signal });
   return run;
 }
 
@@ -148,7 +216,8 @@ class Budget {
   }
 }
 
-const nothingMeasured: MethodResult = {
+/** The result of a method of which nothing was measured. */
+export const nothingMeasured: MethodResult = {
   ok: false,
   reason: null,
   prepareMs: null,
@@ -156,8 +225,12 @@ const nothingMeasured: MethodResult = {
   dragMs: null,
   samples: null,
   lost: null,
+  lostByOwnRule: null,
+  logMaps: null,
   deviation: null,
   turningNoise: null,
+  breaks: null,
+  ruler: null,
 };
 
 function measures(mesh: Mesh, samples: CurveSamples, reference: ReferenceSamples | null) {
@@ -178,8 +251,8 @@ const longEnoughMs = 400;
 
 interface Repeated {
   peers: Peers;
-  method: PreparedMethod;
-  curve: ComparedCurve;
+  method: PreparedCurves;
+  curve: MethodCurve;
   /** The mesh of the method. */
   mesh: Mesh;
   plan: CurvePlan;
@@ -229,7 +302,7 @@ async function whileQuick(spent: number, run: () => Promise<number>): Promise<vo
 }
 
 /** The middle point moved to the next corner: all segments that it touches. */
-function drag(curve: ComparedCurve, mesh: Mesh, { points }: CurvePlan, work: LongWorkOptions) {
+function drag(curve: MethodCurve, mesh: Mesh, { points }: CurvePlan, work: LongWorkOptions) {
   const middle = Math.floor(points.length / 2);
   const wire = wirePoint(points[middle]!);
   const here = toSurfacePoint(mesh.handle.call((target) => target.checkedPoint(wire)));

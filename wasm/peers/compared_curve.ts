@@ -6,12 +6,12 @@ import { pause, sliceTime } from '../prepare.js';
 import type { CurveSamples, LongWorkOptions, PointLike } from '../types.js';
 import { CurveView } from '../view.js';
 import type { EngineComparedCurve, EnginePreparedMethod } from './karcher-peers.mjs';
-import type { ComparedLine } from './types.js';
+import type { ComparedLine, LogMapCounts, MethodCurve } from './types.js';
 
 const all = 0x7fffffff;
 
 /** A curve by one of the methods, until `dispose`. */
-export class ComparedCurve {
+export class ComparedCurve implements MethodCurve {
   readonly #engine: Engine;
   readonly #mesh: Mesh;
   readonly #method: Handle<EnginePreparedMethod>;
@@ -85,6 +85,23 @@ export class ComparedCurve {
   /** The samples that are there, segment by segment. */
   samples(): CurveSamples {
     return this.#view(this.#call((curve) => curve.samples())).samples;
+  }
+
+  /**
+   * How many of the samples so far its own authors would not have accepted either. The library of the
+   * heat methods stops where the weighted sum of logarithms is shorter than a third of the root of the
+   * face's area; here samples converge at 1e-6 mean edges. For other methods: those that did not converge.
+   */
+  lostByOwnRule(): number {
+    return this.#call((curve) => curve.lostByOwnRule());
+  }
+
+  /**
+   * Of the heat methods: how many log maps were made so far, one for each vertex that a search came by,
+   * and how many were asked for, each of which their authors' library computes anew.
+   */
+  logMaps(): LogMapCounts | null {
+    return this.#call((curve) => curve.logMaps());
   }
 
   /** The samples joined by geodesics. */

@@ -5,10 +5,9 @@ import { Peers } from './peers.js';
 
 export * from '../index.js';
 export * from './compare.js';
-export type { ComparedCurve } from './compared_curve.js';
 export * from './measure.js';
 export type { Peers } from './peers.js';
-export type { PreparedMethod } from './prepared_method.js';
+export * from './ruler.js';
 export type * from './types.js';
 export { warm } from './warm.js';
 

@@ -46,6 +46,8 @@ export interface EngineBenchmark {
 export interface EngineMethodOptions {
   method: string;
   field: EngineFieldOptions;
+  star: string;
+  seeds: string;
   delaunay: boolean;
   adaptive: boolean;
   landmarks: number;
@@ -63,6 +65,9 @@ export interface EngineComparedCurve {
   /** Makes one field or up to so many samples; true when nothing is left. */
   advance(samples: number): boolean;
   samplesLeft(): number;
+  lostByOwnRule(): number;
+  /** How many log maps were made, and asked for; null of methods that have none. */
+  logMaps(): { made: number; asked: number } | null;
   /** The view (../view.ts) of the samples alone. */
   samples(): Uint8Array;
   /** That of the path alone: of 64 bits, with points. */

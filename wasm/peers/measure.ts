@@ -2,55 +2,52 @@ import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import type { CurveSamples } from '../types.js';
 import type { WeightTable } from './types.js';
+import { at, cross, dot, subtract, type Vector } from './vectors.js';
 
 /** How a curve differs from a reference that was sampled at the same parameters. */
 export interface CurveMeasures {
   samples: number;
   /** Samples that did not converge. */
   lost: number;
-  /** Distances between corresponding samples that both converged, in mean edges. */
-  deviation: { median: number; max: number } | null;
+  /**
+   * Distances between corresponding samples that both converged, in mean edges, and how many these are.
+   */
+  deviation: { median: number; max: number; samples: number } | null;
   /**
    * Root mean square of (turning angle - the reference's) a sample, in radians, at about 128 samples
    * a segment.
    */
   turningNoise: number | null;
+  /**
+   * Where the curve leaps: between two samples that converged, one after the other, lies more than a mean
+   * edge and five times what lies before and after it.
+   */
+  breaks: number;
 }
 
 /** A reference: where its samples are, and which of them converged. */
-export type ReferenceSamples = Pick<CurveSamples, 'count' | 'position' | 'status'>;
-
-type Vector = [number, number, number];
-
-const subtract = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
-const triple = (flat: ArrayLike<number>, i: number): Vector => [
-  flat[3 * i]!,
-  flat[3 * i + 1]!,
-  flat[3 * i + 2]!,
-];
+export interface ReferenceSamples extends Pick<CurveSamples, 'count' | 'position' | 'status'> {
+  /** The energy of each, where it is known in closed form, in squared units of the mesh. */
+  energy?: Float64Array;
+}
 
 /** The centers of mass of the two ends of a path: each at a part of its length. */
 export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSamples {
   const polyline = path.polyline({ bits: 64 });
   const lengths = [0];
   for (let i = 1; 3 * i < polyline.length; i++) {
-    const step = subtract(triple(polyline, i), triple(polyline, i - 1));
+    const step = subtract(at(polyline, i), at(polyline, i - 1));
     lengths.push(lengths[i - 1]! + Math.sqrt(dot(step, step)));
   }
   const last = lengths.length - 1;
   const position = new Float64Array(3 * t.length);
+  const energy = new Float64Array(t.length);
   for (let i = 0; i < t.length; i++) {
+    energy[i] = weights[2 * i]! * weights[2 * i + 1]! * lengths[last]! ** 2;
     const length = weights[2 * i + 1]! * lengths[last]!;
     let next = 1;
     while (next < last && lengths[next]! < length) next++;
-    const [before, after] = [triple(polyline, next - 1), triple(polyline, Math.min(next, last))];
+    const [before, after] = [at(polyline, next - 1), at(polyline, Math.min(next, last))];
     const step = lengths[next]! - lengths[next - 1]!;
     const part = step > 0 ? (length - lengths[next - 1]!) / step : 0;
     position.set(
@@ -58,8 +55,11 @@ export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSam
       3 * i,
     );
   }
-  return { count: t.length, position, status: Array.from(t, () => 'converged' as const) };
+  return { count: t.length, position, energy, status: Array.from(t, () => 'converged' as const) };
 }
+
+/** So many times longer than its neighbours, a step between samples is a leap. */
+const leap = 5;
 
 /** Measures curves on one mesh. */
 export class CurveMeter {
@@ -81,7 +81,7 @@ export class CurveMeter {
     const distances: number[] = [];
     for (let i = 0; i < curve.count; i++) {
       if (!converged(curve, i) || !converged(reference, i)) continue;
-      const offset = subtract(triple(curve.position, i), triple(reference.position, i));
+      const offset = subtract(at(curve.position, i), at(reference.position, i));
       distances.push(Math.sqrt(dot(offset, offset)) / this.#meanEdge);
     }
     distances.sort((a, b) => a - b);
@@ -91,9 +91,33 @@ export class CurveMeter {
       deviation:
         distances.length === 0
           ? null
-          : { median: distances[Math.floor(distances.length / 2)]!, max: distances.at(-1)! },
+          : {
+              median: distances[Math.floor(distances.length / 2)]!,
+              max: distances.at(-1)!,
+              samples: distances.length,
+            },
       turningNoise: this.#turningNoise(curve, reference),
+      breaks: this.#breaks(curve),
     };
+  }
+
+  #breaks(curve: CurveSamples): number {
+    let breaks = 0;
+    for (const [begin, end] of segments(curve)) {
+      const steps = Array.from({ length: end - begin - 1 }, (_, k) => this.#step(curve, begin + k));
+      steps.forEach((step, k) => {
+        const beside = [steps[k - 1], steps[k + 1]].filter((one) => one !== undefined);
+        if (step > this.#meanEdge && beside.every((one) => step > leap * one)) breaks++;
+      });
+    }
+    return breaks;
+  }
+
+  /** The distance from a sample to the next; 0 where one of them is lost. */
+  #step(curve: CurveSamples, i: number): number {
+    if (curve.status[i] !== 'converged' || curve.status[i + 1] !== 'converged') return 0;
+    const step = subtract(at(curve.position, i + 1), at(curve.position, i));
+    return Math.sqrt(dot(step, step));
   }
 
   #turningNoise(curve: CurveSamples, reference: ReferenceSamples): number | null {
@@ -121,9 +145,9 @@ export class CurveMeter {
     for (const k of [i - stride, i, i + stride]) {
       if (samples.status[k] !== 'converged') return null;
     }
-    const here = triple(samples.position, i);
-    const before = subtract(here, triple(samples.position, i - stride));
-    const after = subtract(triple(samples.position, i + stride), here);
+    const here = at(samples.position, i);
+    const before = subtract(here, at(samples.position, i - stride));
+    const after = subtract(at(samples.position, i + stride), here);
     const least = (1e-9 * this.#meanEdge) ** 2;
     if (dot(before, before) <= least || dot(after, after) <= least) return null;
     return Math.atan2(dot(normal, cross(before, after)), dot(before, after));
@@ -156,11 +180,7 @@ function vertexNormals(positions: Float64Array, triangles: Int32Array): Float64A
   const normals = new Float64Array(positions.length);
   for (let f = 0; f < triangles.length; f += 3) {
     const corners = [triangles[f]!, triangles[f + 1]!, triangles[f + 2]!];
-    const [a, b, c] = corners.map((vertex) => triple(positions, vertex)) as [
-      Vector,
-      Vector,
-      Vector,
-    ];
+    const [a, b, c] = corners.map((vertex) => at(positions, vertex)) as [Vector, Vector, Vector];
     const normal = cross(subtract(b, a), subtract(c, a));
     for (const vertex of corners) {
       for (let k = 0; k < 3; k++) normals[3 * vertex + k]! += normal[k]!;

@@ -5,8 +5,8 @@ import { Karcher } from '../karcher.js';
 import { Mesh } from '../mesh.js';
 import type { LongWorkOptions } from '../types.js';
 import type { EngineBenchmark, PeersModule } from './karcher-peers.mjs';
-import { type PreparedMethod, prepareMethod } from './prepared_method.js';
-import type { CurvePlan, MethodOptions, WeightTable } from './types.js';
+import { prepareMethod } from './prepared_method.js';
+import type { CurvePlan, MethodOptions, PreparedCurves, WeightTable } from './types.js';
 
 /** The engine and the methods that it is compared with. */
 export class Peers {
@@ -34,7 +34,7 @@ export class Peers {
     mesh: Mesh,
     options: MethodOptions,
     work: LongWorkOptions = {},
-  ): Promise<PreparedMethod> {
+  ): Promise<PreparedCurves> {
     this.#checkMesh(mesh);
     return prepareMethod(this.#engine, this.#module, mesh, options, work);
   }
@@ -69,10 +69,11 @@ export class Peers {
       throw new KarcherError('tooFewPoints', `a curve needs 2 points, not ${points.length}`);
     }
     if (points.length < 4) {
-      return { points, first: [0], table: this.bezier(points.length - 1, samples) };
+      const table = this.bezier(points.length - 1, samples);
+      return { points, first: [0], table, shape: { kind: 'bezier' } };
     }
     const first = Array.from({ length: points.length - 3 }, (_, j) => j);
-    return { points, first, table: this.bspline(samples) };
+    return { points, first, table: this.bspline(samples), shape: { kind: 'bspline' } };
   }
 
   /**

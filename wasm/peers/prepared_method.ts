@@ -15,11 +15,13 @@ import { prepareGraph } from '../prepare.js';
 import type { LongWorkOptions, PointLike } from '../types.js';
 import { ComparedCurve } from './compared_curve.js';
 import type { EngineMethodOptions, EnginePreparedMethod, PeersModule } from './karcher-peers.mjs';
+import { SubdivisionMethod } from './subdivision_method.js';
 import type {
   ComparedCenter,
   ComparedMethod,
   CurvePlan,
   MethodOptions,
+  PreparedCurves,
   WeightTable,
 } from './types.js';
 
@@ -29,6 +31,7 @@ export const comparedMethods: readonly ComparedMethod[] = [
   'affineHeat',
   'weightedAverages',
   'descent',
+  'bSurf',
   'paper',
   'karcher',
 ];
@@ -38,17 +41,19 @@ const methodOptionNames = namesOf<MethodOptions>({
   method: true,
   solver: true,
   rings: true,
+  star: true,
+  seeds: true,
   delaunay: true,
   adaptive: true,
   landmarks: true,
   landmarkDistances: true,
 });
 
-const planNames = namesOf<CurvePlan>({ points: true, first: true, table: true });
+const planNames = namesOf<CurvePlan>({ points: true, first: true, table: true, shape: true });
 const tableNames = namesOf<WeightTable>({ points: true, t: true, weights: true });
 
 /** A method prepared on a mesh, until `dispose`. */
-export class PreparedMethod {
+export class PreparedMethod implements PreparedCurves {
   readonly options: MethodOptions;
   /** How long the preparation took, in milliseconds, pauses apart. */
   readonly prepareMs: number;
@@ -139,11 +144,12 @@ export async function prepareMethod(
   mesh: Mesh,
   options: MethodOptions,
   work: LongWorkOptions,
-): Promise<PreparedMethod> {
+): Promise<PreparedCurves> {
   const wire = engineOptions(options);
   checkLongWork(work);
   const { progress, signal } = work;
   signal?.throwIfAborted();
+  if (options.method === 'bSurf') return new SubdivisionMethod(mesh, options);
   let worked = 0;
   if (wire.field.solver === 'graph') {
     worked += await prepareGraph(engine, mesh.handle, wire.field.rings, work);
@@ -167,6 +173,8 @@ function engineOptions(options: MethodOptions): EngineMethodOptions {
   return {
     method,
     field: engineFieldOptions(ours ? { method, solver, rings } : {}),
+    star: checkOneOf(options.star ?? 'wide', ['wide', 'ring'] as const, 'a star'),
+    seeds: checkOneOf(options.seeds ?? 'heaviest', ['heaviest', 'authors'] as const, 'seeds'),
     delaunay: checkBoolean(options.delaunay ?? false, 'delaunay'),
     adaptive: checkBoolean(options.adaptive ?? false, 'adaptive'),
     landmarks: checkInteger(options.landmarks ?? defaultLandmarks, 'the number of landmarks'),

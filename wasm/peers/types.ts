@@ -1,17 +1,18 @@
 import type { Path } from '../path.js';
-import type { CenterOfMass, PointLike, Solver } from '../types.js';
+import type { CenterOfMass, CurveSamples, LongWorkOptions, PointLike, Solver } from '../types.js';
 
 /**
  * The methods that are compared: the vector heat method (Sharp, Soliman, Crane 2019), the affine
  * heat method (Soliman, Sharp 2025), weighted averages (Panozzo, Baran, Diamanti, Sorkine-Hornung
- * 2013), piecewise-linear descent of the distance field (Kimmel, Sethian 1998), the paper's method
- * (Mancinelli, Puppo) and ours.
+ * 2013), piecewise-linear descent of the distance field (Kimmel, Sethian 1998), subdivision as in b/Surf
+ * (Mancinelli, Nazzaro, Pellacini, Puppo 2022), the paper's method (Mancinelli, Puppo) and ours.
  */
 export type ComparedMethod =
   | 'vectorHeat'
   | 'affineHeat'
   | 'weightedAverages'
   | 'descent'
+  | 'bSurf'
   | 'paper'
   | 'karcher';
 
@@ -20,6 +21,21 @@ export interface MethodOptions {
   /** `paper` and `karcher`: how distances are found; by default as in `FieldOptions`. */
   solver?: Solver;
   rings?: number;
+  /**
+   * `paper`: the faces whose gradients Eq. 3 averages at a vertex: those around it, as the paper prints
+   * it (`ring`), or also those across their outer edges, as its authors' program has it (`wide`, the
+   * default).
+   */
+  star?: 'wide' | 'ring';
+  /**
+   * `paper` and `karcher`: where searches start. `heaviest` (the default), as the engine's: the ends of a
+   * segment at the control point of the largest weight, other samples at the last that converged, and
+   * again at control points where that fails. `authors`, as the program of the paper's authors: the first
+   * sample at the geodesic de Boor point, as are those after it until one is found; then each at the last
+   * one that was, through all segments, and never again; where a control point has all the weight, as at
+   * the ends of a Bezier curve, it is the sample.
+   */
+  seeds?: 'heaviest' | 'authors';
   /** The heat methods: on the intrinsic Delaunay triangulation of the surface. */
   delaunay?: boolean;
   /** `affineHeat`: in the frame that is transported from the source. */
@@ -45,6 +61,34 @@ export interface CurvePlan {
   points: readonly PointLike[];
   first: readonly number[];
   table: WeightTable;
+  /** What kind of curve that is, where it is one that can be subdivided: for `bSurf`. */
+  shape?: { kind: 'bspline' | 'bezier' | 'rational'; weights?: readonly number[] };
+}
+
+/** A curve by one of the methods, until `dispose` (compared_curve.ts). */
+export interface MethodCurve {
+  movePoint(i: number, point: PointLike): void;
+  startAt(point: PointLike): void;
+  finish(): number;
+  trace(work?: LongWorkOptions): Promise<number>;
+  samples(): CurveSamples;
+  line(): ComparedLine;
+  lostByOwnRule(): number;
+  logMaps(): LogMapCounts | null;
+  dispose(): void;
+}
+
+/** A method prepared on a mesh, until `dispose` (prepared_method.ts). */
+export interface PreparedCurves {
+  readonly options: MethodOptions;
+  readonly prepareMs: number;
+  curve(plan: CurvePlan): MethodCurve;
+  centerOfMass(
+    points: readonly PointLike[],
+    weights: ArrayLike<number>,
+    options?: { start?: PointLike },
+  ): ComparedCenter;
+  dispose(): void;
 }
 
 /** A curve for drawing. */
@@ -56,3 +100,9 @@ export interface ComparedLine {
 
 /** What all methods tell of a center of mass. */
 export type ComparedCenter = Pick<CenterOfMass, 'point' | 'position' | 'status'>;
+
+/** Log maps of a heat method's curve: how many were made, and how many asked for. */
+export interface LogMapCounts {
+  made: number;
+  asked: number;
+}

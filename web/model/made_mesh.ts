@@ -15,7 +15,7 @@ export async function makeMesh(
     case 'bunny':
       return makeSample(karcher, source, tell);
     case 'plane': {
-      const { positions, triangles } = planeArrays(source.tessellation, source.triangles);
+      const { positions, triangles } = planeArrays(source);
       return karcher.meshFromArrays(positions, triangles);
     }
     case 'simplified': {

@@ -3,7 +3,10 @@ import type { UpAxis } from 'karcher/formats';
 
 export type { UpAxis };
 
-export const tessellations = ['delaunay', 'grid', 'anisotropic'] as const;
+export const tessellations = ['fair', 'delaunay', 'grid', 'anisotropic'] as const;
+
+/** How many times as long as high the cells of an anisotropic plane are where nothing is said. */
+export const usualStretch = 20;
 
 /** How a plane is cut into triangles. */
 export type Tessellation = (typeof tessellations)[number];
@@ -14,11 +17,12 @@ export type SampleSource =
 
 /**
  * A surface that is made where it is asked for (made_mesh.ts). `triangles` is about how many; a plane
- * is the unit square in z = 0.
+ * is the unit square in z = 0. `stretch` is how many times as long as high the cells of an anisotropic
+ * one are, from 1 to 50; 20 where it is not said.
  */
 export type MadeSource =
   | SampleSource
-  | { kind: 'plane'; tessellation: Tessellation; triangles: number }
+  | { kind: 'plane'; tessellation: Tessellation; triangles: number; stretch?: number }
   | { kind: 'simplified'; of: MadeSource; triangles: number };
 
 /** A file, and which of its parts are read; null for all. */
@@ -57,7 +61,8 @@ export const samples: readonly Sample[] = [
 
 /**
  * A surface's key: `bunny:levels`, `shape:triangles`, `plane:tessellation:triangles`,
- * `simplified:triangles:` and the key of what is simplified, or `file:digest:name`. After the digest come
+ * `plane:anisotropic*stretch:triangles`, `simplified:triangles:` and the key of what is simplified, or
+ * `file:digest:name`. After the digest come
  * the numbers of the parts that are read, where these are not all, and the axis that points up, where it
  * is not as guessed: `file:digest.0.2~z:name`.
  */
@@ -82,9 +87,9 @@ export function parseKey(key: string): ParsedKey | null {
   const [id, value, ...rest] = key.split(':');
   if (id === 'file' && value) return parseFileKey(value, rest.join(':') || 'file');
   if (id === 'plane') {
-    const tessellation = tessellations.find((one) => one === value);
     const triangles = countOf(rest.join(':'), mostTriangles);
-    return tessellation && triangles ? { made: { kind: 'plane', tessellation, triangles } } : null;
+    const plane = parsePlane(value ?? '');
+    return plane && triangles ? { made: { kind: 'plane', ...plane, triangles } } : null;
   }
   if (id === 'simplified') {
     const of = madeSource(rest.join(':'));
@@ -96,6 +101,16 @@ export function parseKey(key: string): ParsedKey | null {
   const sample = samples.find((one) => one.id === id);
   const detail = countOf(value, id === 'bunny' ? 4 : mostTriangles);
   return sample && detail !== null ? { sample, detail } : null;
+}
+
+/** A tessellation, an anisotropic one perhaps with its stretch. */
+function parsePlane(text: string): { tessellation: Tessellation; stretch?: number } | null {
+  const [name, times, ...more] = text.split('*');
+  const tessellation = tessellations.find((one) => one === name);
+  if (!tessellation || more.length > 0) return null;
+  if (times === undefined) return { tessellation };
+  const stretch = countOf(times, 50);
+  return tessellation === 'anisotropic' && stretch ? { tessellation, stretch } : null;
 }
 
 function countOf(text: string | undefined, most: number): number | null {
@@ -119,7 +134,9 @@ export function madeKey(source: MadeSource): string {
     case 'shape':
       return `${source.name}:${source.triangles}`;
     case 'plane':
-      return `plane:${source.tessellation}:${source.triangles}`;
+      return source.stretch === undefined
+        ? `plane:${source.tessellation}:${source.triangles}`
+        : `plane:${source.tessellation}*${source.stretch}:${source.triangles}`;
     case 'simplified':
       return `simplified:${source.triangles}:${madeKey(source.of)}`;
   }

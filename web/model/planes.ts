@@ -1,5 +1,5 @@
 import Delaunator from 'delaunator';
-import type { Tessellation } from './meshes';
+import { type MadeSource, usualStretch } from './meshes';
 import { randomFrom } from './random';
 
 /** Positions and triangles, as `Karcher.meshFromArrays` takes them. */
@@ -11,14 +11,48 @@ export interface Arrays {
 const seed = 8;
 
 /** The unit square in z = 0. */
-export function planeArrays(kind: Tessellation, triangles: number): Arrays {
-  if (kind === 'delaunay') return delaunay(triangles);
-  // Squares, or bands twenty times as long as they are high.
-  const stretch = kind === 'grid' ? 1 : 20;
+export function planeArrays({
+  tessellation,
+  triangles,
+  stretch = usualStretch,
+}: Extract<MadeSource, { kind: 'plane' }>): Arrays {
+  if (tessellation === 'delaunay') return delaunay(triangles, whiteNoise);
+  if (tessellation === 'fair') return delaunay(triangles, fairPoints);
+  if (tessellation === 'grid') {
+    const cells = Math.max(2, Math.round(Math.sqrt(triangles / 2)));
+    return grid(cells, cells, 0);
+  }
   const columns = Math.max(2, Math.round(Math.sqrt(triangles / 2 / stretch)));
-  const rows = Math.max(2, Math.round(columns * stretch));
-  return kind === 'grid' ? grid(columns, rows, 0) : grid(columns, rows, 0.3);
+  return grid(columns, Math.max(2, Math.round(columns * stretch)), 0.3);
 }
+
+/** Appends about so many points with coordinates from `least` to 1 - least. */
+type Scatter = (flat: number[], count: number, least: number, random: () => number) => void;
+
+/** Anywhere, each for itself. */
+const whiteNoise: Scatter = (flat, count, least, random) => {
+  for (let k = 0; k < count; k++) {
+    flat.push(least + (1 - 2 * least) * random(), least + (1 - 2 * least) * random());
+  }
+};
+
+/** On a lattice of equilateral triangles, each moved by up to a quarter of its side. */
+const fairPoints: Scatter = (flat, count, least, random) => {
+  const width = 1 - 2 * least;
+  const side = width / Math.sqrt(count * Math.sqrt(0.75));
+  const rows = Math.max(2, Math.round(width / (side * Math.sqrt(0.75))));
+  const columns = Math.max(2, Math.round(width / side));
+  const most = side / 4;
+  const within = (x: number) => Math.min(1 - least, Math.max(least, x));
+  for (let j = 0; j < rows; j++) {
+    for (let i = 0; i < columns; i++) {
+      const [radius, angle] = [most * Math.sqrt(random()), 2 * Math.PI * random()];
+      const x = ((i + (j % 2 ? 0.75 : 0.25)) / columns) * width + least;
+      const y = ((j + 0.5) / rows) * width + least;
+      flat.push(within(x + radius * Math.cos(angle)), within(y + radius * Math.sin(angle)));
+    }
+  }
+};
 
 /** A grid whose inner vertices are moved at random by up to `jitter` cells; with jitter the diagonals
  * are drawn at random too. */
@@ -45,8 +79,8 @@ function grid(columns: number, rows: number, jitter: number): Arrays {
   return { positions: Float64Array.from(positions), triangles: Int32Array.from(triangles) };
 }
 
-/** The Delaunay triangulation of random points; on the border they are evenly spaced. */
-function delaunay(triangles: number): Arrays {
+/** The Delaunay triangulation of scattered points; on the border they are evenly spaced. */
+function delaunay(triangles: number, scatter: Scatter): Arrays {
   const random = randomFrom(seed);
   const count = Math.max(9, Math.round(triangles / 2));
   const side = Math.max(2, Math.round(Math.sqrt(count)));
@@ -57,9 +91,7 @@ function delaunay(triangles: number): Arrays {
   }
   // Away from the border, so that no triangle there is a sliver.
   const inset = 0.4 / side;
-  while (flat.length < 2 * count) {
-    flat.push(inset + (1 - 2 * inset) * random(), inset + (1 - 2 * inset) * random());
-  }
+  scatter(flat, count - flat.length / 2, inset, random);
   const { triangles: corners } = new Delaunator(flat);
   const positions = new Float64Array((flat.length / 2) * 3);
   for (let v = 0; v < flat.length / 2; v++) positions.set([flat[2 * v]!, flat[2 * v + 1]!], 3 * v);

@@ -1,5 +1,6 @@
 import { byId, make } from '../panels/elements';
 import { applyTheme, onTheme, toggleTheme } from '../panels/theme';
+import { ClaimsSection } from './claims/claims_section';
 import { figures, smallFigures } from './figures';
 import { LabClient } from './lab/client';
 import { smallRows, tableRows } from './table/rows';
@@ -8,6 +9,7 @@ import { FigureSection } from './view/figure_section';
 import { GeometryMaker } from './view/geometry';
 import { SharedRenderer } from './view/shared_renderer';
 import { readColors } from './view/theme_colors';
+import { TransportSection } from './view/transport_section';
 
 /** For tests: `?detail=0.05` has every mesh smaller, `?antialias=off` lines rougher. */
 const parameters = new URLSearchParams(location.search);
@@ -29,11 +31,21 @@ function start(): void {
   };
   const detail = Number(parameters.get('detail') ?? 1);
   const shown = detail < 1 ? smallFigures(detail, 17) : figures;
-  const sections = shown.map((figure) => new FigureSection(context, figure));
+  const claims = new ClaimsSection();
+  // Asked for all at once: a section that is made tells nothing yet.
+  const measured = () => {
+    claims.show(Object.assign({}, ...sections.map((section) => section.measured())));
+  };
+  const sections = shown.map((figure) => new FigureSection(context, figure, measured));
   const table = new TableSection(detail < 1 ? smallRows(detail) : tableRows, __KARCHER_BUILD__);
-  byId('figures').append(...[...sections, table].map(({ element }) => element));
+  const transport = new TransportSection();
+  const [means, ...others] = [...sections, table].map(({ element }) => element);
+  byId('figures').append(claims.element, means!, transport.element, ...others);
+  const first = { id: 'claims', name: 'All of it', title: 'Do its claims hold?' };
+  const second = { id: 'transport', name: 'Figure 2', title: 'A vector carried into a face' };
+  const last = { id: 'table', name: 'Table 1', title: 'Times' };
   byId('contents').append(
-    ...[...shown, { id: 'table', name: 'Table 1', title: 'Times' }].map(({ id, name, title }) => {
+    ...[first, shown[0]!, second, ...shown.slice(1), last].map(({ id, name, title }) => {
       const link = make('a', '', { href: `#${id}` });
       link.append(make('span', name), title);
       const item = make('li');

@@ -1,9 +1,11 @@
 import { loadPeers } from 'karcher/peers';
+import type { MeshFinding } from './claims/meshes';
+import type { JudgedClaim, Measured } from './claims/types';
 import { lineStyles } from './figures/lines';
 import { panelTitle } from './figures/titles';
 import type { Figure, LineResult } from './figures/types';
 import { Lab } from './lab/lab';
-import { type TableRow, tableMethodNames } from './table/rows';
+import { asUsedMs, type TableCell, type TableRow, tableMethodNames } from './table/rows';
 import { runTable } from './table/run';
 
 const figure = (value: number | null, digits: number) =>
@@ -11,15 +13,19 @@ const figure = (value: number | null, digits: number) =>
 
 /** The numbers of a line as cells of a table; a line that failed has its reason. */
 export function cells(line: LineResult): string[] {
-  if (!line.ok) return [`failed: ${line.reason}`, '', '', '', '', ''];
-  if (line.residual !== null) {
-    return [`its own residual: ${figure(line.residual, 3)}`, '', '', '', '', ''];
-  }
+  if (!line.ok) return [`failed: ${line.reason}`, ...heads.slice(2).map(() => '')];
+  const { deviation, samples, lost, lostByOwnRule, ruler } = line;
+  const part = (count: number, of: number) => (count < of ? ` over ${count} of ${of}` : '');
   return [
-    figure(line.deviation?.median ?? null, 3),
-    figure(line.deviation?.max ?? null, 3),
+    figure(deviation?.median ?? null, 3) +
+      (deviation && samples !== null ? part(deviation.samples, samples) : ''),
+    figure(deviation?.max ?? null, 3),
     figure(line.turningNoise, 3),
-    line.lost === null ? '–' : `${line.lost} of ${line.samples}`,
+    lost === null ? '–' : `${lost} of ${samples}`,
+    lostByOwnRule === null ? '–' : `${lostByOwnRule}`,
+    line.breaks === null ? '–' : `${line.breaks}`,
+    figure(ruler?.residual?.median ?? null, 3) + (ruler ? part(ruler.measured, ruler.of) : ''),
+    figure(ruler?.energy?.excess ?? null, 2),
     figure(line.prepareMs, 3),
     figure(line.traceMs, 3),
   ];
@@ -30,18 +36,28 @@ const markdownTable = (rows: readonly string[][]) =>
     .map((row) => `| ${row.join(' | ')} |`)
     .join('\n');
 
-const heads = ['', 'median h', 'max h', 'turning noise', 'lost', 'prepare ms', 'trace ms'];
+const heads = [
+  ...['', 'median h', 'max h', 'turning noise', 'lost', 'lost by own rule', 'breaks'],
+  ...['residual h', 'energy − reference’s h²', 'prepare ms', 'trace ms'],
+];
+
+/** What a figure's report has: its numbers, as Markdown and as they are. */
+export interface FiguresReport {
+  text: string;
+  panels: Measured['panels'];
+}
 
 /** Computes every figure and writes its numbers as Markdown. */
 export async function report(
   figures: readonly Figure[],
   tell: (what: string) => void = () => {},
-): Promise<string> {
+): Promise<FiguresReport> {
   const lab = new Lab(await loadPeers());
   const parts: string[] = [];
-  for (const { name, title, caption, points, panels } of figures) {
+  const panels: Measured['panels'] = {};
+  for (const { id, name, title, caption, points, panels: ofFigure } of figures) {
     parts.push(`## ${name}: ${title}`, caption);
-    for (const panel of panels) {
+    for (const panel of ofFigure) {
       const title = panelTitle(panel, panel.curve);
       tell(`${name}, ${title}`);
       const { info } = await lab.mesh(panel.mesh);
@@ -51,33 +67,82 @@ export async function report(
         `### ${title}, ${info.triangles.toLocaleString('en')} triangles`,
         markdownTable(rows),
       );
+      panels[`${id}/${panel.id}`] = lines.map(
+        ({ polylines: _, status: __, marker: ___, ...numbers }) => numbers,
+      );
     }
   }
-  return `${parts.join('\n\n')}\n`;
+  return { text: `${parts.join('\n\n')}\n`, panels };
 }
 
 /** Measures Table 1 in these rows and writes it as Markdown. */
 export async function tableReport(
   options: { rows: readonly TableRow[]; samples: number; budgetMs: number },
   tell: (what: string) => void = () => {},
-): Promise<string> {
+): Promise<{ text: string; cells: TableCell[] }> {
   const rows: string[][] = [
-    ['curve', 'triangles', 'segments', 'method', 'prepare ms', 'trace ms', 'update ms', 'lost'],
+    [
+      ...['curve', 'triangles', 'segments', 'method', 'prepare ms', 'trace ms', 'update ms'],
+      ...['trace ms, a log map each', 'lost', 'lost by own rule', 'residual h'],
+    ],
   ];
+  const cells: TableCell[] = [];
   await runTable(await loadPeers(), options, {
     row: () => {},
     progress: () => {},
     method: ({ row, method }) => tell(`Table 1, ${row}: ${tableMethodNames[method]}`),
-    cell: ({ row, method, triangles, segments, result }) => {
+    cell: (cell) => {
+      cells.push(cell);
+      const { row, method, triangles, segments, result } = cell;
       const { name } = options.rows.find(({ id }) => id === row)!;
-      const times = [result.prepareMs, result.traceMs, result.dragMs];
+      const times = [result.prepareMs, result.traceMs, result.dragMs, asUsedMs(result)];
       rows.push([
         ...[name, triangles.toLocaleString('en'), `${segments}`, tableMethodNames[method]],
         ...times.map((time) => figure(time, 3)),
         result.reason ?? `${result.lost} of ${result.samples}`,
+        result.lostByOwnRule === null ? '–' : `${result.lostByOwnRule}`,
+        figure(result.ruler?.residual?.median ?? null, 3),
       ]);
     },
   });
-  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s.`;
-  return `## Table 1\n\n${about}\n\n${markdownTable(rows)}\n`;
+  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals are by exact paths at 33 samples.`;
+  return { text: `## Table 1\n\n${about}\n\n${markdownTable(rows)}\n`, cells };
+}
+
+/** The claims and their verdicts as Markdown. */
+export function claimsReport(claims: readonly JudgedClaim[]): string {
+  const rows = claims.map(({ where, claim, measured, verdict, on }) => [
+    where,
+    claim,
+    measured,
+    on ? `${verdict}: ${on}` : verdict,
+  ]);
+  const heads = ['where', 'the paper says', 'measured', 'verdict'];
+  return `## Claims\n\n${markdownTable([heads, ...rows])}\n`;
+}
+
+/** What each method did on meshes of a folder as Markdown. */
+export function meshesReport(meshes: readonly MeshFinding[]): string {
+  const heads = [
+    'mesh',
+    'triangles',
+    'method',
+    'prepare ms',
+    'trace ms',
+    'lost',
+    'lost by own rule',
+  ];
+  const rows = meshes.flatMap(({ name, triangles, methods }) =>
+    methods.map(({ method, result }) => [
+      ...[name, triangles.toLocaleString('en'), method],
+      ...[figure(result.prepareMs, 3), figure(result.traceMs, 3)],
+      result.reason ?? `${result.lost} of ${result.samples}`,
+      result.lostByOwnRule === null ? '–' : `${result.lostByOwnRule}`,
+      ...[figure(result.deviation?.median ?? null, 3), figure(result.turningNoise, 3)],
+      `${result.breaks ?? '–'}`,
+      figure(result.ruler?.residual?.median ?? null, 3),
+    ]),
+  );
+  const all = [...heads, 'median h', 'turning noise', 'breaks', 'residual h'];
+  return `## Meshes of a folder\n\n${markdownTable([all, ...rows])}\n`;
 }

@@ -51,6 +51,14 @@ void ComparedCurveHandle::startAt(const val& point) {
   curve_.startAt(pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
 }
 
+val ComparedCurveHandle::logMaps() const {
+  if (curve_.logMaps() == nullptr) return val::null();
+  val result = val::object();
+  result.set("made", curve_.logMaps()->logMapCount());
+  result.set("asked", static_cast<double>(curve_.logMaps()->logMapsAsked()));
+  return result;
+}
+
 val ComparedCurveHandle::samples() const {
   TracedLine line;
   for (int j = 0; j < curve_.segmentCount(); ++j) line.samples.push_back(&curve_.samples(j));
@@ -73,6 +81,8 @@ std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val&
   ComparedOptions result;
   result.method = comparedMethod(options["method"].as<std::string>());
   result.field = fieldOptionsFromJs(options["field"]);
+  if (options["star"].as<std::string>() == "ring") result.star = GradientStar::kRing;
+  if (options["seeds"].as<std::string>() == "authors") result.seeds = Seeds::kAuthors;
   result.delaunay = options["delaunay"].as<bool>();
   result.variant =
       options["adaptive"].as<bool>() ? AffineVariant::kAdaptive : AffineVariant::kLocal;

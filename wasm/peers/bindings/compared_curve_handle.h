@@ -32,6 +32,9 @@ class ComparedCurveHandle {
   void startAt(const val& point);
   bool advance(int samples) { return curve_.advance(samples); }
   int samplesLeft() const { return curve_.samplesLeft(); }
+  int lostByOwnRule() const { return curve_.lostByOwnRule(); }
+  /// {made, asked}: how many log maps; null of methods that have none.
+  val logMaps() const;
   /// The view (view.h) of the samples alone.
   val samples() const;
   /// That of the path: the samples of each segment, joined by geodesics.
@@ -42,9 +45,9 @@ class ComparedCurveHandle {
   ComparedCurve curve_;
 };
 
-/// `options` is {method, field: {method, solver, rings}, delaunay, adaptive, landmarks,
-/// landmarkDistances}; `progress` a function of the number of landmarks that returns whether to go
-/// on, or undefined.
+/// `options` is {method, field: {method, solver, rings}, star, seeds, delaunay, adaptive,
+/// landmarks, landmarkDistances}; `progress` a function of the number of landmarks that returns
+/// whether to go on, or undefined.
 std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val& options,
                                                     const val& progress);
 

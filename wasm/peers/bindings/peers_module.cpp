@@ -21,6 +21,8 @@ EMSCRIPTEN_BINDINGS(karcher_peers) {
       .function("startAt", &Guarded<&ComparedCurveHandle::startAt>::call)
       .function("advance", &Guarded<&ComparedCurveHandle::advance>::call)
       .function("samplesLeft", &Guarded<&ComparedCurveHandle::samplesLeft>::call)
+      .function("lostByOwnRule", &Guarded<&ComparedCurveHandle::lostByOwnRule>::call)
+      .function("logMaps", &Guarded<&ComparedCurveHandle::logMaps>::call)
       .function("samples", &Guarded<&ComparedCurveHandle::samples>::call)
       .function("joined", &Guarded<&ComparedCurveHandle::joined>::call);
   class_<BenchmarkHandle>("Benchmark")

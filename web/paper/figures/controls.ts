@@ -2,7 +2,7 @@ import { onSphere, onTorus } from './surfaces';
 import type { Figure, LineId, Panel, Vector } from './types';
 
 const torus = { kind: 'shape', name: 'torus', triangles: 20_000 } as const;
-const methods: LineId[] = ['paper', 'karcher', 'exactLogs'];
+const methods: LineId[] = ['bSurf', 'paper', 'karcher', 'exactLogs'];
 
 const cubic: Vector[] = [onTorus(46, 100), onTorus(70, 20), onTorus(110, 20), onTorus(134, 100)];
 const quadratic: Vector[] = [onTorus(48, 84), onTorus(88, 12), onTorus(132, 84)];
@@ -13,8 +13,9 @@ const panel = (id: string, title: string, points: string, curve: Panel['curve'])
   mesh: torus,
   points,
   curve,
-  lines: methods,
-  off: ['exactLogs'],
+  // Barycentric curves are no curves of subdivision.
+  lines: curve.kind === 'barycentric' ? methods.filter((id) => id !== 'bSurf') : methods,
+  off: ['bSurf', 'exactLogs'],
   samples: 128,
   view: { from: [0, 0.75, 1] },
 });
@@ -24,7 +25,7 @@ export const rationalFigure: Figure = {
   name: 'Figure 6',
   title: 'Rational curves',
   caption:
-    'A rational cubic Bézier curve with all weights 1, then with the inner ones 100 times the outer ones; and a quadratic curve in barycentric form, which passes through its three points. The sliders change the weights. A line is then traced anew together with its fields, so its time is that of the whole curve; the editor keeps the fields.',
+    'A rational cubic Bézier curve with all weights 1, then with the inner ones 100 times the outer ones; and a quadratic curve in barycentric form, which passes through its three points. The sliders change the weights. A line is then traced anew together with its fields, so its time is that of the whole curve; the editor keeps the fields. The weights 0.05 and 5 are the paper’s; of β it says 0.5 in its text and 1/4 in its caption, here it is 0.5. Surface and points are ours, distances are exact where the paper has k = 6. b/Surf can be switched on where it makes such curves: with averages of two weighted points it makes rational ones too.',
   points: { cubic, quadratic },
   panels: [
     panel('equal', 'Cubic', 'cubic', { kind: 'rational', weights: [1, 1, 1, 1] }),
@@ -48,7 +49,7 @@ export const circleFigure: Figure = {
   name: 'Section 5, inset',
   title: 'A circle on a coarse mesh',
   caption:
-    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are differences between the distance to the center and the radius; turning noise is measured against the exact isoline.',
+    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are differences between the distance to the center and the radius; turning noise is measured against the exact isoline. The arcs are by our method alone; sphere and radius are ours.',
   points: { circle: [onSphere(8, 12), onSphere(48, 20)] },
   panels: [
     {

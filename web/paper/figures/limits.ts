@@ -5,6 +5,7 @@ const farMethods: LineId[] = [
   'vectorHeat',
   'affineHeat',
   'weightedAverages',
+  'bSurf',
   'paper',
   'karcher',
   'bridged',
@@ -15,7 +16,7 @@ export const farFigure: Figure = {
   name: 'Figure 7',
   title: 'Points too far apart',
   caption:
-    'Where control points lie too far apart, there may be more than one center of mass, or none near the last one. Curves then break: they jump from one center to another, or samples are lost, which is drawn dashed. A lost sample means that its searches failed, not that there is no center. Before it gives up a sample, the paper’s method starts again at other control points, and may reach a center far away. Where a curve is at another center than the reference, its deviation is large. Our curve is bridged there: it takes the better of the centers reached from either end, and a subdivision curve of the same points, also dashed, joins them. Its deviation is measured from the same curve with exact distances.',
+    'Where control points lie too far apart, there may be more than one center of mass, or none near the last one. Curves then break: they jump from one center to another, or samples are lost, which is drawn dashed. A lost sample means that its searches failed, not that there is no center. The paper’s method goes on from its last sample that was found, as its authors’ program does, and may reach a center far away; ours starts again at the heaviest control point, as in the engine. Where a curve is at another center than the reference, its deviation is large. Our curve is bridged there: it takes the better of the centers reached from either end, and a subdivision curve of the same points, also dashed, joins them. Its deviation is measured from the same curve with exact distances. b/Surf’s curve never breaks, but is no center of mass. The surface and the points are ours.',
   points: {
     far: [
       [-1.6, 0, 0.1],
@@ -52,7 +53,10 @@ const methods: LineId[] = [
   'vectorHeatDelaunay',
   'affineHeat',
   'weightedAverages',
+  'bSurf',
   'paper',
+  'paperRing',
+  'paperOurSeeds',
   'paperGraph6',
   'karcher',
 ];
@@ -72,13 +76,14 @@ export const planeFigure: Figure = {
   name: 'Figure 8',
   title: 'A B-spline on the plane',
   caption:
-    'On the plane the cubic B-spline is known. Gradients averaged over rings are wrong wherever the rings are not symmetric; log vectors are linear there, and therefore exact on any tessellation.',
+    'On the plane the cubic B-spline is known. Gradients averaged over rings are wrong wherever the rings are not symmetric; log vectors are linear there, and therefore exact on any tessellation. The paper shows a Delaunay mesh of fairly regular points, a triangulated grid and an anisotropic mesh. Here the first is one of a lattice whose points were moved by up to a quarter of its side; beside it is one of white noise, which is harder. The meshes and control points are ours. How anisotropic the last is can be changed. The paper’s method starts as its authors’ program does and averages, as that does, the faces around a vertex and those beyond; “1-ring” is Eq. 3 as it is printed, and “our seeds” starts at the heaviest control points, and again where it fails.',
   points: {
     spline: planeSpline,
   },
   panels: (
     [
-      ['delaunay', 'Delaunay'],
+      ['fair', 'Delaunay, fairly regular points'],
+      ['delaunay', 'Delaunay, white noise'],
       ['grid', 'Regular grid'],
       ['anisotropic', 'Anisotropic'],
     ] as const
@@ -89,7 +94,7 @@ export const planeFigure: Figure = {
     points: 'spline',
     curve: { kind: 'bspline' },
     lines: methods,
-    off: ['vectorHeatDelaunay'],
+    off: ['vectorHeatDelaunay', 'paperRing', 'paperOurSeeds'],
     samples: 128,
     view: { from: [0, 0, 1], edges: true },
   })),

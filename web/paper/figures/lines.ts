@@ -58,23 +58,41 @@ export const lineStyles: Record<LineId, LineStyle> = {
     width: 2.5,
     options: { method: 'weightedAverages' },
   },
+  bSurf: {
+    label: 'b/Surf',
+    color: '--line-bsurf',
+    width: 2.5,
+    options: { method: 'bSurf' },
+  },
   paper: {
     label: 'Paper',
     color: '--line-paper',
     width: 2.5,
+    options: { method: 'paper', solver: 'exact', seeds: 'authors' },
+  },
+  paperRing: {
+    label: 'Paper, 1-ring',
+    color: '--line-paper-ring',
+    width: 2,
+    options: { method: 'paper', solver: 'exact', seeds: 'authors', star: 'ring' },
+  },
+  paperOurSeeds: {
+    label: 'Paper, our seeds',
+    color: '--line-paper-seeds',
+    width: 2,
     options: { method: 'paper', solver: 'exact' },
   },
   paperGraph2: {
     label: 'Paper, graph k = 2',
     color: '--line-descent',
     width: 2.5,
-    options: { method: 'paper', solver: 'graph', rings: 2 },
+    options: { method: 'paper', solver: 'graph', rings: 2, seeds: 'authors' },
   },
   paperGraph6: {
     label: 'Paper, graph k = 6',
     color: '--line-paper-graph',
     width: 2.5,
-    options: { method: 'paper', solver: 'graph', rings: 6 },
+    options: { method: 'paper', solver: 'graph', rings: 6, seeds: 'authors' },
   },
   karcher: {
     label: 'Karcher',

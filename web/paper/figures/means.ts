@@ -9,7 +9,7 @@ export const meanFigure: Figure = {
   name: 'Figure 1',
   title: 'The center of mass of four points',
   caption:
-    'Four points with the weights 0.47, 0.30, 0.08 and 0.15, and their center of mass, joined to them by shortest paths. Beside it is the plane, where the center of mass is the affine average. Deviations are measured from our center of mass with exact distances, whose own residual is given with it, and on the plane from the average itself.',
+    'Four points with the weights 0.47, 0.30, 0.08 and 0.15, and their center of mass, joined to them by shortest paths. Beside it is the plane, where the center of mass is the affine average. Deviations are measured from our center of mass with exact distances, and on the plane from the average itself. The weights are the paper’s; the torus and the points are ours, and the plane is one of random points.',
   points: {
     torus: [onTorus(52, 112), onTorus(132, 118), onTorus(122, 8), onTorus(66, 2)],
     plane: [
@@ -62,7 +62,7 @@ export const pathFigure: Figure = {
   name: 'Figure 3',
   title: 'Shortest paths as centers of mass',
   caption:
-    'The shortest path between two points p and q, as the centers of mass for weights (1 − w, w) with w from 0 to 1, by the paper’s method and by ours, with exact distances. The first search starts at p, each of the others at the center before it, and the last, for w = 1, at q. Beside them are the path of steepest descent of the distance field and the exact path, from which deviations are measured. The surfaces are a regular torus and one simplified to 500 triangles. The arrows are the constant gradients that the descent follows.',
+    'The shortest path between two points p and q, as the centers of mass for weights (1 − w, w) with w from 0 to 1, by the paper’s method and by ours, with exact distances. The paper’s searches start as its authors’ program has it: each at the last sample that was found. Ours start the first at p, each of the others at the center before it, and the last, for w = 1, at q. Beside them are the path of steepest descent of the distance field and the exact path, from which deviations are measured. The surfaces are a regular torus and one simplified to 500 triangles. The arrows are the constant gradients that the descent follows. The paper’s tori are others, and so are the two points.',
   points: { pair },
   panels: [
     {

@@ -1,3 +1,4 @@
+import type { RulerMeasures } from 'karcher/peers';
 import type { MadeSource } from '../../model/meshes';
 
 /** What a figure shows, as data: the page draws it, the report and the tests read its numbers. */
@@ -23,12 +24,15 @@ export type LineId =
   | 'exactLogs'
   | 'spokes'
   | 'descent'
+  | 'bSurf'
   | 'gradients'
   | 'vectorHeat'
   | 'vectorHeatDelaunay'
   | 'affineHeat'
   | 'weightedAverages'
   | 'paper'
+  | 'paperRing'
+  | 'paperOurSeeds'
   | 'paperGraph2'
   | 'paperGraph6'
   | 'karcher'
@@ -82,11 +86,15 @@ export interface LineNumbers {
   traceMs: number | null;
   samples: number | null;
   lost: number | null;
-  /** From the reference, in mean edges. */
-  deviation: { median: number; max: number } | null;
+  /** Samples that its own authors would not have accepted either. */
+  lostByOwnRule: number | null;
+  /** From the reference, in mean edges, and over how many samples: those that are lost are left out. */
+  deviation: { median: number; max: number; samples: number } | null;
   turningNoise: number | null;
-  /** Of the reference alone: the median of |sum w_i log(c_i)| by exact shortest paths, in mean edges. */
-  residual: number | null;
+  /** Where the curve leaps from one sample to the next. */
+  breaks: number | null;
+  /** By exact shortest paths, the same for all methods; it comes after the line. */
+  ruler: RulerMeasures | null;
 }
 
 export interface LineResult extends LineNumbers {

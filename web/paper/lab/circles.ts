@@ -24,7 +24,7 @@ function deviationOf(
       Math.abs(scene.mesh.shortestPath(points[0]!, point).length - radius) /
       scene.mesh.info.meanEdge,
   );
-  return { median: median(errors), max: Math.max(...errors) };
+  return { median: median(errors), max: Math.max(...errors), samples: errors.length };
 }
 
 const placesOf = (polyline: ArrayLike<number>): Vector[] =>

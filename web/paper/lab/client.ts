@@ -1,4 +1,5 @@
 import { WorkerClient } from 'karcher/own-worker';
+import type { RulerMeasures } from 'karcher/peers';
 import { madeKey } from '../../model/meshes';
 import { slowLines } from '../figures/lines';
 import type { LineId, LineResult, MeshSpec } from '../figures/types';
@@ -7,6 +8,8 @@ import type { DrawnMesh, Placed, TraceJob } from './protocol';
 export interface TraceEvents {
   placed(placed: Placed): void;
   line(line: LineResult): void;
+  /** What was measured of a line that was told before. */
+  measured(id: LineId, ruler: RulerMeasures): void;
   /** How far the line is that is computed. */
   progress(done: number, stage: string): void;
   failure(message: string): void;
@@ -42,9 +45,11 @@ export class LabClient {
     const slow = job.lines.filter((id) => slowLines.has(id));
     const work = { signal, progress: events.progress };
     const trace = (worker: WorkerClient, lines: readonly LineId[], placed: TraceEvents['placed']) =>
-      worker.call('trace', [{ ...job, lines }, placed, events.line, work]).catch((error) => {
-        if (!signal.aborted) events.failure(error.message);
-      });
+      worker
+        .call('trace', [{ ...job, lines }, placed, events.line, events.measured, work])
+        .catch((error) => {
+          if (!signal.aborted) events.failure(error.message);
+        });
     const quick = job.lines.filter((id) => !slowLines.has(id));
     const parts = [trace(this.#quick, quick, events.placed)];
     if (slow.length > 0) {

@@ -1,11 +1,11 @@
-import type { LongWorkOptions } from 'karcher';
-import type { Peers, ReferenceSamples } from 'karcher/peers';
+import type { CurveSamples, LongWorkOptions } from 'karcher';
+import { type Peers, type ReferenceSamples, Ruler, type RulerMeasures } from 'karcher/peers';
 import { madeKey } from '../../model/meshes';
 import type { LineId, LineResult, MeshSpec, Panel, Vector } from '../figures/types';
 import { traceLine } from './lines';
 import type { DrawnMesh, Placed } from './protocol';
 import { Scene } from './scene';
-import { referenceOf, type Task } from './task';
+import { planOf, referenceOf, type Task } from './task';
 
 /** So many meshes are kept with what was prepared on them. */
 const mostScenes = 6;
@@ -30,14 +30,15 @@ export class Lab {
   }
 
   /**
-   * The lines of a panel, each given to `show` as soon as it is there. Rejects with the signal's
-   * reason.
+   * The lines of a panel, each given to `show` as soon as it is there, then what is measured of each by
+   * exact paths, which takes longer. Rejects with the signal's reason.
    */
   async trace(
     panel: Panel,
     points: readonly Vector[],
     lines: readonly LineId[],
     show: (line: LineResult) => void,
+    measured: (id: LineId, ruler: RulerMeasures) => void,
     work: LongWorkOptions = {},
   ): Promise<void> {
     const scene = await this.#scene(panel.mesh);
@@ -45,26 +46,35 @@ export class Lab {
     const placed = await this.place(panel.mesh, points);
     const task: Task = { peers: this.peers, scene, ...placed, curve, samples };
     let reference: Promise<ReferenceSamples> | undefined;
+    const getReference = () => {
+      reference ??= referenceOf(task, work);
+      return reference;
+    };
+    const traced: { id: LineId; samples: CurveSamples }[] = [];
     for (const id of lines) {
       work.signal?.throwIfAborted();
-      show(
-        await traceLine(
-          task,
-          id,
-          () => {
-            reference ??= referenceOf(task, work);
-            return reference;
-          },
-          work,
-        ),
-      );
+      const { line, samples } = await traceLine(task, id, getReference, work);
+      show(line);
+      if (samples) traced.push({ id, samples });
     }
+    if (traced.length === 0) return;
+    const ruler = new Ruler(scene.mesh, planOf(task));
+    await ruler.compareWith(await getReference(), work);
+    for (const { id, samples } of traced) measured(id, await ruler.measure(samples, work));
   }
 
   /** All of a panel's lines at once. */
   async lines(panel: Panel, points: readonly Vector[]): Promise<LineResult[]> {
     const results: LineResult[] = [];
-    await this.trace(panel, points, panel.lines, (line) => results.push(line));
+    await this.trace(
+      panel,
+      points,
+      panel.lines,
+      (line) => results.push(line),
+      (id, ruler) => {
+        results.find((line) => line.id === id)!.ruler = ruler;
+      },
+    );
     return results;
   }
 

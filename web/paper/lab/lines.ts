@@ -1,7 +1,7 @@
-import type { LongWorkOptions } from 'karcher';
+import type { CurveSamples, LongWorkOptions } from 'karcher';
 import {
-  type ComparedCurve,
   KarcherError,
+  type MethodCurve,
   type MethodOptions,
   type ReferenceSamples,
   referenceOptions,
@@ -9,16 +9,21 @@ import {
 import { lineStyles } from '../figures/lines';
 import type { LineId, LineResult, Vector } from '../figures/types';
 import { circleArcs, isolineExact, isolineLinear } from './circles';
-import { medianResidual } from './residual';
 import { affineSamples, emptyLine, planOf, type Task } from './task';
 import { add, at, cross, distance, length, scaled, subtract } from './vectors';
+
+/** A line, and the samples of a curve that is to be measured by exact paths. */
+export interface TracedLine {
+  line: LineResult;
+  samples: CurveSamples | null;
+}
 
 type Maker = (
   task: Task,
   id: LineId,
   reference: () => Promise<ReferenceSamples>,
   work: LongWorkOptions,
-) => LineResult | Promise<LineResult>;
+) => LineResult | TracedLine | Promise<LineResult | TracedLine>;
 
 /** One line of a panel. A method that fails says why in the result; rejects when it is aborted. */
 export async function traceLine(
@@ -26,15 +31,16 @@ export async function traceLine(
   id: LineId,
   reference: () => Promise<ReferenceSamples>,
   work: LongWorkOptions,
-): Promise<LineResult> {
+): Promise<TracedLine> {
   const { options } = lineStyles[id];
   try {
     if (options) return await traceMethod(task, id, options, reference, work);
-    return await makers[id]!(task, id, reference, work);
+    const made = await makers[id]!(task, id, reference, work);
+    return 'line' in made ? made : { line: made, samples: null };
   } catch (error) {
     work.signal?.throwIfAborted();
     if (!(error instanceof KarcherError)) throw error;
-    return { ...emptyLine(id), ok: false, reason: error.message };
+    return { line: { ...emptyLine(id), ok: false, reason: error.message }, samples: null };
   }
 }
 
@@ -44,19 +50,25 @@ async function traceMethod(
   options: MethodOptions,
   reference: () => Promise<ReferenceSamples>,
   work: LongWorkOptions,
-): Promise<LineResult> {
+): Promise<TracedLine> {
   const method = await task.scene.method(options, work);
   const curve = method.curve(planOf(task));
   try {
     const traceMs = await curve.trace(work);
     const samples = curve.samples();
     const measures = task.scene.meter.measure(samples, await reference());
-    const result = { ...emptyLine(id), ...measures, prepareMs: method.prepareMs, traceMs };
+    const result = {
+      ...emptyLine(id),
+      ...measures,
+      lostByOwnRule: curve.lostByOwnRule(),
+      prepareMs: method.prepareMs,
+      traceMs,
+    };
     if (measures.lost === measures.samples) {
       result.ok = false;
       result.reason = `no sample converged: ${samples.status[0]}`;
     }
-    return { ...result, ...drawn(task, curve) };
+    return { line: { ...result, ...drawn(task, curve) }, samples };
   } finally {
     curve.dispose();
   }
@@ -65,7 +77,7 @@ async function traceMethod(
 /** What is seen of a traced curve: a center of mass is a dot. */
 function drawn(
   { curve: { kind } }: Task,
-  curve: ComparedCurve,
+  curve: MethodCurve,
 ): Pick<LineResult, 'polylines' | 'status' | 'marker'> {
   if (kind === 'center') {
     return { polylines: [], status: [], marker: at(curve.samples().position, 0) };
@@ -88,14 +100,17 @@ const makers: Partial<Record<LineId, Maker>> = {
     return { ...emptyLine(id), traceMs, polylines: [path.polyline()] };
   },
 
-  /** The reference itself: its one number is how far it is from what it stands for. */
+  /** The reference itself: it deviates from nothing, but has a residual as any other. */
   async exactLogs(task, id, _, work) {
     const method = await task.scene.method(referenceOptions, work);
     const curve = method.curve(planOf(task));
     try {
-      await curve.trace(work);
-      const residual = await medianResidual(task, curve.samples(), work);
-      return { ...emptyLine(id), ...drawn(task, curve), residual };
+      const traceMs = await curve.trace(work);
+      const samples = curve.samples();
+      const lost = samples.status.filter((name) => name !== 'converged').length;
+      const counts = { samples: samples.count, lost, lostByOwnRule: lost };
+      const times = { prepareMs: method.prepareMs, traceMs };
+      return { line: { ...emptyLine(id), ...counts, ...times, ...drawn(task, curve) }, samples };
     } finally {
       curve.dispose();
     }
@@ -121,17 +136,19 @@ const makers: Partial<Record<LineId, Maker>> = {
     const curve = scene.mesh.curve({ kind, points: [...points], samples, levels: 0 });
     const own = curve.samples();
     const { fields, trace, bridge } = curve.times();
-    const result = {
+    const lost = own.status.filter((name) => name !== 'converged' && name !== 'bridged').length;
+    const line = {
       ...emptyLine(id),
       ...scene.meter.measure(own, truth),
       traceMs: fields + trace + bridge,
       samples: own.count,
-      lost: own.status.filter((name) => name !== 'converged' && name !== 'bridged').length,
+      lost,
+      lostByOwnRule: lost,
       polylines: [curve.polyline()],
       status: [curve.unconverged()],
     };
     curve.dispose();
-    return result;
+    return { line, samples: own };
   },
 
   /** From the center of mass to the points. */

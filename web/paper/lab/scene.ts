@@ -3,7 +3,7 @@ import {
   CurveMeter,
   type MethodOptions,
   type Peers,
-  type PreparedMethod,
+  type PreparedCurves,
   warm,
 } from 'karcher/peers';
 import { makeMesh } from '../../model/made_mesh';
@@ -12,7 +12,7 @@ import { NearestPoints } from './nearest';
 
 interface OwnMethod {
   mesh: Mesh;
-  method: PreparedMethod;
+  method: PreparedCurves;
 }
 
 /** A mesh with what was prepared on it, for figures whose points are dragged. */
@@ -48,7 +48,7 @@ export class Scene {
    * A method on a copy of the mesh of its own, prepared once: it finds nothing there that another has
    * made, so that its time is its own. A failure is kept too, but for an aborted preparation.
    */
-  async method(options: MethodOptions, work: LongWorkOptions): Promise<PreparedMethod> {
+  async method(options: MethodOptions, work: LongWorkOptions): Promise<PreparedCurves> {
     const key = JSON.stringify(options);
     const known = this.#methods.get(key);
     if (known) return (await known).method;

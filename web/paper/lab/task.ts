@@ -1,5 +1,6 @@
 import type { LongWorkOptions, SurfacePoint } from 'karcher';
 import {
+  alongPath,
   type CurvePlan,
   KarcherError,
   type Peers,
@@ -7,8 +8,8 @@ import {
   referenceOptions,
 } from 'karcher/peers';
 import type { CurveSpec, LineId, LineResult, Vector } from '../figures/types';
-import { alongPolyline } from './nearest';
 import type { Scene } from './scene';
+import { add, distance, scaled } from './vectors';
 
 /** What the lines of a panel are made from. */
 export interface Task {
@@ -30,9 +31,11 @@ export function emptyLine(id: LineId): LineResult {
     traceMs: null,
     samples: null,
     lost: null,
+    lostByOwnRule: null,
     deviation: null,
     turningNoise: null,
-    residual: null,
+    breaks: null,
+    ruler: null,
     polylines: [],
     status: [],
     marker: null,
@@ -41,7 +44,12 @@ export function emptyLine(id: LineId): LineResult {
 
 /** The weights of a curve, as all methods take them. */
 export function planOf({ peers, points, curve, samples }: Task): CurvePlan {
-  const whole = (table: CurvePlan['table']): CurvePlan => ({ points, first: [0], table });
+  const whole = (table: CurvePlan['table'], shape?: CurvePlan['shape']): CurvePlan => ({
+    points,
+    first: [0],
+    table,
+    shape,
+  });
   switch (curve.kind) {
     case 'center':
       return whole({
@@ -52,9 +60,12 @@ export function planOf({ peers, points, curve, samples }: Task): CurvePlan {
     case 'bspline':
       return peers.plan(points, samples);
     case 'bezier':
-      return whole(peers.bezier(points.length - 1, samples));
+      return whole(peers.bezier(points.length - 1, samples), { kind: 'bezier' });
     case 'rational':
-      return whole(peers.rational(curve.weights, samples));
+      return whole(peers.rational(curve.weights, samples), {
+        kind: 'rational',
+        weights: curve.weights,
+      });
     case 'barycentric':
       return whole(peers.barycentric(curve.betas, samples));
     case 'circle':
@@ -67,32 +78,30 @@ export function affineSamples(task: Task): ReferenceSamples {
   const { first, table } = planOf(task);
   const rows = table.t.length;
   const position = new Float64Array(3 * first.length * rows);
+  const energy = new Float64Array(first.length * rows);
   first.forEach((begin, j) => {
     for (let i = 0; i < rows; i++) {
-      for (let k = 0; k < table.points; k++) {
-        const weight = table.weights[i * table.points + k]!;
-        for (let c = 0; c < 3; c++) {
-          position[3 * (j * rows + i) + c]! += weight * task.places[begin + k]![c]!;
-        }
-      }
+      const terms = Array.from({ length: table.points }, (_, k) => ({
+        weight: table.weights[i * table.points + k]!,
+        place: task.places[begin + k]!,
+      }));
+      const sum = (sum: Vector, { weight, place }: (typeof terms)[0]) =>
+        add(sum, scaled(place, weight));
+      const mean = terms.reduce(sum, [0, 0, 0]);
+      position.set(mean, 3 * (j * rows + i));
+      energy[j * rows + i] = terms.reduce(
+        (sum, { weight, place }) => sum + weight * distance(place, mean) ** 2,
+        0,
+      );
     }
   });
-  return convergedSamples(position);
+  return convergedSamples(position, energy);
 }
 
-/** Points at the parameters of a plan along the exact shortest path between its two points. */
-export function pathSamples(task: Task): ReferenceSamples {
-  const path = task.scene.mesh.shortestPath(task.points[0]!, task.points[1]!);
-  const polyline = path.polyline({ bits: 64 });
-  const { t } = planOf(task).table;
-  return convergedSamples(
-    Float64Array.from([...t].flatMap((part) => alongPolyline(polyline, part))),
-  );
-}
-
-function convergedSamples(position: Float64Array): ReferenceSamples {
+function convergedSamples(position: Float64Array, energy: Float64Array): ReferenceSamples {
   const count = position.length / 3;
-  return { count, position, status: Array.from({ length: count }, () => 'converged' as const) };
+  const status = Array.from({ length: count }, () => 'converged' as const);
+  return { count, position, energy, status };
 }
 
 /**
@@ -101,7 +110,10 @@ function convergedSamples(position: Float64Array): ReferenceSamples {
  */
 export async function referenceOf(task: Task, work: LongWorkOptions): Promise<ReferenceSamples> {
   if (task.scene.flat) return affineSamples(task);
-  if (task.curve.kind === 'bezier' && task.points.length === 2) return pathSamples(task);
+  if (task.curve.kind === 'bezier' && task.points.length === 2) {
+    const path = task.scene.mesh.shortestPath(task.points[0]!, task.points[1]!);
+    return alongPath(path, planOf(task).table);
+  }
   const method = await task.scene.method(referenceOptions, work);
   const curve = method.curve(planOf(task));
   try {

@@ -2,8 +2,8 @@
 
 import type { LongWorkOptions } from 'karcher';
 import { serve } from 'karcher/own-worker';
-import { loadPeers } from 'karcher/peers';
-import type { LineResult, MeshSpec } from '../figures/types';
+import { loadPeers, type RulerMeasures } from 'karcher/peers';
+import type { LineId, LineResult, MeshSpec } from '../figures/types';
 import { Lab } from './lab';
 import type { Placed, TraceJob } from './protocol';
 
@@ -31,13 +31,14 @@ const calls = {
     { panel, points, lines }: TraceJob,
     placed: (placed: Placed) => void,
     show: (line: LineResult) => void,
+    measured: (id: LineId, ruler: RulerMeasures) => void,
     work: LongWorkOptions,
   ) {
     return inOrder(async () => {
       work.signal?.throwIfAborted();
       const ready = await lab;
       placed(await ready.place(panel.mesh, points));
-      await ready.trace(panel, points, lines, show, work);
+      await ready.trace(panel, points, lines, show, measured, work);
     });
   },
 };

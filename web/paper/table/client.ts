@@ -28,8 +28,12 @@ const failed = (reason: string): MethodResult => ({
   dragMs: null,
   samples: null,
   lost: null,
+  lostByOwnRule: null,
+  logMaps: null,
   deviation: null,
   turningNoise: null,
+  breaks: null,
+  ruler: null,
 });
 
 const startWorker = () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });

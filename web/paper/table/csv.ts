@@ -4,6 +4,7 @@ import { type TableCell, type TableRow, tableMethodNames } from './rows';
 const heads = [
   ...['browser', 'build', 'row', 'mesh', 'triangles', 'segments', 'samples per segment', 'method'],
   ...['ok', 'reason', 'prepare ms', 'trace ms', 'update ms', 'samples', 'lost'],
+  ...['lost by own rule', 'residual h', 'energy h2'],
 ];
 
 /** Milliseconds without the digits that only rounding has. */
@@ -32,7 +33,8 @@ export function tableCsv(
         time(result.prepareMs),
         time(result.traceMs),
       ],
-      ...[time(result.dragMs), result.samples, result.lost],
+      ...[time(result.dragMs), result.samples, result.lost, result.lostByOwnRule],
+      ...[result.ruler?.residual?.median ?? null, result.ruler?.energy?.median ?? null],
     ];
   });
   return [heads, ...lines].map((line) => `${line.map(field).join(',')}\n`).join('');

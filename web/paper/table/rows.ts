@@ -88,3 +88,12 @@ export interface TableCell {
   segments: number;
   result: MethodResult;
 }
+
+/**
+ * What tracing takes a heat method where it computes a log map at each evaluation, as its authors' library
+ * does; reckoned from how many were asked for and how many made. Null of methods without log maps.
+ */
+export function asUsedMs({ traceMs, logMaps }: MethodResult): number | null {
+  if (traceMs === null || !logMaps || logMaps.made === 0) return null;
+  return (traceMs * logMaps.asked) / logMaps.made;
+}

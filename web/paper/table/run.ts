@@ -4,12 +4,16 @@ import {
   type CurvePlan,
   type MethodOptions,
   type Peers,
+  Ruler,
   runMethod,
   standardOptions,
 } from 'karcher/peers';
 import { makeMesh } from '../../model/made_mesh';
 import { NearestPoints } from '../lab/nearest';
 import { type TableCell, type TableMethod, type TableRow, tableMethods } from './rows';
+
+/** Exact paths on larger meshes would take longer than what they measure. */
+const mostMeasured = 60_000;
 
 export interface TableOptions {
   rows: readonly TableRow[];
@@ -55,12 +59,16 @@ export async function runTable(
       const points = row.points.map((place) => ({ vertex: nearest.vertex(place) }));
       const plan = peers.plan(points, samples);
       const { triangles } = mesh.info;
+      const ruler = triangles <= mostMeasured ? new Ruler(mesh, plan) : undefined;
       for (const method of methods) {
         signal?.throwIfAborted();
         const cell = { row: row.id, method, triangles, segments: plan.first.length };
         events.method(cell);
         const options = tableOptions(method, plan);
-        const { curve: _, ...result } = await runMethod(peers, mesh, plan, options, null, work);
+        const { curve: _, ...result } = await runMethod(peers, mesh, plan, options, null, {
+          ...work,
+          ruler,
+        });
         events.cell({ ...cell, result });
       }
     } finally {

@@ -3,7 +3,15 @@ import { formatCount, make } from '../../panels/elements';
 import { type Handle, Handles } from '../../viewer/handles';
 import { lineStyles } from '../figures/lines';
 import { panelTitle } from '../figures/titles';
-import type { CurveSpec, LineId, LineResult, Panel, Vector } from '../figures/types';
+import type {
+  CurveSpec,
+  LineId,
+  LineNumbers,
+  LineResult,
+  MeshSpec,
+  Panel,
+  Vector,
+} from '../figures/types';
 import type { LabClient } from '../lab/client';
 import type { DrawnMesh, Placed } from '../lab/protocol';
 import { download } from './download';
@@ -13,7 +21,7 @@ import { NumbersTable } from './numbers_table';
 import { panelSvg } from './panel_svg';
 import { type LineLook, PanelView } from './panel_view';
 import type { SharedRenderer } from './shared_renderer';
-import { sliders } from './sliders';
+import { sliders, stretchSlider } from './sliders';
 import { lineColor, surfaceFront } from './theme_colors';
 
 export interface PanelContext {
@@ -23,6 +31,8 @@ export interface PanelContext {
 }
 
 export interface PanelEvents {
+  /** All that is shown was measured. */
+  measured(): void;
   /** A point of the panel was moved to a place in space. */
   move(index: number, place: Vector): void;
 }
@@ -51,6 +61,7 @@ export class FigurePanel {
   /** Asked for and not there yet: what is known of these is of earlier points. */
   readonly #waiting = new Set<LineId>();
   #curve: CurveSpec;
+  #spec: MeshSpec;
   #mesh: DrawnMesh | null = null;
   #placed: Placed | null = null;
   #points: readonly Vector[];
@@ -65,6 +76,7 @@ export class FigurePanel {
   ) {
     this.#points = points;
     this.#curve = panel.curve;
+    this.#spec = panel.mesh;
     this.#shown = new Set(panel.lines.filter((id) => !panel.off?.includes(id)));
     const canvas = make('canvas');
     canvas.setAttribute('aria-hidden', 'true');
@@ -75,19 +87,26 @@ export class FigurePanel {
     this.#numbers = new NumbersTable(panel, this.#shown, (id, shown) => this.#toggle(id, shown));
     this.#view.onFrame(() => this.#placeMarkers());
     this.element.append(this.#head(), this.#stage, this.#note);
-    const controls = sliders(panel.curve, (curve) => this.#setCurve(curve));
-    if (controls) this.element.append(controls);
+    const controls = [
+      sliders(panel.curve, (curve) => this.#setCurve(curve)),
+      stretchSlider(panel.mesh, (mesh) => void this.#setMesh(mesh)),
+    ];
+    for (const control of controls) if (control) this.element.append(control);
     this.element.append(this.#numbers.element, this.#foot());
     this.element.dataset.panel = panel.id;
   }
 
   /** Makes the mesh and computes everything for the first time. */
   async start(): Promise<void> {
+    const spec = this.#spec;
     this.#note.textContent = 'Making the mesh…';
     try {
-      this.#mesh = await this.context.client.mesh(this.panel.mesh);
-      this.#size.textContent = formatCount(this.#mesh.info.triangles, 'triangle');
-      const drawn = await this.context.geometry.make(this.#mesh);
+      const mesh = await this.context.client.mesh(spec);
+      const drawn = await this.context.geometry.make(mesh);
+      // Another was asked for meanwhile.
+      if (spec !== this.#spec) return;
+      this.#mesh = mesh;
+      this.#size.textContent = formatCount(mesh.info.triangles, 'triangle');
       this.#view.showSurface(drawn);
       this.recolor();
       this.#renew();
@@ -101,6 +120,16 @@ export class FigurePanel {
   setPoints(points: readonly Vector[]): void {
     this.#points = points;
     this.#renew();
+  }
+
+  /**
+   * What was measured of the lines; null while it is under way, and of a curve or a mesh that is not the
+   * figure's.
+   */
+  measured(): LineNumbers[] | null {
+    const changed = this.#curve !== this.panel.curve || this.#spec !== this.panel.mesh;
+    if (!this.settled || changed) return null;
+    return this.panel.lines.flatMap((id) => this.#result(id) ?? []).map(numbersOf);
   }
 
   /** The colors of the theme. */
@@ -135,16 +164,24 @@ export class FigurePanel {
       this.#waiting.add(id);
       this.#numbers.wait(id);
     }
-    const job = { panel: { ...this.panel, curve: this.#curve }, points: this.#points, lines };
+    const panel = { ...this.panel, mesh: this.#spec, curve: this.#curve };
+    const job = { panel, points: this.#points, lines };
     this.#stop = this.context.client.trace(job, {
       placed: (placed) => this.#showPlaced(placed),
       line: (line) => this.#showLine(line),
+      measured: (id, ruler) => {
+        const line = this.#result(id);
+        if (!line) return;
+        line.ruler = ruler;
+        this.#numbers.set(line);
+      },
       progress: (done, stage) => this.#progress(done, stage),
       failure: (message) => {
         this.#note.textContent = message;
       },
       done: () => {
         this.settled = true;
+        this.events.measured();
         if (this.#note.dataset.kind === 'progress') this.#note.textContent = '';
       },
     });
@@ -165,7 +202,7 @@ export class FigurePanel {
     if (!this.#placedOnce) this.#view.resetView(placed.places);
     this.#placedOnce = true;
     this.#showPoints(placed.places);
-    const href = editorLink(this.panel.mesh, this.#curve, placed.points);
+    const href = editorLink(this.#spec, this.#curve, placed.points);
     this.#link.hidden = href === null;
     this.#noLink.hidden = href !== null;
     if (href) this.#link.href = href;
@@ -219,6 +256,17 @@ export class FigurePanel {
     this.#curve = curve;
     this.#title.textContent = panelTitle(this.panel, curve);
     this.#renew();
+  }
+
+  /** The same curve on another mesh. */
+  async #setMesh(spec: MeshSpec): Promise<void> {
+    this.#stop?.();
+    this.settled = false;
+    this.#spec = spec;
+    this.#mesh = null;
+    this.#placedOnce = false;
+    for (const id of this.panel.lines) this.#forget(id);
+    await this.start();
   }
 
   #toggle(id: LineId, shown: boolean): void {
@@ -312,13 +360,16 @@ export class FigurePanel {
     const lines = this.panel.lines.flatMap((id) => {
       const line = this.#result(id);
       if (!line) return [];
-      const { polylines: _, status: __, marker: ___, ...numbers } = line;
-      return [numbers];
+      return [numbersOf(line)];
     });
-    const { mesh, curve: _, samples } = this.panel;
+    const { samples } = this.panel;
     const { info } = this.#mesh ?? {};
     const { points } = this.#placed ?? {};
-    return JSON.stringify({ mesh, info, curve: this.#curve, samples, points, lines }, null, 2);
+    return JSON.stringify(
+      { mesh: this.#spec, info, curve: this.#curve, samples, points, lines },
+      null,
+      2,
+    );
   }
 
   /** The panel as it is seen, with its numbers as its metadata. */
@@ -348,4 +399,9 @@ export class FigurePanel {
     this.#view.draw();
     return picture;
   }
+}
+
+/** A line without what is drawn of it. */
+function numbersOf({ polylines: _, status: __, marker: ___, ...numbers }: LineResult): LineNumbers {
+  return numbers;
 }

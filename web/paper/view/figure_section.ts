@@ -1,5 +1,5 @@
 import { make } from '../../panels/elements';
-import type { Figure, Vector } from '../figures/types';
+import type { Figure, LineNumbers, Vector } from '../figures/types';
 import { FigurePanel, type PanelContext } from './figure_panel';
 
 /** A figure on the page. It is computed when it comes near the window. */
@@ -9,8 +9,11 @@ export class FigureSection {
   readonly #points: Record<string, Vector[]>;
   readonly #shared: { key: string; panel: FigurePanel }[] = [];
   #started = false;
+  #moved = false;
+  readonly #figure: Figure;
 
-  constructor(context: PanelContext, figure: Figure) {
+  constructor(context: PanelContext, figure: Figure, measured: () => void = () => {}) {
+    this.#figure = figure;
     this.#points = structuredClone(figure.points);
     this.element = make('section', '', { className: 'figure', id: figure.id });
     const head = make('header', '', { className: 'figure-head' });
@@ -21,6 +24,7 @@ export class FigureSection {
       const key = panel.points;
       const made = new FigurePanel(context, panel, this.#points[key]!, {
         move: (index, place) => this.#move(key, index, place),
+        measured,
       });
       this.#shared.push({ key, panel: made });
       grid.append(made.element);
@@ -43,6 +47,15 @@ export class FigureSection {
     return this.#panels.every((panel) => panel.settled);
   }
 
+  /** What was measured of the figure as it is given, by panel; nothing after a point was moved. */
+  measured(): Record<string, LineNumbers[]> {
+    const entries = this.#figure.panels.flatMap(({ id }, i) => {
+      const lines = this.#moved ? null : this.#panels[i]!.measured();
+      return lines ? [[`${this.#figure.id}/${id}`, lines] as const] : [];
+    });
+    return Object.fromEntries(entries);
+  }
+
   get panels(): readonly FigurePanel[] {
     return this.#panels;
   }
@@ -58,6 +71,7 @@ export class FigureSection {
   }
 
   #move(key: string, index: number, place: Vector): void {
+    this.#moved = true;
     const points = this.#points[key]!.with(index, place);
     this.#points[key] = points;
     for (const { key: other, panel } of this.#shared) if (other === key) panel.setPoints(points);

@@ -8,6 +8,12 @@ export function formatDeviation(value: number | null): string {
   return value < 0.1 ? value.toFixed(4) : value.toFixed(2);
 }
 
+/** The same of numbers on both sides of 0. */
+export function formatDifference(value: number | null): string {
+  if (value === null || value >= 0) return formatDeviation(value);
+  return `−${formatDeviation(-value)}`;
+}
+
 const raised = (digits: string) => [...digits].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('');
 
 export function formatMilliseconds(value: number | null): string {

@@ -1,18 +1,24 @@
 import { make } from '../../panels/elements';
 import { lineStyles } from '../figures/lines';
 import type { LineId, LineResult, Panel } from '../figures/types';
-import { formatDeviation, formatMilliseconds } from './format';
+import { formatDeviation, formatDifference, formatMilliseconds } from './format';
 
 interface Column {
   head: string;
   title: string;
   text(line: LineResult): string;
+  /** What is to be known with the number, in small letters. */
+  note?(line: LineResult): string | null;
 }
 
 const deviation: Column = {
   head: 'median\nh',
-  title: 'Median deviation from the reference, in mean edges h',
+  title: 'Median deviation from the reference, in mean edges h; samples that are lost are left out',
   text: (line) => formatDeviation(line.deviation?.median ?? null),
+  note: ({ deviation, samples }) =>
+    deviation && samples !== null && deviation.samples < samples
+      ? `over ${deviation.samples}/${samples}`
+      : null,
 };
 
 const times: Column[] = [
@@ -25,6 +31,23 @@ const times: Column[] = [
     head: 'trace\nms',
     title: 'Milliseconds for the curve, with its fields',
     text: ({ traceMs }) => formatMilliseconds(traceMs),
+  },
+];
+
+const ruler: Column[] = [
+  {
+    head: 'residual\nh',
+    title:
+      'By exact shortest paths, the same for all methods: median of |Σ wᵢ log pᵢ| at up to 33 samples, in mean edges h. At a center of mass it is 0',
+    text: ({ ruler }) => formatDeviation(ruler?.residual?.median ?? null),
+    note: ({ ruler }) =>
+      ruler && ruler.measured < ruler.of ? `over ${ruler.measured}/${ruler.of}` : null,
+  },
+  {
+    head: 'energy\nh²',
+    title:
+      'By exact shortest paths: median of Σ wᵢ d² at these samples minus the reference’s, in squared mean edges. Below 0 it is nearer to the minimum than the reference',
+    text: ({ ruler }) => formatDifference(ruler?.energy?.excess ?? null),
   },
 ];
 
@@ -42,19 +65,25 @@ const curveColumns: Column[] = [
   },
   {
     head: 'lost\n',
-    title: 'Samples that did not converge',
+    title:
+      'Samples that did not converge to 1e-6 h; “own”: those that its own authors would not have accepted either',
     text: ({ lost, samples }) => (lost ? `${lost}/${samples}` : lost === 0 ? '0' : '–'),
+    note: ({ lost, lostByOwnRule }) =>
+      lost && lostByOwnRule !== null && lostByOwnRule !== lost ? `own ${lostByOwnRule}` : null,
   },
+  ...ruler,
   ...times,
 ];
 
 const centerColumns: Column[] = [
-  { ...deviation, head: 'deviation\nh', title: 'Distance from the reference, in mean edges h' },
+  {
+    ...deviation,
+    head: 'deviation\nh',
+    title: 'Distance from the reference, in mean edges h',
+  },
+  ...ruler,
   ...times,
 ];
-
-const residualTitle =
-  'Median length of the weighted sum of the exact shortest paths’ log vectors, which is 0 at a center of mass. Deviations smaller than this tell nothing';
 
 /** The legend of a panel, with the numbers of its lines: a box each shows it or not. */
 export class NumbersTable {
@@ -114,17 +143,12 @@ export class NumbersTable {
     const row = this.#rows.get(line.id)!;
     row.dataset.state = line.ok ? 'done' : 'failed';
     if (!line.ok) this.#say(row, line.reason ?? '', 'reason');
-    else if (line.residual !== null) {
-      const note = `its own residual: ${formatDeviation(line.residual)} h`;
-      this.#say(row, note, 'note').title = residualTitle;
-    } else this.#fill(row, line);
+    else this.#fill(row, line);
   }
 
   /** A sentence in place of numbers. */
-  #say(row: HTMLTableRowElement, text: string, className: string): HTMLElement {
-    const cell = make('td', text, { colSpan: this.#columns.length, className });
-    this.#replace(row, [cell]);
-    return cell;
+  #say(row: HTMLTableRowElement, text: string, className: string): void {
+    this.#replace(row, [make('td', text, { colSpan: this.#columns.length, className })]);
   }
 
   /** A line that is no method's has no numbers. */
@@ -132,7 +156,12 @@ export class NumbersTable {
     const measured = line !== null && (line.deviation !== null || line.traceMs !== null);
     this.#replace(
       row,
-      this.#columns.map((column) => make('td', measured ? column.text(line) : '')),
+      this.#columns.map((column) => {
+        const cell = make('td', measured ? column.text(line) : '');
+        const note = measured ? column.note?.(line) : null;
+        if (note) cell.append(make('small', note));
+        return cell;
+      }),
     );
   }
 

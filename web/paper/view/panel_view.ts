@@ -101,7 +101,12 @@ export class PanelView {
     this.renderer.draw(this.#scene, this.#camera, this.canvas, clientWidth, clientHeight);
   }
 
+  /** Shows a surface, in the place of the one before. */
   showSurface(drawn: DrawnGeometry): void {
+    if (this.#surface) {
+      this.#scene.remove(this.#surface.object);
+      this.#surface.dispose();
+    }
     this.#surface = new Surface(drawn);
     this.#surface.edges = this.panel.view?.edges ?? false;
     ownMaterial(this.#surface);

@@ -1,5 +1,6 @@
+import { usualStretch } from '../../model/meshes';
 import { make } from '../../panels/elements';
-import type { CurveSpec } from '../figures/types';
+import type { CurveSpec, MeshSpec } from '../figures/types';
 
 /** Weights from 1/100 to 100, by their logarithms. */
 const [least, most] = [-2, 2];
@@ -30,5 +31,33 @@ export function sliders(curve: CurveSpec, change: (curve: CurveSpec) => void): H
     label.append(make('span', name), range, output);
     box.append(label);
   });
+  return box;
+}
+
+/**
+ * A slider of how many times as long as high the cells of an anisotropic plane are; null for other meshes.
+ * The mesh is made when the slider is let go.
+ */
+export function stretchSlider(
+  mesh: MeshSpec,
+  change: (mesh: MeshSpec) => void,
+): HTMLElement | null {
+  if (mesh.kind !== 'plane' || mesh.tessellation !== 'anisotropic') return null;
+  const range = make('input', '', { type: 'range', min: '1', max: '50', step: '1' });
+  range.value = `${mesh.stretch ?? usualStretch}`;
+  range.setAttribute('aria-label', 'Anisotropy');
+  const output = make('output', `${range.value} : 1`);
+  range.addEventListener('input', () => {
+    output.textContent = `${range.value} : 1`;
+  });
+  range.addEventListener('change', () => {
+    const { stretch: _, ...plain } = mesh;
+    const stretch = Number(range.value);
+    change(stretch === usualStretch ? plain : { ...plain, stretch });
+  });
+  const label = make('label', '', { className: 'wide' });
+  label.append(make('span', 'Anisotropy'), range, output);
+  const box = make('div', '', { className: 'sliders' });
+  box.append(label);
   return box;
 }

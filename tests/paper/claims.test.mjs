@@ -1,0 +1,172 @@
+// The paper's claims and their verdicts.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { before, describe, test } from 'node:test';
+import { loadPeers } from 'karcher/peers';
+import { inRoot, load } from './load.mjs';
+
+const verdicts = ['holds', 'does not', 'depends', 'not measured here'];
+const nothing = { panels: {}, table: [], studies: {}, meshes: null };
+
+let judge;
+let claims;
+before(async () => {
+  ({ judge } = await load('claims/judge.ts'));
+  ({ claims } = await load('claims/claims.ts'));
+});
+
+const rowOf = (measured, id) => judge({ ...nothing, ...measured }).find((row) => row.id === id);
+
+/** A line with nothing in it but what is said. */
+const line = (id, more) => ({
+  ...{ id, ok: true, reason: null, prepareMs: 1, traceMs: 1, samples: 100, lost: 0 },
+  ...{ lostByOwnRule: 0, deviation: null, turningNoise: null, breaks: 0, ruler: null },
+  ...more,
+});
+const residual = (median) => ({
+  ruler: { residual: { median, max: median }, measured: 33, of: 33 },
+});
+
+describe('claims', () => {
+  test('every section that claims something has a row, and every row a figure that exists', async () => {
+    const { figures } = await load('figures/index.ts');
+    const known = [...figures.map(({ id }) => id), 'table', undefined];
+    for (const { id, figure } of claims) assert.ok(known.includes(figure), id);
+    assert.equal(new Set(claims.map(({ id }) => id)).size, claims.length);
+    const places = ['Abstract', '1', '2', '3', '4', '5,', '5.1', '5.2', '6', 'Table 1'];
+    for (const place of places) {
+      assert.ok(
+        claims.some(({ where }) => where.startsWith(place)),
+        place,
+      );
+    }
+    for (const number of [1, 3, 4, 5, 6, 7, 8]) {
+      assert.ok(
+        claims.some(({ where }) => where.includes(`Fig. ${number}`)),
+        `Fig. ${number}`,
+      );
+    }
+  });
+
+  test('what was not measured has no verdict', () => {
+    for (const row of judge(nothing)) assert.equal(row.verdict, 'not measured here', row.id);
+  });
+
+  test('a verdict follows the numbers: descent on the coarse torus', () => {
+    const of = (descent, paper) =>
+      rowOf(
+        {
+          panels: {
+            'paths/coarse': [
+              line('descent', { deviation: { median: descent, max: 9, samples: 100 } }),
+              line('paper', { deviation: { median: paper, max: 9, samples: 100 } }),
+              line('karcherExact', { deviation: { median: 0.5, max: 9, samples: 100 } }),
+            ],
+          },
+        },
+        'paths-descent',
+      );
+    assert.equal(of(2, 1).verdict, 'holds');
+    assert.equal(of(1, 2).verdict, 'does not');
+    assert.match(of(1.25, 2).measured, /descent is 1\.3 h .* the paper’s method 2 h, ours 0\.5 h/);
+  });
+
+  test('weighted averages: who is nearer is counted panel by panel', () => {
+    const panel = (paper, averages) => [
+      line('paper', residual(paper)),
+      line('paperGraph6', residual(paper)),
+      line('karcher', residual(0.001)),
+      line('weightedAverages', residual(averages)),
+    ];
+    const of = (panels) => rowOf({ panels }, 'against-averages');
+    assert.equal(of({ 'a/b': panel(1, 2), 'a/c': panel(1, 3) }).verdict, 'holds');
+    assert.equal(of({ 'a/b': panel(2, 1), 'a/c': panel(3, 1) }).verdict, 'does not');
+    const mixed = of({ 'a/b': panel(2, 1), 'a/c': panel(1, 3) });
+    assert.equal(mixed.verdict, 'depends');
+    assert.match(mixed.measured, /1 of 2 panels .* weighted averages are in a\/b, a\/b/);
+  });
+
+  test('the armadillo needs a mesh of that name', () => {
+    const of = (prepareMs) => {
+      const result = { prepareMs, lost: 1, samples: 9, reason: 'folds', ruler: null };
+      const methods = [{ method: 'weightedAverages', result }];
+      return rowOf({ meshes: [{ name: 'armadillo.obj', triangles: 7, methods }] }, 'table').verdict;
+    };
+    assert.equal(of(3), 'does not');
+    assert.equal(of(null), 'holds');
+    assert.equal(rowOf({ meshes: [] }, 'table').verdict, 'not measured here');
+  });
+
+  test('a saved report has the claims as they are now, a verdict and numbers each', (t) => {
+    const file = inRoot('docs/paper-report.json');
+    if (!existsSync(file)) {
+      t.skip('none is saved');
+      return;
+    }
+    const report = JSON.parse(readFileSync(file, 'utf8'));
+    assert.match(report.date, /^\d{4}-\d{2}-\d{2}$/);
+    for (const key of ['machine', 'version']) assert.ok(report[key].length > 3, key);
+    assert.deepEqual(
+      report.claims.map(({ id }) => id),
+      claims.map(({ id }) => id),
+    );
+    for (const { id, verdict, measured } of report.claims) {
+      assert.ok(verdicts.includes(verdict), id);
+      if (verdict !== 'not measured here') assert.match(measured, /\d/, id);
+    }
+    assert.doesNotMatch(JSON.stringify(report), /\/(home|work|tmp|Users)\//);
+  });
+});
+
+describe('studies', () => {
+  test('noise moves vertices by no more than is said, and by the same for the same seed', async () => {
+    const { roughened } = await load('claims/roughness.ts');
+    const { karcher } = await loadPeers();
+    const mesh = karcher.shape('torus', 500);
+    const [smooth, rough] = [mesh.positions(), roughened(karcher, mesh, 0.2, 16).positions()];
+    let most = 0;
+    for (let v = 0; v < smooth.length; v += 3) {
+      const step = [0, 1, 2].map((c) => rough[v + c] - smooth[v + c]);
+      most = Math.max(most, Math.hypot(...step) / mesh.info.meanEdge);
+    }
+    assert.ok(most > 0.15 && most <= 0.2 + 1e-12, `${most}`);
+    assert.deepEqual(roughened(karcher, mesh, 0.2, 16).positions(), rough);
+    assert.notDeepEqual(roughened(karcher, mesh, 0.2, 17).positions(), rough);
+  });
+
+  test('a mesh of which nothing is known gets control points a tenth of its diagonal apart', async () => {
+    const { wanderingPoints } = await load('claims/meshes.ts');
+    const { karcher } = await loadPeers();
+    const mesh = karcher.shape('sphere', 2000);
+    const points = wanderingPoints(mesh, 16);
+    assert.equal(points.length, 7);
+    for (let k = 1; k < points.length; k++) {
+      const { length } = mesh.shortestPath(points[k - 1], points[k]);
+      assert.ok(Math.abs(length / mesh.info.diagonal - 0.1) < 0.001, `${length}`);
+    }
+    assert.notDeepEqual(wanderingPoints(mesh, 17), points);
+  });
+});
+
+test('captions tell numbers of triangles that their meshes have', async () => {
+  const { figures } = await load('figures/index.ts');
+  const { Lab } = await load('lab/lab.ts');
+  const lab = new Lab(await loadPeers());
+  let told = 0;
+  for (const { id, caption, panels } of figures) {
+    const numbers = [...caption.matchAll(/([\d,]+)(?= (?:and of ([\d,]+) )?triangles)/g)].flatMap(
+      ([, one, other]) => [one, other].filter(Boolean).map((text) => Number(text.replace(',', ''))),
+    );
+    for (const number of numbers) {
+      told++;
+      const counts = [];
+      for (const { mesh } of panels) counts.push((await lab.mesh(mesh)).info.triangles);
+      // To three digits.
+      assert.ok(
+        counts.some((count) => Math.abs(count / number - 1) < 0.005),
+        `${id}: ${number} of ${counts}`,
+      );
+    }
+  }
+  assert.ok(told >= 3, `${told}`);
+});

@@ -1,0 +1,120 @@
+// The claims on the Paper page, and figures with controls of their own.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { isComplaint, openBrowser } from './browser.mjs';
+
+describe('the paper, judged', () => {
+  let browser;
+  let page;
+  const logged = [];
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+    page = await browser.context.newPage();
+    page.on('console', (message) => {
+      if (isComplaint(message)) logged.push(message.text());
+    });
+    page.on('pageerror', (error) => logged.push(`${error}`));
+    await page.goto(`${browser.address}paper.html?antialias=off&detail=0.02`);
+  });
+  after(async () => {
+    await browser.close();
+    assert.deepEqual(logged, []);
+  });
+
+  const settled = (id) =>
+    page.waitForFunction(
+      (wanted) => window.karcherPaper.sections.find(({ element }) => element.id === wanted).settled,
+      id,
+    );
+  async function open(id) {
+    await page.evaluate((wanted) => {
+      document.getElementById(wanted).scrollIntoView({ behavior: 'instant' });
+    }, id);
+    await settled(id);
+  }
+
+  test('every claim has a row with a verdict, and leads to its figure', async () => {
+    // What needs no report is judged by the figures as they are measured.
+    await open('paths');
+    const descent = page.locator('#claims tr[data-claim="paths-descent"]');
+    assert.match(await descent.locator('td').nth(1).textContent(), /descent is [0-9.]+ h/);
+    assert.match(await descent.locator('strong').textContent(), /^(holds|does not)$/);
+    const claims = await page.locator('#claims tbody tr').evaluateAll((all) =>
+      all.map((row) => ({
+        id: row.dataset.claim,
+        verdict: row.lastElementChild.dataset.verdict,
+        shown: row.lastElementChild.querySelector('strong').textContent,
+        hash: row.querySelector('a')?.hash ?? null,
+      })),
+    );
+    assert.ok(claims.length >= 24);
+    for (const { id, verdict, shown, hash } of claims) {
+      assert.ok(['holds', 'does not', 'depends', 'not measured here'].includes(verdict), id);
+      assert.equal(shown, verdict, id);
+      if (hash) assert.equal(await page.locator(`section${hash}`).count(), 1, `${id}: ${hash}`);
+    }
+  });
+
+  test('Figure 2: the vector turns in the face as it is turned at the vertex', async () => {
+    const section = page.locator('#transport');
+    await section.scrollIntoViewIfNeeded();
+    const heads = () =>
+      section
+        .locator('.vector-head')
+        .evaluateAll((all) => all.map((one) => one.getAttribute('points')));
+    const before = await heads();
+    assert.equal(before.length, 2);
+    await section.getByRole('slider', { name: 'Direction' }).fill('200');
+    const turned = await heads();
+    assert.ok(turned[0] !== before[0] && turned[1] !== before[1]);
+    assert.match(await section.locator('.panel-note').textContent(), /from 200° in the frame of v/);
+    await section.getByRole('slider', { name: 'Face' }).fill('4');
+    const other = await heads();
+    assert.equal(other[0], turned[0]);
+    assert.notEqual(other[1], turned[1]);
+  });
+
+  test('Figure 8: another anisotropy is another mesh, measured anew', async () => {
+    await open('plane');
+    const panel = page.locator('#plane .panel-card').nth(3);
+    const json = () =>
+      page.evaluate(() => {
+        const { panels } = window.karcherPaper.sections.find(
+          ({ element }) => element.id === 'plane',
+        );
+        return JSON.parse(panels[3].json());
+      });
+    const before = await json();
+    await panel.getByLabel('Anisotropy').fill('3');
+    await settled('plane');
+    const after = await json();
+    assert.deepEqual([before.mesh.stretch, after.mesh.stretch], [undefined, 3]);
+    assert.notEqual(after.info.meanEdge, before.info.meanEdge);
+    assert.equal(after.lines.length, before.lines.length);
+    const href = await panel.getByRole('link', { name: 'Open in the editor' }).getAttribute('href');
+    assert.match(href, /mesh=plane:anisotropic\*3:500/);
+    await panel.getByLabel('Anisotropy').fill('20');
+    await settled('plane');
+  });
+
+  test('figures use the width of the page', async () => {
+    for (const width of [1280, 390]) {
+      await page.setViewportSize({ width, height: 800 });
+      const right = await page.evaluate(() =>
+        [...document.querySelectorAll('section.figure')].map((section) => {
+          const edges = [...section.children].map((child) => child.getBoundingClientRect().right);
+          return [section.id, section.getBoundingClientRect().right - Math.max(...edges)];
+        }),
+      );
+      for (const [id, left] of right) assert.ok(left < 2, `${id}: ${left} px at ${width}`);
+      const captions = await page.evaluate(() =>
+        [...document.querySelectorAll('.figure > .caption')].map(
+          (caption) => innerWidth - caption.getBoundingClientRect().right,
+        ),
+      );
+      for (const empty of captions) assert.ok(empty < 0.1 * width + 1, `${empty} px at ${width}`);
+      const scroll = await page.evaluate(() => document.scrollingElement.scrollWidth);
+      assert.equal(scroll, width);
+    }
+  });
+});

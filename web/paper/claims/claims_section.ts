@@ -1,0 +1,96 @@
+import { make } from '../../panels/elements';
+import { judge } from './judge';
+import type { SavedReport } from './saved';
+import type { JudgedClaim, Measured, Verdict } from './types';
+
+/** The report in this checkout, if there is one: a page can be built without. */
+const found = import.meta.glob<SavedReport>('../../../docs/paper-report.json', {
+  eager: true,
+  import: 'default',
+});
+export const savedReport: SavedReport | null = Object.values(found)[0] ?? null;
+
+const order: readonly Verdict[] = ['holds', 'depends', 'does not', 'not measured here'];
+
+const unmeasured: Pick<JudgedClaim, 'verdict' | 'measured'> = {
+  verdict: 'not measured here',
+  measured: '',
+};
+
+/** What the paper claims, and what was measured of it: by the report, or on the page meanwhile. */
+export class ClaimsSection {
+  readonly element = make('section', '', { className: 'figure', id: 'claims' });
+  readonly #report: SavedReport | null;
+  readonly #caption = make('p', '', { className: 'caption' });
+  readonly #card = make('div', '', { className: 'panel-card claims' });
+
+  constructor(report: SavedReport | null = savedReport) {
+    this.#report = report;
+    const head = make('header', '', { className: 'figure-head' });
+    head.append(
+      make('p', 'Section by section', { className: 'figure-name' }),
+      make('h2', 'Do its claims hold?'),
+    );
+    this.element.append(head, this.#caption, this.#card);
+    this.show({});
+  }
+
+  /** Judges what the report leaves open by the panels that were measured on the page. */
+  show(panels: Measured['panels']): void {
+    const live = judge({ panels, table: [], studies: {}, meshes: null });
+    const rows = live.map((row): ShownClaim => {
+      const saved = this.#report?.claims.find(({ id }) => id === row.id);
+      const { id, where, claim, figure } = row;
+      if (saved && saved.verdict !== 'not measured here') {
+        return { ...saved, where, claim, figure, live: false };
+      }
+      if (row.verdict !== 'not measured here') return { ...row, live: true };
+      return { ...unmeasured, id, where, claim, figure, live: false };
+    });
+    this.#card.replaceChildren(table(rows));
+    this.#caption.textContent = captionOf(rows, this.#report);
+  }
+}
+
+interface ShownClaim extends JudgedClaim {
+  /** Whether it was judged by what this page measured. */
+  live: boolean;
+}
+
+function captionOf(rows: readonly ShownClaim[], report: SavedReport | null): string {
+  const counts = order.map(
+    (verdict) => `${rows.filter((row) => row.verdict === verdict).length} ${verdict}`,
+  );
+  const about = report
+    ? `Measured on ${report.date} by version ${report.version} with seed ${report.seed} on ${report.machine}, by “npm run paper”.`
+    : 'This build has no report: “npm run paper -- --save” makes one, with meshes that are not at hand here by “--meshes FOLDER”. Until then the claims are judged by the figures below as they are measured in your browser, where those are enough.';
+  return `Each claim of the paper in our words, what was measured of it, and what follows, also where that speaks against us: ${counts.join(', ')}. ${about}`;
+}
+
+function table(rows: readonly ShownClaim[]): HTMLElement {
+  const element = make('table');
+  const heads = element.createTHead().insertRow();
+  for (const text of ['Where', 'The paper says', 'Measured', 'Verdict']) {
+    heads.append(make('th', text, { scope: 'col' }));
+  }
+  const body = element.createTBody();
+  for (const row of rows) body.append(tableRow(row));
+  return element;
+}
+
+function tableRow(row: ShownClaim): HTMLElement {
+  const { id, where, claim, figure, measured, verdict, on, live } = row;
+  const element = make('tr');
+  element.dataset.claim = id;
+  const place = make('th', '', { scope: 'row' });
+  if (figure) place.append(make('a', where, { href: `#${figure}` }));
+  else place.textContent = where;
+  const mark = make('strong', verdict);
+  const last = make('td');
+  last.dataset.verdict = verdict;
+  last.append(mark);
+  if (on) last.append(make('span', on));
+  if (live) last.append(make('small', 'in your browser'));
+  element.append(place, make('td', claim), make('td', measured), last);
+  return element;
+}

@@ -1,0 +1,224 @@
+import type { LineId } from '../figures/types';
+import { asUsedMs } from '../table/rows';
+import type { Claim, Evidence } from './types';
+import { NotMeasured } from './types';
+import { ms, num, percent, sum } from './words';
+
+/** Samples lost in all panels that show both methods. */
+function lostOf(evidence: Evidence, ids: readonly LineId[]) {
+  const panels = evidence.panelsWith(...ids);
+  return ids.map((id) => {
+    const lines = panels.map((panel) => evidence.line(panel, id));
+    return {
+      lost: sum(lines.map(({ lost }) => lost ?? 0)),
+      own: sum(lines.map(({ lostByOwnRule }) => lostByOwnRule ?? 0)),
+      samples: sum(lines.map(({ samples }) => samples ?? 0)),
+    };
+  });
+}
+
+/** In how many panels the first method's residual is below the second's; failures count as largest. */
+export function nearer(evidence: Evidence, first: LineId, second: LineId) {
+  const panels = evidence.panelsWith(first, second);
+  const residual = (panel: string, id: LineId) =>
+    evidence.line(panel, id).ruler?.residual?.median ?? Number.POSITIVE_INFINITY;
+  const won = panels.filter((panel) => residual(panel, first) < residual(panel, second));
+  return { won, lost: panels.filter((panel) => !won.includes(panel)), of: panels.length };
+}
+
+/** The slope of the logarithms of times by triangles. */
+function growth(points: readonly [number, number][]): number {
+  if (points.length < 2) throw new NotMeasured('two rows of Table 1');
+  const logs = points.map(([x, y]) => [Math.log(x), Math.log(y)] as const);
+  const mean = (k: 0 | 1) => sum(logs.map((one) => one[k])) / logs.length;
+  const [mx, my] = [mean(0), mean(1)];
+  return sum(logs.map(([x, y]) => (x - mx) * (y - my))) / sum(logs.map(([x]) => (x - mx) ** 2));
+}
+
+/** The abstract, the introduction and sections 2 to 4. */
+export const methodClaims: readonly Claim[] = [
+  {
+    id: 'against-vector-heat',
+    where: 'Abstract, 5',
+    claim: 'More stable than the vector heat method, and faster by several orders of magnitude.',
+    figure: 'table',
+    judge(evidence) {
+      const [heat, paper] = lostOf(evidence, ['vectorHeat', 'paper']) as [
+        ReturnType<typeof lostOf>[0],
+        ReturnType<typeof lostOf>[0],
+      ];
+      const pairs = evidence.cells('vectorHeat').flatMap((cell) => {
+        const own = evidence.cells('paper').find(({ row }) => row === cell.row);
+        const { traceMs } = cell.result;
+        const used = asUsedMs(cell.result);
+        if (!own?.result.traceMs || !traceMs || used === null) return [];
+        return [{ kept: traceMs / own.result.traceMs, used: used / own.result.traceMs }];
+      });
+      if (pairs.length === 0) throw new NotMeasured('times of both');
+      const used = Math.min(...pairs.map((one) => one.used));
+      const kept = Math.max(...pairs.map((one) => one.kept));
+      const measured = `In the figures vector heat loses ${heat.lost} of ${heat.samples} samples (by its library’s rule ${heat.own}), the paper’s method ${paper.lost} of ${paper.samples}. In Table 1 vector heat takes at least ${num(used)} times as long where a log map is computed at each evaluation, and at most ${num(kept)} times where one is kept for each vertex.`;
+      if (paper.lost > heat.lost) return { verdict: 'does not', measured };
+      if (used >= 100 && kept >= 100) return { verdict: 'holds', measured };
+      return {
+        verdict: 'depends',
+        on: 'whether log maps are kept; as the library has it, it is slower by orders of magnitude',
+        measured,
+      };
+    },
+  },
+  {
+    id: 'against-averages',
+    where: 'Abstract, 5',
+    claim: 'More accurate than weighted averages, and slightly slower.',
+    figure: 'resolution',
+    judge(evidence) {
+      const exact = nearer(evidence, 'paper', 'weightedAverages');
+      const graph = nearer(evidence, 'paperGraph6', 'weightedAverages');
+      const ours = nearer(evidence, 'karcher', 'weightedAverages');
+      const traced = evidence.panelsWith('paper', 'weightedAverages').map((panel) => {
+        const [own, other] = [
+          evidence.line(panel, 'paper'),
+          evidence.line(panel, 'weightedAverages'),
+        ];
+        return (own.traceMs ?? 0) / Math.max(other.traceMs ?? 0, 0.1);
+      });
+      const slower = traced.toSorted((a, b) => a - b)[Math.floor(traced.length / 2)]!;
+      const all = exact.won.length + graph.won.length;
+      const measured = `By exact paths the paper’s method is nearer in ${exact.won.length} of ${exact.of} panels with exact distances and in ${graph.won.length} of ${graph.of} with k = 6; weighted averages are in ${exact.lost.concat(graph.lost).join(', ') || 'none'}. Ours is nearer in ${ours.won.length} of ${ours.of}. A curve with its fields takes the paper’s method ${num(slower)} times as long (median), after an embedding that it does not need.`;
+      if (all === 0) return { verdict: 'does not', measured };
+      if (all === exact.of + graph.of) return { verdict: 'holds', measured };
+      return { verdict: 'depends', on: 'the mesh: regular triangles or not', measured };
+    },
+  },
+  {
+    id: 'scales',
+    where: '1',
+    claim:
+      'Scales better with the mesh than both: vector heat factorises a system of its size, weighted averages embed it for minutes.',
+    figure: 'table',
+    judge(evidence) {
+      const of = (method: 'vectorHeat' | 'weightedAverages' | 'paper' | 'karcher') => {
+        const cells = evidence.cells(method).filter(({ result }) => result.ok);
+        const whole = cells.flatMap(({ triangles, result }): [number, number][] => {
+          const time = (result.prepareMs ?? 0) + (result.traceMs ?? 0);
+          return time > 0 ? [[triangles, time]] : [];
+        });
+        return { slope: growth(whole), most: Math.max(...whole.map(([, time]) => time)), whole };
+      };
+      const all = {
+        vh: of('vectorHeat'),
+        wa: of('weightedAverages'),
+        p: of('paper'),
+        k: of('karcher'),
+      };
+      const largest = Math.max(...all.p.whole.map(([count]) => count));
+      const measured = `Preparation and first curve grow with the triangles to the power of ${num(all.vh.slope)} (vector heat), ${num(all.wa.slope)} (weighted averages), ${num(all.p.slope)} (the paper, k = 6) and ${num(all.k.slope)} (ours), up to ${largest.toLocaleString('en')} triangles; at the most ${ms(all.vh.most)}, ${ms(all.wa.most)}, ${ms(all.p.most)} and ${ms(all.k.most)}.`;
+      const better = all.p.slope < Math.min(all.vh.slope, all.wa.slope);
+      const shorter = all.p.most < Math.min(all.vh.most, all.wa.most);
+      if (better && shorter) return { verdict: 'holds', measured };
+      if (!better && !shorter) return { verdict: 'does not', measured };
+      return {
+        verdict: 'depends',
+        on: better
+          ? 'how large the mesh is'
+          : 'it is quicker at these sizes, but does not grow more slowly',
+        measured,
+      };
+    },
+  },
+  {
+    id: 'one-center',
+    where: '1',
+    claim: 'One center of mass costs nothing beside the distance fields.',
+    judge(evidence) {
+      const { fieldsMs, centerMs } = evidence.study('oneCenter');
+      const measured = `Four exact fields on a torus of 20,000 triangles: ${ms(fieldsMs)}; another center of mass in them: ${ms(centerMs)}.`;
+      return { verdict: centerMs < 0.05 * fieldsMs ? 'holds' : 'does not', measured };
+    },
+  },
+  {
+    id: 'log-maps',
+    where: '2',
+    claim:
+      'Splines by vector heat are slow because each step computes a log map at another point, and they are sensitive to that.',
+    figure: 'resolution',
+    judge(evidence) {
+      const cells = evidence.cells('vectorHeat').filter(({ result }) => result.logMaps);
+      if (cells.length === 0) throw new NotMeasured('log maps in Table 1');
+      const asked = sum(cells.map(({ result }) => result.logMaps!.asked));
+      const made = sum(cells.map(({ result }) => result.logMaps!.made));
+      const samples = sum(cells.map(({ result }) => result.samples ?? 0));
+      const lost = sum(cells.map(({ result }) => result.lost ?? 0));
+      const measured = `In Table 1 a sample asks for ${num(asked / samples)} log maps, of which ${percent(made / asked)} are from new vertices; ${lost} of ${samples} samples are lost, where log maps of neighbours do not agree.`;
+      if (asked / samples <= 1) return { verdict: 'does not', measured };
+      return made < 0.5 * asked
+        ? { verdict: 'depends', on: 'whether the log maps of vertices are kept', measured }
+        : { verdict: 'holds', measured };
+    },
+  },
+  {
+    id: 'far-stronger',
+    where: '3',
+    claim:
+      'Solutions are found where points are not too far apart and the space between is not too bumpy; Karcher’s condition asks for far less.',
+    judge(evidence) {
+      const rows = evidence.study('radius');
+      const condition = Math.PI / 4;
+      const whole = rows.filter(({ same, cases }) => same === cases);
+      const most = Math.max(0, ...whole.map(({ radius }) => radius));
+      const list = rows.map(
+        ({ radius, found, same, cases }) =>
+          `${num(radius)}: ${found} found and ${same} alike of ${cases}`,
+      );
+      const measured = `Four random points in a ball of a unit sphere, where Karcher’s condition ends at π/4 = ${num(condition)}. By radius: ${list.join('; ')}.`;
+      return { verdict: most > condition ? 'holds' : 'does not', measured };
+    },
+  },
+  {
+    id: 'newton',
+    where: '4',
+    claim:
+      'Newton’s method with a warm start takes few steps; the least gradient over the joints of the geodesic is its line search, and a zero inside a triangle ends it.',
+    judge(evidence) {
+      const { samples, lost, mean, most } = evidence.study('newton');
+      const measured = `Along a segment on the torus of 20,000 triangles, exact distances: ${num(mean)} steps a sample, at most ${most}; ${lost} of ${samples} lost.`;
+      if (mean > 10) return { verdict: 'does not', measured };
+      return lost === 0
+        ? { verdict: 'holds', measured }
+        : {
+            verdict: 'depends',
+            on: 'the place: where the Hessian is not positive definite, it stops',
+            measured,
+          };
+    },
+  },
+  {
+    id: 'oblivious',
+    where: '4',
+    claim: 'The method does not care how distances are computed.',
+    figure: 'graph',
+    judge(evidence) {
+      const panel = 'graph/sphere';
+      const lines = (['paperGraph2', 'paperGraph6', 'paper'] as const).map((id) =>
+        evidence.line(panel, id),
+      );
+      const [two, six, exact] = lines.map(({ ruler }) => ruler?.residual?.median ?? null) as [
+        number | null,
+        number | null,
+        number | null,
+      ];
+      const lost = sum(lines.map((line) => line.lost ?? 0));
+      const measured = `On the sphere it takes distances with k = 2, with k = 6 and exact ones, and loses ${lost} samples in all; the residuals are ${num(two)}, ${num(six)} and ${num(exact)} h.`;
+      if (lost > 0) return { verdict: 'does not', measured };
+      const spread = Math.max(two ?? 0, six ?? 0) / Math.max(exact ?? 0, 1e-12);
+      return spread < 2
+        ? { verdict: 'holds', measured }
+        : {
+            verdict: 'depends',
+            on: 'what is asked: it runs with any, but is as accurate as they are',
+            measured,
+          };
+    },
+  },
+];

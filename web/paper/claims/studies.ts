@@ -1,0 +1,281 @@
+import type { Mesh, SurfacePoint } from 'karcher';
+import { type Peers, Ruler, runMethod, standardOptions } from 'karcher/peers';
+import { randomFrom } from '../../model/random';
+import { galleryFigure } from '../figures/splines';
+import { NearestPoints } from '../lab/nearest';
+import { roughened } from './roughness';
+
+/** What the figures do not measure and the claims ask for. Every random number is of this seed. */
+export const studySeed = 16;
+
+export interface Studies {
+  /** Four points in a ball of a unit sphere, of growing radius: how often the paper's method finds a center,
+   * and from all four points the same one. */
+  radius: { radius: number; cases: number; found: number; same: number }[];
+  /** Newton's steps a sample with warm start, along the paper's curve on the gallery's torus. */
+  newton: { samples: number; lost: number; mean: number; most: number };
+  /** Milliseconds of four fields, and of one more center of mass in them. */
+  oneCenter: { fieldsMs: number; centerMs: number };
+  /** Milliseconds of a drag with 256 samples a segment: the field, and the searches a segment. */
+  update: { fieldMs: number; segmentMs: number; triangles: number };
+  /** Milliseconds of the fields when a weight of a rational curve changes; of all that is done anew. */
+  reweigh: { fieldsMs: number; updateMs: number };
+  /** Circles of arcs on a sphere: the largest difference from the radius, as a part of it. */
+  arcs: { arcs: number; worst: number }[];
+  /** Weights of random points: how many are found again as the center of mass. */
+  inverse: { cases: number; minima: number; back: number; farthest: number };
+  /** B-splines on a torus with noise of a height in mean edges. */
+  roughness: {
+    noise: number;
+    method: string;
+    lost: number;
+    samples: number;
+    residual: number | null;
+    turning: number | null;
+  }[];
+  /** Milliseconds of a drag on a mesh of several hundred thousand triangles. */
+  large: {
+    method: string;
+    triangles: number;
+    prepareMs: number | null;
+    dragMs: number | null;
+    reason: string | null;
+  }[];
+}
+
+const median = (values: readonly number[]) =>
+  values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;
+
+function timed<Result>(work: () => Result): [Result, number] {
+  const start = performance.now();
+  const result = work();
+  return [result, performance.now() - start];
+}
+
+/** Weights of sum 1, each at least a twentieth. */
+function randomWeights(random: () => number, count: number): number[] {
+  const raw = Array.from({ length: count }, () => 0.05 + random());
+  const sum = raw.reduce((a, b) => a + b);
+  return raw.map((weight) => weight / sum);
+}
+
+/** The gallery's torus with so many triangles, and its control points. */
+function galleryTorus(peers: Peers, triangles: number): { mesh: Mesh; points: SurfacePoint[] } {
+  const mesh = peers.karcher.shape('torus', triangles);
+  const nearest = new NearestPoints(mesh.positions(), mesh.triangles());
+  return { mesh, points: galleryFigure.points.torus!.map((place) => nearest.point(place)) };
+}
+
+function radius(peers: Peers): Studies['radius'] {
+  const mesh = peers.karcher.shape('sphere', 5_000);
+  const nearest = new NearestPoints(mesh.positions(), mesh.triangles());
+  const random = randomFrom(studySeed);
+  const cases = 12;
+  const result = [0.4, 0.6, 0.785, 1, 1.2, 1.4].map((radius) => {
+    let [found, same] = [0, 0];
+    for (let k = 0; k < cases; k++) {
+      const points = Array.from({ length: 4 }, () => {
+        // Evenly over the cap around the pole.
+        const z = 1 - random() * (1 - Math.cos(radius));
+        const angle = 2 * Math.PI * random();
+        const s = Math.sqrt(1 - z * z);
+        return nearest.point([s * Math.cos(angle), s * Math.sin(angle), z]);
+      });
+      const weights = randomWeights(random, 4);
+      const ends = points.map((start) =>
+        mesh.centerOfMass(points, weights, { method: 'paper', solver: 'exact', start }),
+      );
+      const converged = ends.filter(({ status }) => status === 'converged');
+      if (converged.length > 0) found++;
+      const apart = converged.some(
+        ({ position }) =>
+          Math.hypot(...position.map((x, c) => x - converged[0]!.position[c]!)) >
+          0.1 * mesh.info.meanEdge,
+      );
+      if (converged.length === 4 && !apart) same++;
+    }
+    return { radius, cases, found, same };
+  });
+  mesh.dispose();
+  return result;
+}
+
+function newton(peers: Peers): Studies['newton'] {
+  const { mesh, points } = galleryTorus(peers, 20_000);
+  const { table } = peers.plan(points, 65);
+  const steps: number[] = [];
+  let lost = 0;
+  let start: SurfacePoint | undefined;
+  for (let i = 0; i < table.t.length; i++) {
+    const weights = table.weights.slice(4 * i, 4 * i + 4);
+    const options = { method: 'paper', solver: 'exact', start } as const;
+    const { point, status, iterations } = mesh.centerOfMass(points.slice(0, 4), weights, options);
+    if (status === 'converged') start = point;
+    else lost++;
+    // The first has no warm start.
+    if (i > 0) steps.push(iterations);
+  }
+  mesh.dispose();
+  const mean = steps.reduce((a, b) => a + b) / steps.length;
+  return { samples: steps.length, lost, mean, most: Math.max(...steps) };
+}
+
+function oneCenter(peers: Peers): Studies['oneCenter'] {
+  const { mesh, points } = galleryTorus(peers, 20_000);
+  const four = points.slice(0, 4);
+  const options = { method: 'paper', solver: 'exact' } as const;
+  mesh.centerOfMass(four, [0.4, 0.3, 0.2, 0.1], options);
+  const moved = [...points.slice(1, 5)];
+  const [, all] = timed(() => mesh.centerOfMass(moved, [0.4, 0.3, 0.2, 0.1], options));
+  const again = Array.from({ length: 9 }, (_, k) => {
+    const w = 0.1 + 0.05 * k;
+    return timed(() => mesh.centerOfMass(moved, [w, 0.3, 0.2, 0.5 - w], options))[1];
+  });
+  mesh.dispose();
+  const centerMs = median(again);
+  return { fieldsMs: all - centerMs, centerMs };
+}
+
+function update(peers: Peers): Studies['update'] {
+  const { mesh, points } = galleryTorus(peers, 60_000);
+  const options = { method: 'paper', solver: 'graph', rings: 6 } as const;
+  const curve = mesh.curve({ kind: 'bspline', points, samples: 256, levels: 0, ...options });
+  const segments = 4;
+  const runs = [0.6, 0.5, 0.4].map((s) => {
+    curve.movePoint(3, { face: points[3]!.face, bary: [s, 1 - s, 0] });
+    return curve.times();
+  });
+  const { triangles } = mesh.info;
+  mesh.dispose();
+  const fieldMs = median(runs.map(({ fields }) => fields));
+  return { fieldMs, segmentMs: median(runs.map(({ trace }) => trace)) / segments, triangles };
+}
+
+function reweigh(peers: Peers): Studies['reweigh'] {
+  const { mesh, points } = galleryTorus(peers, 20_000);
+  const curve = mesh.curve({
+    kind: 'rational',
+    points: points.slice(0, 4),
+    weights: [1, 1, 1, 1],
+    levels: 0,
+    samples: 128,
+    method: 'paper',
+    solver: 'exact',
+  });
+  const [, updateMs] = timed(() => curve.set({ ...curve.value(), weights: [0.05, 5, 5, 0.05] }));
+  const fieldsMs = curve.times().fields;
+  mesh.dispose();
+  return { fieldsMs, updateMs };
+}
+
+function arcs(peers: Peers): Studies['arcs'] {
+  const mesh = peers.karcher.shape('sphere', 20_000);
+  const center = { face: 100, bary: [0.3, 0.3, 0.4] } as SurfacePoint;
+  const radius = 0.8;
+  const result = [3, 7, 16].map((arcs) => {
+    const { samples } = mesh.circle(center, { radius, arcs, samples: 9 });
+    let worst = 0;
+    for (let i = 0; i < samples.count; i++) {
+      const [a, b, c] = samples.bary.slice(3 * i, 3 * i + 3);
+      const point = { face: samples.face[i]!, bary: [a!, b!, c!] } as SurfacePoint;
+      worst = Math.max(worst, Math.abs(mesh.shortestPath(center, point).length / radius - 1));
+    }
+    return { arcs, worst };
+  });
+  mesh.dispose();
+  return result;
+}
+
+function inverse(peers: Peers): Studies['inverse'] {
+  const mesh = peers.karcher.shape('torus', 5_000);
+  const { triangles, meanEdge } = mesh.info;
+  const random = randomFrom(studySeed);
+  const cases = 100;
+  let [minima, back, farthest] = [0, 0, 0];
+  const inside = (face: number): SurfacePoint => {
+    const [a, b, c] = randomWeights(random, 3);
+    return { face, bary: [a!, b!, c!] };
+  };
+  for (let k = 0; k < cases; k++) {
+    const x = inside(Math.floor(triangles * random()));
+    // Four points around x, at up to a third of the tube's girth.
+    const points = [0, 1, 2, 3].map((i) => {
+      const angle = (Math.PI / 2) * (i + 0.6 * random());
+      const direction = [Math.cos(angle), Math.sin(angle), 0.3 * (random() - 0.5)];
+      return mesh.straightest(x, direction, 0.25 + 0.5 * random()).end;
+    });
+    const { weights, isMinimum } = mesh.weightsOf(x, points);
+    if (!isMinimum) continue;
+    minima++;
+    const { point } = mesh.centerOfMass(points, weights, { start: x });
+    const away = mesh.shortestPath(x, point).length / meanEdge;
+    farthest = Math.max(farthest, away);
+    if (away <= 1e-9) back++;
+  }
+  mesh.dispose();
+  return { cases, minima, back, farthest };
+}
+
+async function roughness(peers: Peers): Promise<Studies['roughness']> {
+  const result: Studies['roughness'] = [];
+  const smooth = galleryTorus(peers, 5_000);
+  for (const noise of [0, 0.1, 0.2, 0.4]) {
+    const mesh = roughened(peers.karcher, smooth.mesh, noise, studySeed);
+    const plan = peers.plan(smooth.points, 65);
+    const ruler = new Ruler(mesh, plan);
+    const exact = { method: 'karcher', solver: 'exact' } as const;
+    const reference = await runMethod(peers, mesh, plan, exact, null, { once: true });
+    for (const method of ['vectorHeat', 'weightedAverages', 'bSurf', 'paper', 'karcher'] as const) {
+      const options =
+        method === 'paper' ? ({ method, solver: 'exact', seeds: 'authors' } as const) : { method };
+      const truth = reference.curve?.samples ?? null;
+      const run = await runMethod(peers, mesh, plan, options, truth, { once: true, ruler });
+      result.push({
+        noise,
+        method,
+        lost: run.lost ?? 0,
+        samples: run.samples ?? 0,
+        residual: run.ruler?.residual?.median ?? null,
+        turning: run.turningNoise,
+      });
+    }
+    mesh.dispose();
+  }
+  smooth.mesh.dispose();
+  return result;
+}
+
+async function large(peers: Peers): Promise<Studies['large']> {
+  const { mesh, points } = galleryTorus(peers, 250_000);
+  const plan = peers.plan(points, 128);
+  const result: Studies['large'] = [];
+  for (const method of ['paper', 'karcher'] as const) {
+    const options = standardOptions(method, plan);
+    const { prepareMs, dragMs, reason } = await runMethod(peers, mesh, plan, options, null);
+    result.push({ method, triangles: mesh.info.triangles, prepareMs, dragMs, reason });
+  }
+  mesh.dispose();
+  return result;
+}
+
+/** Runs all studies, a minute or two of work. */
+export async function runStudies(
+  peers: Peers,
+  tell: (what: string) => void = () => {},
+): Promise<Studies> {
+  const step = async <Result>(name: string, work: (peers: Peers) => Result | Promise<Result>) => {
+    tell(`Study: ${name}`);
+    return await work(peers);
+  };
+  return {
+    radius: await step('how far apart points may lie', radius),
+    newton: await step('Newton’s steps', newton),
+    oneCenter: await step('one center of mass', oneCenter),
+    update: await step('an update', update),
+    reweigh: await step('a change of weights', reweigh),
+    arcs: await step('arcs of circles', arcs),
+    inverse: await step('weights of points', inverse),
+    roughness: await step('rough surfaces', roughness),
+    large: await step('a large mesh', large),
+  };
+}

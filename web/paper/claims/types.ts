@@ -1,0 +1,84 @@
+import type { LineId, LineNumbers } from '../figures/types';
+import type { TableCell } from '../table/rows';
+import type { MeshFinding } from './meshes';
+import type { Studies } from './studies';
+
+/** What was measured for the claims: numbers only, as a report keeps them. */
+export interface Measured {
+  /** The lines of each panel, by `figure/panel`. */
+  panels: Record<string, LineNumbers[]>;
+  table: TableCell[];
+  studies: Partial<Studies>;
+  /** Of meshes that the project does not hold; null where no folder of them was given. */
+  meshes: MeshFinding[] | null;
+}
+
+export type Verdict = 'holds' | 'does not' | 'depends' | 'not measured here';
+
+/** What the measurements say of a claim. */
+export interface Finding {
+  verdict: Verdict;
+  /** On what it depends. */
+  on?: string;
+  /** The numbers, in words. */
+  measured: string;
+}
+
+export interface Claim {
+  id: string;
+  /** Where the paper says it. */
+  where: string;
+  /** In our words. */
+  claim: string;
+  /** The figure of the page that shows it. */
+  figure?: string;
+  /** Throws `NotMeasured` where the numbers that it needs are missing. */
+  judge(evidence: Evidence): Finding;
+}
+
+/** A claim with its verdict. */
+export interface JudgedClaim extends Finding {
+  id: string;
+  where: string;
+  claim: string;
+  figure?: string;
+}
+
+export class NotMeasured extends Error {}
+
+/** Reads the measurements. Every reader throws `NotMeasured` for what is not there. */
+export class Evidence {
+  constructor(readonly all: Measured) {}
+
+  line(panel: string, id: LineId): LineNumbers {
+    const line = this.all.panels[panel]?.find((one) => one.id === id);
+    if (!line) throw new NotMeasured(`${id} of ${panel}`);
+    return line;
+  }
+
+  /** The panels in which all of these lines were measured. */
+  panelsWith(...ids: LineId[]): string[] {
+    const names = Object.keys(this.all.panels).filter((name) =>
+      ids.every((id) => this.all.panels[name]!.some((line) => line.id === id)),
+    );
+    if (names.length === 0) throw new NotMeasured(`panels with ${ids}`);
+    return names;
+  }
+
+  study<Name extends keyof Studies>(name: Name): Studies[Name] {
+    const study = this.all.studies[name];
+    if (study === undefined) throw new NotMeasured(`the study ${name}`);
+    return study;
+  }
+
+  cells(method: TableCell['method']): TableCell[] {
+    const cells = this.all.table.filter((cell) => cell.method === method && cell.segments > 1);
+    if (cells.length === 0) throw new NotMeasured('Table 1');
+    return cells;
+  }
+
+  meshes(): MeshFinding[] {
+    if (!this.all.meshes) throw new NotMeasured('meshes that the project does not hold');
+    return this.all.meshes;
+  }
+}

@@ -1,0 +1,17 @@
+/** Numbers in sentences. */
+
+/** Two digits. */
+export function num(value: number | null): string {
+  if (value === null) return 'not measured';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size >= 10) return Math.round(value).toLocaleString('en');
+  if (size < 1e-4) return value.toExponential(0);
+  return `${Number(value.toPrecision(2))}`;
+}
+
+export const ms = (value: number | null): string => (value === null ? '–' : `${num(value)} ms`);
+
+export const percent = (part: number): string => `${num(100 * part)} %`;
+
+export const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
