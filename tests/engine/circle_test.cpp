@@ -88,7 +88,9 @@ TEST(Circle, HoldsTogetherOnARoughSurface) {
     int count = 0;
     const CircleOptions options{3, 32, {}, levels};
     const GeodesicCircle circle = traceCircle(surface, center, 1.2, options);
-    if (levels == kAutomaticLevels) EXPECT_GT(circle.levels, 0);
+    if (levels == kAutomaticLevels) {
+      EXPECT_GT(circle.levels, 0);
+    }
     for (const Array<Bridge>& bridges : circle.bridges) count += bridges.count();
     return count;
   };
