@@ -101,7 +101,7 @@ test('files that are no mesh: a sentence and status 1', () => {
 });
 
 test('info tells what a mesh consists of', () => {
-  const { meanEdge, diagonal, repairs, ...counts } = printed('info', squareFile);
+  const { meanEdge, diagonal, repairs, checkUp, ...counts } = printed('info', squareFile);
   assert.deepEqual(counts, {
     vertices: 4,
     triangles: 2,
@@ -113,6 +113,9 @@ test('info tells what a mesh consists of', () => {
   });
   assert.ok(Math.abs(meanEdge - (4 + Math.SQRT2) / 5) < 1e-15);
   assert.ok(Math.abs(diagonal - Math.SQRT2) < 1e-15);
+  assert.equal(checkUp.boundaryEdges, 4);
+  assert.ok(Math.abs(checkUp.smallestAngle - 45) < 1e-12);
+  assert.deepEqual(checkUp.needles, { count: 0, faces: [] });
   assert.deepEqual(
     repairs.map(({ kind, count }) => [kind, count]),
     [['triangulated', 1]],

@@ -79,7 +79,7 @@ CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PiecePar
   while (to.t - from.t > kFinestDivision &&
          (position(mesh, to.point) - position(mesh, from.point)).norm() > shortest) {
     const double t = (from.t + to.t) / 2;
-    const CurveSample center = centerAt(t);
+    CurveSample center = centerAt(t);
     if (center.status != SampleStatus::kConverged) return center;
     (at.t < t ? to : from) = center;
   }
