@@ -20,13 +20,19 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/edge_crossings.cpp
   curves/trace/polyline.cpp
   curves/trace/sample_status.cpp
+  distance/fast_trial.cpp
   distance/find_path.cpp
   distance/geodesic_line.cpp
+  distance/ring_graph.cpp
   distance/shortest_path.cpp
+  distance/source_images.cpp
   distance/waypoints.cpp
   rcm/field_options.cpp
+  rcm/field_set.cpp
+  rcm/gradient_operator.cpp
   rcm/mean.cpp
-  rcm/mean_weights.cpp)
+  rcm/mean_weights.cpp
+  rcm/surface.cpp)
 # Libraries of their own.
 set(KARCHER_OTHER_ROOMS
   peers)

@@ -77,7 +77,7 @@ std::shared_ptr<FieldSet> FieldSets::of(const FieldOptions& options) {
     const std::shared_ptr<FieldSet> set = known.lock();
     if (set->options() == options) return set;
   }
-  const auto set = std::make_shared<FieldSet>(surface_, options);
+  auto set = std::make_shared<FieldSet>(surface_, options);
   sets_.push_back(set);
   return set;
 }

@@ -257,7 +257,13 @@ describe('links', () => {
         const text = link.formatLink(mesh, 'paper-exact', made);
         const read = link.parseLink(`#${text}`);
         const unread = { points: 0, circles: 0 };
-        assert.deepEqual(read, { mesh, method: 'paper-exact', drawing: made, unread });
+        assert.deepEqual(read, {
+          mesh,
+          method: 'paper-exact',
+          drawing: made,
+          unread,
+          problems: [],
+        });
         assert.equal(JSON.stringify(read.drawing), JSON.stringify(made));
       }
     }
