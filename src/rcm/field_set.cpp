@@ -74,7 +74,7 @@ void FieldSet::dropSpare(int kept) {
 std::shared_ptr<FieldSet> FieldSets::of(const FieldOptions& options) {
   std::erase_if(sets_, [](const auto& set) { return set.expired(); });
   for (const auto& known : sets_) {
-    const std::shared_ptr<FieldSet> set = known.lock();
+    std::shared_ptr<FieldSet> set = known.lock();
     if (set->options() == options) return set;
   }
   auto set = std::make_shared<FieldSet>(surface_, options);
