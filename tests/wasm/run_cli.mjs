@@ -14,10 +14,16 @@ export function karcher(...args) {
   });
 }
 
-/** The JSON object that a command printed. Throws if it failed or printed anything else. */
+// How far a command is that has taken two seconds: on a slow machine others print it too.
+const progress = /^karcher: \w+: [^\n]+, \d+ %\n/gm;
+
+/**
+ * The JSON object that a command printed. Throws if it failed or printed anything else but its
+ * progress.
+ */
 export function printed(...args) {
   const { status, stdout, stderr } = karcher(...args);
-  if (status !== 0 || stderr !== '') throw new Error(`karcher ${args.join(' ')}: ${stderr}`);
+  if (status !== 0 || stderr.replace(progress, '') !== '') throw new Error(`karcher ${args.join(' ')}: ${stderr}`);
   return JSON.parse(stdout);
 }
 
