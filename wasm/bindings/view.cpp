@@ -80,13 +80,14 @@ val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& 
     legCounts.push_back(leg->points.count());
   }
   const auto count = [](const auto& array) { return static_cast<double>(array.size()); };
+  const double legPoints = count(legs) / 3;
 
   Array<uint8_t> bytes;
   put(bytes, std::vector<double>{count(path.lengths), count(t), count(from), count(line.knots),
                                  count(line.times), count(line.samples), path.length,
                                  line.closed ? 1.0 : 0.0, static_cast<double>(line.levels),
                                  options.inDouble ? 1.0 : 0.0, options.withPoints ? 1.0 : 0.0,
-                                 count(legCounts), static_cast<double>(legs.size() / 3)});
+                                 count(legCounts), legPoints});
   putAll(bytes, line.times, line.knots, t, bary, positions, from, to, path.lengths);
   if (options.withPoints) put(bytes, path.bary);
   if (options.inDouble) {
