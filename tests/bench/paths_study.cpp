@@ -59,7 +59,7 @@ Outcome measurePaths(const Geometry& geometry, int pairs) {
     for (int i = 0; i < kMoves; ++i) {
       const SurfacePoint end =
           traceStraightest(geometry, path.end(), 0.1 * geometry.meanEdge * unitVector(heading))
-              .points.back();
+              .path.end();
       moving += timed([&] { moveEnd(geometry, end, path, workspace.strip); }) / kMoves;
     }
   }
