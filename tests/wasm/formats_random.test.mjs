@@ -196,7 +196,7 @@ test('glTF whose JSON has something else in any place', async () => {
               (at, key) => (typeof at === 'object' && at !== null ? at[key] : undefined),
               copy,
             );
-          if (typeof owner === 'object' && owner !== null) owner[path.at(-1)] = instead;
+          if (typeof owner === 'object' && owner !== null) owner[path.at(-1)] = structuredClone(instead);
         }
         await opens(encode(JSON.stringify(copy)), {});
       },
