@@ -12,7 +12,7 @@
 // stays.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { cpus, release, type } from 'node:os';
+import { arch, cpus, type } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildWasm } from './build.mjs';
@@ -102,10 +102,10 @@ function about(seed) {
   const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
   const git = spawnSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: inRoot('.') });
   const commit = git.status === 0 ? ` ${git.stdout.toString().trim()}` : '';
-  const [{ model }] = cpus();
+  const cores = cpus();
   return {
     date: new Date().toISOString().slice(0, 10),
-    machine: `${model}, ${type()} ${release()}, Node ${process.version}`,
+    machine: `${cores[0].model.trim()}, ${cores.length} cores, ${type()} ${arch()}, Node ${process.version}`,
     version: `${version}${commit}`,
     seed,
   };

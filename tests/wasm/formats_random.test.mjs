@@ -196,7 +196,8 @@ test('glTF whose JSON has something else in any place', async () => {
               (at, key) => (typeof at === 'object' && at !== null ? at[key] : undefined),
               copy,
             );
-          if (typeof owner === 'object' && owner !== null) owner[path.at(-1)] = structuredClone(instead);
+          if (typeof owner === 'object' && owner !== null)
+            owner[path.at(-1)] = structuredClone(instead);
         }
         await opens(encode(JSON.stringify(copy)), {});
       },

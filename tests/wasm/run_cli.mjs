@@ -23,7 +23,8 @@ const progress = /^karcher: \w+: [^\n]+, \d+ %\n/gm;
  */
 export function printed(...args) {
   const { status, stdout, stderr } = karcher(...args);
-  if (status !== 0 || stderr.replace(progress, '') !== '') throw new Error(`karcher ${args.join(' ')}: ${stderr}`);
+  if (status !== 0 || stderr.replace(progress, '') !== '')
+    throw new Error(`karcher ${args.join(' ')}: ${stderr}`);
   return JSON.parse(stdout);
 }
 

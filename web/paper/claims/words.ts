@@ -6,7 +6,7 @@ export function num(value: number | null): string {
   if (value === 0) return '0';
   const size = Math.abs(value);
   if (size >= 10) return Math.round(value).toLocaleString('en');
-  if (size < 1e-4) return value.toExponential(0);
+  if (size < 1e-4) return value.toExponential(0).replace('-', '−');
   return `${Number(value.toPrecision(2))}`;
 }
 
