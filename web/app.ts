@@ -14,15 +14,17 @@ import { Opening } from './opening';
 import { CheckUpPanel } from './panels/checkup_panel';
 import { Clipboard } from './panels/clipboard';
 import { CurvePanel } from './panels/curve_panel';
-import { showDetailsOnDemand } from './panels/details';
 import { byId } from './panels/elements';
 import { LostPanel } from './panels/lost_panel';
 import { sentenceOf, showNote } from './panels/messages';
 import { ObjectPanel } from './panels/object_panel';
 import { SaveMenu } from './panels/save_menu';
+import { Sheet } from './panels/sheet';
 import { Status } from './panels/status';
 import { SurfacePanel } from './panels/surface_panel';
+import { drawingTools, ToolRail } from './panels/tool_list';
 import { Tools } from './panels/tools';
+import { ViewMenu } from './panels/view_menu';
 import { addressOf, linkOf, longestLink, saveChanges } from './saving';
 import type { ObjectDrawing } from './viewer/object_lines';
 import type { Surface } from './viewer/surface';
@@ -109,6 +111,7 @@ export async function start(): Promise<void> {
     viewer.showMarks(view.curve?.marks?.position ?? []);
     gestures.show();
     curvePanel.show(editor.state, view);
+    rail.show(editor.state, view);
     lostPanel.show(view);
     status.show(editor.state, view, session.client?.info ?? null);
   };
@@ -142,7 +145,8 @@ export async function start(): Promise<void> {
     },
   });
   const saveMenu = new SaveMenu(editor, session, viewer);
-  new Tools(editor, viewer, edits, {
+  const rail = new ToolRail(drawingTools(editor, edits));
+  const toolEvents = {
     saveJson: () => saveMenu.save('json'),
     removeSelected: remove,
     link() {
@@ -154,7 +158,8 @@ export async function start(): Promise<void> {
         short: link.length <= longestLink,
       };
     },
-  });
+  };
+  new Tools(editor, viewer, edits, toolEvents, rail, new ViewMenu(viewer));
   const objectPanel = new ObjectPanel(editor);
   new Clipboard(editor, () => session.client?.info.triangles ?? 0);
 
@@ -164,13 +169,15 @@ export async function start(): Promise<void> {
     if (state.tool !== 'measure' || state.revision !== before.revision) measure.clear();
     gestures.show();
     curvePanel.show(state, session.view);
+    rail.show(state, session.view);
     objectPanel.show(state);
     status.showHint(state, session.view);
     showChosen(viewer, state);
   });
   curvePanel.show(editor.state, session.view);
+  rail.show(editor.state, session.view);
   objectPanel.show(editor.state);
-  showDetailsOnDemand();
+  new Sheet();
   saveChanges(editor);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', () => {

@@ -99,6 +99,15 @@ export async function openBrowser(options = {}) {
   };
 }
 
+/** The tools of kinds that are no curve with control points. */
+const toolOf = {
+  pen: 'pen',
+  circle: 'circle',
+  ellipse: 'ellipse',
+  center: 'center',
+  points: 'center',
+};
+
 /** A tab with the page; `logged` lists what the page complained about. */
 export class Tab {
   logged = [];
@@ -176,6 +185,18 @@ export class Tab {
     const { x, y } = await this.middle();
     for (const [dx, dy] of offsets) await this.page.mouse.click(x + dx, y + dy);
     await this.settled();
+  }
+
+  /**
+   * Makes what is drawn one of a kind, as a person would: by the tool of its group, and where that has
+   * several among them.
+   */
+  async choose(kind) {
+    const radio = this.page.locator(`#kind input[value="${kind}"]`).filter({ visible: true });
+    if ((await radio.count()) === 0) {
+      await this.page.locator(`#tool-${toolOf[kind] ?? 'curve'}`).click();
+    }
+    if ((await radio.count()) > 0) await radio.check({ force: true });
   }
 
   /** The middle of a handle, in the window's pixels. */

@@ -63,7 +63,7 @@ describe('editing a curve', () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     await tab.dragHandle('Control point 4 of 4', 10, 30);
-    await tab.page.getByLabel('Bézier').check({ force: true });
+    await tab.choose('bezier');
     await tab.page.keyboard.press('Escape');
     await tab.page.getByRole('button', { name: 'Control point 1 of 4' }).focus();
     await tab.page.keyboard.press('Delete');

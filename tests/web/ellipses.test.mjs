@@ -144,13 +144,13 @@ describe('ellipses', () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle');
     await tab.click([0, 40]);
     const circle = await tab.view();
-    await tab.page.getByLabel('Ellipse', { exact: true }).check({ force: true });
+    await tab.choose('ellipse');
     const ellipse = await tab.view();
     assert.equal(ellipse.circle.radius, circle.circle.radius);
     assert.notDeepEqual(ellipse.polyline, circle.polyline);
     await tab.dragHandle(acrossHandle, 0, -12);
     const wider = await tab.view();
-    await tab.page.getByLabel('Circle', { exact: true }).check({ force: true });
+    await tab.choose('circle');
     assert.deepEqual((await tab.view()).polyline, circle.polyline);
     await tab.page.keyboard.press('8');
     assert.deepEqual((await tab.view()).polyline, wider.polyline);

@@ -118,6 +118,7 @@ describe('files of surfaces', () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);
     await opened(tab, 'cone.ply');
+    await tab.page.locator('#facts-line').click();
     await tab.page.getByText('Check-up').click();
     const found = tab.page.locator('#checkup-found');
     const show = found.getByRole('button', { name: 'Show 60 boundary edges' });

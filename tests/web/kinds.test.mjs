@@ -16,15 +16,6 @@ const places = [
 ];
 const splines = ['bspline', 'bezier', 'catmullrom', 'rational', 'barycentric', 'polyline'];
 const through = ['catmullrom', 'barycentric', 'polyline'];
-const names = {
-  bspline: 'B-spline',
-  bezier: 'Bézier',
-  catmullrom: 'Catmull-Rom',
-  rational: 'Rational',
-  barycentric: 'Barycentric',
-  polyline: 'Polyline',
-};
-
 /** Where surface points are. */
 function placesOf(points, { positions, triangles }) {
   return points.map(({ face, bary }) =>
@@ -43,9 +34,6 @@ const distanceTo = (polyline, place) =>
 
 const ends = (polyline) => [polyline.slice(0, 3), polyline.slice(-3)];
 
-const choose = (tab, kind) =>
-  tab.page.getByLabel(names[kind], { exact: true }).check({ force: true });
-
 describe('kinds of curves', () => {
   let browser;
   before(async () => {
@@ -61,7 +49,7 @@ describe('kinds of curves', () => {
     // Centers are read from fields at vertices: a curve meets its points to a part of an edge.
     const meets = 0.05 * meanEdge;
     for (const kind of splines) {
-      await choose(tab, kind);
+      await tab.choose(kind);
       const { curve, polyline, problem } = await tab.view();
       assert.equal(problem, null, kind);
       assert.equal(await tab.page.locator('#hint').textContent(), '', kind);
@@ -92,7 +80,7 @@ describe('kinds of curves', () => {
     const { diagonal } = (await tab.mesh()).info;
     await tab.page.getByLabel('Closed').check();
     for (const kind of splines) {
-      await choose(tab, kind);
+      await tab.choose(kind);
       const { polyline, problem } = await tab.view();
       assert.equal(problem, null, kind);
       assert.ok(far(...ends(polyline)) <= 1e-6 * diagonal, `a closed ${kind}`);
@@ -133,7 +121,7 @@ describe('kinds of curves', () => {
     test(`a ${kind} curve's ${name.toLowerCase()} slider works live, as one step`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);
-      await choose(tab, kind);
+      await tab.choose(kind);
       const before = await tab.view();
       const surface = await tab.mesh();
       const [point] = placesOf([(await tab.state()).figure.points[2]], surface);
@@ -171,7 +159,7 @@ describe('kinds of curves', () => {
     test(`a click on a ${kind} curve puts a point into it`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);
-      await choose(tab, kind);
+      await tab.choose(kind);
       const before = await tab.view();
       const { points } = (await tab.state()).figure;
       // Where a sample is seen, away from all handles and from the knot in the middle.
@@ -253,7 +241,7 @@ describe('kinds of curves', () => {
     const tab = await Tab.open(browser, 'mesh=openSheet:1500');
     await tab.click(...places, [130, 80]);
     for (const kind of part(['bspline', 'catmullrom', 'polyline', 'bezier'], 2)) {
-      await choose(tab, kind);
+      await tab.choose(kind);
       const before = await tab.view();
       await tab.page.keyboard.press('s');
       assert.equal(
@@ -409,7 +397,7 @@ describe('kinds of curves', () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     for (const kind of ['bspline', 'catmullrom']) {
-      await choose(tab, kind);
+      await tab.choose(kind);
       const before = await tab.view();
       await tab.page.getByRole('button', { name: 'Reverse' }).click();
       await tab.page.waitForFunction(

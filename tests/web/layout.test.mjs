@@ -14,16 +14,15 @@ describe('where the page is shown', () => {
     const tab = await Tab.open(browser);
     const width = await tab.page.evaluate(() => document.scrollingElement.scrollWidth);
     assert.equal(width, 390);
-    const tools = tab.page.locator('button:visible, select:visible, .segments label:visible');
-    for (const tool of await tools.all()) {
+    for (const tool of await tab.page.locator('.rail .tool, .tools .tool, #sheet-handle').all()) {
       const box = await tool.boundingBox();
-      assert.ok(box.x >= 0 && box.x + box.width <= 390, `${await tool.textContent()}`);
-      assert.ok(box.y >= 0 && box.y + box.height <= 844, `${await tool.textContent()}`);
+      assert.ok(box.x >= 0 && box.x + box.width <= 390, `${await tool.getAttribute('id')}`);
+      assert.ok(box.y >= 0 && box.y + box.height <= 844, `${await tool.getAttribute('id')}`);
     }
     await tab.page.close();
   });
 
-  test('a narrow window has facts, repairs, the points and Clear on demand', async () => {
+  test('a narrow window has facts, repairs, the points and Clear in its sheet', async () => {
     const tab = await Tab.open(browser);
     // Two squares, the second with vertices of its own along the common edge.
     await tab.drop(
@@ -32,30 +31,88 @@ describe('where the page is shown', () => {
 f 1 2 3 4\nf 5 6 7 8\n`,
     );
     await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
-    await tab.page.getByText('Method', { exact: true }).waitFor();
     await tab.click([-30, 0], [30, 10]);
-    const more = tab.page.getByRole('button', { name: 'Details' });
-    const lists = tab.page.locator('#facts, #repairs li, #points li, #clear');
+    await tab.page.locator('#facts-line').tap();
+    const lists = tab.page.locator('#facts, #repairs li, #points li, #clear, #method');
     assert.ok((await lists.all()).length >= 6);
-    for (const part of await lists.all()) assert.equal(await part.isVisible(), false);
-    await more.tap();
-    assert.equal(await more.getAttribute('aria-expanded'), 'true');
     for (const part of await lists.all()) {
       await part.scrollIntoViewIfNeeded();
       const box = await part.boundingBox();
       assert.ok(box.x >= 0 && box.x + box.width <= 390);
       assert.ok(box.y >= 0 && box.y + box.height <= 844);
     }
-    const stage = await tab.page.locator('#stage').boundingBox();
-    assert.ok(stage.height > 0.3 * 844, 'and the surface is still seen');
     await tab.page.locator('#clear').tap();
     await tab.settled();
     assert.equal((await tab.state()).figure.points.length, 0);
-    await more.tap();
-    assert.equal(await tab.page.locator('#facts').isVisible(), false);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
+
+  test('the sheet is drawn up and down, and leaves the surface most of the height', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    const handle = page.locator('#sheet-handle');
+    const heights = async (stop) => {
+      await page.locator(`html[data-sheet="${stop}"]`).waitFor();
+      await page.waitForFunction(() =>
+        document.getAnimations().every(({ playState }) => playState !== 'running'),
+      );
+      const [stage, panel] = [
+        await page.locator('#stage').boundingBox(),
+        await page.locator('#panel').boundingBox(),
+      ];
+      assert.ok(stage.height >= 0.6 * 844, `${stop}: ${stage.height}`);
+      return { stage, panel };
+    };
+    const pull = async (to) => {
+      const box = await handle.boundingBox();
+      const from = { x: box.x + box.width / 2, y: box.y + 20 };
+      await tab.drag(from, { x: from.x, y: to });
+    };
+    const half = await heights('half');
+    assert.ok(half.panel.y >= 0.6 * 844, 'all of the surface is seen at first');
+    await pull(800);
+    const collapsed = await heights('collapsed');
+    assert.ok(collapsed.stage.height >= 0.9 * 844);
+    await pull(140);
+    const full = await heights('full');
+    assert.ok(full.panel.height >= 0.8 * 844);
+    await handle.tap();
+    await heights('collapsed');
+    await handle.tap();
+    await heights('half');
+    await handle.focus();
+    await page.keyboard.press('ArrowUp');
+    await heights('full');
+    await page.keyboard.press('ArrowDown');
+    await heights('half');
+    assert.equal((await tab.state()).figure.points.length, 0, 'and nothing is drawn by it');
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  for (const kind of ['bspline', 'pen', 'ellipse', 'center']) {
+    test(`a finger hits every control, with a ${kind}: each has 44 pixels`, async () => {
+      const tab = await Tab.open(browser, `mesh=sphere:1500&kind=${kind}`);
+      await tab.click([-40, 0], [20, 30], [60, -20], [0, -50]);
+      await tab.page.locator('#points button').first().click();
+      for (const summary of await tab.page.locator('summary:visible').all()) await summary.click();
+      const small = await tab.page.evaluate(() => {
+        const boxOf = (element) => {
+          const label = element.closest('label');
+          const isMarked = ['checkbox', 'radio'].includes(element.type) && label;
+          return (isMarked ? label : element).getBoundingClientRect();
+        };
+        return [...document.querySelectorAll('button, select, input, textarea, summary')]
+          .filter((element) => element.checkVisibility() && !element.closest('.stage'))
+          .map((element) => [element.id || element.className || element.name, boxOf(element)])
+          .filter(([, { width, height }]) => width < 44 || height < 44)
+          .map(([name, { width, height }]) => `${name}: ${width} x ${height}`);
+      });
+      assert.deepEqual(small, []);
+      await tab.page.close();
+    });
+  }
 
   test('a narrow window shows the whole width of a surface', async () => {
     for (const mesh of part(['genus3:5000', 'sphere:1500', 'openSheet:5000', 'knot:5000'], 2)) {
@@ -83,6 +140,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
       const fields = tab.page.locator('#circle-settings :is(select, input, .remark):visible');
       assert.equal(await fields.count(), 4);
       for (const field of await fields.all()) {
+        await field.scrollIntoViewIfNeeded();
         const box = await field.boundingBox();
         assert.ok(box.x >= 0 && box.x + box.width <= 390);
         assert.ok(box.y >= 0 && box.y + box.height <= 844);
@@ -100,7 +158,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.page.touchscreen.tap(x + 40, y + 10);
     await tab.settled();
     assert.equal((await tab.state()).figure.points.length, 2);
-    await tab.page.getByRole('button', { name: 'Delete' }).tap();
+    await tab.page.locator('#remove').tap();
     assert.equal((await tab.state()).figure.points.length, 1);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
@@ -176,7 +234,8 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await shows('dark');
     await tab.page.emulateMedia({ colorScheme: 'light' });
     await shows('light');
-    await tab.page.getByRole('button', { name: 'Dark theme' }).click();
+    await tab.page.locator('#view').click();
+    await tab.page.getByRole('menuitemcheckbox', { name: 'Dark theme' }).click();
     await tab.page.reload();
     await tab.settled();
     await shows('dark');

@@ -125,7 +125,7 @@ export class CurveEdits {
     if (tool === 'split') {
       const made = await this.session.reshaped({ type: 'split', near, within });
       if (made) this.#cut(made.splines);
-      else this.editor.setTool('insert');
+      else this.editor.rest();
       return;
     }
     const made = await this.session.reshaped({ type: 'insert', near, within });
@@ -179,7 +179,7 @@ export class CurveEdits {
     const made = other && (await this.session.reshaped({ type: 'join', other }));
     const whole = made?.splines[0];
     if (!object || !whole) {
-      this.editor.setTool('insert');
+      this.editor.rest();
       return;
     }
     const to = withSpline(figure, whole);
@@ -238,9 +238,8 @@ export class CurveEdits {
 
   /** Makes ready for a click on the curve to cut. */
   chooseSplit(): void {
-    const { tool } = this.editor.state;
     if (!this.#hasSpline() || this.editor.refuses()) return;
-    this.editor.setTool(tool === 'split' ? 'insert' : 'split');
+    this.#toggle('split');
   }
 
   /** Makes ready to measure the curve, until something else is chosen or done. */
@@ -248,16 +247,20 @@ export class CurveEdits {
     const { tool } = this.editor.state;
     if (tool !== 'measure' && !this.#hasCurve()) return;
     this.editor.select(null);
-    this.editor.setTool(tool === 'measure' ? 'insert' : 'measure');
+    this.#toggle('measure');
   }
 
   /** Joins the only other curve, or makes ready for a click on one of them. */
   chooseJoin(): void {
-    const { tool } = this.editor.state;
     const others = joinable(this.editor.state);
     if (!this.#hasSpline() || others.length === 0 || this.editor.refuses()) return;
     if (others.length === 1) void this.join(others[0]!);
-    else this.editor.setTool(tool === 'join' ? 'insert' : 'join');
+    else this.#toggle('join');
+  }
+
+  #toggle(tool: CurveTool): void {
+    if (this.editor.state.tool === tool) this.editor.rest();
+    else this.editor.setTool(tool);
   }
 
   #hasSpline(): boolean {

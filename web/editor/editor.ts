@@ -57,7 +57,7 @@ export interface State {
   readonly dragging: boolean;
   /** The number of the control point that is dragged. */
   readonly dragged: number | null;
-  /** What a click on a curve does; but for `measure` it is for one click. */
+  /** What a click does; `split` and `join` are for one click. */
   readonly tool: CurveTool;
   /** Grows with every change of the drawing or the method. */
   readonly revision: number;
@@ -65,8 +65,13 @@ export interface State {
   readonly epoch: number;
 }
 
-/** Puts a point into the edited curve, cuts it there, joins another one to it, or measures it. */
-export type CurveTool = 'insert' | 'split' | 'join' | 'measure';
+/**
+ * Selects and moves only; or puts a point on the surface or into the edited curve, cuts it there, joins
+ * another one to it, or measures it.
+ */
+export type CurveTool = RestingTool | 'split' | 'join' | 'measure';
+/** What a tool that has done its work gives way to. */
+export type RestingTool = 'select' | 'insert';
 
 /** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
 function fitted(to: Figure, from: Figure, edit: FigureCommand): Figure {
@@ -95,6 +100,7 @@ export class Editor {
   readonly #drawings = new Map<string, Drawing>();
   /** The drawing before the drag that is going on, and the drag as one command. */
   #drag: { base: Drawing; command: Command | null } | null = null;
+  #resting: RestingTool = 'insert';
 
   /** Called where an edit is refused, with a sentence. */
   onRefusal: (sentence: string) => void = () => {};
@@ -121,7 +127,7 @@ export class Editor {
     const kept = this.#drawings.get(mesh) ?? drawing;
     if (history && !this.#drawings.has(mesh)) this.#histories.set(mesh, history);
     const part = { mesh, drawing: kept, standIn, selection: null, chosen: [] };
-    this.#change({ ...part, tool: 'insert' }, true);
+    this.#change({ ...part, tool: this.#resting }, true);
   }
 
   /** Changes the whole drawing, as one step of the history. */
@@ -133,7 +139,7 @@ export class Editor {
     this.cancelDrag();
     const drawing = apply(this.#state.drawing, command);
     this.#record(command);
-    this.#change({ drawing, ...part, tool: 'insert' }, true);
+    this.#change({ drawing, ...part, tool: this.#resting }, true);
   }
 
   /**
@@ -259,7 +265,13 @@ export class Editor {
   }
 
   setTool(tool: CurveTool): void {
+    if (tool === 'select' || tool === 'insert') this.#resting = tool;
     if (tool !== this.#state.tool) this.#change({ tool }, false);
+  }
+
+  /** Ends the tool that cuts, joins or measures. */
+  rest(): void {
+    this.setTool(this.#resting);
   }
 
   select(selection: Selection): void {
@@ -304,12 +316,14 @@ export class Editor {
 
   /** What is drawn next is another object. */
   begin(kind?: Kind): void {
+    this.setTool('insert');
     this.perform(beginning(this.#state.drawing, kind), { selection: null, chosen: [] });
     if (this.#state.chosen.length > 0) this.#change({ chosen: [] }, false);
   }
 
   /** Chooses the kind of what is drawn next; a curve with points becomes another kind of curve. */
   setKind(kind: Kind): void {
+    this.setTool('insert');
     const command = ofKind(this.#state.drawing, kind);
     if (!command) return;
     if (command.type === 'figure') this.run(command.edit, null);

@@ -125,6 +125,7 @@ export class Gestures {
     stage.addEventListener('pointerup', (event) => this.#up(event));
     stage.addEventListener('pointercancel', () => this.#lift());
     stage.addEventListener('pointerleave', () => this.#aim(null));
+    stage.addEventListener('dblclick', (event) => this.#doubleClick(event));
     stage.addEventListener('keydown', (event) => this.#stageKey(event));
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     stage.addEventListener('blur', () => {
@@ -253,7 +254,7 @@ export class Gestures {
     if (!target) {
       this.editor.select(null);
       this.editor.choose([]);
-      if (tool !== 'measure') this.editor.setTool('insert');
+      if (tool !== 'measure') this.editor.rest();
     } else if (target.type === 'surface') this.#put(target.pick);
     else if (target.type === 'curve' && tool === 'measure') {
       this.events.curveMeasured(target.position);
@@ -262,6 +263,13 @@ export class Gestures {
       this.events.curveClicked(tool, target.position, this.viewer.reach(target.position, pixels));
     } else if (target.type === 'shorter') this.events.shorterClicked(target.index);
     else this.events.otherClicked(tool, target.id);
+  }
+
+  /** While objects are only selected, a double click on one goes on with drawing it. */
+  #doubleClick({ clientX: x, clientY: y }: MouseEvent): void {
+    if (this.editor.state.tool !== 'select') return;
+    const target = this.#target({ x, y, touch: false });
+    if (target?.type === 'other' && !this.editor.refuses()) this.editor.setTool('insert');
   }
 
   /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */

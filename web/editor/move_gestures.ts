@@ -64,7 +64,7 @@ export class MoveGestures implements Held {
     const free = event.target === stage || event.target instanceof HTMLCanvasElement;
     const isPlain = event.button === 0 && !event.shiftKey && !event.ctrlKey && !event.metaKey;
     if (!free || !isPlain || this.#held || this.severalFingers()) return;
-    if (editor.state.tool !== 'insert') return;
+    if (!['select', 'insert'].includes(editor.state.tool)) return;
     const touch = event.pointerType === 'touch';
     const place = { x: event.clientX, y: event.clientY, touch };
     const id = this.#lineAt(place);

@@ -32,6 +32,13 @@ export function targetAt(
     return position && { type: 'curve', position };
   }
   const within = place.touch ? reach.touch : reach.mouse;
+  if (tool === 'select') {
+    const other = viewer.pickObject(place.x, place.y, within);
+    if (other !== null) return { type: 'other', id: other };
+    const { id, locked } = activeObject(drawing);
+    const own = !locked && viewer.pickOwn(place.x, place.y, within);
+    return own ? { type: 'other', id } : null;
+  }
   if (isCurve(kind) && !activeObject(drawing).locked) {
     const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);
     if (position) return { type: 'curve', position };

@@ -1,14 +1,15 @@
 import { type CurveEdits, joinable } from '../editor/curve_edits';
 import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/session';
-import { isCurve, isEmpty, isSpline, type Kind, kinds } from '../model/figure';
+import { isCurve, isEmpty, isRound, isSpline, type Kind } from '../model/figure';
 import { type MethodId, methods } from '../model/methods';
 import type { Joint } from '../model/pen';
 import { CircleSettings } from './circle_settings';
 import { byId, make } from './elements';
 import { FineSettings } from './fine_settings';
 import { PointRows } from './point_rows';
-import { kindNames, kindNotes, SettingsPanel } from './settings_panel';
+import { kindGroups, kindNames, kindNotes } from './kind_names';
+import { SettingsPanel } from './settings_panel';
 
 export interface CurveEvents {
   chooseMethod(id: MethodId): void;
@@ -22,9 +23,11 @@ export class CurvePanel {
   readonly #clear = byId<HTMLButtonElement>('clear');
   readonly #split = byId<HTMLButtonElement>('split');
   readonly #join = byId<HTMLButtonElement>('join');
-  readonly #measure = byId<HTMLButtonElement>('measure');
+  readonly #goOn = byId<HTMLButtonElement>('go-on');
   readonly #reverse = byId<HTMLButtonElement>('reverse');
-  readonly #kinds = menuOrder.map(makeKind);
+  readonly #kinds = kindGroups.flatMap(({ kinds }) =>
+    kinds.length > 1 ? kinds.map(makeKind) : [],
+  );
   readonly #settings: SettingsPanel;
   readonly #circle: CircleSettings;
   readonly #fine: FineSettings;
@@ -48,20 +51,29 @@ export class CurvePanel {
     this.#clear.addEventListener('click', () => this.editor.clear());
     this.#reverse.addEventListener('click', () => edits.reverse());
     this.#split.addEventListener('click', () => edits.chooseSplit());
-    this.#measure.addEventListener('click', () => edits.chooseMeasure());
+    this.#goOn.addEventListener('click', () => editor.setTool('insert'));
     this.#join.addEventListener('click', () => edits.chooseJoin());
   }
 
   show(state: State, view: View): void {
     const { kind } = state.figure;
-    for (const input of this.#kinds) input.checked = input.value === kind;
+    const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;
+    byId('kind-title').textContent = group.title;
+    byId('kind').hidden = group.kinds.length < 2;
+    for (const input of this.#kinds) {
+      input.checked = input.value === kind;
+      input.parentElement!.hidden = !group.kinds.includes(input.value as Kind);
+    }
     this.#method.value = state.method;
-    byId('actions').hidden = !isCurve(kind) || !view.curve;
+    const { tool } = state;
+    this.#goOn.hidden = tool !== 'select' || isRound(kind) || isEmpty(state.figure);
+    byId('actions').hidden = (!isCurve(kind) || !view.curve) && this.#goOn.hidden;
     // Curves of the pen are edited by their anchors.
-    for (const button of [this.#split, this.#reverse]) button.hidden = !isSpline(kind);
-    this.#split.setAttribute('aria-pressed', `${state.tool === 'split'}`);
-    this.#measure.setAttribute('aria-pressed', `${state.tool === 'measure'}`);
-    this.#join.setAttribute('aria-pressed', `${state.tool === 'join'}`);
+    for (const button of [this.#split, this.#reverse]) {
+      button.hidden = !isSpline(kind) || !view.curve;
+    }
+    this.#split.setAttribute('aria-pressed', `${tool === 'split'}`);
+    this.#join.setAttribute('aria-pressed', `${tool === 'join'}`);
     this.#join.hidden = !isSpline(kind) || joinable(state).length === 0;
     this.#clear.hidden = isEmpty(state.figure);
     byId('points-title').textContent = pointsTitles[kind] ?? 'Control points';
@@ -71,9 +83,6 @@ export class CurvePanel {
     this.#fine.show(state, view);
   }
 }
-
-/** The pen first, as it is what most drawing is done with. */
-const menuOrder: readonly Kind[] = ['pen', ...kinds.filter((kind) => kind !== 'pen')];
 
 function makeKind(kind: Kind): HTMLInputElement {
   const label = make('label', '', { title: kindNotes[kind] });

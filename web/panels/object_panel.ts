@@ -10,7 +10,7 @@ import { isEmpty } from '../model/figure';
 import { longestName } from '../model/saved_drawing';
 import { byId, make } from './elements';
 import { NumberField, positiveNumber } from './number_field';
-import { kindNames } from './settings_panel';
+import { kindNames } from './kind_names';
 
 /** Colors that are told apart on light and dark surfaces; null is the theme's. */
 const colors: readonly [string | null, string][] = [
@@ -117,7 +117,9 @@ export class ObjectPanel {
     const same = before?.drawing === state.drawing && before.chosen === state.chosen;
     if (before && same) return;
     this.#showRows(state);
-    this.#showStyle(activeObject(state.drawing));
+    const active = activeObject(state.drawing);
+    this.#showStyle(active);
+    byId('sheet-title').textContent = nameOf(active);
     for (const [button, isPossible] of this.#actions) button.disabled = !isPossible(state);
     byId<HTMLButtonElement>('new-object').disabled = isEmpty(activeObject(state.drawing).figure);
   }
@@ -201,7 +203,7 @@ export class ObjectPanel {
     const swatch = make('button', '', { type: 'button', className: 'swatch', title });
     swatch.setAttribute('aria-label', title);
     swatch.dataset.color = color ?? '';
-    swatch.style.background = color ?? '';
+    swatch.style.backgroundColor = color ?? '';
     swatch.addEventListener('click', () => this.editor.setProperties(this.#targets, { color }));
     byId('swatches').append(swatch);
     return swatch;

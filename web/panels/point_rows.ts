@@ -5,6 +5,7 @@ import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle'
 import {
   type ControlPoint,
   type Figure,
+  type Kind,
   isRound,
   isSpline,
   type ParameterName,
@@ -12,6 +13,7 @@ import {
   parameterRange,
   withParameter,
 } from '../model/figure';
+import { jointOf } from '../model/pen';
 import { byId, formatInteger, make } from './elements';
 
 const names: Record<ParameterName, string> = { weight: 'Weight', beta: 'Beta' };
@@ -127,30 +129,37 @@ interface Row {
   which: NonNullable<Selection>;
   name: string;
   value: string;
+  /** Where it lies, for who wants to know. */
+  place: string;
   slider: { point: ControlPoint; name: ParameterName } | null;
 }
 
-function showRow(element: HTMLElement, { which, name, value, slider }: Row, selection: Selection) {
+function showRow(
+  element: HTMLElement,
+  { which, name, value, place, slider }: Row,
+  selection: Selection,
+) {
   const [button, input] = [...element.children] as [HTMLButtonElement, HTMLInputElement];
   button.dataset.which = `${which}`;
   button.firstElementChild!.textContent = name;
   button.lastElementChild!.textContent = value;
+  button.title = place;
   button.setAttribute('aria-pressed', `${which === selection}`);
   input.hidden = slider === null;
   if (slider) showOnSlider(input, Number(which), slider.point, slider.name);
 }
 
 function rowsOf({ kind, points, circle }: Figure, view: View): Row[] {
-  const place = ({ face }: SurfacePoint) => `on face ${formatInteger(face)}`;
+  const placeOf = ({ face }: SurfacePoint) => `On face ${formatInteger(face)}`;
   if (isRound(kind)) {
     if (!circle) return [];
-    const row = (which: CircleHandle, name: string, value: string): Row => ({
-      ...{ which, name, value, slider: null },
+    const row = (which: CircleHandle, name: string, value: string, place = ''): Row => ({
+      ...{ which, name, value, place, slider: null },
     });
     const length = (radius: number | undefined) => radius?.toPrecision(4) ?? '';
     const names = handleNames(kind);
     const rows = [
-      row('center', names.center, place(circle.center)),
+      row('center', names.center, '', placeOf(circle.center)),
       row('rim', names.rim, length(view.circle?.radius)),
     ];
     if (kind === 'ellipse') {
@@ -162,10 +171,18 @@ function rowsOf({ kind, points, circle }: Figure, view: View): Row[] {
   const total = points.reduce((sum, { weight = 1 }) => sum + weight, 0);
   return points.map((point, i) => ({
     which: i,
-    name: `${i + 1}`,
-    value: name ? numberOf(point, name, kind === 'center' ? total : null) : place(point),
+    name: kind === 'points' || kind === 'polyline' ? `Point ${i + 1}` : `${i + 1}`,
+    value: numbersOf(kind, point, total),
+    place: placeOf(point),
     slider: name && { point, name },
   }));
+}
+
+/** What is said of a point beside its number. */
+function numbersOf(kind: Kind, point: ControlPoint, total: number): string {
+  const name = parameterOf(kind);
+  if (name) return numberOf(point, name, kind === 'center' ? total : null);
+  return kind === 'pen' ? jointOf(point.tangents) : '';
 }
 
 /** A point's number, or its share of all where they are divided by their sum. */

@@ -9,6 +9,7 @@ import { isEmpty, isRound } from '../model/figure';
 import { meshLabel } from '../model/meshes';
 import type { Viewer } from '../viewer/viewer';
 import { byId, make } from './elements';
+import { Menu } from './menu';
 import { showNote } from './messages';
 import { sceneColors } from './theme';
 
@@ -22,8 +23,8 @@ const types: Record<Format, string> = {
 
 /** The menu that saves the curve as a file. */
 export class SaveMenu {
-  readonly #menu = byId('save-menu');
-  readonly #items = [...this.#menu.querySelectorAll<HTMLButtonElement>('[data-save]')];
+  readonly #menu = new Menu('save-menu', 'save', () => this.#showWhatThereIs());
+  readonly #items = this.#menu.items;
 
   constructor(
     private readonly editor: Editor,
@@ -32,17 +33,10 @@ export class SaveMenu {
   ) {
     for (const item of this.#items) {
       item.addEventListener('click', () => {
-        this.#menu.hidePopover();
+        this.#menu.element.hidePopover();
         this.save(item.dataset.save as Format);
       });
     }
-    this.#menu.addEventListener('beforetoggle', () => this.#showWhatThereIs());
-    this.#menu.addEventListener('toggle', (event) => {
-      const open = (event as ToggleEvent).newState === 'open';
-      byId('save').setAttribute('aria-expanded', `${open}`);
-      if (open) this.#items.find((item) => !item.disabled)?.focus();
-    });
-    this.#menu.addEventListener('keydown', (event) => this.#key(event));
   }
 
   /** Saves what is shown; without a curve, says so. */
@@ -89,15 +83,6 @@ export class SaveMenu {
   #showWhatThereIs(): void {
     byId('save-none').hidden = this.#has('json');
     for (const item of this.#items) item.disabled = !this.#has(item.dataset.save as Format);
-  }
-
-  #key(event: KeyboardEvent): void {
-    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (!step) return;
-    event.preventDefault();
-    const count = this.#items.length;
-    const at = this.#items.indexOf(document.activeElement as HTMLButtonElement);
-    this.#items[(at + step + count) % count]!.focus();
   }
 
   #drawing(): string {

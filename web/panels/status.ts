@@ -3,7 +3,7 @@ import type { ShownCenter } from '../editor/compute';
 import type { Editor, Selection, State } from '../editor/editor';
 import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
-import { isRound, type Kind, parameterOf, pointsNeeded } from '../model/figure';
+import { isEmpty, isRound, type Kind, parameterOf, pointsNeeded } from '../model/figure';
 import type { LostReason } from '../model/lost';
 import type { Quality } from '../model/methods';
 import type { Measured } from '../model/traced';
@@ -11,7 +11,7 @@ import { byId, formatCount, formatInteger } from './elements';
 import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
-import { kindNames } from './settings_panel';
+import { kindNames } from './kind_names';
 
 /** Work this short goes without saying. */
 const patienceMilliseconds = 300;
@@ -129,6 +129,7 @@ function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | 
   }
   if (view.problem) return sentenceOf(view.problem);
   const { kind, points, circle } = figure;
+  if (tool === 'select' && isEmpty(figure)) return view.others.length > 0 ? '' : drawHint;
   if (view.center) return centerHint(view.center);
   if (isRound(kind)) return circle ? '' : 'Click the surface to place the center';
   if (points.length === 0 && kind === 'pen') return penHint;
@@ -140,6 +141,7 @@ function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | 
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }
 
+const drawHint = 'Choose a tool to draw';
 const penHint = 'Click to place a corner, or drag to draw a smooth anchor';
 
 /** Of legs that were drawn out by a drag. */

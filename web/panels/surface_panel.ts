@@ -9,7 +9,7 @@ import {
   samples,
   type UpAxis,
 } from '../model/meshes';
-import { byId, formatInteger, make } from './elements';
+import { byId, formatCount, formatInteger, make } from './elements';
 
 export interface SurfaceEvents {
   choose(key: string): void;
@@ -108,6 +108,11 @@ export class SurfacePanel {
   }
 
   #showFacts(info: MeshInfo, notRead: readonly string[]): void {
+    const line = [formatCount(info.triangles, 'triangle')];
+    if (info.boundaryLoops > 0) {
+      line.push(formatCount(info.boundaryLoops, 'boundary', 'boundaries'));
+    } else line.push(`genus ${formatInteger(info.genus)}`);
+    byId('facts-line').textContent = line.join(', ');
     const facts: [string, string][] = [
       ['Triangles', formatInteger(info.triangles)],
       ['Vertices', formatInteger(info.vertices)],

@@ -4,7 +4,9 @@ import { isCurve, kinds } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
 import { showNote } from './messages';
-import { onTheme, sceneColors, toggleTheme } from './theme';
+import { onTheme, sceneColors } from './theme';
+import type { ToolRail } from './tool_list';
+import type { ViewMenu } from './view_menu';
 
 export interface ToolEvents {
   removeSelected(): void;
@@ -17,7 +19,6 @@ export interface ToolEvents {
 export class Tools {
   readonly #undo = byId<HTMLButtonElement>('undo');
   readonly #redo = byId<HTMLButtonElement>('redo');
-  readonly #edges = byId<HTMLButtonElement>('edges');
   readonly #help = byId<HTMLDialogElement>('help-dialog');
 
   constructor(
@@ -25,19 +26,17 @@ export class Tools {
     private readonly viewer: Viewer,
     private readonly edits: CurveEdits,
     private readonly events: ToolEvents,
+    private readonly rail: ToolRail,
+    private readonly viewMenu: ViewMenu,
   ) {
     this.#undo.addEventListener('click', () => edits.undo());
     this.#redo.addEventListener('click', () => edits.redo());
-    byId('reset').addEventListener('click', () => viewer.resetView({ animated: true }));
-    this.#edges.addEventListener('click', () => this.#toggleEdges());
     byId('share').addEventListener('click', () => this.#share());
-    byId('theme').addEventListener('click', toggleTheme);
     byId('help').addEventListener('click', () => this.#help.showModal());
     this.#help.addEventListener('click', (event) => {
       if (event.target === this.#help) this.#help.close();
     });
-    onTheme((theme) => {
-      byId('theme').setAttribute('aria-pressed', `${theme === 'dark'}`);
+    onTheme(() => {
       viewer.colors = sceneColors();
     });
     document.addEventListener('keydown', (event) => this.#key(event));
@@ -50,15 +49,10 @@ export class Tools {
     this.#redo.disabled = !this.editor.canRedo;
   }
 
-  #toggleEdges(): void {
-    this.viewer.edges = !this.viewer.edges;
-    this.#edges.setAttribute('aria-pressed', `${this.viewer.edges}`);
-  }
-
   #escape(): void {
     const { editor } = this;
     if (editor.dragging) editor.cancelDrag();
-    else if (editor.state.tool !== 'insert') editor.setTool('insert');
+    else if (!['select', 'insert'].includes(editor.state.tool)) editor.rest();
     else if (editor.state.selection !== null) editor.select(null);
     else editor.choose([]);
   }
@@ -127,9 +121,9 @@ export class Tools {
     }
     const kind = /^\d$/.test(key) ? kinds[(Number(key) + 9) % 10] : undefined;
     const action = kind ? () => this.editor.setKind(kind) : this.#actions[key];
-    if (!action) return;
+    if (action) action();
+    else if (!this.rail.key(key)) return;
     event.preventDefault();
-    action();
   }
 
   readonly #actions: Record<string, () => void> = {
@@ -137,14 +131,12 @@ export class Tools {
     backspace: () => this.events.removeSelected(),
     escape: () => this.#escape(),
     n: () => this.editor.begin(),
-    p: () => this.editor.setKind('pen'),
     r: () => this.viewer.resetView({ animated: true }),
     home: () => this.viewer.resetView({ animated: true }),
-    t: () => this.#toggleEdges(),
+    t: () => this.viewMenu.toggleEdges(),
     c: () => this.#toggleClosed(),
     s: () => this.edits.chooseSplit(),
     j: () => this.edits.chooseJoin(),
-    m: () => this.edits.chooseMeasure(),
     '?': () => this.#help.showModal(),
   };
 }

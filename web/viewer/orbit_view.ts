@@ -25,8 +25,8 @@ export class OrbitView {
   /** What is looked at, once there is something. */
   surface: Surface | null = null;
   readonly #controls: OrbitControls;
-  /** Whether the view was not touched since it was reset; it then goes with the stage's size. */
-  #whole = true;
+  /** From where the whole is seen, where the view was not touched since; it then goes with the stage's size. */
+  #whole: Vector3 | null = startDirection;
   #flight: { from: Place; to: Place; started: number } | null = null;
 
   /** `moved` is called when a frame is to be drawn. */
@@ -47,7 +47,7 @@ export class OrbitView {
       touched = false;
     });
     this.#controls.addEventListener('change', () => {
-      if (touched) this.#whole = false;
+      if (touched) this.#whole = null;
       moved();
     });
   }
@@ -56,12 +56,12 @@ export class OrbitView {
   resize(width: number, height: number): void {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.#whole) this.reset({ animated: false });
+    this.#showWhole(false);
   }
 
   /** Turns the view about its target, by angles in radians. */
   orbit(aside: number, up: number): void {
-    this.#whole = false;
+    this.#whole = null;
     const offset = this.camera.position.clone().sub(this.#controls.target);
     const polar = Math.min(
       Math.PI - 0.02,
@@ -74,7 +74,7 @@ export class OrbitView {
   }
 
   zoom(factor: number): void {
-    this.#whole = false;
+    this.#whole = null;
     const offset = this.camera.position.clone().sub(this.#controls.target);
     const length = Math.min(farthest, Math.max(nearest, offset.length() * factor));
     this.camera.position.copy(this.#controls.target).add(offset.setLength(length));
@@ -83,14 +83,25 @@ export class OrbitView {
 
   /** The whole scene, from the front; at once where motion is not wanted. */
   reset({ animated }: { animated: boolean }): void {
-    this.#whole = true;
-    const offset = startDirection.clone().multiplyScalar(this.#wholeDistance());
+    this.#whole = startDirection;
+    this.#showWhole(animated);
+  }
+
+  /** The whole scene, seen from a direction. */
+  lookFrom(direction: Vector3): void {
+    this.#whole = direction;
+    this.#showWhole(true);
+  }
+
+  #showWhole(animated: boolean): void {
+    if (!this.#whole) return;
+    const offset = this.#whole.clone().multiplyScalar(this.#wholeDistance(this.#whole));
     this.#go({ offset, target: new Vector3() }, animated);
   }
 
   /** Puts a point in the middle, seen from a direction. */
   lookAt(target: Vector3, direction: Vector3): void {
-    this.#whole = false;
+    this.#whole = null;
     const far = this.camera.position.distanceTo(this.#controls.target);
     const offset = direction.clone().setLength(Math.min(far, closeDistance));
     this.#go({ offset, target: target.clone() }, true);
@@ -131,11 +142,11 @@ export class OrbitView {
   }
 
   /** From how far the bounding sphere, of radius 1, fills the stage, and no width is cut off. */
-  #wholeDistance(): number {
+  #wholeDistance(direction: Vector3): number {
     const slope = Math.tan((fieldOfView * Math.PI) / 360);
     const narrow = Math.atan(slope * Math.min(1, this.camera.aspect));
     const wide = widthTaken * slope * this.camera.aspect;
-    const width = this.surface?.widthDistance(startDirection, wide) ?? 0;
+    const width = this.surface?.widthDistance(direction, wide) ?? 0;
     return Math.max(margin / Math.sin(narrow), width);
   }
 }

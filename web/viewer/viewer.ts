@@ -7,6 +7,7 @@ import { FatLine, fineDash } from './fat_line';
 import { dashLengths, dotAt, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
 import { colorSurface, type Pick, Surface } from './surface';
+import { type ViewName, views } from './views';
 
 type Vector = [number, number, number];
 
@@ -430,6 +431,11 @@ export class Viewer {
   /** The whole surface, from the front; at once where motion is not wanted. */
   resetView(options: { animated: boolean }): void {
     this.#view.reset(options);
+  }
+
+  /** The whole surface, from one of the named sides. */
+  lookFrom(name: ViewName): void {
+    this.#view.lookFrom(views[name]);
   }
 
   /** Puts a point of the scene in the middle, seen from straight above the surface there. */

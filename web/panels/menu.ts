@@ -1,0 +1,35 @@
+import { byId } from './elements';
+
+/** A menu that a button opens: the arrow keys go from item to item. */
+export class Menu {
+  readonly element: HTMLElement;
+  readonly #button: HTMLElement;
+
+  /** `opening` is called before it is shown. */
+  constructor(id: string, button: string, opening: () => void = () => {}) {
+    this.element = byId(id);
+    this.#button = byId(button);
+    this.element.addEventListener('beforetoggle', (event) => {
+      if (event.newState === 'open') opening();
+    });
+    this.element.addEventListener('toggle', (event) => {
+      const open = event.newState === 'open';
+      this.#button.setAttribute('aria-expanded', `${open}`);
+      if (open) this.items.find((item) => !item.disabled)?.focus();
+    });
+    this.element.addEventListener('keydown', (event) => this.#key(event));
+  }
+
+  get items(): HTMLButtonElement[] {
+    return [...this.element.querySelectorAll<HTMLButtonElement>('[role^="menuitem"]')];
+  }
+
+  #key(event: KeyboardEvent): void {
+    const step = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const items = this.items.filter((item) => !item.disabled);
+    const at = items.indexOf(document.activeElement as HTMLButtonElement);
+    items[(at + step + items.length) % items.length]?.focus();
+  }
+}

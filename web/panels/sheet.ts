@@ -1,0 +1,77 @@
+import { byId } from './elements';
+
+/** How far the panel is drawn up where the window is narrow. */
+const stops = ['collapsed', 'half', 'full'] as const;
+type Stop = (typeof stops)[number];
+
+/** A press that moves less, in CSS pixels, is a click. */
+const slop = 6;
+/** The parts of the window's height at which the panel comes to rest elsewhere; see layout.css. */
+const parts: Record<Stop, number> = { collapsed: 0, half: 0.38, full: 0.88 };
+
+/**
+ * The panel as a sheet over the lower part of a narrow window: drawn up and down by its handle, or with
+ * a click or the arrow keys from stop to stop.
+ */
+export class Sheet {
+  readonly #handle = byId<HTMLButtonElement>('sheet-handle');
+  readonly #panel = byId('panel');
+  #held: { pointer: number; y: number; height: number; moved: boolean } | null = null;
+  #stop: Stop = 'half';
+
+  constructor() {
+    const handle = this.#handle;
+    handle.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0) return;
+      handle.setPointerCapture(event.pointerId);
+      const { height } = this.#panel.getBoundingClientRect();
+      this.#held = { pointer: event.pointerId, y: event.clientY, height, moved: false };
+    });
+    handle.addEventListener('pointermove', (event) => this.#drag(event));
+    handle.addEventListener('pointerup', (event) => this.#end(event));
+    handle.addEventListener('pointercancel', () => this.#rest(this.#stop));
+    handle.addEventListener('keydown', (event) => this.#key(event));
+    this.#rest('half');
+  }
+
+  #drag({ pointerId, clientY }: PointerEvent): void {
+    const held = this.#held;
+    if (held?.pointer !== pointerId) return;
+    held.moved ||= Math.abs(clientY - held.y) > slop;
+    if (!held.moved) return;
+    document.documentElement.dataset.sheet = 'held';
+    const height = Math.min(held.height + held.y - clientY, parts.full * innerHeight);
+    document.documentElement.style.setProperty('--sheet', `${height}px`);
+  }
+
+  #end({ pointerId, clientY }: PointerEvent): void {
+    const held = this.#held;
+    if (held?.pointer !== pointerId) return;
+    if (!held.moved) {
+      this.#rest(this.#stop === 'collapsed' ? 'half' : 'collapsed');
+      return;
+    }
+    const part = (held.height + held.y - clientY) / innerHeight;
+    const away = (stop: Stop) => Math.abs(parts[stop] - part);
+    this.#rest(stops.reduce((nearest, stop) => (away(stop) < away(nearest) ? stop : nearest)));
+  }
+
+  #key(event: KeyboardEvent): void {
+    const step = { ArrowUp: 1, ArrowDown: -1, Enter: 0, ' ': 0 }[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const at = stops.indexOf(this.#stop);
+    const next = step === 0 ? (at + 1) % stops.length : at + step;
+    this.#rest(stops[next] ?? this.#stop);
+  }
+
+  #rest(stop: Stop): void {
+    this.#held = null;
+    this.#stop = stop;
+    const { documentElement: root } = document;
+    root.dataset.sheet = stop;
+    root.style.removeProperty('--sheet');
+    this.#handle.setAttribute('aria-expanded', `${stop !== 'collapsed'}`);
+  }
+}

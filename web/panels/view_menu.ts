@@ -1,0 +1,45 @@
+import type { Viewer } from '../viewer/viewer';
+import { views, type ViewName } from '../viewer/views';
+import { byId, make } from './elements';
+import { Menu } from './menu';
+import { onTheme, toggleTheme } from './theme';
+
+const viewNames: Record<ViewName, string> = {
+  front: 'Front',
+  back: 'Back',
+  left: 'Left',
+  right: 'Right',
+  top: 'Top',
+  bottom: 'Bottom',
+};
+
+/** How the surface is looked at: from where, with its triangles, light or dark. */
+export class ViewMenu {
+  readonly #edges = byId<HTMLButtonElement>('edges');
+
+  constructor(private readonly viewer: Viewer) {
+    const menu = new Menu('view-menu', 'view');
+    const places = byId('view-places');
+    for (const name of Object.keys(views) as ViewName[]) {
+      const item = make('button', viewNames[name], { type: 'button' });
+      item.setAttribute('role', 'menuitem');
+      item.addEventListener('click', () => {
+        menu.element.hidePopover();
+        viewer.lookFrom(name);
+      });
+      places.append(item);
+    }
+    byId('reset').addEventListener('click', () => {
+      menu.element.hidePopover();
+      viewer.resetView({ animated: true });
+    });
+    this.#edges.addEventListener('click', () => this.toggleEdges());
+    byId('theme').addEventListener('click', toggleTheme);
+    onTheme((theme) => byId('theme').setAttribute('aria-checked', `${theme === 'dark'}`));
+  }
+
+  toggleEdges(): void {
+    this.viewer.edges = !this.viewer.edges;
+    this.#edges.setAttribute('aria-checked', `${this.viewer.edges}`);
+  }
+}
