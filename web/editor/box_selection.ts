@@ -1,8 +1,7 @@
 import type { Viewer } from '../viewer/viewer';
 import type { Editor } from './editor';
+import type { Hold, Place } from './stage_pointer';
 
-/** A press that moves less, in CSS pixels, is a click. */
-const clickSlop = 4;
 /** How near to a line, in CSS pixels, a click means it. */
 const reach = 7;
 
@@ -12,70 +11,58 @@ const reach = 7;
  */
 export class BoxSelection {
   readonly #box = document.createElement('div');
-  #from: { x: number; y: number; id: number } | null = null;
 
   constructor(
     private readonly editor: Editor,
     private readonly viewer: Viewer,
-    private readonly stage: HTMLElement,
+    stage: HTMLElement,
   ) {
     this.#box.className = 'selection-box';
     this.#box.hidden = true;
     stage.append(this.#box);
-    // Before the view's controls, which listen on the stage too.
-    stage.addEventListener('pointerdown', (event) => this.#down(event), { capture: true });
-    stage.addEventListener('pointermove', (event) => this.#move(event));
-    stage.addEventListener('pointerup', (event) => this.#up(event));
-    stage.addEventListener('pointercancel', () => this.#end());
   }
 
-  #down(event: PointerEvent): void {
-    const free = event.target === this.stage || event.target instanceof HTMLCanvasElement;
-    if (!event.shiftKey || event.button !== 0 || !free) return;
-    event.stopPropagation();
-    this.stage.focus({ preventScroll: true });
-    this.stage.classList.add('pointed');
-    this.stage.setPointerCapture(event.pointerId);
-    this.#from = { x: event.clientX, y: event.clientY, id: event.pointerId };
+  take(press: Place): Hold | null {
+    if (!press.shift) return null;
+    return {
+      drag: (place) => this.#show(press, place),
+      release: (place, dragged) => {
+        this.#box.hidden = true;
+        if (dragged) this.#chooseWithin(press, place);
+        else this.#toggleAt(press);
+      },
+      cancel: () => {
+        this.#box.hidden = true;
+      },
+    };
   }
 
-  #move({ clientX, clientY, pointerId }: PointerEvent): void {
-    if (this.#from?.id !== pointerId) return;
-    const { left, top, width, height } = this.#rectangle(clientX, clientY);
+  #show(from: Place, to: Place): void {
+    const { left, top, width, height } = rectangle(from, to);
     const { box } = this.viewer;
-    this.#box.hidden = Math.max(width, height) <= clickSlop;
+    this.#box.hidden = false;
     this.#box.style.translate = `${left - box.left}px ${top - box.top}px`;
     this.#box.style.width = `${width}px`;
     this.#box.style.height = `${height}px`;
   }
 
-  #up({ clientX, clientY, pointerId }: PointerEvent): void {
-    if (this.#from?.id !== pointerId) return;
-    const { left, top, width, height } = this.#rectangle(clientX, clientY);
-    this.#end();
+  #chooseWithin(from: Place, to: Place): void {
+    const { left, top, width, height } = rectangle(from, to);
     const { active } = this.editor.state.drawing;
-    if (Math.max(width, height) > clickSlop) {
-      const { others, edited } = this.viewer.objectsIn(left, top, width, height);
-      this.editor.choose(edited ? [...others, active] : others);
-      return;
-    }
-    const other = this.viewer.pickObject(clientX, clientY, reach);
+    const { others, edited } = this.viewer.objectsIn(left, top, width, height);
+    this.editor.choose(edited ? [...others, active] : others);
+  }
+
+  #toggleAt({ x, y }: Place): void {
+    const other = this.viewer.pickObject(x, y, reach);
     if (other !== null) this.editor.toggle(other);
-    else if (this.viewer.pickOwn(clientX, clientY, reach)) this.editor.toggle(active);
-  }
-
-  #end(): void {
-    this.#from = null;
-    this.#box.hidden = true;
-  }
-
-  #rectangle(x: number, y: number) {
-    const from = this.#from!;
-    return {
-      left: Math.min(x, from.x),
-      top: Math.min(y, from.y),
-      width: Math.abs(x - from.x),
-      height: Math.abs(y - from.y),
-    };
+    else if (this.viewer.pickOwn(x, y, reach)) this.editor.toggle(this.editor.state.drawing.active);
   }
 }
+
+const rectangle = (from: Place, to: Place) => ({
+  left: Math.min(to.x, from.x),
+  top: Math.min(to.y, from.y),
+  width: Math.abs(to.x - from.x),
+  height: Math.abs(to.y - from.y),
+});

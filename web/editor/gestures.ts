@@ -13,6 +13,7 @@ import { handlesOf, idOf, selectionOf, tangentOf } from './handle_list';
 import { MoveGestures } from './move_gestures';
 import { type HeldKeys, PenGestures } from './pen_gestures';
 import type { Session } from './session';
+import { StagePointer } from './stage_pointer';
 import { type Target, targetAt } from './targets';
 import { twoFingersMeanTheView } from './two_fingers';
 
@@ -88,24 +89,24 @@ export class Gestures {
       key: (id, event) => this.#nudge(id, event),
     });
     const handles = this.#handles;
-    const held = {
+    const severalFingers = twoFingersMeanTheView(stage, {
       get heldBy() {
-        return handles.heldBy ?? pen.heldBy ?? moves.heldBy;
+        return handles.heldBy ?? pointer.heldBy;
       },
       letGo() {
         handles.letGo();
-        pen.letGo();
-        moves.letGo();
+        pointer.letGo();
       },
-    };
-    let severalFingers = () => false;
-    const pen = new PenGestures(editor, session, viewer, stage, () => severalFingers());
-    const moves = new MoveGestures(editor, session, viewer, stage, () => severalFingers(), {
+    });
+    const pointer = new StagePointer(stage, severalFingers);
+    handles.severalFingers = severalFingers;
+    const box = new BoxSelection(editor, viewer, stage);
+    const pen = new PenGestures(editor, session, viewer);
+    const moves = new MoveGestures(editor, session, viewer, {
       clicked: (place) => this.#click(place),
       stopped: () => events.moveStopped(),
     });
-    severalFingers = twoFingersMeanTheView(stage, held);
-    this.#handles.severalFingers = severalFingers;
+    for (const one of [box, pen, moves]) pointer.offer((press) => one.take(press));
     this.#pen = pen;
     this.#moves = moves;
     stage.addEventListener('keyup', (event) => {
@@ -119,7 +120,6 @@ export class Gestures {
     }
     // The stage takes keys of its own: it turns, zooms and places points.
     stage.tabIndex = 0;
-    new BoxSelection(editor, viewer, stage);
     stage.addEventListener('pointerdown', (event) => this.#down(event));
     stage.addEventListener('pointermove', (event) => this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#up(event));

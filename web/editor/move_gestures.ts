@@ -5,28 +5,18 @@ import type { Editor } from './editor';
 import { Move } from './moving';
 import { Newest } from './newest';
 import type { Session } from './session';
+import type { Hold, Place } from './stage_pointer';
 import { reach, targetAt } from './targets';
-import type { Held } from './two_fingers';
 
-/** A press that moves less, in CSS pixels, is a click. */
-const slop = { mouse: 4, touch: 10 };
-
-interface Place {
-  x: number;
-  y: number;
-  touch: boolean;
-}
-
-/** A line that is held, and once it is dragged what is moved with it. */
-interface Hold extends Place {
-  pointer: number;
-  move: Promise<Move | null> | null;
+/** A line that is dragged, and what is moved with it. */
+interface HeldLine {
+  move: Promise<Move | null>;
   stopped: boolean;
 }
 
 /** Drags of a line of an object: it is moved, with all that are selected with it. */
-export class MoveGestures implements Held {
-  #held: Hold | null = null;
+export class MoveGestures {
+  #held: HeldLine | null = null;
   readonly #newest = new Newest<Place>((place) => this.#moveTo(place));
   /** A move by keys that goes on, and where it has come to. */
   #keyed: { move: Move; x: number; y: number } | null = null;
@@ -37,44 +27,32 @@ export class MoveGestures implements Held {
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
-    private readonly stage: HTMLElement,
-    private readonly severalFingers: () => boolean,
     private readonly events: { clicked(place: Place): void; stopped(): void },
-  ) {
-    // Before the view's controls, which listen on the stage too.
-    stage.addEventListener('pointerdown', (event) => this.#down(event), { capture: true });
-    stage.addEventListener('pointermove', (event) => this.#moved(event));
-    stage.addEventListener('pointerup', (event) => this.#up(event));
-    stage.addEventListener('pointercancel', () => this.letGo());
-  }
+  ) {}
 
-  get heldBy(): number | null {
-    return this.#held?.pointer ?? null;
-  }
-
-  letGo(): void {
-    if (!this.#held) return;
-    this.#held = null;
-    this.#newest.drop();
-    this.editor.cancelDrag();
-  }
-
-  #down(event: PointerEvent): void {
-    const { editor, stage } = this;
-    const free = event.target === stage || event.target instanceof HTMLCanvasElement;
-    const isPlain = event.button === 0 && !event.shiftKey && !event.ctrlKey && !event.metaKey;
-    if (!free || !isPlain || this.#held || this.severalFingers()) return;
-    if (!['select', 'insert'].includes(editor.state.tool)) return;
-    const touch = event.pointerType === 'touch';
-    const place = { x: event.clientX, y: event.clientY, touch };
-    const id = this.#lineAt(place);
+  /** Holds the line that is pressed. */
+  take(press: Place): Hold | null {
+    const { editor } = this;
+    if (press.shift || press.control || this.#held) return null;
+    if (!['select', 'insert'].includes(editor.state.tool)) return null;
+    const id = this.#lineAt(press);
     // A finger turns the view wherever it lies, but on what is selected.
-    if (id === null || (touch && !editor.state.chosen.includes(id))) return;
-    event.stopPropagation();
-    stage.focus({ preventScroll: true });
-    stage.classList.add('pointed');
-    stage.setPointerCapture(event.pointerId);
-    this.#held = { ...place, pointer: event.pointerId, move: null, stopped: false };
+    if (id === null || (press.touch && !editor.state.chosen.includes(id))) return null;
+    return {
+      drag: (place) => {
+        this.#held ??= { move: this.#begin(press), stopped: false };
+        this.#newest.push(place);
+      },
+      release: (place, dragged) => {
+        if (dragged) void this.#end(place);
+        else this.events.clicked(press);
+      },
+      cancel: () => {
+        this.#held = null;
+        this.#newest.drop();
+        editor.cancelDrag();
+      },
+    };
   }
 
   /** The id of the object whose line is seen at a place; null without one. */
@@ -87,21 +65,11 @@ export class MoveGestures implements Held {
     return own && isOpen ? state.drawing.active : null;
   }
 
-  #moved(event: PointerEvent): void {
-    const held = this.#held;
-    if (held?.pointer !== event.pointerId) return;
-    const { clientX: x, clientY: y } = event;
-    const far = Math.hypot(x - held.x, y - held.y) > (held.touch ? slop.touch : slop.mouse);
-    if (!held.move && !far) return;
-    held.move ??= this.#begin(held);
-    this.#newest.push({ x, y, touch: held.touch });
-  }
-
   /** Holds what is under the pointer, with what is selected with it. */
-  async #begin({ x, y, touch }: Place): Promise<Move | null> {
+  async #begin(press: Place): Promise<Move | null> {
     const { editor, session, viewer } = this;
-    const id = this.#lineAt({ x, y, touch });
-    const pivot = viewer.pick(x, y)?.point;
+    const id = this.#lineAt(press);
+    const pivot = viewer.pick(press.x, press.y)?.point;
     const { client } = session;
     if (id === null || !pivot || !client || !viewer.surface) return null;
     if (!editor.state.chosen.includes(id)) editor.activate(id);
@@ -181,19 +149,8 @@ export class MoveGestures implements Held {
     }
   }
 
-  #up(event: PointerEvent): void {
+  async #end(last: Place): Promise<void> {
     const held = this.#held;
-    if (held?.pointer !== event.pointerId) return;
-    if (!held.move) {
-      this.#held = null;
-      this.events.clicked({ x: held.x, y: held.y, touch: held.touch });
-      return;
-    }
-    const last = { x: event.clientX, y: event.clientY, touch: held.touch };
-    void this.#end(held, last);
-  }
-
-  async #end(held: Hold, last: Place): Promise<void> {
     this.#newest.drop();
     await this.#moveTo(last);
     if (this.#held !== held) return;

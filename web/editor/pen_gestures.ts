@@ -14,11 +14,9 @@ import {
 import type { Viewer } from '../viewer/viewer';
 import type { Editor } from './editor';
 import type { Session } from './session';
+import type { Hold, Place } from './stage_pointer';
 import { targetAt } from './targets';
-import type { Held } from './two_fingers';
 
-/** A press that moves less, in CSS pixels, places a corner. */
-const slop = { mouse: 4, touch: 10 };
 /** With Shift held handles keep to multiples of this angle. */
 const angleStep = Math.PI / 4;
 
@@ -32,104 +30,41 @@ export interface HeldKeys {
  * The pen: a click on the surface places a corner, a drag from there a smooth anchor with its handles
  * under the pointer. Each is one step of the history.
  */
-export class PenGestures implements Held {
-  #stroke: {
-    pointer: number;
-    x: number;
-    y: number;
-    slop: number;
-    index: number;
-    anchor: SurfacePoint;
-    drawn: boolean;
-  } | null = null;
-  #newest: { x: number; y: number; shift: boolean } | null = null;
-  #frame = 0;
-
-  /** `severalFingers` tells whether the view has the pointer. */
+export class PenGestures {
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
-    private readonly stage: HTMLElement,
-    private readonly severalFingers: () => boolean,
-  ) {
-    // Before the view's controls, which listen on the stage too.
-    stage.addEventListener('pointerdown', (event) => this.#down(event), { capture: true });
-    stage.addEventListener('pointermove', (event) => this.#move(event));
-    stage.addEventListener('pointerup', (event) => this.#up(event));
-    stage.addEventListener('pointercancel', () => this.letGo());
-  }
+  ) {}
 
-  /** The pointer that draws; null without one. */
-  get heldBy(): number | null {
-    return this.#stroke?.pointer ?? null;
-  }
-
-  /** Takes back the anchor that is being placed. */
-  letGo(): void {
-    if (!this.#stroke) return;
-    this.#stroke = null;
-    this.#newest = null;
-    this.editor.cancelDrag();
-  }
-
-  #down(event: PointerEvent): void {
-    const { editor, stage, viewer } = this;
+  /** Places an anchor where the surface is pressed. */
+  take(press: Place): Hold | null {
+    const { editor, viewer } = this;
     const { figure, tool, selection } = editor.state;
-    const free = event.target === stage || event.target instanceof HTMLCanvasElement;
-    const plain = event.button === 0 && !event.shiftKey && !event.ctrlKey && !event.metaKey;
-    if (figure.kind !== 'pen' || tool !== 'insert' || !free || !plain) return;
-    if (this.#stroke || this.severalFingers()) return;
-    const touch = event.pointerType === 'touch';
-    const place = { x: event.clientX, y: event.clientY, touch };
-    const target = targetAt(viewer, editor.state, place);
-    if (target?.type !== 'surface') return;
-    event.stopPropagation();
-    stage.focus({ preventScroll: true });
-    stage.classList.add('pointed');
-    stage.setPointerCapture(event.pointerId);
+    if (figure.kind !== 'pen' || tool !== 'insert' || press.shift || press.control) return null;
+    const target = targetAt(viewer, editor.state, press);
+    if (target?.type !== 'surface') return null;
     // Where nothing is selected the curve has ended.
     const goesOn = editor.isOpen && !figure.settings.closed && selection !== null;
     if (figure.points.length > 0 && !goesOn) editor.begin('pen');
     const index = editor.state.figure.points.length;
     const { point: anchor } = target.pick;
-    this.#stroke = {
-      ...{ pointer: event.pointerId, x: event.clientX, y: event.clientY, index, anchor },
-      slop: touch ? slop.touch : slop.mouse,
-      drawn: false,
+    const place = (point: ControlPoint) => {
+      editor.preview({ type: 'insert', index, point });
+      editor.select(index);
     };
-    editor.preview({ type: 'insert', index, point: anchor });
-    editor.select(index);
-  }
-
-  #move(event: PointerEvent): void {
-    if (this.#stroke?.pointer !== event.pointerId) return;
-    this.#newest = { x: event.clientX, y: event.clientY, shift: event.shiftKey };
-    this.#frame ||= requestAnimationFrame(() => {
-      this.#frame = 0;
-      this.#drawHandle();
-    });
-  }
-
-  #drawHandle(): void {
-    const [stroke, newest] = [this.#stroke, this.#newest];
-    this.#newest = null;
-    if (!stroke || !newest) return;
-    stroke.drawn ||= Math.hypot(newest.x - stroke.x, newest.y - stroke.y) > stroke.slop;
-    const after = stroke.drawn && this.tangentAt(stroke.anchor, newest, newest.shift);
-    if (!after) return;
-    const point = withTangents(stroke.anchor, { after, before: { length: null } });
-    this.editor.preview({ type: 'insert', index: stroke.index, point });
-    this.editor.select(stroke.index);
-  }
-
-  #up(event: PointerEvent): void {
-    if (this.#stroke?.pointer !== event.pointerId) return;
-    this.#drawHandle();
-    const { index } = this.#stroke;
-    this.#stroke = null;
-    this.editor.commitDrag();
-    this.editor.select(index);
+    place(anchor);
+    return {
+      drag: (to) => {
+        const after = this.tangentAt(anchor, to, to.shift);
+        if (after) place(withTangents(anchor, { after, before: { length: null } }));
+      },
+      release: () => {
+        editor.commitDrag();
+        editor.select(index);
+      },
+      cancel: () => editor.cancelDrag(),
+    };
   }
 
   /** The handle of an anchor at a place of the window; null past the silhouette. */

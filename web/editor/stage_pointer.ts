@@ -1,0 +1,146 @@
+import type { Held } from './two_fingers';
+
+/** A press that moves less, in CSS pixels, is a click. */
+const slop = { mouse: 4, touch: 10 };
+
+/** Where a pointer is in the window, in CSS pixels, and the keys that are held with it. */
+export interface Place {
+  x: number;
+  y: number;
+  touch: boolean;
+  alt: boolean;
+  shift: boolean;
+  /** Ctrl or Cmd. */
+  control: boolean;
+}
+
+/** What is done with a pointer from its press on. */
+export interface Hold {
+  /**
+   * The pointer was dragged: at most once a frame, with its newest place and all since the last call.
+   * Not called for a press that hardly moves.
+   */
+  drag(place: Place, way: readonly Place[]): void;
+  /** The pointer is up; `dragged` tells whether `drag` was called. */
+  release(place: Place, dragged: boolean): void;
+  /** What was begun is taken back. */
+  cancel(): void;
+}
+
+/** Takes a press on the stage, or leaves it to the next one and at last to the view. */
+export type Taker = (press: Place) => Hold | null;
+
+interface Pressed {
+  pointer: number;
+  from: Place;
+  slop: number;
+  hold: Hold;
+  dragged: boolean;
+  way: Place[];
+}
+
+const placeOf = (event: PointerEvent): Place => ({
+  x: event.clientX,
+  y: event.clientY,
+  touch: event.pointerType === 'touch',
+  alt: event.altKey,
+  shift: event.shiftKey,
+  control: event.ctrlKey || event.metaKey,
+});
+
+/**
+ * The pointer on the stage, for those who draw and drag there: the first one that takes a press has it
+ * until the pointer is up, Escape is pressed or another finger comes down.
+ */
+export class StagePointer implements Held {
+  readonly #takers: Taker[] = [];
+  #pressed: Pressed | null = null;
+  #frame = 0;
+
+  /** `severalFingers` tells whether the view has the pointer. */
+  constructor(
+    private readonly stage: HTMLElement,
+    private readonly severalFingers: () => boolean,
+  ) {
+    // Before the view's controls, which listen on the stage too.
+    stage.addEventListener('pointerdown', (event) => this.#down(event), { capture: true });
+    stage.addEventListener('pointermove', (event) => this.#move(event));
+    stage.addEventListener('pointerup', (event) => this.#up(event));
+    stage.addEventListener('pointercancel', (event) => {
+      if (this.#pressed?.pointer === event.pointerId) this.letGo();
+    });
+    window.addEventListener('keydown', (event) => this.#key(event), { capture: true });
+  }
+
+  /** Presses are offered in the order of these calls. */
+  offer(taker: Taker): void {
+    this.#takers.push(taker);
+  }
+
+  get heldBy(): number | null {
+    return this.#pressed?.pointer ?? null;
+  }
+
+  letGo(): void {
+    const pressed = this.#pressed;
+    this.#pressed = null;
+    pressed?.hold.cancel();
+  }
+
+  #down(event: PointerEvent): void {
+    const { stage } = this;
+    const free = event.target === stage || event.target instanceof HTMLCanvasElement;
+    if (!free || event.button !== 0 || this.#pressed || this.severalFingers()) return;
+    const from = placeOf(event);
+    for (const taker of this.#takers) {
+      const hold = taker(from);
+      if (!hold) continue;
+      event.stopPropagation();
+      stage.focus({ preventScroll: true });
+      stage.classList.add('pointed');
+      stage.setPointerCapture(event.pointerId);
+      const least = event.pointerType === 'mouse' ? slop.mouse : slop.touch;
+      const pointer = event.pointerId;
+      this.#pressed = { pointer, from, slop: least, hold, dragged: false, way: [] };
+      return;
+    }
+  }
+
+  #move(event: PointerEvent): void {
+    const pressed = this.#pressed;
+    if (pressed?.pointer !== event.pointerId) return;
+    // A slow page hears of several places at once.
+    const events = event.getCoalescedEvents?.() ?? [];
+    pressed.way.push(...(events.length > 0 ? events : [event]).map(placeOf));
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0;
+      this.#drag();
+    });
+  }
+
+  #drag(): void {
+    const pressed = this.#pressed;
+    const place = pressed?.way.at(-1);
+    if (!pressed || !place) return;
+    const { from, hold, way } = pressed;
+    pressed.dragged ||= way.some(({ x, y }) => Math.hypot(x - from.x, y - from.y) > pressed.slop);
+    if (!pressed.dragged) return;
+    pressed.way = [];
+    hold.drag(place, way);
+  }
+
+  #up(event: PointerEvent): void {
+    const pressed = this.#pressed;
+    if (pressed?.pointer !== event.pointerId) return;
+    this.#drag();
+    this.#pressed = null;
+    pressed.hold.release(placeOf(event), pressed.dragged);
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.key !== 'Escape' || !this.#pressed) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.letGo();
+  }
+}
