@@ -10,6 +10,7 @@ import {
   type Properties,
   successorOf,
 } from './drawing';
+import { longestName, shortened } from './names';
 import { cleared, type Figure, isEmpty, isRound, isSpline, type Kind } from './figure';
 
 const together = (steps: readonly Command[]): Command | null =>
@@ -136,18 +137,23 @@ function freeName(name: string, taken: ReadonlySet<string | null>): string {
   if (!taken.has(name)) return name;
   const stem = name.replace(/ \d+$/, '');
   for (let number = 2; ; number++) {
-    const next = `${stem} ${number}`;
+    const end = ` ${number}`;
+    const next = `${shortened(stem, longestName - end.length)}${end}`;
     if (!taken.has(next)) return next;
   }
 }
 
-/** Copies of objects, above them. */
+/** Copies of objects, above them, with names of their own. */
 export function duplication(drawing: Drawing, ids: readonly number[]) {
   const copied = drawing.objects.filter(({ id, figure }) => ids.includes(id) && !isEmpty(figure));
-  return addition(
-    drawing,
-    copied.map((object) => ({ ...object, name: object.name && `${object.name} copy` })),
-  );
+  const taken = new Set(drawing.objects.map(({ name }) => name));
+  const named = copied.map((object) => {
+    if (!object.name) return object;
+    const name = freeName(object.name, taken);
+    taken.add(name);
+    return { ...object, name };
+  });
+  return addition(drawing, named);
 }
 
 /** Changes properties of objects, each of which may say what it becomes. */

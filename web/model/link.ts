@@ -52,7 +52,8 @@ import { withLeg } from './legs';
 import { linkProblems } from './link_problems';
 import { isMethod, type MethodId } from './methods';
 import { type Tangent, type Tangents, withTangents } from './pen';
-import { isColor, longestName, mostObjects } from './saved_drawing';
+import { longestName, shortened } from './names';
+import { isColor, mostObjects } from './saved_drawing';
 
 export interface Link {
   mesh: string;
@@ -115,15 +116,17 @@ function objectFields({ figure, ...properties }: DrawnObject): string[] {
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
   const { name, visible, locked, color, width, dash, group } = properties;
-  if (name) parts.push(`name=${encodeURIComponent(name)}`);
+  if (name) parts.push(`name=${encodeName(name)}`);
   if (!visible) parts.push('hidden=1');
   if (locked) parts.push('locked=1');
   if (color) parts.push(`color=${color.slice(1)}`);
   if (width !== defaultStyle.width) parts.push(`width=${width}`);
   if (dash !== defaultStyle.dash) parts.push(`dash=${dash}`);
-  if (group !== null) parts.push(`group=${encodeURIComponent(group)}`);
+  if (group !== null) parts.push(`group=${encodeName(group)}`);
   return parts;
 }
+
+const encodeName = (name: string) => encodeURIComponent(shortened(name, longestName));
 
 function legsFields(points: readonly ControlPoint[]): string[] {
   const legs = points.map(({ leg }, i) => leg && [i, ...leg.map(formatPoint)].join(':'));
@@ -278,13 +281,13 @@ function parseProperties(fragment: string): Partial<Properties> {
   const width = Number(fields.get('width') ?? defaultStyle.width);
   const fits = width >= widthRange.least && width <= widthRange.most;
   return {
-    name: (fields.get('name') ?? '').slice(0, longestName),
+    name: shortened(fields.get('name') ?? '', longestName),
     visible: fields.get('hidden') !== '1',
     locked: fields.get('locked') === '1',
     color: isColor(color) ? color : null,
     width: fits ? width : defaultStyle.width,
     dash: dashes.find((one) => one === fields.get('dash')) ?? defaultStyle.dash,
-    group: fields.get('group')?.slice(0, longestName) || null,
+    group: shortened(fields.get('group') ?? '', longestName) || null,
   };
 }
 

@@ -31,6 +31,7 @@ import {
   toleranceRange,
   type Vector,
 } from './figure';
+import { longestName } from './names';
 import type { Tangent, Tangents } from './pen';
 
 export const drawingFormat = 'karcher-drawing';
@@ -39,7 +40,6 @@ export const drawingVersion = 1;
 /** What a drawing has at most. */
 export const mostObjects = 2000;
 export const mostPoints = 10_000;
-export const longestName = 200;
 
 export const savedDrawing = ({ active, objects }: Drawing) => ({
   format: drawingFormat,

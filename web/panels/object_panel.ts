@@ -7,7 +7,7 @@ import {
   widthRange,
 } from '../model/drawing';
 import { isEmpty } from '../model/figure';
-import { longestName } from '../model/saved_drawing';
+import { longestName } from '../model/names';
 import { byId, make } from './elements';
 import { NumberField, positiveNumber } from './number_field';
 import { kindNames } from './kind_names';

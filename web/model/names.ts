@@ -1,0 +1,8 @@
+/** Names of objects and groups: texts of a bounded length. */
+
+/** In UTF-16 code units, as a text field counts them. */
+export const longestName = 200;
+
+/** A text's beginning, of whole letters: none is cut in two, and none is half of one. */
+export const shortened = (text: string, most: number) =>
+  text.slice(0, most).replace(/\p{Surrogate}/gu, '');
