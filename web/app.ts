@@ -181,8 +181,8 @@ export async function start(): Promise<void> {
   saveChanges(editor);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', () => {
-    const link = linkOf(location.hash);
-    if (link && location.hash.slice(1) !== addressOf(editor.state)) void opening.link(link);
+    const found = linkOf(location.hash);
+    if (found && location.hash.slice(1) !== addressOf(editor.state)) void opening.link(found);
   });
   exposeState(editor, session, viewer);
   opening.show(viewer);

@@ -18,12 +18,12 @@ import {
   sampleSource,
 } from './model/meshes';
 import { methodOptions } from './model/methods';
-import type { History } from './model/saved_work';
+import { type History, sameDrawing } from './model/saved_work';
 import { keepFile, keptFile, recall, remember } from './model/storage';
 import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
-import { startingLink, workOn } from './saving';
+import { type FoundLink, startingLink, workOn } from './saving';
 import { drawnGeometry, type GeometryRequest } from './viewer/drawn_geometry';
 import type { Surface } from './viewer/surface';
 import type { Viewer } from './viewer/viewer';
@@ -86,7 +86,7 @@ export class Opening {
   async file(file: File): Promise<void> {
     try {
       if (/\.json$/i.test(file.name)) {
-        await this.link(linkOfJson(await file.text()));
+        await this.link({ link: linkOfJson(await file.text()), own: true });
         return;
       }
       if (file.size > largestFile) {
@@ -140,11 +140,14 @@ export class Opening {
     this.onEnd();
   }
 
-  /** Opens what a link says; false where that can't be, and why was said. */
-  async link(link: Link): Promise<boolean> {
+  /**
+   * Opens what a link says; false where that can't be, and why was said. One that was made here or is
+   * told by a file has any number of points.
+   */
+  async link({ link, own }: FoundLink): Promise<boolean> {
     const { mesh, method, problems } = link;
     const points = pointsOf(link.drawing);
-    if (points > mostLinkPoints) {
+    if (!own && points > mostLinkPoints) {
       this.#complain(
         `The link has ${formatInteger(points)} points; up to ${formatInteger(mostLinkPoints)} are opened.`,
       );
@@ -172,10 +175,10 @@ export class Opening {
 
   /** What the address says, or what was last made here, or else the page's first surface. */
   async first(): Promise<void> {
-    const link = startingLink();
-    const work = link && workOn(link);
+    const found = startingLink();
+    const work = found && workOn(found.link);
     if (work) this.#history = work;
-    const wanted = work?.link ?? link;
+    const wanted = work ? { link: work.link, own: true } : found;
     if (!wanted || !(await this.link(wanted))) await this.#fallBack();
   }
 
@@ -277,8 +280,9 @@ export class Opening {
     const kept = parseLink(recall(`document.${key}`) ?? '')?.drawing ?? emptyDrawing;
     const isFirst = this.editor.state.mesh === '';
     const starting = isFirst && wanted;
-    const same = starting && JSON.stringify(wanted) === JSON.stringify(this.#history?.link.drawing);
-    const history = same ? this.#history!.history : null;
+    const work = this.#history;
+    const history =
+      starting && work && sameDrawing(wanted, work.link.drawing) ? work.history : null;
     const drawing = starting || fitting(kept, triangles);
     this.editor.open(key, drawing, { standIn, history });
     if (wanted) this.#replace(wanted);

@@ -1,7 +1,7 @@
 import type { Editor, State } from './editor/editor';
 import { formatLink, type Link, parseLink } from './model/link';
-import { type History, readWork, savedWork } from './model/saved_work';
-import { recall, recallInTab, remember, rememberInTab } from './model/storage';
+import { type History, linkOfWork, readWork, savedWork } from './model/saved_work';
+import { recall, recallInTab, rememberAll, rememberInTab } from './model/storage';
 
 const delayMilliseconds = 200;
 
@@ -30,9 +30,7 @@ export function saveChanges(editor: Editor): void {
     timer = 0;
     const { mesh, method, drawing } = state;
     const text = formatLink(mesh, method, drawing);
-    remember('last', text);
-    remember(`document.${mesh}`, text);
-    remember('method', method);
+    rememberAll({ last: text, [`document.${mesh}`]: text, method });
     if (mesh === editor.state.mesh) {
       rememberInTab('work', savedWork(text, drawing, editor.history));
     }
@@ -66,22 +64,39 @@ export function saveChanges(editor: Editor): void {
   });
 }
 
-/** The link that a fragment is, or that it finds in this browser. */
-export function linkOf(fragment: string): Link | null {
+/** A link, and whether this browser kept it, so that it may be of any size. */
+export interface FoundLink {
+  link: Link;
+  own: boolean;
+}
+
+function found(text: string | null | undefined, own: boolean): FoundLink | null {
+  const link = parseLink(text ?? '');
+  return link && { link, own };
+}
+
+/**
+ * The link that a fragment is, or that it finds in this browser: first what this tab made on its
+ * surface, as other tabs keep theirs in the same place.
+ */
+export function linkOf(fragment: string): FoundLink | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
-  const kept = fields.get('kept') && recall(`document.${fields.get('mesh')}`);
-  return parseLink(kept || fragment);
+  if (!fields.get('kept')) return found(fragment, false);
+  const mesh = fields.get('mesh');
+  const inTab = found(linkOfWork(recallInTab('work') ?? ''), true);
+  if (inTab?.link.mesh === mesh) return inTab;
+  return found(recall(`document.${mesh}`), true) ?? found(fragment, false);
 }
 
 /** What the page starts with: its address says it, or else what was last made in this browser. */
-export function startingLink(): Link | null {
+export function startingLink(): FoundLink | null {
   const fragment = location.hash.slice(1);
   const [before, after] = (recallInTab('overtaken') ?? '').split(' ');
   const reloaded = performance
     .getEntriesByType('navigation')
     .some((entry) => (entry as PerformanceNavigationTiming).type === 'reload');
   const newest = reloaded && after && before === fragment ? after : fragment;
-  return linkOf(newest) ?? parseLink(recall('last') ?? '');
+  return linkOf(newest) ?? found(recall('last'), true);
 }
 
 /** What this tab did to the drawing of a link, with the drawing as it was left. */

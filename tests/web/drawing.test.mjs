@@ -275,6 +275,61 @@ describe('a drawing', () => {
     assert.deepEqual(page.pastedObjects(text, 'sphere:5000', 0), [], 'all lies beyond the surface');
   });
 
+  test('has copies with names of their own, of a length that is read, in a link too', () => {
+    const numbers = randoms(seed);
+    const editor = editorOfMany(() => numbers.next().value);
+    const { id } = editor.state.drawing.objects[0];
+    const long = `${'x'.repeat(196)}😀 7`;
+    for (const [name, next] of [
+      ['Seam', 'Seam 2'],
+      ['', ''],
+      [long, `${'x'.repeat(196)}😀 2`],
+    ]) {
+      editor.setProperties([id], { name });
+      editor.choose([id]);
+      for (let copy = 0; copy < 40; copy++) editor.duplicate();
+      const names = editor.state.drawing.objects.slice(-40).map((object) => object.name);
+      assert.equal(names[0], next);
+      assert.equal(new Set(names).size, name ? 40 : 1);
+    }
+    const { mesh, method, drawing } = editor.state;
+    const saved = JSON.parse(JSON.stringify(page.savedDrawing(drawing)));
+    assert.deepEqual(page.readDrawing(saved), drawing);
+    const { objects } = page.parseLink(page.formatLink(mesh, method, drawing)).drawing;
+    assert.deepEqual(
+      objects.map(({ name }) => name).sort(),
+      drawing.objects.map(({ name }) => name).sort(),
+    );
+    // Half a letter, which a text field's bound leaves, is no text that a link can tell.
+    editor.setProperties([id], { name: 'half \ud83d' });
+    const told = page.formatLink(mesh, method, editor.state.drawing);
+    assert.ok(page.parseLink(told).drawing.objects.some(({ name }) => name === 'half '));
+  });
+
+  test('is the same one, whatever the order of its fields', () => {
+    const numbers = randoms(seed);
+    const { drawing } = editorOfMany(() => numbers.next().value).state;
+    const point = { ...drawing.objects[0].figure.points[0], leg: [{ face: 3, bary: [1, 0, 0] }] };
+    const first = (changed) => ({
+      ...drawing,
+      objects: drawing.objects.with(0, {
+        ...drawing.objects[0],
+        figure: {
+          ...drawing.objects[0].figure,
+          points: drawing.objects[0].figure.points.with(0, changed),
+        },
+      }),
+    });
+    const legFirst = first({ ...point, weight: 2 });
+    const legLast = first({ weight: 2, ...point });
+    assert.ok(page.sameDrawing(legFirst, legLast));
+    assert.ok(!page.sameDrawing(legFirst, first({ ...point, weight: 3 })));
+    // What lies on its surface as a whole is left as it is, to the last byte.
+    for (const whole of [legFirst, legLast]) {
+      assert.equal(JSON.stringify(page.fitting(whole, triangles)), JSON.stringify(whole));
+    }
+  });
+
   test('keeps what is locked, and says so', () => {
     const numbers = randoms(seed);
     const editor = editorOfMany(() => numbers.next().value);

@@ -182,6 +182,22 @@ describe('a page with a link', () => {
     await tab.page.close();
   });
 
+  test('of more points that was made here is opened: from its file, and by a reload with its steps', async () => {
+    const tab = await Tab.open(browser);
+    const points = Array.from({ length: 1200 }, (_, i) => `${i},0.25,0.5`).join(';');
+    const link = `mesh=sphere:1500&kind=points&method=karcher&points=${points}`;
+    await tab.drop('many.json', JSON.stringify({ format: 'karcher-curve', version: 1, link }));
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.points.length === 1200);
+    await tab.pastSaving();
+    await tab.page.reload();
+    await tab.settled();
+    assert.equal((await tab.state()).figure.points.length, 1200);
+    await tab.page.keyboard.press('Control+z');
+    assert.equal((await tab.state()).figure.points.length, 0);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   sometimes('of wrong settings tells them', async () => {
     const tab = await Tab.open(
       browser,

@@ -173,6 +173,7 @@ export function withParameter(
   name: ParameterName,
   value: number,
 ): ControlPoint {
+  if ((point[name] ?? 1) === value) return point;
   const { [name]: _, ...rest } = point;
   return value === 1 ? rest : { ...rest, [name]: value };
 }

@@ -20,6 +20,7 @@ export function withLeg(
   point: ControlPoint,
   leg: readonly SurfacePoint[] | null | undefined,
 ): ControlPoint {
+  if ((leg ?? undefined) === point.leg) return point;
   const { leg: _, ...rest } = point;
   return leg ? { ...rest, leg } : rest;
 }

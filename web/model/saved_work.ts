@@ -53,6 +53,26 @@ export function savedWork(link: string, drawing: Drawing, history: Readonly<Hist
 const canonical = (drawing: Drawing) =>
   JSON.stringify(readDrawing(JSON.parse(JSON.stringify(savedDrawing(drawing)))));
 
+/** The link of the drawing that such a text holds; null where it holds none. */
+export function linkOfWork(text: string): string | null {
+  try {
+    const { link, version } = JSON.parse(text);
+    return version === drawingVersion && typeof link === 'string' ? link : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Whether two drawings say the same, in whatever order their parts name their fields. */
+export function sameDrawing(a: Drawing, b: Drawing): boolean {
+  try {
+    return canonical(a) === canonical(b);
+  } catch {
+    // One of them is no drawing.
+    return false;
+  }
+}
+
 /**
  * What such a text holds for a link; null where it is for another one. Its history leads from a
  * drawing to this one and on, or there is none.
@@ -80,7 +100,7 @@ function leadsTo(drawing: Drawing, { done, undone }: History): boolean {
     const again = done.reduce(apply, first);
     canonical(first);
     canonical(undone.toReversed().reduce(apply, again));
-    return canonical(again) === canonical(drawing);
+    return sameDrawing(again, drawing);
   } catch {
     return false;
   }

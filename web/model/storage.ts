@@ -9,7 +9,7 @@ const filesKept = 4;
 
 let heardOfKeeping: (kept: boolean) => void = () => {};
 
-/** Calls a listener whenever something is to be kept beyond this tab, with whether it was. */
+/** Calls a listener whenever something is to be kept beyond this tab, with whether all of it was. */
 export function onKeeping(listener: (kept: boolean) => void): void {
   heardOfKeeping = listener;
 }
@@ -32,8 +32,12 @@ function find(storage: () => Storage, name: string): string | null {
   }
 }
 
-export const remember = (name: string, value: string) =>
-  heardOfKeeping(keep(() => localStorage, name, value));
+/** Keeps values by their names, each as far as there is room. */
+export function rememberAll(values: Readonly<Record<string, string>>): void {
+  const kept = Object.entries(values).map(([name, value]) => keep(() => localStorage, name, value));
+  heardOfKeeping(kept.every(Boolean));
+}
+export const remember = (name: string, value: string) => rememberAll({ [name]: value });
 export const recall = (name: string) => find(() => localStorage, name);
 
 /** For this tab only, through reloads. */

@@ -1,0 +1,77 @@
+// What a browser keeps of drawings for the page, and which of it a reload finds.
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { runnerImport } from 'vite';
+
+/** A storage that holds so many letters. */
+class Store extends Map {
+  constructor(room = Infinity) {
+    super();
+    this.room = room;
+  }
+
+  getItem(name) {
+    return this.get(name) ?? null;
+  }
+
+  setItem(name, value) {
+    const others = [...this].filter(([one]) => one !== name);
+    const taken = others.reduce((sum, [one, text]) => sum + one.length + text.length, 0);
+    if (taken + name.length + value.length > this.room) throw new Error('full');
+    this.set(name, value);
+  }
+}
+
+const linkOfPoints = (count, mesh = 'sphere:1500') =>
+  `mesh=${mesh}&kind=points&method=karcher&points=${Array.from({ length: count }, (_, i) => `${i},0.25,0.5`).join(';')}`;
+
+describe('what is kept', () => {
+  let page;
+  before(async () => {
+    globalThis.window = {};
+    const file = fileURLToPath(new URL('./kept_parts.ts', import.meta.url));
+    page = (await runnerImport(file, { configFile: false, logLevel: 'error' })).module;
+  });
+
+  /** Keeps a link's drawing as the tab of a storage does. */
+  const save = (tab, text) => {
+    globalThis.sessionStorage = tab;
+    const { drawing } = page.parseLink(text);
+    page.rememberInTab('work', page.savedWork(text, drawing, page.historyOf()));
+    page.rememberAll({ last: text, 'document.sphere:1500': text });
+  };
+
+  test('of two tabs on one surface each finds its own after a reload, of any size', () => {
+    globalThis.localStorage = new Store();
+    const [one, other, third] = [new Store(), new Store(), new Store()];
+    save(one, linkOfPoints(1200));
+    save(other, linkOfPoints(1300));
+    const found = (tab, fragment = 'mesh=sphere:1500&method=karcher&kept=1') => {
+      globalThis.sessionStorage = tab;
+      const { link, own } = page.linkOf(fragment);
+      return [page.pointsOf(link.drawing), own];
+    };
+    assert.deepEqual(found(one), [1200, true]);
+    assert.deepEqual(found(other), [1300, true]);
+    assert.deepEqual(found(third), [1300, true], 'a tab without work takes the last');
+    globalThis.localStorage.clear();
+    assert.deepEqual(found(one), [1200, true]);
+    assert.deepEqual(found(one, linkOfPoints(7)), [7, false], 'a link that says all is itself');
+    assert.deepEqual(found(third), [0, false]);
+    const elsewhere = page.linkOf('mesh=torus:5000&kept=1').link;
+    assert.deepEqual([elsewhere.mesh, page.pointsOf(elsewhere.drawing)], ['torus:5000', 0]);
+  });
+
+  test('is said to be kept only where all of it is', () => {
+    const heard = [];
+    page.onKeeping((kept) => heard.push(kept));
+    globalThis.localStorage = new Store(100);
+    const long = 'x'.repeat(200);
+    page.rememberAll({ last: long, 'document.sphere:1500': long, method: 'karcher' });
+    assert.deepEqual(heard, [false], 'the short one found room');
+    assert.equal(page.recall('method'), 'karcher');
+    page.rememberAll({ last: 'short', method: 'karcher' });
+    assert.deepEqual(heard, [false, true]);
+  });
+});
