@@ -82,6 +82,8 @@ export async function start(): Promise<void> {
     curveClicked: (tool, position, within) =>
       edits.atCurve(tool, viewer.surface!.fromScene(position), within),
     curveMeasured: (position) => measure.at(viewer.surface!.fromScene(position)),
+    anchorRemoved: (index) => edits.removeAnchor(index),
+    aimed: (words) => status.showAim(words, editor.state, session.view),
     otherClicked: (tool, id) => edits.atOther(tool, id),
     shorterClicked: (index) => shorten(index),
     moveStopped: () => showNote('The move stops where something would leave the surface.'),

@@ -1,15 +1,18 @@
 /** What the tests take of the page's parts: of one import, so that they are the same ones. */
 
+export { Bend } from '../../web/editor/bend';
 export { curveValueOf } from '../../web/editor/compute';
 export { CurveEdits } from '../../web/editor/curve_edits';
 export { Editor } from '../../web/editor/editor';
 export { Session } from '../../web/editor/session';
 export { copiedText, pastedObjects } from '../../web/model/copied';
+export { cornersOf, cubicAt, fittedCubics } from '../../web/model/cubic_fit';
 export { activeObject, emptyDrawing, othersOf } from '../../web/model/drawing';
 export { isEmpty, isSpline, knotsFit, pointsNeeded } from '../../web/model/figure';
 export { fitting, formatLink, parseLink } from '../../web/model/link';
 export { methodOptions } from '../../web/model/methods';
 export { asJoint, jointOf, withHandleAt } from '../../web/model/pen';
+export { penActionAt, penWords } from '../../web/model/pen_hints';
 export { readDrawing, savedDrawing } from '../../web/model/saved_drawing';
 export { historyOf, readWork, sameDrawing, savedWork } from '../../web/model/saved_work';
 export { curveOptions, splineOf } from '../../web/model/splines';

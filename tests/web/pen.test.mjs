@@ -118,7 +118,7 @@ describe('the pen', () => {
     await page.close();
   });
 
-  test('closes at the first anchor, ends with Escape, and a click on the curve adds an anchor', async () => {
+  test('closes at the first anchor, ends with Escape, and a double click on the curve adds an anchor', async () => {
     const tab = await drawn();
     const { page } = tab;
     const first = await tab.handle('Anchor 1 of 3');
@@ -128,7 +128,7 @@ describe('the pen', () => {
     const { curve } = await tab.view();
     assert.equal(new Set(Object.values(curve.samples.segment)).size, 3);
     const at = await tab.onCurve(0.15);
-    await page.mouse.click(at.x, at.y);
+    await page.mouse.dblclick(at.x, at.y);
     await page.waitForFunction(() => window.karcherPage.state().figure.points.length === 4);
     assert.equal((await tab.state()).selection, 1);
     const { length } = (await tab.view()).curve;
@@ -146,6 +146,68 @@ describe('the pen', () => {
     assert.equal(drawing.objects.length, 3, 'Escape ends one');
     assert.equal(figure.kind, 'pen');
     assert.equal(figure.points.length, 1);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  test('bends the curve by a drag, and removes an anchor by a double click, each one step', async () => {
+    const tab = await drawn();
+    const { page } = tab;
+    const whole = await bytesOf(tab);
+    const { points } = await penOf(tab);
+    const at = await tab.onCurve(0.25);
+    await page.mouse.move(at.x, at.y);
+    await page.locator('#stage[data-action="bend"]').waitFor();
+    assert.match(await page.locator('#hint').textContent(), /^Drag bends the curve/);
+    const to = { x: at.x - 15, y: at.y - 30 };
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 5 });
+    await page.waitForFunction(() => window.karcherPage.state().dragging);
+    await page.mouse.up();
+    await page.waitForFunction(() => !window.karcherPage.state().dragging);
+    const { polyline, tangents } = await tab.view();
+    const far = await page.evaluate(
+      ([line, { x, y }]) => {
+        let least = Infinity;
+        for (let i = 0; i < line.length; i += 3) {
+          const place = window.karcherPage.seen(line.slice(i, i + 3));
+          if (place) least = Math.min(least, Math.hypot(place.x - x, place.y - y));
+        }
+        return least;
+      },
+      [polyline, to],
+    );
+    assert.ok(far < 2, `the curve goes through the pointer, but for its samples: ${far} px`);
+    const bent = (await penOf(tab)).points;
+    for (const [i, { face, bary }] of bent.entries()) {
+      assert.deepEqual([face, bary], [points[i].face, points[i].bary], 'anchors stay');
+    }
+    const { before, after } = tangents[1];
+    assert.ok(dot(before.direction, after.direction) < -1 + 1e-9, 'smooth as before');
+    await page.keyboard.press('Control+z');
+    assert.equal(await bytesOf(tab), whole);
+
+    const own = await tab.onCurve(0.15);
+    await page.mouse.click(own.x, own.y);
+    await page.waitForFunction(() => window.karcherPage.state().selection === 0);
+    assert.equal(await bytesOf(tab), whole, 'a click selects the nearer anchor');
+    const anchor = await tab.handle('Anchor 2 of 3');
+    await page.mouse.move(anchor.x, anchor.y);
+    await page.locator('#stage[data-action="anchor"]').waitFor();
+    await page.mouse.dblclick(anchor.x, anchor.y);
+    await page.waitForFunction(() => window.karcherPage.state().figure.points.length === 2);
+    await page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(await bytesOf(tab), whole);
+
+    await page.keyboard.down('Alt');
+    const corner = await tab.handle('Anchor 2 of 3');
+    await page.mouse.move(corner.x + 1, corner.y);
+    await page.locator('#stage[data-action="convert"]').waitFor();
+    await page.mouse.click(corner.x + 1, corner.y);
+    await page.keyboard.up('Alt');
+    await tab.settled();
+    assert.equal((await penOf(tab)).points[1].tangents, undefined, 'a corner');
     assert.deepEqual(tab.logged, []);
     await page.close();
   });

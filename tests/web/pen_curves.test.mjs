@@ -3,30 +3,17 @@ import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { openPage } from './engine_in_node.mjs';
 import { randoms, seed } from './part.mjs';
+import {
+  bernstein,
+  drawPen,
+  far,
+  placeOn,
+  pointAt,
+  roughPlane,
+  segmentsOf,
+  vector,
+} from './pen_plane.mjs';
 
-/** A square of side 1 in triangles of all shapes: the corners of a grid, moved about. */
-function roughPlane(cells, random) {
-  const positions = [];
-  const triangles = [];
-  for (let j = 0; j <= cells; j++) {
-    for (let i = 0; i <= cells; i++) {
-      const inner = i > 0 && i < cells && j > 0 && j < cells;
-      const [dx, dy] = inner ? [random() - 0.5, random() - 0.5] : [0, 0];
-      positions.push((i + 0.7 * dx) / cells, (j + 0.7 * dy) / cells, 0);
-    }
-  }
-  for (let j = 0; j < cells; j++) {
-    for (let i = 0; i < cells; i++) {
-      const at = j * (cells + 1) + i;
-      triangles.push(at, at + 1, at + cells + 2, at, at + cells + 2, at + cells + 1);
-    }
-  }
-  return { positions: Float64Array.from(positions), triangles: Int32Array.from(triangles) };
-}
-
-const add = (p, q, factor = 1) => p.map((value, axis) => value + factor * q[axis]);
-const far = (p, q) => Math.hypot(...add(p, q, -1));
-const bernstein = (t) => [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t ** 2 * (1 - t), t ** 3];
 const angleBetween = (a, b) => {
   const cosine = a.reduce((sum, value, axis) => sum + value * b[axis], 0);
   return (Math.acos(Math.min(1, cosine / (Math.hypot(...a) * Math.hypot(...b)))) * 180) / Math.PI;
@@ -36,65 +23,11 @@ describe('curves of the pen', () => {
   const numbers = randoms(seed);
   const random = () => numbers.next().value;
   let plane;
-  let placeOf;
+  const arrays = roughPlane(12, random);
+  const placeOf = placeOn(arrays);
   before(async () => {
-    const arrays = roughPlane(12, random);
     plane = await openPage(arrays);
-    placeOf = ({ face, bary }) =>
-      [0, 1, 2].map((axis) =>
-        bary.reduce(
-          (sum, weight, i) =>
-            sum + weight * arrays.positions[3 * arrays.triangles[3 * face + i] + axis],
-          0,
-        ),
-      );
   });
-
-  /** The surface's point at a place of the plane, as the engine finds it. */
-  async function pointAt(page, x, y) {
-    const start = { face: 0, bary: [1 / 3, 1 / 3, 1 / 3] };
-    const [dx, dy] = add([x, y, 0], placeOf(start), -1);
-    const { end } = await page.session.client.mesh.straightest(
-      start,
-      [dx, dy, 0],
-      Math.hypot(dx, dy),
-    );
-    return end;
-  }
-
-  const vector = (x, y) => {
-    const length = Math.hypot(x, y);
-    return { direction: [x / length, y / length, 0], length };
-  };
-
-  async function draw(page, points, settings = {}) {
-    const { editor, emptyDrawing, activeObject } = page;
-    const { figure } = activeObject(emptyDrawing);
-    const pen = { ...figure, kind: 'pen', points, settings: { ...figure.settings, ...settings } };
-    editor.draw({ objects: [{ ...activeObject(emptyDrawing), figure: pen }], active: 1 });
-    return page.settled();
-  }
-
-  /** The control points of each segment as the figure tells them, on a plane. */
-  function segmentsOf(points, closed) {
-    const handle = ({ tangents, ...point }, side) => {
-      const at = placeOf(point);
-      const told = tangents?.[side];
-      if (!told) return at;
-      if (told.direction) return add(at, told.direction, told.length);
-      if (told.face !== undefined) return placeOf(told);
-      const lead = tangents[side === 'before' ? 'after' : 'before'];
-      const back = lead.direction ?? add(placeOf(lead), at, -1);
-      const size = Math.hypot(...back);
-      const whole = lead.length ?? size;
-      return add(at, back, -(told.length ?? whole) / size);
-    };
-    const count = points.length - (closed ? 0 : 1);
-    return Array.from({ length: count }, (_, i) => {
-      const [from, to] = [points[i], points[(i + 1) % points.length]];
-      return [placeOf(from), handle(from, 'after'), handle(to, 'before'), placeOf(to)];
-    });
-  }
 
   function worstOffPlane({ curve }, segments) {
     const { count, segment, t, position } = curve.samples;
@@ -118,9 +51,9 @@ describe('curves of the pen', () => {
   ];
 
   async function anchors(page) {
-    const places = await Promise.all(spots.map(([x, y]) => pointAt(page, x, y)));
+    const places = await Promise.all(spots.map(([x, y]) => pointAt(page, arrays, x, y)));
     const size = () => 0.02 + 0.1 * random();
-    const handle = await pointAt(page, 0.7, 0.5);
+    const handle = await pointAt(page, arrays, 0.7, 0.5);
     return [
       { ...places[0], tangents: { after: vector(size(), size()) } },
       { ...places[1], tangents: { after: vector(size(), -size()), before: { length: size() } } },
@@ -132,9 +65,9 @@ describe('curves of the pen', () => {
   for (const closed of [false, true]) {
     test(`are cubic Bézier curves on a plane, ${closed ? 'closed' : 'open'}`, async (t) => {
       const points = await anchors(plane);
-      const view = await draw(plane, points, { closed });
+      const view = await drawPen(plane, points, { closed });
       assert.equal(view.problem, null);
-      const segments = segmentsOf(points, closed);
+      const segments = segmentsOf(arrays, points, closed);
       assert.equal(new Set(view.curve.samples.segment).size, segments.length);
       const off = worstOffPlane(view, segments);
       t.diagnostic(`farthest from the planar cubic: ${off.toExponential(1)} of the side`);
@@ -143,16 +76,16 @@ describe('curves of the pen', () => {
   }
 
   test('of corners alone are straight, and of one anchor none', async () => {
-    const places = await Promise.all(spots.map(([x, y]) => pointAt(plane, x, y)));
-    const { curve } = await draw(plane, places);
+    const places = await Promise.all(spots.map(([x, y]) => pointAt(plane, arrays, x, y)));
+    const { curve } = await drawPen(plane, places);
     const length = spots.slice(1).reduce((sum, spot, i) => sum + far(spot, spots[i]), 0);
     assert.ok(Math.abs(curve.length - length) <= 1e-9, `${curve.length} ${length}`);
-    assert.equal((await draw(plane, places.slice(0, 1))).curve, null);
+    assert.equal((await drawPen(plane, places.slice(0, 1))).curve, null);
   });
 
   test('keep their shape on a plane where an anchor is put in', async () => {
     const points = await anchors(plane);
-    const before = await draw(plane, points);
+    const before = await drawPen(plane, points);
     const { position, segment } = before.curve.samples;
     const half = segment.indexOf(1) + Math.floor(segment.filter((one) => one === 1).length / 3);
     const near = Array.from(position.subarray(3 * half, 3 * half + 3));
@@ -162,7 +95,7 @@ describe('curves of the pen', () => {
     assert.equal(more.length, 5);
     assert.equal(plane.editor.state.selection, 2);
     assert.ok(far(placeOf(more[2]), near) < 1e-9);
-    const old = segmentsOf(points, false)[1];
+    const old = segmentsOf(arrays, points, false)[1];
     const places = Array.from({ length: 200 }, (_, i) =>
       [0, 1, 2].map((axis) =>
         bernstein(i / 199).reduce((sum, weight, k) => sum + weight * old[k][axis], 0),
@@ -186,7 +119,7 @@ describe('curves of the pen', () => {
   test('have handles that stay opposite at smooth anchors, and keep their lengths', async () => {
     const { withHandleAt, asJoint, jointOf } = plane;
     const points = await anchors(plane);
-    const { tangents: drawn } = await draw(plane, points);
+    const { tangents: drawn } = await drawPen(plane, points);
     const to = vector(0.03, 0.02);
     const [, smooth, symmetric, corner] = points.map(({ tangents }) => tangents);
     assert.deepEqual([smooth, symmetric, corner].map(jointOf), ['smooth', 'symmetric', 'corner']);
@@ -197,7 +130,7 @@ describe('curves of the pen', () => {
       [symmetric, 2],
     ]) {
       const changed = points.with(i, { ...points[i], tangents: dragged(tangents, i) });
-      const now = (await draw(plane, changed)).tangents[i];
+      const now = (await drawPen(plane, changed)).tangents[i];
       assert.ok(far(now.before.direction, to.direction) < 1e-12);
       assert.ok(angleBetween(now.before.direction, now.after.direction) > 180 - 1e-5);
       const length = i === 1 ? drawn[1].after.length : to.length;
@@ -227,7 +160,7 @@ describe('curves of the pen', () => {
       },
     }));
     const { editor, session } = page;
-    const view = await draw(page, points);
+    const view = await drawPen(page, points);
     assert.equal(view.problem, null);
     const options = page.methodOptions(editor.state.method);
     const value = await page.curveValueOf(session.client, editor.state.figure, options);

@@ -77,7 +77,8 @@ async function acrossRadius(
   return Math.max(least, reachAlong(to.radius, to.direction, direction));
 }
 
-function cornersOf(client: EngineClient, face: number): [Vector, Vector, Vector] {
+/** Where the corners of a face are. */
+export function cornersOf(client: EngineClient, face: number): [Vector, Vector, Vector] {
   const [positions, triangles] = [client.positions(), client.triangles()];
   const corner = (i: number) => {
     const at = 3 * triangles[3 * face + i]!;

@@ -15,6 +15,7 @@ import { withAnchorAt } from '../model/pen';
 import { splineOf, withSpline } from '../model/splines';
 import type { Edit } from '../worker/edits';
 import type { CurveTool, Editor, Selection, State } from './editor';
+import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
 
 /** How often an edit is begun anew because another one, as a drag, overtook it. */
@@ -64,6 +65,8 @@ export class CurveEdits {
 
   /** Removes the selected control point, or the circle. */
   removeSelected(): Promise<void> {
+    const { figure, selection } = this.editor.state;
+    if (figure.kind === 'pen' && typeof selection === 'number') return this.removeAnchor(selection);
     return this.#edit((figure) => {
       const { selection } = this.editor.state;
       if (selection === null) return null;
@@ -75,6 +78,19 @@ export class CurveEdits {
       const left = figure.points.length - 1;
       const next = left === 0 ? null : Math.min(selection, left - 1);
       return { command: { type: 'remove', index: selection, point }, selection: next };
+    });
+  }
+
+  /** Removes an anchor of the pen; the curve stays as near to what it was as it can. */
+  removeAnchor(index: number): Promise<void> {
+    return this.#inOrder(async () => {
+      const { figure } = this.editor.state;
+      const { client } = this.session;
+      if (!client || !figure.points[index] || this.editor.refuses()) return;
+      const to = await withoutAnchor(client, figure, index);
+      if (this.editor.state.figure !== figure) return;
+      const left = to.points.length;
+      this.editor.replace(to, left === 0 ? null : Math.min(index, left - 1));
     });
   }
 

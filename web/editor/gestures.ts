@@ -4,6 +4,7 @@ import { byRadii, newCircle, withHandle } from '../model/circle';
 import { type CircleShape, isRound, type Vector } from '../model/figure';
 import type { FigureCommand } from '../model/figure_commands';
 import type { DrawnTangents, Joint } from '../model/pen';
+import { type PenAction, penActionAt, penWords, type UnderPointer } from '../model/pen_hints';
 import { Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
@@ -38,6 +39,10 @@ export interface CurveClicks {
   curveClicked(tool: CurveTool, position: Vector3, within: number): void;
   /** The pointer is over the curve that is measured, or a click was there. */
   curveMeasured(position: Vector3): void;
+  /** An anchor of the pen, by its number. */
+  anchorRemoved(index: number): void;
+  /** What the pointer does where it is, in words; empty where that is not told. */
+  aimed(words: string): void;
   /** Another object, by its id. */
   otherClicked(tool: CurveTool, id: number): void;
   /** By its number in the view. */
@@ -53,8 +58,16 @@ interface Grabbed {
   circle: CircleShape | null;
   /** Of an anchor of the pen. */
   tangents: DrawnTangents;
-  /** Whether a click there, as one on the first anchor, closes the curve. */
-  closes: boolean;
+  /** What a click on an anchor of the pen does. */
+  action: PenAction | null;
+}
+
+/** What of the pen a handle is, by its id. */
+function underHandle(id: string): UnderPointer | null {
+  const tangent = tangentOf(id);
+  if (tangent) return { type: 'handle', side: tangent.side };
+  const index = selectionOf(id);
+  return typeof index === 'number' && !Number.isNaN(index) ? { type: 'anchor', index } : null;
 }
 
 /** Turns what the pointer and the keys do on the stage into commands. */
@@ -67,6 +80,9 @@ export class Gestures {
   readonly #moves: MoveGestures;
   #pointers = 0;
   #hover: { x: number; y: number } | null = null;
+  /** Whether the pointer is over the stage, and over which handle of the pen. */
+  #isOver = false;
+  #overHandle: UnderPointer | null = null;
   #drag: { id: string; x: number; y: number } | null = null;
   #frame = 0;
 
@@ -124,7 +140,17 @@ export class Gestures {
     stage.addEventListener('pointermove', (event) => this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#up(event));
     stage.addEventListener('pointercancel', () => this.#lift());
-    stage.addEventListener('pointerleave', () => this.#aim(null));
+    stage.addEventListener('pointerleave', () => {
+      this.#isOver = false;
+      this.#aim(null);
+    });
+    for (const type of ['keydown', 'keyup'] as const) {
+      window.addEventListener(type, ({ key, altKey }) => {
+        if (key !== 'Alt') return;
+        this.#keys.alt = altKey;
+        this.#schedule();
+      });
+    }
     stage.addEventListener('dblclick', (event) => this.#doubleClick(event));
     stage.addEventListener('keydown', (event) => this.#stageKey(event));
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -145,6 +171,8 @@ export class Gestures {
     this.#showTangents();
     const { center } = view;
     this.#handles.showCenter(surface && center ? surface.position(center.point) : null);
+    // What is under the pointer may be something else now.
+    if (this.#hover) this.#schedule();
   }
 
   /** The selected anchor's handles are joined with it. */
@@ -205,6 +233,8 @@ export class Gestures {
     }
     const hovers = event.pointerType !== 'touch' && event.buttons === 0;
     const free = event.target === this.stage || event.target instanceof HTMLCanvasElement;
+    this.#isOver = event.pointerType !== 'touch';
+    this.#overHandle = this.#underPointer(event.target);
     this.#aim(hovers && free ? { x: event.clientX, y: event.clientY } : null);
   }
 
@@ -230,6 +260,7 @@ export class Gestures {
     this.#frame ||= requestAnimationFrame(() => {
       this.#frame = 0;
       const target = this.#hover && this.#target({ ...this.#hover, touch: false });
+      this.#showAction(target);
       this.stage.classList.toggle('aiming', target?.type === 'surface');
       this.stage.classList.toggle(
         'choosing',
@@ -244,13 +275,32 @@ export class Gestures {
     });
   }
 
+  /** What of the pen's handles an element is. */
+  #underPointer(element: EventTarget | null): UnderPointer | null {
+    const handle = element instanceof Element ? element.closest('.handle') : null;
+    return handle instanceof HTMLElement ? underHandle(handle.dataset.id ?? '') : null;
+  }
+
+  /** Tells what the pen would do where the pointer is. */
+  #showAction(target: Target | null): void {
+    const { figure, tool } = this.editor.state;
+    const isPen = figure.kind === 'pen' && this.#isOver;
+    const drawsThere =
+      tool === 'insert' && (target?.type === 'surface' || target?.type === 'curve');
+    const under = this.#overHandle ?? (drawsThere ? { type: target.type } : null);
+    const action = isPen && under ? penActionAt(under, this.#pen.state(this.#keys.alt)) : null;
+    if (action) this.stage.dataset.action = action;
+    else delete this.stage.dataset.action;
+    this.events.aimed(action ? penWords[action] : '');
+  }
+
   #target(place: { x: number; y: number; touch: boolean }): Target | null {
     return targetAt(this.viewer, this.editor.state, place);
   }
 
-  #click(place: { x: number; y: number; touch: boolean }): void {
+  #click(place: { x: number; y: number; touch: boolean }, { byKey = false } = {}): void {
     const target = this.#target(place);
-    const { tool } = this.editor.state;
+    const { tool, figure } = this.editor.state;
     if (!target) {
       this.editor.select(null);
       this.editor.choose([]);
@@ -258,6 +308,8 @@ export class Gestures {
     } else if (target.type === 'surface') this.#put(target.pick);
     else if (target.type === 'curve' && tool === 'measure') {
       this.events.curveMeasured(target.position);
+    } else if (target.type === 'curve' && figure.kind === 'pen' && !byKey) {
+      this.#pen.selectNear(target.position);
     } else if (target.type === 'curve') {
       const pixels = place.touch ? nearKnot.touch : nearKnot.mouse;
       this.events.curveClicked(tool, target.position, this.viewer.reach(target.position, pixels));
@@ -265,10 +317,22 @@ export class Gestures {
     else this.events.otherClicked(tool, target.id);
   }
 
-  /** While objects are only selected, a double click on one goes on with drawing it. */
-  #doubleClick({ clientX: x, clientY: y }: MouseEvent): void {
-    if (this.editor.state.tool !== 'select') return;
+  /**
+   * On the curve of the pen it adds an anchor, on an anchor it removes that. While objects are only
+   * selected, one goes on to be drawn.
+   */
+  #doubleClick({ clientX: x, clientY: y, target: element }: MouseEvent): void {
+    const { tool, figure } = this.editor.state;
+    const anchor = this.#underPointer(element);
+    if (figure.kind === 'pen' && anchor?.type === 'anchor') {
+      this.events.anchorRemoved(anchor.index);
+      return;
+    }
     const target = this.#target({ x, y, touch: false });
+    if (figure.kind === 'pen' && tool === 'insert' && target?.type === 'curve') {
+      this.events.curveClicked(tool, target.position, 0);
+    }
+    if (tool !== 'select') return;
     if (target?.type === 'other' && !this.editor.refuses()) this.editor.setTool('insert');
   }
 
@@ -289,13 +353,11 @@ export class Gestures {
   }
 
   #grab(id: string, place: { x: number; y: number }): void {
-    const { figure, selection: before } = this.editor.state;
+    const { figure } = this.editor.state;
     const selection = selectionOf(id);
-    const { points, settings } = figure;
-    const last = points.length - 1;
     const isPen = figure.kind === 'pen';
-    const closes =
-      isPen && id === idOf(0) && !settings.closed && last > 0 && before === last && !this.#keys.alt;
+    const under = isPen ? underHandle(id) : null;
+    const action = under && penActionAt(under, this.#pen.state(this.#keys.alt));
     this.editor.select(selection);
     const { view } = this.session;
     const { circle } = figure;
@@ -303,7 +365,7 @@ export class Gestures {
       ...place,
       circle: circle && byRadii(circle, view.circle),
       tangents: (isPen && typeof selection === 'number' && view.tangents?.[selection]) || {},
-      closes,
+      action,
     };
   }
 
@@ -343,9 +405,11 @@ export class Gestures {
 
   #release(cancelled: boolean): void {
     this.#dragNow();
-    const closes = this.#grabbed?.closes && !this.editor.dragging;
+    const action = cancelled || this.editor.dragging ? null : this.#grabbed?.action;
+    const { selection } = this.editor.state;
     this.#grabbed = null;
-    if (closes && !cancelled) this.editor.setSettings({ closed: true });
+    if (action === 'close') this.editor.setSettings({ closed: true });
+    if (action === 'convert' && typeof selection === 'number') this.#pen.convert(selection);
     if (cancelled) this.editor.cancelDrag();
     else this.editor.commitDrag();
   }
@@ -379,7 +443,7 @@ export class Gestures {
     else if (event.key === 'Enter') {
       // With a mouse points are placed where it is: the key is left to end the curve.
       if (this.stage.classList.contains('pointed')) return;
-      this.#click({ ...middle, touch: false });
+      this.#click({ ...middle, touch: false }, { byKey: true });
     } else return;
     event.preventDefault();
     this.stage.classList.remove('pointed');

@@ -1,6 +1,5 @@
 /** Selected objects moved as a whole, by log and exponential maps at the point that is held. */
 import type { SurfacePoint } from 'karcher';
-import { Quaternion } from 'three';
 import type { Command } from '../model/commands';
 import type { DrawnObject } from '../model/drawing';
 import type { Vector } from '../model/figure';
@@ -57,12 +56,7 @@ export class Move {
     const isBack = point.face === pivot.face && `${point.bary}` === `${pivot.bary}`;
     if (isBack) return { type: 'steps', steps: [] };
     const { diagonal } = client.info;
-    const turning = new Quaternion().setFromUnitVectors(
-      surface.normal(pivot),
-      surface.normal(point),
-    );
-    const turn = (direction: Vector) =>
-      surface.directionFromScene(surface.directionInScene(direction).applyQuaternion(turning));
+    const turn = surface.carry(pivot, point);
     const found = this.logs.map(async ({ place, direction, length }) => {
       if (length === 0) return [place, point] as const;
       const way = turn(direction);

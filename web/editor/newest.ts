@@ -5,6 +5,7 @@
 export class Newest<Job> {
   #waiting: { job: Job } | null = null;
   #running = false;
+  #loopEnd: Promise<void> = Promise.resolve();
 
   constructor(
     private readonly run: (job: Job) => Promise<void>,
@@ -13,17 +14,23 @@ export class Newest<Job> {
 
   push(job: Job): void {
     this.#waiting = { job };
-    if (!this.#running) void this.#loop();
+    if (!this.#running) this.#loopEnd = this.#loop();
   }
 
   /** Looks for idle work again. */
   wake(): void {
-    if (!this.#running) void this.#loop();
+    if (!this.#running) this.#loopEnd = this.#loop();
   }
 
   /** Drops the request that waits; the running one goes on. */
   drop(): void {
     this.#waiting = null;
+  }
+
+  /** Drops the request that waits; resolves once the running one has ended. */
+  async end(): Promise<void> {
+    this.drop();
+    await this.#loopEnd;
   }
 
   get busy(): boolean {

@@ -1,6 +1,7 @@
 import type { SurfacePoint } from 'karcher';
-import { Quaternion, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import type { ControlPoint, Vector } from '../model/figure';
+import { methodOptions } from '../model/methods';
 import {
   asJoint,
   byVectors,
@@ -11,12 +12,19 @@ import {
   withHandleAt,
   withTangents,
 } from '../model/pen';
+import { bends, goesOn, type PenState } from '../model/pen_hints';
+import { segmentAt } from '../model/pen_shape';
 import type { Viewer } from '../viewer/viewer';
+import { Bend } from './bend';
 import type { Editor } from './editor';
+import { Newest } from './newest';
 import type { Session } from './session';
 import type { Hold, Place } from './stage_pointer';
 import { targetAt } from './targets';
 
+/** How often a bend is corrected at each step of a drag, and at its end. */
+const whileDragged = 1;
+const atLast = 8;
 /** With Shift held handles keep to multiples of this angle. */
 const angleStep = Math.PI / 4;
 
@@ -37,18 +45,34 @@ export class PenGestures {
     private readonly viewer: Viewer,
   ) {}
 
-  /** Places an anchor where the surface is pressed. */
+  /** Places an anchor where the surface is pressed, or bends the curve. */
   take(press: Place): Hold | null {
     const { editor, viewer } = this;
-    const { figure, tool, selection } = editor.state;
+    const { figure, tool } = editor.state;
     if (figure.kind !== 'pen' || tool !== 'insert' || press.shift || press.control) return null;
     const target = targetAt(viewer, editor.state, press);
-    if (target?.type !== 'surface') return null;
-    // Where nothing is selected the curve has ended.
-    const goesOn = editor.isOpen && !figure.settings.closed && selection !== null;
-    if (figure.points.length > 0 && !goesOn) editor.begin('pen');
+    if (target?.type === 'surface') return this.#place(target.pick.point);
+    const isBent = target?.type === 'curve' && bends(this.state(press.alt));
+    return isBent ? this.#bend(target.position) : null;
+  }
+
+  /** What a click or a drag of the pen depends on. */
+  state(alt: boolean): PenState {
+    const { figure, selection, chosen, drawing } = this.editor.state;
+    return {
+      anchors: figure.points.length,
+      closed: figure.settings.closed,
+      selected: typeof selection === 'number' ? selection : null,
+      chosen: chosen.includes(drawing.active),
+      alt,
+    };
+  }
+
+  #place(anchor: SurfacePoint): Hold {
+    const { editor } = this;
+    const isEmpty = editor.state.figure.points.length === 0;
+    if (!isEmpty && !(editor.isOpen && goesOn(this.state(false)))) editor.begin('pen');
     const index = editor.state.figure.points.length;
-    const { point: anchor } = target.pick;
     const place = (point: ControlPoint) => {
       editor.preview({ type: 'insert', index, point });
       editor.select(index);
@@ -65,6 +89,66 @@ export class PenGestures {
       },
       cancel: () => editor.cancelDrag(),
     };
+  }
+
+  /** A drag bends the segment that goes through a place of the scene; a click selects its nearer anchor. */
+  #bend(position: Vector3): Hold {
+    const { editor } = this;
+    const near = this.viewer.surface!.fromScene(position);
+    const { figure } = editor.state;
+    let held = true;
+    let bend: Promise<Bend | null> | null = null;
+    const go = async ({ x, y }: Place, corrections: number) => {
+      bend ??= this.#bendOf(near);
+      const point = this.viewer.pick(x, y)?.point;
+      const command = point && (await (await bend)?.through(point, corrections).catch(() => null));
+      if (held && command) editor.preview(command);
+    };
+    const newest = new Newest<Place>((place) => go(place, whileDragged));
+    return {
+      drag: (place) => newest.push(place),
+      release: async (place, dragged) => {
+        if (!dragged) return this.selectNear(position);
+        await newest.end();
+        await go(place, atLast);
+        if (held && editor.base === figure) editor.commitDrag();
+      },
+      cancel: () => {
+        held = false;
+        newest.drop();
+        editor.cancelDrag();
+      },
+    };
+  }
+
+  async #bendOf(near: Vector): Promise<Bend | null> {
+    const { figure, method } = this.editor.state;
+    const { client, view } = this.session;
+    const { surface } = this.viewer;
+    const { tangents } = view;
+    const measured = await this.session.measured(near);
+    if (!measured || !client || !surface || !tangents) return null;
+    const at = segmentAt(figure, measured.parameter);
+    return Bend.of(client, surface, figure, tangents, methodOptions(method), at).catch(() => null);
+  }
+
+  /** Selects the nearer anchor of the segment that goes through a place of the scene. */
+  async selectNear(position: Vector3): Promise<void> {
+    const near = this.viewer.surface!.fromScene(position);
+    const { figure } = this.editor.state;
+    const measured = await this.session.measured(near);
+    if (!measured || this.editor.state.figure !== figure) return;
+    const { from, to, t } = segmentAt(figure, measured.parameter);
+    this.editor.select(t < 0.5 ? from : to);
+  }
+
+  /** Makes a corner of an anchor with handles, and of one without a smooth one. */
+  convert(index: number): void {
+    const { figure } = this.editor.state;
+    const from = figure.points[index];
+    if (!from) return;
+    const tangents = from.tangents ? undefined : this.#alongChord(index);
+    this.editor.run({ type: 'change', index, from, to: withTangents(from, tangents) }, index);
   }
 
   /** The handle of an anchor at a place of the window; null past the silhouette. */
@@ -104,14 +188,8 @@ export class PenGestures {
     { alt }: HeldKeys,
   ): ControlPoint {
     if (alt) return withTangents(anchor, { after: point, before: { length: null } });
-    const surface = this.viewer.surface!;
-    const turn = new Quaternion().setFromUnitVectors(surface.normal(anchor), surface.normal(point));
-    const turned = (direction: Vector) =>
-      surface.directionFromScene(surface.directionInScene(direction).applyQuaternion(turn));
-    return withTangents(
-      { ...anchor, ...point },
-      byVectors(anchor.tangents, drawn, (direction) => turned(direction)),
-    );
+    const carried = this.viewer.surface!.carry(anchor, point);
+    return withTangents({ ...anchor, ...point }, byVectors(anchor.tangents, drawn, carried));
   }
 
   /** Makes the selected anchor, or else all of them, corners or smooth. */

@@ -155,6 +155,23 @@ export function penOptions(
 
 const placeOf = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 
+/** An anchor with one of its handles of another length; the other handle stays as it is. */
+export function withHandleLength(
+  anchor: ControlPoint,
+  drawn: DrawnTangents,
+  side: Side,
+  length: number,
+): ControlPoint {
+  const found = drawn[side];
+  if (!found) return anchor;
+  const kept = asJoint(anchor.tangents, drawn, 'corner');
+  const other = otherSide(side);
+  const smooth = jointOf(anchor.tangents) !== 'corner';
+  const opposite = smooth && drawn[other] ? { [other]: { length: drawn[other].length } } : {};
+  const { direction } = found;
+  return withTangents(anchor, { ...kept, [side]: { direction, length }, ...opposite });
+}
+
 /**
  * The anchors with one put in where the curve goes through a place at a parameter: by de Casteljau's
  * algorithm, so that on a plane the curve is the same. `derivative` is the curve's there.
@@ -172,16 +189,9 @@ export function withAnchorAt(
   const speed = Math.hypot(...derivative);
   const direction = derivative.map((value) => value / (speed || 1)) as Vector;
   const shortened = (index: number, side: Side, part: number): ControlPoint => {
-    const point = points[index]!;
     const found = drawn[index]?.[side];
-    if (!found) return point;
-    const kept = asJoint(point.tangents, drawn[index]!, 'corner');
-    const smooth = jointOf(point.tangents) !== 'corner';
-    const shorter = { direction: found.direction, length: part * found.length };
-    const other = otherSide(side);
-    const length = drawn[index]?.[other]?.length;
-    const opposite = smooth && length !== undefined ? { [other]: { length } } : {};
-    return withTangents(point, { ...kept, [side]: shorter, ...opposite });
+    if (!found) return points[index]!;
+    return withHandleLength(points[index]!, drawn[index]!, side, part * found.length);
   };
   const put = withTangents(place, {
     after: { direction, length: ((1 - t) * speed) / 3 },

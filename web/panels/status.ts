@@ -6,6 +6,7 @@ import { type Shift, unseenShift } from '../editor/shift';
 import { isEmpty, isRound, type Kind, parameterOf, pointsNeeded } from '../model/figure';
 import type { LostReason } from '../model/lost';
 import type { Quality } from '../model/methods';
+import { penWords } from '../model/pen_hints';
 import type { Measured } from '../model/traced';
 import { byId, formatCount, formatInteger } from './elements';
 import { countLost, reasons } from './lost_panel';
@@ -29,6 +30,7 @@ export class Status {
   readonly #notice = byId('notice');
   #timer = 0;
   #measured: Measured | null = null;
+  #aim = '';
 
   readonly #slider: HTMLInputElement;
 
@@ -96,10 +98,17 @@ export class Status {
     this.showHint(state, view);
   }
 
+  /** Says what the pointer does where it is, unless there is something else to say. */
+  showAim(words: string, state: State, view: View): void {
+    if (words === this.#aim) return;
+    this.#aim = words;
+    this.showHint(state, view);
+  }
+
   showHint(state: State, view: View): void {
     // What is measured has the room.
     const selection = state.tool === 'measure' ? null : state.selection;
-    const hint = hintOf(state, view, this.#measured);
+    const hint = hintOf(state, view, this.#measured) || this.#aim;
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
     byId('shorten').hidden = hint === '' || hint !== shorterHint(view);
@@ -132,7 +141,7 @@ function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | 
   if (tool === 'select' && isEmpty(figure)) return view.others.length > 0 ? '' : drawHint;
   if (view.center) return centerHint(view.center);
   if (isRound(kind)) return circle ? '' : 'Click the surface to place the center';
-  if (points.length === 0 && kind === 'pen') return penHint;
+  if (points.length === 0 && kind === 'pen') return penWords.begin;
   if (points.length === 0) {
     return `Click the surface to place a ${kind === 'center' || kind === 'points' ? '' : 'control '}point`;
   }
@@ -142,7 +151,6 @@ function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | 
 }
 
 const drawHint = 'Choose a tool to draw';
-const penHint = 'Click to place a corner, or drag to draw a smooth anchor';
 
 /** Of legs that were drawn out by a drag. */
 function shorterHint({ shorter }: View): string {

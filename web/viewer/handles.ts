@@ -159,6 +159,7 @@ export class Handles {
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'handle';
+    button.dataset.id = id;
     button.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || this.#held || this.severalFingers()) return;
       // The view's controls listen on the stage: a drag of a handle is none of theirs.

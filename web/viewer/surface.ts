@@ -9,6 +9,7 @@ import {
   Group,
   Mesh,
   MeshBasicMaterial,
+  Quaternion,
   type Ray,
   ShaderMaterial,
   Vector3,
@@ -199,6 +200,13 @@ export class Surface {
   /** A direction of the scene in the surface's coordinates. */
   directionFromScene(direction: Vector3): Vector {
     return directionFromScene(this.frame.up, direction.toArray());
+  }
+
+  /** How directions at a point go along to another one: turned as the normal turns. */
+  carry(from: SurfacePoint, to: SurfacePoint): (direction: Vector) => Vector {
+    const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(to));
+    return (direction) =>
+      this.directionFromScene(this.directionInScene(direction).applyQuaternion(turning));
   }
 
   /**

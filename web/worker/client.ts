@@ -2,6 +2,7 @@ import type {
   Circle,
   CircleOptions,
   CurveOptions,
+  CurvePoint,
   EllipseOptions,
   IsolineOptions,
   LongWorkOptions,
@@ -164,6 +165,16 @@ export class EngineClient {
       curve.lengthAt(parameter),
     );
     return { parameter, point, position, length, wholeLength: view.length, tangent };
+  }
+
+  /** Where a curve that is no object's is at a parameter. */
+  async placeOn(value: CurveOptions, parameter: number): Promise<CurvePoint> {
+    const curve = await this.mesh.curve(value);
+    try {
+      return await curve.pointAt(parameter);
+    } finally {
+      void curve.dispose();
+    }
   }
 
   /** What an edit makes of the curve of a value, which is the object's from then on. */

@@ -1,0 +1,68 @@
+/** What the pointer does where it is, while a curve of the pen is drawn: told by a cursor and in words. */
+import type { Side } from './pen';
+
+export type PenAction =
+  | 'begin'
+  | 'add'
+  | 'bend'
+  | 'move'
+  | 'close'
+  | 'anchor'
+  | 'convert'
+  | 'handle'
+  | 'break';
+
+/** What is under the pointer. */
+export type UnderPointer =
+  | { type: 'surface' }
+  | { type: 'curve' }
+  | { type: 'anchor'; index: number }
+  | { type: 'handle'; side: Side };
+
+export interface PenState {
+  /** How many anchors there are. */
+  anchors: number;
+  closed: boolean;
+  /** The number of the anchor that is selected. */
+  selected: number | null;
+  /** Whether the object is selected as a whole. */
+  chosen: boolean;
+  alt: boolean;
+}
+
+/** Whether a click on the surface goes on with the curve; where nothing is selected it has ended. */
+export const goesOn = ({ anchors, closed, selected }: PenState) =>
+  anchors > 0 && !closed && selected !== null;
+
+/** Whether a click on an anchor closes the curve. */
+export const closesAt = (index: number, { anchors, closed, selected, alt }: PenState) =>
+  index === 0 && !closed && anchors > 1 && selected === anchors - 1 && !alt;
+
+/** Whether a drag of the curve bends it; one that is selected as a whole is moved. */
+export const bends = ({ chosen, selected }: PenState) => !chosen || selected !== null;
+
+export function penActionAt(under: UnderPointer, state: PenState): PenAction {
+  switch (under.type) {
+    case 'surface':
+      return goesOn(state) ? 'add' : 'begin';
+    case 'curve':
+      return bends(state) ? 'bend' : 'move';
+    case 'anchor':
+      if (closesAt(under.index, state)) return 'close';
+      return state.alt ? 'convert' : 'anchor';
+    case 'handle':
+      return state.alt ? 'break' : 'handle';
+  }
+}
+
+export const penWords: Record<PenAction, string> = {
+  begin: 'Click to place a corner, or drag to draw a smooth anchor',
+  add: 'Click adds a corner, drag a smooth anchor; Enter ends the curve',
+  bend: 'Drag bends the curve, double click adds an anchor',
+  move: 'Drag moves the curve, click selects an anchor',
+  close: 'Click closes the curve',
+  anchor: 'Drag moves the anchor, double click removes it, Alt click makes it a corner or smooth',
+  convert: 'Click makes the anchor a corner or smooth, drag draws new handles',
+  handle: 'Drag shapes the curve, Shift keeps to 45°, Alt breaks the handles apart',
+  break: 'Drag moves this handle alone',
+};

@@ -1,0 +1,90 @@
+/** What is done to the shape of a curve of the pen between its anchors: bent, and made of fewer. */
+import { type Cubic, cubicAt, nearestCubic, type Planar } from './cubic_fit';
+import type { Figure, Vector } from './figure';
+import { type DrawnTangents, type Side, type Tangent, withHandleAt, withTangents } from './pen';
+
+/** A place between two anchors. */
+export interface OnSegment {
+  /** The numbers of the segment's anchors. */
+  from: number;
+  to: number;
+  /** From 0 to 1 between them. */
+  t: number;
+}
+
+/** The segment of a parameter of the whole curve. */
+export function segmentAt({ points }: Figure, parameter: number): OnSegment {
+  const from = Math.min(Math.floor(parameter), points.length - 1);
+  return { from, to: (from + 1) % points.length, t: parameter - from };
+}
+
+/**
+ * How far both handles of a segment go for each unit that its place at a parameter goes: the least
+ * that takes it there.
+ */
+export function bendingParts(t: number): [number, number] {
+  const [first, second] = [3 * t * (1 - t) ** 2, 3 * t ** 2 * (1 - t)];
+  const whole = first ** 2 + second ** 2;
+  return [first / whole, second / whole];
+}
+
+/** A tangent vector as a handle's; null where it has no length. */
+export function handleOf(vector: Vector): Tangent | null {
+  const length = Math.hypot(...vector);
+  if (!(length > 0)) return null;
+  return { direction: vector.map((value) => value / length) as Vector, length };
+}
+
+/** The figure with the handles of a segment moved by vectors at their anchors; smooth ones stay so. */
+export function withBentSegment(
+  figure: Figure,
+  drawn: readonly DrawnTangents[],
+  { from, to }: OnSegment,
+  [first, second]: readonly [Vector, Vector],
+): Figure {
+  const bent = (index: number, side: Side, by: Vector) => {
+    const anchor = figure.points[index]!;
+    const found = drawn[index]?.[side];
+    const vector = by.map((value, axis) =>
+      found ? value + found.length * found.direction[axis]! : value,
+    ) as Vector;
+    const handle = handleOf(vector);
+    if (!handle) return anchor;
+    const options = { broken: false };
+    const handles = withHandleAt(anchor.tangents, drawn[index] ?? {}, side, handle, options);
+    return withTangents(anchor, handles);
+  };
+  const points = figure.points.with(from, bent(from, 'after', first));
+  return { ...figure, points: points.with(to, bent(to, 'before', second)) };
+}
+
+/** How many places of each of two segments the one in their place is held to. */
+const placesHeld = 24;
+
+/**
+ * The one curve in place of two that follow each other, with these directions into it from its ends.
+ * Of the halves of one curve it is that one.
+ */
+export function mergedCubic(
+  first: Cubic,
+  second: Cubic,
+  directions: { start: Planar | null; end: Planar | null },
+): Cubic {
+  const far = (p: Planar, q: Planar) => Math.hypot(p[0] - q[0], p[1] - q[1]);
+  const [before, after] = [far(first[2], first[3]), far(second[0], second[1])];
+  const [chord, next] = [far(first[0], first[3]), far(second[0], second[3])];
+  // De Casteljau's algorithm divides the handles of the anchor that goes as it does the parameter.
+  const split = before > 0 && after > 0 ? before / (before + after) : chord / (chord + next || 1);
+  const places = Array.from({ length: placesHeld + 1 }, (_, i) => i / placesHeld);
+  const parameters = [
+    ...places.map((t) => t * split),
+    ...places.slice(1).map((t) => split + t * (1 - split)),
+  ];
+  const points = [
+    ...places.map((t) => cubicAt(first, t)),
+    ...places.slice(1).map((t) => cubicAt(second, t)),
+  ];
+  const unit = Math.max(chord, next, before, after, Number.MIN_VALUE);
+  const tolerances = points.map(() => unit);
+  return nearestCubic(points, directions, tolerances, parameters).cubic;
+}
