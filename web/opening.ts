@@ -45,6 +45,8 @@ type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 export class Opening {
   #running: AbortController | null = null;
   #restarts = 0;
+  /** How often another way to show the file was chosen: only the last one counts. */
+  #turns = 0;
   #complaint: HTMLElement | null = null;
   /** Curves on files that this browser does not have, as links: shown once their file is opened. */
   readonly #awaited = new Map<string, string>();
@@ -115,10 +117,11 @@ export class Opening {
    * axis up, which keeps the curve.
    */
   async reread(key: string): Promise<void> {
+    const turn = ++this.#turns;
     const shown = this.editor.state.mesh;
     const [before, after] = [readingOf(shown), readingOf(key)];
     if (!before || !after || key === shown) return;
-    if (`${before.parts}` === `${after.parts}`) return this.#turn(key);
+    if (`${before.parts}` === `${after.parts}`) return this.#turn(key, () => turn === this.#turns);
     const file = keyOfFile(key);
     const bytes =
       (await keptFile(file)) ??
@@ -127,13 +130,15 @@ export class Opening {
     else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
   }
 
-  /** Shows the surface that is shown as another key's, with that key's axis up. */
-  async #turn(key: string): Promise<void> {
+  /** Shows the surface that is shown as another key's, with that key's axis up, if that is still wanted. */
+  async #turn(key: string, wanted: () => boolean): Promise<void> {
     const [client, viewer] = [this.session.client, this.#viewer];
     if (!client || !viewer) return;
-    const { drawing, standIn } = this.editor.state;
     const drawn = await drawnGeometry(drawnMesh(client, key));
-    if (client !== this.session.client) return;
+    if (client !== this.session.client || !wanted()) return;
+    this.editor.cancelDrag();
+    // As it is by now: it may have been edited in the meantime.
+    const { drawing, standIn } = this.editor.state;
     const { triangles } = viewer.showSurface(drawn);
     viewer.resetView({ animated: false });
     this.#showDrawing(key, drawing, triangles, standIn);
@@ -159,8 +164,12 @@ export class Opening {
       this.#complain(`The link asks for a surface '${mesh}', which this page does not have.`);
       return false;
     }
-    if (mesh === this.editor.state.mesh && this.session.client) {
-      if (method && (await this.prepare(method))) this.editor.setMethod(method);
+    const { client } = this.session;
+    if (client && mesh === this.editor.state.mesh) {
+      if (method && !(await this.prepare(method))) return false;
+      // Another surface may have been opened in the meantime.
+      if (client !== this.session.client || mesh !== this.editor.state.mesh) return false;
+      if (method) this.editor.setMethod(method);
       this.#replace(wantedOf(link)(this.#viewer!.surface!));
       return true;
     }

@@ -1,0 +1,98 @@
+// What is done while the page waits for its workers is not undone by what it waited for.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { everyFile } from '../wasm/mesh_files.mjs';
+import { openBrowser, Tab } from './browser.mjs';
+
+/** A cone that stands on z = 0, without a sole; its tip is the last vertex. */
+const ring = Array.from({ length: 60 }, (_, i) => (Math.PI * i) / 30);
+const cone = {
+  positions: [...ring.flatMap((t) => [Math.cos(t), Math.sin(t), 0]), 0, 0, 3],
+  faces: ring.map((_, i) => [i, (i + 1) % 60, 60]),
+};
+
+describe('while the page waits', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+    // What is asked of workers whose script's name has the letters of `window.holds` waits.
+    await browser.context.addInitScript(() => {
+      window.holds = '';
+      window.held = [];
+      window.Worker = class extends Worker {
+        #name;
+
+        constructor(address, options) {
+          super(address, options);
+          this.#name = `${address}`;
+        }
+
+        postMessage(...message) {
+          const send = () => super.postMessage(...message);
+          if (window.holds && this.#name.includes(window.holds)) window.held.push(send);
+          else send();
+        }
+      };
+    });
+  });
+  after(() => browser.close());
+
+  const hold = (tab, name) =>
+    tab.page.evaluate((holds) => {
+      window.holds = holds;
+    }, name);
+  const held = (tab, count) =>
+    tab.page.waitForFunction((wanted) => window.held.length >= wanted, count);
+  const shown = (tab, ending) =>
+    tab.page.waitForFunction((end) => window.karcherPage.state().mesh.endsWith(end), ending);
+
+  test('for another axis up: edits stay, and of two choices the last one counts', async () => {
+    const tab = await Tab.open(browser);
+    await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);
+    await shown(tab, 'cone.ply');
+    await tab.click([-20, 60], [30, 0], [0, -60], [10, 90]);
+    await hold(tab, 'geometry');
+    const up = tab.page.getByRole('combobox', { name: 'What points up' });
+    await up.selectOption('Y up');
+    await held(tab, 1);
+    await tab.click([20, 40]);
+    assert.equal((await tab.state()).figure.points.length, 5);
+    await up.selectOption('X up');
+    await held(tab, 2);
+    await tab.page.evaluate(() => window.held[1]());
+    await shown(tab, '~x:cone.ply');
+    await tab.page.evaluate(() => window.held[0]());
+    await hold(tab, '');
+    await tab.settled();
+    assert.equal((await tab.state()).figure.points.length, 5);
+    // A worker that was asked first has answered by the time that a later one has.
+    await up.selectOption('Z up');
+    await shown(tab, '~z:cone.ply');
+    assert.equal((await tab.state()).figure.points.length, 5);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test("for a link's method: its drawing does not land on the surface that was opened since", async () => {
+    const tab = await Tab.open(browser);
+    await hold(tab, 'engine');
+    await tab.page.evaluate(() => {
+      location.hash = 'mesh=sphere:1500&kind=points&method=paper-graph&points=1,0.2,0.3;700,0.1,0.5';
+    });
+    await held(tab, 1);
+    await hold(tab, '');
+    await tab.page.evaluate(() => {
+      const surface = document.getElementById('surface');
+      surface.value = 'torus';
+      surface.dispatchEvent(new Event('change'));
+    });
+    await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus'));
+    await tab.page.evaluate(() => {
+      for (const send of window.held) send();
+    });
+    await tab.settled();
+    const { figure, mesh } = await tab.state();
+    assert.deepEqual([mesh.split(':')[0], figure.points.length], ['torus', 0]);
+    await tab.page.close();
+  });
+});
