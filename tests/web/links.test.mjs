@@ -198,6 +198,16 @@ describe('a page with a link', () => {
     await tab.page.close();
   });
 
+  test('whose object is hidden shows nothing of it, also once it could be refined', async () => {
+    const points = '1,0.2,0.3;400,0.1,0.1;900,0.3,0.3;7,0.5,0.25';
+    const own = `mesh=sphere:1500&kind=bspline&method=karcher&points=${points}`;
+    const tab = await Tab.open(browser, `${own}&hidden=1`);
+    await tab.settled();
+    const { curve, quality } = await tab.view();
+    assert.deepEqual([curve, quality], [null, null]);
+    await tab.page.close();
+  });
+
   sometimes('of wrong settings tells them', async () => {
     const tab = await Tab.open(
       browser,

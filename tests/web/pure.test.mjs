@@ -33,6 +33,21 @@ const figure = {
 const circle = { center: point(5), rim: { radius: 0.5, direction: [0, 0, 1] } };
 const ellipse = { ...circle, across: { radius: 0.2 } };
 
+describe('what was traced', () => {
+  test('is remembered of what is in the drawing and the last 64 beside that', async () => {
+    const { BesideObjects, mostRemembered } = await load('editor/beside.ts');
+    const traced = { method: 'karcher', shown: {}, quality: 'draft' };
+    const beside = new BesideObjects();
+    const figures = Array.from({ length: 200 }, (_, i) => ({ ...figure, points: [point(i)] }));
+    const drawing = { objects: [{ id: 1, figure: figures[3] }], active: 1 };
+    for (const one of figures) beside.keep(one, traced, drawing);
+    const known = figures.map((one) => beside.known(one, 'karcher') !== null);
+    assert.equal(known.filter(Boolean).length, mostRemembered + 1);
+    assert.ok(known[3], 'what the drawing has');
+    assert.ok(known.slice(-mostRemembered).every(Boolean), 'the newest');
+  });
+});
+
 describe('a figure', () => {
   test('has all of its places taken elsewhere, and nothing else', async () => {
     const { withPlaces } = await load('model/figure.ts');

@@ -27,7 +27,7 @@ interface Traced {
 }
 
 /** How many figures are remembered beyond those of the drawing: of steps that are taken back. */
-const mostRemembered = 64;
+export const mostRemembered = 64;
 
 /**
  * What the engine made of figures. A figure is a value, so what was traced of it holds for as long as
@@ -43,10 +43,14 @@ export class BesideObjects {
     this.#last = [];
   }
 
-  /** What was made of an edited figure: it may be seen again, beside another one or edited. */
-  keep(figure: Figure, method: MethodId, shown: Shown, quality: Quality | null): void {
+  /**
+   * What was made of a figure: it may be seen again, beside another one or edited. The oldest that no
+   * object of the drawing has any more are forgotten.
+   */
+  keep(figure: Figure, traced: Traced, { objects }: State['drawing']): void {
     this.#traced.delete(figure);
-    this.#traced.set(figure, { method, shown, quality });
+    this.#traced.set(figure, traced);
+    this.#forgetAllBut(objects);
   }
 
   /** What was made of a figure by a method. */
@@ -72,8 +76,7 @@ export class BesideObjects {
       (error) => ({ ...nothing, problem: messageOf(error) }),
     );
     if (client.closed) return false;
-    this.keep(figure, method, shown, qualityShown(shown, method));
-    this.#forgetAllBut(drawing.objects);
+    this.keep(figure, { method, shown, quality: qualityShown(shown, method) }, drawing);
     return true;
   }
 

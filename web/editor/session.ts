@@ -255,7 +255,8 @@ export class Session {
     this.onBusy(true);
     try {
       if (!state.dragging && (await this.#keepLegs(client, state))) return;
-      client.keepCurves(state.drawing.objects.map(({ id }) => id));
+      const ids = state.drawing.objects.map(({ id }) => id);
+      for (const one of [client, this.#refinement.client]) one?.keepCurves(ids);
       const known = state.dragging ? null : this.#others.known(state.figure, method);
       if (known) {
         this.#coarse = false;
@@ -276,7 +277,9 @@ export class Session {
       if (!this.#current(client, state)) return;
       const quality = qualityShown(shown, method);
       if (!coarse) this.#took(figure, shown);
-      if (!coarse && !state.dragging) this.#others.keep(figure, method, shown, quality);
+      if (!coarse && !state.dragging) {
+        this.#others.keep(figure, { method, shown, quality }, state.drawing);
+      }
       // A draft of averages alone needs no fields.
       if (state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft) this.#levels = 'limit';
       this.#showTraced(state, shown, quality);
@@ -296,10 +299,15 @@ export class Session {
   }
 
   #showTraced(state: State, traced: Shown, quality: Quality | null): void {
-    const shown = activeObject(state.drawing).visible ? traced : nothing;
+    const { visible } = activeObject(state.drawing);
+    const shown = visible ? traced : nothing;
     // Those of another figure may be none any more.
     const shorter = this.#compared === state.figure ? this.#view.shorter : [];
-    const fresh = { quality, refining: false, shift: null, notRefined: null, shorter };
+    // What is hidden is of no quality, so that nothing better is asked for, which would be shown.
+    const fresh = {
+      ...{ quality: visible ? quality : null, refining: false },
+      ...{ shift: null, notRefined: null, shorter },
+    };
     const { revision } = state;
     this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
   }
@@ -366,7 +374,8 @@ export class Session {
       compute: (client) => compute(client, state.figure, options, { object: state.drawing.active }),
       done: (exact) => {
         const refined = { quality: 'exact', refining: false } as const;
-        this.#others.keep(state.figure, state.method, exact, 'exact');
+        const { figure, method, drawing } = state;
+        this.#others.keep(figure, { method, shown: exact, quality: 'exact' }, drawing);
         this.#show({ ...exact, ...refined, shift: shiftOf(draft, exact, unit) });
         // A center has moved a little: its paths start elsewhere.
         this.#newest.wake();
