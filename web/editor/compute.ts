@@ -6,7 +6,7 @@ import { curveOptions, splineOf } from '../model/splines';
 import type { TracedCurve } from '../model/traced';
 import { type EngineClient, KarcherError } from '../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
-import { drawnTangents } from './pen_drawing';
+import { drawnTangents, missingHandle } from './pen_drawing';
 import { type Shift, shiftBetween } from './shift';
 
 /** What the engine makes of a figure: a curve, isolines or a center, with a circle's handles. */
@@ -75,8 +75,10 @@ export async function curveValueOf(
   options: FieldOptions,
 ): Promise<CurveOptions | null> {
   if (figure.points.length < pointsNeeded(figure)) return null;
-  if (figure.kind === 'pen')
-    return penOptions(figure, await drawnTangents(client, figure), options);
+  if (figure.kind === 'pen') {
+    const tangents = await drawnTangents(client, figure);
+    return missingHandle(figure, tangents) ? null : penOptions(figure, tangents, options);
+  }
   const spline = splineOf(figure);
   return spline && curveOptions(spline, options);
 }
@@ -88,14 +90,16 @@ async function computePen(
   object: number,
 ): Promise<Shown> {
   const tangents = await drawnTangents(client, figure);
-  if (figure.points.length < pointsNeeded(figure)) return { ...nothing, tangents };
+  const problem = missingHandle(figure, tangents);
+  const few = figure.points.length < pointsNeeded(figure);
+  // The handles stay, so that they can be taken back.
+  if (few || problem) return { ...nothing, tangents, problem };
   try {
     const { marks } = figure.settings;
     const curve = await client.curve(penOptions(figure, tangents, options), { object, marks });
     return { ...nothing, tangents, curve };
   } catch (error) {
     if (client.closed) throw error;
-    // The handles stay, so that they can be taken back.
     return { ...nothing, tangents, problem: messageOf(error) };
   }
 }

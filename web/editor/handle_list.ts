@@ -81,13 +81,13 @@ function penHandles(
   const sides: Side[] = ['before', 'after'];
   const tangents = sides.flatMap((side): Handle[] => {
     const told = anchor.tangents?.[side];
-    const found = drawn[side];
-    if (!told || !found) return [];
+    // While it is dragged it is where it is told, before the engine has answered.
+    const point = told && ('face' in told ? told : drawn[side]?.point);
+    if (!point) return [];
     return [
       {
         id: tangentId(side, selection as number),
-        // While it is dragged it is where it is told, before the engine has answered.
-        position: surface.position('face' in told ? told : found.point),
+        position: surface.position(point),
         label: `Handle ${side} anchor ${(selection as number) + 1}`,
         tag: side,
         look: 'tangent',

@@ -42,7 +42,35 @@ async function tangentsAt(client: EngineClient, anchor: ControlPoint): Promise<D
   return drawn;
 }
 
+/**
+ * Which handle of a figure's anchors was not found on the surface, as a sentence; null where all were.
+ */
+export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[]): string | null {
+  for (const [i, { tangents }] of points.entries()) {
+    for (const side of ['before', 'after'] as const) {
+      const told = tangents?.[side];
+      if (!told || isOpposite(told) || drawn[i]?.[side]) continue;
+      return `no path leads from anchor ${i + 1} to the handle ${side} it`;
+    }
+  }
+  return null;
+}
+
+/** A handle where it is told; nothing where no way leads there: the others are found without it. */
 async function tangentOf(
+  client: EngineClient,
+  anchor: SurfacePoint,
+  tangent: Tangent,
+): Promise<DrawnTangent | undefined> {
+  try {
+    return await foundTangent(client, anchor, tangent);
+  } catch (error) {
+    if (client.closed) throw error;
+    return undefined;
+  }
+}
+
+async function foundTangent(
   client: EngineClient,
   anchor: SurfacePoint,
   tangent: Tangent,

@@ -33,6 +33,8 @@ export class Handles {
   /** The drag that is going on: its pointer, and how far from the handle's middle that is. */
   #held: { button: HTMLButtonElement; id: string; pointer: number; x: number; y: number } | null =
     null;
+  /** How often handles were shown. */
+  #shows = 0;
   /** Whether several fingers are down, which mean the view. */
   severalFingers: () => boolean = () => false;
 
@@ -55,8 +57,13 @@ export class Handles {
     viewer.onFrame(() => this.#place());
   }
 
+  /** Shows these handles only; a drag of one that is not among them is taken back. */
   show(handles: readonly Handle[]): void {
     const ids = new Set(handles.map(({ id }) => id));
+    const shows = ++this.#shows;
+    if (this.#held && !ids.has(this.#held.id)) this.letGo();
+    // What is left after that is shown already.
+    if (shows !== this.#shows) return;
     for (const [id, { button }] of this.#buttons) {
       if (ids.has(id)) continue;
       button.remove();

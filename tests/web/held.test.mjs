@@ -1,0 +1,82 @@
+// What is held with a pointer or a key while something else happens: it is let go, and the next drag is as ever.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+/** Two rectangles beside each other, 4 and 4 wide and 6 high, with a gap between them. */
+const rectangle = (x) => `v ${x} 0 0\nv ${x + 4} 0 0\nv ${x + 4} 6 0\nv ${x} 6 0\n`;
+const twoParts = `${rectangle(0)}${rectangle(5)}f 1 2 3\nf 1 3 4\nf 5 6 7\nf 5 7 8\n`;
+
+describe('what is held', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  const at = async (tab, [dx, dy]) => {
+    const { x, y } = await tab.middle();
+    return { x: x + dx, y: y + dy };
+  };
+  const problem = (tab, is) =>
+    tab.page.waitForFunction((want) => Boolean(window.karcherPage.view().problem) === want, is);
+  const moveTo = async (tab, offsets) => {
+    const { x, y } = await at(tab, offsets);
+    await tab.page.mouse.move(x, y, { steps: 4 });
+  };
+
+  /** A corner and a smooth anchor, which is selected, on the left one of two parts. */
+  async function drawn() {
+    const tab = await Tab.open(browser);
+    await tab.drop('two.obj', twoParts);
+    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.page.keyboard.press('p');
+    await tab.click([-60, 90]);
+    await tab.drag(await at(tab, [-110, 0]), await at(tab, [-110, -50]));
+    await tab.settled();
+    assert.equal((await tab.state()).figure.points.length, 2);
+    return tab;
+  }
+
+  test("a pen's handle where no path leads says so, stays in the hand, and comes back", async () => {
+    const tab = await drawn();
+    const { x, y } = await tab.handle('Handle after anchor 2');
+    await tab.page.mouse.move(x, y);
+    await tab.page.mouse.down();
+    await moveTo(tab, [100, -20]);
+    await problem(tab, true);
+    assert.match((await tab.view()).problem, /^no path leads from anchor 2 to the handle after it/);
+    await moveTo(tab, [-100, -60]);
+    await problem(tab, false);
+    await tab.page.mouse.up();
+    await tab.settled();
+    const { curve } = await tab.view();
+    assert.ok(curve.samples.count > 0);
+    const before = JSON.stringify((await tab.state()).drawing);
+    await tab.dragHandle('Handle after anchor 2', 20, 30);
+    await tab.settled();
+    assert.notEqual(JSON.stringify((await tab.state()).drawing), before);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a handle whose anchor is removed is let go', async () => {
+    const tab = await drawn();
+    const { x, y } = await tab.handle('Handle after anchor 2');
+    await tab.page.mouse.move(x, y);
+    await tab.page.mouse.down();
+    await moveTo(tab, [-100, -60]);
+    await tab.page.keyboard.press('Delete');
+    await tab.page.waitForFunction(() => window.karcherPage.state().figure.points.length === 1);
+    await moveTo(tab, [-80, -40]);
+    await tab.page.mouse.up();
+    await tab.settled();
+    const { figure, dragging } = await tab.state();
+    assert.deepEqual([figure.points.length, dragging], [1, false]);
+    await tab.dragHandle('Anchor 1', -20, -30);
+    await tab.settled();
+    assert.notDeepEqual((await tab.state()).figure.points[0], figure.points[0]);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});
