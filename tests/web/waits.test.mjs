@@ -77,7 +77,8 @@ describe('while the page waits', () => {
     const tab = await Tab.open(browser);
     await hold(tab, 'engine');
     await tab.page.evaluate(() => {
-      location.hash = 'mesh=sphere:1500&kind=points&method=paper-graph&points=1,0.2,0.3;700,0.1,0.5';
+      location.hash =
+        'mesh=sphere:1500&kind=points&method=paper-graph&points=1,0.2,0.3;700,0.1,0.5';
     });
     await held(tab, 1);
     await hold(tab, '');

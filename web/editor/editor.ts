@@ -171,6 +171,15 @@ export class Editor {
     this.#change({ drawing, dragging: true, dragged: null }, false);
   }
 
+  /** Shows an edit of an object of a kind that begins with it: both are one step, or none. */
+  previewBegun(kind: Kind, edit: FigureCommand): void {
+    const base = this.#drag?.base ?? this.#state.drawing;
+    const begin = beginning(base, kind);
+    if (!begin) return this.preview(edit);
+    const { id } = activeObject(apply(base, begin));
+    this.previewCommand({ type: 'steps', steps: [begin, { type: 'figure', id, edit }] });
+  }
+
   /** Makes the drag one step of the history. */
   commitDrag(): void {
     const { command = null, base = null } = this.#drag ?? {};
@@ -276,6 +285,11 @@ export class Editor {
 
   select(selection: Selection): void {
     if (selection !== this.#state.selection) this.#change({ selection }, false);
+  }
+
+  /** Selects a place of the edited object, and objects, without editing another one. */
+  setSelection(selection: Selection, chosen: readonly number[]): void {
+    this.#change({ selection, chosen }, false);
   }
 
   /** Selects objects, of which the last one that is not locked is edited. */

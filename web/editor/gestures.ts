@@ -155,6 +155,7 @@ export class Gestures {
     stage.addEventListener('keydown', (event) => this.#stageKey(event));
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     stage.addEventListener('blur', () => {
+      moves.endNudge();
       stage.classList.remove('pointed');
       this.#aim(null);
     });

@@ -14,12 +14,20 @@ interface HeldLine {
   stopped: boolean;
 }
 
+/** A move by keys: where it has come to, and the revision of the drawing that it made. */
+interface KeyedMove {
+  move: Move;
+  x: number;
+  y: number;
+  revision: number;
+}
+
 /** Drags of a line of an object: it is moved, with all that are selected with it. */
 export class MoveGestures {
   #held: HeldLine | null = null;
   readonly #newest = new Newest<Place>((place) => this.#moveTo(place));
-  /** A move by keys that goes on, and where it has come to. */
-  #keyed: { move: Move; x: number; y: number } | null = null;
+  /** The move by keys that goes on. */
+  #keyed: KeyedMove | null = null;
   #nudges: Promise<void> = Promise.resolve();
 
   /** `clicked` is called where nothing was dragged; `stopped` where a move would leave the surface. */
@@ -80,36 +88,47 @@ export class MoveGestures {
 
   /** Moves what is selected by so many CSS pixels; nudges are one step until `endNudge`. */
   nudge(dx: number, dy: number): void {
-    this.#nudges = this.#nudges.then(() => this.#nudge(dx, dy));
+    // A nudge that fails is dropped: the next one begins anew.
+    this.#nudges = this.#nudges
+      .then(() => this.#nudge(dx, dy))
+      .catch(() => {
+        this.#keyed = null;
+      });
   }
 
-  /** The key was let go. */
+  /** The key was let go, or nobody would hear that it is. */
   endNudge(): void {
     this.#nudges = this.#nudges.then(() => {
-      if (this.#keyed) this.editor.commitDrag();
+      if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();
       this.#keyed = null;
     });
   }
 
   async #nudge(dx: number, dy: number): Promise<void> {
     const { editor, viewer } = this;
+    // Something else was done since: the move goes on from there.
+    if (this.#keyed?.revision !== editor.state.revision) this.#keyed = null;
+    // Whatever a pointer drags is none of the keys'.
+    if (!this.#keyed && editor.dragging) return;
     this.#keyed ??= await this.#keyedMove();
     const keyed = this.#keyed;
-    if (!keyed) return;
+    if (!keyed || keyed.revision !== editor.state.revision) return;
     const [x, y] = [keyed.x + dx, keyed.y + dy];
     const point = viewer.pick(x, y)?.point;
     const command = point && (await keyed.move.to(point).catch(() => null));
+    if (keyed.revision !== editor.state.revision) return;
     if (!command) {
       this.events.stopped();
       return;
     }
-    [keyed.x, keyed.y] = [x, y];
     editor.previewCommand(command);
+    [keyed.x, keyed.y, keyed.revision] = [x, y, editor.state.revision];
   }
 
   /** Holds what is selected at a place of it that is seen. */
-  async #keyedMove(): Promise<{ move: Move; x: number; y: number } | null> {
+  async #keyedMove(): Promise<KeyedMove | null> {
     const { editor, session, viewer } = this;
+    const { revision } = editor.state;
     const { surface, box } = viewer;
     const { client } = session;
     const objects = this.#selected(editor.state.chosen);
@@ -121,7 +140,7 @@ export class MoveGestures {
       const pivot = viewer.pick(left, top)?.point;
       if (!pivot) continue;
       const move = await Move.of(client, surface, objects, pivot).catch(() => null);
-      return move && { move, x: left, y: top };
+      return move && { move, x: left, y: top, revision };
     }
     return null;
   }

@@ -70,12 +70,14 @@ export class PenGestures {
 
   #place(anchor: SurfacePoint): Hold {
     const { editor } = this;
-    const isEmpty = editor.state.figure.points.length === 0;
-    if (!isEmpty && !(editor.isOpen && goesOn(this.state(false)))) editor.begin('pen');
-    const index = editor.state.figure.points.length;
+    const { selection, chosen, figure } = editor.state;
+    const count = figure.points.length;
+    const begins = count > 0 && !(editor.isOpen && goesOn(this.state(false)));
+    const index = begins ? 0 : count;
     const place = (point: ControlPoint) => {
-      editor.preview({ type: 'insert', index, point });
-      editor.select(index);
+      if (begins) editor.previewBegun('pen', { type: 'insert', index, point });
+      else editor.preview({ type: 'insert', index, point });
+      editor.setSelection(index, begins ? [] : chosen);
     };
     place(anchor);
     return {
@@ -87,7 +89,10 @@ export class PenGestures {
         editor.commitDrag();
         editor.select(index);
       },
-      cancel: () => editor.cancelDrag(),
+      cancel: () => {
+        editor.cancelDrag();
+        editor.setSelection(selection, chosen);
+      },
     };
   }
 
