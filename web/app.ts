@@ -8,13 +8,14 @@ import { Session } from './editor/session';
 import { exposeState } from './inspection';
 import { formatLink } from './model/link';
 import { isMethod } from './model/methods';
-import { onKeeping, recall } from './model/storage';
+import { onKeeping, recall, recallInTab, remember, rememberInTab } from './model/storage';
 import { workOffline } from './offline';
 import { Opening } from './opening';
 import { CheckUpPanel } from './panels/checkup_panel';
 import { Clipboard } from './panels/clipboard';
 import { CurvePanel } from './panels/curve_panel';
 import { byId } from './panels/elements';
+import { ExamplesMenu } from './panels/examples_menu';
 import { LostPanel } from './panels/lost_panel';
 import { sentenceOf, showNote } from './panels/messages';
 import { ObjectPanel } from './panels/object_panel';
@@ -24,6 +25,7 @@ import { Status } from './panels/status';
 import { SurfacePanel } from './panels/surface_panel';
 import { drawingTools, ToolRail } from './panels/tool_list';
 import { Tools } from './panels/tools';
+import { Tour } from './panels/tour';
 import { ViewMenu } from './panels/view_menu';
 import { addressOf, linkOf, longestLink, saveChanges } from './saving';
 import type { ObjectDrawing } from './viewer/object_lines';
@@ -64,6 +66,8 @@ export async function start(): Promise<void> {
   if (isMethod(method)) editor.setMethod(method);
   const session = new Session();
   const opening = new Opening(editor, session);
+  // Who comes back to a drawing goes on as before; a link is to be drawn on.
+  const usualTool = location.hash === '' ? recall('tool') : null;
   // The engine loads while the graphics start, which takes as long.
   const first = opening.first();
   await breathe();
@@ -162,12 +166,17 @@ export async function start(): Promise<void> {
     },
   };
   new Tools(editor, viewer, edits, toolEvents, rail, new ViewMenu(viewer));
+  new ExamplesMenu((example) => void opening.example(example));
   const objectPanel = new ObjectPanel(editor);
   new Clipboard(editor, () => session.client?.info.triangles ?? 0);
 
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;
     if (state.revision !== before.revision || ended) session.update(state);
+    if (state.tool !== before.tool) {
+      rememberInTab('tool', state.tool);
+      remember('tool', state.tool);
+    }
     if (state.tool !== 'measure' || state.revision !== before.revision) measure.clear();
     gestures.show();
     curvePanel.show(state, session.view);
@@ -179,7 +188,8 @@ export async function start(): Promise<void> {
   curvePanel.show(editor.state, session.view);
   rail.show(editor.state, session.view);
   objectPanel.show(editor.state);
-  new Sheet();
+  const sheet = new Sheet();
+  const tour = new Tour(() => sheet.show());
   saveChanges(editor);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', () => {
@@ -188,6 +198,7 @@ export async function start(): Promise<void> {
   });
   exposeState(editor, session, viewer);
   opening.show(viewer);
-  await first;
+  if (await first) tour.greet();
+  else if ((recallInTab('tool') ?? usualTool) === 'select') editor.setTool('select');
   workOffline();
 }

@@ -2,6 +2,7 @@ import type { Editor } from './editor/editor';
 import type { Session } from './editor/session';
 import { linkOfJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
+import { type Example, examples } from './model/examples';
 import { fitting, formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';
 import { mostLinkPoints } from './model/link_problems';
 import {
@@ -25,6 +26,7 @@ import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
 import { type FoundLink, startingLink, workOn } from './saving';
 import { drawnGeometry, type GeometryRequest } from './viewer/drawn_geometry';
+import { placesOn } from './viewer/places';
 import type { Surface } from './viewer/surface';
 import type { Viewer } from './viewer/viewer';
 import { EngineClient } from './worker/client';
@@ -182,13 +184,27 @@ export class Opening {
     return false;
   }
 
-  /** What the address says, or what was last made here, or else the page's first surface. */
-  async first(): Promise<void> {
+  /** Shows one of the finished drawings in place of what is drawn on its surface. */
+  async example({ mesh, draw }: Example): Promise<void> {
+    const wanted = (surface: Surface) => draw(placesOn(surface));
+    const shown = this.session.client && mesh === this.editor.state.mesh;
+    if (shown) this.#replace(wanted(this.#viewer!.surface!));
+    else if (!(await this.#open(mesh, madeSource(mesh)!, wanted))) return;
+    this.editor.setTool('select');
+  }
+
+  /**
+   * What the address says, or what was last made here, or else the first of the examples: then true.
+   */
+  async first(): Promise<boolean> {
     const found = startingLink();
     const work = found && workOn(found.link);
     if (work) this.#history = work;
     const wanted = work ? { link: work.link, own: true } : found;
-    if (!wanted || !(await this.link(wanted))) await this.#fallBack();
+    if (wanted) await this.link(wanted);
+    else await this.example(examples[0]!);
+    await this.#fallBack();
+    return !wanted;
   }
 
   /** Where nothing is shown and nothing comes, the page's first surface, in place of a link's. */

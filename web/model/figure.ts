@@ -92,7 +92,7 @@ export interface Figure {
 export const defaultSettings: CurveSettings = {
   closed: false,
   degree: 3,
-  clamped: false,
+  clamped: true,
   knots: null,
   parametrization: 'centripetal',
   samples: 128,

@@ -34,6 +34,11 @@ export class Sheet {
     this.#rest('half');
   }
 
+  /** Draws it up, where it is down. */
+  show(): void {
+    if (this.#stop === 'collapsed') this.#rest('half');
+  }
+
   #drag({ pointerId, clientY }: PointerEvent): void {
     const held = this.#held;
     if (held?.pointer !== pointerId) return;

@@ -129,7 +129,11 @@ function nameOf(kind: Kind, selection: Selection): string {
   return typeof selection === 'number' ? `Point ${selection + 1}` : kindNames[kind];
 }
 
-function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | null): string {
+function hintOf(
+  { mesh, figure, tool, chosen, selection }: State,
+  view: View,
+  measured: Measured | null,
+): string {
   if (!mesh) return '';
   if (tool === 'split') return 'Click the curve where you want to cut it';
   if (tool === 'join') return 'Click the curve to join with this one';
@@ -138,7 +142,10 @@ function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | 
   }
   if (view.problem) return sentenceOf(view.problem);
   const { kind, points, circle } = figure;
-  if (tool === 'select' && isEmpty(figure)) return view.others.length > 0 ? '' : drawHint;
+  if (tool === 'select' && chosen.length === 0 && selection === null) {
+    const blank = isEmpty(figure) && view.others.length === 0;
+    return blank ? drawHint : dragHint;
+  }
   if (view.center) return centerHint(view.center);
   if (isRound(kind)) return circle ? '' : 'Click the surface to place the center';
   if (points.length === 0 && kind === 'pen') return penWords.begin;
@@ -150,6 +157,7 @@ function hintOf({ mesh, figure, tool }: State, view: View, measured: Measured | 
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }
 
+const dragHint = 'Drag a line or a point, or choose a tool and draw';
 const drawHint = 'Choose a tool to draw';
 
 /** Of legs that were drawn out by a drag. */

@@ -1,0 +1,128 @@
+import { recall, remember } from '../model/storage';
+import { byId } from './elements';
+
+interface Step {
+  /** What is spoken of: a selector. */
+  about: string;
+  title: string;
+  text: string;
+}
+
+const steps: readonly Step[] = [
+  {
+    about: '#stage',
+    title: 'It all lies on the surface',
+    text: 'Drag a line to move it, a point to shape it, and the rest to turn the view. Undo takes everything back.',
+  },
+  {
+    about: '#tool-rail',
+    title: 'Draw with a tool',
+    text: 'The pen draws shapes with handles, a curve follows its points, a circle keeps its distance along the surface. Enter ends one and begins the next.',
+  },
+  {
+    about: '.objects-group',
+    title: 'Objects have a list',
+    text: 'Name them, color them, hide or lock them, and drag them up and down in the order.',
+  },
+  {
+    about: '.surface-group',
+    title: 'Take your own surface',
+    text: 'Choose a sample here, or drop a scan or a model anywhere: OBJ, PLY, STL, OFF or GLB.',
+  },
+  {
+    about: '.tools',
+    title: 'Keep what you draw',
+    text: 'Save it as a picture or a file, or copy its link. It is still here after a reload.',
+  },
+];
+
+/** Between the card, what it speaks of, and the window's edge, in CSS pixels. */
+const gap = 14;
+
+/** A walk through the page in five steps, shown to who comes for the first time, until it is skipped. */
+export class Tour {
+  readonly #card = byId('tour');
+  readonly #next = byId<HTMLButtonElement>('tour-next');
+  #at = 0;
+
+  /** `reveal` shows the panel where it is drawn down. */
+  constructor(private readonly reveal: () => void) {
+    this.#next.addEventListener('click', () => this.#show(this.#at + 1));
+    byId('tour-skip').addEventListener('click', () => this.#end());
+    // While the help is open nothing else takes the focus.
+    const help = byId<HTMLDialogElement>('help-dialog');
+    help.addEventListener('close', () => {
+      if (help.returnValue !== 'tour') return;
+      help.returnValue = '';
+      this.#show(0);
+      this.#next.focus();
+    });
+    this.#card.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      event.preventDefault();
+      this.#end();
+    });
+    window.addEventListener('resize', () => {
+      if (!this.#card.hidden) this.#place();
+    });
+  }
+
+  /** Begins, unless it was shown before; whoever reads or draws keeps the keys. */
+  greet(): void {
+    if (recall('tour') === null) this.#show(0);
+  }
+
+  #show(at: number): void {
+    const step = steps[at];
+    if (!step) {
+      this.#end();
+      return;
+    }
+    remember('tour', 'shown');
+    this.#at = at;
+    byId('tour-title').textContent = step.title;
+    byId('tour-text').textContent = step.text;
+    byId('tour-count').textContent = `${at + 1} of ${steps.length}`;
+    this.#next.textContent = at + 1 < steps.length ? 'Next' : 'Done';
+    this.#card.hidden = false;
+    this.#mark();
+    this.#place();
+  }
+
+  #end(): void {
+    this.#card.hidden = true;
+    document.querySelector('.toured')?.classList.remove('toured');
+  }
+
+  get #about(): Element {
+    return document.querySelector(steps[this.#at]!.about)!;
+  }
+
+  #mark(): void {
+    document.querySelector('.toured')?.classList.remove('toured');
+    const about = this.#about;
+    if (about.closest('.panel')) {
+      this.reveal();
+      about.scrollIntoView({ block: 'nearest' });
+    }
+    about.classList.add('toured');
+  }
+
+  /** Beside what is spoken of, or below, or above; a wide stage has it in a corner. */
+  #place(): void {
+    const about = this.#about;
+    const { left, right, top, bottom, width } = about.getBoundingClientRect();
+    const { offsetWidth, offsetHeight } = this.#card;
+    const within = (value: number, most: number) => Math.max(gap, Math.min(value, most - gap));
+    const isBeside = right + gap + offsetWidth + gap < innerWidth;
+    const isBelow = bottom + gap + offsetHeight + gap < innerHeight;
+    let x = isBeside ? right + gap : left + (width - offsetWidth) / 2;
+    let y = isBeside ? top : isBelow ? bottom + gap : top - gap - offsetHeight;
+    if (about.id === 'stage' && offsetWidth < width / 2) {
+      x = right;
+      y = top + byId('view').offsetHeight + 3 * gap;
+    }
+    this.#card.style.left = `${within(x, innerWidth - offsetWidth)}px`;
+    this.#card.style.top = `${within(y, innerHeight - offsetHeight)}px`;
+  }
+}
