@@ -13,6 +13,7 @@ import { workOffline } from './offline';
 import { Opening } from './opening';
 import { CheckUpPanel } from './panels/checkup_panel';
 import { Clipboard } from './panels/clipboard';
+import { ContextMenu } from './panels/context_menu';
 import { CurvePanel } from './panels/curve_panel';
 import { byId } from './panels/elements';
 import { ExamplesMenu } from './panels/examples_menu';
@@ -168,6 +169,7 @@ export async function start(): Promise<void> {
   new Tools(editor, viewer, edits, toolEvents, rail, new ViewMenu(viewer));
   new ExamplesMenu((example) => void opening.example(example));
   const objectPanel = new ObjectPanel(editor);
+  new ContextMenu(editor, viewer, stage, () => gestures.letGo());
   new Clipboard(editor, () => session.client?.info.triangles ?? 0);
 
   editor.subscribe((state, before) => {

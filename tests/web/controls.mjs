@@ -72,7 +72,7 @@ function install([all, without]) {
     );
 
   const panels =
-    '.group, [role="toolbar"], [role="menu"], dialog, .notices, .status, .messages, .site-head, .figure';
+    '.group, [role="toolbar"], [role="menu"], dialog, .tour, .notices, .status, .messages, .site-head, .figure';
   const panelOf = (element) => {
     const panel = element.closest(panels);
     return panel && (panel.id || panel.className);

@@ -69,6 +69,14 @@ describe('every control is hit where it is clicked', () => {
         assert.ok((await controls.look('opened')) > 0);
         await page.keyboard.press('Escape');
       }
+      const { x, y } = await tab.middle();
+      await page.mouse.click(x, y, { button: 'right' });
+      assert.ok((await controls.look('the menu at a place')) > 0);
+      await page.keyboard.press('Escape');
+      await controls.click(page.locator('#help'));
+      await controls.click(page.locator('#tour-start'));
+      assert.ok((await controls.look('the tour')) > 0);
+      await controls.click(page.locator('#tour-skip'));
       await tab.drop('bad.obj', 'nothing');
       await page.getByRole('alert').waitFor();
       await controls.look('a message');
@@ -76,6 +84,7 @@ describe('every control is hit where it is clicked', () => {
       await tab.dropBytes('solids.stl', stlFile(cutBox, { text: true, solids: 3 }));
       await page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('solids.stl'));
       await tab.settled();
+      await page.locator('#progress').waitFor({ state: 'hidden' });
       await controls.look('a file of several parts');
       const open = await holdEngine(page);
       await page.locator('#surface').selectOption('torus');

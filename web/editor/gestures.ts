@@ -76,6 +76,7 @@ export class Gestures {
   #press: { id: number; x: number; y: number; slop: number } | null = null;
   #grabbed: Grabbed | null = null;
   #keys: HeldKeys = { alt: false, shift: false };
+  readonly #pointer: StagePointer;
   readonly #pen: PenGestures;
   readonly #moves: MoveGestures;
   #pointers = 0;
@@ -123,6 +124,7 @@ export class Gestures {
       stopped: () => events.moveStopped(),
     });
     for (const one of [box, pen, moves]) pointer.offer((press) => one.take(press));
+    this.#pointer = pointer;
     this.#pen = pen;
     this.#moves = moves;
     stage.addEventListener('keyup', (event) => {
@@ -162,6 +164,13 @@ export class Gestures {
     layer.addEventListener('keyup', (event) => {
       if (event.key in arrows) this.editor.commitDrag();
     });
+  }
+
+  /** Takes back what the pointer has begun; what it does until it is up is no click. */
+  letGo(): void {
+    this.#press = null;
+    this.#handles.letGo();
+    this.#pointer.letGo();
   }
 
   /** Shows the handles of the editor's state. */

@@ -33,11 +33,11 @@ export function targetAt(
   }
   const within = place.touch ? reach.touch : reach.mouse;
   if (tool === 'select') {
-    const other = viewer.pickObject(place.x, place.y, within);
-    if (other !== null) return { type: 'other', id: other };
+    // What was just duplicated lies over what it is a copy of.
     const { id, locked } = activeObject(drawing);
-    const own = !locked && viewer.pickOwn(place.x, place.y, within);
-    return own ? { type: 'other', id } : null;
+    if (!locked && viewer.pickOwn(place.x, place.y, within)) return { type: 'other', id };
+    const other = viewer.pickObject(place.x, place.y, within);
+    return other === null ? null : { type: 'other', id: other };
   }
   if (isCurve(kind) && !activeObject(drawing).locked) {
     const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);

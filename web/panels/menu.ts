@@ -1,20 +1,20 @@
 import { byId } from './elements';
 
-/** A menu that a button opens: the arrow keys go from item to item. */
+/** A menu, which mostly a button opens: the arrow keys go from item to item. */
 export class Menu {
   readonly element: HTMLElement;
-  readonly #button: HTMLElement;
+  readonly #button: HTMLElement | null;
 
   /** `opening` is called before it is shown. */
-  constructor(id: string, button: string, opening: () => void = () => {}) {
+  constructor(id: string, button = '', opening: () => void = () => {}) {
     this.element = byId(id);
-    this.#button = byId(button);
+    this.#button = button ? byId(button) : null;
     this.element.addEventListener('beforetoggle', (event) => {
       if (event.newState === 'open') opening();
     });
     this.element.addEventListener('toggle', (event) => {
       const open = event.newState === 'open';
-      this.#button.setAttribute('aria-expanded', `${open}`);
+      this.#button?.setAttribute('aria-expanded', `${open}`);
       if (open) this.items.find((item) => !item.disabled)?.focus();
     });
     this.element.addEventListener('keydown', (event) => this.#key(event));

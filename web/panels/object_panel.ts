@@ -9,6 +9,7 @@ import {
 import { isEmpty } from '../model/figure';
 import { longestName } from '../model/names';
 import { byId, make } from './elements';
+import { ListDrag } from './list_drag';
 import { NumberField, positiveNumber } from './number_field';
 import { kindNames } from './kind_names';
 
@@ -46,6 +47,10 @@ export class ObjectPanel {
 
   constructor(private readonly editor: Editor) {
     byId('new-object').addEventListener('click', () => editor.begin());
+    new ListDrag(this.#list, (from, to) => {
+      const id = Number((this.#list.children[from] as HTMLElement).dataset.id);
+      editor.raise(id, from - to);
+    });
     const set = (to: Partial<Properties>) => editor.setProperties(this.#targets, to);
     this.#name.maxLength = longestName;
     this.#name.addEventListener('change', () => {
@@ -163,6 +168,8 @@ export class ObjectPanel {
     const id = () => Number(row.dataset.id);
     const main = make('button', '', { type: 'button', className: 'object' });
     main.append(make('i'), make('span'), make('small'));
+    main.title = 'Drag, or press Alt ↑ or ↓, to move it in the order';
+    main.addEventListener('keydown', (event) => this.#key(event, id()));
     main.addEventListener('click', ({ shiftKey, ctrlKey, metaKey }) => {
       if (shiftKey || ctrlKey || metaKey) this.editor.toggle(id());
       else this.editor.activate(id());
@@ -177,12 +184,24 @@ export class ObjectPanel {
       });
       return button;
     };
+    const grip = make('span', '', { className: 'row-grip' });
     row.append(
       main,
       toggle('eye', 'Show or hide', eye, 'visible'),
       toggle('lock', 'Lock or unlock', lock, 'locked'),
+      grip,
     );
     return row;
+  }
+
+  /** Moves an object in the order; the keys stay with it. */
+  #key(event: KeyboardEvent, id: number): void {
+    const step = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    if (!event.altKey || !step) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.editor.raise(id, step);
+    this.#list.querySelector<HTMLElement>(`[data-id="${id}"] .object`)?.focus();
   }
 
   #showStyle(object: DrawnObject): void {

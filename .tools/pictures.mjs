@@ -1,0 +1,92 @@
+// `npm run pictures`: replays the two sittings of tests/web/sittings.mjs in every size of window, light and
+// dark, and writes what is seen at each step to build/pictures/, to be looked at.
+//
+//   npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--save] [--built]
+//
+// One size or theme only; with --save the README's picture, docs/drawing.png, too; what is in build/page as
+// it is.
+import { mkdirSync, statSync } from 'node:fs';
+import { parseArgs } from 'node:util';
+import { buildFacade, buildPage, buildWasm } from './build.mjs';
+import { chromiumPath, setUp } from './setup.mjs';
+import { inRoot } from './shell.mjs';
+
+const usage =
+  'Usage: npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--save] [--built]';
+const themes = ['light', 'dark'];
+/** The README's picture takes no more, in bytes. */
+const mostBytes = 300_000;
+
+/** The names that are meant by an option: all without one. */
+function chosen(name, value, names) {
+  if (value === undefined) return names;
+  if (names.includes(value)) return [value];
+  throw new Error(`--${name} is to be one of ${names.join(', ')}, not '${value}'.\n${usage}`);
+}
+
+/** Replays one sitting and takes a picture of the window after each step. */
+async function replay({ sitDown }, sitting, viewport, theme, path) {
+  const { browser, tab } = await sitDown(viewport, theme);
+  let count = 0;
+  try {
+    await sitting(tab, async (step) => {
+      await tab.still();
+      count++;
+      await tab.page.screenshot({ path: `${path}-${count}-${step.replaceAll(' ', '-')}.png` });
+    });
+  } finally {
+    await browser.close();
+  }
+  return count;
+}
+
+/** The drawing that the page opens with, without the page about it. */
+async function savePicture({ sitDown }) {
+  const { browser, tab } = await sitDown({ width: 1180, height: 700 });
+  const path = inRoot('docs/drawing.png');
+  try {
+    const { page } = tab;
+    await page.locator('#tour-skip').click();
+    await page.mouse.move(0, 0);
+    await tab.still();
+    await page.screenshot({ path });
+  } finally {
+    await browser.close();
+  }
+  const { size } = statSync(path);
+  if (size > mostBytes) throw new Error(`docs/drawing.png has ${size} bytes, over ${mostBytes}.`);
+  console.log(`Written to docs/drawing.png: ${size} bytes.`);
+}
+
+try {
+  const options = { size: 'string', theme: 'string', save: 'boolean', built: 'boolean' };
+  const { values } = parseArgs({
+    options: Object.fromEntries(Object.entries(options).map(([name, type]) => [name, { type }])),
+  });
+  const wantedThemes = chosen('theme', values.theme, themes);
+  await setUp('build', 'test');
+  process.env.CHROMIUM_PATH ??= chromiumPath();
+  if (!values.built) {
+    await buildWasm();
+    await buildFacade();
+    await buildPage();
+  }
+  const sittings = await import('../tests/web/sittings.mjs');
+  const sizes = chosen('size', values.size, Object.keys(sittings.windows));
+  mkdirSync(inRoot('build/pictures'), { recursive: true });
+  const both = { scan: sittings.scanSitting, seam: sittings.seamSitting };
+  for (const size of sizes) {
+    for (const theme of wantedThemes) {
+      for (const [name, sitting] of Object.entries(both)) {
+        const path = inRoot(`build/pictures/${name}-${size}-${theme}`);
+        const count = await replay(sittings, sitting, sittings.windows[size], theme, path);
+        console.log(`${name}, ${size}, ${theme}: ${count} pictures`);
+      }
+    }
+  }
+  if (values.save) await savePicture(sittings);
+} catch (error) {
+  const wrongArguments = error.code?.startsWith('ERR_PARSE_ARGS');
+  console.error(wrongArguments ? `${error.message}\n${usage}` : error.message);
+  process.exit(1);
+}

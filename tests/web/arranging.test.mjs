@@ -1,0 +1,92 @@
+// The order of objects by drags and keys, and the menu of what lies at a place of the surface.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
+const other = (faces, name) =>
+  `other=${encodeURIComponent(`kind=polyline&points=${at(faces)}&name=${name}`)}`;
+/** Three lines, from the lowest to the topmost; the topmost is edited. */
+const fragment = [
+  `mesh=sphere:1500&kind=polyline&points=${at([20, 40])}&name=Third&place=2`,
+  other([60, 90], 'First'),
+  other([10, 500], 'Second'),
+].join('&');
+
+const namesOf = async (tab) => (await tab.state()).drawing.objects.map(({ name }) => name);
+
+describe('the order of objects, and the menu at a place', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  });
+  after(() => browser.close());
+
+  test('rows are dragged to another place, and moved by keys, each as one step', async () => {
+    const tab = await Tab.open(browser, fragment);
+    const { page } = tab;
+    assert.deepEqual(await namesOf(tab), ['First', 'Second', 'Third']);
+    const rows = page.locator('#objects .object');
+    const middle = async (row) => {
+      const box = await rows.nth(row).boundingBox();
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    };
+    await tab.drag(await middle(0), await middle(2));
+    assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second'], 'the topmost to the foot');
+    assert.equal((await tab.state()).drawing.active, 3, 'and a drag is no click');
+    await page.keyboard.press('Control+z');
+    assert.deepEqual(await namesOf(tab), ['First', 'Second', 'Third']);
+    await rows.nth(2).focus();
+    await page.keyboard.press('Alt+ArrowUp');
+    assert.deepEqual(await namesOf(tab), ['Second', 'First', 'Third']);
+    await page.keyboard.press('Alt+ArrowUp');
+    assert.deepEqual(await namesOf(tab), ['Second', 'Third', 'First'], 'the keys stay with it');
+    await page.keyboard.press('Alt+ArrowDown');
+    assert.deepEqual(await namesOf(tab), ['Second', 'First', 'Third']);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  test('the other button opens a menu on what lies there, and a drag with it turns nothing on', async () => {
+    const tab = await Tab.open(browser, fragment);
+    const { page } = tab;
+    const menu = page.locator('#context-menu');
+    const place = await tab.onCurve(0.5);
+    await page.mouse.click(place.x, place.y, { button: 'right' });
+    await menu.waitFor();
+    assert.deepEqual((await tab.state()).chosen, [3]);
+    await menu.getByRole('menuitem', { name: 'Send to back' }).click();
+    assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second']);
+    await page.mouse.click(place.x, place.y, { button: 'right' });
+    await menu.getByRole('menuitem', { name: 'Delete' }).click();
+    await tab.settled();
+    const names = await namesOf(tab);
+    assert.ok(!names.includes('Third'));
+    await page.mouse.move(place.x, place.y);
+    await page.mouse.down({ button: 'right' });
+    await page.mouse.move(place.x + 60, place.y, { steps: 4 });
+    await page.mouse.up({ button: 'right' });
+    assert.equal(await menu.isVisible(), false);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  test('a finger that rests opens it, and adds no point', async () => {
+    const tab = await Tab.open(browser, fragment);
+    const { page } = tab;
+    const { x, y } = await tab.middle();
+    const protocol = await page.context().newCDPSession(page);
+    const touch = (type, ...touchPoints) =>
+      protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const before = JSON.stringify((await tab.state()).drawing);
+    await touch('touchStart', { x: x - 30, y: y + 90 });
+    await page.locator('#context-menu').waitFor();
+    await touch('touchEnd');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), before);
+    await page.locator('#context-menu').getByRole('menuitem', { name: 'Select all' }).click();
+    assert.deepEqual((await tab.state()).chosen.toSorted(), [1, 2, 3]);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+});

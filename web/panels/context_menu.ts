@@ -1,0 +1,146 @@
+import type { Editor, State } from '../editor/editor';
+import { targetAt } from '../editor/targets';
+import { isEmpty } from '../model/figure';
+import type { Viewer } from '../viewer/viewer';
+import { make } from './elements';
+import { Menu } from './menu';
+
+/** How long a finger rests, in milliseconds, and by how much it may stray, in CSS pixels. */
+const restMilliseconds = 500;
+const slop = { mouse: 4, touch: 10 };
+
+/**
+ * What can be done with what lies at a place of the stage: by a click of the other button, a finger that
+ * rests there, or the menu key for what is selected.
+ */
+export class ContextMenu {
+  readonly #menu = new Menu('context-menu');
+  #press: { pointer: number; x: number; y: number; slop: number; timer: number } | null = null;
+
+  /** `letGo` takes back what the gestures on the stage have begun. */
+  constructor(
+    private readonly editor: Editor,
+    private readonly viewer: Viewer,
+    private readonly stage: HTMLElement,
+    private readonly letGo: () => void,
+  ) {
+    // By itself the browser would close it as soon as the finger that opened it is lifted.
+    window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
+    window.addEventListener('blur', () => this.#close(null));
+    this.#menu.element.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape' && event.key !== 'Tab') return;
+      event.preventDefault();
+      this.#close(null);
+      stage.focus({ preventScroll: true });
+    });
+    stage.addEventListener('pointerdown', (event) => this.#down(event), { capture: true });
+    window.addEventListener('pointermove', ({ pointerId, clientX, clientY }) => {
+      const press = this.#press;
+      if (press?.pointer !== pointerId) return;
+      if (Math.hypot(clientX - press.x, clientY - press.y) > press.slop) this.#forget();
+    });
+    window.addEventListener('pointerup', (event) => {
+      const press = this.#press;
+      this.#forget();
+      if (press?.pointer === event.pointerId && event.button === 2) {
+        this.#open({ x: press.x, y: press.y, touch: false });
+      }
+    });
+    window.addEventListener('pointercancel', () => this.#forget());
+    stage.addEventListener('keydown', (event) => {
+      const asked = event.key === 'ContextMenu' || (event.key === 'F10' && event.shiftKey);
+      if (!asked) return;
+      event.preventDefault();
+      const { left, top, width, height } = viewer.box;
+      this.#show(left + width / 2, top + height / 2);
+    });
+  }
+
+  #down(event: PointerEvent): void {
+    const isSecond = this.#press !== null;
+    this.#forget();
+    const touch = event.pointerType === 'touch';
+    if (isSecond || event.button !== (touch ? 0 : 2)) return;
+    const { pointerId: pointer, clientX: x, clientY: y } = event;
+    const open = () => {
+      this.#forget();
+      this.letGo();
+      this.#open({ x, y, touch });
+    };
+    const timer = touch ? window.setTimeout(open, restMilliseconds) : 0;
+    this.#press = { pointer, x, y, slop: touch ? slop.touch : slop.mouse, timer };
+  }
+
+  /** Closes it, unless the press is on it. */
+  #close(target: EventTarget | null): void {
+    const { element } = this.#menu;
+    if (!(target instanceof Node && element.contains(target))) element.hidePopover();
+  }
+
+  #forget(): void {
+    clearTimeout(this.#press?.timer);
+    this.#press = null;
+  }
+
+  /** Selects what lies there, unless it is selected with others, and shows what can be done. */
+  #open(place: { x: number; y: number; touch: boolean }): void {
+    const { editor } = this;
+    const target = targetAt(this.viewer, { ...editor.state, tool: 'select' }, place);
+    if (target?.type === 'other' && !editor.state.chosen.includes(target.id)) {
+      editor.activate(target.id);
+    }
+    this.#show(place.x, place.y);
+  }
+
+  #show(x: number, y: number): void {
+    const { element } = this.#menu;
+    element.replaceChildren(...this.#actions().map((action) => this.#item(action)));
+    element.showPopover();
+    const { offsetWidth, offsetHeight } = element;
+    element.style.left = `${Math.max(8, Math.min(x, innerWidth - offsetWidth - 8))}px`;
+    element.style.top = `${Math.max(8, Math.min(y, innerHeight - offsetHeight - 8))}px`;
+  }
+
+  #item([name, act]: Action): HTMLButtonElement {
+    const item = make('button', name, { type: 'button' });
+    item.setAttribute('role', 'menuitem');
+    item.addEventListener('click', () => {
+      this.#menu.element.hidePopover();
+      act();
+      this.stage.focus({ preventScroll: true });
+    });
+    return item;
+  }
+
+  #actions(): Action[] {
+    const { editor } = this;
+    const { state } = editor;
+    const ids = targetsOf(state);
+    const { objects } = state.drawing;
+    const grouped = objects.some(({ id, group }) => group !== null && ids.includes(id));
+    const [lone] = ids.length === 1 ? ids : [];
+    const actions: [boolean, string, () => void][] = [
+      [ids.length > 0, 'Duplicate', () => editor.duplicate(ids)],
+      [ids.length > 1, 'Group', () => editor.group(ids)],
+      [grouped, 'Ungroup', () => editor.ungroup(ids)],
+      [lone !== undefined, 'Bring to front', () => editor.raise(lone!, objects.length)],
+      [lone !== undefined, 'Send to back', () => editor.raise(lone!, -objects.length)],
+      [ids.length > 0, 'Hide', () => editor.setProperties(ids, { visible: false })],
+      [ids.length > 0, 'Lock', () => editor.setProperties(ids, { locked: true })],
+      [ids.length > 0, 'Delete', () => editor.deleteObjects(ids)],
+      [true, 'Select all', () => editor.chooseAll()],
+      [true, 'Whole surface', () => this.viewer.resetView({ animated: true })],
+    ];
+    return actions.filter(([isPossible]) => isPossible).map(([, name, act]) => [name, act]);
+  }
+}
+
+type Action = [name: string, act: () => void];
+
+/** The selected objects, or else the edited one where there is something of it. */
+function targetsOf({ chosen, drawing }: State): readonly number[] {
+  if (chosen.length > 0) return chosen;
+  return drawing.objects
+    .filter(({ id, figure }) => id === drawing.active && !isEmpty(figure))
+    .map(({ id }) => id);
+}
