@@ -61,7 +61,7 @@ function install([all, without]) {
 
   /** What is in front of the others has the clicks. */
   const front = () =>
-    document.querySelector('dialog:modal') ?? document.querySelector(':popover-open') ?? document;
+    document.querySelector('dialog:modal, :popover-open, .tour:not([hidden])') ?? document;
 
   const visible = () =>
     [...front().querySelectorAll(all)].filter(

@@ -1,5 +1,6 @@
 // What the page saves as files, and opens again.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { sometimes } from './part.mjs';
@@ -37,6 +38,45 @@ describe('saving', () => {
       element,
       vertices.map((_, i) => i + 1),
     );
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a PNG is the view in twice as many pixels, see-through where that is asked for', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    await tab.still();
+    const stage = await tab.page.locator('#stage').boundingBox();
+    /** Its size, how much of it is seen through, and whether the curve's color is on it. */
+    const look = async (format) => {
+      const coming = tab.page.waitForEvent('download');
+      await tab.page.locator('#save').click();
+      await tab.page.locator(`[data-save="${format}"]`).click();
+      const download = await coming;
+      assert.equal(download.suggestedFilename(), 'bspline-on-sphere.png');
+      const bytes = readFileSync(await download.path()).toString('base64');
+      return tab.page.evaluate(async (base64) => {
+        const content = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        const bitmap = await createImageBitmap(new Blob([content], { type: 'image/png' }));
+        const { width, height } = bitmap;
+        const context = new OffscreenCanvas(width, height).getContext('2d');
+        context.drawImage(bitmap, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        let [clear, blue] = [0, 0];
+        for (let i = 0; i < data.length; i += 4) {
+          if (data[i + 3] === 0) clear++;
+          if (data[i + 2] > data[i] + 120) blue++;
+        }
+        return { width, height, clear: clear / (width * height), blue };
+      }, bytes);
+    };
+    const [whole, clear] = [await look('png'), await look('clear')];
+    for (const { width, height } of [whole, clear]) {
+      assert.deepEqual([width, height], [2 * stage.width, 2 * stage.height]);
+    }
+    assert.equal(whole.clear, 0);
+    assert.ok(clear.clear > 0.2 && clear.clear < 0.9, `${clear.clear} is seen through`);
+    assert.ok(whole.blue > 500 && clear.blue > 500, 'the curve is on both');
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });

@@ -21,7 +21,12 @@ const types: Record<Format, string> = {
   json: 'application/json',
 };
 
-/** The menu that saves the curve as a file. */
+const isFormat = (name: string): name is Format => Object.hasOwn(types, name);
+
+/** Pixels of a picture for each that is seen. */
+const pictureScale = 2;
+
+/** The menu that saves what is drawn, or seen, as a file. */
 export class SaveMenu {
   readonly #menu = new Menu('save-menu', 'save', () => this.#showWhatThereIs());
   readonly #items = this.#menu.items;
@@ -34,7 +39,9 @@ export class SaveMenu {
     for (const item of this.#items) {
       item.addEventListener('click', () => {
         this.#menu.element.hidePopover();
-        this.save(item.dataset.save as Format);
+        const format = item.dataset.save as Format | 'png' | 'clear';
+        if (format === 'png' || format === 'clear') void this.#savePicture(format === 'clear');
+        else this.save(format);
       });
     }
   }
@@ -46,15 +53,29 @@ export class SaveMenu {
       return;
     }
     const { state } = this.editor;
-    const surface = meshLabel(state.mesh).replace(/\.obj$/i, '');
-    const title = `${state.figure.kind} on ${surface}`;
+    const title = this.#title;
     const text = {
       obj: () => objOf(this.#polylines, this.#marks, title),
       svg: () => this.#drawing(),
       json: () => jsonOf(state, this.session.view),
     }[format]();
-    const name = `${title.replaceAll(/[^\p{L}\p{N}]+/gu, '-').toLowerCase()}.${format}`;
-    const address = URL.createObjectURL(new Blob([text], { type: types[format] }));
+    this.#download(new Blob([text], { type: types[format] }), format);
+  }
+
+  /** Saves what is seen, the surface too, in twice as many pixels. */
+  async #savePicture(seeThrough: boolean): Promise<void> {
+    const background = seeThrough ? null : sceneColors().stage;
+    this.#download(await this.viewer.picture(pictureScale, background), 'png');
+  }
+
+  get #title(): string {
+    const { mesh, figure } = this.editor.state;
+    return `${figure.kind} on ${meshLabel(mesh).replace(/\.obj$/i, '')}`;
+  }
+
+  #download(file: Blob, extension: string): void {
+    const name = `${this.#title.replaceAll(/[^\p{L}\p{N}]+/gu, '-').toLowerCase()}.${extension}`;
+    const address = URL.createObjectURL(file);
     make('a', '', { href: address, download: name }).click();
     setTimeout(() => URL.revokeObjectURL(address), 60_000);
   }
@@ -82,7 +103,10 @@ export class SaveMenu {
 
   #showWhatThereIs(): void {
     byId('save-none').hidden = this.#has('json');
-    for (const item of this.#items) item.disabled = !this.#has(item.dataset.save as Format);
+    for (const item of this.#items) {
+      const format = item.dataset.save as string;
+      if (isFormat(format)) item.disabled = !this.#has(format);
+    }
   }
 
   #drawing(): string {

@@ -34,13 +34,14 @@ export function onTheme(listener: (theme: Theme) => void): void {
 }
 
 /** The colors that the style sheet has for what is drawn in the scene. */
-export function sceneColors(): ViewerColors {
+export function sceneColors(): ViewerColors & { stage: string } {
   const probe = document.body.appendChild(document.createElement('i'));
   const read = (name: string) => {
     probe.style.color = `var(--${name})`;
     return getComputedStyle(probe).color;
   };
-  const colors: ViewerColors = {
+  const colors: ViewerColors & { stage: string } = {
+    stage: read('stage-near'),
     front: read('surface-front'),
     back: read('surface-back'),
     sky: read('surface-sky'),

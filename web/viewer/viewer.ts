@@ -444,6 +444,28 @@ export class Viewer {
     if (surface) this.#view.lookAt(position, surface.normal(surface.nearest(position)));
   }
 
+  /**
+   * The view as a PNG, of so many pixels for each of CSS; see-through beside the surface where no
+   * background is given.
+   */
+  picture(scale: number, background: string | null): Promise<Blob> {
+    const { width, height } = this.#size;
+    const ratio = this.#renderer.getPixelRatio();
+    const picture = new OffscreenCanvas(width * scale, height * scale);
+    const context = picture.getContext('2d')!;
+    if (background) {
+      context.fillStyle = background;
+      context.fillRect(0, 0, picture.width, picture.height);
+    }
+    this.#renderer.setPixelRatio(scale);
+    this.#renderer.render(this.#scene, this.#view.camera);
+    // What is drawn holds until this task ends.
+    context.drawImage(this.canvas, 0, 0);
+    this.#renderer.setPixelRatio(ratio);
+    this.requestFrame();
+    return picture.convertToBlob({ type: 'image/png' });
+  }
+
   #resize(): void {
     const { clientWidth, clientHeight } = this.stage;
     if (clientWidth === 0 || clientHeight === 0) return;
