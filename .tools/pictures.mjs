@@ -3,8 +3,8 @@
 //
 //   npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--save] [--built]
 //
-// One size or theme only; with --save the README's picture, docs/drawing.png, too; what is in build/page as
-// it is.
+// One size or theme only; with --save the README's picture, docs/drawing.jpg, in place of the sittings; what
+// is in build/page as it is.
 import { mkdirSync, statSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildPage, buildWasm } from './build.mjs';
@@ -43,19 +43,19 @@ async function replay({ sitDown }, sitting, viewport, theme, path) {
 /** The drawing that the page opens with, without the page about it. */
 async function savePicture({ sitDown }) {
   const { browser, tab } = await sitDown({ width: 1180, height: 700 });
-  const path = inRoot('docs/drawing.png');
+  const path = inRoot('docs/drawing.jpg');
   try {
     const { page } = tab;
     await page.locator('#tour-skip').click();
     await page.mouse.move(0, 0);
     await tab.still();
-    await page.screenshot({ path });
+    await page.screenshot({ path, type: 'jpeg', quality: 90 });
   } finally {
     await browser.close();
   }
   const { size } = statSync(path);
-  if (size > mostBytes) throw new Error(`docs/drawing.png has ${size} bytes, over ${mostBytes}.`);
-  console.log(`Written to docs/drawing.png: ${size} bytes.`);
+  if (size > mostBytes) throw new Error(`docs/drawing.jpg has ${size} bytes, over ${mostBytes}.`);
+  console.log(`Written to docs/drawing.jpg: ${size} bytes.`);
 }
 
 try {
@@ -64,18 +64,18 @@ try {
     options: Object.fromEntries(Object.entries(options).map(([name, type]) => [name, { type }])),
   });
   const wantedThemes = chosen('theme', values.theme, themes);
-  await setUp('build', 'test');
-  process.env.CHROMIUM_PATH ??= chromiumPath();
   if (!values.built) {
+    await setUp('build', 'test');
     await buildWasm();
     await buildFacade();
     await buildPage();
   }
+  process.env.CHROMIUM_PATH ??= chromiumPath();
   const sittings = await import('../tests/web/sittings.mjs');
   const sizes = chosen('size', values.size, Object.keys(sittings.windows));
   mkdirSync(inRoot('build/pictures'), { recursive: true });
   const both = { scan: sittings.scanSitting, seam: sittings.seamSitting };
-  for (const size of sizes) {
+  for (const size of values.save ? [] : sizes) {
     for (const theme of wantedThemes) {
       for (const [name, sitting] of Object.entries(both)) {
         const path = inRoot(`build/pictures/${name}-${size}-${theme}`);
