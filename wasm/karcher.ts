@@ -4,6 +4,7 @@ import { KarcherError } from './errors.js';
 import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import { Mesh } from './mesh.js';
 import { engineMeshOptions } from './options.js';
+import { checkFits, checkMeshFits } from './room.js';
 import type { MeshOptions, Shape } from './types.js';
 
 const shapes: readonly Shape[] = ['sphere', 'torus', 'knot', 'genus3', 'openSheet'];
@@ -38,6 +39,8 @@ export class Karcher {
     const { repair, weld } = engineMeshOptions(options);
     const bytes =
       typeof textOrBytes === 'string' ? new TextEncoder().encode(textOrBytes) : textOrBytes;
+    const megabytes = (bytes.length / 2 ** 20).toFixed(0);
+    checkFits(bytes.length, `an OBJ file of ${megabytes} MB takes`, () => this.allocatedBytes());
     return this.#mesh((engine) => engine.meshFromObj(bytes, repair, weld));
   }
 
@@ -55,6 +58,9 @@ export class Karcher {
     const corners = toInt32(triangles, 'the triangles');
     checkLength(corners, 3, 'the triangles');
     const { repair, weld } = engineMeshOptions(options);
+    checkMeshFits(coordinates.length / 3, corners.length / 3, 'a mesh of', () =>
+      this.allocatedBytes(),
+    );
     return this.#mesh((engine) => engine.meshFromArrays(coordinates, corners, repair, weld));
   }
 

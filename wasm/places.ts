@@ -1,64 +1,102 @@
+/** Parts of the table: each grows by itself, so that no growth takes long. */
+const tableBits = 8;
+/** Vertices in one array of positions; a power of two. */
+const chunkBits = 14;
+const chunkMask = (1 << chunkBits) - 1;
+
+/** A part of the table: vertices plus 1 by the rest of their hash, open addressing; 0 is free. */
+interface Part {
+  slots: Int32Array;
+  count: number;
+}
+
+/** Positions, and the same bytes as whole numbers. */
+interface Chunk {
+  positions: Float64Array;
+  words: Int32Array;
+}
+
 /**
  * Vertices by their place, for files that repeat a vertex in each of its faces: those of exactly the
  * same coordinates are one, numbered in the order in which they come.
  */
 export class Places {
-  #positions = new Float64Array(3 << 10);
-  #words = new Int32Array(this.#positions.buffer);
-  /** Vertices plus 1 by hash, open addressing; 0 is free. */
-  #table = new Int32Array(1 << 12);
+  readonly #chunks: Chunk[] = [];
+  readonly #parts: Part[] = Array.from({ length: 1 << tableBits }, () => ({
+    slots: new Int32Array(16),
+    count: 0,
+  }));
   count = 0;
 
   /** The number of the vertex there. */
   number(x: number, y: number, z: number): number {
-    if (3 * this.count === this.#positions.length) this.#grow();
-    const positions = this.#positions;
-    const at = 3 * this.count;
+    const { positions, words } = this.#chunkOf(this.count);
+    const at = 3 * (this.count & chunkMask);
     // -0 is 0.
     positions[at] = x + 0;
     positions[at + 1] = y + 0;
     positions[at + 2] = z + 0;
-    const mask = this.#table.length - 1;
-    let slot = this.#hash(this.count) & mask;
-    for (let entry = this.#table[slot]!; entry !== 0; entry = this.#table[slot]!) {
-      const other = 3 * (entry - 1);
-      if (
-        positions[other] === positions[at] &&
-        positions[other + 1] === positions[at + 1] &&
-        positions[other + 2] === positions[at + 2]
-      ) {
-        return entry - 1;
-      }
+    const word = 2 * at;
+    const hash = hashOf(words, word);
+    const part = this.#parts[hash & ((1 << tableBits) - 1)]!;
+    const { slots } = part;
+    const mask = slots.length - 1;
+    let slot = (hash >>> tableBits) & mask;
+    for (let entry = slots[slot]!; entry !== 0; entry = slots[slot]!) {
+      if (this.#isAt(entry - 1, words, word)) return entry - 1;
       slot = (slot + 1) & mask;
     }
-    this.#table[slot] = ++this.count;
+    slots[slot] = ++this.count;
+    if (2 * ++part.count > slots.length) this.#grow(part);
     return this.count - 1;
   }
 
   get positions(): Float64Array {
-    return this.#positions.slice(0, 3 * this.count);
+    const positions = new Float64Array(3 * this.count);
+    for (const [i, chunk] of this.#chunks.entries()) {
+      const at = (3 * i) << chunkBits;
+      positions.set(chunk.positions.subarray(0, Math.max(0, positions.length - at)), at);
+    }
+    return positions;
   }
 
-  #hash(vertex: number): number {
-    let hash = 0;
-    for (let word = 6 * vertex; word < 6 * vertex + 6; word++) {
-      hash = Math.imul(hash ^ this.#words[word]!, 0x9e3779b1);
-      hash ^= hash >>> 15;
+  #chunkOf(vertex: number): Chunk {
+    const number = vertex >>> chunkBits;
+    if (number === this.#chunks.length) {
+      const positions = new Float64Array(3 << chunkBits);
+      this.#chunks.push({ positions, words: new Int32Array(positions.buffer) });
     }
-    return hash;
+    return this.#chunks[number]!;
   }
 
-  #grow(): void {
-    const positions = new Float64Array(2 * this.#positions.length);
-    positions.set(this.#positions);
-    this.#positions = positions;
-    this.#words = new Int32Array(positions.buffer);
-    this.#table = new Int32Array(2 * this.#table.length);
-    const mask = this.#table.length - 1;
-    for (let vertex = 0; vertex < this.count; vertex++) {
-      let slot = this.#hash(vertex) & mask;
-      while (this.#table[slot] !== 0) slot = (slot + 1) & mask;
-      this.#table[slot] = vertex + 1;
-    }
+  /** Whether a vertex has this place, bit by bit: NaN is equal to itself here. */
+  #isAt(vertex: number, words: Int32Array, at: number): boolean {
+    const others = this.#chunks[vertex >>> chunkBits]!.words;
+    const other = 6 * (vertex & chunkMask);
+    for (let i = 0; i < 6; i++) if (others[other + i] !== words[at + i]) return false;
+    return true;
   }
+
+  #grow(part: Part): void {
+    const slots = new Int32Array(2 * part.slots.length);
+    const mask = slots.length - 1;
+    for (const entry of part.slots) {
+      if (entry === 0) continue;
+      const vertex = entry - 1;
+      const hash = hashOf(this.#chunks[vertex >>> chunkBits]!.words, 6 * (vertex & chunkMask));
+      let slot = (hash >>> tableBits) & mask;
+      while (slots[slot] !== 0) slot = (slot + 1) & mask;
+      slots[slot] = entry;
+    }
+    part.slots = slots;
+  }
+}
+
+function hashOf(words: Int32Array, at: number): number {
+  let hash = 0;
+  for (let word = at; word < at + 6; word++) {
+    hash = Math.imul(hash ^ words[word]!, 0x9e3779b1);
+    hash ^= hash >>> 15;
+  }
+  return hash;
 }

@@ -33,17 +33,17 @@ const others: readonly (readonly [RegExp | string, string])[] = [
   [/^%PDF/, 'a PDF document'],
 ];
 
-const endings: Readonly<Record<string, MeshFormat>> = {
-  obj: 'obj',
-  ply: 'ply',
-  stl: 'stl',
-  off: 'off',
-  glb: 'gltf',
-  gltf: 'gltf',
-};
+const endings = new Map<string, MeshFormat>([
+  ['obj', 'obj'],
+  ['ply', 'ply'],
+  ['stl', 'stl'],
+  ['off', 'off'],
+  ['glb', 'gltf'],
+  ['gltf', 'gltf'],
+]);
 
 /** The endings of the names of files that are read. */
-export const fileEndings: readonly string[] = Object.keys(endings).map((ending) => `.${ending}`);
+export const fileEndings: readonly string[] = [...endings.keys()].map((ending) => `.${ending}`);
 
 /**
  * Which format bytes are of, by what they begin with; the name's ending decides where that says
@@ -53,7 +53,7 @@ export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
   const start = startOf(bytes).replace(/^\xef\xbb\xbf/, '');
   if (/^ply[\r\n]/.test(start)) return 'ply';
   if (isGlb(bytes)) return 'gltf';
-  const ending = endings[/\.([^.]+)$/.exec(name)?.[1]?.toLowerCase() ?? ''];
+  const ending = endings.get(/\.([^.]+)$/.exec(name)?.[1]?.toLowerCase() ?? '');
   const other = others.find(([begin]) =>
     typeof begin === 'string' ? start.startsWith(begin) : begin.test(start),
   )?.[1];

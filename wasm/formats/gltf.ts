@@ -1,5 +1,6 @@
 import { shown } from '../check.js';
 import { KarcherError } from '../errors.js';
+import { checkMeshFits } from '../room.js';
 import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
 import { badFile, counted } from './failures.js';
@@ -13,15 +14,14 @@ import {
   listOf,
   objectOf,
 } from './gltf_accessors.js';
-import { GrowingInts } from './growing.js';
-import type { Polygons } from './types.js';
+import type { FilePart, Polygons } from './types.js';
 
 type Json = Readonly<Record<string, unknown>>;
 /** A matrix's 16 numbers, column by column. */
 type Matrix = readonly number[];
 
-/** Instances may repeat a mesh: so many triangles, and no more, are made of a file. */
-const mostTriangles = 50_000_000;
+/** Instances may repeat a mesh: so many parts, and no more, are made of a file. */
+const mostParts = 250_000;
 
 const identity: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -29,10 +29,10 @@ const identity: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const harmless = /^(KHR_(materials|texture|lights|mesh_quantization|xmp)|EXT_texture|MSFT_texture)/;
 
 /** How a compressed file is named to a person. */
-const compressions: Readonly<Record<string, string>> = {
-  KHR_draco_mesh_compression: 'Draco',
-  EXT_meshopt_compression: 'meshoptimizer',
-};
+const compressions = new Map([
+  ['KHR_draco_mesh_compression', 'Draco'],
+  ['EXT_meshopt_compression', 'meshoptimizer'],
+]);
 
 const modes = ['points', 'lines', 'lines', 'lines', 'triangles', 'strip', 'fan'] as const;
 
@@ -54,61 +54,72 @@ export async function readGltf(
   const accessors = new Accessors(gltfContent(bytes), beside);
   const { json } = accessors;
   checkVersion(json);
-  const { strips, notRead } = primitivesOf(accessors);
-  if (strips.length === 0) throw badFile('the glTF file has no triangles in its scene');
-  const chosen = strips.filter((_, part) => wanted(part));
-  const triangles = chosen.reduce((sum, strip) => sum + strip.triangles, 0);
-  const vertices = chosen.reduce((sum, { places }) => sum + places.count, 0);
-  if (triangles > mostTriangles || vertices > 3 * mostTriangles) {
-    throw badFile(
-      `the glTF file makes ${counted(triangles)} triangles of ${counted(vertices)} vertices; up to ${counted(mostTriangles)} are made`,
-    );
-  }
-  const scene = new Scene(new Slices(work, 'reading'), triangles);
+  const slices = new Slices(work, 'reading');
+  const { parts, chosen, notRead } = await stripsOf(accessors, wanted, slices);
+  if (parts.length === 0) throw badFile('the glTF file has no triangles in its scene');
+  const scene = new Scene(slices, chosen);
   for (const strip of chosen) await scene.add(strip);
-  const parts = strips.map((strip) => ({ name: strip.name, triangles: strip.triangles }));
   const info = { format: 'gltf', parts, notRead } as const;
   return { positions: scene.positions, corners: scene.corners, sizes: null, info };
 }
 
-/** Triangles of a primitive, where a node puts them. */
-interface Strip {
-  name: string;
-  node: object;
-  matrix: Matrix;
+/** Triangles of a mesh, however often nodes place it. */
+interface Primitive {
   mode: 'triangles' | 'strip' | 'fan';
-  position: unknown;
   places: Accessor;
   /** Numbers of its vertices; null where they are taken one after the other. */
   indices: Accessor | null;
   triangles: number;
+  /** Of the mesh's primitives, from 1; empty where it has one. */
+  number: string;
 }
 
-/** What the scene has of triangles, and sentences about what else it has. */
-function primitivesOf(accessors: Accessors): { strips: Strip[]; notRead: string[] } {
+/** A primitive, where a node puts it. */
+interface Strip {
+  name: string;
+  node: PlacedMesh;
+  primitive: Primitive;
+}
+
+/** What a mesh has, of triangles and of what is left out. */
+interface Primitives {
+  triangles: Primitive[];
+  points: number;
+  lines: number;
+  morphed: number;
+}
+
+/** All parts, those that are wanted as strips, and sentences about what else the scene has. */
+async function stripsOf(
+  accessors: Accessors,
+  wanted: (part: number) => boolean,
+  slices: Slices,
+): Promise<{ parts: FilePart[]; chosen: Strip[]; notRead: string[] }> {
   const { json } = accessors;
-  const strips: Strip[] = [];
+  const nodes = placedMeshes(json);
+  const meshes = new Map<Json, Primitives>();
   const others = { points: 0, lines: 0, morphed: 0 };
-  for (const node of placedMeshes(json)) {
-    const primitives = listOf(node.mesh, 'primitives');
-    for (const i of primitives.keys()) {
-      const primitive = entryOf(node.mesh, 'primitives', i);
-      const mode = modes[countOf(primitive, 'mode', 'a primitive of the glTF file', 4)];
-      if (mode === undefined) throw badFile('a primitive of the glTF file has a mode above 6');
-      if (mode === 'points' || mode === 'lines') {
-        others[mode]++;
-        continue;
-      }
-      if (listOf(primitive, 'targets').length > 0) others.morphed++;
-      const position = objectOf(primitive, 'attributes').POSITION;
-      const places = accessors.accessor(position, 'VEC3');
-      const indices =
-        primitive.indices === undefined ? null : accessors.accessor(primitive.indices, 'SCALAR');
-      const count = indices?.count ?? places.count;
-      const triangles = mode === 'triangles' ? Math.floor(count / 3) : Math.max(0, count - 2);
-      const name = primitives.length > 1 ? `${node.name}, ${i + 1}` : node.name;
-      const { matrix } = node;
-      strips.push({ name, node, matrix, mode, position, places, indices, triangles });
+  let count = 0;
+  for (const { mesh } of nodes) {
+    const known = meshes.get(mesh) ?? (await primitivesOf(mesh, accessors, slices));
+    meshes.set(mesh, known);
+    count += known.triangles.length;
+    others.points += known.points;
+    others.lines += known.lines;
+    others.morphed += known.morphed;
+  }
+  if (count > mostParts) {
+    throw badFile(
+      `the glTF file's nodes place ${counted(count)} parts; up to ${counted(mostParts)} are read`,
+    );
+  }
+  const parts: FilePart[] = [];
+  const chosen: Strip[] = [];
+  for (const node of nodes) {
+    for (const primitive of meshes.get(node.mesh)!.triangles) {
+      const name = node.name + primitive.number;
+      if (wanted(parts.length)) chosen.push({ name, node, primitive });
+      parts.push({ name, triangles: primitive.triangles });
     }
   }
   const notRead = [
@@ -117,7 +128,31 @@ function primitivesOf(accessors: Accessors): { strips: Strip[]; notRead: string[
     ...(others.morphed > 0 ? ['Morph targets are at rest.'] : []),
     ...(listOf(json, 'skins').length > 0 ? ['Skins are at rest.'] : []),
   ];
-  return { strips: strips.filter(({ triangles }) => triangles > 0), notRead };
+  return { parts, chosen, notRead };
+}
+
+async function primitivesOf(mesh: Json, accessors: Accessors, slices: Slices): Promise<Primitives> {
+  const found: Primitives = { triangles: [], points: 0, lines: 0, morphed: 0 };
+  const primitives = listOf(mesh, 'primitives');
+  for (const i of primitives.keys()) {
+    if (slices.over) await slices.rest(0);
+    const primitive = entryOf(mesh, 'primitives', i);
+    const mode = modes[countOf(primitive, 'mode', 'a primitive of the glTF file', 4)];
+    if (mode === undefined) throw badFile('a primitive of the glTF file has a mode above 6');
+    if (mode === 'points' || mode === 'lines') {
+      found[mode]++;
+      continue;
+    }
+    if (listOf(primitive, 'targets').length > 0) found.morphed++;
+    const places = accessors.places(objectOf(primitive, 'attributes').POSITION);
+    const indices = primitive.indices === undefined ? null : accessors.indices(primitive.indices);
+    const count = indices?.count ?? places.count;
+    const triangles = mode === 'triangles' ? Math.floor(count / 3) : Math.max(0, count - 2);
+    if (triangles === 0) continue;
+    const number = primitives.length > 1 ? `, ${i + 1}` : '';
+    found.triangles.push({ mode, places, indices, triangles, number });
+  }
+  return found;
 }
 
 function checkVersion(json: Json): void {
@@ -128,7 +163,7 @@ function checkVersion(json: Json): void {
   }
   for (const name of listOf(json, 'extensionsRequired')) {
     if (typeof name === 'string' && harmless.test(name)) continue;
-    const compression = typeof name === 'string' ? compressions[name] : undefined;
+    const compression = typeof name === 'string' ? compressions.get(name) : undefined;
     throw badFile(
       compression
         ? `the glTF file is compressed by ${compression}, which is not read: save it uncompressed`
@@ -166,8 +201,8 @@ function placedMeshes(json: Json): PlacedMesh[] {
       const name = [node.name, mesh.name].find((one) => typeof one === 'string' && one !== '');
       placed.push({ mesh, matrix, name: (name as string | undefined) ?? `mesh ${node.mesh}` });
     }
-    const children = listOf(node, 'children').map((child) => ({ node: child, matrix }));
-    waiting.push(...children.reverse());
+    const children = listOf(node, 'children');
+    for (let i = children.length - 1; i >= 0; i--) waiting.push({ node: children[i], matrix });
   }
   return placed;
 }
@@ -222,39 +257,37 @@ function mirrors([a, b, c, , d, e, f, , g, h, i]: Matrix): boolean {
 /** Vertices and triangles as nodes put them. */
 class Scene {
   readonly #slices: Slices;
-  readonly #whole: number;
-  readonly #corners = new GrowingInts();
-  readonly #chunks: Float64Array[] = [];
-  /** Where the vertices of accessors begin, of the last node: its primitives share them. */
-  #starts = new Map<unknown, number>();
-  #node: object | null = null;
+  readonly positions: Float64Array;
+  readonly corners: Int32Array;
   #vertices = 0;
+  #corner = 0;
+  /** Where the vertices of accessors begin, of the last node: its primitives share them. */
+  #starts = new Map<Accessor, number>();
+  #node: PlacedMesh | null = null;
 
-  constructor(slices: Slices, triangles: number) {
+  /** Room for all of these. Throws `KarcherError` outOfMemory where they do not fit. */
+  constructor(slices: Slices, strips: readonly Strip[]) {
     this.#slices = slices;
-    this.#whole = 3 * triangles;
-  }
-
-  get positions(): Float64Array {
-    const positions = new Float64Array(3 * this.#vertices);
-    let at = 0;
-    for (const chunk of this.#chunks) {
-      positions.set(chunk, at);
-      at += chunk.length;
+    let [triangles, vertices] = [0, 0];
+    const seen = new Set<Accessor>();
+    for (const [i, { node, primitive }] of strips.entries()) {
+      triangles += primitive.triangles;
+      if (node !== strips[i - 1]?.node) seen.clear();
+      if (!seen.has(primitive.places)) vertices += primitive.places.count;
+      seen.add(primitive.places);
     }
-    return positions;
+    checkMeshFits(vertices, triangles, 'the glTF file makes');
+    this.positions = new Float64Array(3 * vertices);
+    this.corners = new Int32Array(3 * triangles);
   }
 
-  get corners(): Int32Array {
-    return this.#corners.values;
-  }
-
-  async add(strip: Strip): Promise<void> {
-    const { name, mode, places, indices, triangles } = strip;
+  async add({ name, node, primitive }: Strip): Promise<void> {
+    const { mode, places, indices, triangles } = primitive;
     const vertices = places.count;
-    const start = await this.#start(strip);
-    const turned = mirrors(strip.matrix);
+    const start = await this.#start(node, places);
+    const turned = mirrors(node.matrix);
     const index = new Float64Array(1);
+    const { corners } = this;
     let [first, second] = [0, 0];
     const rows = mode === 'triangles' ? 3 * triangles : triangles + 2;
     for (let row = 0; row < rows; row++) {
@@ -274,40 +307,40 @@ class Scene {
         // In a strip every other triangle is turned over.
         const over = (mode === 'strip' && row % 2 === 1) !== turned;
         const [b, c] = over ? [vertex, second] : [second, vertex];
-        this.#corners.push(start + first);
-        this.#corners.push(start + b);
-        this.#corners.push(start + c);
+        corners[this.#corner++] = start + first;
+        corners[this.#corner++] = start + b;
+        corners[this.#corner++] = start + c;
         if (mode === 'strip') first = second;
         if (mode !== 'triangles') second = vertex;
       }
     }
   }
 
-  async #start({ node, position, places, matrix }: Strip): Promise<number> {
+  /** The number of the first of a node's vertices, which are made once. */
+  async #start(node: PlacedMesh, places: Accessor): Promise<number> {
     if (node !== this.#node) this.#starts = new Map();
     this.#node = node;
-    const known = this.#starts.get(position);
+    const known = this.#starts.get(places);
     if (known !== undefined) return known;
     const start = this.#vertices;
-    const { count } = places;
-    const chunk = new Float64Array(3 * count);
+    const { matrix } = node;
+    const { positions } = this;
     const place = new Float64Array(3);
-    for (let row = 0; row < count; row++) {
+    for (let row = 0; row < places.count; row++) {
       if ((row & batchMask) === 0 && this.#slices.over) await this.#rest();
       places.fill(row, place);
       const [x, y, z] = [place[0]!, place[1]!, place[2]!];
       for (let axis = 0; axis < 3; axis++) {
-        chunk[3 * row + axis] =
+        positions[3 * (start + row) + axis] =
           matrix[axis]! * x + matrix[4 + axis]! * y + matrix[8 + axis]! * z + matrix[12 + axis]!;
       }
     }
-    this.#chunks.push(chunk);
-    this.#vertices += count;
-    this.#starts.set(position, start);
+    this.#vertices += places.count;
+    this.#starts.set(places, start);
     return start;
   }
 
   #rest(): Promise<void> {
-    return this.#slices.rest(this.#corners.length / this.#whole);
+    return this.#slices.rest(this.#corner / this.corners.length);
   }
 }

@@ -34,18 +34,26 @@ export function countOf(json: Json, name: string, what: string, otherwise?: numb
   throw badFile(`${what} has no whole number '${name}'`);
 }
 
-const componentBytes: Readonly<Record<number, number>> = {
-  5120: 1,
-  5121: 1,
-  5122: 2,
-  5123: 2,
-  5125: 4,
-  5126: 4,
-};
+const componentBytes = new Map([
+  [5120, 1],
+  [5121, 1],
+  [5122, 2],
+  [5123, 2],
+  [5125, 4],
+  [5126, 4],
+]);
 /** What a whole number is divided by where it stands for one from -1 or 0 to 1. */
-const most: Readonly<Record<number, number>> = { 5120: 127, 5121: 255, 5122: 32767, 5123: 65535 };
+const most = new Map([
+  [5120, 127],
+  [5121, 255],
+  [5122, 32767],
+  [5123, 65535],
+]);
+/** The types of numbers that count: whole and at least 0. */
+const counting: readonly unknown[] = [5121, 5123, 5125];
 
-const components: Readonly<Record<string, number>> = { SCALAR: 1, VEC3: 3 };
+const components = { SCALAR: 1, VEC3: 3 } as const;
+type RowType = keyof typeof components;
 
 export interface Accessor {
   count: number;
@@ -66,6 +74,7 @@ export class Accessors {
   readonly #content: GltfContent;
   readonly #beside: Readonly<Record<string, Uint8Array>>;
   readonly #buffers = new Map<unknown, Uint8Array>();
+  readonly #known = new Map<string, Accessor>();
 
   constructor(content: GltfContent, beside: Readonly<Record<string, Uint8Array>>) {
     if (!isJson(content.json)) throw badFile("the glTF file's JSON is no object");
@@ -78,25 +87,44 @@ export class Accessors {
     return this.#json;
   }
 
-  /**
-   * An accessor whose rows are all in their buffers: how many they are, and `fill`, which gives a row's
-   * numbers.
-   */
-  accessor(number: unknown, type: 'SCALAR' | 'VEC3'): Accessor {
-    const what = `accessor ${number}`;
+  /** An accessor of places, whose rows are all in their buffers. */
+  places(number: unknown): Accessor {
+    return this.#accessor(number, 'VEC3');
+  }
+
+  /** One of numbers of vertices. */
+  indices(number: unknown): Accessor {
+    return this.#accessor(number, 'SCALAR');
+  }
+
+  #accessor(number: unknown, type: RowType): Accessor {
     const accessor = entryOf(this.#json, 'accessors', number);
+    const key = `${type} ${number}`;
+    let known = this.#known.get(key);
+    if (!known) {
+      known = this.#made(accessor, `accessor ${number}`, type);
+      this.#known.set(key, known);
+    }
+    return known;
+  }
+
+  #made(accessor: Json, what: string, type: RowType): Accessor {
     if (accessor.type !== type) throw badFile(`${what} has to be of type ${type}`);
     const count = countOf(accessor, 'count', what);
     const componentType = accessor.componentType as number;
-    const divisor = accessor.normalized === true ? (most[componentType] ?? 1) : 1;
+    if (type === 'SCALAR') {
+      checkCounting(componentType, what);
+      if (accessor.normalized === true) throw badFile(`${what} is normalized, and has to count`);
+    }
+    const divisor = accessor.normalized === true ? (most.get(componentType) ?? 1) : 1;
     const rows =
       accessor.bufferView === undefined
         ? null
         : this.#rows(accessor, what, type, componentType, count);
     const sparse = this.#sparse(accessor, what, type, componentType, count);
     const fillRow = (row: number, values: Float64Array) => {
-      const instead = sparse?.get(row);
-      if (instead !== undefined) fill(values, instead.rows, instead.row);
+      const instead = sparse ? sparse.find(row) : -1;
+      if (instead >= 0) fill(values, sparse!.values, instead);
       else if (rows) fill(values, rows, row);
       else values.fill(0);
       if (divisor === 1) return;
@@ -105,34 +133,49 @@ export class Accessors {
     return { count, fill: fillRow };
   }
 
-  /** Rows that stand instead of others. */
-  #sparse(accessor: Json, what: string, type: string, componentType: number, rows: number) {
+  /** Rows that stand instead of others: `find` gives the place among `values`, or -1. */
+  #sparse(accessor: Json, what: string, type: RowType, componentType: number, rows: number) {
     // Zeros take no bytes: there could be any number of them.
     if (accessor.bufferView === undefined && rows > 0) throw badFile(`${what} has no values`);
     if (accessor.sparse === undefined) return null;
     const sparse = objectOf(accessor, 'sparse');
-    const count = countOf(sparse, 'count', `the sparse part of ${what}`);
-    const indices = objectOf(sparse, 'indices');
     const name = `the sparse part of ${what}`;
+    const count = countOf(sparse, 'count', name);
+    const indices = objectOf(sparse, 'indices');
+    checkCounting(indices.componentType, name);
     const at = this.#rows(indices, name, 'SCALAR', indices.componentType as number, count);
     const values = this.#rows(objectOf(sparse, 'values'), name, type, componentType, count);
-    const instead = new Map<number, { rows: Rows; row: number }>();
     const index = new Float64Array(1);
-    for (let row = 0; row < count; row++) {
+    const indexOf = (row: number) => {
       fill(index, at, row);
-      if (!(index[0]! < rows)) throw badFile(`${name} changes row ${index[0]} of ${rows}`);
-      instead.set(index[0]!, { rows: values, row });
+      return index[0]!;
+    };
+    let last = -1;
+    for (let row = 0; row < count; row++) {
+      const changed = indexOf(row);
+      if (!(changed < rows)) throw badFile(`${name} changes row ${changed} of ${rows}`);
+      if (changed <= last) throw badFile(`${name} has row ${changed} after row ${last}`);
+      last = changed;
     }
-    return instead;
+    const find = (row: number) => {
+      let [low, high] = [0, count];
+      while (low < high) {
+        const middle = (low + high) >>> 1;
+        if (indexOf(middle) < row) low = middle + 1;
+        else high = middle;
+      }
+      return low < count && indexOf(low) === row ? low : -1;
+    };
+    return { values, find };
   }
 
-  #rows(of: Json, what: string, type: string, componentType: number, count: number): Rows {
-    const bytes = componentBytes[componentType];
+  #rows(of: Json, what: string, type: RowType, componentType: number, count: number): Rows {
+    const bytes = componentBytes.get(componentType);
     if (bytes === undefined) throw badFile(`${what} has numbers of no type that is known`);
     const view = entryOf(this.#json, 'bufferViews', of.bufferView);
     const offset = countOf(view, 'byteOffset', `buffer view ${of.bufferView}`, 0);
     const length = countOf(view, 'byteLength', `buffer view ${of.bufferView}`);
-    const row = bytes * components[type]!;
+    const row = bytes * components[type];
     const stride = countOf(view, 'byteStride', `buffer view ${of.bufferView}`, row);
     const start = countOf(of, 'byteOffset', what, 0);
     const buffer = this.#buffer(view.buffer);
@@ -153,7 +196,9 @@ export class Accessors {
     let buffer: Uint8Array | null | undefined;
     if (uri === undefined) buffer = this.#content.buffer;
     else if (typeof uri === 'string') {
-      buffer = uri.startsWith('data:') ? embedded(uri) : this.#beside[nameBeside(uri)];
+      const name = uri.startsWith('data:') ? null : nameBeside(uri);
+      if (name === null) buffer = embedded(uri);
+      else if (Object.hasOwn(this.#beside, name)) buffer = this.#beside[name];
     }
     if (!buffer) {
       throw badFile(
@@ -167,9 +212,14 @@ export class Accessors {
   }
 }
 
+function checkCounting(componentType: unknown, what: string): void {
+  if (counting.includes(componentType)) return;
+  throw badFile(`${what} has numbers that cannot count: they have to be whole and at least 0`);
+}
+
 function fill(values: Float64Array, { view, at, stride, type }: Rows, row: number): void {
   let place = at + stride * row;
-  const bytes = componentBytes[type]!;
+  const bytes = componentBytes.get(type)!;
   for (let i = 0; i < values.length; i++, place += bytes) {
     switch (type) {
       case 5126:

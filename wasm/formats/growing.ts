@@ -1,3 +1,5 @@
+import { counted } from './failures.js';
+
 /** Arrays whose lengths are known once a file is read: they double. */
 
 export class GrowingInts {
@@ -24,13 +26,18 @@ export class GrowingPolygons {
   readonly #corners = new GrowingInts();
   #sizes: GrowingInts | null = null;
   count = 0;
+  #leftOut = 0;
 
   corner(vertex: number): void {
     this.#corners.push(vertex);
   }
 
-  /** Ends a polygon of so many corners. */
+  /** Ends a polygon of so many corners. Fewer than three are none, and are not to be given. */
   end(size: number): void {
+    if (size < 3) {
+      this.#leftOut++;
+      return;
+    }
     if (size !== 3 && !this.#sizes) {
       this.#sizes = new GrowingInts();
       for (let i = 0; i < this.count; i++) this.#sizes.push(3);
@@ -45,6 +52,12 @@ export class GrowingPolygons {
 
   get sizes(): Int32Array | null {
     return this.#sizes?.values ?? null;
+  }
+
+  /** A sentence about faces that are points and lines, if there are any. */
+  get notRead(): string[] {
+    if (this.#leftOut === 0) return [];
+    return [`${counted(this.#leftOut)} points and lines were left out.`];
   }
 
   /** How many triangles they are cut into. */

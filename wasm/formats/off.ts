@@ -31,9 +31,9 @@ export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise
   if (!Number.isInteger(vertices) || vertices < 0) words.fail('the number of vertices');
   const faces = words.count('the number of faces');
   if (words.nextInLine()) words.asNumber('the number of edges');
-  // A vertex takes three digits with what is between them, a face four.
+  // A vertex takes three digits with what is between them, a face of no corners one.
   const room = bytes.length - words.at;
-  if (6 * vertices + 8 * faces - 1 > room) {
+  if (6 * vertices + 2 * faces - 1 > room) {
     throw badFile(
       `the OFF file tells of ${counted(vertices)} vertices and ${counted(faces)} faces, but only ${counted(room)} bytes follow`,
     );
@@ -51,16 +51,10 @@ export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise
     if (color) words.restOfLine();
   }
   const polygons = new GrowingPolygons();
-  let lines = 0;
   for (let face = 0; face < faces; face++) {
     if ((face & batchMask) === 0 && slices.over) await slices.rest(words.at / bytes.length);
     const size = words.count(`the number of corners of face ${face}`);
-    if (size < 3) {
-      lines++;
-      words.restOfLine();
-      continue;
-    }
-    for (let corner = 0; corner < size; corner++) {
+    for (let corner = 0; size >= 3 && corner < size; corner++) {
       const vertex = words.count(`a vertex of face ${face}`);
       if (vertex >= vertices) {
         throw new KarcherError(
@@ -74,8 +68,7 @@ export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise
     words.restOfLine();
   }
   if (words.next()) words.fail('the end of the file');
-  const notRead = lines > 0 ? [`${counted(lines)} points and lines were left out.`] : [];
   const parts = [{ name: 'mesh', triangles: polygons.triangles }];
-  const info = { format: 'off', parts, notRead } as const;
+  const info = { format: 'off', parts, notRead: polygons.notRead } as const;
   return { positions, corners: polygons.corners, sizes: polygons.sizes, info };
 }

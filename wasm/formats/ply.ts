@@ -119,9 +119,12 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
     // What follows the faces and vertices is of no use.
     if (positions.length > 0 && polygons.count > 0) break;
   }
-  const notRead = elements
-    .filter(({ name, count }) => !['vertex', 'face'].includes(name) && count > 0)
-    .map(({ name, count }) => `The file’s '${name}' (${counted(count)}) was left out.`);
+  const notRead = [
+    ...polygons.notRead,
+    ...elements
+      .filter(({ name, count }) => !['vertex', 'face'].includes(name) && count > 0)
+      .map(({ name, count }) => `The file’s '${name}' (${counted(count)}) was left out.`),
+  ];
   const parts = [{ name: 'mesh', triangles: polygons.triangles }];
   const info = { format: 'ply', parts, notRead } as const;
   return { positions, corners: polygons.corners, sizes: polygons.sizes, info };
@@ -203,8 +206,8 @@ function readFace(
   polygons: GrowingPolygons,
 ): void {
   const size = rows.number(list, 'the number of corners', true);
-  if (!(size >= 3 && Number.isInteger(size))) {
-    throw badFile(`${rows.place()}: face ${face} has ${size} corners, and at least 3 make one`);
+  if (!(size >= 0 && Number.isInteger(size))) {
+    throw badFile(`${rows.place()}: face ${face} cannot have ${size} corners`);
   }
   for (let corner = 0; corner < size; corner++) {
     const vertex = rows.number(list, 'the number of a vertex');
@@ -214,7 +217,7 @@ function readFace(
         `${rows.place()}: face ${face} uses vertex ${vertex}, but the file has ${counted(vertices)}`,
       );
     }
-    polygons.corner(vertex);
+    if (size >= 3) polygons.corner(vertex);
   }
   polygons.end(size);
 }

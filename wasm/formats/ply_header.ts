@@ -1,5 +1,5 @@
 import { badFile, counted } from './failures.js';
-import { ascii, Words } from './text.js';
+import { lineEndAt, Words } from './text.js';
 
 /** How a number lies in a binary file. */
 export interface NumberType {
@@ -7,24 +7,24 @@ export interface NumberType {
   get: 'Int8' | 'Uint8' | 'Int16' | 'Uint16' | 'Int32' | 'Uint32' | 'Float32' | 'Float64';
 }
 
-const types: Readonly<Record<string, NumberType>> = {
-  char: { bytes: 1, get: 'Int8' },
-  int8: { bytes: 1, get: 'Int8' },
-  uchar: { bytes: 1, get: 'Uint8' },
-  uint8: { bytes: 1, get: 'Uint8' },
-  short: { bytes: 2, get: 'Int16' },
-  int16: { bytes: 2, get: 'Int16' },
-  ushort: { bytes: 2, get: 'Uint16' },
-  uint16: { bytes: 2, get: 'Uint16' },
-  int: { bytes: 4, get: 'Int32' },
-  int32: { bytes: 4, get: 'Int32' },
-  uint: { bytes: 4, get: 'Uint32' },
-  uint32: { bytes: 4, get: 'Uint32' },
-  float: { bytes: 4, get: 'Float32' },
-  float32: { bytes: 4, get: 'Float32' },
-  double: { bytes: 8, get: 'Float64' },
-  float64: { bytes: 8, get: 'Float64' },
-};
+const types = new Map<string, NumberType>([
+  ['char', { bytes: 1, get: 'Int8' }],
+  ['int8', { bytes: 1, get: 'Int8' }],
+  ['uchar', { bytes: 1, get: 'Uint8' }],
+  ['uint8', { bytes: 1, get: 'Uint8' }],
+  ['short', { bytes: 2, get: 'Int16' }],
+  ['int16', { bytes: 2, get: 'Int16' }],
+  ['ushort', { bytes: 2, get: 'Uint16' }],
+  ['uint16', { bytes: 2, get: 'Uint16' }],
+  ['int', { bytes: 4, get: 'Int32' }],
+  ['int32', { bytes: 4, get: 'Int32' }],
+  ['uint', { bytes: 4, get: 'Uint32' }],
+  ['uint32', { bytes: 4, get: 'Uint32' }],
+  ['float', { bytes: 4, get: 'Float32' }],
+  ['float32', { bytes: 4, get: 'Float32' }],
+  ['double', { bytes: 8, get: 'Float64' }],
+  ['float64', { bytes: 8, get: 'Float64' }],
+]);
 
 export interface PlyProperty {
   name: string;
@@ -47,11 +47,11 @@ export interface PlyHeader {
   line: number;
 }
 
-const encodings: Readonly<Record<string, PlyHeader['encoding']>> = {
-  ascii: 'ascii',
-  binary_little_endian: 'little',
-  binary_big_endian: 'big',
-};
+const encodings = new Map<string, PlyHeader['encoding']>([
+  ['ascii', 'ascii'],
+  ['binary_little_endian', 'little'],
+  ['binary_big_endian', 'big'],
+]);
 
 /** Longer headers are none. */
 const longestHeader = 1 << 16;
@@ -70,27 +70,29 @@ export function plyHeader(bytes: Uint8Array): PlyHeader {
     if (keyword === 'comment' || keyword === 'obj_info') words.restOfLine();
     else if (keyword === 'format') {
       if (!words.nextInLine()) words.fail('the format');
-      encoding = encodings[words.word];
-      if (!encoding) words.fail(`one of ${Object.keys(encodings).join(', ')}`);
+      encoding = encodings.get(words.word);
+      if (!encoding) words.fail(`one of ${[...encodings.keys()].join(', ')}`);
       words.restOfLine();
     } else if (keyword === 'element') elements.push(element(words));
     else if (keyword === 'property') property(words, elements.at(-1));
     else words.fail('a line of a PLY header');
   }
   if (!encoding) throw badFile("the PLY file's header has no line 'format'");
-  // What follows the line's end is data, whatever it is.
-  const end = bytes.indexOf(10, words.at) + 1;
-  if (
-    end === 0 ||
-    ascii(bytes, words.at, end - 1)
-      .replace('?', '')
-      .trim() !== ''
-  ) {
-    throw badFile("the line 'end_header' has no end");
-  }
+  const end = dataStart(bytes, words.at);
   const header = { encoding, elements, end, line: words.line + 1 };
   for (const one of elements) checkRoom(header, one, bytes.length - end);
   return header;
+}
+
+/** Where the line of `end_header` has ended: what follows is data, whatever it is. */
+function dataStart(bytes: Uint8Array, from: number): number {
+  let at = from;
+  while (bytes[at] === 32 || bytes[at] === 9) at++;
+  const length = lineEndAt(bytes, at);
+  if (length === 0) throw badFile("the line 'end_header' has no end");
+  // Where lines end by \r, a \n is data.
+  const isShort = bytes[3] === 13 && lineEndAt(bytes, 3) === 1;
+  return at + (isShort ? 1 : length);
 }
 
 function element(words: Words): PlyElement {
@@ -103,11 +105,11 @@ function property(words: Words, of: PlyElement | undefined): void {
   const element = of ?? words.fail("a line 'element' before the first property");
   const type = () => {
     if (!words.nextInLine()) words.fail('a type of numbers');
-    return types[words.word] ?? words.fail(`one of ${Object.keys(types).join(', ')}`);
+    return types.get(words.word) ?? words.fail(`one of ${[...types.keys()].join(', ')}`);
   };
   if (!words.nextInLine()) words.fail('a type of numbers');
   const isList = words.word === 'list';
-  const first = isList ? type() : (types[words.word] ?? words.fail('a type of numbers'));
+  const first = isList ? type() : (types.get(words.word) ?? words.fail('a type of numbers'));
   const last = isList ? type() : first;
   if (isList && first.get.startsWith('Float')) words.fail('a list whose length is a whole number');
   if (!words.nextInLine()) words.fail('the name of a property');

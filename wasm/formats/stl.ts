@@ -1,4 +1,5 @@
 import { Places } from '../places.js';
+import { checkMeshFits } from '../room.js';
 import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
 import { badFile, counted } from './failures.js';
@@ -68,6 +69,7 @@ const readBinary: Reader = async (bytes, wanted, places, corners, slices) => {
   const more = bytes.length - end;
   const notRead = more > 0 ? [`${counted(more)} bytes after the last triangle were left out.`] : [];
   if (!wanted(0)) return { parts, notRead };
+  checkMeshFits(0, count, 'the STL file has');
   for (let face = 0; face < count; face++) {
     if ((face & batchMask) === 0 && slices.over) await slices.rest(face / count);
     for (let corner = 1; corner <= 3; corner++) {

@@ -1,15 +1,25 @@
 import { badFile } from './failures.js';
 
-const [newline, space, hash] = [10, 32, 35];
+const [newline, space, hash, carriageReturn] = [10, 32, 35, 13];
 const longestWord = 200;
 /** Powers of ten that are doubles. */
 const powers = Float64Array.from({ length: 23 }, (_, power) => Number(`1e${power}`));
 const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-const named: Readonly<Record<string, number>> = {
-  nan: Number.NaN,
-  inf: Infinity,
-  infinity: Infinity,
-};
+const named = new Map([
+  ['nan', Number.NaN],
+  ['inf', Infinity],
+  ['infinity', Infinity],
+]);
+
+/** A line ends as any system ends it: by \n, \r\n or \r. */
+export const isLineEnd = (byte: number | undefined) => byte === newline || byte === carriageReturn;
+
+/** The length of the line end there: 0 to 2. */
+export function lineEndAt(bytes: Uint8Array, at: number): number {
+  if (bytes[at] === newline) return 1;
+  if (bytes[at] !== carriageReturn) return 0;
+  return bytes[at + 1] === newline ? 2 : 1;
+}
 
 /**
  * The words of a text, one after the other, by its bytes: a text of many megabytes is no string. A `#`
@@ -39,8 +49,10 @@ export class Words {
     for (; at < this.#end; at++) {
       const byte = bytes[at]!;
       if (byte === newline) this.line++;
-      else if (byte === hash) {
-        while (at + 1 < this.#end && bytes[at + 1] !== newline) at++;
+      else if (byte === carriageReturn) {
+        if (bytes[at + 1] !== newline) this.line++;
+      } else if (byte === hash) {
+        while (at + 1 < this.#end && !isLineEnd(bytes[at + 1])) at++;
       } else if (byte > space) break;
     }
     this.#from = at;
@@ -53,8 +65,8 @@ export class Words {
   /** Goes on to the next word of this line; false at its end. */
   nextInLine(): boolean {
     let at = this.at;
-    while (at < this.#end && this.#bytes[at]! <= space && this.#bytes[at] !== newline) at++;
-    if (at === this.#end || this.#bytes[at] === newline || this.#bytes[at] === hash) {
+    while (at < this.#end && this.#bytes[at]! <= space && !isLineEnd(this.#bytes[at])) at++;
+    if (at === this.#end || isLineEnd(this.#bytes[at]) || this.#bytes[at] === hash) {
       this.at = at;
       return false;
     }
@@ -64,7 +76,7 @@ export class Words {
   /** The rest of the line, which is skipped. */
   restOfLine(): string {
     const from = this.at;
-    while (this.at < this.#end && this.#bytes[this.at] !== newline) this.at++;
+    while (this.at < this.#end && !isLineEnd(this.#bytes[this.at])) this.at++;
     return ascii(this.#bytes, from, this.at).trim();
   }
 
@@ -91,7 +103,7 @@ export class Words {
     if (!Number.isNaN(short)) return short;
     const text = this.word;
     if (text.length < longestWord && decimal.test(text)) return Number(text);
-    const value = named[text.replace(/^[+-]/, '').toLowerCase()];
+    const value = named.get(text.replace(/^[+-]/, '').toLowerCase());
     if (value === undefined) this.fail(what);
     return text.startsWith('-') ? -value : value;
   }

@@ -1,0 +1,222 @@
+// Files that are odd though good, and files that are made to take time or memory.
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { load } from 'karcher';
+import { formatOf, meshFromFile } from 'karcher/formats';
+import * as files from './mesh_files.mjs';
+
+const { box, cutBox } = files;
+let karcher;
+before(async () => {
+  karcher = await load();
+});
+
+const open = (bytes, options) => meshFromFile(karcher, bytes, options);
+const encode = (text) => new TextEncoder().encode(text);
+const decode = (bytes) => new TextDecoder().decode(bytes);
+
+test('what is no number is one place, however often it comes', async () => {
+  const { Places } = await import(new URL('./places.js', import.meta.resolve('karcher')).href);
+  const places = new Places();
+  const draw = (i) => [i % 50, i % 70, i % 3 === 0 ? Number.NaN : -0];
+  const numbers = Array.from({ length: 20_000 }, (_, i) => places.number(...draw(i)));
+  const named = new Map();
+  for (const [i, number] of numbers.entries()) {
+    const key = draw(i)
+      .map((x) => x + 0)
+      .join();
+    if (!named.has(key)) named.set(key, number);
+    assert.equal(number, named.get(key), key);
+  }
+  assert.equal(places.count, named.size);
+  assert.deepEqual(
+    [...named.values()],
+    Array.from({ length: named.size }, (_, i) => i),
+    'in their order',
+  );
+  assert.ok(Object.is(places.positions[5], 0), 'minus 0 is 0');
+  const [none, ...others] = cutBox.positions.keys();
+  const positions = [Number.NaN, ...others.map((i) => cutBox.positions[i])];
+  assert.equal(none, 0);
+  await assert.rejects(open(files.stlFile({ ...cutBox, positions })), { code: 'notFinite' });
+});
+
+test('a line ends by either sign or both, in every format of text', async () => {
+  const wanted = (await open(files.objFile(box))).mesh;
+  for (const eol of ['\r', '\r\n', '\n']) {
+    const withEnds = (bytes) => encode(decode(bytes).replaceAll('\n', eol));
+    const all = {
+      obj: withEnds(files.objFile(box)),
+      off: withEnds(encode(decode(files.offFile(box)).replace('OFF', 'OFF # a box'))),
+      ply: files.plyFile(box, { eol }),
+      // A row whose first byte is that of a line's end.
+      little: files.plyFile(
+        { ...box, positions: [1e-323 * 5, ...box.positions.slice(1)] },
+        { encoding: 'little', eol },
+      ),
+    };
+    for (const [name, bytes] of Object.entries(all)) {
+      const { mesh, file } = await open(bytes);
+      const what = `${name}, ${JSON.stringify(eol)}`;
+      assert.deepEqual(mesh.triangles(), wanted.triangles(), what);
+      assert.equal(file.parts[0].triangles, 12, what);
+    }
+    const stl = await open(withEnds(files.stlFile(cutBox, { text: true, solids: 2 })));
+    assert.deepEqual(
+      stl.file.parts.map(({ name }) => name),
+      ['part 0', 'part 1'],
+    );
+    const wrong = encode(['OFF', '3 1 0', '0 0 0', '1 0 0', '0 x 0', '3 0 1 2', ''].join(eol));
+    await assert.rejects(open(wrong), { message: /^line 5: / });
+  }
+});
+
+test('parts of an OBJ file: comments, continued lines and line numbers stay as the engine has them', async () => {
+  // The first face's comment ends in a backslash, which continues nothing.
+  const text = [
+    'v 0 0 0',
+    'v 1 0 0',
+    'v 0 1 0',
+    'o a',
+    'f 1 2 3 # C:\\tmp\\',
+    'v 9 9 9',
+    'v 8 9 9',
+    'o b#1 # named so',
+    'f \\',
+    ' 1 2 \\',
+    ' 4 # four',
+    'f 1\\',
+    '2 5',
+    'o a',
+    'f 3 \\',
+    '2 1',
+    '',
+  ].join('\n');
+  const { file } = await open(encode(text));
+  assert.deepEqual(file.parts, [
+    { name: 'a', triangles: 2 },
+    { name: 'b#1', triangles: 2 },
+  ]);
+  const { mesh } = await open(encode(text), { parts: [1] });
+  assert.deepEqual(Array.from(mesh.triangles()), [0, 1, 3, 0, 1, 4]);
+  assert.deepEqual(Array.from(mesh.positions().slice(9, 12)), [9, 9, 9]);
+  // A line that is wrong after one that was left out has the number that the file gives it.
+  const bad = encode(`${text}o b#1\nf 1 2 x\n`);
+  await assert.rejects(open(bad, { parts: [1] }), { message: /^line 18: / });
+  // Lines without end, and one that goes on fifty thousand times.
+  const long = `v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 3\no b\nf 1 2 ${'\\\n'.repeat(50_000)}3`;
+  assert.equal((await open(encode(long), { parts: [0] })).mesh.info.triangles, 1);
+  assert.equal((await open(encode(long), { parts: [1] })).mesh.info.triangles, 1);
+});
+
+test('faces of fewer than three corners are left out, and told', async () => {
+  const some = { ...box, faces: [[0, 1], ...box.faces, [3], []] };
+  for (const bytes of [
+    files.plyFile(some),
+    files.plyFile(some, { encoding: 'big' }),
+    files.offFile(some),
+  ]) {
+    const { mesh, file } = await open(bytes);
+    assert.equal(mesh.info.triangles, 12);
+    assert.equal(file.notRead[0], '3 points and lines were left out.');
+  }
+  const { mesh } = await open(encode('OFF\n3 4 0\n0 0 0\n1 0 0\n0 1 0\n1 0\n1 1\n1 2\n3 0 1 2\n'));
+  assert.equal(mesh.info.triangles, 1);
+});
+
+/** Words that every object has. */
+const inherited = ['constructor', '__proto__', 'toString', 'hasOwnProperty', 'valueOf'];
+
+test('words that every object of the language has are words like others', async () => {
+  const gltf = (changes) => encode(JSON.stringify({ ...files.gltfParts(cutBox).json, ...changes }));
+  const ply = decode(files.plyFile(box));
+  for (const word of inherited) {
+    assert.equal(formatOf(encode('v 0 0 0'), `x.${word}`), 'obj', word);
+    const refused = {
+      type: ply.replace('double x', `${word} x`),
+      length: ply.replace('list uchar int', `list ${word} int`),
+      encoding: ply.replace('format ascii', `format ${word}`),
+      number: ply.replace('2 200 3 4', `2 200 ${word} 4`),
+      uri: decode(gltf({ buffers: [{ byteLength: 9, uri: word }] })),
+      extension: decode(gltf({ extensionsRequired: [word] })),
+      accessor: decode(
+        gltf({ accessors: [{ bufferView: 0, componentType: word, count: 8, type: 'VEC3' }] }),
+      ),
+    };
+    for (const [what, text] of Object.entries(refused)) {
+      await assert.rejects(
+        open(encode(text)),
+        (error) => {
+          assert.equal(error.code, 'badFile', `${what} ${word}: ${error.message}`);
+          assert.match(error.message, new RegExp(`${word}|numbers of no type`), what);
+          return true;
+        },
+        what,
+      );
+    }
+  }
+});
+
+test('glTF: vertices are numbered by whole numbers from 0', async () => {
+  const withIndex = (changes) => {
+    const parts = files.gltfParts(cutBox);
+    Object.assign(parts.json.accessors[1], changes);
+    return files.glbOf(parts);
+  };
+  for (const componentType of [5120, 5122, 5126]) {
+    await assert.rejects(open(withIndex({ componentType, count: 3 })), {
+      code: 'badFile',
+      message: /accessor 1 has numbers that cannot count/,
+    });
+  }
+  await assert.rejects(open(withIndex({ normalized: true })), { message: /is normalized/ });
+  const sparse = (componentType, count = 1) => ({
+    sparse: {
+      count,
+      indices: { bufferView: 1, componentType },
+      values: { bufferView: 1, byteOffset: 4 },
+    },
+  });
+  await assert.rejects(open(withIndex(sparse(5126))), { message: /sparse part .* cannot count/ });
+  // 0 1 2 0 …, of which the fourth is not after the third.
+  await assert.rejects(open(withIndex(sparse(5125, 4))), { message: /row \d+ after row \d+/ });
+});
+
+test('glTF: a mesh that many nodes place is read once, and what does not fit is refused before it is made', async () => {
+  const many = { positions: box.positions, faces: Array.from({ length: 20_000 }, () => [0, 1, 2]) };
+  const nodes = Array.from({ length: 2501 }, () => ({ mesh: 0 }));
+  const scenes = [{ nodes: [...nodes.keys()] }];
+  const glb = files.glbFile(many, { nodes, scenes });
+  await assert.rejects(open(glb), {
+    code: 'outOfMemory',
+    message: /makes 50,020,000 triangles .* 15\.4 GB .* has 4\.00 GB/,
+  });
+  const { mesh, file } = await open(glb, { parts: [3] });
+  assert.equal(file.parts.length, nodes.length);
+  const [{ kind, count }] = mesh.info.repairs;
+  assert.deepEqual([kind, count], ['duplicate', 19_999]);
+  // Vertices count as well as triangles.
+  const positions = Array.from({ length: 120_000 }, (_, i) => i % 17);
+  const vertices = files.glbFile({ positions, faces: [[0, 1, 3]] }, { nodes, scenes });
+  await assert.rejects(open(vertices), { code: 'outOfMemory', message: /of 100,040,000 vertices/ });
+  // A thousand nodes of a mesh of a thousand primitives, in some kilobytes.
+  const { json, buffer } = files.gltfParts(cutBox);
+  const primitives = Array.from({ length: 1000 }, () => json.meshes[0].primitives[0]);
+  const places = files.glbOf({
+    json: {
+      ...json,
+      meshes: [{ primitives }],
+      nodes: nodes.slice(0, 1000),
+      scenes: [{ nodes: [...Array(1000).keys()] }],
+    },
+    buffer,
+  });
+  await assert.rejects(open(places), { code: 'badFile', message: /place 1,000,000 parts/ });
+});
+
+test('glTF: a node of very many children', async () => {
+  const children = Array.from({ length: 300_000 }, (_, i) => i + 1);
+  const nodes = [{ children }, ...children.map((i) => (i === 7 ? { mesh: 0 } : {}))];
+  const { mesh } = await open(files.glbFile(cutBox, { nodes }));
+  assert.equal(mesh.info.triangles, 12);
+});

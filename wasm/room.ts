@@ -1,0 +1,48 @@
+import { KarcherError } from './errors.js';
+
+/** What the engine's memory can grow to: 32 bits of addresses. */
+const memoryBytes = 2 ** 32;
+/** Smaller things are tried: what is in use is counted for larger ones only. */
+const largeBytes = 2 ** 26;
+
+/**
+ * The least bytes that a mesh takes, with what is derived from it at once: 380 a triangle are measured,
+ * of which the half-edges, lengths and angles alone take so many.
+ */
+const triangleBytes = 330;
+/** The same of a vertex that no face uses: its place, twice while the mesh is made. */
+const vertexBytes = 48;
+
+export const meshBytes = (vertices: number, triangles: number) =>
+  triangleBytes * triangles + vertexBytes * vertices;
+
+const counted = (count: number) => count.toLocaleString('en');
+const inGigabytes = (bytes: number) => `${(bytes / 2 ** 30).toPrecision(3)} GB`;
+
+/**
+ * Throws `KarcherError` outOfMemory for what cannot fit, whatever is done: `what` is the beginning of
+ * the sentence. `inUse` is asked for large things only.
+ */
+export function checkFits(bytes: number, what: string, inUse: () => number = () => 0): void {
+  if (bytes <= largeBytes) return;
+  const free = memoryBytes - inUse();
+  if (bytes <= free) return;
+  throw new KarcherError(
+    'outOfMemory',
+    `${what} at least ${inGigabytes(bytes)} of memory, and the engine has ${inGigabytes(Math.max(0, free))} left`,
+  );
+}
+
+/** The same for a mesh: "the glTF file makes" 12 triangles of 8 vertices. */
+export function checkMeshFits(
+  vertices: number,
+  triangles: number,
+  what: string,
+  inUse?: () => number,
+): void {
+  checkFits(
+    meshBytes(vertices, triangles),
+    `${what} ${counted(triangles)} triangles${vertices > 0 ? ` of ${counted(vertices)} vertices` : ''}, which take`,
+    inUse,
+  );
+}
