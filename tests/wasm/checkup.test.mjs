@@ -96,6 +96,89 @@ test('boundaries that lie on each other: how many vertices, and the weld that jo
   assert.equal((await checkUp(far)).nearBoundaries, null);
 });
 
+/** Two rows of quads along x with a slit of `gap` between them; `inner` is the length of an edge across. */
+function slit(gap, inner, count = 8) {
+  const positions = [];
+  const triangles = [];
+  for (const [y, Y] of [
+    [-inner, 0],
+    [gap, gap + inner],
+  ]) {
+    const start = positions.length / 3;
+    for (let i = 0; i <= count; i++) positions.push(i, y, 0, i, Y, 0);
+    for (let i = start; i < start + 2 * count; i += 2)
+      triangles.push(i, i + 2, i + 3, i, i + 3, i + 1);
+  }
+  return [positions, triangles];
+}
+
+test('a weld is promised only where the engine makes it', async () => {
+  for (const [gap, inner] of [
+    [3e-4, 6e-4],
+    [3e-4, 8e-4],
+    [3e-4, 1e-3],
+    [3e-4, 0.5],
+    [2e-4, 7e-4],
+  ]) {
+    const [positions, triangles] = slit(gap, inner);
+    const { nearBoundaries: near } = await checkUp(karcher.meshFromArrays(positions, triangles));
+    assert.equal(near !== null, inner > 3 * gap, `${gap} ${inner}`);
+    if (!near) continue;
+    const joined = karcher.meshFromArrays(positions, triangles, { weld: near.weld });
+    assert.equal(joined.info.components, 1, `a weld of ${near.weld}`);
+  }
+});
+
+test('seams that were not welded are boundaries that lie on each other', async () => {
+  const [positions, triangles] = slit(0, 1);
+  const apart = karcher.meshFromArrays(positions, triangles, { weld: 0 });
+  assert.equal(apart.info.components, 2);
+  const { nearBoundaries: near, boundary } = await checkUp(apart);
+  assert.equal(near.places.length / 3, 18);
+  assert.equal(boundary.length / 6, 2 * (2 * 8 + 2));
+  assert.equal(
+    karcher.meshFromArrays(positions, triangles, { weld: near.weld }).info.components,
+    1,
+  );
+  // Welded, they are none.
+  const whole = await checkUp(karcher.meshFromArrays(positions, triangles));
+  assert.deepEqual([whole.nearBoundaries, whole.boundary.length / 6], [null, 2 * 8 + 4]);
+  // Corners that only touch are not welded, and nothing is promised.
+  const touching = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, -1, 0];
+  const mesh = karcher.meshFromArrays(touching, [0, 1, 2, 3, 4, 5]);
+  assert.equal((await checkUp(mesh)).nearBoundaries, null);
+});
+
+test('triangles on a line are no caps: the engine flips them away', async () => {
+  // Vertex 3 lies on the edge from 0 to 1, but for rounding.
+  const positions = [0, 0, 0, 3, 1, 0, 1, 2, 0, 0.9, 0.3, 0, 2, -2, 0];
+  const triangles = [0, 3, 1, 0, 1, 2, 0, 4, 3, 3, 4, 1];
+  const mesh = karcher.meshFromArrays(positions, triangles);
+  assert.ok(mesh.info.repairs.some(({ kind }) => kind === 'noArea'));
+  const { caps, largestAngle } = await checkUp(mesh);
+  assert.deepEqual([caps.length, largestAngle < 170], [0, true]);
+});
+
+test('many boundary vertices near each other are looked over in slices', async () => {
+  // Strips beside each other, far less apart than the diagonal tells near, too far to be welded.
+  const [positions, triangles] = [[], []];
+  for (let k = 0; k < 4000; k++) {
+    const [x, y] = [1e-6 * (k % 60), 1e-6 * Math.floor(k / 60)];
+    const at = positions.length / 3;
+    positions.push(x, y, 0, x + 5e-7, y, 0, x, y + 5e-7, 0);
+    triangles.push(at, at + 1, at + 2);
+  }
+  const at = positions.length / 3;
+  positions.push(0, 0, 9, 9, 0, 9, 0, 9, 9);
+  triangles.push(at, at + 1, at + 2);
+  const told = [];
+  const mesh = karcher.meshFromArrays(positions, triangles);
+  const found = await checkUp(mesh, { progress: (done) => told.push(done) });
+  assert.ok(told.every((done, i) => i === 0 || done >= told[i - 1]));
+  assert.equal(found.nearBoundaries, null);
+  assert.equal(found.boundary.length / 6, 3 * 4001);
+});
+
 test('in slices, with progress and an end; of a mesh in a worker, too', async () => {
   const mesh = karcher.shape('openSheet', 200_000);
   const told = [];

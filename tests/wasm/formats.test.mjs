@@ -502,6 +502,26 @@ test('which way is up: a sole, a rim that is open below, or what is usual', () =
     assert.equal(guess(turned(shape, [1, 2, 0])), 'y');
     assert.equal(guess(shape, 'gltf'), 'y');
   }
+  // Wherever it lies, and however far its sole goes on around a hole: chains of edges enclose nothing.
+  const raised = (shape, by) => ({
+    ...shape,
+    positions: shape.positions.map((x, i) => x + (i % 3 === 0 ? by : 0)),
+  });
+  for (const by of [100, -1e4]) {
+    assert.equal(guess(raised(turned(open, [2, 0, 1]), by)), 'y', 'lying on its side');
+    assert.equal(guess(raised(open, by)), 'z');
+  }
+  const sheet = (height) => ({
+    positions: [5, 5, height, 9, 5, height, 9, 9, height + 4, 5, 9, height + 4],
+    faces: [
+      [0, 1, 2],
+      [0, 2, 3],
+    ],
+  });
+  for (const height of [0, 100, -100]) {
+    assert.equal(guess(sheet(height)), 'y', 'usual: one edge is no sole');
+    assert.equal(guess(sheet(height), 'stl'), 'z');
+  }
   const sphere = new SphereGeometry(1, 40, 40);
   const round = {
     positions: Array.from(sphere.attributes.position.array),

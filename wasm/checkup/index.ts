@@ -1,7 +1,7 @@
 import { checkLongWork } from '../options.js';
 import { Slices } from '../slices.js';
 import type { LongWorkOptions, MeshInfo } from '../types.js';
-import { boundaryEdges } from './boundary.js';
+import { type Boundary, boundaryEdges } from './boundary.js';
 import { nearBoundaries } from './near_boundaries.js';
 import { shapesOf } from './shapes.js';
 
@@ -26,7 +26,10 @@ export interface CheckUp {
 }
 
 export interface NearBoundaries {
-  /** x, y, z of the vertices on them that lie within 1e-4 of the diagonal of another one. */
+  /**
+   * x, y, z of the vertices on them that lie within 1e-4 of the diagonal of another one, and near
+   * enough to be welded: a third of the shortest edge at either.
+   */
   places: Float64Array;
   /** The tolerance, as `weld` of `MeshOptions`, that joins them. */
   weld: number;
@@ -51,14 +54,26 @@ export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Pr
   const slices = new Slices(work, 'checking');
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
   const { info } = mesh;
-  const { numbers, ...shapes } = await shapesOf(positions, triangles, slices);
-  const boundary =
+  // Where nothing was welded, vertices at one place are several in the engine too.
+  const byPlace = info.repairs.some(({ kind }) => kind === 'welded');
+  const { numbers, shortest, ...shapes } = await shapesOf(positions, triangles, byPlace, slices);
+  const edges =
     info.boundaryLoops === 0
-      ? new Float64Array()
-      : await boundaryEdges(positions, triangles, numbers, slices);
-  const near = nearBoundaries(boundary, info.diagonal);
+      ? { ends: new Int32Array(), vertexAt: new Int32Array() }
+      : await boundaryEdges(triangles, numbers, slices);
+  const { diagonal } = info;
+  const near = await nearBoundaries({ positions, boundary: edges, shortest, diagonal }, slices);
+  const boundary = placesOf(positions, edges);
   const found = { ...shapes, boundary, nearBoundaries: near };
   return { ...found, expected: expectedOf(info, found) };
+}
+
+function placesOf(positions: Float64Array, { ends, vertexAt }: Boundary): Float64Array {
+  const places = new Float64Array(3 * ends.length);
+  for (let k = 0; k < places.length; k++) {
+    places[k] = positions[3 * vertexAt[ends[Math.floor(k / 3)]!]! + (k % 3)]!;
+  }
+  return places;
 }
 
 /** Edges that differ by more leave distances fewer right digits (the gallery of `docs/gallery.md`). */

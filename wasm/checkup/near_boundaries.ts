@@ -1,83 +1,131 @@
-import { Places } from '../places.js';
+import { batchMask, type Slices } from '../slices.js';
+import type { Boundary } from './boundary.js';
 import type { NearBoundaries } from './index.js';
 
 /** How near boundaries lie on each other, as a part of the diagonal. */
 const nearness = 1e-4;
-/** Vertices nearer to each other than this part of their shortest edge are taken for one. */
+/** The engine welds vertices no farther apart than this part of the shortest edge at either. */
 const partOfEdge = 1 / 3;
+/** The least tolerance that is told, as a part of the diagonal. */
+const leastWeld = 1e-9;
+/** Halvings of the nearness: shorter edges share the last one. */
+const mostLevels = 40;
 
-interface Vertex {
-  place: [number, number, number];
-  /** The length of its shortest edge on the boundary. */
-  shortest: number;
-  neighbours: number[];
+/** The mesh as the check-up has it: places by the numbers of vertices, and their shortest edges. */
+interface Places {
+  positions: Float64Array;
+  boundary: Boundary;
+  shortest: Float64Array;
+  diagonal: number;
 }
 
 /**
- * Boundaries that lie on each other: vertices within 1e-4 of the diagonal, and a third of their
- * shortest edge, of another one that no edge joins them with. `edges` has both ends of each.
+ * Boundaries that lie on each other: vertices within 1e-4 of the diagonal, and a third of the shortest
+ * edge at either, of another one. Where they are at the very same place, an edge of each must be too:
+ * vertices that only touch are not welded.
  */
-export function nearBoundaries(edges: Float64Array, diagonal: number): NearBoundaries | null {
-  const vertices = verticesOf(edges);
+export async function nearBoundaries(
+  { positions, boundary, shortest, diagonal }: Places,
+  slices: Slices,
+): Promise<NearBoundaries | null> {
+  const { ends, vertexAt } = boundary;
   const reach = nearness * diagonal;
-  const cells = new Map<string, number[]>();
-  const cellOf = (place: readonly number[]) => place.map((x) => Math.floor(x / reach));
-  for (const [i, { place }] of vertices.entries()) {
-    const key = `${cellOf(place)}`;
-    const cell = cells.get(key);
-    if (cell) cell.push(i);
-    else cells.set(key, [i]);
+  const vertices = Int32Array.from(new Set(ends));
+  const at = (number: number, axis: number) => positions[3 * vertexAt[number]! + axis]!;
+  const distance = (i: number, j: number) =>
+    Math.sqrt((at(i, 0) - at(j, 0)) ** 2 + (at(i, 1) - at(j, 1)) ** 2 + (at(i, 2) - at(j, 2)) ** 2);
+  const limitOf = (number: number) => Math.min(reach, partOfEdge * shortest[number]!);
+  // Cells as wide as what their vertices reach, so that few vertices without a neighbour share one.
+  const levelOf = (limit: number) =>
+    Math.min(mostLevels, Math.max(0, Math.floor(Math.log2(reach / limit))));
+  const first = new Map<number, number>();
+  const next = new Int32Array(vertices.length).fill(-1);
+  const levels = new Set<number>();
+  for (const [k, number] of vertices.entries()) {
+    if ((k & batchMask) === 0 && slices.over) await slices.rest(0.9 + (0.03 * k) / vertices.length);
+    const level = levelOf(limitOf(number));
+    levels.add(level);
+    const width = reach / 2 ** level;
+    const cell = cellKey(
+      level,
+      ...([0, 1, 2].map((axis) => Math.floor(at(number, axis) / width)) as Cell),
+    );
+    next[k] = first.get(cell) ?? -1;
+    first.set(cell, k);
   }
-  const places: number[] = [];
-  let farthest = 0;
-  for (const [i, vertex] of vertices.entries()) {
-    const nearest = nearestTo(i, vertex);
-    if (nearest === Infinity) continue;
-    places.push(...vertex.place);
-    farthest = Math.max(farthest, nearest);
-  }
-  if (places.length === 0) return null;
-  return { places: Float64Array.from(places), weld: roundedUp(farthest) };
+  const neighbours = await neighboursOf(ends, slices);
+  const touchesAlong = (i: number, j: number) =>
+    neighbours.get(i)!.some((a) => neighbours.get(j)!.some((b) => distance(a, b) === 0));
+  const isNear = (i: number, j: number) => {
+    const apart = distance(i, j);
+    if (apart > Math.min(limitOf(i), limitOf(j))) return false;
+    return apart > 0 || touchesAlong(i, j);
+  };
 
-  function nearestTo(i: number, { place, shortest, neighbours }: Vertex): number {
-    const [x, y, z] = cellOf(place) as [number, number, number];
-    let nearest = Infinity;
-    for (let dx = -1; dx <= 1; dx++) {
-      for (let dy = -1; dy <= 1; dy++) {
-        for (let dz = -1; dz <= 1; dz++) {
-          for (const j of cells.get(`${[x + dx, y + dy, z + dz]}`) ?? []) {
-            if (j === i || neighbours.includes(j)) continue;
-            const other = vertices[j]!;
-            const distance = Math.hypot(...place.map((value, axis) => value - other.place[axis]!));
-            const most = Math.min(reach, partOfEdge * Math.min(shortest, other.shortest));
-            if (distance <= most) nearest = Math.min(nearest, distance);
+  /** The first that is near enough, or -1. */
+  const nearTo = (number: number): number => {
+    const limit = limitOf(number);
+    for (const level of levels) {
+      const width = reach / 2 ** level;
+      const most = Math.min(limit, width);
+      const [low, high] = [-most, most].map((by) =>
+        [0, 1, 2].map((axis) => Math.floor((at(number, axis) + by) / width)),
+      ) as [Cell, Cell];
+      for (let x = low[0]; x <= high[0]; x++) {
+        for (let y = low[1]; y <= high[1]; y++) {
+          for (let z = low[2]; z <= high[2]; z++) {
+            for (let k = first.get(cellKey(level, x, y, z)) ?? -1; k >= 0; k = next[k]!) {
+              const other = vertices[k]!;
+              if (other !== number && isNear(number, other)) return other;
+            }
           }
         }
       }
     }
-    return nearest;
+    return -1;
+  };
+
+  const places: number[] = [];
+  let farthest = 0;
+  for (const [k, number] of vertices.entries()) {
+    if ((k & 0xff) === 0 && slices.over) await slices.rest(0.95 + (0.05 * k) / vertices.length);
+    const other = nearTo(number);
+    if (other < 0) continue;
+    places.push(at(number, 0), at(number, 1), at(number, 2));
+    farthest = Math.max(farthest, distance(number, other));
   }
+  if (places.length === 0) return null;
+  const weld = roundedUp(Math.max(farthest, leastWeld * diagonal));
+  return { places: Float64Array.from(places), weld };
 }
 
-function verticesOf(edges: Float64Array): Vertex[] {
-  const places = new Places();
-  const vertices: Vertex[] = [];
-  const vertexAt = (at: number) => {
-    const place: Vertex['place'] = [edges[at]!, edges[at + 1]!, edges[at + 2]!];
-    const number = places.number(...place);
-    vertices[number] ??= { place, shortest: Infinity, neighbours: [] };
-    return number;
-  };
-  for (let at = 0; at < edges.length; at += 6) {
-    const [i, j] = [vertexAt(at), vertexAt(at + 3)];
-    const [from, to] = [vertices[i]!, vertices[j]!];
-    const length = Math.hypot(...from.place.map((value, axis) => value - to.place[axis]!));
-    for (const [vertex, other] of [[from, j] as const, [to, i] as const]) {
-      vertex.shortest = Math.min(vertex.shortest, length);
-      vertex.neighbours.push(other);
+type Cell = [number, number, number];
+
+/** Cells may share a key: what lies in them is looked at. */
+function cellKey(level: number, x: number, y: number, z: number): number {
+  let key = Math.imul(level + 1, 0x9e3779b1);
+  for (const part of [x, y, z]) {
+    key = Math.imul(key ^ (part | 0), 0x85ebca6b);
+    key ^= key >>> 13;
+  }
+  return key;
+}
+
+/** Of each vertex of edges, the other ends. */
+async function neighboursOf(ends: Int32Array, slices: Slices): Promise<Map<number, number[]>> {
+  const neighbours = new Map<number, number[]>();
+  for (let k = 0; k < ends.length; k += 2) {
+    if ((k & batchMask) === 0 && slices.over) await slices.rest(0.93 + (0.02 * k) / ends.length);
+    for (const [one, other] of [
+      [ends[k]!, ends[k + 1]!] as const,
+      [ends[k + 1]!, ends[k]!] as const,
+    ]) {
+      const known = neighbours.get(one);
+      if (known) known.push(other);
+      else neighbours.set(one, [other]);
     }
   }
-  return vertices;
+  return neighbours;
 }
 
 /** To two digits, and a little more than the length itself. */

@@ -3,6 +3,8 @@ import { batchMask, type Slices } from '../slices.js';
 
 /** In degrees: below the one a triangle is a needle, above the other a cap. */
 const [needleAngle, capAngle] = [2, 170];
+/** Lower triangles, as a part of their longest edge, are on a line: the engine flips or refuses them. */
+const leastHeight = 1e-12;
 const degrees = 180 / Math.PI;
 
 export interface Shapes {
@@ -12,17 +14,26 @@ export interface Shapes {
   largestAngle: number;
   needles: Int32Array;
   caps: Int32Array;
-  /** Of each corner, the number of its place: the same where vertices lie at one place. */
+  /** Of each corner, the number of its vertex: the same for vertices that are one. */
   numbers: Int32Array;
+  /** Of each number, the length of the shortest edge of any face there. */
+  shortest: Float64Array;
 }
 
-/** The lengths and angles of triangles; those with two corners at one place, or on a line, are none. */
+/**
+ * The lengths and angles of triangles; those with two corners at one place, or on a line as the engine
+ * has it, are none. With `byPlace` vertices at one place are one.
+ */
 export async function shapesOf(
   positions: Float64Array,
   triangles: Int32Array,
+  byPlace: boolean,
   slices: Slices,
 ): Promise<Shapes> {
-  const numbers = await numbersOf(positions, triangles, slices);
+  const numbers = byPlace ? await numbersOf(positions, triangles, slices) : triangles;
+  const shortestAt = new Float64Array(
+    numbers.reduce((most, number) => Math.max(most, number), 0) + 1,
+  ).fill(Infinity);
   const needles: number[] = [];
   const caps: number[] = [];
   let [shortestEdge, longestEdge] = [Infinity, 0];
@@ -43,19 +54,20 @@ export async function shapesOf(
     if (i === j || j === k || k === i) continue;
     const [p, q, r] = [triangles[at]!, triangles[at + 1]!, triangles[at + 2]!];
     const [a, b, c] = [length(q, r), length(r, p), length(p, q)];
+    for (const [number, one, other] of [
+      [i, b, c] as const,
+      [j, c, a] as const,
+      [k, a, b] as const,
+    ]) {
+      shortestAt[number] = Math.min(shortestAt[number]!, one, other);
+    }
     const longest = Math.max(a, b, c);
     const shortest = Math.min(a, b, c);
     const middle = a + b + c - longest - shortest;
-    // Kahan's product for the area, which keeps the digits of thin triangles.
-    const area =
-      (longest + (middle + shortest)) *
-      (shortest - (longest - middle)) *
-      (shortest + (longest - middle)) *
-      (longest + (middle - shortest));
-    if (!(area > 0)) continue;
+    const sine = twiceArea(positions, p, q, r);
+    if (!(sine > leastHeight * longest * longest)) continue;
     shortestEdge = Math.min(shortestEdge, shortest);
     longestEdge = Math.max(longestEdge, longest);
-    const sine = Math.sqrt(area) / 2;
     const angle = (opposite: number, one: number, other: number) =>
       degrees * Math.atan2(sine, (one * one + other * other - opposite * opposite) / 2);
     const least = angle(shortest, middle, longest);
@@ -67,7 +79,16 @@ export async function shapesOf(
   }
   const angles = { smallestAngle, largestAngle };
   const faces = { needles: Int32Array.from(needles), caps: Int32Array.from(caps) };
-  return { shortestEdge, longestEdge, ...angles, ...faces, numbers };
+  return { shortestEdge, longestEdge, ...angles, ...faces, numbers, shortest: shortestAt };
+}
+
+/** By the product of two edges, which keeps the digits of thin triangles. */
+function twiceArea(positions: Float64Array, p: number, q: number, r: number): number {
+  const along = (vertex: number, axis: number) =>
+    positions[3 * vertex + axis]! - positions[3 * p + axis]!;
+  const [ux, uy, uz] = [along(q, 0), along(q, 1), along(q, 2)];
+  const [vx, vy, vz] = [along(r, 0), along(r, 1), along(r, 2)];
+  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
 }
 
 async function numbersOf(positions: Float64Array, triangles: Int32Array, slices: Slices) {

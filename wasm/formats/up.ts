@@ -64,7 +64,7 @@ function soles(positions: ArrayLike<number>, triangles: ArrayLike<number>): [num
         [at(i + 2, b), at(i + 2, c), at(i + 2, axis)],
       );
     }
-    return (sum + openArea(positions, triangles, { axis, b, c, floor })) / box;
+    return (sum + openArea(positions, triangles, { axis, b, c, floor, low })) / box;
   };
   return [soleOf(1), soleOf(2)];
 }
@@ -80,14 +80,14 @@ function flatArea(p: Place, q: Place, r: Place): number {
   return along >= flat * Math.hypot(...normal) ? along / 2 : 0;
 }
 
-/** The area that boundary edges at the bottom go around, seen from below. */
+/** The area that closed loops of boundary edges at the bottom go around, seen from below. */
 function openArea(
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
-  { axis, b, c, floor }: { axis: number; b: number; c: number; floor: number },
+  { axis, b, c, floor, low }: { axis: number; b: number; c: number; floor: number; low: number[] },
 ): number {
   const isLow = (vertex: number) => positions[3 * vertex + axis]! <= floor;
-  const open = new Map<string, [number, number]>();
+  const open = new Map<string, Edge>();
   const nameOf = (vertex: number) =>
     `${positions[3 * vertex]},${positions[3 * vertex + 1]},${positions[3 * vertex + 2]}`;
   for (let i = 0; i < triangles.length; i += 3) {
@@ -98,14 +98,51 @@ function openArea(
       const [one, other] = [nameOf(from), nameOf(to)];
       const key = one < other ? `${one} ${other}` : `${other} ${one}`;
       // An edge of two faces is none of the boundary.
-      if (!open.delete(key)) open.set(key, [from, to]);
+      if (!open.delete(key)) open.set(key, { from, to, start: one, end: other });
     }
   }
   let twice = 0;
-  for (const [from, to] of open.values()) {
-    twice +=
-      positions[3 * from + b]! * positions[3 * to + c]! -
-      positions[3 * from + c]! * positions[3 * to + b]!;
+  // From the box's corner: the area is that of the loops wherever the mesh lies.
+  const at = (vertex: number, along: number) => positions[3 * vertex + along]! - low[along]!;
+  for (const { from, to } of inLoops([...open.values()])) {
+    twice += at(from, b) * at(to, c) - at(from, c) * at(to, b);
   }
   return Math.abs(twice) / 2;
+}
+
+/** An edge with the names of its ends' places. */
+interface Edge {
+  from: number;
+  to: number;
+  start: string;
+  end: string;
+}
+
+/** The edges without those of chains that end somewhere, which go around nothing. */
+function inLoops(edges: readonly Edge[]): Edge[] {
+  const touching = new Map<string, Edge[]>();
+  const ends = new Map<string, { out: number; in: number }>();
+  for (const edge of edges) {
+    for (const place of [edge.start, edge.end]) {
+      if (!ends.has(place)) {
+        ends.set(place, { out: 0, in: 0 });
+        touching.set(place, []);
+      }
+      touching.get(place)!.push(edge);
+    }
+    ends.get(edge.start)!.out++;
+    ends.get(edge.end)!.in++;
+  }
+  const left = new Set(edges);
+  const isEnd = (place: string) => ends.get(place)!.out === 0 || ends.get(place)!.in === 0;
+  const waiting = [...ends.keys()].filter(isEnd);
+  for (let place = waiting.pop(); place !== undefined; place = waiting.pop()) {
+    for (const edge of touching.get(place)!) {
+      if (!left.delete(edge)) continue;
+      ends.get(edge.start)!.out--;
+      ends.get(edge.end)!.in--;
+      waiting.push(...[edge.start, edge.end].filter(isEnd));
+    }
+  }
+  return [...left];
 }
