@@ -200,3 +200,83 @@ test('arguments are copied when a call is made', async () => {
   assert.deepEqual(await copy.positions(), here.positions());
   assert.equal(arrays[0].length, here.positions().length, 'and stay the caller’s');
 });
+
+test('a progress function that throws ends its call with what it threw, and no other', async () => {
+  const worker = scripted();
+  const client = new WorkerClient(worker);
+  const mine = new Error('mine');
+  const fail = () => {
+    throw mine;
+  };
+  const first = client.call('first', [{ progress: fail }]);
+  const second = client.call('second', []);
+  const third = client.call('third', [], undefined, { progress: fail });
+  worker.tell('message', { id: 1, callback: 0, args: [0.5, 'reading'] });
+  await assert.rejects(first, mine);
+  assert.deepEqual(worker.posted.at(-1), { cancel: 1 });
+  worker.tell('message', { id: 1, callback: 0, args: [0.6, 'reading'] });
+  worker.tell('message', { id: 3, result: 1 });
+  await assert.rejects(third, mine);
+  worker.tell('message', { id: 2, result: 7 });
+  assert.equal(await second, 7);
+  client.dispose();
+});
+
+test('a signal is listened to no longer than its call goes on', async () => {
+  const worker = scripted();
+  const client = new WorkerClient(worker);
+  const { signal } = new AbortController();
+  const heard = new Set();
+  const { addEventListener } = signal;
+  signal.addEventListener = (type, hear, options) => {
+    heard.add(hear);
+    options.signal.addEventListener('abort', () => heard.delete(hear));
+    addEventListener.call(signal, type, hear, options);
+  };
+  const calls = Array.from({ length: 20 }, (_, i) => client.call('square', [i, { signal }]));
+  assert.equal(heard.size, 20);
+  for (const { id } of worker.posted.slice(0, 10)) worker.tell('message', { id, result: id });
+  for (const { id } of worker.posted.slice(10)) {
+    worker.tell('message', { id, failure: { message: 'no', code: 'badArgument', fatal: false } });
+  }
+  await Promise.allSettled(calls);
+  assert.equal(heard.size, 0);
+  client.dispose();
+});
+
+test('a call that is cancelled while the engine loads is not made', async () => {
+  // The worker's own end, in this thread; what it serves comes late.
+  const { serve } = await import('karcher/own-worker');
+  const posted = [];
+  let hear;
+  const before = globalThis.addEventListener;
+  const post = globalThis.postMessage;
+  globalThis.addEventListener = (_, listener) => {
+    hear = listener;
+  };
+  globalThis.postMessage = (message) => posted.push(message);
+  let arrive;
+  const made = [];
+  try {
+    serve(
+      new Promise((resolve) => {
+        arrive = resolve;
+      }),
+    );
+    const call = (id) => ({ id, target: 0, call: 'make', args: [id], tells: true });
+    hear({ data: call(1) });
+    hear({ data: call(2) });
+    await new Promise((resolve) => setTimeout(resolve));
+    hear({ data: { cancel: 1 } });
+    arrive({ make: (i) => made.push(i) });
+    while (!posted.some((reply) => 'result' in reply)) {
+      await new Promise((resolve) => setImmediate(resolve));
+    }
+  } finally {
+    globalThis.addEventListener = before;
+    globalThis.postMessage = post;
+  }
+  assert.deepEqual(made, [2]);
+  const told = posted.filter((reply) => 'callback' in reply).map(({ id }) => id);
+  assert.deepEqual(told, [2], 'it never began');
+});

@@ -63,13 +63,14 @@ export class WorkerClient {
     const signals: AbortSignal[] = own ? [own] : [];
     if (progress) callbacks.push(progress as Pending['callbacks'][number]);
     const tells = progress !== undefined;
+    const settled = new AbortController();
     const done = new Promise((resolve, reject) => {
       const target = of === undefined ? 0 : this.#targets.get(of)!;
       const sent = args.map((arg) => this.#sent(arg, callbacks, signals));
       for (const signal of signals) {
         signal.throwIfAborted();
         const abort = () => this.#cancel(id, signal.reason);
-        signal.addEventListener('abort', abort, { once: true });
+        signal.addEventListener('abort', abort, { once: true, signal: settled.signal });
       }
       try {
         this.#worker.postMessage({ id, target, call: name, args: sent, tells } satisfies Request);
@@ -78,9 +79,8 @@ export class WorkerClient {
         throw new KarcherError('badArgument', `it cannot be sent to a worker: ${why}`, { cause });
       }
       this.#pending.set(id, { resolve, reject, callbacks });
-    });
-    if (progress) done.then(() => progress(1, 'done')).catch(() => {});
-    return done;
+    }).finally(() => settled.abort());
+    return progress ? done.then((result) => told(result, progress)) : done;
   }
 
   /** Ends the worker, and every call that is under way. Safe to repeat. */
@@ -117,7 +117,12 @@ export class WorkerClient {
   #receive(reply: Reply): void {
     const pending = this.#pending.get(reply.id);
     if ('callback' in reply) {
-      pending?.callbacks[reply.callback]?.(...reply.args);
+      try {
+        pending?.callbacks[reply.callback]?.(...reply.args);
+      } catch (error) {
+        // What a function of the caller's throws ends its call.
+        this.#cancel(reply.id, error);
+      }
       return;
     }
     this.#pending.delete(reply.id);
@@ -159,6 +164,12 @@ export class WorkerClient {
       return object;
     });
   }
+}
+
+/** Tells the progress that a call is done, whose own failure is the call's. */
+function told(result: unknown, progress: NonNullable<LongWorkOptions['progress']>): unknown {
+  progress(1, 'done');
+  return result;
 }
 
 /** Hears a worker's event: the data of a message, or an error. */

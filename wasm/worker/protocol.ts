@@ -3,11 +3,6 @@ import type { EnginePath } from '../karcher-engine.mjs';
 import type { ErrorCode, MeshInfo } from '../types.js';
 import type { ViewData } from '../view.js';
 
-/**
- * The messages between a client and its worker. A call names a method of an object in the worker, of
- * which number 0 is the one that is served. Arguments and results travel as structured clones, but
- * for what is written as `Sent`.
- */
 /** With `tells` the first function among the arguments hears when the worker begins with the call. */
 export interface Call {
   id: number;
@@ -17,6 +12,11 @@ export interface Call {
   tells: boolean;
 }
 
+/**
+ * The messages between a client and its worker. A call names a method of an object in the worker, of
+ * which number 0 is the one that is served. Arguments and results travel as structured clones, but
+ * for what is written as `Sent`.
+ */
 export type Request = Call | { cancel: number };
 
 export type Reply =

@@ -83,9 +83,11 @@ class Server {
   async #answer({ id, target, call, args, tells }: Call): Promise<void> {
     const controller = new AbortController();
     this.#running.set(id, controller);
-    if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
     try {
       const owner = target === 0 ? await this.#root : this.#object(target);
+      // It may have been cancelled while the root loaded.
+      controller.signal.throwIfAborted();
+      if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
       const method: unknown = (owner as Record<string, unknown>)[call];
       if (typeof method !== 'function') throw new Error(`there is no call '${call}'`);
       const given = args.map((arg) => this.#received(arg, id, controller.signal));
