@@ -234,6 +234,28 @@ describe('b/Surf', () => {
     method.dispose();
   });
 
+  test('is gone once it is disposed of, and checks what it is given', async () => {
+    const method = await peers.prepare(plane, { method: 'bSurf' });
+    const curve = method.curve(peers.plan(points, 9));
+    for (const number of [-1, points.length, 99]) {
+      assert.throws(() => curve.movePoint(number, { vertex: 71 }), { code: 'badIndex' });
+    }
+    await curve.trace();
+    method.dispose();
+    const bytes = peers.karcher.allocatedBytes();
+    for (const use of [
+      () => curve.samples(),
+      () => curve.line(),
+      () => curve.movePoint(0, { vertex: 71 }),
+      () => curve.finish(),
+      () => method.curve(peers.plan(points, 9)),
+    ]) {
+      assert.throws(use, { code: 'disposed' });
+    }
+    await assert.rejects(curve.trace(), { code: 'disposed' });
+    assert.equal(peers.karcher.allocatedBytes(), bytes, 'nothing was made');
+  });
+
   test('makes no curves of other kinds, and no centers', async () => {
     const method = await peers.prepare(plane, { method: 'bSurf' });
     const table = peers.barycentric([1, 2, 1], 5);
@@ -244,6 +266,20 @@ describe('b/Surf', () => {
     );
     assert.throws(() => method.centerOfMass(points, [0, 0, 1, 0, 0]), badArgument);
   });
+});
+
+test('options are for the methods that have a use for them', async () => {
+  for (const options of [
+    { method: 'vectorHeat', seeds: 'authors' },
+    { method: 'bSurf', seeds: 'heaviest' },
+    { method: 'karcher', star: 'ring' },
+    { method: 'weightedAverages', star: 'wide' },
+  ]) {
+    await assert.rejects(peers.prepare(plane, options), {
+      code: 'badArgument',
+      message: /the option '(seeds|star)' is for the method/,
+    });
+  }
 });
 
 test('a leap is counted, a bend is not', () => {
@@ -264,6 +300,10 @@ test('a leap is counted, a bend is not', () => {
   assert.equal(breaks(row([0, 0.5, 1.5, 4, 9, 11.5, 12.5])), 0);
   const lost = ['converged', 'converged', 'noProgress', 'converged', 'converged', 'converged'];
   assert.equal(breaks(row([0, 0.1, 9, 0.3, 0.4, 0.5], lost)), 0);
+  // A step between lost samples is measured against none, and one beside them against the other.
+  const around = lost.with(5, 'noProgress');
+  assert.equal(breaks(row([0, 0.1, 9, 3, 8, 20], around)), 0);
+  assert.equal(breaks(row([0, 0.1, 9, 3, 3.1, 8], lost)), 1);
 });
 
 describe('errors', () => {

@@ -106,16 +106,18 @@ export class CurveMeter {
     for (const [begin, end] of segments(curve)) {
       const steps = Array.from({ length: end - begin - 1 }, (_, k) => this.#step(curve, begin + k));
       steps.forEach((step, k) => {
-        const beside = [steps[k - 1], steps[k + 1]].filter((one) => one !== undefined);
+        // A step without a neighbour is measured against none.
+        const beside = [steps[k - 1], steps[k + 1]].filter((one) => typeof one === 'number');
+        if (step === null || beside.length === 0) return;
         if (step > this.#meanEdge && beside.every((one) => step > leap * one)) breaks++;
       });
     }
     return breaks;
   }
 
-  /** The distance from a sample to the next; 0 where one of them is lost. */
-  #step(curve: CurveSamples, i: number): number {
-    if (curve.status[i] !== 'converged' || curve.status[i + 1] !== 'converged') return 0;
+  /** The distance from a sample to the next; null where one of them is lost. */
+  #step(curve: CurveSamples, i: number): number | null {
+    if (curve.status[i] !== 'converged' || curve.status[i + 1] !== 'converged') return null;
     const step = subtract(at(curve.position, i + 1), at(curve.position, i));
     return Math.sqrt(dot(step, step));
   }

@@ -8,6 +8,7 @@ import {
   toInt32,
 } from '../check.js';
 import { type Engine, Handle } from '../engine.js';
+import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
 import { checkLongWork, engineFieldOptions, namesOf } from '../options.js';
 import { toSurfacePoint, wirePoints } from '../points.js';
@@ -170,6 +171,8 @@ function engineOptions(options: MethodOptions): EngineMethodOptions {
   const method = checkOneOf(options.method, comparedMethods, 'a method');
   const ours = method === 'paper' || method === 'karcher';
   const { solver, rings } = options;
+  checkMeant('seeds', options.seeds, ours, "'paper' and 'karcher'");
+  checkMeant('star', options.star, method === 'paper', "'paper'");
   return {
     method,
     field: engineFieldOptions(ours ? { method, solver, rings } : {}),
@@ -184,4 +187,10 @@ function engineOptions(options: MethodOptions): EngineMethodOptions {
       'the distances of the landmarks',
     ),
   };
+}
+
+/** Throws where an option is given to a method that has no use for it. */
+function checkMeant(name: string, value: unknown, isMeant: boolean, methods: string): void {
+  if (value === undefined || isMeant) return;
+  throw new KarcherError('badArgument', `the option '${name}' is for the method ${methods} only`);
 }

@@ -22,6 +22,7 @@ export class SubdivisionMethod implements PreparedCurves {
   readonly prepareMs = 0;
   readonly #mesh: Mesh;
   readonly #curves = new Set<SubdivisionCurve>();
+  #disposed = false;
 
   /** @internal `Peers.prepare` makes one. */
   constructor(mesh: Mesh, options: MethodOptions) {
@@ -30,6 +31,7 @@ export class SubdivisionMethod implements PreparedCurves {
   }
 
   curve(plan: CurvePlan): MethodCurve {
+    if (this.#disposed) throw disposedOf('the method');
     const curve = new SubdivisionCurve(this.#mesh, plan, (disposed) => {
       this.#curves.delete(disposed);
     });
@@ -45,9 +47,12 @@ export class SubdivisionMethod implements PreparedCurves {
   }
 
   dispose(): void {
+    this.#disposed = true;
     for (const curve of this.#curves) curve.dispose();
   }
 }
+
+const disposedOf = (what: string) => new KarcherError('disposed', `${what} has been disposed of`);
 
 class SubdivisionCurve implements MethodCurve {
   readonly #mesh: Mesh;
@@ -55,6 +60,7 @@ class SubdivisionCurve implements MethodCurve {
   readonly #moved = new Map<number, PointLike>();
   readonly #forget: (curve: SubdivisionCurve) => void;
   #curve: Curve | null = null;
+  #disposed = false;
 
   constructor(mesh: Mesh, plan: CurvePlan, forget: (curve: SubdivisionCurve) => void) {
     if (!plan.shape) {
@@ -66,13 +72,20 @@ class SubdivisionCurve implements MethodCurve {
   }
 
   movePoint(i: number, point: PointLike): void {
-    this.#moved.set(checkInteger(i, 'the number of the control point'), point);
+    this.#check();
+    const { length } = this.#plan.points;
+    const index = checkInteger(i, 'the number of the control point');
+    if (index < 0 || index >= length) {
+      throw new KarcherError('badIndex', `there is no control point ${index}: there are ${length}`);
+    }
+    this.#moved.set(index, point);
   }
 
   /** Nothing is searched for. */
   startAt(): void {}
 
   finish(): number {
+    this.#check();
     const start = performance.now();
     if (this.#curve) {
       for (const [i, point] of this.#moved) this.#curve.movePoint(i, point);
@@ -108,12 +121,18 @@ class SubdivisionCurve implements MethodCurve {
   }
 
   dispose(): void {
+    this.#disposed = true;
     this.#curve?.dispose();
     this.#curve = null;
     this.#forget(this);
   }
 
+  #check(): void {
+    if (this.#disposed) throw disposedOf('the curve');
+  }
+
   #traced(): Curve {
+    this.#check();
     if (this.#curve && this.#moved.size === 0) return this.#curve;
     this.finish();
     return this.#curve!;
