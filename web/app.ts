@@ -17,6 +17,7 @@ import { ContextMenu } from './panels/context_menu';
 import { CurvePanel } from './panels/curve_panel';
 import { byId } from './panels/elements';
 import { ExamplesMenu } from './panels/examples_menu';
+import { FreehandSettings } from './panels/freehand_settings';
 import { LostPanel } from './panels/lost_panel';
 import { sentenceOf, showNote } from './panels/messages';
 import { ObjectPanel } from './panels/object_panel';
@@ -170,6 +171,9 @@ export async function start(): Promise<void> {
   new ExamplesMenu((example) => void opening.example(example));
   const objectPanel = new ObjectPanel(editor);
   new ContextMenu(editor, viewer, stage, () => gestures.letGo());
+  const freehand = new FreehandSettings((tolerance) => {
+    gestures.freehand.tolerance = tolerance;
+  });
   new Clipboard(editor, () => session.client?.info.triangles ?? 0);
 
   editor.subscribe((state, before) => {
@@ -184,6 +188,7 @@ export async function start(): Promise<void> {
     curvePanel.show(state, session.view);
     rail.show(state, session.view);
     objectPanel.show(state);
+    freehand.show(state);
     status.showHint(state, session.view);
     showChosen(viewer, state);
   });

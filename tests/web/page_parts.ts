@@ -16,4 +16,5 @@ export { penActionAt, penWords } from '../../web/model/pen_hints';
 export { readDrawing, savedDrawing } from '../../web/model/saved_drawing';
 export { historyOf, readWork, sameDrawing, savedWork } from '../../web/model/saved_work';
 export { curveOptions, splineOf } from '../../web/model/splines';
+export { anchorsOf, rolledOut } from '../../web/model/stroke';
 export { EngineClient } from '../../web/worker/client';

@@ -66,12 +66,15 @@ export interface State {
 }
 
 /**
- * Selects and moves only; or puts a point on the surface or into the edited curve, cuts it there, joins
- * another one to it, or measures it.
+ * Selects and moves only; or puts a point on the surface or into the edited curve, draws a stroke, cuts
+ * the curve, joins another one to it, or measures it.
  */
 export type CurveTool = RestingTool | 'split' | 'join' | 'measure';
 /** What a tool that has done its work gives way to. */
-export type RestingTool = 'select' | 'insert';
+export type RestingTool = 'select' | 'insert' | 'freehand';
+
+export const isResting = (tool: CurveTool): tool is RestingTool =>
+  tool === 'select' || tool === 'insert' || tool === 'freehand';
 
 /** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
 function fitted(to: Figure, from: Figure, edit: FigureCommand): Figure {
@@ -274,7 +277,7 @@ export class Editor {
   }
 
   setTool(tool: CurveTool): void {
-    if (tool === 'select' || tool === 'insert') this.#resting = tool;
+    if (isResting(tool)) this.#resting = tool;
     if (tool !== this.#state.tool) this.#change({ tool }, false);
   }
 

@@ -10,6 +10,7 @@ import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
 import { BoxSelection } from './box_selection';
 import type { CurveTool, Editor } from './editor';
+import { FreehandGestures } from './freehand';
 import { handlesOf, idOf, selectionOf, tangentOf } from './handle_list';
 import { MoveGestures } from './move_gestures';
 import { type HeldKeys, PenGestures } from './pen_gestures';
@@ -77,6 +78,7 @@ export class Gestures {
   #grabbed: Grabbed | null = null;
   #keys: HeldKeys = { alt: false, shift: false };
   readonly #pointer: StagePointer;
+  readonly freehand: FreehandGestures;
   readonly #pen: PenGestures;
   readonly #moves: MoveGestures;
   #pointers = 0;
@@ -123,8 +125,9 @@ export class Gestures {
       clicked: (place) => this.#click(place),
       stopped: () => events.moveStopped(),
     });
-    for (const one of [box, pen, moves]) pointer.offer((press) => one.take(press));
     this.#pointer = pointer;
+    this.freehand = new FreehandGestures(editor, session, viewer);
+    for (const one of [box, this.freehand, pen, moves]) pointer.offer((press) => one.take(press));
     this.#pen = pen;
     this.#moves = moves;
     stage.addEventListener('keyup', (event) => {
@@ -298,7 +301,13 @@ export class Gestures {
     const drawsThere =
       tool === 'insert' && (target?.type === 'surface' || target?.type === 'curve');
     const under = this.#overHandle ?? (drawsThere ? { type: target.type } : null);
-    const action = isPen && under ? penActionAt(under, this.#pen.state(this.#keys.alt)) : null;
+    const draws =
+      tool === 'freehand' && this.#hover && this.viewer.pick(this.#hover.x, this.#hover.y);
+    const action = draws
+      ? 'draw'
+      : isPen && under
+        ? penActionAt(under, this.#pen.state(this.#keys.alt))
+        : null;
     if (action) this.stage.dataset.action = action;
     else delete this.stage.dataset.action;
     this.events.aimed(action ? penWords[action] : '');

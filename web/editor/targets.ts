@@ -26,6 +26,8 @@ export function targetAt(
   { drawing, figure: { kind }, tool }: State,
   place: { x: number; y: number; touch: boolean },
 ): Target | null {
+  // A stroke goes over all there is.
+  if (tool === 'freehand') return null;
   const pick = viewer.pick(place.x, place.y);
   if (isCurve(kind) && tool === 'measure') {
     const position = viewer.pickCurve(place.x, place.y, measuredWithin);

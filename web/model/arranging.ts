@@ -10,8 +10,16 @@ import {
   type Properties,
   successorOf,
 } from './drawing';
+import {
+  type ControlPoint,
+  cleared,
+  type Figure,
+  isEmpty,
+  isRound,
+  isSpline,
+  type Kind,
+} from './figure';
 import { longestName, shortened } from './names';
-import { cleared, type Figure, isEmpty, isRound, isSpline, type Kind } from './figure';
 
 const together = (steps: readonly Command[]): Command | null =>
   steps.length > 0 ? { type: 'steps', steps } : null;
@@ -54,6 +62,19 @@ export function beginning(drawing: Drawing, kind?: Kind): Command | null {
   const { figure } = activeObject(drawing);
   if (isEmpty(figure)) return null;
   return onTop(drawing, successorOf(drawing, begun(figure, kind ?? figure.kind)));
+}
+
+/** A curve of the pen that is there at once: an object of its own, which is edited from then on. */
+export function drawnAtOnce(
+  drawing: Drawing,
+  points: readonly ControlPoint[],
+  closed: boolean,
+): Command {
+  const { settings, ...empty } = begun(activeObject(drawing).figure, 'pen');
+  return onTop(
+    drawing,
+    successorOf(drawing, { ...empty, points, settings: { ...settings, closed } }),
+  );
 }
 
 /** Kinds that say something else of the same places, and are changed into each other. */

@@ -164,6 +164,7 @@ export function nearestCubic(
     const worst = worstOf(points, parameters, cubic, tolerances);
     if (!best || worst.off < best.off) best = { cubic, ...worst };
     if (worst.off <= 1e-12 || worst.off > worthBettering * Math.max(1, best.off)) break;
+    if (step >= 4 && best.off > worthBettering) break;
     parameters = bettered(points, parameters, cubic);
   }
   return best!;
@@ -186,13 +187,19 @@ export interface FitOptions {
   corners: readonly number[];
   /** How far the points are looked along for their direction. */
   reach: number;
-  /** Where first and last point are one, whether the curve is smooth there. */
-  isLoop?: boolean;
+  /**
+   * Where first and last point are one: by which angle directions there are turned at the last, and
+   * what turn is a corner.
+   */
+  loop?: { turn: number; cornerAngle: number };
 }
 
 /** Curves near points, one after the other: smooth where they meet, but at corners. */
-export function fittedCubics(points: readonly Planar[], options: FitOptions): Piece[] {
-  const { tolerances, corners, reach, isLoop = false } = options;
+export function fittedCubics(
+  points: readonly Planar[],
+  options: FitOptions,
+): { pieces: Piece[]; isSmoothSeam: boolean } {
+  const { tolerances, corners, reach, loop } = options;
   const last = points.length - 1;
   const ends = [...new Set([0, ...corners, last])].sort((a, b) => a - b);
   const middleAt = (before: Planar, after: Planar): Planar | null => {
@@ -219,17 +226,29 @@ export function fittedCubics(points: readonly Planar[], options: FitOptions): Pi
     fit(from, middle, start, reversed(way));
     fit(middle, to, way, end);
   };
-  const [on, back] = [directionAt(points, 0, 1, reach), directionAt(points, last, -1, reach)];
-  const seam = isLoop ? middleAt(back, on) : null;
+  const turned = ([x, y]: Planar, angle: number): Planar => [
+    x * Math.cos(angle) - y * Math.sin(angle),
+    x * Math.sin(angle) + y * Math.cos(angle),
+  ];
+  const on = directionAt(points, 0, 1, reach);
+  const back = turned(directionAt(points, last, -1, reach), -(loop?.turn ?? 0));
+  const isSmoothSeam = loop !== undefined && turnBetween(back, on) < loop.cornerAngle;
+  const seam = isSmoothSeam ? (middleAt(back, on) ?? on) : null;
   for (const [i, from] of ends.slice(0, -1).entries()) {
     const to = ends[i + 1]!;
     const start = from === 0 && seam ? seam : directionAt(points.slice(0, to + 1), from, 1, reach);
     const end =
-      to === last && seam ? reversed(seam) : directionAt(points.slice(from), to - from, -1, reach);
+      to === last && seam
+        ? reversed(turned(seam, loop!.turn))
+        : directionAt(points.slice(from), to - from, -1, reach);
     fit(from, to, start, end);
   }
-  return pieces;
+  return { pieces, isSmoothSeam };
 }
+
+/** The angle by which a line turns between a direction back and one on. */
+const turnBetween = (back: Planar, on: Planar) =>
+  Math.PI - Math.acos(Math.min(1, Math.max(-1, dot(back, on))));
 
 /**
  * The numbers of points where a line turns sharply within a reach, at most one within that: each turns
@@ -242,7 +261,7 @@ export function cornersOf(
   const turns = points.map((_, i) => {
     if (i === 0 || i === points.length - 1) return 0;
     const [back, on] = [directionAt(points, i, -1, reach), directionAt(points, i, 1, reach)];
-    return Math.PI - Math.acos(Math.min(1, Math.max(-1, dot(back, on))));
+    return turnBetween(back, on);
   });
   const corners: number[] = [];
   for (const [i, turn] of turns.entries()) {

@@ -51,8 +51,8 @@ import {
 import { withLeg } from './legs';
 import { linkProblems } from './link_problems';
 import { isMethod, type MethodId } from './methods';
-import { type Tangent, type Tangents, withTangents } from './pen';
 import { longestName, shortened } from './names';
+import { type Tangent, type Tangents, withTangents } from './pen';
 import { isColor, mostObjects } from './saved_drawing';
 
 export interface Link {

@@ -2,6 +2,7 @@
 import type { Side } from './pen';
 
 export type PenAction =
+  | 'draw'
   | 'begin'
   | 'add'
   | 'bend'
@@ -56,6 +57,7 @@ export function penActionAt(under: UnderPointer, state: PenState): PenAction {
 }
 
 export const penWords: Record<PenAction, string> = {
+  draw: 'Drag draws a curve, Escape drops it; back at its start it closes',
   begin: 'Click to place a corner, or drag to draw a smooth anchor',
   add: 'Click adds a corner, drag a smooth anchor; Enter ends the curve',
   bend: 'Drag bends the curve, double click adds an anchor',

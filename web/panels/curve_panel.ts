@@ -7,8 +7,8 @@ import type { Joint } from '../model/pen';
 import { CircleSettings } from './circle_settings';
 import { byId, make } from './elements';
 import { FineSettings } from './fine_settings';
-import { PointRows } from './point_rows';
 import { kindGroups, kindNames, kindNotes } from './kind_names';
+import { PointRows } from './point_rows';
 import { SettingsPanel } from './settings_panel';
 
 export interface CurveEvents {

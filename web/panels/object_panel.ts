@@ -9,9 +9,9 @@ import {
 import { isEmpty } from '../model/figure';
 import { longestName } from '../model/names';
 import { byId, make } from './elements';
+import { kindNames } from './kind_names';
 import { ListDrag } from './list_drag';
 import { NumberField, positiveNumber } from './number_field';
-import { kindNames } from './kind_names';
 
 /** Colors that are told apart on light and dark surfaces; null is the theme's. */
 const colors: readonly [string | null, string][] = [

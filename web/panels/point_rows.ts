@@ -5,9 +5,9 @@ import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle'
 import {
   type ControlPoint,
   type Figure,
-  type Kind,
   isRound,
   isSpline,
+  type Kind,
   type ParameterName,
   parameterOf,
   parameterRange,

@@ -9,10 +9,10 @@ import type { Quality } from '../model/methods';
 import { penWords } from '../model/pen_hints';
 import type { Measured } from '../model/traced';
 import { byId, formatCount, formatInteger } from './elements';
+import { kindNames } from './kind_names';
 import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
-import { kindNames } from './kind_names';
 
 /** Work this short goes without saying. */
 const patienceMilliseconds = 300;
@@ -135,6 +135,7 @@ function hintOf(
   measured: Measured | null,
 ): string {
   if (!mesh) return '';
+  if (tool === 'freehand') return penWords.draw;
   if (tool === 'split') return 'Click the curve where you want to cut it';
   if (tool === 'join') return 'Click the curve to join with this one';
   if (tool === 'measure') {

@@ -56,6 +56,12 @@ export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
       ...draws(pen!),
     },
     {
+      ...{ id: 'freehand', name: 'Freehand', key: 'f' },
+      icon: '<path d="M3 15.500c2.500 1.500 3.500-1 2.500-3.500s1-6.500 3-5.500-1.500 6 .5 6.500 3-4.500 4.500-4 .5 4.500 3.500 3" />',
+      isActive: ({ tool }) => tool === 'freehand',
+      choose: () => editor.setTool('freehand'),
+    },
+    {
       ...{ id: 'curve', name: 'Curve', key: 'b' },
       icon: '<path d="M4.500 14C5.500 5 9 4.500 10 10s4.500 5 5.500-4" /><circle class="fill" cx="4.300" cy="15.500" r="1.800" /><circle class="fill" cx="15.700" cy="4.500" r="1.800" />',
       ...draws(curves!),

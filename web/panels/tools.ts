@@ -1,5 +1,5 @@
 import type { CurveEdits } from '../editor/curve_edits';
-import type { Editor } from '../editor/editor';
+import { type Editor, isResting } from '../editor/editor';
 import { isCurve, kinds } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
@@ -52,7 +52,7 @@ export class Tools {
   #escape(): void {
     const { editor } = this;
     if (editor.dragging) editor.cancelDrag();
-    else if (!['select', 'insert'].includes(editor.state.tool)) editor.rest();
+    else if (!isResting(editor.state.tool)) editor.rest();
     else if (editor.state.selection !== null) editor.select(null);
     else editor.choose([]);
   }

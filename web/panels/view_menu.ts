@@ -1,5 +1,5 @@
 import type { Viewer } from '../viewer/viewer';
-import { views, type ViewName } from '../viewer/views';
+import { type ViewName, views } from '../viewer/views';
 import { byId, make } from './elements';
 import { Menu } from './menu';
 import { onTheme, toggleTheme } from './theme';

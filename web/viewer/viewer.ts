@@ -49,6 +49,7 @@ export class Viewer {
   readonly #lost = new FatLine({ width: 4, dash: fineDash, hidden: 0.4 }, 4);
   readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
   readonly #sketch = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.25 }, 2);
+  readonly #stroke = new FatLine({ width: 3, hidden: 0.25 }, 4);
   readonly #beside = new ObjectLines(2);
   /** Around what is selected, below it. */
   readonly #halo = new FatLine({ width: 10, hidden: 0 }, 1);
@@ -58,7 +59,7 @@ export class Viewer {
   readonly #places = new FatLine({ width: 3, hidden: 0.45 }, 5);
   readonly #lines = [
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
-    ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#halo],
+    ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#halo, this.#stroke],
   ];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
@@ -142,6 +143,7 @@ export class Viewer {
     this.showObjects([]);
     this.showShorter([]);
     this.showPlaces([]);
+    this.showStroke(new Float32Array());
     return this.#surface;
   }
 
@@ -219,6 +221,12 @@ export class Viewer {
     this.requestFrame();
   }
 
+  /** A stroke that is being drawn, in the scene. */
+  showStroke(line: Float32Array): void {
+    this.#stroke.set(line.length > 0 ? [line] : []);
+    this.requestFrame();
+  }
+
   /** A curve's tangent at a place, in the surface's coordinates. */
   showTangent(at: { position: Vector; tangent: Vector } | null): void {
     const surface = this.#surface;
@@ -270,6 +278,7 @@ export class Viewer {
     this.#curve.setStyle({ width, dash: dashLengths[dash] });
     this.#lost.setStyle({ width, dash: fineDash });
     this.#sketch.setColor(own, surface);
+    this.#stroke.setColor(own, surface);
   }
 
   /** Shorter ways than the legs of the curve. */

@@ -1,0 +1,122 @@
+/**
+ * A stroke that was drawn by hand, as few smooth anchors of the pen. The surface along it is rolled out
+ * onto a plane, where the stroke has the same lengths and turns as on the surface, and cubic curves are
+ * fitted there: near an anchor these are its log coordinates.
+ */
+import type { SurfacePoint } from 'karcher';
+import { cornersOf, fittedCubics, type Planar } from './cubic_fit';
+import type { ControlPoint, Vector } from './figure';
+import { type Tangent, type Tangents, withTangents } from './pen';
+
+/** A place of the stroke. Lengths are in the surface's unit. */
+export interface StrokeSample {
+  point: SurfacePoint;
+  place: Vector;
+  /** Of length 1. */
+  normal: Vector;
+  /** How far off the curve may be there. */
+  tolerance: number;
+  /** How far a pixel reaches there. */
+  pixel: number;
+}
+
+/** How far a stroke is looked along for its direction, in pixels, and what turn is a corner, in radians. */
+const reachPixels = 10;
+const cornerAngle = 1;
+
+const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vector, b: Vector): Vector => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+const along = (a: Vector, b: Vector, factor: number): Vector => [
+  a[0] + factor * b[0],
+  a[1] + factor * b[1],
+  a[2] + factor * b[2],
+];
+
+/** The direction of a step in a tangent plane; null where it has none there. */
+function directionIn(normal: Vector, step: Vector): Vector | null {
+  const flat = along(step, normal, -dot(step, normal));
+  const length = Math.hypot(...flat);
+  return length > 0 ? (flat.map((value) => value / length) as Vector) : null;
+}
+
+/** The angle from one direction of a tangent plane to another, counterclockwise. */
+const angleFrom = (a: Vector, b: Vector, normal: Vector) =>
+  Math.atan2(dot(cross(a, b), normal), dot(a, b));
+
+/** A stroke in the plane, with the direction on the surface that is at each place the plane's at an angle. */
+interface RolledOut {
+  places: Planar[];
+  frames: { direction: Vector; angle: number }[];
+}
+
+export function rolledOut(samples: readonly Pick<StrokeSample, 'place' | 'normal'>[]): RolledOut {
+  const places: Planar[] = [[0, 0]];
+  const frames: RolledOut['frames'] = [];
+  let angle = 0;
+  for (const [i, { place, normal }] of samples.entries()) {
+    const [before, next] = [samples[i - 1], samples[i + 1]];
+    const come = before ? directionIn(normal, minus(place, before.place)) : null;
+    const go = next ? directionIn(normal, minus(next.place, place)) : null;
+    if (come && go) angle += angleFrom(come, go, normal);
+    frames.push({ direction: go ?? come ?? [1, 0, 0], angle });
+    if (!next) continue;
+    const length = Math.hypot(...minus(next.place, place));
+    const [x, y] = places[i]!;
+    places.push([x + length * Math.cos(angle), y + length * Math.sin(angle)]);
+  }
+  return { places, frames };
+}
+
+/** A vector of the plane as a handle at a sample. */
+function handleAt(
+  { normal }: StrokeSample,
+  { direction, angle }: RolledOut['frames'][number],
+  [x, y]: Planar,
+): { direction: Vector; length: number } | null {
+  const length = Math.hypot(x, y);
+  if (!(length > 0)) return null;
+  const turn = Math.atan2(y, x) - angle;
+  const aside = cross(normal, direction);
+  const turned = along([0, 0, 0], direction, Math.cos(turn));
+  return { direction: along(turned, aside, Math.sin(turn)), length };
+}
+
+/**
+ * The anchors of a curve near a stroke of at least two places, corners at its sharp turns; closed where
+ * its last place is its first one.
+ */
+export function anchorsOf(samples: readonly StrokeSample[], closed: boolean): ControlPoint[] {
+  const { places, frames } = rolledOut(samples);
+  const last = samples.length - 1;
+  const pixel = samples.reduce((sum, one) => sum + one.pixel, 0) / samples.length;
+  const reach = reachPixels * pixel;
+  const corners = cornersOf(places, { reach, angle: cornerAngle });
+  const tolerances = samples.map(({ tolerance }) => tolerance);
+  const [first, end] = [frames[0]!, frames[last]!];
+  // A direction at the seam has another angle where the stroke comes back.
+  const turn = end.angle + angleFrom(end.direction, first.direction, samples[last]!.normal);
+  const options = { tolerances, corners, reach, ...(closed && { loop: { turn, cornerAngle } }) };
+  const { pieces, isSmoothSeam } = fittedCubics(places, options);
+  const count = pieces.length + (closed ? 0 : 1);
+  return Array.from({ length: count }, (_, i) => {
+    const [before, after] = [pieces[i - 1] ?? (closed ? pieces.at(-1) : undefined), pieces[i]];
+    const at = after?.from ?? last;
+    const told = (which: number, [from, to]: readonly [Planar, Planar]) =>
+      handleAt(samples[which]!, frames[which]!, [to[0] - from[0], to[1] - from[1]]);
+    const ahead = after && told(after.from, [after.cubic[0], after.cubic[1]]);
+    const back = before && told(before.to, [before.cubic[3], before.cubic[2]]);
+    const isSmooth = i === 0 ? isSmoothSeam : !corners.includes(at);
+    const opposite: Tangent | null | undefined =
+      isSmooth && ahead && back ? { length: back.length } : back;
+    const tangents: Tangents = {
+      ...(ahead && { after: ahead }),
+      ...(opposite && { before: opposite }),
+    };
+    return withTangents(samples[at]!.point, tangents);
+  });
+}

@@ -1,0 +1,27 @@
+import type { State } from '../editor/editor';
+import { recall, remember } from '../model/storage';
+import { byId } from './elements';
+
+/** How far a curve may be from the stroke that it was drawn by, in CSS pixels: kept by the browser. */
+export class FreehandSettings {
+  readonly #field = byId('freehand-settings');
+  readonly #tolerance = byId<HTMLInputElement>('freehand-tolerance');
+
+  constructor(changed: (tolerance: number) => void) {
+    const { min, max } = this.#tolerance;
+    const kept = Number(recall('freehand'));
+    if (kept >= Number(min) && kept <= Number(max)) this.#tolerance.value = `${kept}`;
+    const take = () => {
+      const { value } = this.#tolerance;
+      byId('freehand-pixels').textContent = `${value} px`;
+      changed(Number(value));
+    };
+    this.#tolerance.addEventListener('input', take);
+    this.#tolerance.addEventListener('change', () => remember('freehand', this.#tolerance.value));
+    take();
+  }
+
+  show({ tool }: State): void {
+    this.#field.hidden = tool !== 'freehand';
+  }
+}
