@@ -23,6 +23,7 @@ import { sentenceOf, showNote } from './panels/messages';
 import { ObjectPanel } from './panels/object_panel';
 import { SaveMenu } from './panels/save_menu';
 import { Sheet } from './panels/sheet';
+import { SnapToggle } from './panels/snap_toggle';
 import { Status } from './panels/status';
 import { SurfacePanel } from './panels/surface_panel';
 import { drawingTools, ToolRail } from './panels/tool_list';
@@ -156,6 +157,7 @@ export async function start(): Promise<void> {
   const rail = new ToolRail(drawingTools(editor, edits));
   const toolEvents = {
     saveJson: () => saveMenu.save('json'),
+    toggleSnapping: () => snap.toggle(),
     removeSelected: remove,
     link() {
       const { mesh, method, drawing } = editor.state;
@@ -171,6 +173,9 @@ export async function start(): Promise<void> {
   new ExamplesMenu((example) => void opening.example(example));
   const objectPanel = new ObjectPanel(editor);
   new ContextMenu(editor, viewer, stage, () => gestures.letGo());
+  const snap = new SnapToggle((on) => {
+    gestures.snapping.on = on;
+  });
   const freehand = new FreehandSettings((tolerance) => {
     gestures.freehand.tolerance = tolerance;
   });

@@ -48,6 +48,9 @@ describe('every control is hit where it is clicked', () => {
       await controls.look('a point selected');
       await controls.click(page.locator('#tool-select'));
       await controls.look('objects are only selected');
+      await controls.click(page.locator('#tool-freehand'));
+      await controls.look('freehand');
+      await controls.click(page.locator('#tool-select'));
       await controls.click(page.locator('#go-on'));
       const chosen = new Set();
       // Of the curve that is there; another kind of tool begins another one.

@@ -9,6 +9,7 @@ import type { SeenLine, Viewer } from '../viewer/viewer';
 import type { Editor } from './editor';
 import { drawnTangents } from './pen_drawing';
 import type { Session } from './session';
+import type { Snapping } from './snapping';
 import type { Hold, Place } from './stage_pointer';
 
 /** Places of a stroke that are nearer to the last one, in CSS pixels, are left out. */
@@ -35,11 +36,12 @@ export class FreehandGestures {
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
+    private readonly snapping: Snapping,
   ) {}
 
   take(press: Place): Hold | null {
     if (this.editor.state.tool !== 'freehand' || press.shift) return null;
-    const first = this.#at(press);
+    const first = this.#at(press, this.snapping.pick(press));
     if (!first) return null;
     const stroke = [first];
     const show = () => {
@@ -49,13 +51,16 @@ export class FreehandGestures {
     return {
       drag: (_, way) => {
         for (const place of way) {
-          const [last, next] = [stroke.at(-1)!, this.#at(place)];
+          const [last, next] = [
+            stroke.at(-1)!,
+            this.#at(place, this.viewer.pick(place.x, place.y)),
+          ];
           if (next && Math.hypot(next.x - last.x, next.y - last.y) >= leastStep) stroke.push(next);
         }
         show();
       },
       release: async (place, dragged) => {
-        const end = this.#at(place);
+        const end = this.#at(place, this.snapping.pick(place));
         if (end && stroke.length > 1) stroke[stroke.length - 1] = end;
         if (dragged && stroke.length > 1) await this.#draw(stroke, press.touch).catch(() => {});
         this.viewer.showStroke(new Float32Array());
@@ -64,10 +69,12 @@ export class FreehandGestures {
     };
   }
 
-  #at({ x, y }: Place): Drawn | null {
-    const pick = this.viewer.pick(x, y);
+  /** What was picked at a place, and where that is seen. */
+  #at({ x, y }: Place, pick: Pick | null): Drawn | null {
+    if (!pick) return null;
     const { left, top } = this.viewer.box;
-    return pick && { ...pick, x: x - left, y: y - top };
+    const { point, position } = pick;
+    return { point, position, x: x - left, y: y - top };
   }
 
   async #draw(stroke: Drawn[], touch: boolean): Promise<void> {

@@ -15,6 +15,7 @@ import { handlesOf, idOf, selectionOf, tangentOf } from './handle_list';
 import { MoveGestures } from './move_gestures';
 import { type HeldKeys, PenGestures } from './pen_gestures';
 import type { Session } from './session';
+import { type Snapped, Snapping } from './snapping';
 import { StagePointer } from './stage_pointer';
 import { type Target, targetAt } from './targets';
 import { twoFingersMeanTheView } from './two_fingers';
@@ -76,9 +77,10 @@ export class Gestures {
   readonly #handles: Handles;
   #press: { id: number; x: number; y: number; slop: number } | null = null;
   #grabbed: Grabbed | null = null;
-  #keys: HeldKeys = { alt: false, shift: false };
   readonly #pointer: StagePointer;
+  #keys: HeldKeys = { alt: false, shift: false, control: false };
   readonly freehand: FreehandGestures;
+  readonly snapping: Snapping;
   readonly #pen: PenGestures;
   readonly #moves: MoveGestures;
   #pointers = 0;
@@ -107,6 +109,7 @@ export class Gestures {
       focus: (id) => editor.select(selectionOf(id)),
       key: (id, event) => this.#nudge(id, event),
     });
+    this.snapping = new Snapping(editor, viewer);
     const handles = this.#handles;
     const severalFingers = twoFingersMeanTheView(stage, {
       get heldBy() {
@@ -120,21 +123,21 @@ export class Gestures {
     const pointer = new StagePointer(stage, severalFingers);
     handles.severalFingers = severalFingers;
     const box = new BoxSelection(editor, viewer, stage);
-    const pen = new PenGestures(editor, session, viewer);
+    const pen = new PenGestures(editor, session, viewer, this.snapping);
     const moves = new MoveGestures(editor, session, viewer, {
       clicked: (place) => this.#click(place),
       stopped: () => events.moveStopped(),
     });
     this.#pointer = pointer;
-    this.freehand = new FreehandGestures(editor, session, viewer);
+    this.freehand = new FreehandGestures(editor, session, viewer, this.snapping);
     for (const one of [box, this.freehand, pen, moves]) pointer.offer((press) => one.take(press));
     this.#pen = pen;
     this.#moves = moves;
     stage.addEventListener('keyup', (event) => {
       if (event.key in arrows) moves.endNudge();
     });
-    const keys = ({ altKey, shiftKey }: PointerEvent) => {
-      this.#keys = { alt: altKey, shift: shiftKey };
+    const keys = ({ altKey, shiftKey, ctrlKey, metaKey }: PointerEvent) => {
+      this.#keys = { alt: altKey, shift: shiftKey, control: ctrlKey || metaKey };
     };
     for (const type of ['pointerdown', 'pointermove'] as const) {
       window.addEventListener(type, keys, { capture: true });
@@ -279,7 +282,10 @@ export class Gestures {
         'choosing',
         target?.type === 'other' || target?.type === 'shorter',
       );
-      if (target?.type === 'surface') this.#handles.showPreview(target.pick.position, 'surface');
+      const snapped = this.#hover && this.#snapAt({ ...this.#hover, touch: false }, target);
+      if (snapped?.kind) this.#showSnap(snapped);
+      else if (target?.type === 'surface')
+        this.#handles.showPreview(target.pick.position, 'surface');
       else if (this.editor.state.tool === 'measure') {
         if (target?.type === 'curve') this.events.curveMeasured(target.position);
       } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
@@ -320,11 +326,13 @@ export class Gestures {
   #click(place: { x: number; y: number; touch: boolean }, { byKey = false } = {}): void {
     const target = this.#target(place);
     const { tool, figure } = this.editor.state;
+    const snapped = target?.type === 'curve' ? null : this.#snapAt(place, target);
     if (!target) {
       this.editor.select(null);
       this.editor.choose([]);
       if (tool !== 'measure') this.editor.rest();
-    } else if (target.type === 'surface') this.#put(target.pick);
+    } else if (snapped) this.#put(snapped);
+    else if (target.type === 'surface') this.#put(target.pick);
     else if (target.type === 'curve' && tool === 'measure') {
       this.events.curveMeasured(target.position);
     } else if (target.type === 'curve' && figure.kind === 'pen' && !byKey) {
@@ -353,6 +361,21 @@ export class Gestures {
     }
     if (tool !== 'select') return;
     if (target?.type === 'other' && !this.editor.refuses()) this.editor.setTool('insert');
+  }
+
+  /** Marks what a place is taken to. */
+  #showSnap(snapped: Snapped | null): void {
+    if (snapped?.kind) this.#handles.showPreview(snapped.position, 'snap', snapped.kind);
+    else this.#handles.showPreview(null, 'surface');
+  }
+
+  /** What a click there would be taken to; null where it places nothing. */
+  #snapAt(place: { x: number; y: number; touch: boolean }, target: Target | null): Snapped | null {
+    const { control } = this.#keys;
+    const places =
+      target?.type === 'surface' || (target?.type === 'other' && this.snapping.placesOn(control));
+    const draws = this.editor.state.tool === 'freehand';
+    return places || draws ? this.snapping.pick({ ...place, control }) : null;
   }
 
   /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */
@@ -400,10 +423,14 @@ export class Gestures {
 
   /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
   #moveTo(id: string, x: number, y: number, { circle, tangents }: Grabbed): void {
-    const point = this.viewer.pick(x, y)?.point;
-    if (!point) return;
-    const base = this.editor.base;
     const selection = selectionOf(id);
+    // A handle of the pen gives a direction, and goes as it is drawn.
+    const control = this.#keys.control || tangentOf(id) !== null;
+    const picked = this.snapping.pick({ x, y, control }, selection);
+    if (!picked) return;
+    this.#showSnap(picked);
+    const { point } = picked;
+    const base = this.editor.base;
     let command: FigureCommand | null = null;
     if (typeof selection === 'number') {
       const from = base.points[selection];
@@ -424,6 +451,7 @@ export class Gestures {
 
   #release(cancelled: boolean): void {
     this.#dragNow();
+    this.#showSnap(null);
     const action = cancelled || this.editor.dragging ? null : this.#grabbed?.action;
     const { selection } = this.editor.state;
     this.#grabbed = null;
@@ -444,7 +472,7 @@ export class Gestures {
     if (!this.editor.dragging) this.#grab(id, place);
     const grabbed = this.#grabbed;
     if (!grabbed) return;
-    this.#keys = { alt: false, shift: false };
+    this.#keys = { alt: false, shift: false, control: false };
     this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], grabbed);
   }
 

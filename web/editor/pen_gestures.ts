@@ -19,6 +19,7 @@ import { Bend } from './bend';
 import type { Editor } from './editor';
 import { Newest } from './newest';
 import type { Session } from './session';
+import type { Snapping } from './snapping';
 import type { Hold, Place } from './stage_pointer';
 import { targetAt } from './targets';
 
@@ -32,6 +33,8 @@ const angleStep = Math.PI / 4;
 export interface HeldKeys {
   alt: boolean;
   shift: boolean;
+  /** Ctrl or Cmd. */
+  control: boolean;
 }
 
 /**
@@ -43,15 +46,21 @@ export class PenGestures {
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
+    private readonly snapping: Snapping,
   ) {}
 
   /** Places an anchor where the surface is pressed, or bends the curve. */
   take(press: Place): Hold | null {
     const { editor, viewer } = this;
     const { figure, tool } = editor.state;
-    if (figure.kind !== 'pen' || tool !== 'insert' || press.shift || press.control) return null;
+    const { snapping } = this;
+    // Ctrl is the view's, but where it keeps a point from snapping.
+    if (press.shift || (press.control && !snapping.on)) return null;
+    if (figure.kind !== 'pen' || tool !== 'insert') return null;
     const target = targetAt(viewer, editor.state, press);
-    if (target?.type === 'surface') return this.#place(target.pick.point);
+    const places = target?.type === 'other' && snapping.placesOn(press.control);
+    const picked = places || target?.type === 'surface' ? snapping.pick(press) : null;
+    if (picked) return this.#place(picked.point);
     const isBent = target?.type === 'curve' && bends(this.state(press.alt));
     return isBent ? this.#bend(target.position) : null;
   }

@@ -13,6 +13,7 @@ export interface ToolEvents {
   /** What opens the drawing again: also elsewhere where it is complete, and in any program where it is short. */
   link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;
+  toggleSnapping(): void;
 }
 
 /** The toolbar, the keys that work everywhere, the help and the theme. */
@@ -133,6 +134,7 @@ export class Tools {
     n: () => this.editor.begin(),
     r: () => this.viewer.resetView({ animated: true }),
     home: () => this.viewer.resetView({ animated: true }),
+    g: () => this.events.toggleSnapping(),
     t: () => this.viewMenu.toggleEdges(),
     c: () => this.#toggleClosed(),
     s: () => this.edits.chooseSplit(),

@@ -82,9 +82,17 @@ export class Handles {
     this.viewer.requestFrame();
   }
 
-  /** Where a click would put a point: on the surface, or into the curve; or what is measured. */
-  showPreview(position: Vector3 | null, on: 'surface' | 'curve' | 'measure'): void {
+  /**
+   * Where a click would put a point: on the surface, into the curve, or on what it snaps to, with its
+   * name; or what is measured.
+   */
+  showPreview(
+    position: Vector3 | null,
+    on: 'surface' | 'curve' | 'measure' | 'snap',
+    name = '',
+  ): void {
     this.#preview.dataset.on = on;
+    this.#preview.dataset.tag = name;
     this.#previewPosition = position;
     this.#preview.hidden = position === null;
     this.#put(this.#preview, position);

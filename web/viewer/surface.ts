@@ -167,6 +167,11 @@ export class Surface {
     return target;
   }
 
+  /** Where the corners of a face are in the scene. */
+  corners(face: number): [Vector3, Vector3, Vector3] {
+    return [this.#corner(face, 0), this.#corner(face, 1), this.#corner(face, 2)];
+  }
+
   /** The unit normal at a surface point, on the outside where there is one. */
   normal({ face, bary }: SurfacePoint): Vector3 {
     const normal = new Vector3();

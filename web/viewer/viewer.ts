@@ -326,6 +326,19 @@ export class Viewer {
     return found?.id ?? null;
   }
 
+  /** The place, in the scene, of a line beside the edited object that is seen nearest; null without one. */
+  nearestOnObjects(clientX: number, clientY: number, within: number): Vector3 | null {
+    const { box, camera } = { box: this.box, camera: this.#view.camera };
+    const place = { x: clientX - box.left, y: clientY - box.top };
+    camera.updateMatrixWorld();
+    const found = this.#beside.objects
+      .flatMap(({ lines }) => lines.map((line) => nearestOnScreen(line, camera, this.size, place)))
+      .filter((one) => one !== null)
+      .filter(({ position, distance }) => distance <= within && !this.project(position).hidden)
+      .sort((a, b) => a.distance - b.distance);
+    return found[0]?.position ?? null;
+  }
+
   /** Whether the edited object is seen there. */
   pickOwn(clientX: number, clientY: number, within: number): boolean {
     return this.#own.some((line) => this.#pickLine(line, clientX, clientY, within));

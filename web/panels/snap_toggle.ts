@@ -1,0 +1,24 @@
+import { recall, remember } from '../model/storage';
+import { byId } from './elements';
+
+/** The magnet: whether places snap to what is near, kept by the browser. */
+export class SnapToggle {
+  readonly #button = byId<HTMLButtonElement>('snap');
+  #on = recall('snap') === 'on';
+
+  constructor(private readonly changed: (on: boolean) => void) {
+    this.#button.addEventListener('click', () => this.toggle());
+    this.#show();
+  }
+
+  toggle(): void {
+    this.#on = !this.#on;
+    remember('snap', this.#on ? 'on' : 'off');
+    this.#show();
+  }
+
+  #show(): void {
+    this.#button.setAttribute('aria-pressed', `${this.#on}`);
+    this.changed(this.#on);
+  }
+}
