@@ -158,7 +158,7 @@ function hintOf(
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }
 
-const dragHint = 'Drag a line or a point, or choose a tool and draw';
+const dragHint = 'Drag a line or a point, or pick a tool';
 const drawHint = 'Choose a tool to draw';
 
 /** Of legs that were drawn out by a drag. */
