@@ -32,11 +32,11 @@ describe('links', () => {
   test('what they say wrongly is told with its bounds and what is taken', () => {
     const told = (fragment) => model.linkProblems(`mesh=sphere:1500&${fragment}`);
     assert.deepEqual(told('samples=5000000'), [
-      "The link's samples is '5000000', not a whole number from 2 to 5,000: 128 is taken.",
+      "The link's 'samples' must be a whole number from 2 to 5,000, not '5000000'; using 128.",
     ]);
     assert.match(
       told('kind=spiral')[0],
-      /kind is 'spiral', not one of bspline, .*: bspline is taken/,
+      /'kind' must be one of bspline, .*, not 'spiral'; using bspline/,
     );
     assert.match(told('method=guess')[0], /method 'guess' is not known/);
     for (const wrong of [
@@ -46,6 +46,13 @@ describe('links', () => {
       'tolerance=7',
       'arcs=2.5',
       'closed=yes',
+      'color=red',
+      'knots=1,2,x',
+      'legs=0',
+      'legs=0:1,0.2',
+      `legs=0${':1,0.2,0.2'.repeat(65)}`,
+      'tangents=x:same',
+      'tangents=0:1,2',
     ]) {
       assert.equal(told(wrong).length, 1, wrong);
     }
@@ -53,6 +60,17 @@ describe('links', () => {
     assert.deepEqual(told(`samples=${'9'.repeat(500)}`)[0].length < 200, true);
     assert.equal(told('degree=9&levels=x&marks=1&tolerance=7&arcs=2.5&closed=yes').length, 5);
     assert.deepEqual(model.linkProblems(link), []);
+    for (const right of [
+      'color=d9560b',
+      'knots=0,0.5,-1e-3',
+      `legs=0${':1,0.2,0.2'.repeat(64)};3:7,0,1`,
+      'tangents=0::same;1:1,0.2,0.3:0.5;2:0.5,0,0,1:',
+    ]) {
+      assert.deepEqual(told(right), [], right);
+    }
+    const others = (count) => Array.from({ length: count }, () => 'other=points%3D1').join('&');
+    assert.deepEqual(told(others(1999)), []);
+    assert.deepEqual(told(others(2000)), ['The link has 2,001 objects; up to 2,000 are read.']);
   });
 
   test('what a page writes has no problem, and is read as it was written', () => {
@@ -214,7 +232,10 @@ describe('a page with a link', () => {
       'mesh=sphere:1500&kind=spiral&samples=5000000&points=1,0.2,0.3;40,0.1,0.1;90,0.3,0.3;7,0.5,0.25',
     );
     const said = await tab.page.getByRole('alert').textContent();
-    assert.match(said, /samples is '5000000', not a whole number from 2 to 5,000: 128 is taken/);
+    assert.match(
+      said,
+      /'samples' must be a whole number from 2 to 5,000, not '5000000'; using 128/,
+    );
     assert.match(said, /kind is 'spiral'/);
     assert.equal((await tab.view()).curve.samples.count, 128);
     await tab.page.close();

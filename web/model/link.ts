@@ -195,7 +195,7 @@ export function parseLink(fragment: string): Link | null {
   const mesh = fields.get('mesh');
   if (!mesh) return null;
   const method = fields.get('method');
-  const others = fields.getAll('other').slice(0, mostObjects);
+  const others = fields.getAll('other').slice(0, mostObjects - 1);
   const objects = others.flatMap(parseObjects).filter(({ figure }) => !isEmpty(figure));
   const place = Math.min(objects.length, parseWhole(fields.get('place')) ?? 0);
   const [active, ...hidden] = parseObjects(fragment);

@@ -7,11 +7,13 @@ import {
   kinds,
   marksRange,
   mostArcs,
+  mostLegPoints,
   mostLevels,
   samplesRange,
   toleranceRange,
 } from './figure';
 import { isMethod } from './methods';
+import { isColor, mostObjects } from './saved_drawing';
 
 /** A link of more points would keep the page and its engine busy for minutes. */
 export const mostLinkPoints = 1000;
@@ -41,6 +43,20 @@ const oneOf = (names: readonly string[], instead: string): Rule => ({
   instead,
 });
 
+const areNumbers = (text: string, ...counts: number[]) => {
+  const values = text.split(',').map(number);
+  return values.every(Number.isFinite) && (counts.length === 0 || counts.includes(values.length));
+};
+
+/** Parts that begin with a point's number: `number:rest`, where `fits` says what the rest may be. */
+const byPoint = (fits: (rest: string[]) => boolean) => (text: string) =>
+  text.split(';').every((part) => {
+    const [index = '', ...rest] = part.split(':');
+    return /^\d+$/.test(index) && fits(rest);
+  });
+
+const isHandle = (text: string) => text === '' || text === 'same' || areNumbers(text, 1, 3, 4);
+
 const shown = (value: number) => (value >= 1 ? value.toLocaleString('en') : `${value}`);
 
 const flag = oneOf(['0', '1'], '0');
@@ -52,8 +68,8 @@ const rules: Readonly<Record<string, Rule>> = {
   degree: within(1, 5, true, `${defaultSettings.degree}`),
   parametrization: oneOf(['centripetal', 'uniform'], defaultSettings.parametrization),
   samples: within(samplesRange.least, samplesRange.most, true, `${defaultSettings.samples}`),
-  tolerance: within(toleranceRange.least, toleranceRange.most, false, 'none'),
-  marks: within(marksRange.least, marksRange.most, true, 'none'),
+  tolerance: within(toleranceRange.least, toleranceRange.most, false, 'no tolerance'),
+  marks: within(marksRange.least, marksRange.most, true, 'no marks'),
   levels: {
     allows: (text) =>
       ['auto', 'limit'].includes(text) || within(0, mostLevels, true, '').allows(text),
@@ -64,6 +80,27 @@ const rules: Readonly<Record<string, Rule>> = {
   arcs: within(fewestArcs, mostArcs, true, `${defaultCircleForm.arcs}`),
   width: within(widthRange.least, widthRange.most, false, 'the usual one'),
   dash: oneOf(dashes, dashes[0]!),
+  color: {
+    allows: (text) => isColor(`#${text}`),
+    range: 'six hexadecimal digits in lower case, as d9560b',
+    instead: 'the default color',
+  },
+  knots: { allows: (text) => areNumbers(text), range: 'a list of numbers', instead: 'even ones' },
+  legs: {
+    allows: byPoint(
+      (through) =>
+        through.length > 0 &&
+        through.length <= mostLegPoints &&
+        through.every((point) => areNumbers(point, 3)),
+    ),
+    range: `numbers of points with up to ${mostLegPoints} places each`,
+    instead: 'the shortest path',
+  },
+  tangents: {
+    allows: byPoint((handles) => handles.length <= 2 && handles.every(isHandle)),
+    range: 'numbers of anchors with one or two handles each',
+    instead: 'no handle',
+  },
 };
 
 const longestShown = 40;
@@ -75,14 +112,22 @@ export function linkProblems(fragment: string): string[] {
   const method = fields.get('method');
   const problems = new Set<string>();
   if (method && !isMethod(method)) {
-    problems.add(`The link's method ${quoted(method)} is not known: the one here is taken.`);
+    problems.add(`The link's method ${quoted(method)} is not known; using the one here.`);
   }
-  for (const part of [fragment, ...fields.getAll('other')]) {
+  const others = fields.getAll('other');
+  if (others.length >= mostObjects) {
+    problems.add(
+      `The link has ${shown(others.length + 1)} objects; up to ${shown(mostObjects)} are read.`,
+    );
+  }
+  for (const part of [fragment, ...others]) {
     for (const [name, text] of new URLSearchParams(part.replace(/^#/, ''))) {
       const rule = Object.hasOwn(rules, name) ? rules[name]! : null;
       if (!rule || rule.allows(text)) continue;
       const said = text === '' ? 'nothing' : quoted(text);
-      problems.add(`The link's ${name} is ${said}, not ${rule.range}: ${rule.instead} is taken.`);
+      problems.add(
+        `The link's '${name}' must be ${rule.range}, not ${said}; using ${rule.instead}.`,
+      );
     }
   }
   const told = [...problems];

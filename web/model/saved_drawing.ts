@@ -94,7 +94,8 @@ function readStyle(
   { color, width, dash }: Partial<Record<keyof LineStyle, unknown>>,
   what: string,
 ) {
-  if (color !== null && !isColor(color)) throw new Error(`the color of ${what} is none`);
+  if (color !== null && !isColor(color))
+    throw new Error(`the color of ${what} is ${shown(color)}, which is not a color`);
   const { least, most } = widthRange;
   return {
     color,
@@ -243,7 +244,7 @@ function record(value: unknown, what: string): Record<string, unknown> {
 }
 
 function list(value: unknown, what: string, most: number): unknown[] {
-  if (!Array.isArray(value)) throw new Error(`${what} are no list`);
+  if (!Array.isArray(value)) throw new Error(`${what} must be a list`);
   if (value.length > most) throw new Error(`${what} are more than ${most}`);
   return value;
 }
@@ -268,7 +269,7 @@ function flag(value: unknown, what: string): boolean {
 
 function text(value: unknown, what: string): string {
   if (typeof value !== 'string' || value.length > longestName) {
-    throw new Error(`${what} is no text of at most ${longestName} letters`);
+    throw new Error(`${what} must be a text of up to ${longestName} letters`);
   }
   return value;
 }
