@@ -74,8 +74,9 @@ export class CheckUpPanel {
     } catch (error) {
       if (client !== this.#checked) return;
       this.#checked = null;
-      this.#details.open = false;
-      if (!controller.signal.aborted) this.#found.replaceChildren(make('p', sentenceOf(error)));
+      // Opened again, it is tried again.
+      if (controller.signal.aborted) this.#details.open = false;
+      else this.#found.replaceChildren(make('p', sentenceOf(error)));
     } finally {
       progress.hide();
     }

@@ -1,51 +1,15 @@
-/** How a field's number is written and read; null where a text is none. */
-export interface NumberFormat {
-  read(text: string): number | null;
-  write(value: number): string;
-}
+import { EditedField, type FieldFormat } from './edited_field';
 
-/**
- * A field for a number, if not told otherwise a positive one of any size. It takes a number when it is left or with Enter;
- * Escape, or what is no such number, brings back the one that was there. While it holds what is
- * typed and not yet taken it has `data-edited`, and the page's keys are its own.
- */
-export class NumberField {
-  #shown = '';
+export type NumberFormat = FieldFormat<number>;
 
+/** A field for a number, if not told otherwise a positive one of any size. */
+export class NumberField extends EditedField<number> {
   constructor(
-    private readonly input: HTMLInputElement,
+    input: HTMLInputElement,
     take: (value: number) => void,
-    private readonly format: NumberFormat = positive,
+    format: NumberFormat = positive,
   ) {
-    const end = () => {
-      const typed = input.value.trim();
-      const edited = 'edited' in input.dataset && typed !== this.#shown;
-      this.#restore();
-      const value = format.read(typed);
-      if (edited && value !== null) take(value);
-    };
-    input.addEventListener('input', () => {
-      input.dataset.edited = '';
-    });
-    input.addEventListener('change', end);
-    input.addEventListener('blur', end);
-    input.addEventListener('keydown', (event) => {
-      if (event.key !== 'Escape' || !('edited' in input.dataset)) return;
-      event.preventDefault();
-      this.#restore();
-    });
-  }
-
-  /** Null where there is no number to change. */
-  show(value: number | null): void {
-    this.#shown = value === null ? '' : this.format.write(value);
-    this.input.disabled = value === null;
-    if (!('edited' in this.input.dataset) || value === null) this.#restore();
-  }
-
-  #restore(): void {
-    delete this.input.dataset.edited;
-    if (this.input.value !== this.#shown) this.input.value = this.#shown;
+    super(input, take, format);
   }
 }
 

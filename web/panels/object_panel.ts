@@ -8,6 +8,7 @@ import {
 } from '../model/drawing';
 import { isEmpty } from '../model/figure';
 import { longestName } from '../model/names';
+import { EditedField } from './edited_field';
 import { byId, make } from './elements';
 import { kindNames } from './kind_names';
 import { ListDrag } from './list_drag';
@@ -38,6 +39,7 @@ export const nameOf = ({ id, name, figure }: DrawnObject) =>
 export class ObjectPanel {
   readonly #list = byId('objects');
   readonly #name = byId<HTMLInputElement>('object-name');
+  readonly #named: EditedField<string>;
   readonly #dash = byId<HTMLSelectElement>('dash');
   readonly #custom = byId<HTMLInputElement>('color');
   readonly #swatches = colors.map(([color, name]) => this.#makeSwatch(color, name));
@@ -53,15 +55,14 @@ export class ObjectPanel {
     });
     const set = (to: Partial<Properties>) => editor.setProperties(this.#targets, to);
     this.#name.maxLength = longestName;
-    this.#name.addEventListener('change', () => {
-      const { id } = activeObject(editor.state.drawing);
-      editor.setProperties([id], { name: this.#name.value.trim() });
+    const rename = (name: string, id: number | null) =>
+      id !== null && editor.setProperties([id], { name });
+    this.#named = new EditedField(this.#name, rename, {
+      read: (text) => text,
+      write: (name) => name,
     });
     this.#name.addEventListener('keydown', (event) => {
       if (event.key === 'Enter') this.#name.blur();
-      if (event.key !== 'Escape') return;
-      event.preventDefault();
-      this.#name.value = activeObject(editor.state.drawing).name;
     });
     this.#custom.addEventListener('change', () => set({ color: this.#custom.value }));
     this.#dash.addEventListener('change', () => set({ dash: this.#dash.value as Dash }));
@@ -152,7 +153,8 @@ export class ObjectPanel {
     row.classList.toggle('hidden-object', !visible);
     row.classList.toggle('grouped', group !== null);
     main!.setAttribute('aria-pressed', `${isChosen}`);
-    main!.toggleAttribute('aria-current', isActive);
+    if (isActive) main!.setAttribute('aria-current', 'true');
+    else main!.removeAttribute('aria-current');
     const [dot, words, tag] = [...main!.children] as HTMLElement[];
     dot!.style.background = color ?? '';
     words!.textContent = isEmpty(figure) ? `${name}, empty` : name;
@@ -205,8 +207,8 @@ export class ObjectPanel {
   }
 
   #showStyle(object: DrawnObject): void {
-    const { name, color, width, dash } = object;
-    if (document.activeElement !== this.#name) this.#name.value = name;
+    const { id, name, color, width, dash } = object;
+    this.#named.show(name, id);
     this.#name.placeholder = nameOf({ ...object, name: '' });
     this.#width.show(width);
     this.#dash.value = dash;
