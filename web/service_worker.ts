@@ -47,7 +47,8 @@ async function activate(): Promise<void> {
 
 async function page(request: Request): Promise<Response> {
   try {
-    return await fetch(request);
+    // One of an older version, which the browser may have kept, would ask for files that are gone.
+    return await fetch(request, { cache: 'no-cache' });
   } catch (error) {
     const { pathname } = new URL(request.url);
     const name = pathname.endsWith('/') ? `${pathname}index.html` : pathname;

@@ -177,6 +177,8 @@ export class FigurePanel {
       },
       progress: (done, stage) => this.#progress(done, stage),
       failure: (message) => {
+        // No progress any more, which goes when all is done.
+        this.#note.dataset.kind = '';
         this.#note.textContent = message;
       },
       done: () => {
