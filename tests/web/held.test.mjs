@@ -157,6 +157,62 @@ describe('what is held', () => {
     await page.close();
   });
 
+  test('Escape ends the drag of a handle, and Tab leads from an anchor to its handles', async () => {
+    const tab = await drawn();
+    const before = JSON.stringify((await tab.state()).figure);
+    const { x, y } = await tab.handle('Anchor 2 of');
+    await tab.page.mouse.move(x, y);
+    await tab.page.mouse.down();
+    await tab.page.mouse.move(x + 20, y + 30, { steps: 4 });
+    await tab.page.waitForFunction(() => window.karcherPage.state().dragging);
+    await tab.page.keyboard.press('Escape');
+    await tab.page.mouse.move(x + 40, y + 50, { steps: 4 });
+    await tab.settled();
+    assert.equal((await tab.state()).dragging, false);
+    await tab.page.mouse.up();
+    assert.equal(JSON.stringify((await tab.state()).figure), before);
+    await tab.page.getByRole('button', { name: 'Anchor 1 of 2' }).focus();
+    const labels = [];
+    for (let step = 0; step < 3; step++) {
+      labels.push(await tab.page.evaluate(() => document.activeElement.ariaLabel));
+      await tab.page.keyboard.press('Tab');
+    }
+    assert.deepEqual(labels.slice(0, 2), ['Anchor 1 of 2', 'Anchor 2 of 2']);
+    assert.match(labels[2], /^Handle (before|after) anchor 2$/);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a name that is typed is for its object, and its undo is its own', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click([-110, 40], [-40, -10], [40, 50], [110, -10]);
+    await page.keyboard.press('Enter');
+    await tab.click([-60, 100]);
+    const name = page.locator('#object-name');
+    await name.focus();
+    await page.keyboard.type('Seam');
+    await page.keyboard.press('Control+z');
+    assert.equal((await tab.state()).figure.points.length, 1, 'the drawing is as it was');
+    await name.fill('Seam');
+    const named = () => tab.state().then(({ drawing }) => drawing.objects.map((one) => one.name));
+    // Another object begins at the press, before the field is left.
+    await page.evaluate(() => {
+      const [other] = [...document.querySelectorAll('#objects .object')].slice(-1);
+      other.click();
+    });
+    await page.waitForFunction(() => window.karcherPage.state().figure.points.length === 4);
+    await page.evaluate(() => document.activeElement.blur());
+    await page.waitForFunction(() =>
+      window.karcherPage.state().drawing.objects.some((one) => one.name === 'Seam'),
+    );
+    assert.deepEqual(await named(), ['', 'Seam']);
+    const rows = page.locator('#objects [aria-current]');
+    assert.deepEqual(await rows.evaluateAll((all) => all.map((one) => one.ariaCurrent)), ['true']);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   test('a handle whose anchor is removed is let go', async () => {
     const tab = await drawn();
     const { x, y } = await tab.handle('Handle after anchor 2');

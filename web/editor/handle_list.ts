@@ -95,7 +95,8 @@ function penHandles(
       },
     ];
   });
-  return [...anchors, ...tangents];
+  // Behind their anchor, as Tab leads from one to the next.
+  return anchors.toSpliced((selection as number) + 1, 0, ...tangents);
 }
 
 const tangentId = (side: Side, anchor: number) => `${side}-${anchor}`;

@@ -53,6 +53,7 @@ export class Handles {
     });
     this.#center.className = 'mass-center';
     this.#center.hidden = true;
+    window.addEventListener('keydown', (event) => this.#key(event), { capture: true });
     layer.append(this.#preview, this.#center, this.#beacon);
     viewer.onFrame(() => this.#place());
   }
@@ -69,8 +70,13 @@ export class Handles {
       button.remove();
       this.#buttons.delete(id);
     }
+    let before: Element | null = null;
     for (const handle of handles) {
-      const entry = this.#buttons.get(handle.id) ?? { button: this.#make(handle.id), handle };
+      const known = this.#buttons.get(handle.id);
+      const entry = known ?? { button: this.#make(handle.id), handle };
+      // Tab leads from one to the next in their order.
+      if (!known && before) before.after(entry.button);
+      before = entry.button;
       entry.handle = handle;
       this.#buttons.set(handle.id, entry);
       const { button } = entry;
@@ -140,6 +146,14 @@ export class Handles {
     if (!held) return;
     this.#release(true);
     held.button.releasePointerCapture(held.pointer);
+  }
+
+  /** Escape takes back the drag that is going on, and ends it. */
+  #key(event: KeyboardEvent): void {
+    if (event.key !== 'Escape' || !this.#held) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.letGo();
   }
 
   #release(cancelled: boolean): void {
