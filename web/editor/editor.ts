@@ -178,7 +178,10 @@ export class Editor {
   previewBegun(kind: Kind, edit: FigureCommand): void {
     const base = this.#drag?.base ?? this.#state.drawing;
     const begin = beginning(base, kind);
-    if (!begin) return this.preview(edit);
+    if (!begin) {
+      this.preview(edit);
+      return;
+    }
     const { id } = activeObject(apply(base, begin));
     this.previewCommand({ type: 'steps', steps: [begin, { type: 'figure', id, edit }] });
   }
