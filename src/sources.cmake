@@ -26,6 +26,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/ring_graph.cpp
   distance/shortest_path.cpp
   distance/source_images.cpp
+  distance/tangent_maps.cpp
   distance/waypoints.cpp
   rcm/field_options.cpp
   rcm/field_set.cpp

@@ -38,6 +38,13 @@ export interface EngineFieldOptions {
   rings: number;
 }
 
+/** What the exp map leads to: four numbers a point, three a direction. */
+export interface EngineMapped {
+  points: Float64Array;
+  directions: Float64Array;
+  remaining: Float64Array;
+}
+
 export interface EngineMesh {
   delete(): void;
   info(): MeshInfo;
@@ -50,6 +57,14 @@ export interface EngineMesh {
   position(point: Float64Array): [number, number, number];
   distance(from: Float64Array, field: EngineFieldOptions): Float64Array;
   shortestPath(from: Float64Array, to: Float64Array): EnginePath;
+  logMap(
+    from: Float64Array,
+    points: Float64Array,
+    directions: Float64Array,
+  ): { vectors: Float64Array; directions: Float64Array };
+  expMap(from: Float64Array, vectors: Float64Array, directions: Float64Array): EngineMapped;
+  mirror(line: Float64Array, points: Float64Array, directions: Float64Array): EngineMapped;
+  transport(from: Float64Array, to: Float64Array, vectors: Float64Array): Float64Array;
   straightest(
     from: Float64Array,
     direction: Float64Array,

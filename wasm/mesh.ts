@@ -14,6 +14,7 @@ import { givenNumbers } from './curve_options.js';
 import { disposable, type Engine, Handle, Made } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
+import { carriedVectors, type LogMap, type MappedPoints, toMapped, toVectors } from './maps.js';
 import {
   centerOptionNames,
   checkLongWork,
@@ -346,6 +347,66 @@ export class Mesh {
     const vector = toVector(direction, 'the direction');
     const line = this.#handle.call((mesh) => mesh.straightest(wire, vector, length));
     return { ...line, end: toSurfacePoint(line.end), path: new Path(line.path) };
+  }
+
+  /**
+   * The log map: points as vectors of the tangent plane at `from`, which is that of its face, each in
+   * the direction in which the path to the point leaves and as long as it. The paths are locally
+   * shortest, and seldom longer than the shortest by a thousandth. `directions` (x, y, z each, in the
+   * planes of the points' faces; 0, 0, 0 for none) are carried along the paths by parallel transport.
+   *
+   * Throws `KarcherError` unreachable where no path leads, and badArgument for directions that are
+   * not one a point.
+   */
+  logMap(from: PointLike, points: readonly PointLike[], directions?: ArrayLike<number>): LogMap {
+    const wire = wirePoint(from);
+    const places = wirePoints(points);
+    const ways = carriedVectors(directions, points.length);
+    return this.#handle.call((mesh) => mesh.logMap(wire, places, ways));
+  }
+
+  /**
+   * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent
+   * plane (x, y, z each; what is perpendicular to it is dropped), with directions at `from` carried
+   * along. It is the inverse of `logMap` where these geodesics are the paths that are found to their
+   * ends. Throws as `logMap` does.
+   */
+  expMap(
+    from: PointLike,
+    vectors: ArrayLike<number>,
+    directions?: ArrayLike<number>,
+  ): MappedPoints {
+    const wire = wirePoint(from);
+    const ways = toVectors(vectors, 'the vectors');
+    const carried = carriedVectors(directions, ways.length / 3);
+    return toMapped(this.#handle.call((mesh) => mesh.expMap(wire, ways, carried)));
+  }
+
+  /** Vectors of the tangent plane at `from`, x, y, z each, carried along the log map's path to `to`. */
+  transport(from: PointLike, to: PointLike, vectors: ArrayLike<number>): Float64Array {
+    const wireFrom = wirePoint(from, 'the first point');
+    const wireTo = wirePoint(to, 'the second point');
+    const ways = toVectors(vectors, 'the vectors');
+    return this.#handle.call((mesh) => mesh.transport(wireFrom, wireTo, ways));
+  }
+
+  /**
+   * Points mirrored in a geodesic that is given by its points, as `path.points()` has them: along the
+   * perpendicular to it, and as far on beyond; their directions are reflected.
+   *
+   * Throws as `logMap`, and `KarcherError` badArgument for a line that has no length or two consecutive
+   * points without a face in common, and where the line's nearest point is an end of it.
+   */
+  mirror(
+    line: readonly PointLike[],
+    points: readonly PointLike[],
+    directions?: ArrayLike<number>,
+  ): MappedPoints {
+    const wireLine = wirePoints(line, 'the line');
+    if (line.length < 2) throw new KarcherError('badArgument', 'a line has at least two points');
+    const places = wirePoints(points);
+    const ways = carriedVectors(directions, points.length);
+    return toMapped(this.#handle.call((mesh) => mesh.mirror(wireLine, places, ways)));
   }
 
   /**

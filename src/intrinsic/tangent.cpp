@@ -10,6 +10,11 @@ int cornerAt(const TriangleMesh& mesh, int vertex, int face) {
   return h;
 }
 
+/// The vector of the straight line between two points that share a face, at the first.
+Vec2 stepAt(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to) {
+  return logAlong(geometry, pathThrough(*geometry.mesh, {from, to}));
+}
+
 }  // namespace
 
 Vec2 logAlong(const Geometry& geometry, const SurfacePath& path) {
@@ -43,6 +48,45 @@ SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const 
   if (angle < 0) angle += 2 * kPi;
   const double direction = angle / geometry.angleScale[at.vertex];
   return traceFromVertex(geometry, at.vertex, direction, vector.norm()).path;
+}
+
+Vec2 transportAlong(const Geometry& geometry, const SurfacePath& path, const Vec2& vector) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const Vec2 leaving = logAlong(geometry, path);
+  const Vec2 arriving = -logAlong(geometry, reversed(path));
+  if (!(leaving.norm() > 0) || !(arriving.norm() > 0)) {
+    const PointLocation at = locate(mesh, path.start());
+    const bool isAcross = at.simplex == Simplex::kEdge && path.start().face != path.end().face;
+    return isAcross ? acrossEdge(geometry, at.halfedge, vector) : vector;
+  }
+  Vec2 carried = rotateBack(leaving.normalized(), vector);  // relative to the path
+  const int count = path.points.count();
+  for (int i = 1; i + 1 < count; ++i) {
+    if (locate(mesh, path.points[i]).simplex != Simplex::kVertex) continue;
+    int next = i + 1;
+    while (next + 1 < count && path.lengths[next] == path.lengths[i]) ++next;
+    const Vec2 in = -stepAt(geometry, path.points[i], path.points[i - 1]);
+    const Vec2 out = stepAt(geometry, path.points[next - 1], path.points[next]);
+    if (in.norm() > 0 && out.norm() > 0) {
+      carried = rotateBack(rotateBack(in.normalized(), out.normalized()), carried);
+    }
+    i = next - 1;
+  }
+  return rotate(arriving.normalized(), carried);
+}
+
+Vec3 tangentToSpace(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector) {
+  const PointLocation at = locate(*geometry.mesh, point);
+  if (at.simplex != Simplex::kVertex) return toSpace(geometry, point.face, vector);
+  const int h = cornerAt(*geometry.mesh, at.vertex, point.face);
+  return toSpace(geometry, point.face, rotate(geometry.vertexToFace[h], vector));
+}
+
+Vec2 tangentFromSpace(const Geometry& geometry, const SurfacePoint& point, const Vec3& vector) {
+  const PointLocation at = locate(*geometry.mesh, point);
+  const Vec2 inFace = toFace(geometry, point.face, vector);
+  if (at.simplex != Simplex::kVertex) return inFace;
+  return rotateBack(geometry.vertexToFace[cornerAt(*geometry.mesh, at.vertex, point.face)], inFace);
 }
 
 }  // namespace karcher

@@ -35,6 +35,15 @@ class MeshHandle {
   val straightest(const val& from, const val& direction, double length) const;
   val shortestPath(const val& from, const val& to) const;
 
+  // Vectors and directions are in space, three numbers each; a direction of length 0 is none.
+  /// {vectors, directions}
+  val logMap(const val& from, const val& points, const val& directions) const;
+  /// {points, directions, remaining}
+  val expMap(const val& from, const val& vectors, const val& directions) const;
+  val mirror(const val& line, const val& points, const val& directions) const;
+  /// The vectors at the end of the path of the log map.
+  val transport(const val& from, const val& to, const val& vectors) const;
+
   // `field` is {method, solver, rings}.
   val distance(const val& from, const val& field);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }

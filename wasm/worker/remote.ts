@@ -116,6 +116,10 @@ const meshMethods = namesOf<Record<MeshMethod, true>>({
   distance: true,
   shortestPath: true,
   straightest: true,
+  logMap: true,
+  expMap: true,
+  transport: true,
+  mirror: true,
   dispose: true,
 });
 

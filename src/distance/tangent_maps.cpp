@@ -1,0 +1,125 @@
+#include "distance/tangent_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "intrinsic/along_path.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// Of a line, between which its nearest point is looked for.
+constexpr int kParts = 12;
+constexpr int kMostSteps = 80;
+/// How near the foot is found, as a part of the line's length.
+constexpr double kPrecision = 1e-15;
+
+/// A point of a line, and the path to it from the point that is mirrored.
+struct Look {
+  double length = 0;  ///< from the line's start
+  SurfacePath path;
+  Vec2 along = Vec2::Zero();  ///< the line's unit tangent, at the end of the path
+  double slope = 0;           ///< of the path's length along the line
+};
+
+Look lookAt(const Geometry& geometry, const SurfacePath& line, double length,
+            const SurfacePoint& point, FindPathWorkspace& workspace) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  Look look;
+  look.length = length;
+  const SurfacePoint at = pointAlong(mesh, line, length);
+  look.path = pathBetween(geometry, point, at, workspace);
+  SurfacePath rest;
+  const bool isOnward = length < line.length() / 2;
+  appendPart(mesh, line, length, isOnward ? line.length() : 0, rest);
+  rest.points.front() = look.path.end();
+  measure(mesh, rest);
+  look.along = logAlong(geometry, rest).normalized() * (isOnward ? 1 : -1);
+  const Vec2 back = logAlong(geometry, reversed(look.path));
+  look.slope = back.norm() > 0 ? -back.normalized().dot(look.along) : 0;
+  return look;
+}
+
+[[noreturn]] void throwNoFoot() {
+  throw Error(
+      ErrorCode::kBadArgument,
+      "no perpendicular leads from a point to the line: the nearest point of the line is its "
+      "end");
+}
+
+/// The nearest point of a line, between neighbors of the nearest of a dozen.
+Look footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
+            FindPathWorkspace& workspace) {
+  const double whole = line.length();
+  const auto at = [&](double length) { return lookAt(geometry, line, length, point, workspace); };
+  Look best = at(0);
+  for (int i = 1; i <= kParts; ++i) {
+    Look look = at(whole * i / kParts);
+    if (look.path.length() < best.path.length()) best = std::move(look);
+  }
+  // The sign of the slope changes between these two; secants, halved where one end stays
+  // (Illinois).
+  double low = best.slope < 0 ? best.length : std::max(0.0, best.length - whole / kParts);
+  double high = best.slope < 0 ? std::min(whole, best.length + whole / kParts) : best.length;
+  if (low >= high) throwNoFoot();
+  double lowSlope = best.slope < 0 ? best.slope : at(low).slope;
+  double highSlope = best.slope < 0 ? at(high).slope : best.slope;
+  if ((low == 0 && lowSlope > 0) || (high == whole && highSlope < 0)) throwNoFoot();
+  for (int step = 0; step < kMostSteps && high - low > kPrecision * whole; ++step) {
+    const bool brackets = lowSlope < 0 && highSlope > 0;
+    double middle = (low + high) / 2;
+    if (brackets && step % 3 != 2) {
+      middle = (low * highSlope - high * lowSlope) / (highSlope - lowSlope);
+    }
+    Look look = at(middle);
+    const double slope = look.slope;
+    // Near the foot lengths differ by rounding alone.
+    const bool isNearer = look.path.length() < (1 - 1e-12) * best.path.length();
+    if (isNearer || std::abs(slope) < std::abs(best.slope)) best = std::move(look);
+    if (slope == 0) break;
+    (slope < 0 ? low : high) = middle;
+    (slope < 0 ? lowSlope : highSlope) = slope;
+  }
+  return best;
+}
+
+}  // namespace
+
+SurfacePath pathBetween(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+                        FindPathWorkspace& workspace) {
+  SurfacePath path;
+  if (findPath(geometry, from, to, workspace, path)) return path;
+  throw Error(ErrorCode::kUnreachable,
+              "no path joins two of the points: they lie on different components of the mesh");
+}
+
+LogMapped logMap(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& point,
+                 const Vec2& direction, FindPathWorkspace& workspace) {
+  const SurfacePath path = pathBetween(geometry, from, point, workspace);
+  return {logAlong(geometry, path), transportAlong(geometry, reversed(path), direction)};
+}
+
+ExpMapped expMap(const Geometry& geometry, const SurfacePoint& from, const Vec2& vector,
+                 const Vec2& direction) {
+  const SurfacePath path = expAlong(geometry, from, vector);
+  const double remaining = std::max(0.0, vector.norm() - path.length());
+  return {path.end(), transportAlong(geometry, path, direction), remaining};
+}
+
+ExpMapped mirrored(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
+                   const Vec2& direction, FindPathWorkspace& workspace) {
+  if (!(line.length() > 0)) {
+    throw Error(ErrorCode::kBadArgument, "a line to mirror in must have a length");
+  }
+  const Look foot = footOn(geometry, line, point, workspace);
+  const Vec2 back = logAlong(geometry, reversed(foot.path));
+  const auto reflected = [&](const Vec2& vector) -> Vec2 {
+    return 2 * vector.dot(foot.along) * foot.along - vector;
+  };
+  const Vec2 carried = transportAlong(geometry, foot.path, direction);
+  return expMap(geometry, foot.path.end(), reflected(back), reflected(carried));
+}
+
+}  // namespace karcher

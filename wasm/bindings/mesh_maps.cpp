@@ -1,0 +1,109 @@
+#include <string>
+
+#include "bindings/mesh_handle.h"
+#include "distance/tangent_maps.h"
+#include "mesh/error.h"
+
+namespace karcher::bindings {
+namespace {
+
+Vec3 vectorAt(const Array<double>& numbers, int i) {
+  return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+}
+
+/// What the exp map leads to, as it travels.
+class MappedPoints {
+ public:
+  void append(const Geometry& geometry, const ExpMapped& mapped) {
+    points_.push_back(mapped.point);
+    bindings::append(directions_, tangentToSpace(geometry, mapped.point, mapped.direction));
+    remaining_.push_back(mapped.remaining);
+  }
+
+  val result(const Numbering& numbering) const {
+    val result = val::object();
+    result.set("points", toJs(numbering, points_));
+    result.set("directions", toJs(directions_));
+    result.set("remaining", toJs(remaining_));
+    return result;
+  }
+
+ private:
+  Array<SurfacePoint> points_;
+  Array<double> directions_;
+  Array<double> remaining_;
+};
+
+}  // namespace
+
+val MeshHandle::logMap(const val& from, const val& points, const val& directions) const {
+  const Geometry& geometry = surface_.geometry();
+  const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
+  const Array<SurfacePoint> places = pointsFromJs(numbering_, mesh(), points);
+  const Array<double> ways = fromJs<double>(directions);
+  FindPathWorkspace workspace;
+  Array<double> vectors;
+  Array<double> carried;
+  for (int i = 0; i < places.count(); ++i) {
+    const Vec2 way = tangentFromSpace(geometry, places[i], vectorAt(ways, i));
+    const LogMapped mapped = karcher::logMap(geometry, start, places[i], way, workspace);
+    append(vectors, tangentToSpace(geometry, start, mapped.vector));
+    append(carried, tangentToSpace(geometry, start, mapped.direction));
+  }
+  val result = val::object();
+  result.set("vectors", toJs(vectors));
+  result.set("directions", toJs(carried));
+  return result;
+}
+
+val MeshHandle::expMap(const val& from, const val& vectors, const val& directions) const {
+  const Geometry& geometry = surface_.geometry();
+  const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
+  const Array<double> ways = fromJs<double>(vectors);
+  const Array<double> carried = fromJs<double>(directions);
+  MappedPoints mapped;
+  for (int i = 0; i < ways.count() / 3; ++i) {
+    mapped.append(
+        geometry,
+        karcher::expMap(geometry, start, tangentFromSpace(geometry, start, vectorAt(ways, i)),
+                        tangentFromSpace(geometry, start, vectorAt(carried, i))));
+  }
+  return mapped.result(numbering_);
+}
+
+val MeshHandle::mirror(const val& line, const val& points, const val& directions) const {
+  const Geometry& geometry = surface_.geometry();
+  const SurfacePath path = pathThrough(mesh(), pointsFromJs(numbering_, mesh(), line));
+  for (int i = 1; i < path.points.count(); ++i) {
+    if (commonFace(mesh(), path.points[i - 1], path.points[i]) >= 0) continue;
+    throw Error(ErrorCode::kBadArgument, "the points " + std::to_string(i - 1) + " and " +
+                                             std::to_string(i) +
+                                             " of the line have no face in common");
+  }
+  const Array<SurfacePoint> places = pointsFromJs(numbering_, mesh(), points);
+  const Array<double> ways = fromJs<double>(directions);
+  FindPathWorkspace workspace;
+  MappedPoints mapped;
+  for (int i = 0; i < places.count(); ++i) {
+    const Vec2 way = tangentFromSpace(geometry, places[i], vectorAt(ways, i));
+    mapped.append(geometry, mirrored(geometry, path, places[i], way, workspace));
+  }
+  return mapped.result(numbering_);
+}
+
+val MeshHandle::transport(const val& from, const val& to, const val& vectors) const {
+  const Geometry& geometry = surface_.geometry();
+  const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
+  const SurfacePoint end = pointFromJs(numbering_, mesh(), to);
+  const Array<double> ways = fromJs<double>(vectors);
+  FindPathWorkspace workspace;
+  const SurfacePath path = pathBetween(geometry, start, end, workspace);
+  Array<double> carried;
+  for (int i = 0; i < ways.count() / 3; ++i) {
+    const Vec2 way = tangentFromSpace(geometry, start, vectorAt(ways, i));
+    append(carried, tangentToSpace(geometry, end, transportAlong(geometry, path, way)));
+  }
+  return toJs(carried);
+}
+
+}  // namespace karcher::bindings
