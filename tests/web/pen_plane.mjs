@@ -1,6 +1,6 @@
 // A plane in rough triangles, and curves of the pen on it, for tests of their shape.
 
-/** A square of side 1 in triangles of all shapes: the corners of a grid, moved about. */
+/** A square of side 1 in uneven triangles: the corners of a grid, moved about, but so that none folds over. */
 export function roughPlane(cells, random) {
   const positions = [];
   const triangles = [];
@@ -8,7 +8,7 @@ export function roughPlane(cells, random) {
     for (let i = 0; i <= cells; i++) {
       const inner = i > 0 && i < cells && j > 0 && j < cells;
       const [dx, dy] = inner ? [random() - 0.5, random() - 0.5] : [0, 0];
-      positions.push((i + 0.7 * dx) / cells, (j + 0.7 * dy) / cells, 0);
+      positions.push((i + 0.32 * dx) / cells, (j + 0.32 * dy) / cells, 0);
     }
   }
   for (let j = 0; j < cells; j++) {
