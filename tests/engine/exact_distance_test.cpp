@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -111,7 +110,7 @@ TEST(ExactDistance, LosesNoRegionOfARegularGrid) {
 TEST(ExactDistance, AgreesWithAnotherLibrary) {
   const MeasuredMesh surface(bunnyMesh());
   ExactDistance solver(surface.geometry);
-  std::ifstream in(KARCHER_TEST_DATA "/bunny_exact_distances.txt");
+  std::ifstream in = testData("bunny_exact_distances.txt");
   std::string line;
   int sources = 0;
   while (std::getline(in, line)) {

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <sstream>
 
 #include "curves/spec/bases.h"
@@ -25,7 +24,7 @@ TEST(LogMapMean, TracesTheSplineOfAnIndependentLibrary) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   const HeatOperators operators(geometry);
-  std::ifstream file(KARCHER_TEST_DATA "/bunny_vector_heat_spline.txt");
+  std::ifstream file = testData("bunny_vector_heat_spline.txt");
   std::string line;
   while (file.peek() == '#') std::getline(file, line);
   Array<SurfacePoint> points;

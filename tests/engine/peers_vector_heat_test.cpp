@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <sstream>
 
 #include "generators/plane.h"
@@ -20,7 +19,7 @@ TEST(VectorHeat, LogMapsAgreeWithAnIndependentLibrary) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   const HeatOperators operators(geometry);
-  std::ifstream file(KARCHER_TEST_DATA "/bunny_vector_heat_logs.txt");
+  std::ifstream file = testData("bunny_vector_heat_logs.txt");
   std::string line;
   int sources = 0;
   while (std::getline(file, line)) {

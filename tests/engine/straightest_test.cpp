@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -130,8 +129,7 @@ TEST(Straightest, RefusesAVectorThatIsNotFinite) {
 TEST(Straightest, AgreesWithGeometryCentralOnTheBunny) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
-  std::ifstream file(KARCHER_TEST_DATA "/bunny_straightest.txt");
-  ASSERT_TRUE(file) << "tests/data/bunny_straightest.txt is missing";
+  std::ifstream file = testData("bunny_straightest.txt");
   std::string line;
   int count = 0;
   double worst = 0;

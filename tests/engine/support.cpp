@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include "mesh/mesh_import.h"
@@ -53,25 +51,6 @@ TriangleMesh meshOf(const TriangleSoup& soup) { return buildMesh(soup.positions,
 Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector) {
   const int h = geometry.mesh->outgoing[vertex];
   return rotateBack(geometry.vertexToFace[h], toFace(geometry, faceOf(h), vector));
-}
-
-TriangleMesh bunnyMesh() {
-  std::ifstream file(KARCHER_BUNNY_OBJ);
-  if (!file) throw std::runtime_error(KARCHER_BUNNY_OBJ " is missing: run npm test");
-  Array<Vec3> positions;
-  Array<Triangle> faces;
-  std::string kind;
-  while (file >> kind) {
-    if (kind == "v") {
-      Vec3& p = positions.emplace_back();
-      file >> p[0] >> p[1] >> p[2];
-    } else {
-      Triangle& f = faces.emplace_back();
-      file >> f[0] >> f[1] >> f[2];
-      f.array() -= 1;
-    }
-  }
-  return buildMesh(positions, faces);
 }
 
 bool longRun() {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <fstream>
 #include <functional>
+#include <string>
 
 #include "intrinsic/geometry.h"
 #include "mesh/error.h"
@@ -25,6 +27,9 @@ TriangleMesh meshOf(const TriangleSoup& soup);
 
 /// A vector in space, at a vertex of a flat mesh, in the vertex's frame.
 Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector);
+
+/// A file of tests/data, opened. Throws std::runtime_error if it is not there.
+std::ifstream testData(const std::string& name);
 
 /// The mesh of the npm package `bunny`, vertices and faces in its own order. Throws
 /// std::runtime_error if the set-up has not written it.
