@@ -4,9 +4,7 @@
 #include <string>
 
 #include "curves/automatic_levels.h"
-#include "curves/polygon/piece_boxes.h"
 #include "curves/spec/bases.h"
-#include "curves/trace/polyline.h"
 #include "curves/trace/sampling.h"
 #include "distance/find_path.h"
 #include "distance/shortest_path.h"
@@ -124,7 +122,24 @@ void Curve::set(CurveValue value) {
     return;
   }
   const int madeBefore = fieldSet_->made();
-  StageTimes times;
+  const StageTimes timesBefore = std::exchange(times_, {});
+  next_.value = std::move(value);
+  try {
+    make(next_);
+  } catch (...) {
+    releaseFields(next_.segments);
+    times_ = timesBefore;
+    throw;
+  }
+  std::swap(value_, next_.value);
+  levels_ = next_.levels;
+  legs_.swap(next_.legs);
+  segments_.swap(next_.segments);
+  releaseFields(next_.segments);
+  fieldsMade_ += fieldSet_->made() - madeBefore;
+}
+
+void Curve::make(Next& next) {
   double last = clock_ ? clock_() : 0;
   const auto timed = [&](double& stage) {
     if (!clock_) return;
@@ -132,26 +147,12 @@ void Curve::set(CurveValue value) {
     stage = now - last;
     last = now;
   };
-  Next next;
-  next.value = std::move(value);
   makeLegs(next);
   makeSegments(next);
-  timed(times.polygon);
+  timed(times_.polygon);
   makeFields(next);
-  timed(times.fields);
-  findSamples(next);
-  timed(times.samples);
-  layBridges(next);
-  timed(times.bridges);
-  join(next);
-  merge(next);
-  timed(times.joins);
-  value_ = std::move(next.value);
-  levels_ = next.levels;
-  legs_ = std::move(next.legs);
-  segments_ = std::move(next.segments);
-  fieldsMade_ += fieldSet_->made() - madeBefore;
-  times_ = times;
+  timed(times_.fields);
+  trace(next);
 }
 
 void Curve::retrace() {
@@ -169,7 +170,7 @@ void Curve::retrace() {
 }
 
 const Array<SurfacePath>& Curve::legs() {
-  if (legs_.empty()) legs_ = legsOf(value_);
+  if (legs_.empty()) takeLegs(value_, legs_);
   return legs_;
 }
 
@@ -185,7 +186,7 @@ CurveValue Curve::withLegsContinued(CurveValue value, int i) {
   const Array<SurfacePath>& before = legs();
   const int count = legCount(value.options.shape, points);
   value.legs.resize(static_cast<size_t>(count));
-  StripWorkspace workspace;
+  StripWorkspace& workspace = workspace_->averaging.strip;
   const auto drag = [&](int leg, bool isStart) {
     SurfacePath& path = value.legs[leg];
     if (!path.points.empty() || leg >= before.count()) return;
@@ -232,39 +233,45 @@ void Curve::check(const CurveValue& value) const {
   checkLegs(surface().mesh(), value);
 }
 
-/// The legs that a value gives, and the shortest ones in place of the others.
-Array<SurfacePath> Curve::legsOf(const CurveValue& value) const {
+/// The legs that a value gives, and the shortest ones in place of the others. `legs` may be this
+/// curve's own while it has none.
+void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   const Geometry& geometry = surface().geometry();
   const int points = value.points.count();
   const bool isPolyline = value.options.shape.kind == CurveKind::kPolyline;
   const bool wasPolyline = shape().kind == CurveKind::kPolyline;
-  Array<SurfacePath> legs;
-  for (int i = 0; i < legCount(value.options.shape, points); ++i) {
+  const int known = legs_.count();
+  legs.resize(static_cast<size_t>(legCount(value.options.shape, points)));
+  for (int i = 0; i < legs.count(); ++i) {
     const SurfacePoint& from = value.points[i];
     const SurfacePoint& to = value.points[(i + 1) % points];
     if (!value.legs.empty() && !value.legs[i].points.empty()) {
-      legs.push_back(value.legs[i]);
+      legs[i] = value.legs[i];
       continue;
     }
     // The shortest one, if it is known.
-    const bool isKnown = i < legs_.count() && isPolyline == wasPolyline &&
+    const bool isKnown = i < known && isPolyline == wasPolyline &&
                          (value_.legs.empty() || value_.legs[i].points.empty()) &&
                          isSame(legs_[i].start(), from) && isSame(legs_[i].end(), to);
-    // A polyline's shortest legs are the curve: they are exact.
-    legs.push_back(isKnown      ? legs_[i]
-                   : isPolyline ? exactLeg(geometry, from, to)
-                                : shortestLeg(geometry, from, to));
+    if (isKnown) {
+      legs[i] = legs_[i];
+    } else {
+      // A polyline's shortest legs are the curve: they are exact.
+      legs[i] = isPolyline ? exactLeg(geometry, from, to) : shortestLeg(geometry, from, to);
+    }
   }
-  return legs;
 }
 
 /// The legs, where the curve has a use for them, and with them the levels.
 void Curve::makeLegs(Next& next) const {
   const CurveOptions& options = next.value.options;
-  if (options.shape.kind == CurveKind::kPolyline) {
-    next.legs = legsOf(next.value);
-  } else if (mayHaveLevels(options)) {
-    next.legs = legsOf(next.value);
+  next.levels = 0;
+  if (!usesLegs(options)) {
+    next.legs.clear();
+    return;
+  }
+  takeLegs(next.value, next.legs);
+  if (options.shape.kind != CurveKind::kPolyline) {
     const Geometry& geometry = surface().geometry();
     const int points = next.value.points.count();
     next.levels = options.levels == kAutomaticLevels
@@ -279,11 +286,17 @@ void Curve::makeSegments(Next& next) {
   const CurveOptions& options = next.value.options;
   const CurveShape& shape = options.shape;
   const int count = next.value.points.count();
+  next.boxes.clear();
   if (next.levels > 0) {
-    next.polygon =
-        refinedPolygon(surface().geometry(), shape, next.value.points, next.legs, next.levels);
-    if (isOfCenters(options)) next.boxes = boxesOfPieces(surface().geometry(), next.polygon);
+    const Geometry& geometry = surface().geometry();
+    refinePolygon(geometry, shape, next.value.points, next.legs, next.levels, workspace_->averaging,
+                  next.polygon);
+    if (isOfCenters(options)) {
+      boxPieces(geometry, next.polygon, workspace_->boxes, next.boxes);
+    }
   } else {
+    next.polygon.points.clear();
+    next.polygon.legs.clear();
     next.polygon.weighted = takesWeights(shape.kind) && !shape.weights.empty();
     for (int i = 0; i < count; ++i) {
       next.polygon.points.push_back(
@@ -296,11 +309,18 @@ void Curve::makeSegments(Next& next) {
   const bool keep =
       traceAlike(options, value_.options) &&
       (shape.kind != CurveKind::kPolyline || (next.value.legs.empty() && value_.legs.empty()));
-  for (int p = 0; p < next.polygon.pieces.count(); ++p) {
-    if (p % pieces == 0) next.segments.emplace_back();
-    const SegmentLayout& layout = next.polygon.pieces[p];
-    if (next.levels == 0) next.segments.back().points = layout.points;
-    addPiece(next, layout, {p % pieces, pieces}, keep);
+  const int segments = next.polygon.pieces.count() / pieces;
+  next.segments.resize(static_cast<size_t>(segments));
+  for (int j = 0; j < segments; ++j) {
+    Segment& segment = next.segments[j];
+    segment.points.clear();
+    if (next.levels == 0) segment.points = next.polygon.pieces[j].points;
+    // Of a segment of one piece it is that piece's.
+    if (segment.whole.use_count() > 1) segment.whole.reset();
+    segment.pieces.resize(static_cast<size_t>(pieces));
+    for (int k = 0; k < pieces; ++k) {
+      makePiece(next, j, next.polygon.pieces[j * pieces + k], {k, pieces}, keep);
+    }
   }
 }
 
@@ -324,20 +344,24 @@ Array<double> Curve::gapsOf(const Next& next) {
   return gaps;
 }
 
-/// Appends a piece: one of this curve's that is alike, or one to be traced.
-void Curve::addPiece(Next& next, const SegmentLayout& layout, const PartOfSegment& part,
-                     bool keep) {
-  Segment& segment = next.segments.back();
+/// Makes piece `part` of segment j: one of this curve's that is alike, or one to be traced.
+void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
+                      bool keep) {
   const RefinedPolygon& polygon = next.polygon;
-  Piece piece;
+  Piece& piece = next.segments[j].pieces[part.index];
   piece.part_ = part;
   piece.basis_ = layout.basis;
+  piece.isTraced_ = false;
+  piece.basisTable_.reset();
+  piece.table_.reset();
+  piece.points_.clear();
+  piece.boxes_.clear();
+  piece.pointWeights_.clear();
   for (const int i : layout.points) {
     piece.points_.push_back(polygon.points[i].point);
     piece.boxes_.push_back(next.boxes.empty() ? std::nullopt : next.boxes[i]);
     if (polygon.weighted) piece.pointWeights_.push_back(polygon.points[i].weight);
   }
-  const int j = next.segments.count() - 1;
   const Piece* before = nullptr;  // with the same weights, it may be
   if (keep && j < segments_.count() && part.index < segments_[j].pieces.count()) {
     before = &segments_[j].pieces[part.index];
@@ -355,7 +379,7 @@ void Curve::addPiece(Next& next, const SegmentLayout& layout, const PartOfSegmen
       if (part.index < pieces.count() && isAlike(pieces[part.index])) alike = &pieces[part.index];
     }
     if (alike) {
-      segment.pieces.push_back(*alike);
+      piece = *alike;
       return;
     }
   }
@@ -367,7 +391,6 @@ void Curve::addPiece(Next& next, const SegmentLayout& layout, const PartOfSegmen
       piece.table_ = source->table_;
   }
   makeTables(next.value.options, piece);
-  segment.pieces.push_back(std::move(piece));
 }
 
 void Curve::makeTables(const CurveOptions& options, Piece& piece) {
@@ -385,132 +408,6 @@ void Curve::makeTables(const CurveOptions& options, Piece& piece) {
       piece.pointWeights_.empty()
           ? piece.basisTable_
           : std::make_shared<PieceWeights>(weighted(*piece.basisTable_, piece.pointWeights_));
-}
-
-/// Gives each piece that is to be traced its fields: those that are there stay, then what the curve
-/// had is spare, and the others are moved from there.
-void Curve::makeFields(Next& next) {
-  if (!isOfCenters(next.value.options)) return;
-  const auto forEach = [&](const auto& work) {
-    for (Segment& segment : next.segments) {
-      for (Piece& piece : segment.pieces) {
-        if (!piece.isTraced_) work(piece);
-      }
-    }
-  };
-  forEach([&](Piece& piece) {
-    for (int i = 0; i < piece.points_.count(); ++i) {
-      piece.fields_.push_back(fieldSet_->find(piece.points_[i], piece.boxes_[i]));
-    }
-  });
-  for (Segment& segment : segments_) {
-    for (Piece& piece : segment.pieces) piece.fields_.clear();
-  }
-  forEach([&](Piece& piece) {
-    for (int i = 0; i < piece.points_.count(); ++i) {
-      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i], piece.boxes_[i]);
-    }
-  });
-}
-
-SegmentFields& Curve::blendOf(Piece& piece) {
-  if (!piece.blend_) {
-    Array<PointField*> fields;
-    for (const auto& field : piece.fields_) fields.push_back(field.get());
-    piece.blend_ = std::make_shared<SegmentFields>(surface(), fields);
-  }
-  return *piece.blend_;
-}
-
-void Curve::findSamples(Next& next) {
-  const CurveOptions& options = next.value.options;
-  for (int j = 0; j < next.segments.count(); ++j) {
-    for (Piece& piece : next.segments[j].pieces) {
-      if (piece.isTraced_) continue;
-      piece.traced_ = std::make_shared<TracedPiece>();
-      if (options.shape.kind == CurveKind::kPolyline) {
-        const int samples = options.tolerance > 0 ? 2 : options.samples;
-        *piece.traced_ = traceLeg(surface().mesh(), next.legs[j], samples);
-        continue;
-      }
-      if (!isOfCenters(options)) {
-        piece.traced_->samples = averagedSamples(next, piece, j);
-        continue;
-      }
-      SegmentFields& fields = blendOf(piece);
-      const Basis basis = [&](double t) { return piece.weights(t); };
-      const Method method = options.field.method;
-      piece.traced_->samples =
-          options.tolerance > 0
-              ? traceAdaptively(fields, basis, nodesOf(piece.basis_), method, options.tolerance)
-              : traceSegment(fields, piece.table_->samples, method);
-    }
-  }
-}
-
-/// Of a piece of the subdivision curve.
-Array<CurveSample> Curve::averagedSamples(const Next& next, const Piece& piece, int segment) const {
-  const SegmentLayout& layout =
-      next.polygon.pieces[segment * piece.part_.count + piece.part_.index];
-  const LeggedPolygon polygon = polygonOf(next.polygon, layout);
-  StripWorkspace workspace;
-  Array<CurveSample> samples;
-  for (const double t : piece.table_->samples.t) {
-    samples.push_back({t, averageAt(surface().geometry(), layout.basis, polygon, t, workspace),
-                       SampleStatus::kConverged});
-  }
-  return samples;
-}
-
-void Curve::layBridges(Next& next) {
-  const CurveOptions& options = next.value.options;
-  // Paths and averages are whole.
-  if (!isOfCenters(options)) return;
-  for (Segment& segment : next.segments) {
-    for (Piece& piece : segment.pieces) {
-      if (piece.isTraced_) continue;
-      const Basis basis = [&](double t) { return piece.weights(t); };
-      piece.traced_->bridges =
-          bridgeSegment(blendOf(piece), basis, nodesOf(piece.basis_),
-                        options.tolerance == 0 && piece.table_ ? &piece.table_->middles : nullptr,
-                        options.field.method, piece.traced_->samples);
-    }
-  }
-}
-
-void Curve::join(Next& next) {
-  const CurveOptions& options = next.value.options;
-  for (Segment& segment : next.segments) {
-    for (Piece& piece : segment.pieces) {
-      if (piece.isTraced_) continue;
-      // A polyline's paths were found with its samples.
-      if (options.shape.kind != CurveKind::kPolyline) {
-        const Basis basis = [&](double t) { return piece.weights(t); };
-        std::optional<EdgeCrossings> crossings;
-        if (options.geometry == CurveGeometry::kExact && isOfCenters(options)) {
-          crossings.emplace(blendOf(piece), basis, options.field.method);
-        }
-        piece.traced_->path = joinSamples(surface(), piece.traced_->samples, piece.traced_->bridges,
-                                          crossings ? &*crossings : nullptr);
-        piece.blend_.reset();
-      }
-      piece.isTraced_ = true;
-    }
-  }
-}
-
-void Curve::merge(Next& next) const {
-  const CurveOptions& options = next.value.options;
-  for (Segment& segment : next.segments) {
-    if (segment.pieces.count() == 1) {
-      segment.whole = segment.pieces[0].traced_;
-      continue;
-    }
-    Array<std::shared_ptr<const TracedPiece>> pieces;
-    for (const Piece& piece : segment.pieces) pieces.push_back(piece.traced_);
-    segment.whole = std::make_shared<const TracedSegment>(
-        mergedPieces(pieces, options.tolerance > 0 && isOfCenters(options) ? 0 : options.samples));
-  }
 }
 
 }  // namespace karcher

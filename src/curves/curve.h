@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "curves/curve_value.h"
+#include "curves/polygon/piece_boxes.h"
 #include "curves/trace/piece.h"
 #include "rcm/field_set.h"
 
@@ -49,7 +50,6 @@ class Curve {
     std::shared_ptr<TracedPiece> traced_;
     bool isTraced_ = false;
     Array<std::shared_ptr<PointField>> fields_;  ///< of the points, once they were asked for
-    std::shared_ptr<SegmentFields> blend_;       ///< while the piece is made
   };
 
   /// The surface must outlive the curve. Throws as `set` does.
@@ -135,9 +135,10 @@ class Curve {
   struct Segment {
     Array<Piece> pieces;
     Array<int> points;  ///< of level 0
-    std::shared_ptr<const TracedSegment> whole;
+    std::shared_ptr<TracedSegment> whole;
   };
-  /// What a value makes of the curve, until it takes the place of what is there.
+  /// What a value makes of the curve, until it takes the place of what is there. Then it holds
+  /// that, whose memory the edit after it uses: a drag allocates little but its values.
   struct Next {
     CurveValue value;
     int levels = 0;
@@ -146,22 +147,36 @@ class Curve {
     RefinedPolygon polygon;
     Array<std::optional<OrientedBox>> boxes;  ///< of its points, where they are refined
   };
+  /// Scratch memory of edits. What it holds means nothing between them.
+  struct Workspace {
+    AveragingWorkspace averaging;
+    LeggedPolygon polygon;
+    BoxWorkspace boxes;
+    std::optional<SegmentFields> blend;
+    Array<PointField*> fields;
+    JumpWorkspace jumps;
+    Array<const TracedPiece*> pieces;
+  };
 
   static bool isOfCenters(const CurveOptions& options);
   void check(const CurveValue& value) const;
-  Array<SurfacePath> legsOf(const CurveValue& value) const;
+  void takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const;
+  void make(Next& next);
   void makeLegs(Next& next) const;
   void makeSegments(Next& next);
   Array<double> gapsOf(const Next& next);
-  void addPiece(Next& next, const SegmentLayout& layout, const PartOfSegment& part, bool keep);
+  void makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
+                 bool keep);
   static void makeTables(const CurveOptions& options, Piece& piece);
   void makeFields(Next& next);
-  void findSamples(Next& next);
-  Array<CurveSample> averagedSamples(const Next& next, const Piece& piece, int segment) const;
-  void layBridges(Next& next);
-  void join(Next& next);
-  void merge(Next& next) const;
-  SegmentFields& blendOf(Piece& piece);
+  void trace(Next& next);
+  void findSamples(const Next& next, Piece& piece, int segment);
+  void findAveragedSamples(const Next& next, Piece& piece, int segment);
+  void layBridges(const Next& next, Piece& piece);
+  void join(const Next& next, Piece& piece);
+  void merge(Next& next);
+  SegmentFields& blendOf(const Piece& piece);
+  static void releaseFields(Array<Segment>& segments);
 
   std::shared_ptr<FieldSets> fieldSets_;
   std::shared_ptr<FieldSet> fieldSet_;
@@ -169,6 +184,8 @@ class Curve {
   int levels_ = 0;
   Array<SurfacePath> legs_;  ///< empty until they are asked for
   Array<Segment> segments_;
+  Next next_;
+  std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
   std::function<double()> clock_;
   StageTimes times_;
   int fieldsMade_ = 0;

@@ -152,6 +152,22 @@ class ChainStrip {
   int face_ = -1;
 };
 
+/// Calls append(point) for each point of the part of a path between two lengths.
+template <class Append>
+void forEachOfPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
+                   const Append& append) {
+  append(pointAlong(mesh, path, from));
+  if (path.points.count() == 1) return;
+  const int first = pieceAt(path.lengths, from);
+  const int last = pieceAt(path.lengths, to);
+  if (from <= to) {
+    for (int i = first + 1; i <= last; ++i) append(path.points[i]);
+  } else {
+    for (int i = first; i > last; --i) append(path.points[i]);
+  }
+  append(pointAlong(mesh, path, to));
+}
+
 /// Replaces a path by the tight one in the workspace's strip. Its ends may be the path's own
 /// points.
 void replaceByTight(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
@@ -201,17 +217,21 @@ SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, doubl
 
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 SurfacePath& out) {
-  const auto append = [&](const SurfacePoint& point) { appendPoint(mesh, point, out); };
-  append(pointAlong(mesh, path, from));
-  if (path.points.count() == 1) return;
-  const int first = pieceAt(path.lengths, from);
-  const int last = pieceAt(path.lengths, to);
-  if (from <= to) {
-    for (int i = first + 1; i <= last; ++i) append(path.points[i]);
-  } else {
-    for (int i = first; i > last; --i) append(path.points[i]);
-  }
-  append(pointAlong(mesh, path, to));
+  Vec3 last = out.points.empty() ? Vec3::Zero() : position(mesh, out.points.back());
+  forEachOfPart(mesh, path, from, to, [&](const SurfacePoint& point) {
+    if (!out.points.empty() && samePlace(mesh, out.points.back(), point)) return;
+    const Vec3 here = position(mesh, point);
+    out.lengths.push_back(out.points.empty() ? 0 : out.lengths.back() + (here - last).norm());
+    out.points.push_back(point);
+    last = here;
+  });
+}
+
+void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
+                Array<SurfacePoint>& out) {
+  forEachOfPart(mesh, path, from, to, [&](const SurfacePoint& point) {
+    if (out.empty() || !samePlace(mesh, out.back(), point)) out.push_back(point);
+  });
 }
 
 SurfacePath reversed(const SurfacePath& path) {

@@ -35,6 +35,10 @@ SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, doubl
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 SurfacePath& out);
 
+/// The same without its lengths, for a path that is to be straightened.
+void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
+                Array<SurfacePoint>& out);
+
 SurfacePath reversed(const SurfacePath& path);
 
 /// Replaces a path by the locally shortest one that it can be shortened to continuously: it is

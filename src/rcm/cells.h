@@ -30,6 +30,7 @@ class Cells {
   Cells(const TriangleMesh& mesh, bool cut) : mesh_(mesh), cut_(cut) {}
 
   bool cut() const { return cut_; }
+  void setCut(bool cut) { cut_ = cut; }
 
   CellPoint at(const SurfacePoint& point) const {
     return cut_ ? cutAt(point) : CellPoint{point.face, point.bary};

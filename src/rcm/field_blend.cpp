@@ -45,6 +45,16 @@ FieldBlend::FieldBlend(const Geometry& geometry, Array<ControlField*> fields)
       cells_(*geometry.mesh, anyHasMidpoints(fields_)),
       width_(6 * fields_.count()) {}
 
+void FieldBlend::setFields(const Array<ControlField*>& fields) {
+  fields_ = fields;
+  cells_.setCut(anyHasMidpoints(fields_));
+  slots_.clear();
+  lastCell_ = -1;
+  if (width_ == 6 * fields_.count()) return;
+  width_ = 6 * fields_.count();
+  vectors_.resize(shapes_.size() * static_cast<size_t>(width_));
+}
+
 TriangleField FieldBlend::blend(int cell, Weights weights) {
   // Six components a field side by side, so that the sums vectorise.
   const double* vectors = vectorsOf(slotOf(cell));

@@ -86,6 +86,9 @@ class FieldBlend {
   /// The geometry and the fields must outlive the blend; there must be at least one field.
   FieldBlend(const Geometry& geometry, Array<ControlField*> fields);
 
+  /// Blends these fields from now on, in the memory that is there.
+  void setFields(const Array<ControlField*>& fields);
+
   const Geometry& geometry() const { return geometry_; }
   int fieldCount() const { return fields_.count(); }
   const Cells& cells() const { return cells_; }

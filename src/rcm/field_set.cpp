@@ -28,11 +28,13 @@ std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point,
   const auto known = placeOf_.find({point, box});
   if (known != placeOf_.end()) return fields_[known->second];
   int place = findSpare();
+  // The entry of a field that moves is used again.
+  decltype(placeOf_)::node_type entry;
   if (place < 0) {
     place = fields_.count();
     fields_.push_back(std::make_shared<PointField>(surface_, options_));
   } else {
-    placeOf_.erase(keyOf(*fields_[place]));
+    entry = placeOf_.extract(keyOf(*fields_[place]));
   }
   try {
     fields_[place]->setPoint(point, box);
@@ -44,7 +46,12 @@ std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point,
     for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(keyOf(*fields_[i]), i);
     throw;
   }
-  placeOf_.emplace(Key{point, box}, place);
+  if (entry.empty()) {
+    placeOf_.emplace(Key{point, box}, place);
+  } else {
+    entry.key() = {point, box};
+    placeOf_.insert(std::move(entry));
+  }
   ++made_;
   return fields_[place];
 }

@@ -38,7 +38,7 @@ double allowedLeap(const Geometry& geometry, const TracedCurve& before, const Tr
 /// Appends the paths that the averages of a Bezier polygon lie on: the rows of de Casteljau's
 /// pyramid under the legs, then those of its halves.
 void appendAveragedPaths(const Geometry& geometry, const LeggedPolygon& polygon, int levels,
-                         StripWorkspace& workspace, Array<SurfacePath>& out) {
+                         AveragingWorkspace& workspace, Array<SurfacePath>& out) {
   if (levels == 0) return;
   for (Array<SurfacePath> row = polygon.legs; row.count() > 1;) {
     Array<SurfacePath> next;
@@ -46,13 +46,14 @@ void appendAveragedPaths(const Geometry& geometry, const LeggedPolygon& polygon,
       SurfacePath inner;
       appendPart(*geometry.mesh, row[i], row[i].length() / 2, row[i].length(), inner);
       appendPart(*geometry.mesh, row[i + 1], 0, row[i + 1].length() / 2, inner);
-      straighten(geometry, inner, workspace);
+      straighten(geometry, inner, workspace.strip);
       next.push_back(inner);
     }
     out.insert(out.end(), next.begin(), next.end());
     row = std::move(next);
   }
-  const BezierHalves halves = halvesOf(geometry, polygon, workspace);
+  BezierHalves halves;
+  halve(geometry, polygon, workspace, halves);
   appendAveragedPaths(geometry, halves.first, levels - 1, workspace, out);
   appendAveragedPaths(geometry, halves.second, levels - 1, workspace, out);
 }
@@ -64,24 +65,24 @@ Array<SurfacePath> averagedPaths(const Geometry& geometry, const TracedCurve& cu
     polygon.points.push_back({leg.back(), 1});
     polygon.legs.push_back(pathThrough(*geometry.mesh, leg));
   }
-  StripWorkspace workspace;
+  AveragingWorkspace workspace;
   Array<SurfacePath> paths;
   appendAveragedPaths(geometry, polygon, curve.levels, workspace, paths);
   return paths;
 }
 
-/// The most that one passage of an average's path between two tracings allows the curve to leap.
+/// What passages of the averages' paths between two tracings allow the curve to leap.
 double allowedByAverages(const Geometry& geometry, const TracedCurve& before,
                          const TracedCurve& after) {
   const Array<SurfacePath> from = averagedPaths(geometry, before);
   const Array<SurfacePath> to = averagedPaths(geometry, after);
-  double most = 0;
+  double sum = 0;
   for (int i = 0; i < std::min(from.count(), to.count()); ++i) {
     for (const VertexPassage& passage : passedVertices(geometry, from[i].points, to[i].points)) {
-      most = std::max(most, to[i].length() * passage.curvature / 2);
+      sum += to[i].length() * passage.curvature / 2;
     }
   }
-  return most;
+  return sum;
 }
 
 /// Tells a step that counts, by its motion in steps of the hand.
@@ -165,15 +166,13 @@ HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const A
       const int counted = figures.motion.steps;
       const double step = Drag::kStep * geometry.meanEdge;
       const double byLegs = allowedLeap(geometry, before, after);
-      Leap leap{d, i, countStep(figures.motion, lineBefore, lineAfter, step, byLegs)};
-      const bool counts = figures.motion.steps > counted;
-      if (leap.motion > DragFigures::kShiver) {
-        leap.allowedByAverages = allowedByAverages(geometry, before, after) / step;
-        if (!counts) leap.allowedByLegs = byLegs / step;
-        const double allowed = counts ? leap.allowedByAverages : leap.allowedByLegs;
-        if (leap.motion > allowed) figures.leaps.push_back(leap);
-      }
-      if (counts) tellStep(figures.averages, leap.motion, leap.allowedByAverages);
+      const auto byAverages = [&] { return allowedByAverages(geometry, before, after); };
+      Leap leap{d, i, countStep(figures.motion, lineBefore, lineAfter, step, byLegs, byAverages)};
+      leap.allowedByLegs = byLegs / step;
+      if (leap.motion > DragFigures::kShiver) leap.allowedByAverages = byAverages() / step;
+      const double allowed = leap.allowedByLegs + leap.allowedByAverages;
+      if (leap.motion > std::max(allowed, DragFigures::kShiver)) figures.leaps.push_back(leap);
+      if (figures.motion.steps > counted) tellStep(figures.averages, leap.motion, allowed);
       before = std::move(after);
       lineBefore = std::move(lineAfter);
     }

@@ -45,11 +45,12 @@ struct Drag {
 Drag randomDrag(const Geometry& geometry, Random& random, const ControlPolygonOptions& options,
                 int steps);
 
-/// Steps that shiver though no leg passed a vertex, told by the paths that the averages lie on: a
-/// geodesic between two averages ends to exist at a vertex of positive curvature as a leg does.
+/// Steps that shiver though no leg passed a vertex that allows it, told by the paths that the
+/// averages lie on: a geodesic between two averages ends to exist at a vertex of positive curvature
+/// as a leg does. The passages of a step, of legs and averages, add up.
 struct AverageFigures {
-  int passing = 0;  ///< an average's path passed a vertex that allows it to leap that far
-  /// The largest of their leaps, as a part of what the passage allows.
+  int passing = 0;  ///< the passages allow it to leap that far
+  /// The largest of their leaps, as a part of what the passages allow.
   double largestPassing = 0;
   int unexplained = 0;     ///< the others
   double largestLeap = 0;  ///< of all steps that count but these passing ones, in steps of the hand
@@ -60,8 +61,8 @@ struct Leap {
   int drag = 0;
   int step = 0;
   double motion = 0;
-  double allowedByLegs = 0;      ///< 0 in steps that count
-  double allowedByAverages = 0;  ///< by one passage of an average's path
+  double allowedByLegs = 0;
+  double allowedByAverages = 0;
 };
 
 struct HandFigures {

@@ -330,9 +330,10 @@ int main(int argc, char** argv) {
         "spacing, seed %d.\n\n"
         "'Shiver': steps in which the curve moves more than %g times as far as the hand. Leaps are "
         "in steps of the hand. 'Left out': steps in which a leg passed a vertex that allows such "
-        "leaps; 'their leap', as a part of what it allows; 'beyond', those that leap farther. "
-        "'Passing averages': of the steps that count, those that shiver where the path of an "
-        "average passed a vertex that allows it. "
+        "leaps; 'their leap', as a part of what all passages of the step allow, those of the "
+        "averages' paths too; 'beyond', those that leap farther. "
+        "'Passing averages': of the steps that count, those that shiver where the paths of "
+        "averages passed vertices that allow it. "
         "Times are of the processor. Distances between curves ('from level 0', 'release') are "
         "parts "
         "of their lengths.\n",

@@ -177,7 +177,12 @@ TEST(CountStep, TellsShiversFromPassages) {
   EXPECT_NEAR(figures.largestPassing, 0.9, 1e-2);
   countStep(figures, lineAt(0), lineAt(0.9), 0.1, 0.8);
   EXPECT_EQ(figures.beyond, 1);
-  // One that allows less than a shiver excuses none.
+  // What else allows a leap in the same step is added.
+  DragFigures both;
+  countStep(both, lineAt(0), lineAt(0.9), 0.1, 0.8, [] { return 0.2; });
+  EXPECT_EQ(both.beyond, 0);
+  EXPECT_NEAR(both.largestPassing, 0.9, 1e-2);
+  // A passage that allows less than a shiver excuses none.
   countStep(figures, lineAt(0), lineAt(0.72), 0.1, 0.4);
   EXPECT_EQ(figures.shivers, 2);
   EXPECT_NEAR(figures.shiverShare(), 2.0 / 3, 1e-15);

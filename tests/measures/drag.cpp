@@ -49,11 +49,13 @@ Array<VertexPassage> passedVertices(const Geometry& geometry, const Array<Surfac
 }
 
 double countStep(DragFigures& figures, const MeasuredPolyline& before,
-                 const MeasuredPolyline& after, double step, double allowedLeap) {
+                 const MeasuredPolyline& after, double step, double allowedLeap,
+                 const std::function<double()>& allowedBeside) {
   const double motion = hausdorffDistance(before, after, DragFigures::kTolerance * step) / step;
-  const double allowed = allowedLeap / step;
+  double allowed = allowedLeap / step;
   if (allowed > DragFigures::kShiver) {
     ++figures.passing;
+    if (motion > allowed && allowedBeside) allowed += allowedBeside() / step;
     figures.beyond += motion > allowed;
     figures.largestPassing = std::max(figures.largestPassing, motion / allowed);
     return motion;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "intrinsic/geometry.h"
 #include "measures/polyline_distance.h"
 
@@ -45,9 +47,11 @@ struct DragFigures {
 
 /// Counts one step of the hand. `allowedLeap`: half of length * curvature, summed over the passages
 /// of the legs in this step, in the mesh's units as `step` is. Where that is less than a shiver the
-/// step counts like any other. Returns the motion.
+/// step counts like any other. `allowedBeside`: what else allows a leap in the same step, asked
+/// where a leg's passage does not suffice. Returns the motion.
 double countStep(DragFigures& figures, const MeasuredPolyline& before,
-                 const MeasuredPolyline& after, double step, double allowedLeap = 0);
+                 const MeasuredPolyline& after, double step, double allowedLeap = 0,
+                 const std::function<double()>& allowedBeside = {});
 
 /// Adds the figures of other drags.
 void add(DragFigures& sum, const DragFigures& figures);

@@ -18,69 +18,70 @@ constexpr double kNegligible = 1e-12;
 
 bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
 
-/// The average of both ends of a path, with its weight, and how far along it lies.
-struct Average {
-  WeightedPoint point;
-  double at = 0;
-};
-Average averageOn(const TriangleMesh& mesh, const SurfacePath& path, double from, double to) {
+LegAverage averageOn(const TriangleMesh& mesh, const SurfacePath& path, double from, double to) {
   const double at = path.length() * (to / (from + to));
   return {{pointAlong(mesh, path, at), from + to}, at};
 }
 
-/// Paths one after the other, as one; `begin` starts it.
+/// Paths one after the other, to be straightened as one.
 class Chain {
  public:
-  Chain(const TriangleMesh& mesh, SurfacePath& path) : mesh_(mesh), path_(path) {
-    path_.points.clear();
-    path_.lengths.clear();
+  Chain(const TriangleMesh& mesh, SurfacePath& path) : mesh_(mesh), points_(path.points) {
+    points_.clear();
+    // Of a path of one point, which is straight.
+    path.lengths.assign(1, 0.0);
   }
   /// The part between two lengths, backwards where from > to.
   void append(const SurfacePath& next, double from, double to) {
-    appendPart(mesh_, next, from, to, path_);
+    appendPart(mesh_, next, from, to, points_);
   }
   void append(const SurfacePath& next) { append(next, 0, next.length()); }
   void appendReversed(const SurfacePath& next) { append(next, next.length(), 0); }
 
  private:
   const TriangleMesh& mesh_;
-  SurfacePath& path_;
+  Array<SurfacePoint>& points_;
 };
+
+void takePart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
+              SurfacePath& part) {
+  part.points.clear();
+  part.lengths.clear();
+  appendPart(mesh, path, from, to, part);
+}
 
 SurfacePath partOf(const TriangleMesh& mesh, const SurfacePath& path, double from, double to) {
   SurfacePath part;
-  Chain(mesh, part).append(path, from, to);
+  appendPart(mesh, path, from, to, part);
   return part;
 }
 
-/// The averages on all legs of a polygon, with the share `share(i)` of the later point on leg i.
+/// Finds the averages on the legs of the workspace's row, with the share `share(i)` of the later
+/// point on leg i.
 template <class Share>
-Array<Average> averagesOf(const TriangleMesh& mesh, const LeggedPolygon& polygon,
-                          const Share& share) {
-  Array<Average> averages;
-  for (int i = 0; i < polygon.legs.count(); ++i) {
+void findAverages(const TriangleMesh& mesh, const Share& share, AveragingWorkspace& workspace) {
+  const LeggedPolygon& row = workspace.row;
+  workspace.averages.clear();
+  for (int i = 0; i + 1 < row.points.count(); ++i) {
     const double s = share(i);
-    averages.push_back(averageOn(mesh, polygon.legs[i], (1 - s) * polygon.points[i].weight,
-                                 s * polygon.points[i + 1].weight));
+    workspace.averages.push_back(
+        averageOn(mesh, row.legs[i], (1 - s) * row.points[i].weight, s * row.points[i + 1].weight));
   }
-  return averages;
 }
 
-/// Makes a polygon that of the averages on its legs, one point fewer.
-void replaceByAverages(const Geometry& geometry, const Array<Average>& averages,
-                       LeggedPolygon& polygon, StripWorkspace& workspace) {
-  Array<SurfacePath>& legs = polygon.legs;
-  for (int i = 0; i + 1 < legs.count(); ++i) {
-    SurfacePath inner;
-    Chain chain(*geometry.mesh, inner);
+/// Makes the row that of the averages on its legs, one point fewer.
+void replaceByAverages(const Geometry& geometry, AveragingWorkspace& workspace) {
+  const Array<LegAverage>& averages = workspace.averages;
+  Array<SurfacePath>& legs = workspace.row.legs;
+  for (int i = 0; i + 1 < averages.count(); ++i) {
+    Chain chain(*geometry.mesh, workspace.inner);
     chain.append(legs[i], averages[i].at, legs[i].length());
     chain.append(legs[i + 1], 0, averages[i + 1].at);
-    straighten(geometry, inner, workspace);
-    legs[i] = std::move(inner);
+    straighten(geometry, workspace.inner, workspace.strip);
+    std::swap(legs[i], workspace.inner);
   }
-  legs.pop_back();
-  polygon.points.clear();
-  for (const Average& average : averages) polygon.points.push_back(average.point);
+  workspace.row.points.clear();
+  for (const LegAverage& average : averages) workspace.row.points.push_back(average.point);
 }
 
 // B-splines.
@@ -249,12 +250,11 @@ class SplineLevels {
     if (near.parent != far.parent) chain.append(leg(near.parent));
     chain.appendReversed(far.toParent);
     straighten(geometry_, path_, workspace_);
-    const Average average = averageOn(mesh_, path_, near.point.weight, far.point.weight);
+    const LegAverage average = averageOn(mesh_, path_, near.point.weight, far.point.weight);
     Anchor anchor;
     anchor.parent = near.parent;
-    Chain back(mesh_, anchor.path);
-    back.append(path_, average.at, 0);
-    back.append(near.toParent);
+    appendPart(mesh_, path_, average.at, 0, anchor.path);
+    appendPart(mesh_, near.toParent, 0, near.toParent.length(), anchor.path);
     anchors_.push_back(std::move(anchor));
     return average.point;
   }
@@ -274,7 +274,7 @@ class SplineLevels {
       chain.appendReversed(leg(side.parent - 1));
     }
     straighten(geometry_, path_, workspace_);
-    const Average average = averageOn(mesh_, path_, side.point.weight, weight);
+    const LegAverage average = averageOn(mesh_, path_, side.point.weight, weight);
     side.toParent = partOf(mesh_, path_, average.at, path_.length());
     side.parent += step;
     side.point = average.point;
@@ -325,25 +325,50 @@ RefinedPolygon refinedSpline(const Geometry& geometry, const CurveShape& shape,
 
 // Bezier curves.
 
-void appendPieces(const Geometry& geometry, const LeggedPolygon& polygon, int levels,
-                  StripWorkspace& workspace, RefinedPolygon& out) {
-  if (levels > 0) {
-    const BezierHalves halves = halvesOf(geometry, polygon, workspace);
-    appendPieces(geometry, halves.first, levels - 1, workspace, out);
-    appendPieces(geometry, halves.second, levels - 1, workspace, out);
-    return;
-  }
+/// Numbers of what is written of a refined polygon so far.
+struct Written {
+  int points = 0;
+  int legs = 0;
+  int pieces = 0;
+};
+
+void appendPiece(const LeggedPolygon& polygon, RefinedPolygon& out, Written& written) {
   const int degree = polygon.points.count() - 1;
   // A piece starts where the one before it ends.
-  const int first = std::max(out.points.count() - 1, 0);
-  SegmentLayout layout;
+  const int first = std::max(written.points - 1, 0);
+  SegmentLayout& layout = out.pieces[written.pieces++];
   layout.basis = {BasisForm::kBernstein, degree};
   layout.basis.points = degree + 1;
-  for (int k = 0; k <= degree; ++k) layout.points.push_back(first + k);
-  out.points.insert(out.points.end(), polygon.points.begin() + (out.points.empty() ? 0 : 1),
-                    polygon.points.end());
-  out.legs.insert(out.legs.end(), polygon.legs.begin(), polygon.legs.end());
-  out.pieces.push_back(std::move(layout));
+  layout.points.clear();
+  for (int k = 0; k <= degree; ++k) {
+    layout.points.push_back(first + k);
+    out.points[first + k] = polygon.points[k];
+  }
+  written.points = first + degree + 1;
+  for (const SurfacePath& leg : polygon.legs) out.legs[written.legs++] = leg;
+}
+
+void appendPieces(const Geometry& geometry, const LeggedPolygon& polygon, int levels,
+                  AveragingWorkspace& workspace, RefinedPolygon& out, Written& written) {
+  if (levels == 0) {
+    appendPiece(polygon, out, written);
+    return;
+  }
+  BezierHalves& halves = workspace.halves[levels - 1];
+  halve(geometry, polygon, workspace, halves);
+  appendPieces(geometry, halves.first, levels - 1, workspace, out, written);
+  appendPieces(geometry, halves.second, levels - 1, workspace, out, written);
+}
+
+/// Makes room for what a number of Bezier curves of a degree become.
+void makeRoom(int curves, int degree, int levels, AveragingWorkspace& workspace,
+              RefinedPolygon& out) {
+  const auto pieces = static_cast<size_t>(curves) << levels;
+  const auto legs = pieces * static_cast<size_t>(degree);
+  out.pieces.resize(pieces);
+  out.legs.resize(legs);
+  out.points.resize(legs + 1);
+  if (workspace.halves.count() < levels) workspace.halves.resize(static_cast<size_t>(levels));
 }
 
 // Catmull-Rom curves.
@@ -441,80 +466,90 @@ void checkLevels(const CurveShape& shape, int points, int levels) {
   }
 }
 
-RefinedPolygon refinedPolygon(const Geometry& geometry, const CurveShape& shape,
-                              const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
-                              int levels) {
-  Array<WeightedPoint> weighted;
+void refinePolygon(const Geometry& geometry, const CurveShape& shape,
+                   const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
+                   AveragingWorkspace& workspace, RefinedPolygon& refined) {
+  LeggedPolygon& whole = workspace.polygon;
+  whole.points.clear();
   const bool hasWeights = takesWeights(shape.kind) && !shape.weights.empty();
   for (int i = 0; i < points.count(); ++i) {
-    weighted.push_back({points[i], hasWeights ? shape.weights[i] : 1});
+    whole.points.push_back({points[i], hasWeights ? shape.weights[i] : 1});
   }
-  RefinedPolygon result;
   if (shape.kind == CurveKind::kBSpline) {
-    result = refinedSpline(geometry, shape, std::move(weighted), legs, levels);
+    refined = refinedSpline(geometry, shape, whole.points, legs, levels);
   } else {
-    StripWorkspace workspace;
+    Written written;
     if (isBezier(shape.kind)) {
       // A closed one ends at its first point.
-      if (shape.closed) weighted.push_back(WeightedPoint(weighted[0]));
-      appendPieces(geometry, {std::move(weighted), legs}, levels, workspace, result);
+      if (shape.closed) whole.points.push_back(WeightedPoint(whole.points[0]));
+      whole.legs = legs;
+      makeRoom(1, legs.count(), levels, workspace, refined);
+      appendPieces(geometry, whole, levels, workspace, refined, written);
     } else {
       const ThroughPoints through(geometry, shape, points, legs);
+      makeRoom(through.segmentCount(), 3, levels, workspace, refined);
       for (int j = 0; j < through.segmentCount(); ++j) {
-        appendPieces(geometry, through.polygon(j, workspace), levels, workspace, result);
+        whole = through.polygon(j, workspace.strip);
+        appendPieces(geometry, whole, levels, workspace, refined, written);
       }
     }
   }
-  result.weighted = hasWeights;
-  return result;
+  refined.weighted = hasWeights;
 }
 
-BezierHalves halvesOf(const Geometry& geometry, const LeggedPolygon& polygon,
-                      StripWorkspace& workspace) {
+void halve(const Geometry& geometry, const LeggedPolygon& polygon, AveragingWorkspace& workspace,
+           BezierHalves& halves) {
   const TriangleMesh& mesh = *geometry.mesh;
-  BezierHalves halves;
-  LeggedPolygon row = polygon;
-  halves.first.points.push_back(row.points.front());
-  halves.second.points.push_back(row.points.back());
-  while (!row.legs.empty()) {
-    const Array<Average> averages = averagesOf(mesh, row, [](int) { return 0.5; });
-    halves.first.legs.push_back(partOf(mesh, row.legs.front(), 0, averages.front().at));
-    halves.second.legs.push_back(
-        partOf(mesh, row.legs.back(), averages.back().at, row.legs.back().length()));
-    replaceByAverages(geometry, averages, row, workspace);
-    halves.first.points.push_back(row.points.front());
-    halves.second.points.push_back(row.points.back());
+  auto& [first, second] = halves;
+  const int degree = polygon.legs.count();
+  for (LeggedPolygon* half : {&first, &second}) {
+    half->points.resize(polygon.points.size());
+    half->legs.resize(polygon.legs.size());
   }
-  std::reverse(halves.second.points.begin(), halves.second.points.end());
-  std::reverse(halves.second.legs.begin(), halves.second.legs.end());
-  return halves;
+  LeggedPolygon& row = workspace.row;
+  row = polygon;
+  first.points[0] = row.points.front();
+  second.points[degree] = row.points.back();
+  for (int k = 0; k < degree; ++k) {
+    findAverages(
+        mesh, [](int) { return 0.5; }, workspace);
+    const SurfacePath& last = row.legs[degree - 1 - k];
+    takePart(mesh, row.legs[0], 0, workspace.averages.front().at, first.legs[k]);
+    takePart(mesh, last, workspace.averages.back().at, last.length(), second.legs[degree - 1 - k]);
+    replaceByAverages(geometry, workspace);
+    first.points[k + 1] = row.points.front();
+    second.points[degree - 1 - k] = row.points.back();
+  }
 }
 
-LeggedPolygon polygonOf(const RefinedPolygon& refined, const SegmentLayout& piece) {
-  LeggedPolygon polygon;
+void takePolygon(const RefinedPolygon& refined, const SegmentLayout& piece,
+                 LeggedPolygon& polygon) {
+  polygon.points.clear();
+  polygon.legs.resize(piece.points.size() - 1);
   for (int k = 0; k < piece.points.count(); ++k) {
     polygon.points.push_back(refined.points[piece.points[k]]);
     if (!refined.weighted) polygon.points.back().weight = 1;
-    if (k > 0) polygon.legs.push_back(refined.legs[piece.points[k - 1]]);
+    if (k > 0) polygon.legs[k - 1] = refined.legs[piece.points[k - 1]];
   }
-  return polygon;
 }
 
-SurfacePoint averageAt(const Geometry& geometry, const SegmentBasis& basis, LeggedPolygon polygon,
-                       double t, StripWorkspace& workspace) {
+SurfacePoint averageAt(const Geometry& geometry, const SegmentBasis& basis,
+                       const LeggedPolygon& polygon, double t, AveragingWorkspace& workspace) {
   const int degree = polygon.legs.count();
   const auto knot = [&](int k) {
     return basis.form == BasisForm::kBSpline ? basis.numbers[k] : k - degree;
   };
+  workspace.row = polygon;
   for (int row = 1; row <= degree; ++row) {
     const auto share = [&](int i) {
       if (basis.form == BasisForm::kBernstein) return t;
       const double left = knot(i + row);
       return (t - left) / (knot(i + degree + 1) - left);
     };
-    replaceByAverages(geometry, averagesOf(*geometry.mesh, polygon, share), polygon, workspace);
+    findAverages(*geometry.mesh, share, workspace);
+    replaceByAverages(geometry, workspace);
   }
-  return polygon.points[0].point;
+  return workspace.row.points[0].point;
 }
 
 }  // namespace karcher

@@ -42,19 +42,6 @@ inline int legCount(const CurveShape& shape, int points) {
 /// where the work would be out of all proportion (Bezier curves of very many points).
 void checkLevels(const CurveShape& shape, int points, int levels);
 
-/// Subdivides a control polygon `levels` >= 1 times. `legs`: a path from each point to the next, at
-/// a closed curve also from the last to the first.
-/// - Bezier curves, rational ones too, by de Casteljau's algorithm at 1/2;
-/// - B-splines by a knot in the middle of each span: a new point is the repeated average of its
-///   parents, from both ends of their row towards its middle (subdivision.h), with the weights of
-///   the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
-///   algorithm;
-/// - Catmull-Rom curves as cubic Bezier curves, with handles by log and exp maps at the points.
-/// The result of reversed points and legs is the reversed result.
-RefinedPolygon refinedPolygon(const Geometry& geometry, const CurveShape& shape,
-                              const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
-                              int levels);
-
 /// The points of a piece with the legs between them, to be averaged.
 struct LeggedPolygon {
   Array<WeightedPoint> points;
@@ -66,15 +53,47 @@ struct BezierHalves {
   LeggedPolygon first;
   LeggedPolygon second;
 };
-BezierHalves halvesOf(const Geometry& geometry, const LeggedPolygon& polygon,
-                      StripWorkspace& workspace);
 
-/// The polygon of a piece.
-LeggedPolygon polygonOf(const RefinedPolygon& refined, const SegmentLayout& piece);
+/// The average of both ends of a leg, and how far along it lies.
+struct LegAverage {
+  WeightedPoint point;
+  double at = 0;
+};
+
+/// Scratch memory of averages. A workspace that is used again spares the allocations.
+struct AveragingWorkspace {
+  StripWorkspace strip;
+  LeggedPolygon row;  ///< of a pyramid, whose legs may be more than are left
+  Array<LegAverage> averages;
+  SurfacePath inner;
+  LeggedPolygon polygon;
+  Array<BezierHalves> halves;  ///< by the levels that are left
+};
+
+/// Subdivides a control polygon `levels` >= 1 times. `legs`: a path from each point to the next, at
+/// a closed curve also from the last to the first.
+/// - Bezier curves, rational ones too, by de Casteljau's algorithm at 1/2;
+/// - B-splines by a knot in the middle of each span: a new point is the repeated average of its
+///   parents, from both ends of their row towards its middle (subdivision.h), with the weights of
+///   the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
+///   algorithm;
+/// - Catmull-Rom curves as cubic Bezier curves, with handles by log and exp maps at the points.
+/// The result of reversed points and legs is the reversed result. Writes to `refined`, whose memory
+/// is used again.
+void refinePolygon(const Geometry& geometry, const CurveShape& shape,
+                   const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
+                   AveragingWorkspace& workspace, RefinedPolygon& refined);
+
+/// Halves a Bezier polygon, which must not be part of `halves`.
+void halve(const Geometry& geometry, const LeggedPolygon& polygon, AveragingWorkspace& workspace,
+           BezierHalves& halves);
+
+/// Writes the polygon of a piece.
+void takePolygon(const RefinedPolygon& refined, const SegmentLayout& piece, LeggedPolygon& polygon);
 
 /// The point of a piece at t in [0, 1] by averages of two points alone: de Casteljau's or de Boor's
 /// pyramid. For many levels it is a point of the subdivision curve.
-SurfacePoint averageAt(const Geometry& geometry, const SegmentBasis& basis, LeggedPolygon polygon,
-                       double t, StripWorkspace& workspace);
+SurfacePoint averageAt(const Geometry& geometry, const SegmentBasis& basis,
+                       const LeggedPolygon& polygon, double t, AveragingWorkspace& workspace);
 
 }  // namespace karcher

@@ -25,7 +25,8 @@ Vec3 normalOf(const TriangleMesh& mesh, int face) {
 /// Grows over pieces, then becomes a box.
 class Extent {
  public:
-  explicit Extent(const Geometry& geometry) : geometry_(geometry), mesh_(*geometry.mesh) {}
+  Extent(const Geometry& geometry, Array<Vec3>& positions)
+      : geometry_(geometry), mesh_(*geometry.mesh), positions_(positions) {}
 
   void clear() {
     positions_.clear();
@@ -78,27 +79,40 @@ class Extent {
  private:
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  Array<Vec3> positions_;
+  Array<Vec3>& positions_;
   Vec3 normal_ = Vec3::Zero();
   double longest_ = 0;
 };
 
+/// The pieces that blend each point.
+void listPieces(const RefinedPolygon& refined, BoxWorkspace& workspace) {
+  Array<int>& begin = workspace.begin;
+  begin.assign(refined.points.size() + 1, 0);
+  for (const SegmentLayout& piece : refined.pieces) {
+    for (const int point : piece.points) ++begin[point];
+  }
+  // The ends first: they go down to the begins as the pieces are put in.
+  for (int i = 1; i < begin.count(); ++i) begin[i] += begin[i - 1];
+  workspace.ofPoints.resize(static_cast<size_t>(begin.back()));
+  for (int p = refined.pieces.count() - 1; p >= 0; --p) {
+    for (const int point : refined.pieces[p].points) workspace.ofPoints[--begin[point]] = p;
+  }
+}
+
 }  // namespace
 
-Array<std::optional<OrientedBox>> boxesOfPieces(const Geometry& geometry,
-                                                const RefinedPolygon& refined) {
-  Array<Array<int>> piecesOf(refined.points.size());
-  for (int p = 0; p < refined.pieces.count(); ++p) {
-    for (const int point : refined.pieces[p].points) piecesOf[point].push_back(p);
-  }
-  Array<std::optional<OrientedBox>> boxes;
-  Extent extent(geometry);
+void boxPieces(const Geometry& geometry, const RefinedPolygon& refined, BoxWorkspace& workspace,
+               Array<std::optional<OrientedBox>>& boxes) {
+  listPieces(refined, workspace);
+  boxes.clear();
+  Extent extent(geometry, workspace.positions);
   for (int i = 0; i < refined.points.count(); ++i) {
     extent.clear();
-    for (const int p : piecesOf[i]) extent.add(refined, refined.pieces[p]);
+    for (int k = workspace.begin[i]; k < workspace.begin[i + 1]; ++k) {
+      extent.add(refined, refined.pieces[workspace.ofPoints[k]]);
+    }
     boxes.push_back(extent.box(refined.points[i].point));
   }
-  return boxes;
 }
 
 }  // namespace karcher

@@ -7,10 +7,19 @@
 
 namespace karcher {
 
+/// Scratch memory; reuse one to spare the allocations.
+struct BoxWorkspace {
+  Array<Vec3> positions;
+  /// The pieces that blend point i: ofPoints[begin[i]] up to begin[i + 1].
+  Array<int> begin;
+  Array<int> ofPoints;
+};
+
 /// For each point of a refined polygon a box that holds all pieces that blend it, with room for the
 /// faces around: where its field will be read (rcm/point_field.h). None where the pieces are long,
-/// or do not tell directions. Depends on the points and the legs of these pieces alone.
-Array<std::optional<OrientedBox>> boxesOfPieces(const Geometry& geometry,
-                                                const RefinedPolygon& refined);
+/// or do not tell directions. Depends on the points and the legs of these pieces alone. Writes to
+/// `boxes`.
+void boxPieces(const Geometry& geometry, const RefinedPolygon& refined, BoxWorkspace& workspace,
+               Array<std::optional<OrientedBox>>& boxes);
 
 }  // namespace karcher

@@ -3,7 +3,13 @@
 namespace karcher {
 
 Array<double> bernsteinBasis(int degree, double t) {
-  Array<double> weights(static_cast<size_t>(degree) + 1, 0.0);
+  Array<double> weights;
+  bernsteinBasis(degree, t, weights);
+  return weights;
+}
+
+void bernsteinBasis(int degree, double t, Array<double>& weights) {
+  weights.assign(static_cast<size_t>(degree) + 1, 0.0);
   weights[0] = 1;
   for (int n = 1; n <= degree; ++n) {
     double carry = 0;
@@ -14,7 +20,6 @@ Array<double> bernsteinBasis(int degree, double t) {
     }
     weights[n] = carry;
   }
-  return weights;
 }
 
 Array<double> uniformCubicBasis(double t) {

@@ -9,6 +9,8 @@ namespace karcher {
 /// Bernstein polynomials of degree `degree` >= 0 at t in [0, 1], by de Casteljau's recurrence:
 /// degree + 1 weights.
 Array<double> bernsteinBasis(int degree, double t);
+/// The same, in the memory of `weights`.
+void bernsteinBasis(int degree, double t, Array<double>& weights);
 
 /// The uniform cubic B-spline on one segment, t in [0, 1]: 4 weights.
 Array<double> uniformCubicBasis(double t);

@@ -48,6 +48,16 @@ Array<double> weightsAt(const SegmentBasis& basis, double t) {
   return weights;
 }
 
+void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
+               Array<double>& weights) {
+  if (basis.form == BasisForm::kBernstein && basis.folds.empty()) {
+    bernsteinBasis(basis.degree, t, weights);
+  } else {
+    weights = weightsAt(basis, t);
+  }
+  if (!pointWeights.empty()) weights = rationalBasis(weights, pointWeights);
+}
+
 Array<double> nodesOf(const SegmentBasis& basis) {
   Array<double> nodes;
   if (basis.form != BasisForm::kBarycentric) return nodes;

@@ -33,6 +33,11 @@ struct SegmentBasis {
 /// where a caller's basis gives others.
 Array<double> weightsAt(const SegmentBasis& basis, double t);
 
+/// The same times the points' weights, where there are any, and divided by their sum. Written to
+/// `weights`, whose memory is used again.
+void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
+               Array<double>& weights);
+
 /// The parameters between 0 and 1, ascending, at which all weight is on one point, so that the
 /// curve passes it.
 Array<double> nodesOf(const SegmentBasis& basis);

@@ -13,6 +13,9 @@ namespace {
 
 /// A step is divided at most so often: enough for one over the whole of a large surface.
 constexpr int kMostDivisions = 200'000;
+/// Steps that wait for their turn: each division leaves one, and the finest is 2^-30.
+constexpr int kMostWaiting = 32;
+static_assert(kFinestDivision * (1 << (kMostWaiting - 2)) > 1);
 /// Over a shorter part of the segment the scheme's curve is as good as its chord.
 constexpr double kShortInterval = 1.0 / 32;
 constexpr int kMostPieces = 8;
@@ -30,13 +33,16 @@ struct Interval {
 
 class JumpSearch {
  public:
-  JumpSearch(FieldBlend& fields, const Basis& basis, Method method)
+  JumpSearch(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,
+             Method method, JumpWorkspace& workspace)
       : geometry_(fields.geometry()),
         mesh_(*geometry_.mesh),
         fields_(fields),
         basis_(basis),
+        pointWeights_(pointWeights),
         method_(method),
-        longest_(kLongestStep * geometry_.meanEdge) {}
+        longest_(kLongestStep * geometry_.meanEdge),
+        weights_(workspace.weights) {}
 
   /// Whether the way from one converged sample to the next breaks in either direction, and how.
   /// `middle`: the weights in the middle of it, or none.
@@ -45,19 +51,27 @@ class JumpSearch {
                             crossesAnEdge(from.point, to.point, middle))) {
       return std::nullopt;
     }
-    const std::optional<SampleStatus> reason = follow(from, to, false);
-    return reason ? reason : follow(from, to, true);
+    bool differ = false;
+    std::optional<SampleStatus> reason = follow(from, to, Direction::kBoth, &differ);
+    if (!differ) return reason;
+    reason = follow(from, to, Direction::kForwards);
+    return reason ? reason : follow(from, to, Direction::kBackwards);
   }
 
  private:
-  /// Searches start at the earlier end of a step, or at the later one.
+  /// Searches start at the earlier end of a step, at the later one, or at each of them as long as
+  /// both find the same.
+  enum class Direction { kForwards, kBackwards, kBoth };
+
+  /// Follows the curve along a step. Of both directions: sets `differ` and stops where they find
+  /// different centers.
   std::optional<SampleStatus> follow(const CurveSample& from, const CurveSample& to,
-                                     bool backwards) {
-    stack_.clear();
-    stack_.push_back({{from.t, from.point}, {to.t, to.point}});
-    for (int count = 0; !stack_.empty() && count < kMostDivisions; ++count) {
-      const Step step = stack_.back();
-      stack_.pop_back();
+                                     Direction direction, bool* differ = nullptr) {
+    Step waiting[kMostWaiting];
+    waiting[0] = {{from.t, from.point}, {to.t, to.point}};
+    int steps = 1;
+    for (int count = 0; steps > 0 && count < kMostDivisions; ++count) {
+      const Step step = waiting[--steps];
       const Vec3 a = position(mesh_, step.from.point);
       const Vec3 b = position(mesh_, step.to.point);
       const double length = (b - a).norm();
@@ -68,22 +82,31 @@ class JumpSearch {
         continue;
       }
       const double t = (step.from.t + step.to.t) / 2;
-      const Array<double> weights = basis_(t);
-      if (staysInCell(step.from.point, step.to.point, weights) ||
-          crossesAnEdge(step.from.point, step.to.point, weights)) {
+      weightsAt(basis_, pointWeights_, t, weights_);
+      if (staysInCell(step.from.point, step.to.point, weights_) ||
+          crossesAnEdge(step.from.point, step.to.point, weights_)) {
         continue;
       }
+      const bool backwards = direction == Direction::kBackwards;
       const SurfacePoint& start = backwards ? step.to.point : step.from.point;
-      const CenterOfMass center = findCenter(fields_, weights, start, method_);
+      const CenterOfMass center = findCenter(fields_, weights_, start, method_);
+      if (direction == Direction::kBoth) {
+        const CenterOfMass other = findCenter(fields_, weights_, step.to.point, method_);
+        if (other.status != center.status || other.point.face != center.point.face ||
+            other.point.bary != center.point.bary) {
+          *differ = true;
+          return std::nullopt;
+        }
+      }
       if (center.status != Status::kConverged) return sampleStatus(center.status);
-      stack_.push_back({step.from, {t, center.point}});
-      stack_.push_back({{t, center.point}, step.to});
+      waiting[steps++] = {step.from, {t, center.point}};
+      waiting[steps++] = {{t, center.point}, step.to};
     }
-    return stack_.empty() ? std::nullopt : std::optional<SampleStatus>(SampleStatus::kJump);
+    return steps == 0 ? std::nullopt : std::optional<SampleStatus>(SampleStatus::kJump);
   }
 
   struct Place {
-    double t;
+    double t = 0;
     SurfacePoint point;
   };
   struct Step {
@@ -202,19 +225,18 @@ class JumpSearch {
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   FieldBlend& fields_;
-  const Basis& basis_;
+  const SegmentBasis& basis_;
+  const Array<double>& pointWeights_;
   Method method_;
   double longest_;
-  Array<Step> stack_;
+  Array<double>& weights_;
 };
 
 bool isConverged(const CurveSample& sample) { return sample.status == SampleStatus::kConverged; }
 
 /// The steps between converged samples that break, by their first sample, and how.
-Array<std::pair<int, SampleStatus>> findJumps(FieldBlend& fields, const Basis& basis,
-                                              const WeightTable* middles, Method method,
+Array<std::pair<int, SampleStatus>> findJumps(JumpSearch& search, const WeightTable* middles,
                                               const Array<CurveSample>& samples) {
-  JumpSearch search(fields, basis, method);
   Array<std::pair<int, SampleStatus>> jumps;
   for (int i = 0; i + 1 < samples.count(); ++i) {
     const bool converged = samples[i].status == SampleStatus::kConverged &&
@@ -390,19 +412,25 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
   return nullptr;
 }
 
-Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
-                            const WeightTable* middles, Method method,
-                            Array<CurveSample>& samples) {
-  Array<std::pair<int, SampleStatus>> jumps =
-      findJumps(fields.blend, basis, middles, method, samples);
+Array<Bridge> bridgeSegment(SegmentFields& fields, const SegmentBasis& segmentBasis,
+                            const Array<double>& pointWeights, const WeightTable* middles,
+                            Method method, Array<CurveSample>& samples, JumpWorkspace& workspace) {
+  JumpSearch search(fields.blend, segmentBasis, pointWeights, method, workspace);
+  Array<std::pair<int, SampleStatus>> jumps = findJumps(search, middles, samples);
   const bool isWhole = jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
   if (isWhole) return {};
+  const Basis basis = [&](double t) {
+    Array<double> weights;
+    weightsAt(segmentBasis, pointWeights, t, weights);
+    return weights;
+  };
+  const Array<double> nodes = nodesOf(segmentBasis);
   // Samples that a tolerance placed are dense enough for the branch that they follow; the paper's
   // method is from start to end.
   const bool areEven = middles != nullptr;
   if (areEven && method == Method::kKarcher) {
     takeBestBranches(fields, basis, method, samples);
-    jumps = findJumps(fields.blend, basis, middles, method, samples);
+    jumps = findJumps(search, middles, samples);
   }
   const Geometry& geometry = fields.blend.geometry();
   Array<Bridge> bridges;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "curves/polygon/subdivision.h"
+#include "curves/spec/segment_basis.h"
 #include "curves/trace/segment.h"
 
 /// Curves that do not break.
@@ -27,6 +28,11 @@ struct Bridge {
   ParametricLine line;
 };
 
+/// Scratch memory of the search for jumps.
+struct JumpWorkspace {
+  Array<double> weights;
+};
+
 /// The bridge's point at t, which is clamped to [t0, t1].
 SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t);
 
@@ -45,12 +51,13 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// face costs nothing, nor one shorter than half of `kLongestStep`; others are divided until their
 /// parts are one or the other.
 ///
-/// At `nodes`, ascending in (0, 1), all weight is on one control point (segment_basis.h): a bridge
-/// over one passes that point. `middles`: the basis at the middles between the samples' parameters
-/// where these are evenly spaced, else none. Evenly spaced samples of a segment that breaks are
-/// traced anew in both directions (branches.h), but for the paper's method; samples that a
-/// tolerance placed stay where they are.
-Array<Bridge> bridgeSegment(SegmentFields& fields, const Basis& basis, const Array<double>& nodes,
-                            const WeightTable* middles, Method method, Array<CurveSample>& samples);
+/// `basis` and `pointWeights` give the weights (segment_basis.h); where all weight is on one
+/// control point a bridge passes that point. `middles`: the weights at the middles between the
+/// samples' parameters where these are evenly spaced, else none. Evenly spaced samples of a segment
+/// that breaks are traced anew in both directions (branches.h), but for the paper's method; samples
+/// that a tolerance placed stay where they are.
+Array<Bridge> bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
+                            const Array<double>& pointWeights, const WeightTable* middles,
+                            Method method, Array<CurveSample>& samples, JumpWorkspace& workspace);
 
 }  // namespace karcher

@@ -9,10 +9,16 @@ JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                        const Array<Bridge>& bridges, EdgeCrossings* crossings) {
   JoinedPath path;
   StripWorkspace workspace;
+  joinSamples(surface, samples, bridges, crossings, workspace, path);
+  return path;
+}
+
+void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Array<Bridge>& bridges,
+                 EdgeCrossings* crossings, StripWorkspace& workspace, JoinedPath& path) {
   Array<SurfacePoint>& points = path.line.points;
-  points.push_back(samples.front().point);
-  path.sample.push_back(0);
-  path.unconverged.push_back(samples.front().status != SampleStatus::kConverged);
+  points.assign(1, samples.front().point);
+  path.sample.assign(1, 0);
+  path.unconverged.assign(1, samples.front().status != SampleStatus::kConverged);
   auto bridge = bridges.begin();
   for (int i = 1; i < samples.count(); ++i) {
     const SurfacePoint& from = samples[i - 1].point;
@@ -35,7 +41,6 @@ JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                             isBridged || samples[i].status != SampleStatus::kConverged);
   }
   measure(surface.mesh(), path.line);
-  return path;
 }
 
 }  // namespace karcher

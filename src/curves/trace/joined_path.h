@@ -21,7 +21,10 @@ struct JoinedPath {
   Array<uint8_t> unconverged;
 };
 
-/// With `crossings` exact; geodesics join what those leave open.
+/// With `crossings` exact; geodesics join what those leave open. Writes to `path`, whose memory is
+/// used again.
+void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Array<Bridge>& bridges,
+                 EdgeCrossings* crossings, StripWorkspace& workspace, JoinedPath& path);
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                        const Array<Bridge>& bridges = {}, EdgeCrossings* crossings = nullptr);
 

@@ -49,9 +49,16 @@ PieceWeights weighted(const PieceWeights& weights, const Array<double>& pointWei
   return result;
 }
 
-TracedSegment mergedPieces(const Array<std::shared_ptr<const TracedPiece>>& pieces, int even) {
+void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegment& whole) {
   const int count = pieces.count();
-  TracedSegment whole;
+  whole.samples.clear();
+  whole.bridges.clear();
+  SurfacePath& line = whole.path.line;
+  line.points.clear();
+  line.lengths.clear();
+  Array<int>& ofPoints = whole.path.sample;
+  ofPoints.clear();
+  whole.path.unconverged.clear();
   for (int k = 0; k < count; ++k) {
     const TracedPiece& piece = *pieces[k];
     const auto inSegment = [&](double t) { return (k + t) / count; };
@@ -64,11 +71,11 @@ TracedSegment mergedPieces(const Array<std::shared_ptr<const TracedPiece>>& piec
     // The start of a piece is the end of the one before.
     const int last = piece.samples.count() - 1;
     int next = even > 0 ? firstBehind(even, k, count) : 0;
-    Array<int> place{0};
     if (k == 0) whole.samples.push_back(piece.samples[0]);
+    // The points on the way to a joint that is no sample lead to the sample behind it.
+    const int first = whole.samples.count();
+    const auto inWhole = [&](int sample) { return sample == 0 ? 0 : first + sample - 1; };
     for (int i = 1; i <= last; ++i) {
-      // The points on the way to a joint that is no sample lead to the sample behind it.
-      place.push_back(whole.samples.count());
       const bool atEnd = i == last && k + 1 == count;
       if (even > 0 && i == last && !atEnd && sideOf(next, even, k + 1, count) != 0) continue;
       CurveSample& sample = whole.samples.emplace_back(piece.samples[i]);
@@ -76,16 +83,14 @@ TracedSegment mergedPieces(const Array<std::shared_ptr<const TracedPiece>>& piec
                  : even > 0 ? static_cast<double>(next++) / (even - 1)
                             : inSegment(sample.t);
     }
-    SurfacePath& line = whole.path.line;
     const double before = k == 0 ? 0 : line.length();
     for (int i = k == 0 ? 0 : 1; i < piece.path.sample.count(); ++i) {
       line.points.push_back(piece.path.line.points[i]);
       line.lengths.push_back(before + piece.path.line.lengths[i]);
-      whole.path.sample.push_back(place[piece.path.sample[i]]);
+      ofPoints.push_back(inWhole(piece.path.sample[i]));
       whole.path.unconverged.push_back(piece.path.unconverged[i]);
     }
   }
-  return whole;
 }
 
 }  // namespace karcher

@@ -41,9 +41,9 @@ struct TracedPiece {
 /// The same of a whole segment, in its t.
 using TracedSegment = TracedPiece;
 
-/// A segment's pieces one after the other. `even`: how many evenly spaced samples the segment has,
-/// or 0 where a tolerance placed them; of even samples the joints between pieces are only those
-/// that fall on them.
-TracedSegment mergedPieces(const Array<std::shared_ptr<const TracedPiece>>& pieces, int even);
+/// Writes a segment's pieces one after the other to `whole`, whose memory is used again. `even`:
+/// how many evenly spaced samples the segment has, or 0 where a tolerance placed them; of even
+/// samples the joints between pieces are only those that fall on them.
+void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegment& whole);
 
 }  // namespace karcher

@@ -53,9 +53,17 @@ Array<int> restarts(Weights weights, Method method, bool isEnd) {
   return order;
 }
 
-Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method) {
+void SegmentFields::setPoints(const Array<PointField*>& ofPoints) {
+  points = ofPoints;
+  fields.clear();
+  for (PointField* point : points) fields.push_back(&point->field());
+  blend.setFields(fields);
+}
+
+Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
+                                Array<CurveSample> samples) {
   const Array<PointField*>& points = fields.points;
-  Array<CurveSample> samples(table.t.size());
+  samples.assign(table.t.size(), {});
   const SurfacePoint* start = nullptr;
   for (int i = 0; i < samples.count(); ++i) {
     CurveSample& sample = samples[i];

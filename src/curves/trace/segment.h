@@ -49,8 +49,12 @@ struct SegmentFields {
   SegmentFields(Surface& surface, const Array<PointField*>& ofPoints)
       : points(ofPoints), blend(surface.geometry(), controlFields(ofPoints)) {}
 
+  /// Those of another segment, in the memory that is there.
+  void setPoints(const Array<PointField*>& ofPoints);
+
   Array<PointField*> points;
   FieldBlend blend;
+  Array<ControlField*> fields;  ///< scratch
 };
 
 /// Where a search for a center of mass starts once more if it failed: at control points of positive
@@ -62,8 +66,10 @@ Array<int> restarts(Weights weights, Method method, bool isEnd);
 /// One sample a row of the table. The search for the first and the last starts at the control point
 /// of the largest weight, for each other where the last converged sample lies, and again at the
 /// control points of `restarts` where this fails: the result depends on the fields and the weights
-/// alone, and the end of one segment is the start of the next.
-Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method);
+/// alone, and the end of one segment is the start of the next. The result takes the memory of
+/// `samples`.
+Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
+                                Array<CurveSample> samples = {});
 
 /// The center of mass of the fields of `points`, by the search that belongs to the method.
 CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,

@@ -1,0 +1,159 @@
+#include "curves/curve.h"
+#include "curves/trace/polyline.h"
+#include "curves/trace/sampling.h"
+
+/// How a curve traces its pieces.
+namespace karcher {
+
+/// Gives each piece that is to be traced its fields: those that are there stay, then what the curve
+/// had is spare, and the others are moved from there.
+void Curve::makeFields(Next& next) {
+  if (!isOfCenters(next.value.options)) return;
+  const auto forEach = [&](const auto& work) {
+    for (Segment& segment : next.segments) {
+      for (Piece& piece : segment.pieces) {
+        if (!piece.isTraced_) work(piece);
+      }
+    }
+  };
+  forEach([&](Piece& piece) {
+    for (int i = 0; i < piece.points_.count(); ++i) {
+      piece.fields_.push_back(fieldSet_->find(piece.points_[i], piece.boxes_[i]));
+    }
+  });
+  for (Segment& segment : segments_) {
+    for (Piece& piece : segment.pieces) piece.fields_.clear();
+  }
+  forEach([&](Piece& piece) {
+    for (int i = 0; i < piece.points_.count(); ++i) {
+      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i], piece.boxes_[i]);
+    }
+  });
+}
+
+/// The fields of a piece that is being traced.
+SegmentFields& Curve::blendOf(const Piece& piece) {
+  Array<PointField*>& fields = workspace_->fields;
+  fields.clear();
+  for (const auto& field : piece.fields_) fields.push_back(field.get());
+  std::optional<SegmentFields>& blend = workspace_->blend;
+  if (blend) {
+    blend->setPoints(fields);
+  } else {
+    blend.emplace(surface(), fields);
+  }
+  return *blend;
+}
+
+/// Traces the pieces that are not, and puts the segments together.
+void Curve::trace(Next& next) {
+  double last = clock_ ? clock_() : 0;
+  const auto timed = [&](double& stage) {
+    if (!clock_) return;
+    const double now = clock_();
+    stage += now - last;
+    last = now;
+  };
+  for (int j = 0; j < next.segments.count(); ++j) {
+    for (Piece& piece : next.segments[j].pieces) {
+      if (piece.isTraced_) continue;
+      // Curves share what is traced once; only what nobody else has is written anew.
+      if (piece.traced_.use_count() != 1) piece.traced_ = std::make_shared<TracedPiece>();
+      findSamples(next, piece, j);
+      timed(times_.samples);
+      layBridges(next, piece);
+      timed(times_.bridges);
+      join(next, piece);
+      piece.isTraced_ = true;
+      timed(times_.joins);
+    }
+  }
+  merge(next);
+  timed(times_.joins);
+}
+
+void Curve::findSamples(const Next& next, Piece& piece, int segment) {
+  const CurveOptions& options = next.value.options;
+  piece.traced_->bridges.clear();
+  if (options.shape.kind == CurveKind::kPolyline) {
+    const int samples = options.tolerance > 0 ? 2 : options.samples;
+    *piece.traced_ = traceLeg(surface().mesh(), next.legs[segment], samples);
+    return;
+  }
+  if (!isOfCenters(options)) {
+    findAveragedSamples(next, piece, segment);
+    return;
+  }
+  SegmentFields& fields = blendOf(piece);
+  Array<CurveSample>& samples = piece.traced_->samples;
+  const Method method = options.field.method;
+  if (options.tolerance > 0) {
+    const Basis basis = [&](double t) { return piece.weights(t); };
+    samples = traceAdaptively(fields, basis, nodesOf(piece.basis_), method, options.tolerance);
+  } else {
+    samples = traceSegment(fields, piece.table_->samples, method, std::move(samples));
+  }
+}
+
+/// Of a piece of the subdivision curve.
+void Curve::findAveragedSamples(const Next& next, Piece& piece, int segment) {
+  const SegmentLayout& layout =
+      next.polygon.pieces[segment * piece.part_.count + piece.part_.index];
+  takePolygon(next.polygon, layout, workspace_->polygon);
+  Array<CurveSample>& samples = piece.traced_->samples;
+  samples.clear();
+  for (const double t : piece.table_->samples.t) {
+    samples.push_back({t,
+                       averageAt(surface().geometry(), layout.basis, workspace_->polygon, t,
+                                 workspace_->averaging),
+                       SampleStatus::kConverged});
+  }
+}
+
+void Curve::layBridges(const Next& next, Piece& piece) {
+  const CurveOptions& options = next.value.options;
+  // Paths and averages are whole.
+  if (!isOfCenters(options)) return;
+  piece.traced_->bridges =
+      bridgeSegment(*workspace_->blend, piece.basis_, piece.pointWeights_,
+                    options.tolerance == 0 && piece.table_ ? &piece.table_->middles : nullptr,
+                    options.field.method, piece.traced_->samples, workspace_->jumps);
+}
+
+void Curve::join(const Next& next, Piece& piece) {
+  const CurveOptions& options = next.value.options;
+  // A polyline's paths were found with its samples.
+  if (options.shape.kind == CurveKind::kPolyline) return;
+  const Basis basis = [&](double t) { return piece.weights(t); };
+  std::optional<EdgeCrossings> crossings;
+  if (options.geometry == CurveGeometry::kExact && isOfCenters(options)) {
+    crossings.emplace(*workspace_->blend, basis, options.field.method);
+  }
+  joinSamples(surface(), piece.traced_->samples, piece.traced_->bridges,
+              crossings ? &*crossings : nullptr, workspace_->averaging.strip, piece.traced_->path);
+}
+
+void Curve::merge(Next& next) {
+  const CurveOptions& options = next.value.options;
+  for (Segment& segment : next.segments) {
+    if (segment.pieces.count() == 1) {
+      segment.whole = segment.pieces[0].traced_;
+      continue;
+    }
+    Array<const TracedPiece*>& pieces = workspace_->pieces;
+    pieces.clear();
+    for (const Piece& piece : segment.pieces) pieces.push_back(piece.traced_.get());
+    if (!segment.whole) segment.whole = std::make_shared<TracedSegment>();
+    const bool isEven = options.tolerance == 0 || !isOfCenters(options);
+    mergePieces(pieces, isEven ? options.samples : 0, *segment.whole);
+  }
+}
+
+/// Leaves the fields to others.
+void Curve::releaseFields(Array<Segment>& segments) {
+  for (Segment& segment : segments) {
+    for (Piece& piece : segment.pieces) piece.fields_.clear();
+  }
+}
+
+}  // namespace karcher
