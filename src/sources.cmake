@@ -28,6 +28,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/source_images.cpp
   distance/tangent_maps.cpp
   distance/waypoints.cpp
+  rcm/exact_minimum.cpp
   rcm/field_options.cpp
   rcm/field_set.cpp
   rcm/gradient_operator.cpp

@@ -52,10 +52,18 @@ export type Method = 'karcher' | 'paper';
  * How the search for a center of mass ended. Only `converged` means that the point is one; otherwise
  * the point is where the search stopped.
  *
+ * - `converged`: of `centerOfMass`, with the method `karcher` and the solvers `fast` and `exact`, a
+ *   local minimum of the energy by exact distances: no point on a circle of 0.3 mean edges about it
+ *   has a lower energy by more than a thousandth of a square mean edge. Of samples of curves, of
+ *   other solvers and of the method `paper`: the gradient of the energy, as the fields estimate it,
+ *   vanishes there, and its Hessian is positive definite;
  * - `indefinite`: the Hessian is not positive definite; the points lie too far apart;
  * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
  * - `noProgress`: no point along the Newton step has a smaller gradient;
  * - `limit`: the bound on iterations was reached;
+ * - `lowerNearby`, only of `centerOfMass`: the estimated gradient vanishes, but points near by have a
+ *   lower energy by exact distances, and a search from there found no minimum, as on a surface that
+ *   is rough or creased where the center lies;
  * - `jump`, only as the reason of a bridge: the curve would jump from one local minimum to another;
  * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`.
  */
@@ -65,6 +73,7 @@ export type Status =
   | 'boundary'
   | 'noProgress'
   | 'limit'
+  | 'lowerNearby'
   | 'jump'
   | 'bridged';
 

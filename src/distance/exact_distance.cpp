@@ -346,6 +346,10 @@ void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arri
   record.crossing = crossing;
   record.via = via;
   if (!spreadsPaths(geometry_, vertex)) return;
+  if (aim_ && arrival.distance + (mesh_.positions[vertex] - aim_->center).norm() >
+                  aim_->mostLength + aim_->radius) {
+    return;
+  }
   const int bucket = queue_.bucketOf(arrival.distance);
   if (bucket < record.bucket) {
     record.bucket = bucket;
@@ -411,7 +415,15 @@ bool ExactDistance::isBehindAnother(int h, const Window& window) {
   return false;
 }
 
+/// Whether no path through the window comes to where it is wanted in time.
+bool ExactDistance::leadsAway(int h, const Window& window) const {
+  const Vec3 middle = (mesh_.positions[mesh_.tail(h)] + mesh_.positions[mesh_.head(h)]) / 2;
+  const double left = (middle - aim_->center).norm() - geometry_.edgeLength[h] / 2 - aim_->radius;
+  return leastDistance(window) + left > aim_->mostLength;
+}
+
 void ExactDistance::addWindow(int h, const Window& window) {
+  if (aim_ && leadsAway(h, window)) return;
   if (isThin_ && isBehindAnother(h, window)) return;
   if (keepsMidpoints_) midpoints_.take(h, window, queue_.leastKey());
   WaitingWindows& waiting = waitingAt(h);

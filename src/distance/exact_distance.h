@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "distance/bucket_queue.h"
 #include "distance/distance_solver.h"
@@ -89,7 +91,20 @@ class ExactDistance final : public DistanceSolver {
   /// From the next `setSource` on keeps the images whose paths pass points at this distance: once
   /// all within it is grown, the least of their lengths to such a point is its distance.
   void keepImages(double distance) { images_.keep(distance); }
+  /// The same for all points of these faces.
+  void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }
   const Array<SourceImage>& images() const { return images_.all(); }
+
+  /// What paths are wanted for: those to a ball in space, none longer than `mostLength`.
+  struct Aim {
+    Vec3 center = Vec3::Zero();
+    double radius = 0;
+    double mostLength = kInfinity;
+  };
+  /// From the next `setSource` on leaves out what cannot be on such a path, since the straight way
+  /// on is too long. Lengths that are found to points in the ball are exact up to `mostLength`;
+  /// all others are upper bounds, whatever `reached` is.
+  void aimAt(const std::optional<Aim>& aim) { aim_ = aim; }
 
  private:
   static constexpr int kNotQueued = std::numeric_limits<int>::max();
@@ -121,6 +136,7 @@ class ExactDistance final : public DistanceSolver {
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
   void addWindow(int h, const Window& window);
+  bool leadsAway(int h, const Window& window) const;
   bool isBehindAnother(int h, const Window& window);
   void reachAlongEdges();
 
@@ -144,6 +160,7 @@ class ExactDistance final : public DistanceSolver {
   };
   Array<AimedWindow> leftward_;
   Array<AimedWindow> rightward_;
+  std::optional<Aim> aim_;
   WatchedTarget target_;
   SourceImages images_;
 };

@@ -4,6 +4,17 @@
 
 namespace karcher {
 
+double lengthFrom(const SourceImage& image, const Vec2& point) {
+  constexpr double kTolerance = 1e-9;  // radians: the rounding of a sector's sides
+  const Vec2 toPoint = point - image.source;
+  const double leg = toPoint.norm();
+  const bool isSeen =
+      image.isFull || (cross(image.right, toPoint) >= -kTolerance * leg &&
+                       cross(toPoint, image.left) >= -kTolerance * leg &&
+                       (image.right + image.left).dot(toPoint) >= -kTolerance * leg);
+  return isSeen ? image.offset + leg : kInfinity;
+}
+
 void SourceImages::addSource(int face, const SurfacePoint& source) {
   SourceImage image;
   image.face = face;
@@ -15,7 +26,7 @@ void SourceImages::addSource(int face, const SurfacePoint& source) {
 void SourceImages::addWindows(int h, const Array<Window>& windows, double tailDistance) {
   const double diameter = std::max(
       {geometry_.edgeLength[h], geometry_.edgeLength[next(h)], geometry_.edgeLength[previous(h)]});
-  if (tailDistance + diameter < distance_) return;
+  if (isNotAsked(faceOf(h), 0, tailDistance + diameter)) return;
   const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
   const Vec2 origin = cornerInFace(geometry_, faceOf(h), cornerOf(h));
   for (const Window& window : windows) {
@@ -31,7 +42,7 @@ void SourceImages::addWindows(int h, const Array<Window>& windows, double tailDi
 
 void SourceImages::addCorner(int h, double distance, double from, double to) {
   const double longest = std::max(geometry_.edgeLength[h], geometry_.edgeLength[previous(h)]);
-  if (distance > distance_ || distance + longest < distance_) return;
+  if (isNotAsked(faceOf(h), distance, distance + longest)) return;
   const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
   images_.push_back({faceOf(h), cornerInFace(geometry_, faceOf(h), cornerOf(h)), distance,
                      rotate(along, unitVector(std::max(from, 0.0))),

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <utility>
+
 #include "distance/window.h"
 #include "intrinsic/geometry.h"
 
@@ -19,14 +22,27 @@ struct SourceImage {
   bool isFull = false;
 };
 
-/// The images whose paths pass points at one distance from the source.
+/// The length of the path from an image to a point of its face, given in the face's frame;
+/// kInfinity where the image does not see the point.
+double lengthFrom(const SourceImage& image, const Vec2& point);
+
+/// The images whose paths pass points at one distance from the source, or points of given faces.
 class SourceImages {
  public:
   /// The geometry must outlive the object.
   explicit SourceImages(const Geometry& geometry) : geometry_(geometry) {}
 
   /// From now on keeps images for points at this distance.
-  void keep(double distance) { distance_ = distance; }
+  void keep(double distance) {
+    distance_ = distance;
+    faces_.clear();
+  }
+  /// From now on keeps all images in these faces.
+  void keepIn(Array<int> faces) {
+    distance_ = kInfinity;
+    faces_ = std::move(faces);
+    std::sort(faces_.begin(), faces_.end());
+  }
   bool areKept() const { return distance_ >= 0; }
   void clear() { images_.clear(); }
   const Array<SourceImage>& all() const { return images_; }
@@ -42,8 +58,15 @@ class SourceImages {
   void addCorner(int h, double distance, double from, double to);
 
  private:
+  /// Whether no point of a face can matter, all of which lie between two distances.
+  bool isNotAsked(int face, double nearest, double farthest) const {
+    if (!faces_.empty()) return !std::binary_search(faces_.begin(), faces_.end(), face);
+    return nearest > distance_ || farthest < distance_;
+  }
+
   const Geometry& geometry_;
   double distance_ = -1;  ///< none are kept
+  Array<int> faces_;      ///< sorted; empty where the distance counts
   Array<SourceImage> images_;
 };
 

@@ -160,6 +160,10 @@ const char* traceStopName(TraceStop stop) {
   return "unknown";
 }
 
+int mostCrossingsOfSearch(const TriangleMesh& mesh) {
+  return static_cast<int>(16'000 + 256 * std::sqrt(mesh.faceCount()));
+}
+
 StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
                                  const Vec2& vector, const StraightestOptions& options) {
   if (!vector.allFinite()) {

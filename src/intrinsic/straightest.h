@@ -20,6 +20,11 @@ struct StraightestOptions {
   int maxCrossings = 1'000'000;
 };
 
+/// A bound for all steps of a search together: many times what shortest paths cross, each of which
+/// crosses a face once, and few of a large mesh. Beyond it a walk winds round the surface, as round
+/// the tip of a cone 1 wide and 1e5 high, where half the height is a million crossings.
+int mostCrossingsOfSearch(const TriangleMesh& mesh);
+
 struct StraightestPath {
   /// From the start to the end, at least these two. Consecutive points lie in the face of the later
   /// one: a crossing of an edge is given in the face that the path leaves, and again in the face

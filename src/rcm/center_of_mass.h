@@ -13,6 +13,9 @@ enum class Status {
   kBoundary,    ///< the minimum lies on the boundary, where grad K does not vanish
   kNoProgress,  ///< no point along the Newton step has a smaller gradient
   kLimit,       ///< the bound on iterations was reached
+  /// A zero, but near it K by exact distances is lower (exact_minimum.h). Only where means are
+  /// checked (mean.h).
+  kLowerNearby,
 };
 
 /// The name of a status in reports: "converged".

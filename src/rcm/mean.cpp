@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "rcm/exact_minimum.h"
 #include "rcm/summed_field.h"
 
 namespace karcher {
@@ -93,6 +94,44 @@ Mean lowestMinimum(FieldBlend& fields, const Array<double>& weights,
   return best;
 }
 
+/// Distances of a point as fields have them at a vertex beside it, no shorter.
+Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
+                            const SurfacePoint& point) {
+  int corner = 0;
+  point.bary.maxCoeff(&corner);
+  const int vertex = geometry.mesh->corner(point.face, corner);
+  const double leg = (geometry.mesh->positions[vertex] - position(*geometry.mesh, point)).norm();
+  Array<double> distances;
+  for (ControlField* field : fields) {
+    distances.push_back(std::sqrt(field->at(vertex).squaredDistance) + leg);
+  }
+  return distances;
+}
+
+bool isToBeChecked(const Mean& mean, const MeanOptions& options) {
+  return options.isChecked && mean.status == Status::kConverged &&
+         options.field.method == Method::kKarcher && options.field.solver != Solver::kGraph;
+}
+
+/// A center that is a minimum by exact distances too; `fields`, if not empty, are those of the
+/// points.
+Mean checkedMean(const Mean& mean, FieldBlend& blend, Weights ofBlend,
+                 const Array<ControlField*>& fields, const Array<SurfacePoint>& points,
+                 Weights weights) {
+  const Geometry& geometry = blend.geometry();
+  ExactEnergy energy(geometry, points, weights);
+  if (!fields.empty()) energy.guesses = distancesNear(geometry, fields, mean.point);
+  const ExactMinimum found = exactMinimumNear(geometry, energy, mean.point);
+  Mean checked = mean;
+  checked.iterations += found.moves;
+  if (!found.isLowest) checked.status = Status::kLowerNearby;
+  if (found.moves > 0) {
+    checked.point = found.point;
+    checked.energy = blend.energy(found.point, ofBlend);
+  }
+  return checked;
+}
+
 /// How many values the fields of these points would hold: those of the vertices within the points'
 /// spread of each.
 double likelyValues(const Surface& surface, const Array<SurfacePoint>& points) {
@@ -156,13 +195,22 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   if (values > options.mostValues) {
     ControlField sum = sumOfFields(surface, points, weights, options.field);
     FieldBlend field(surface.geometry(), {&sum});
-    return withSoundEnergy(search(field, {1}, points, heaviest(weights), options), weights);
+    const Array<double> one{1};
+    Mean mean = search(field, one, points, heaviest(weights), options);
+    if (isToBeChecked(mean, options)) {
+      mean = checkedMean(mean, field, one, {}, points, weights);
+    }
+    return withSoundEnergy(mean, weights);
   }
   Array<std::shared_ptr<PointField>> fields = fieldsOf(*set, points);
   Array<ControlField*> pointers;
   for (const auto& field : fields) pointers.push_back(&field->field());
-  FieldBlend blend(surface.geometry(), std::move(pointers));
-  Mean mean = withSoundEnergy(search(blend, weights, points, heaviest(weights), options), weights);
+  FieldBlend blend(surface.geometry(), pointers);
+  Mean mean = search(blend, weights, points, heaviest(weights), options);
+  if (isToBeChecked(mean, options)) {
+    mean = checkedMean(mean, blend, weights, pointers, points, weights);
+  }
+  mean = withSoundEnergy(mean, weights);
   const bool isKept = values <= options.mostValues / 4;
   if (!isKept) fields.clear();
   // Of more points that there were before, not more than as many again.

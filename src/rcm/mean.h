@@ -31,6 +31,11 @@ struct MeanOptions {
   /// more values than this; else they are summed one after the other (summed_field.h), which takes
   /// the memory of one over the whole surface. A value takes about 150 bytes.
   double mostValues = 2e6;
+  /// With kKarcher and fast or exact distances: kConverged only where K by exact distances has a
+  /// local minimum (exact_minimum.h), to which the center is moved from a zero near by; else the
+  /// status is kLowerNearby. Without it kConverged is any zero with a positive definite Hessian, as
+  /// of a curve's samples.
+  bool isChecked = true;
 };
 
 /// Points that are all one, but for those of weight 0, are their own mean, with no energy.

@@ -25,11 +25,13 @@ class NewtonSearch {
         geometry_(fields.geometry()),
         mesh_(*geometry_.mesh),
         weights_(weights),
-        point_(start) {}
+        point_(start),
+        crossingsLeft_(mostCrossingsOfSearch(mesh_)) {}
 
   CenterOfMass run() {
     const double tolerance = kGradientTolerance * geometry_.diagonal;
-    for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
+    int iteration = 1;
+    for (; iteration <= kMaxIterations && crossingsLeft_ > 0; ++iteration) {
       const TriangleField field = fields_.blend(point_.face, weights_);
       const Hessian h = hessian(geometry_, point_.face, field);
       if (!h.positiveDefinite()) return {point_, Status::kIndefinite, iteration};
@@ -47,7 +49,7 @@ class NewtonSearch {
         return {point_, status_, iteration};
       }
     }
-    return {point_, Status::kLimit, kMaxIterations};
+    return {point_, Status::kLimit, iteration - 1};
   }
 
  private:
@@ -64,7 +66,9 @@ class NewtonSearch {
   /// smallest gradient.
   Candidate bestAlongStep(const Vec2& step) {
     Candidate best;
-    const SurfacePath path = traceStraightest(geometry_, point_, step).path;
+    const SurfacePath path =
+        traceStraightest(geometry_, point_, step, {.maxCrossings = crossingsLeft_}).path;
+    crossingsLeft_ -= path.points.count() / 2;
     for (int i = 1; i < path.points.count(); ++i) {
       const SurfacePoint& p = path.points[i];
       const double gradient = fields_.blend(p.face, weights_).at(p.bary).norm();
@@ -138,6 +142,7 @@ class NewtonSearch {
   const TriangleMesh& mesh_;
   Weights weights_;
   SurfacePoint point_;
+  int crossingsLeft_;
   Status status_ = Status::kNoProgress;
   /// Faces around the same edge or vertex that were left without progress.
   int facesTried_ = 0;

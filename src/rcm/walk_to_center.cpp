@@ -19,6 +19,8 @@ const char* statusName(Status status) {
       return "noProgress";
     case Status::kLimit:
       return "limit";
+    case Status::kLowerNearby:
+      return "lowerNearby";
   }
   return "unknown";
 }
@@ -104,13 +106,17 @@ class ZeroWalk {
   /// Gradient descent by the natural step, p <- exp_p(sum_i w_i log_p(p_i)), until the zero is
   /// near.
   SurfacePoint descend(SurfacePoint point) {
-    while (descents_ < kMostDescents) {
+    int crossingsLeft = mostCrossingsOfSearch(*geometry_.mesh);
+    while (descents_ < kMostDescents && crossingsLeft > 0) {
       ++descents_;
       // Weights far from 0 and 1 ask for steps that would wind round the surface again and again.
       const Vec2 wanted = -fields_.at(point, weights_) / 2;
       const Vec2 step =
           wanted * std::min(1.0, kLongestDescent * geometry_.diagonal / wanted.norm());
-      point = traceStraightest(geometry_, point, step).path.end();
+      const SurfacePath path =
+          traceStraightest(geometry_, point, step, {.maxCrossings = crossingsLeft}).path;
+      crossingsLeft -= path.points.count() / 2;
+      point = path.end();
       const std::optional<CellZero> zero = zeroOfCell(fields_, weights_, cells_.at(point).cell);
       if (zero && zero->depth() > kFarWeight) break;
       if (step.norm() < 1e-3 * geometry_.meanEdge) break;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "distance_meshes.h"
+#include "generators/gallery.h"
 #include "generators/random.h"
 #include "mesh/error.h"
 #include "support.h"
@@ -88,6 +89,28 @@ TEST(Straightest, StopsAtTheLimitWithTheLengthLeft) {
   EXPECT_EQ(path.stop, TraceStop::kLimit);
   EXPECT_GT(path.remaining, 900);
   EXPECT_STREQ(traceStopName(path.stop), "limit");
+}
+
+TEST(Straightest, ASearchDoesNotWindRoundATipForever) {
+  // 1 wide and 1e5 high: a straight line past the tip turns round it a hundred thousand times.
+  const TriangleSoup soup = wheel(13, 0, 1e5);
+  const MeasuredMesh cone(buildMesh(soup.positions, soup.triangles));
+  const int most = mostCrossingsOfSearch(cone.mesh);
+  EXPECT_LT(most, 20'000);
+  const SurfacePoint start{2, Vec3(0.3, 0.4, 0.3)};
+  const Vec2 toTip = cornerInFace(cone.geometry, 2, 0) - pointInFace(cone.geometry, start);
+  const StraightestPath path = traceStraightest(
+      cone.geometry, start, rotate(unitVector(1e-6), toTip * 1.5), {.maxCrossings = most});
+  EXPECT_EQ(path.stop, TraceStop::kLimit);
+  EXPECT_GT(path.remaining, 0);
+
+  // As far as a path of a plane goes.
+  const TriangleMesh plane = planeGrid(40, 40);
+  const Geometry flat = buildGeometry(plane);
+  const StraightestPath across =
+      traceStraightest(flat, nearestPoint(plane, Vec3(0.3, 0.1, 0)), Vec2(39, 38.5),
+                       {.maxCrossings = mostCrossingsOfSearch(plane)});
+  EXPECT_NE(across.stop, TraceStop::kLimit);
 }
 
 TEST(Straightest, FollowsAStraightBoundary) {

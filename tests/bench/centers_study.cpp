@@ -1,0 +1,244 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "bench_support.h"
+#include "generators/gallery.h"
+#include "mesh/error.h"
+#include "rcm/exact_minimum.h"
+#include "rcm/mean.h"
+
+/// What `converged` of a center of mass is worth, on the gallery of meshes that try solvers
+/// (generators/gallery.h), or on meshes of files. Random points with random weights; every other
+/// case has points within a tenth of the diagonal. For each mesh:
+///
+/// - how the searches ended;
+/// - of those that converged, how many are no minimum: on a circle of .3 mean edges about the
+///   center, at 97 points, the energy by exact distances is lower by more than 1e-3 square mean
+///   edges; and by how much it is lower at most, in square mean edges; both without the check by
+///   exact distances (MeanOptions::isChecked) and with it;
+/// - how far rotations of the mesh about its middle and away from it, and scale by a power of two,
+///   move the centers, as a part of the diagonal: how many by more than 1e-9 where the two energies
+///   differ by 1e-6 of them or more, how many where they differ less (ties), and the farthest of
+///   the former;
+/// - milliseconds a center, without and with what is kept.
+///
+///   centers_study [--cases N] [--solver exact] [PART_OF_A_NAME | MESH.obj ...]
+namespace karcher {
+namespace {
+
+constexpr uint64_t kSeed = 29;
+constexpr int kPoints = 4;
+constexpr int kOnCircle = 97;
+constexpr double kMoved = 1e-9;
+constexpr double kTie = 1e-6;
+
+struct Options {
+  int cases = 8;
+  Solver solver = Solver::kFast;
+};
+
+struct Lower {
+  int count = 0;
+  double worst = 0;  ///< square mean edges
+
+  void take(double lower) {
+    count += lower > kLowerBy ? 1 : 0;
+    worst = std::max(worst, lower);
+  }
+  void take(const Lower& other) {
+    count += other.count;
+    worst = std::max(worst, other.worst);
+  }
+};
+
+struct Row {
+  std::map<std::string, int> statuses;
+  Lower unchecked;
+  Lower checked;
+  int moved = 0;
+  int ties = 0;
+  double farthest = 0;
+  double uncheckedTime = 0;
+  double time = 0;
+};
+
+/// Turned about the middle of its box, scaled, and moved by some diagonals.
+TriangleMesh movedMesh(const TriangleMesh& mesh, const Vec3& by, double scale) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : mesh.positions) middle += p / mesh.vertexCount();
+  const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
+  Array<Vec3> positions = mesh.positions;
+  for (Vec3& p : positions) p = scale * p;
+  if (scale == 1) {
+    for (Vec3& p : positions) p = turn * (p - middle) + by;
+  }
+  return buildMesh(positions, mesh.faces);
+}
+
+Array<SurfacePoint> randomPoints(const TriangleMesh& mesh, double diagonal, bool isNear,
+                                 Random& random) {
+  Array<SurfacePoint> points{randomPoint(mesh, random)};
+  const Vec3 first = position(mesh, points[0]);
+  for (int tries = 0; points.count() < kPoints; ++tries) {
+    const SurfacePoint point = randomPoint(mesh, random);
+    const bool fits = (position(mesh, point) - first).norm() <= diagonal / 10;
+    if (!isNear || fits || tries > 10'000) points.push_back(point);
+  }
+  return points;
+}
+
+/// By how much the lowest of the points on the circle is lower than the center, in square mean
+/// edges. The distances are not aimed, so that they are others than those the search went by.
+double lowerOnCircle(const Geometry& geometry, const Array<SurfacePoint>& points,
+                     const Array<double>& weights, const SurfacePoint& center) {
+  const double radius = kCheckedRadius * geometry.meanEdge;
+  ExactEnergy energy(geometry, points, weights);
+  energy.guesses.assign(kPoints, 1e3 * geometry.diagonal);
+  Array<SurfacePoint> places{center};
+  for (const SurfacePoint& place : circleAround(geometry, center, radius, kOnCircle)) {
+    places.push_back(place);
+  }
+  const Array<double> values = energy.at(center, radius, places);
+  const double least = *std::min_element(values.begin() + 1, values.end());
+  return std::max(0.0, values[0] - least) / square(geometry.meanEdge);
+}
+
+Row measure(const TriangleMesh& mesh, const Options& options) {
+  Surface surface(mesh);
+  const Geometry& geometry = surface.geometry();
+  Surface turned(movedMesh(mesh, Vec3::Zero(), 1));
+  Surface away(movedMesh(mesh, 10 * geometry.diagonal * Vec3(0.6, -0.5, 0.62), 1));
+  Surface scaled(movedMesh(mesh, Vec3::Zero(), 8));
+  MeanOptions mean;
+  mean.field.solver = options.solver;
+  mean.normalize = true;
+  prepareFields(surface, mean.field);
+  Random random(kSeed);
+  Row row;
+  for (int i = 0; i < options.cases; ++i) {
+    const Array<SurfacePoint> points = randomPoints(mesh, geometry.diagonal, i % 2 == 1, random);
+    Array<double> weights;
+    for (int k = 0; k < kPoints; ++k) weights.push_back(random.uniform(0.1, 1));
+    double sum = 0;
+    for (const double weight : weights) sum += weight;
+    for (double& weight : weights) weight /= sum;
+    Mean center;
+    try {
+      row.uncheckedTime += processorTimed([&] {
+        mean.isChecked = false;
+        center = centerOfMass(surface, points, weights, mean);
+      });
+      if (center.status == Status::kConverged) {
+        row.unchecked.take(lowerOnCircle(geometry, points, weights, center.point));
+      }
+      row.time += processorTimed([&] {
+        mean.isChecked = true;
+        center = centerOfMass(surface, points, weights, mean);
+      });
+    } catch (const Error& error) {
+      ++row.statuses[error.code() == ErrorCode::kUnreachable ? "apart" : error.what()];
+      continue;
+    }
+    ++row.statuses[statusName(center.status)];
+    if (center.status != Status::kConverged) continue;
+    row.checked.take(lowerOnCircle(geometry, points, weights, center.point));
+    ExactEnergy energy(geometry, points, weights);
+    const double here = energy.at(center.point, 0, {center.point})[0];
+    for (Surface* other : {&turned, &away, &scaled}) {
+      const Mean there = centerOfMass(*other, points, weights, mean);
+      const double moved =
+          (position(mesh, there.point) - position(mesh, center.point)).norm() / geometry.diagonal;
+      if (moved <= kMoved) continue;
+      const double value = energy.at(there.point, 0, {there.point})[0];
+      if (there.status == Status::kConverged && std::abs(value - here) < kTie * here) {
+        ++row.ties;
+      } else {
+        ++row.moved;
+        row.farthest = std::max(row.farthest, moved);
+      }
+    }
+  }
+  row.time /= options.cases;
+  row.uncheckedTime /= options.cases;
+  return row;
+}
+
+void print(const std::string& name, const TriangleMesh& mesh, const Options& options, Row& total) {
+  std::printf("| %s | %d | ", name.c_str(), mesh.faceCount());
+  std::fflush(stdout);
+  try {
+    const Row row = measure(mesh, options);
+    for (const auto& [status, count] : row.statuses) {
+      std::printf("%d %s ", count, status.c_str());
+      total.statuses[status] += count;
+    }
+    std::printf("| %d | %.1e | %d | %.1e | %d | %d | %.0e | %.1f | %.1f |\n", row.unchecked.count,
+                row.unchecked.worst, row.checked.count, row.checked.worst, row.moved, row.ties,
+                row.farthest, row.uncheckedTime, row.time);
+    total.unchecked.take(row.unchecked);
+    total.checked.take(row.checked);
+    total.moved += row.moved;
+    total.ties += row.ties;
+    total.farthest = std::max(total.farthest, row.farthest);
+  } catch (const std::exception& error) {
+    std::printf("%s |\n", error.what());
+  }
+  std::fflush(stdout);
+}
+
+bool isFile(const std::string& name) { return name.find(".obj") != std::string::npos; }
+
+}  // namespace
+}  // namespace karcher
+
+int main(int argc, char** argv) {
+  try {
+    karcher::Options options;
+    karcher::Array<std::string> names;
+    for (int i = 1; i < argc; ++i) {
+      const std::string word = argv[i];
+      if (word == "--cases" && i + 1 < argc) {
+        options.cases = std::stoi(argv[++i]);
+      } else if (word == "--solver" && i + 1 < argc) {
+        options.solver =
+            std::string(argv[++i]) == "exact" ? karcher::Solver::kExact : karcher::Solver::kFast;
+      } else {
+        names.push_back(word);
+      }
+    }
+    std::printf("%d centers a mesh of %d points, seed %d\n\n", options.cases, karcher::kPoints,
+                static_cast<int>(karcher::kSeed));
+    std::printf(
+        "| mesh | triangles | ended | unchecked: no minimum | lower by, h2 | checked: no minimum | "
+        "lower by, h2 | moved | ties | farthest | unchecked: ms | checked: ms |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+    karcher::Row total;
+    for (const std::string& name : names) {
+      if (!karcher::isFile(name)) continue;
+      karcher::print(name.substr(name.rfind('/') + 1), karcher::loadBenchMesh(name, "").mesh,
+                     options, total);
+    }
+    const bool onlyFiles = !names.empty() && karcher::isFile(names[0]);
+    for (const karcher::GalleryMesh& example : karcher::gallery()) {
+      if (onlyFiles) break;
+      if (!names.empty() && example.name.find(names[0]) == std::string::npos) continue;
+      karcher::print(example.name,
+                     karcher::buildMesh(example.soup.positions, example.soup.triangles), options,
+                     total);
+    }
+    std::printf("\nin all:");
+    for (const auto& [status, count] : total.statuses) {
+      std::printf(" %d %s,", count, status.c_str());
+    }
+    std::printf(" no minimum: unchecked %d (lower by %.1e h2 at most), checked %d (%.1e h2);",
+                total.unchecked.count, total.unchecked.worst, total.checked.count,
+                total.checked.worst);
+    std::printf(" moved %d, ties %d, farthest %.0e\n", total.moved, total.ties, total.farthest);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
