@@ -244,7 +244,8 @@ export interface MeanWeights {
    * Whether the search for the center of mass of these weights, started at the point, stays there, to
    * 1e-9 mean edges. It does not where the energy's Hessian is not positive definite, which happens
    * with negative weights and with points far apart; nor beside an edge at which fields jump, if the
-   * face on the other side has the deeper minimum.
+   * face on the other side has the deeper minimum; nor where the energy by exact distances is lower near
+   * by, see `Status`.
    */
   isMinimum: boolean;
 }

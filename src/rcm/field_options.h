@@ -30,6 +30,12 @@ struct FieldOptions {
   bool operator==(const FieldOptions&) const = default;
 };
 
+/// Whether centers of mass in such fields are held to exact distances (exact_minimum.h): the others
+/// are minima of another energy.
+inline bool areHeldToExact(const FieldOptions& options) {
+  return options.method == Method::kKarcher && options.solver != Solver::kGraph;
+}
+
 /// Throws Error kBadArgument for a combination that does not exist.
 void checkFieldOptions(const FieldOptions& options);
 

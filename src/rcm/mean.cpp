@@ -109,8 +109,7 @@ Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>
 }
 
 bool isToBeChecked(const Mean& mean, const MeanOptions& options) {
-  return options.isChecked && mean.status == Status::kConverged &&
-         options.field.method == Method::kKarcher && options.field.solver != Solver::kGraph;
+  return options.isChecked && mean.status == Status::kConverged && areHeldToExact(options.field);
 }
 
 /// A center that is a minimum by exact distances too; `fields`, if not empty, are those of the

@@ -5,6 +5,7 @@
 
 #include "mesh/error.h"
 #include "rcm/center_of_mass.h"
+#include "rcm/exact_minimum.h"
 #include "rcm/field_blend.h"
 
 namespace karcher {
@@ -249,6 +250,10 @@ MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfaceP
   const double moved = (position(mesh, center.point) - position(mesh, x)).norm();
   result.isMinimum =
       center.status == Status::kConverged && moved <= kStays * set.surface().geometry().meanEdge;
+  if (result.isMinimum && areHeldToExact(set.options())) {
+    ExactEnergy energy(set.surface().geometry(), points, result.weights);
+    result.isMinimum = exactMinimumNear(set.surface().geometry(), energy, x).moves == 0;
+  }
   return result;
 }
 

@@ -9,7 +9,7 @@ export const reasons: Record<LostReason, string> = {
   boundary: 'the surface ends',
   noProgress: 'the search got stuck',
   limit: 'the search took too long',
-  lowerNearby: 'the surface is too rough there for a minimum to be told',
+  lowerNearby: 'the surface is too rough there to tell a minimum',
 };
 const mostShown = 40;
 
