@@ -107,7 +107,7 @@ Curve::Curve(Surface& surface, CurveValue value, std::function<double()> clock)
 
 Curve::Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<double()> clock)
     : fieldSets_(std::move(sets)),
-      fieldSet_(fieldSets_->of(value.options.field)),
+      fieldSet_(trimmedAfter(fieldSets_->of(value.options.field))),
       clock_(std::move(clock)) {
   checkOptions(value.options);
   checkGivenShape(value.options.shape, value.points.count());
@@ -117,8 +117,10 @@ Curve::Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<do
 void Curve::set(CurveValue value) {
   check(value);
   if (!(value.options.field == fieldSet_->options())) {
-    // Other fields: nothing of this curve holds.
-    *this = Curve(fieldSets_, std::move(value), clock_);
+    // Other fields: nothing of this curve holds, and the ones that it has go before their set.
+    Curve other(fieldSets_, std::move(value), clock_);
+    segments_.clear();
+    *this = std::move(other);
     return;
   }
   const int madeBefore = fieldSet_->made();
@@ -131,11 +133,13 @@ void Curve::set(CurveValue value) {
     times_ = timesBefore;
     throw;
   }
+  const int piecesBefore = segments_.count() * piecesPerSegment();
   std::swap(value_, next_.value);
   levels_ = next_.levels;
   legs_.swap(next_.legs);
   segments_.swap(next_.segments);
   releaseFields(next_.segments);
+  if (segments_.count() * piecesPerSegment() < piecesBefore) fieldSet_->trim();
   fieldsMade_ += fieldSet_->made() - madeBefore;
 }
 

@@ -1,5 +1,6 @@
 #include "rcm/field_set.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -38,19 +39,21 @@ std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point,
   }
   try {
     fields_[place]->setPoint(point, box);
+    if (entry.empty()) {
+      placeOf_.emplace(Key{point, box}, place);
+    } else {
+      entry.key() = {point, box};
+      placeOf_.insert(std::move(entry));
+    }
   } catch (...) {
-    // What is half made must not be found by its point.
-    std::swap(fields_[place], fields_.back());
+    // What is half made must not be found by its point, nor stay. Nothing may be allocated here.
+    if (place + 1 < fields_.count()) {
+      std::swap(fields_[place], fields_.back());
+      renumber(place);
+    }
     fields_.pop_back();
-    placeOf_.clear();
-    for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(keyOf(*fields_[i]), i);
+    next_ = 0;
     throw;
-  }
-  if (entry.empty()) {
-    placeOf_.emplace(Key{point, box}, place);
-  } else {
-    entry.key() = {point, box};
-    placeOf_.insert(std::move(entry));
   }
   ++made_;
   return fields_[place];
@@ -71,11 +74,30 @@ int FieldSet::findSpare() {
   return -1;
 }
 
+void FieldSet::renumber(int place) {
+  const auto known = placeOf_.find(keyOf(*fields_[place]));
+  if (known != placeOf_.end()) known->second = place;
+}
+
 void FieldSet::dropSpare(int kept) {
-  std::erase_if(fields_, [&](const auto& field) { return field.use_count() == 1 && --kept < 0; });
-  placeOf_.clear();
-  for (int i = 0; i < fields_.count(); ++i) placeOf_.emplace(keyOf(*fields_[i]), i);
+  std::erase_if(fields_, [&](const auto& field) {
+    if (field.use_count() > 1 || --kept >= 0) return false;
+    placeOf_.erase(keyOf(*field));
+    return true;
+  });
+  for (int i = 0; i < fields_.count(); ++i) renumber(i);
   next_ = 0;
+}
+
+void FieldSet::trim() {
+  const auto held = std::count_if(fields_.begin(), fields_.end(),
+                                  [](const auto& field) { return field.use_count() > 1; });
+  if (fields_.count() > 2 * held) dropSpare(static_cast<int>(held));
+}
+
+std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set) {
+  FieldSet* const pointer = set.get();
+  return {pointer, [set = std::move(set)](FieldSet*) { set->trim(); }};
 }
 
 std::shared_ptr<FieldSet> FieldSets::of(const FieldOptions& options) {

@@ -37,6 +37,9 @@ class FieldSet {
   /// Gives the memory of spare fields back, but of at most `kept` of them.
   void dropSpare(int kept = 0);
 
+  /// The same, but of as many as are held.
+  void trim();
+
   /// How many fields there are.
   int count() const { return fields_.count(); }
 
@@ -56,6 +59,9 @@ class FieldSet {
   };
   static Key keyOf(const PointField& field) { return {field.point(), field.box()}; }
 
+  /// Tells the place of a field that was moved there.
+  void renumber(int place);
+
   /// The place of a spare field, in turn; -1 if there is none.
   int findSpare();
 
@@ -66,6 +72,10 @@ class FieldSet {
   int next_ = 0;  ///< where the search for a spare field goes on
   int made_ = 0;
 };
+
+/// The same set for a curve, which may hold many fields: when the last copy of the pointer goes,
+/// the set is trimmed, since what that curve held is spare then.
+std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set);
 
 /// The sets of one surface: one for each options that somebody uses.
 class FieldSets {

@@ -1,0 +1,124 @@
+#include "rcm/field_set.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "curve_support.h"
+#include "curves/curve.h"
+#include "mesh/error.h"
+#include "mesh/surface_point.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+using Held = Array<std::shared_ptr<PointField>>;
+
+Held fieldsAt(FieldSet& set, const Array<SurfacePoint>& points) {
+  Held fields;
+  for (const SurfacePoint& point : points) fields.push_back(set.at(point));
+  return fields;
+}
+
+/// The mesh's vertices, one after the other.
+Array<SurfacePoint> someVertices(const TriangleMesh& mesh, int count) {
+  Array<SurfacePoint> points;
+  for (int vertex = 0; vertex < count; ++vertex) points.push_back(vertexPoint(mesh, 3 * vertex));
+  return points;
+}
+
+TEST(FieldSet, SparesAreMovedAndAFieldIsFoundWhereItWasMovedTo) {
+  Surface surface(planeGrid(8, 8));
+  const TriangleMesh& mesh = surface.mesh();
+  FieldSet set(surface, kFast);
+  fieldsAt(set, {vertexPoint(mesh, 10), vertexPoint(mesh, 20)});
+  const Held held = fieldsAt(set, {vertexPoint(mesh, 30)});
+  EXPECT_EQ(set.count(), 2);
+  EXPECT_EQ(set.made(), 3);
+  EXPECT_EQ(set.find(vertexPoint(mesh, 30)), held[0]);
+  EXPECT_NE(set.find(vertexPoint(mesh, 20)), nullptr);
+  EXPECT_EQ(set.find(vertexPoint(mesh, 10)), nullptr);
+}
+
+TEST(FieldSet, IsWholeAfterAFieldThatCouldNotBeMade) {
+  Surface surface(planeGrid(8, 8));
+  const TriangleMesh& mesh = surface.mesh();
+  FieldSet set(surface, kPaperExact);
+  {
+    const Held three =
+        fieldsAt(set, {vertexPoint(mesh, 10), vertexPoint(mesh, 20), vertexPoint(mesh, 30)});
+  }
+  set.at(vertexPoint(mesh, 40));
+  // The second place is looked at next, and the third would be after it: it is gone by then.
+  {
+    // For once the mesh is one that exact distances refuse.
+    double& longest = const_cast<Geometry&>(surface.geometry()).longestEdge;
+    const double before = std::exchange(longest, 1e300);
+    EXPECT_THROW(set.at(vertexPoint(mesh, 70)), Error);
+    longest = before;
+  }
+  EXPECT_EQ(set.find(vertexPoint(mesh, 70)), nullptr);
+  EXPECT_EQ(set.count(), 2);
+  const int made = set.made();
+  const Held held = fieldsAt(set, {vertexPoint(mesh, 40), vertexPoint(mesh, 50),
+                                   vertexPoint(mesh, 60), vertexPoint(mesh, 30)});
+  EXPECT_EQ(set.made(), made + 3) << "40 was there";
+  for (const int vertex : {30, 40, 50, 60}) {
+    const auto found = set.find(vertexPoint(mesh, vertex));
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->point().face, vertexPoint(mesh, vertex).face);
+    EXPECT_EQ(found->point().bary, vertexPoint(mesh, vertex).bary);
+  }
+}
+
+TEST(FieldSet, DropsSparesAndKeepsWhatIsHeld) {
+  Surface surface(planeGrid(8, 8));
+  const TriangleMesh& mesh = surface.mesh();
+  FieldSet set(surface, kFast);
+  Held held;
+  for (int vertex = 0; vertex < 20; ++vertex) held.push_back(set.at(vertexPoint(mesh, vertex)));
+  for (int vertex = 0; vertex < 15; ++vertex) held[vertex].reset();
+  set.trim();
+  EXPECT_EQ(set.count(), 10) << "five are held, and as many are spare";
+  set.dropSpare(2);
+  EXPECT_EQ(set.count(), 7);
+  set.dropSpare();
+  EXPECT_EQ(set.count(), 5);
+  for (int vertex = 15; vertex < 20; ++vertex) {
+    EXPECT_EQ(set.find(vertexPoint(mesh, vertex)), held[vertex]);
+  }
+  EXPECT_EQ(set.find(vertexPoint(mesh, 3)), nullptr);
+}
+
+TEST(FieldSet, ACurveThatGoesLeavesNoMoreSparesThanTheOthersHold) {
+  Surface surface(planeGrid(16, 16));
+  const TriangleMesh& mesh = surface.mesh();
+  const auto sets = std::make_shared<FieldSets>(surface);
+  CurveValue small;
+  small.options.field = kFast;
+  small.options.samples = 4;
+  small.points = someVertices(mesh, 4);
+  CurveValue large = small;
+  large.points = someVertices(mesh, 60);
+  Curve stays(sets, small);
+  const int few = sets->of(kFast)->count();
+  const auto expectFew = [&] { EXPECT_LE(sets->of(kFast)->count(), 2 * few); };
+  {
+    Curve goes(sets, large);
+    EXPECT_GT(sets->of(kFast)->count(), 5 * few);
+  }
+  expectFew();
+  stays.set(large);
+  stays.set(small);
+  expectFew();
+  // And what it had with other options.
+  Curve other(sets, large);
+  CurveValue exact = small;
+  exact.options.field = kExact;
+  other.set(exact);
+  expectFew();
+}
+
+}  // namespace
+}  // namespace karcher
