@@ -101,39 +101,61 @@ AccuracyCase::AccuracyCase(const AccuracyFamily& family, int triangles)
   truth = trueCurve(smooth, onSurface);
 }
 
-Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options) {
-  const SmoothSurface& surface = example.smooth;
-  Surface& mesh = example.surface;
-  const Array<Vec3>& truth = example.truth;
-  Curve curve(mesh, {{CurveKind::kBSpline}, kSamples, options}, example.points);
+namespace {
+
+Accuracy measured(const AccuracyCase& example, const Array<Array<CurveSample>>& segments,
+                  bool withLost) {
+  const SmoothSurface& smooth = example.smooth;
+  const Geometry& geometry = example.surface.geometry();
   Accuracy result;
-  result.meanEdge = mesh.geometry().meanEdge;
-  result.diagonal = mesh.geometry().diagonal;
+  result.meanEdge = geometry.meanEdge;
+  result.diagonal = geometry.diagonal;
   double squares = 0;
+  int count = 0;
   double noise = 0;
   int turns = 0;
-  for (int j = 0; j < curve.segmentCount(); ++j) {
+  for (int j = 0; j < segments.count(); ++j) {
     Array<Vec3> found;
-    for (const CurveSample& sample : curve.samples(j)) {
-      result.lost += sample.status != SampleStatus::kConverged;
-      found.push_back(surface.project(position(mesh.mesh(), sample.point)));
+    Array<uint8_t> counts;
+    for (const CurveSample& sample : segments[j]) {
+      const bool isLost = sample.status != SampleStatus::kConverged;
+      result.lost += isLost;
+      counts.push_back(withLost || !isLost);
+      found.push_back(smooth.project(position(example.surface.mesh(), sample.point)));
     }
-    const Array<Vec3> expected(truth.begin() + j * kSamples, truth.begin() + (j + 1) * kSamples);
+    const Array<Vec3> expected(example.truth.begin() + j * kSamples,
+                               example.truth.begin() + (j + 1) * kSamples);
     for (int i = 0; i < kSamples; ++i) {
+      if (counts[i] == 0) continue;
       const double error = (found[i] - expected[i]).norm();
       squares += error * error;
+      ++count;
       result.maximum = std::max(result.maximum, error);
     }
-    const Array<double> foundTurns = turningAngles(surface, found);
-    const Array<double> trueTurns = turningAngles(surface, expected);
+    const Array<double> foundTurns = turningAngles(smooth, found);
+    const Array<double> trueTurns = turningAngles(smooth, expected);
     for (int i = 0; i < foundTurns.count(); ++i) {
+      if (counts[i] == 0 || counts[i + 1] == 0 || counts[i + 2] == 0) continue;
       noise += std::pow(foundTurns[i] - trueTurns[i], 2);
       ++turns;
     }
   }
-  result.rms = std::sqrt(squares / (curve.segmentCount() * kSamples));
+  result.rms = std::sqrt(squares / count);
   result.turningNoise = std::sqrt(noise / turns);
   return result;
+}
+
+}  // namespace
+
+Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options) {
+  const Curve curve(example.surface, {{CurveKind::kBSpline}, kSamples, options}, example.points);
+  Array<Array<CurveSample>> segments;
+  for (int j = 0; j < curve.segmentCount(); ++j) segments.push_back(curve.samples(j));
+  return measured(example, segments, true);
+}
+
+Accuracy accuracyOfFound(const AccuracyCase& example, const Array<Array<CurveSample>>& segments) {
+  return measured(example, segments, false);
 }
 
 }  // namespace karcher

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "curves/trace/segment.h"
 #include "generators/smooth_surface.h"
 #include "mesh/triangle_soup.h"
 #include "rcm/point_field.h"
@@ -42,6 +43,10 @@ struct Accuracy {
   double diagonal = 0;
 };
 
+/// Of the engine's curve: where samples are lost, its bridges are measured.
 Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options);
+
+/// Of a curve's samples, segment by segment, only of those that converged.
+Accuracy accuracyOfFound(const AccuracyCase& example, const Array<Array<CurveSample>>& segments);
 
 }  // namespace karcher
