@@ -3,13 +3,13 @@
 // build/paper.json too.
 //
 //   npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N]
-//                    [--meshes FOLDER] [--save] [--built]
+//                    [--meshes FOLDER] [--plots] [--save] [--built]
 //
 // One figure only (or none), and then no claims; meshes of a part of the triangles; Table 1 up to so many
 // triangles (20,000) and with so many samples a segment; every OBJ file of a folder by every method, for the
-// claims about meshes that the project does not hold; the verdicts kept in docs/paper-report.json, from
-// which the page shows them; what is in dist/ as it is. Where there is nothing to write, the last report
-// stays.
+// claims about meshes that the project does not hold; only what the page plots, beside the verdicts of the
+// last report; the verdicts kept in docs/paper-report.json, from which the page shows them; what is in
+// dist/ as it is. Where there is nothing to write, the last report stays.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { arch, cpus, type } from 'node:os';
@@ -20,7 +20,7 @@ import { setUp } from './setup.mjs';
 import { inRoot } from './shell.mjs';
 
 const usage =
-  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--save] [--built]';
+  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--plots] [--save] [--built]';
 const budgetMs = 120_000;
 
 const known = {
@@ -29,6 +29,7 @@ const known = {
   table: { type: 'string' },
   samples: { type: 'string', default: '4096' },
   meshes: { type: 'string' },
+  plots: { type: 'boolean' },
   save: { type: 'boolean' },
   built: { type: 'boolean' },
 };
@@ -111,8 +112,38 @@ function about(seed) {
   };
 }
 
+/** What the page plots, without the rest. */
+async function plotsOnly() {
+  const { studySeed } = await load('claims/seed.ts');
+  const { convergence } = await load('claims/convergence.ts');
+  const { roughness } = await load('claims/roughness.ts');
+  const { loadPeers } = await load('../../dist/peers/index.js');
+  const peers = await loadPeers();
+  const told = (what) => (points) => tell(`${what}: ${points.length}`);
+  return {
+    ...about(studySeed),
+    convergence: await convergence(peers, { tell: told('convergence') }),
+    roughness: await roughness(peers, { tell: told('rough surfaces') }),
+  };
+}
+
+const jsonOf = (value) => `${JSON.stringify(value, null, 2)}\n`;
+
+/** Measures what is plotted; the report of everything keeps the rest. */
+async function renewPlots({ save }) {
+  const plots = await plotsOnly();
+  mkdirSync(inRoot('build'), { recursive: true });
+  writeFileSync(inRoot('build/paper-plots.json'), jsonOf(plots));
+  console.log('Written to build/paper-plots.json.');
+  if (!save) return;
+  const path = inRoot('docs/paper-report.json');
+  const report = JSON.parse(readFileSync(path, 'utf8'));
+  writeFileSync(path, jsonOf({ ...report, plots }));
+}
+
 async function everything(options) {
-  const { runStudies, studySeed } = await load('claims/studies.ts');
+  const { runStudies } = await load('claims/studies.ts');
+  const { studySeed } = await load('claims/seed.ts');
   const figures = await figuresPart(options);
   const table = await tablePart(options);
   const meshes = await meshesPart(options, studySeed);
@@ -128,7 +159,11 @@ async function everything(options) {
   const claims = judge(measured);
   return {
     parts: [head, claimsReport(claims), ...parts],
-    verdicts: { ...where, claims },
+    verdicts: {
+      ...where,
+      claims,
+      plots: { ...where, convergence: studies.convergence, roughness: studies.roughness },
+    },
     measured,
   };
 }
@@ -140,6 +175,10 @@ try {
     await buildWasm();
     await buildFacade();
   }
+  if (options.plots) {
+    await renewPlots(options);
+    process.exit(0);
+  }
   const { parts, verdicts, measured } = await everything(options);
   if (parts.length === 0) {
     throw new Error('There is nothing to write: no figure, and no row of Table 1 so small.');
@@ -148,9 +187,8 @@ try {
   writeFileSync(inRoot('build/paper.md'), parts.join('\n'));
   console.log('Written to build/paper.md.');
   if (verdicts) {
-    const text = (value) => `${JSON.stringify(value, null, 2)}\n`;
-    writeFileSync(inRoot('build/paper.json'), text({ ...verdicts, measured }));
-    if (options.save) writeFileSync(inRoot('docs/paper-report.json'), text(verdicts));
+    writeFileSync(inRoot('build/paper.json'), jsonOf({ ...verdicts, measured }));
+    if (options.save) writeFileSync(inRoot('docs/paper-report.json'), jsonOf(verdicts));
   }
 } catch (error) {
   const wrongArguments = error.code?.startsWith('ERR_PARSE_ARGS');

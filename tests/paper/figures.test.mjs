@@ -211,7 +211,7 @@ describe('figures', () => {
       for (const id of ['paper', 'karcher']) {
         assert.equal(panel[id].status[0].includes(1), panel[id].lost > 0, id);
       }
-      for (const id of ['weightedAverages', 'bSurf', 'bridged']) {
+      for (const id of ['weightedAverages', 'bSurf', 'bridged', 'leveled']) {
         assert.equal(good(panel[id]).lost, 0, id);
       }
       // Where both are centers of mass.
@@ -237,6 +237,25 @@ describe('figures', () => {
       assert.ok(karcher.breaks > 0 && karcher.deviation.max > 3, `${karcher.breaks}`);
       assert.deepEqual([bSurf.lost, bSurf.breaks], [0, 0]);
     }
+  });
+
+  test('far: the caption tells how sharply the curves turn, with levels and without', async () => {
+    const { figures: full } = await load('figures/index.ts');
+    const { panels, points, caption } = full.find(({ id }) => id === 'far');
+    const panel = panels.find(({ id }) => id === 'bezier');
+    const lines = {};
+    const show = (line) => {
+      lines[line.id] = good(line);
+    };
+    await lab.trace(panel, points[panel.points], ['bridged', 'leveled'], show, () => {});
+    const { bridged, leveled } = lines;
+    const [, back, at] = caption.match(/turns by ([\d.]+)° at t = (\d+\.\d+)/);
+    assert.equal(bridged.sharpestTurn.degrees.toFixed(1), back);
+    assert.equal(bridged.sharpestTurn.t.toFixed(3), at);
+    const [, most] = caption.match(/turns by ([\d.]+)° at most/);
+    assert.equal(leveled.sharpestTurn.degrees.toFixed(1), most);
+    assert.deepEqual([leveled.lost, leveled.breaks], [0, 0]);
+    assert.ok(bridged.breaks > 0);
   });
 
   test('plane: ours is exact on every tessellation, the paper’s where rings are symmetric', async () => {

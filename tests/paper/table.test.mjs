@@ -109,6 +109,8 @@ describe('the table on a page', () => {
     const [first, second] = rows.tableRows.map(({ id }) => id);
     workers[0].begin('vectorHeat');
     workers[0].finish('vectorHeat');
+    workers[0].begin('affineHeat');
+    workers[0].finish('affineHeat');
     workers[0].begin('weightedAverages');
     workers[0].break('out of memory');
     await settled();
@@ -128,6 +130,7 @@ describe('the table on a page', () => {
     assert.equal(workers.length, 2);
     assert.deepEqual(cells, [
       [first, 'vectorHeat', null],
+      [first, 'affineHeat', null],
       [first, 'weightedAverages', 'out of memory'],
       [first, 'paper', null],
       [first, 'karcher', null],
@@ -144,8 +147,8 @@ describe('the table on a page', () => {
     context.mock.timers.tick(1);
     assert.equal(workers[0].ended, true);
     assert.deepEqual(cells, [[rows.tableRows[0].id, 'vectorHeat', 'stopped after 5 s']]);
-    workers[1].begin('weightedAverages');
-    workers[1].finish('weightedAverages');
+    workers[1].begin('affineHeat');
+    workers[1].finish('affineHeat');
     context.mock.timers.tick(60_000);
     assert.equal(workers[1].ended, false);
   });
@@ -171,10 +174,17 @@ describe('the table', () => {
       events,
       small.flatMap(({ id }) => [id, ...rows.tableMethods]),
     );
-    assert.equal(cells.length, 12);
+    assert.equal(cells.length, 15);
     for (const { method, result, segments, triangles } of cells) {
       assert.equal(result.ok, true, `${method}: ${result.reason}`);
-      for (const key of ['prepareMs', 'traceMs', 'dragMs']) assert.ok(result[key] >= 0, key);
+      const times = ['prepareMs', 'traceMs', 'fieldsMs', 'dragMs', 'dragFieldMs'];
+      for (const key of times) assert.ok(result[key] >= 0, key);
+      assert.ok(result.fieldsMs <= result.traceMs && result.dragFieldMs <= result.dragMs, method);
+      assert.equal(result.fieldsMs > 0, ['paper', 'karcher'].includes(method), method);
+      assert.ok(result.memory > 1000 && result.memory < 1e9, `${method}: ${result.memory} bytes`);
+      const used = rows.asUsedMs(result);
+      assert.equal(used !== null, ['vectorHeat', 'affineHeat'].includes(method), method);
+      if (used !== null) assert.ok(used >= result.traceMs, method);
       assert.equal(result.samples, 9 * segments);
       assert.ok(triangles >= 450 && triangles <= 1_100);
     }

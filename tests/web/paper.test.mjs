@@ -68,7 +68,9 @@ describe('the Paper page', () => {
   test('lists its figures', async () => {
     assert.deepEqual(
       await page.locator('#contents a').evaluateAll((links) => links.map((link) => link.hash)),
-      ['claims', 'means', 'transport', ...ids.slice(1), 'table'].map((id) => `#${id}`),
+      ['claims', 'means', 'transport', ...ids.slice(1), 'carried', 'plots', 'table'].map(
+        (id) => `#${id}`,
+      ),
     );
   });
 
@@ -386,12 +388,12 @@ describe('the Paper page', () => {
     await section.getByRole('button', { name: 'Cancel' }).click();
     assert.equal(await section.getByRole('status').textContent(), 'Cancelled.');
     const before = (await cells()).length;
-    assert.ok(before < 36);
+    assert.ok(before < 50);
     await section.getByRole('button', { name: 'Run' }).click();
     await idle();
     assert.equal(await section.getByRole('status').textContent(), 'Done.');
     const all = await cells();
-    assert.equal(all.length % 4, 0);
+    assert.equal(all.length % 5, 0);
     for (const { row, method, result } of all) {
       const shown = await section
         .locator(`tr[data-row="${row}"] td[data-method="${method}"]`)
@@ -418,7 +420,7 @@ describe('the Paper page', () => {
       table.start([{ ...row, mesh: { kind: 'simplified', of, triangles: 90 } }]);
     });
     await page.waitForFunction(() => window.karcherPaper.table.settled);
-    const [vectorHeat, averages] = await page.evaluate(() => window.karcherPaper.table.cells);
+    const [vectorHeat, , averages] = await page.evaluate(() => window.karcherPaper.table.cells);
     assert.equal(vectorHeat.triangles, 90);
     assert.equal(averages.result.ok, false);
     assert.equal(averages.result.prepareMs, null);
@@ -454,7 +456,7 @@ describe('the Paper page', () => {
     await start(1_000);
     await page.waitForFunction(() => window.karcherPaper.table.settled);
     assert.equal(await status(), 'Done.');
-    assert.equal(await page.evaluate(() => window.karcherPaper.table.cells.length), 4);
+    assert.equal(await page.evaluate(() => window.karcherPaper.table.cells.length), 5);
     assert.deepEqual(logged, []);
   });
 

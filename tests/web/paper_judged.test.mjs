@@ -97,6 +97,73 @@ describe('the paper, judged', () => {
     await settled('plane');
   });
 
+  test('the carried drawing follows a control point on either side', async () => {
+    const section = page.locator('#carried');
+    await section.scrollIntoViewIfNeeded();
+    const still = () => page.waitForFunction(() => window.karcherPaper.carried.settled);
+    const shown = () =>
+      page.evaluate(() => {
+        const { carried, points, source, target, reason } = window.karcherPaper.carried.shown;
+        return { carried, points, reason, source: [...source[0]], target: [...target[0]] };
+      });
+    await still();
+    const before = await shown();
+    assert.ok(before.points > 100);
+    assert.equal(before.carried, before.points, before.reason);
+    assert.match(await section.getByRole('status').textContent(), /\d+ points carried in/);
+    const handle = (side) => section.locator(`[data-panel="${side}"] .handle`).first();
+    for (const side of ['target', 'source']) {
+      const earlier = await shown();
+      const box = await handle(side).boundingBox();
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + box.width / 2 + 14, box.y + box.height / 2 + 10, { steps: 3 });
+      await page.mouse.up();
+      await still();
+      const later = await shown();
+      assert.deepEqual(later.source, earlier.source, 'the drawing stays on its source');
+      assert.notDeepEqual(later.target, earlier.target, side);
+    }
+    const four = await shown();
+    await handle('target').focus();
+    await page.keyboard.press('ArrowLeft');
+    await still();
+    assert.notDeepEqual((await shown()).target, four.target, 'a key moves it too');
+    await section.getByLabel('Only three control points').check();
+    await still();
+    await page.waitForFunction(
+      () => document.querySelectorAll('#carried [data-panel="source"] .handle').length === 3,
+    );
+    assert.equal(await section.locator('.handle').count(), 6);
+  });
+
+  test('what is plotted comes from the report, and is measured here when it is asked for', async () => {
+    const section = page.locator('#plots');
+    await section.scrollIntoViewIfNeeded();
+    assert.match(await section.getByRole('status').textContent(), /^Measured on \d{4}-\d{2}-\d{2}/);
+    await page.waitForFunction(
+      () => document.querySelectorAll('#plots .uplot canvas').length === 3,
+    );
+    const saved = await page.evaluate(() => window.karcherPaper.plots.measured);
+    assert.ok(saved.convergence.length >= 96 && saved.roughness.length >= 40);
+    await section.getByRole('button', { name: 'Measure here' }).click();
+    await page.waitForFunction(() => window.karcherPaper.plots.measured.convergence.length > 0);
+    await section.getByRole('button', { name: 'Cancel' }).click();
+    assert.equal(await section.getByRole('status').textContent(), 'Cancelled.');
+    await section.getByRole('button', { name: 'Measure here' }).click();
+    await page.waitForFunction(() => window.karcherPaper.plots.settled);
+    assert.equal(await section.getByRole('status').textContent(), 'Measured in your browser.');
+    const { convergence, roughness } = await page.evaluate(
+      () => window.karcherPaper.plots.measured,
+    );
+    assert.deepEqual([convergence.length, roughness.length], [8 * 2 * 2, 8 * 5]);
+    assert.match(
+      await section.locator('.panel-note').nth(1).textContent(),
+      /^Order of convergence/,
+    );
+    assert.equal(await section.locator('.uplot canvas').count(), 3);
+  });
+
   test('figures use the width of the page', async () => {
     for (const width of [1280, 390]) {
       await page.setViewportSize({ width, height: 800 });

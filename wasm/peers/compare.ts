@@ -29,8 +29,14 @@ export interface MethodResult {
   prepareMs: number | null;
   /** The curve with all its fields, log maps or distances, not joined. */
   traceMs: number | null;
+  /** The part of it that is spent on the fields of the points; 0 of methods without fields. */
+  fieldsMs: number | null;
   /** The middle point moved by an edge, and the segments that it touches traced again. */
   dragMs: number | null;
+  /** The part of it that is spent on that point's field. */
+  dragFieldMs: number | null;
+  /** What the method holds with its curve, in bytes, the mesh itself apart. */
+  memory: number | null;
   samples: number | null;
   lost: number | null;
   /** Those that its own authors would not have accepted either (`MethodCurve.lostByOwnRule`). */
@@ -44,6 +50,7 @@ export interface MethodResult {
   turningNoise: number | null;
   /** Where the curve leaps (`CurveMeasures.breaks`). */
   breaks: number | null;
+  sharpestTurn: CurveMeasures['sharpestTurn'];
   /** By exact shortest paths, the same for all methods; null where no ruler was given. */
   ruler: RulerMeasures | null;
 }
@@ -168,10 +175,13 @@ export async function runMethod(
   let method: PreparedCurves | undefined;
   try {
     await warm(peers, options);
+    const before = peers.karcher.allocatedBytes();
     method = await peers.prepare(own, options, work);
     run.prepareMs = method.prepareMs;
     const curve = method.curve(plan);
     run.traceMs = await curve.trace(work);
+    run.fieldsMs = curve.fieldsMs;
+    run.memory = Math.max(0, peers.karcher.allocatedBytes() - before);
     run.curve = { samples: curve.samples(), ...curve.line() };
     Object.assign(run, measures(mesh, run.curve.samples, reference));
     run.lostByOwnRule = curve.lostByOwnRule();
@@ -222,7 +232,10 @@ export const nothingMeasured: MethodResult = {
   reason: null,
   prepareMs: null,
   traceMs: null,
+  fieldsMs: null,
   dragMs: null,
+  dragFieldMs: null,
+  memory: null,
   samples: null,
   lost: null,
   lostByOwnRule: null,
@@ -230,6 +243,7 @@ export const nothingMeasured: MethodResult = {
   deviation: null,
   turningNoise: null,
   breaks: null,
+  sharpestTurn: null,
   ruler: null,
 };
 
@@ -264,18 +278,25 @@ async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   const { method, curve, mesh, plan, work } = repeated;
   // Each on a new curve: a point that comes back to where it was finds what was kept of it.
   const traces = [run.traceMs!];
+  const fields = [run.fieldsMs!];
   const drags = [await drag(curve, mesh, plan, work)];
+  const dragFields = [curve.fieldsMs];
   run.dragMs = drags[0]!;
+  run.dragFieldMs = dragFields[0]!;
   curve.dispose();
   await whileQuick(traces[0]! + drags[0]!, async () => {
     const again = method.curve(plan);
     traces.push(await again.trace(work));
+    fields.push(again.fieldsMs);
     drags.push(await drag(again, mesh, plan, work));
+    dragFields.push(again.fieldsMs);
     again.dispose();
     return traces.at(-1)! + drags.at(-1)!;
   });
   run.traceMs = median(traces);
+  run.fieldsMs = median(fields);
   run.dragMs = median(drags);
+  run.dragFieldMs = median(dragFields);
   run.prepareMs = await medianPreparation(repeated);
 }
 

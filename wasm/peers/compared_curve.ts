@@ -17,6 +17,7 @@ export class ComparedCurve implements MethodCurve {
   readonly #method: Handle<EnginePreparedMethod>;
   readonly #handle: Handle<EngineComparedCurve>;
   readonly #forget: (curve: ComparedCurve) => void;
+  #fieldsMs = 0;
 
   /** @internal `PreparedMethod.curve` makes curves. */
   constructor(
@@ -60,6 +61,8 @@ export class ComparedCurve implements MethodCurve {
   async trace({ progress, signal }: LongWorkOptions = {}): Promise<number> {
     const total = this.#call((curve) => curve.samplesLeft());
     let worked = 0;
+    let left = total;
+    this.#fieldsMs = 0;
     // As many samples between two looks at the clock as take no time: one can take a second.
     let batch = 1;
     for (let done = false; !done; ) {
@@ -70,16 +73,22 @@ export class ComparedCurve implements MethodCurve {
         const before = now;
         done = this.#call((curve) => curve.advance(batch));
         now = performance.now();
-        if (now - before < 1) batch = Math.min(2 * batch, all);
+        // A step makes one field, or samples.
+        const leftBefore = left;
+        left = this.#call((curve) => curve.samplesLeft());
+        if (left === leftBefore) this.#fieldsMs += now - before;
+        else if (now - before < 1) batch = Math.min(2 * batch, all);
       }
       worked += now - start;
-      progress?.(
-        this.#call((curve) => 1 - curve.samplesLeft() / Math.max(total, 1)),
-        'samples',
-      );
+      progress?.(1 - left / Math.max(total, 1), 'samples');
       if (!done) await pause();
     }
     return worked;
+  }
+
+  /** Of the last `trace`, the milliseconds that its fields took; 0 of methods without fields. */
+  get fieldsMs(): number {
+    return this.#fieldsMs;
   }
 
   /** The samples that are there, segment by segment. */

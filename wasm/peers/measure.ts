@@ -2,7 +2,7 @@ import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import type { CurveSamples } from '../types.js';
 import type { WeightTable } from './types.js';
-import { at, cross, dot, subtract, type Vector } from './vectors.js';
+import { at, cross, dot, length, subtract, type Vector } from './vectors.js';
 
 /** How a curve differs from a reference that was sampled at the same parameters. */
 export interface CurveMeasures {
@@ -23,6 +23,8 @@ export interface CurveMeasures {
    * edge and five times what lies before and after it.
    */
   breaks: number;
+  /** The largest angle by which the curve turns at a sample, in degrees, and the sample's parameter. */
+  sharpestTurn: { degrees: number; t: number } | null;
 }
 
 /** A reference: where its samples are, and which of them converged. */
@@ -98,7 +100,27 @@ export class CurveMeter {
             },
       turningNoise: this.#turningNoise(curve, reference),
       breaks: this.#breaks(curve),
+      sharpestTurn: this.#sharpestTurn(curve),
     };
+  }
+
+  #sharpestTurn(curve: CurveSamples): CurveMeasures['sharpestTurn'] {
+    const isThere = (i: number) => ['converged', 'bridged'].includes(curve.status[i]!);
+    const least = 1e-6 * this.#meanEdge;
+    let sharpest: CurveMeasures['sharpestTurn'] = null;
+    for (const [begin, end] of segments(curve)) {
+      for (let i = begin + 1; i + 1 < end; i++) {
+        if (![i - 1, i, i + 1].every(isThere)) continue;
+        const here = at(curve.position, i);
+        const before = subtract(here, at(curve.position, i - 1));
+        const after = subtract(at(curve.position, i + 1), here);
+        if (length(before) < least || length(after) < least) continue;
+        const angle = Math.atan2(length(cross(before, after)), dot(before, after));
+        const degrees = (angle * 180) / Math.PI;
+        if (degrees > (sharpest?.degrees ?? 0)) sharpest = { degrees, t: curve.t[i]! };
+      }
+    }
+    return sharpest;
   }
 
   #breaks(curve: CurveSamples): number {

@@ -71,6 +71,7 @@ export interface MethodCurve {
   startAt(point: PointLike): void;
   finish(): number;
   trace(work?: LongWorkOptions): Promise<number>;
+  readonly fieldsMs: number;
   samples(): CurveSamples;
   line(): ComparedLine;
   lostByOwnRule(): number;

@@ -17,3 +17,4 @@ export const at = (flat: ArrayLike<number>, i: number): Vector => [
   flat[3 * i + 1]!,
   flat[3 * i + 2]!,
 ];
+export const distance = (a: Vector, b: Vector): number => length(subtract(a, b));

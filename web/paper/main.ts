@@ -1,10 +1,12 @@
 import { byId, make } from '../panels/elements';
 import { applyTheme, onTheme, toggleTheme } from '../panels/theme';
-import { ClaimsSection } from './claims/claims_section';
+import { ClaimsSection, savedReport } from './claims/claims_section';
 import { figures, smallFigures } from './figures';
 import { LabClient } from './lab/client';
+import { PlotsSection } from './plots/plots_section';
 import { smallRows, tableRows } from './table/rows';
 import { TableSection } from './table/table_section';
+import { CarriedSection } from './view/carried_section';
 import { FigureSection } from './view/figure_section';
 import { GeometryMaker } from './view/geometry';
 import { SharedRenderer } from './view/shared_renderer';
@@ -19,7 +21,12 @@ declare const __KARCHER_BUILD__: string;
 
 declare global {
   interface Window {
-    karcherPaper?: { sections: readonly FigureSection[]; table: TableSection };
+    karcherPaper?: {
+      sections: readonly FigureSection[];
+      carried: CarriedSection;
+      plots: PlotsSection;
+      table: TableSection;
+    };
   }
 }
 
@@ -38,29 +45,38 @@ function start(): void {
   };
   const sections = shown.map((figure) => new FigureSection(context, figure, measured));
   const table = new TableSection(detail < 1 ? smallRows(detail) : tableRows, __KARCHER_BUILD__);
+  const carried = new CarriedSection(context, detail);
+  const plots = new PlotsSection(
+    savedReport?.plots ?? null,
+    detail < 1 ? { convergence: [500, 1000], roughness: 500 } : undefined,
+  );
   const transport = new TransportSection();
-  const [means, ...others] = [...sections, table].map(({ element }) => element);
+  const [means, ...others] = [...sections, carried, plots, table].map(({ element }) => element);
   byId('figures').append(claims.element, means!, transport.element, ...others);
   const first = { id: 'claims', name: 'All of it', title: 'Do its claims hold?' };
   const second = { id: 'transport', name: 'Figure 2', title: 'A vector carried into a face' };
+  const open = { id: 'carried', name: 'Section 6', title: 'A drawing carried to another surface' };
+  const beyond = { id: 'plots', name: 'Beyond', title: 'Finer and rougher meshes' };
   const last = { id: 'table', name: 'Table 1', title: 'Times' };
   byId('contents').append(
-    ...[first, shown[0]!, second, ...shown.slice(1), last].map(({ id, name, title }) => {
-      const link = make('a', '', { href: `#${id}` });
-      link.append(make('span', name), title);
-      const item = make('li');
-      item.append(link);
-      return item;
-    }),
+    ...[first, shown[0]!, second, ...shown.slice(1), open, beyond, last].map(
+      ({ id, name, title }) => {
+        const link = make('a', '', { href: `#${id}` });
+        link.append(make('span', name), title);
+        const item = make('li');
+        item.append(link);
+        return item;
+      },
+    ),
   );
   const theme = byId<HTMLButtonElement>('theme');
   theme.addEventListener('click', toggleTheme);
   onTheme((name) => {
     theme.setAttribute('aria-pressed', `${name === 'dark'}`);
     readColors();
-    for (const section of [...sections, table]) section.recolor();
+    for (const section of [...sections, carried, plots, table]) section.recolor();
   });
-  window.karcherPaper = { sections, table };
+  window.karcherPaper = { sections, carried, plots, table };
 }
 
 applyTheme();

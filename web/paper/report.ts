@@ -5,7 +5,7 @@ import { lineStyles } from './figures/lines';
 import { panelTitle } from './figures/titles';
 import type { Figure, LineResult } from './figures/types';
 import { Lab } from './lab/lab';
-import { asUsedMs, type TableCell, type TableRow, tableMethodNames } from './table/rows';
+import { asUsedMs, published, type TableCell, type TableRow, tableMethodNames } from './table/rows';
 import { runTable } from './table/run';
 
 const figure = (value: number | null, digits: number) =>
@@ -24,6 +24,9 @@ export function cells(line: LineResult): string[] {
     lost === null ? '–' : `${lost} of ${samples}`,
     lostByOwnRule === null ? '–' : `${lostByOwnRule}`,
     line.breaks === null ? '–' : `${line.breaks}`,
+    line.sharpestTurn
+      ? `${line.sharpestTurn.degrees.toFixed(1)} at ${line.sharpestTurn.t.toFixed(3)}`
+      : '–',
     figure(ruler?.residual?.median ?? null, 3) + (ruler ? part(ruler.measured, ruler.of) : ''),
     figure(ruler?.energy?.excess ?? null, 2),
     figure(line.prepareMs, 3),
@@ -38,6 +41,7 @@ const markdownTable = (rows: readonly string[][]) =>
 
 const heads = [
   ...['', 'median h', 'max h', 'turning noise', 'lost', 'lost by own rule', 'breaks'],
+  'sharpest turn, degrees, at t',
   ...['residual h', 'energy − reference’s h²', 'prepare ms', 'trace ms'],
 ];
 
@@ -82,8 +86,15 @@ export async function tableReport(
 ): Promise<{ text: string; cells: TableCell[] }> {
   const rows: string[][] = [
     [
-      ...['curve', 'triangles', 'segments', 'method', 'prepare ms', 'trace ms', 'update ms'],
-      ...['trace ms, a log map each', 'lost', 'lost by own rule', 'residual h'],
+      ...['curve', 'triangles', 'segments', 'method', 'prepare ms', 'MB', 'trace ms', 'fields ms'],
+      ...[
+        'trace ms, a log map each',
+        'update ms',
+        'field ms',
+        'lost',
+        'lost by own rule',
+        'residual h',
+      ],
     ],
   ];
   const cells: TableCell[] = [];
@@ -95,7 +106,10 @@ export async function tableReport(
       cells.push(cell);
       const { row, method, triangles, segments, result } = cell;
       const { name } = options.rows.find(({ id }) => id === row)!;
-      const times = [result.prepareMs, result.traceMs, result.dragMs, asUsedMs(result)];
+      const times = [
+        ...[result.prepareMs, result.memory && result.memory / 1e6, result.traceMs],
+        ...[result.fieldsMs, asUsedMs(result), result.dragMs, result.dragFieldMs],
+      ];
       rows.push([
         ...[name, triangles.toLocaleString('en'), `${segments}`, tableMethodNames[method]],
         ...times.map((time) => figure(time, 3)),
@@ -105,7 +119,7 @@ export async function tableReport(
       ]);
     },
   });
-  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals are by exact paths at 33 samples.`;
+  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. The paper’s own numbers are of its authors’ machine and of meshes that are not at hand: on the lion, with ${published.samples} samples a segment, an update took ${published.updateMs} ms, ${published.fieldMs} of them the field and about ${published.segmentMs} each segment.`;
   return { text: `## Table 1\n\n${about}\n\n${markdownTable(rows)}\n`, cells };
 }
 

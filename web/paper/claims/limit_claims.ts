@@ -29,6 +29,7 @@ export const limitClaims: readonly Claim[] = [
         'paper',
         'karcher',
         'bridged',
+        'leveled',
       ] as const;
       const broken = ids.map((id) => ({
         id,
@@ -42,6 +43,7 @@ export const limitClaims: readonly Claim[] = [
         paper: 'the paper',
         karcher: 'ours',
         bridged: 'ours, bridged',
+        leveled: 'ours, with levels',
       };
       const measured = `Samples lost and leaps in both panels: ${broken.map((one) => `${names[one.id]} ${one.lost} and ${one.breaks}`).join('; ')}.`;
       const is = (id: LineId) => broken.some((one) => one.id === id && one.lost + one.breaks > 0);

@@ -1,13 +1,13 @@
-import type { Mesh, SurfacePoint } from 'karcher';
-import { type Peers, Ruler, runMethod, standardOptions } from 'karcher/peers';
+import type { SurfacePoint } from 'karcher';
+import { type Peers, runMethod, standardOptions } from 'karcher/peers';
 import { randomFrom } from '../../model/random';
-import { galleryFigure } from '../figures/splines';
 import { NearestPoints } from '../lab/nearest';
-import { roughened } from './roughness';
+import { type ConvergencePoint, convergence } from './convergence';
+import { galleryTorus } from './gallery_torus';
+import { type RoughnessPoint, roughness } from './roughness';
+import { studySeed } from './seed';
 
-/** What the figures do not measure and the claims ask for. Every random number is of this seed. */
-export const studySeed = 16;
-
+/** What the figures do not measure and the claims ask for. */
 export interface Studies {
   /** Four points in a ball of a unit sphere, of growing radius: how often the paper's method finds a center,
    * and from all four points the same one. */
@@ -25,14 +25,9 @@ export interface Studies {
   /** Weights of random points: how many are found again as the center of mass. */
   inverse: { cases: number; minima: number; back: number; farthest: number };
   /** B-splines on a torus with noise of a height in mean edges. */
-  roughness: {
-    noise: number;
-    method: string;
-    lost: number;
-    samples: number;
-    residual: number | null;
-    turning: number | null;
-  }[];
+  roughness: RoughnessPoint[];
+  /** B-splines on ever finer meshes of a sphere and a torus. */
+  convergence: ConvergencePoint[];
   /** Milliseconds of a drag on a mesh of several hundred thousand triangles. */
   large: {
     method: string;
@@ -57,13 +52,6 @@ function randomWeights(random: () => number, count: number): number[] {
   const raw = Array.from({ length: count }, () => 0.05 + random());
   const sum = raw.reduce((a, b) => a + b);
   return raw.map((weight) => weight / sum);
-}
-
-/** The gallery's torus with so many triangles, and its control points. */
-function galleryTorus(peers: Peers, triangles: number): { mesh: Mesh; points: SurfacePoint[] } {
-  const mesh = peers.karcher.shape('torus', triangles);
-  const nearest = new NearestPoints(mesh.positions(), mesh.triangles());
-  return { mesh, points: galleryFigure.points.torus!.map((place) => nearest.point(place)) };
 }
 
 function radius(peers: Peers): Studies['radius'] {
@@ -216,35 +204,6 @@ function inverse(peers: Peers): Studies['inverse'] {
   return { cases, minima, back, farthest };
 }
 
-async function roughness(peers: Peers): Promise<Studies['roughness']> {
-  const result: Studies['roughness'] = [];
-  const smooth = galleryTorus(peers, 5_000);
-  for (const noise of [0, 0.1, 0.2, 0.4]) {
-    const mesh = roughened(peers.karcher, smooth.mesh, noise, studySeed);
-    const plan = peers.plan(smooth.points, 65);
-    const ruler = new Ruler(mesh, plan);
-    const exact = { method: 'karcher', solver: 'exact' } as const;
-    const reference = await runMethod(peers, mesh, plan, exact, null, { once: true });
-    for (const method of ['vectorHeat', 'weightedAverages', 'bSurf', 'paper', 'karcher'] as const) {
-      const options =
-        method === 'paper' ? ({ method, solver: 'exact', seeds: 'authors' } as const) : { method };
-      const truth = reference.curve?.samples ?? null;
-      const run = await runMethod(peers, mesh, plan, options, truth, { once: true, ruler });
-      result.push({
-        noise,
-        method,
-        lost: run.lost ?? 0,
-        samples: run.samples ?? 0,
-        residual: run.ruler?.residual?.median ?? null,
-        turning: run.turningNoise,
-      });
-    }
-    mesh.dispose();
-  }
-  smooth.mesh.dispose();
-  return result;
-}
-
 async function large(peers: Peers): Promise<Studies['large']> {
   const { mesh, points } = galleryTorus(peers, 250_000);
   const plan = peers.plan(points, 128);
@@ -275,7 +234,8 @@ export async function runStudies(
     reweigh: await step('a change of weights', reweigh),
     arcs: await step('arcs of circles', arcs),
     inverse: await step('weights of points', inverse),
-    roughness: await step('rough surfaces', roughness),
+    roughness: await step('rough surfaces', (all) => roughness(all)),
+    convergence: await step('convergence', (all) => convergence(all)),
     large: await step('a large mesh', large),
   };
 }

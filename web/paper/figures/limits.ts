@@ -9,6 +9,7 @@ const farMethods: LineId[] = [
   'paper',
   'karcher',
   'bridged',
+  'leveled',
 ];
 
 export const farFigure: Figure = {
@@ -16,7 +17,7 @@ export const farFigure: Figure = {
   name: 'Figure 7',
   title: 'Points too far apart',
   caption:
-    'Where control points lie too far apart, there may be more than one center of mass, or none near the last one. Curves then break: they jump from one center to another, or samples are lost, which is drawn dashed. A lost sample means that its searches failed, not that there is no center. The paper’s method goes on from its last sample that was found, as its authors’ program does, and may reach a center far away; ours starts again at the heaviest control point, as in the engine. Where a curve is at another center than the reference, its deviation is large. Our curve is bridged there: it takes the better of the centers reached from either end, and a subdivision curve of the same points, also dashed, joins them. Its deviation is measured from the same curve with exact distances. b/Surf’s curve never breaks, but is no center of mass. The surface and the points are ours.',
+    'Where control points lie too far apart, there may be more than one center of mass, or none near the last one. Curves then break: they jump from one center to another, or samples are lost, which is drawn dashed. A lost sample means that its searches failed, not that there is no center. The paper’s method goes on from its last sample that was found, as its authors’ program does, and may reach a center far away; ours starts again at the heaviest control point, as in the engine. Where a curve is at another center than the reference, its deviation is large. Our curve is bridged there: it takes the better of the centers reached from either end, and a subdivision curve of the same points, also dashed, joins them. Bridged so, the Bézier curve doubles back under the hole: it turns by 139.7° at t = 0.528. With levels, as in the editor, the control polygon is refined first, and each piece is the center of its own near points: no sample is bridged, and the Bézier curve turns by 13.8° at most. Both are measured from the same curve with exact distances, and by the residual of all four points at once, which is no measure of the curve with levels. b/Surf’s curve never breaks, but is no center of mass. The surface and the points are ours.',
   points: {
     far: [
       [-1.6, 0, 0.1],

@@ -106,6 +106,7 @@ export const lineStyles: Record<LineId, LineStyle> = {
     width: 4,
     options: { method: 'karcher', solver: 'exact' },
   },
+  leveled: { label: 'Karcher, with levels', color: '--line-levels', width: 2.5 },
   bridged: { label: 'Karcher, bridged', color: '--line-bridge', width: 2.5 },
   circleArcs: { label: 'Rational arcs', color: '--line-karcher', width: 3.5 },
   isolineLinear: { label: 'Linear isoline', color: '--line-paper', width: 2 },

@@ -2,15 +2,19 @@ import type { Vector } from './types';
 
 /** Places near the built-in surfaces, by coordinates that are easy to think in. */
 
-/** On the built-in torus (radii 1 and 0.4, about the z axis): longitude, and angle round the tube
+/** Of the built-in torus, about the z axis. */
+export const torusRadii = { major: 1, minor: 0.4 };
+
+/** On the built-in torus: longitude, and angle round the tube
  * from the outer equator, in degrees. */
 export function onTorus(longitude: number, around: number): Vector {
   const [u, v] = [longitude, around].map((degrees) => (degrees * Math.PI) / 180) as [
     number,
     number,
   ];
-  const ring = 1 + 0.4 * Math.cos(v);
-  return [ring * Math.cos(u), ring * Math.sin(u), 0.4 * Math.sin(v)];
+  const { major, minor } = torusRadii;
+  const ring = major + minor * Math.cos(v);
+  return [ring * Math.cos(u), ring * Math.sin(u), minor * Math.sin(v)];
 }
 
 /** On the unit sphere, by degrees from the z axis' foot point to the right and up. */

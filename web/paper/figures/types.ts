@@ -38,6 +38,7 @@ export type LineId =
   | 'karcher'
   | 'karcherExact'
   | 'bridged'
+  | 'leveled'
   | 'circleArcs'
   | 'isolineLinear'
   | 'isolineExact';
@@ -93,6 +94,8 @@ export interface LineNumbers {
   turningNoise: number | null;
   /** Where the curve leaps from one sample to the next. */
   breaks: number | null;
+  /** The largest angle by which it turns at a sample. */
+  sharpestTurn: { degrees: number; t: number } | null;
   /** By exact shortest paths, the same for all methods; it comes after the line. */
   ruler: RulerMeasures | null;
 }

@@ -1,9 +1,12 @@
 import type { CurveSamples, Path, SurfacePoint } from 'karcher';
+import { vectors } from 'karcher/peers';
 import type { LineId, LineResult, Vector } from '../figures/types';
+import { emptyLine } from './empty_line';
 import { alongPolyline, middle } from './nearest';
 import type { Scene } from './scene';
-import { emptyLine, type Task } from './task';
-import { add, at, cross, distance, dot } from './vectors';
+import type { Task } from './task';
+
+const { add, at, cross, distance, dot } = vectors;
 
 /** Three ways to a circle about the first point, through the second. */
 

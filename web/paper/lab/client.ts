@@ -3,7 +3,8 @@ import type { RulerMeasures } from 'karcher/peers';
 import { madeKey } from '../../model/meshes';
 import { slowLines } from '../figures/lines';
 import type { LineId, LineResult, MeshSpec } from '../figures/types';
-import type { DrawnMesh, Placed, TraceJob } from './protocol';
+import type { Carried } from './carry';
+import type { CarryJob, DrawnMesh, Placed, TraceJob } from './protocol';
 
 export interface TraceEvents {
   placed(placed: Placed): void;
@@ -36,6 +37,10 @@ export class LabClient {
     const made = this.#quick.call('mesh', [mesh]) as Promise<DrawnMesh>;
     this.#meshes.set(key, made);
     return made;
+  }
+
+  carry(job: CarryJob): Promise<Carried> {
+    return this.#quick.call('carry', [job]) as Promise<Carried>;
   }
 
   /** Traces a panel; the result stops it, and no event comes after that. */

@@ -2,8 +2,9 @@ import type { CurveSamples, LongWorkOptions } from 'karcher';
 import { type Peers, type ReferenceSamples, Ruler, type RulerMeasures } from 'karcher/peers';
 import { madeKey } from '../../model/meshes';
 import type { LineId, LineResult, MeshSpec, Panel, Vector } from '../figures/types';
+import { type Carried, carry } from './carry';
 import { traceLine } from './lines';
-import type { DrawnMesh, Placed } from './protocol';
+import type { CarryJob, DrawnMesh, Placed } from './protocol';
 import { Scene } from './scene';
 import { planOf, referenceOf, type Task } from './task';
 
@@ -61,6 +62,12 @@ export class Lab {
     const ruler = new Ruler(scene.mesh, planOf(task));
     await ruler.compareWith(await getReference(), work);
     for (const { id, samples } of traced) measured(id, await ruler.measure(samples, work));
+  }
+
+  /** A drawing on one mesh, carried to another by the weights of its points. */
+  async carry({ source, target, middle, points }: CarryJob): Promise<Carried> {
+    const [from, to] = [await this.#scene(source), await this.#scene(target)];
+    return carry(from, to, middle, points);
   }
 
   /** All of a panel's lines at once. */

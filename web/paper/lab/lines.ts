@@ -1,16 +1,19 @@
-import type { CurveSamples, LongWorkOptions } from 'karcher';
+import type { CurveLevels, CurveSamples, LongWorkOptions } from 'karcher';
 import {
   KarcherError,
   type MethodCurve,
   type MethodOptions,
   type ReferenceSamples,
   referenceOptions,
+  vectors,
 } from 'karcher/peers';
 import { lineStyles } from '../figures/lines';
 import type { LineId, LineResult, Vector } from '../figures/types';
 import { circleArcs, isolineExact, isolineLinear } from './circles';
-import { affineSamples, emptyLine, planOf, type Task } from './task';
-import { add, at, cross, distance, length, scaled, subtract } from './vectors';
+import { emptyLine } from './empty_line';
+import { affineSamples, planOf, type Task } from './task';
+
+const { add, at, cross, distance, length, scaled, subtract } = vectors;
 
 /** A line, and the samples of a curve that is to be measured by exact paths. */
 export interface TracedLine {
@@ -86,6 +89,40 @@ function drawn(
   return { polylines: [path.polyline()], status: [unconverged], marker: null };
 }
 
+/**
+ * Our curve as the engine gives it. Of several minima it takes the best, so it is measured against the
+ * same curve of exact distances.
+ */
+function engineCurve(
+  { scene, points, curve: { kind }, samples }: Task,
+  id: LineId,
+  levels: CurveLevels,
+): TracedLine {
+  if (kind !== 'bspline' && kind !== 'bezier') {
+    throw new KarcherError('badArgument', 'only splines are bridged');
+  }
+  const shape = { kind, points: [...points], samples, levels };
+  const exact = scene.mesh.curve({ ...shape, solver: 'exact' });
+  const truth = exact.samples();
+  exact.dispose();
+  const curve = scene.mesh.curve(shape);
+  const own = curve.samples();
+  const { fields, trace, bridge } = curve.times();
+  const lost = own.status.filter((name) => name !== 'converged' && name !== 'bridged').length;
+  const line = {
+    ...emptyLine(id),
+    ...scene.meter.measure(own, truth),
+    traceMs: fields + trace + bridge,
+    samples: own.count,
+    lost,
+    lostByOwnRule: lost,
+    polylines: [curve.polyline()],
+    status: [curve.unconverged()],
+  };
+  curve.dispose();
+  return { line, samples: own };
+}
+
 const makers: Partial<Record<LineId, Maker>> = {
   truth(task, id) {
     const samples = affineSamples(task);
@@ -116,40 +153,11 @@ const makers: Partial<Record<LineId, Maker>> = {
     }
   },
 
-  /**
-   * Our curve as the engine gives it, bridged where there is no center of mass. Of several minima it
-   * takes the best, so it is measured against the same curve of exact distances.
-   */
-  async bridged({ scene, points, curve: { kind }, samples }, id) {
-    if (kind !== 'bspline' && kind !== 'bezier') {
-      throw new KarcherError('badArgument', 'only splines are bridged');
-    }
-    const exact = scene.mesh.curve({
-      kind,
-      points: [...points],
-      samples,
-      levels: 0,
-      solver: 'exact',
-    });
-    const truth = exact.samples();
-    exact.dispose();
-    const curve = scene.mesh.curve({ kind, points: [...points], samples, levels: 0 });
-    const own = curve.samples();
-    const { fields, trace, bridge } = curve.times();
-    const lost = own.status.filter((name) => name !== 'converged' && name !== 'bridged').length;
-    const line = {
-      ...emptyLine(id),
-      ...scene.meter.measure(own, truth),
-      traceMs: fields + trace + bridge,
-      samples: own.count,
-      lost,
-      lostByOwnRule: lost,
-      polylines: [curve.polyline()],
-      status: [curve.unconverged()],
-    };
-    curve.dispose();
-    return { line, samples: own };
-  },
+  /** Our curve of all points at once, bridged where there is no center of mass. */
+  bridged: (task, id) => engineCurve(task, id, 0),
+
+  /** The same as the editor has it: the control polygon is refined first, as often as needed. */
+  leveled: (task, id) => engineCurve(task, id, 'auto'),
 
   /** From the center of mass to the points. */
   async spokes(task, id, reference) {

@@ -1,6 +1,8 @@
 import type { SurfacePoint } from 'karcher';
+import { vectors } from 'karcher/peers';
 import type { Vector } from '../figures/types';
-import { at, cross, distance, dot, scaled, subtract } from './vectors';
+
+const { at, cross, distance, dot, scaled, subtract } = vectors;
 
 /** Finds points of a mesh near points of space. */
 export class NearestPoints {

@@ -1,5 +1,5 @@
 import type { MeshInfo, SurfacePoint } from 'karcher';
-import type { LineId, Panel, Vector } from '../figures/types';
+import type { LineId, MeshSpec, Panel, Vector } from '../figures/types';
 
 /** A panel to be traced: its points, and which of its lines are wanted. */
 export interface TraceJob {
@@ -12,6 +12,14 @@ export interface TraceJob {
 export interface Placed {
   points: SurfacePoint[];
   places: Vector[];
+}
+
+/** A drawing about a place of the source, to be carried by control points on both. */
+export interface CarryJob {
+  source: MeshSpec;
+  target: MeshSpec;
+  middle: Vector;
+  points: { source: readonly Vector[]; target: readonly Vector[] };
 }
 
 export interface DrawnMesh {

@@ -6,10 +6,12 @@ import {
   type Peers,
   type ReferenceSamples,
   referenceOptions,
+  vectors,
 } from 'karcher/peers';
-import type { CurveSpec, LineId, LineResult, Vector } from '../figures/types';
+import type { CurveSpec, Vector } from '../figures/types';
 import type { Scene } from './scene';
-import { add, distance, scaled } from './vectors';
+
+const { add, distance, scaled } = vectors;
 
 /** What the lines of a panel are made from. */
 export interface Task {
@@ -19,27 +21,6 @@ export interface Task {
   places: readonly Vector[];
   curve: CurveSpec;
   samples: number;
-}
-
-/** A result with nothing in it. */
-export function emptyLine(id: LineId): LineResult {
-  return {
-    id,
-    ok: true,
-    reason: null,
-    prepareMs: null,
-    traceMs: null,
-    samples: null,
-    lost: null,
-    lostByOwnRule: null,
-    deviation: null,
-    turningNoise: null,
-    breaks: null,
-    ruler: null,
-    polylines: [],
-    status: [],
-    marker: null,
-  };
 }
 
 /** The weights of a curve, as all methods take them. */

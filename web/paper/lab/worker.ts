@@ -5,7 +5,7 @@ import { serve } from 'karcher/own-worker';
 import { loadPeers, type RulerMeasures } from 'karcher/peers';
 import type { LineId, LineResult, MeshSpec } from '../figures/types';
 import { Lab } from './lab';
-import type { Placed, TraceJob } from './protocol';
+import type { CarryJob, Placed, TraceJob } from './protocol';
 
 const lab = loadPeers().then((peers) => new Lab(peers));
 let last: Promise<unknown> = Promise.resolve();
@@ -24,6 +24,10 @@ const calls = {
       // The lab keeps its arrays.
       return { info, positions: positions.slice(), triangles: triangles.slice() };
     });
+  },
+
+  carry(job: CarryJob) {
+    return inOrder(async () => (await lab).carry(job));
   },
 
   /** Tells the points of a panel, then its lines one by one. */

@@ -1,5 +1,5 @@
 import { WorkerClient, type WorkerLike } from 'karcher/own-worker';
-import type { MethodResult } from 'karcher/peers';
+import { type MethodResult, nothingMeasured } from 'karcher/peers';
 import {
   expectedTriangles,
   segmentsOf,
@@ -20,21 +20,7 @@ type Place = Omit<TableCell, 'result'>;
 /** A method stops by itself between two steps; after so much longer a step is cut off. */
 const graceMs = 2000;
 
-const failed = (reason: string): MethodResult => ({
-  ok: false,
-  reason,
-  prepareMs: null,
-  traceMs: null,
-  dragMs: null,
-  samples: null,
-  lost: null,
-  lostByOwnRule: null,
-  logMaps: null,
-  deviation: null,
-  turningNoise: null,
-  breaks: null,
-  ruler: null,
-});
+const failed = (reason: string): MethodResult => ({ ...nothingMeasured, reason });
 
 const startWorker = () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
 

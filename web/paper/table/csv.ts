@@ -1,9 +1,10 @@
 import { madeKey } from '../../model/meshes';
-import { type TableCell, type TableRow, tableMethodNames } from './rows';
+import { asUsedMs, type TableCell, type TableRow, tableMethodNames } from './rows';
 
 const heads = [
   ...['browser', 'build', 'row', 'mesh', 'triangles', 'segments', 'samples per segment', 'method'],
-  ...['ok', 'reason', 'prepare ms', 'trace ms', 'update ms', 'samples', 'lost'],
+  ...['ok', 'reason', 'prepare ms', 'trace ms', 'fields ms', 'trace ms as used'],
+  ...['update ms', 'field ms of update', 'bytes', 'samples', 'lost'],
   ...['lost by own rule', 'residual h', 'energy h2'],
 ];
 
@@ -33,7 +34,14 @@ export function tableCsv(
         time(result.prepareMs),
         time(result.traceMs),
       ],
-      ...[time(result.dragMs), result.samples, result.lost, result.lostByOwnRule],
+      ...[time(result.fieldsMs), time(asUsedMs(result)), time(result.dragMs)],
+      ...[
+        time(result.dragFieldMs),
+        result.memory,
+        result.samples,
+        result.lost,
+        result.lostByOwnRule,
+      ],
       ...[result.ruler?.residual?.median ?? null, result.ruler?.energy?.median ?? null],
     ];
   });

@@ -1,7 +1,9 @@
+import type { MethodResult } from 'karcher/peers';
 import { make } from '../../panels/elements';
 import { lineStyles } from '../figures/lines';
-import { formatMilliseconds } from '../view/format';
+import { formatBytes, formatMilliseconds } from '../view/format';
 import {
+  asUsedMs,
   expectedTriangles,
   segmentsOf,
   type TableCell,
@@ -13,6 +15,17 @@ import {
 
 const parts = ['prepareMs', 'traceMs', 'dragMs'] as const;
 const partNames = ['prepare', 'trace', 'update'];
+
+/** What is told below a time: of what it consists, or what else there is to it. */
+const details: Record<(typeof parts)[number], (result: MethodResult) => string | null> = {
+  prepareMs: ({ memory }) => (memory ? formatBytes(memory) : null),
+  traceMs: (result) => {
+    const used = asUsedMs(result);
+    if (used !== null) return `as used ${formatMilliseconds(used)}`;
+    return result.fieldsMs ? `fields ${formatMilliseconds(result.fieldsMs)}` : null;
+  },
+  dragMs: ({ dragFieldMs }) => (dragFieldMs ? `field ${formatMilliseconds(dragFieldMs)}` : null),
+};
 
 /** The table itself: three times a method, milliseconds. */
 export class TableView {
@@ -80,6 +93,10 @@ export class TableView {
   set({ row, method, result }: TableCell): void {
     const texts = parts.map((part) => formatMilliseconds(result[part]));
     this.#fill(row, method, texts);
+    this.#cells(row, method).forEach((cell, i) => {
+      const detail = details[parts[i]!](result);
+      if (detail) cell.append(make('small', detail, { className: 'detail' }));
+    });
     const { lost, samples, reason } = result;
     const notes = [reason, lost ? `${lost} of ${samples} lost` : null].filter(Boolean);
     const cells = this.#cells(row, method);

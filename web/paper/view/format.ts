@@ -22,3 +22,8 @@ export function formatMilliseconds(value: number | null): string {
   if (value < 10) return value.toFixed(1);
   return Math.round(value).toLocaleString('en');
 }
+
+export function formatBytes(value: number): string {
+  const megabytes = value / 1e6;
+  return `${megabytes < 10 ? megabytes.toFixed(1) : Math.round(megabytes).toLocaleString('en')} MB`;
+}

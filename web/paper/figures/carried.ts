@@ -1,0 +1,65 @@
+import { onTorus } from './surfaces';
+import type { MeshSpec, Vector } from './types';
+
+/** The figure of the inverse problem: a drawing among control points is carried to another surface. */
+export interface CarriedSide {
+  title: string;
+  mesh: MeshSpec;
+  /** Three or four of them, in the order of the corners, near these places. */
+  points: Vector[];
+  /** From where it is seen. */
+  from: Vector;
+}
+
+export const carriedSides: { source: CarriedSide; target: CarriedSide } = {
+  source: {
+    title: 'Drawn on a torus',
+    mesh: { kind: 'shape', name: 'torus', triangles: 5_000 },
+    points: [onTorus(66, 100), onTorus(66, 20), onTorus(114, 20), onTorus(114, 100)],
+    from: [0, 0.75, 1],
+  },
+  target: {
+    title: 'Carried to a sphere',
+    mesh: { kind: 'shape', name: 'sphere', triangles: 5_000 },
+    points: [
+      [-0.5, 0.5, 0.71],
+      [-0.55, -0.45, 0.71],
+      [0.5, -0.5, 0.71],
+      [0.5, 0.55, 0.67],
+    ],
+    from: [0, 0.1, 1],
+  },
+};
+
+/** Where the drawing's middle lies on the source. */
+export const carriedMiddle: Vector = onTorus(90, 60);
+
+/** The size of the drawing, in units of the source, and how many points a side of it has. */
+export const carriedSize = 0.26;
+export const pointsASide = 10;
+
+/**
+ * The drawing in the plane, in units of its size: a star of five points and a circle about it, each
+ * closed.
+ */
+export function drawingInPlane(): [number, number][][] {
+  const tip = (k: number): [number, number] => {
+    const radius = k % 2 === 0 ? 1 : 0.42;
+    const angle = Math.PI / 2 + (k * Math.PI) / 5;
+    return [radius * Math.cos(angle), radius * Math.sin(angle)];
+  };
+  const star: [number, number][] = [];
+  for (let k = 0; k < 10; k++) {
+    const [a, b] = [tip(k), tip(k + 1)];
+    for (let i = 0; i < pointsASide; i++) {
+      const s = i / pointsASide;
+      star.push([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]);
+    }
+  }
+  star.push(tip(10));
+  const circle = Array.from({ length: 6 * pointsASide + 1 }, (_, i): [number, number] => {
+    const angle = (2 * Math.PI * i) / (6 * pointsASide);
+    return [1.15 * Math.cos(angle), 1.15 * Math.sin(angle)];
+  });
+  return [star, circle];
+}

@@ -1,0 +1,92 @@
+import type { Mesh, SurfacePoint } from 'karcher';
+import { KarcherError } from 'karcher/peers';
+import { carriedSize, drawingInPlane } from '../figures/carried';
+import type { Vector } from '../figures/types';
+import type { Scene } from './scene';
+
+/** A drawing on its source and what became of it on the target. */
+export interface Carried {
+  source: Float32Array[];
+  /** A stroke's parts: points without weights, or whose center was not found, are left out. */
+  target: Float32Array[];
+  /** Points of the drawing, those of them that were carried, and those that have a weight below 0. */
+  points: number;
+  carried: number;
+  negative: number;
+  /** Why the first of the others was not, as a sentence. */
+  reason: string | null;
+  /** Where the control points were put. */
+  places: { source: Vector[]; target: Vector[] };
+  milliseconds: number;
+}
+
+/** The drawing, laid onto the source along straightest geodesics from its middle. */
+function drawingOn({ mesh, nearest }: Scene, middle: Vector): SurfacePoint[][] {
+  const center = nearest.point(middle);
+  return drawingInPlane().map((stroke) =>
+    stroke.map(([x, y]) => {
+      const length = carriedSize * Math.hypot(x, y);
+      if (length === 0) return center;
+      return mesh.straightest(center, [x, y, 0], length).end;
+    }),
+  );
+}
+
+/** A line through points, in parts where one is missing; parts of one point are left out. */
+function partsOf(mesh: Mesh, points: readonly (SurfacePoint | null)[]): Float32Array[] {
+  const parts: Vector[][] = [[]];
+  for (const point of points) {
+    if (point) parts.at(-1)!.push(mesh.position(point));
+    else if (parts.at(-1)!.length > 0) parts.push([]);
+  }
+  return parts.filter(({ length }) => length > 1).map((part) => Float32Array.from(part.flat()));
+}
+
+/**
+ * Carries the drawing: for each point the weights that make it the center of mass of the control points
+ * on the source, and the center of mass of these weights on the target.
+ */
+export function carry(
+  source: Scene,
+  target: Scene,
+  middle: Vector,
+  places: { source: readonly Vector[]; target: readonly Vector[] },
+): Carried {
+  const from = places.source.map((place) => source.nearest.point(place));
+  const to = places.target.map((place) => target.nearest.point(place));
+  const strokes = drawingOn(source, middle);
+  const start = performance.now();
+  const counts = { points: 0, carried: 0, negative: 0 };
+  let reason: string | null = null;
+  const carried = strokes.map((stroke) =>
+    stroke.map((point) => {
+      counts.points++;
+      try {
+        const { weights } = source.mesh.weightsOf(point, from);
+        if (weights.some((weight) => weight < 0)) counts.negative++;
+        const center = target.mesh.centerOfMass(to, weights, { normalize: true });
+        if (center.status === 'converged') {
+          counts.carried++;
+          return center.point;
+        }
+        reason ??= 'no center of mass of these weights was found';
+      } catch (error) {
+        if (!(error instanceof KarcherError)) throw error;
+        reason ??= error.message;
+      }
+      return null;
+    }),
+  );
+  const milliseconds = performance.now() - start;
+  return {
+    source: strokes.flatMap((stroke) => partsOf(source.mesh, stroke)),
+    target: carried.flatMap((stroke) => partsOf(target.mesh, stroke)),
+    ...counts,
+    reason,
+    places: {
+      source: from.map((point) => source.mesh.position(point)),
+      target: to.map((point) => target.mesh.position(point)),
+    },
+    milliseconds,
+  };
+}

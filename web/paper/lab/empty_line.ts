@@ -1,0 +1,23 @@
+import type { LineId, LineResult } from '../figures/types';
+
+/** A result with nothing in it. */
+export function emptyLine(id: LineId): LineResult {
+  return {
+    id,
+    ok: true,
+    reason: null,
+    prepareMs: null,
+    traceMs: null,
+    samples: null,
+    lost: null,
+    lostByOwnRule: null,
+    deviation: null,
+    turningNoise: null,
+    breaks: null,
+    sharpestTurn: null,
+    ruler: null,
+    polylines: [],
+    status: [],
+    marker: null,
+  };
+}

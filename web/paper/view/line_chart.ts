@@ -1,0 +1,110 @@
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+
+export interface ChartLine {
+  label: string;
+  /** Resolved, since a canvas knows no custom properties. */
+  color: string;
+  /** Beside another of its color. */
+  dashed?: boolean;
+  /** One for each place on the x axis; null is a gap. */
+  values: readonly (number | null)[];
+}
+
+export interface ChartAxis {
+  label: string;
+  /** Whether its scale is logarithmic; then it has no zero. */
+  log: boolean;
+  tick(value: number): string;
+  /** In the legend. */
+  exact(value: number): string;
+}
+
+export interface ChartContent {
+  x: readonly number[];
+  lines: readonly ChartLine[];
+}
+
+const height = 320;
+
+/** Lines over an axis; it follows its element's width. */
+export class LineChart {
+  readonly element = document.createElement('div');
+  readonly #axes: { x: ChartAxis; y: ChartAxis };
+  #plot: uPlot | null = null;
+  #content: () => ChartContent = () => ({ x: [], lines: [] });
+
+  constructor(axes: { x: ChartAxis; y: ChartAxis }) {
+    this.#axes = axes;
+    this.element.className = 'chart';
+    new ResizeObserver(() => this.#resize()).observe(this.element);
+  }
+
+  /** `content` is asked again for other colors. */
+  show(content: () => ChartContent): void {
+    this.#content = content;
+    this.redraw();
+  }
+
+  /** Anew, as for another theme. */
+  redraw(): void {
+    this.#plot?.destroy();
+    this.#plot = null;
+    const { x, lines } = this.#content();
+    if (x.length === 0 || this.element.clientWidth === 0) return;
+    const data = [[...x], ...lines.map(({ values }) => [...values])] as uPlot.AlignedData;
+    this.#plot = new uPlot(this.#options(lines), data, this.element);
+  }
+
+  #options(lines: readonly ChartLine[]): uPlot.Options {
+    const { x, y } = this.#axes;
+    const style = getComputedStyle(this.element);
+    const [ink, line] = ['--ink-soft', '--line'].map((name) => resolved(this.element, name));
+    const axis = ({ label, tick }: ChartAxis): uPlot.Axis => ({
+      stroke: ink!,
+      font: `12px ${style.fontFamily}`,
+      label,
+      labelFont: `12px ${style.fontFamily}`,
+      labelSize: 22,
+      grid: { stroke: line!, width: 1 },
+      ticks: { stroke: line!, width: 1 },
+      values: (_, values) => values.map((v) => (v === null ? '' : tick(v))),
+    });
+    const legend = (exact: ChartAxis['exact']) => (_: uPlot, value: number | null) =>
+      value === null ? '–' : exact(value);
+    const scale = ({ log }: ChartAxis) => ({ time: false, distr: log ? 3 : 1 }) as const;
+    return {
+      width: this.element.clientWidth,
+      height,
+      scales: { x: scale(x), y: scale(y) },
+      axes: [axis(x), { ...axis(y), size: 64 }],
+      series: [
+        { label: x.label, value: legend(x.exact) },
+        ...lines.map(({ label, color, dashed }) => ({
+          label,
+          stroke: color,
+          width: 2,
+          ...(dashed && { dash: [6, 4] }),
+          spanGaps: false,
+          points: { show: true, size: 7 },
+          value: legend(y.exact),
+        })),
+      ],
+    };
+  }
+
+  #resize(): void {
+    const { clientWidth: width } = this.element;
+    if (width === 0) return;
+    if (this.#plot) this.#plot.setSize({ width, height });
+    else this.redraw();
+  }
+}
+
+function resolved(element: HTMLElement, name: string): string {
+  const probe = element.appendChild(document.createElement('i'));
+  probe.style.color = `var(${name})`;
+  const { color } = getComputedStyle(probe);
+  probe.remove();
+  return color;
+}
