@@ -22,10 +22,10 @@ export const carriedSides: { source: CarriedSide; target: CarriedSide } = {
     title: 'Carried to a sphere',
     mesh: { kind: 'shape', name: 'sphere', triangles: 5_000 },
     points: [
-      [-0.5, 0.5, 0.71],
-      [-0.55, -0.45, 0.71],
       [0.5, -0.5, 0.71],
       [0.5, 0.55, 0.67],
+      [-0.5, 0.5, 0.71],
+      [-0.55, -0.45, 0.71],
     ],
     from: [0, 0.1, 1],
   },
