@@ -2,11 +2,12 @@
 
 #include "curves/query/evaluate.h"
 
-/// Lengths along a curve and the point nearest to another, by the path that joins its samples.
+/// Lengths along a curve and its point nearest to a given place, measured on the path that joins
+/// its samples.
 namespace karcher {
 
-/// The vertices of a joined curve, each with its position, the curve's parameter there (in
-/// proportion to the length between samples) and the length from the curve's start.
+/// The vertices of a joined curve, each with its position, the curve's parameter there (between
+/// samples in proportion to length) and the length from the curve's start.
 struct CurveLine {
   SurfacePath path;
   // Per point of the path.
@@ -16,12 +17,12 @@ struct CurveLine {
 
 CurveLine lineOf(const Curve& curve);
 
-/// The length from the start to a parameter, as `segmentParameter` takes it; once around a closed
+/// The length from the start to a parameter (as `segmentParameter` takes it). Once around a closed
 /// curve it is the whole length.
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 
 /// The point at a length from the start, on the line. Throws Error kBadArgument outside the curve;
-/// a closed one's length may go round.
+/// on a closed curve the length may go around.
 CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length);
 
 /// `count` points with the same length between consecutive ones: the ends of an open curve
@@ -34,9 +35,9 @@ struct NearestOnCurve {
   double distance = 0;  ///< in space
 };
 
-/// The point of the curve nearest in space to a place, its parameter to 1e-13 of itself: that of
-/// the lowest of the minima that the intervals between samples hold (nearest.cpp). It is
-/// `pointAt` its parameter.
+/// The point of the curve nearest in space to a place: the lowest of the minima in the intervals
+/// between samples (nearest.cpp), with a relative error of its parameter of 1e-13. The point is
+/// `pointAt` of that parameter.
 NearestOnCurve nearestOnCurve(Curve& curve, const CurveLine& line, const Vec3& place);
 
 }  // namespace karcher

@@ -2,8 +2,8 @@
 
 #include "mesh/types.h"
 
-/// Bases of curves: from a parameter to weights that sum to 1, one a control point of the segment
-/// (Mancinelli, Puppo, Eq. 4). They know nothing of surfaces.
+/// Bases of curves: functions from a parameter to weights that sum to 1, one per control point of a
+/// segment (Mancinelli, Puppo, Eq. 4). They do not depend on the surface.
 namespace karcher {
 
 /// Bernstein polynomials of degree `degree` >= 0 at t in [0, 1], by de Casteljau's recurrence:
@@ -16,18 +16,18 @@ void bernsteinBasis(int degree, double t, Array<double>& weights);
 Array<double> uniformCubicBasis(double t);
 
 /// The `degree` + 1 B-splines that do not vanish on the knot span [knots[span], knots[span + 1]],
-/// at u in it, by Cox and de Boor's recurrence. The knots do not fall, the span is not empty, and
-/// degree <= span < knots.count() - degree - 1. They weigh the control points span - degree to
-/// span.
+/// at u in it, by Cox and de Boor's recurrence. The knots must not decrease, the span must not be
+/// empty, and degree <= span < knots.count() - degree - 1. The weights belong to the control points
+/// span - degree to span.
 Array<double> bsplineBasis(const Array<double>& knots, int degree, int span, double u);
 
-/// A rational basis: w_i N_i / sum_j w_j N_j for the weights N of another. All w_i positive.
+/// A rational basis: w_i N_i / sum_j w_j N_j, where N is another basis. All w_i are positive.
 Array<double> rationalBasis(const Array<double>& basis, const Array<double>& pointWeights);
 
 /// Rational interpolation in barycentric form: proportional to (-1)^i beta_i / (t - i / n) for n +
 /// 1 positive betas, exactly 1 for point i at t = i / n (K. Ramanantoanina, K. Hormann, "New shape
-/// control tools for rational Bezier curve design", 2021). All betas equal is Berrut's interpolant;
-/// binomial coefficients give the polynomial.
+/// control tools for rational Bezier curve design", 2021). Equal betas give Berrut's interpolant,
+/// binomial coefficients the interpolating polynomial.
 Array<double> barycentricBasis(const Array<double>& betas, double t);
 
 /// Catmull-Rom: the curve through four points between the second and the third, with knots

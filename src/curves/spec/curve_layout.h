@@ -2,8 +2,8 @@
 
 #include "curves/spec/segment_basis.h"
 
-/// The segments of a curve: which control points each blends, and by which basis. Pure: it knows
-/// counts and numbers, no surface.
+/// The segments of a curve: which control points each one blends, and with which basis. This
+/// depends on counts and numbers only, not on the surface.
 namespace karcher {
 
 struct SegmentLayout {
@@ -11,8 +11,8 @@ struct SegmentLayout {
   SegmentBasis basis;
 };
 
-/// The lengths of a Catmull-Rom curve's knot spans, up to a factor: for distances between
-/// consecutive points their roots where the curve is centripetal, else 1.
+/// The lengths of a Catmull-Rom curve's knot spans, up to a common factor: the square roots of the
+/// distances between consecutive points if the curve is centripetal, otherwise 1.
 Array<double> catmullRomSpacings(const Array<double>& gaps, bool centripetal);
 
 /// The segments of a curve with a shape that `checkShape` passes. A segment runs from t = 0 to 1,

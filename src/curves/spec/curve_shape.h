@@ -29,7 +29,7 @@ const char* curveKindName(CurveKind kind);
 
 inline constexpr int kMostSplineDegree = 5;
 
-/// Weights and betas go from this to one through it: products and sums of so many stay finite.
+/// The least weight and beta; the largest is 1 divided by it. Their products and sums stay finite.
 inline constexpr double kLeastWeight = 1e-12;
 
 /// The knots of a B-spline (knots.h).
@@ -61,17 +61,18 @@ inline bool takesWeights(CurveKind kind) {
 }
 inline bool takesBetas(CurveKind kind) { return kind == CurveKind::kBarycentric; }
 
-/// Throws Error where so many points make no such curve: kTooFewPoints, kNotFinite, kBadArgument.
+/// Throws Error if a curve of this shape cannot have that many points, or if one of its numbers is
+/// out of range: kTooFewPoints, kNotFinite, kBadArgument.
 void checkShape(const CurveShape& shape, int points);
 
-/// The same, and kBadArgument where the shape holds what its kind has no use for.
+/// As `checkShape`, and throws kBadArgument if the shape sets something that its kind does not use.
 void checkGivenShape(const CurveShape& shape, int points);
 
-/// The knots of a B-spline with so many points, by its rule.
+/// The knots of a B-spline with that many points, by its rule.
 Array<double> knotsOf(const CurveShape& shape, int points);
 
-// The shape after an edit of a curve of `points` points. Weights and betas go with their points, a
-// new point's are 1. A caller's own knots are kept as far as they can be (knots.h).
+// The shape after an edit of a curve of `points` points. Weights and betas stay with their points;
+// those of a new point are 1. A caller's own knots are kept as far as possible (knots.h).
 CurveShape withPoint(CurveShape shape, int i);
 CurveShape withoutPoint(CurveShape shape, int points, int i);
 CurveShape withPointMoved(CurveShape shape, int from, int to);
@@ -81,7 +82,7 @@ CurveShape withWeight(CurveShape shape, int points, int i, double weight);
 CurveShape withBeta(CurveShape shape, int points, int i, double beta);
 CurveShape reversed(CurveShape shape);
 
-/// Entries in the order of a curve run backwards: a closed one keeps its first point.
+/// Puts entries into the order of the reversed curve: a closed curve keeps its first point.
 template <class T>
 void reverseEntries(Array<T>& array, bool closed) {
   std::reverse(array.begin() + (closed && !array.empty() ? 1 : 0), array.end());

@@ -2,7 +2,7 @@
 
 #include "curves/spec/curve_shape.h"
 
-/// The bases that the segments of all kinds of curves have (bases.h), as data.
+/// The bases (bases.h) of the segments of all kinds of curves, as data.
 namespace karcher {
 
 enum class BasisForm { kBernstein, kUniformCubic, kBSpline, kBarycentric, kCatmullRom, kOwn };
@@ -15,8 +15,8 @@ struct SegmentBasis {
   /// kCatmullRom: 4 knots, the middle ones 0 and 1; kBarycentric: betas.
   Array<double> numbers = {};
   std::shared_ptr<const OwnBasis> own = {};
-  /// Where weight `from` of the basis goes: `factor` times to point `to` of the segment. Empty:
-  /// each to the point of its own number.
+  /// Adds `factor` times weight `from` of the basis to point `to` of the segment. No folds: weight
+  /// i belongs to point i.
   struct Fold {
     int from = 0;
     int to = 0;
@@ -29,8 +29,8 @@ struct SegmentBasis {
   bool operator==(const SegmentBasis&) const = default;
 };
 
-/// The weights of the segment's points at t in [0, 1]; they sum to 1. Throws Error kBadWeights
-/// where a caller's basis gives others.
+/// The weights of the segment's points at t in [0, 1]; they sum to 1. Throws Error kBadWeights if
+/// those of a caller's basis do not.
 Array<double> weightsAt(const SegmentBasis& basis, double t);
 
 /// The same times the points' weights, where there are any, and divided by their sum. Written to
@@ -38,8 +38,8 @@ Array<double> weightsAt(const SegmentBasis& basis, double t);
 void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
                Array<double>& weights);
 
-/// The parameters between 0 and 1, ascending, at which all weight is on one point, so that the
-/// curve passes it.
+/// The parameters between 0 and 1, ascending, at which one point has all the weight, so that the
+/// curve passes through it.
 Array<double> nodesOf(const SegmentBasis& basis);
 
 }  // namespace karcher

@@ -4,11 +4,11 @@
 
 namespace karcher {
 
-/// For a segment whose trace broke: where control points lie far apart, there may be several local
-/// minima over one parameter, and a search that goes on from sample to sample stays at its own
-/// until it ends. Searches once more from the segment's end to its start, and takes at each sample
-/// the minimum of lower energy: the same curve in both directions, which changes from one minimum
-/// to another where they are equally good.
+/// For a segment whose trace broke. If control points lie far apart, there may be several local
+/// minima at one parameter, and a search that starts at the last sample stays with its minimum
+/// until that one ends. This function also searches from the segment's end to its start and takes
+/// the minimum of lower energy at each sample. The curve is then the same in both directions, and
+/// changes from one minimum to another where both have the same energy.
 void takeBestBranches(SegmentFields& fields, const Basis& basis, Method method,
                       Array<CurveSample>& samples);
 

@@ -6,15 +6,15 @@
 
 /// Curves that do not break.
 ///
-/// Where control points lie too far apart, the center of mass is not found or jumps from one local
-/// minimum to another. There the samples leave the center of mass: over the interval between the
-/// last sample before and the first one after, they follow a bridge, which is the subdivision curve
-/// of the segment's own control points (subdivision.h) with its ends pulled to those samples. So
-/// the curve is continuous everywhere, and says where and why it is no center of mass.
+/// Where control points lie too far apart, there is no center of mass, or it jumps from one local
+/// minimum to another. Over the interval from the last sample before to the first one after, the
+/// curve follows a bridge instead: the subdivision curve of the segment's own control points
+/// (subdivision.h), with its ends moved to those two samples. So the curve is continuous
+/// everywhere, and its samples tell where and why it is no center of mass.
 namespace karcher {
 
-/// A step that does not become shorter than this, in mean edges, however finely t is divided, is a
-/// jump. Steps of a small part of it happen on all edges, where the interpolated field jumps.
+/// A step is a jump if it stays longer than this, in mean edges, however finely t is divided. Much
+/// shorter steps occur at every edge, where the interpolated field is discontinuous.
 inline constexpr double kLongestStep = 0.05;
 /// The finest division of t.
 inline constexpr double kFinestDivision = 1e-9;
@@ -33,10 +33,10 @@ struct JumpWorkspace {
   Array<double> weights;
 };
 
-/// The bridge's point at t, which is clamped to [t0, t1].
+/// The bridge's point at t, clamped to [t0, t1].
 SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t);
 
-/// Appends the bridge's points between the parameters, without the first and with the last.
+/// Appends the bridge's points between two parameters, excluding the first and including the last.
 void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, double to,
                 Array<SurfacePoint>& out);
 
@@ -47,8 +47,8 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// converged or jump, bridges these intervals, and moves the samples inside onto the bridges with
 /// the status kBridged. Returns the bridges, ascending in t.
 ///
-/// Between two neighbouring samples a bridge is the geodesic that joins them. A step well inside a
-/// face costs nothing, nor one shorter than half of `kLongestStep`; others are divided until their
+/// Between two neighbouring samples a bridge is the geodesic that joins them. Steps well inside a
+/// face, or shorter than half of `kLongestStep`, need no check; others are divided until their
 /// parts are one or the other.
 ///
 /// `basis` and `pointWeights` give the weights (segment_basis.h); where all weight is on one

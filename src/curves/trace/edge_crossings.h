@@ -23,7 +23,7 @@ class EdgeCrossings {
   /// tell which edges the curve crosses: as it passes a vertex.
   bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
-  /// What the last call found: the crossings, on edges, and the samples between them.
+  /// The result of the last call: the crossings, on edges, and the samples between them.
   const Array<CurveSample>& found() const { return found_; }
 
   static constexpr int kMostBisections = 10;
@@ -32,7 +32,7 @@ class EdgeCrossings {
   bool appendBetween(const CurveSample& from, const CurveSample& to, int bisections);
   bool appendCrossing(int h, double t0, double t1);
   /// Through one half of an edge, if faces are cut; where the curve does not pass the edge's line
-  /// between t0 and t1, but for rounding, at the nearer of them or not at all.
+  /// between t0 and t1 except by rounding, at the nearer of them or not at all.
   bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
 
   const Geometry& geometry_;

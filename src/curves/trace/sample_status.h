@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// What a point of a curve is: a center of mass, or where the search for one ended (rcm/
-/// center_of_mass.h), or a point of a bridge (bridge.h).
+/// What a point of a curve is: a center of mass, the end of a search that found none
+/// (rcm/center_of_mass.h), or a point of a bridge (bridge.h).
 enum class SampleStatus {
   kConverged,
   kIndefinite,
@@ -17,7 +17,7 @@ enum class SampleStatus {
 };
 inline constexpr SampleStatus kLastSampleStatus = SampleStatus::kBridged;
 
-/// The status of a sample whose search ended so.
+/// The status of a sample whose search ended with `ofSearch`.
 SampleStatus sampleStatus(Status ofSearch);
 
 /// The name of a status in reports: "converged".

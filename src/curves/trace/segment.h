@@ -43,8 +43,8 @@ WeightTable tabulateMiddles(const Basis& basis, int count);
 /// The number of the largest weight; of several, the first.
 int heaviest(Weights weights);
 
-/// The control points of a segment with their fields, blended. What the blend knows of the faces
-/// that the segment passes serves all steps of its making.
+/// The control points of a segment with their fields, blended. All stages of tracing share what the
+/// blend has computed for the faces that the segment passes.
 struct SegmentFields {
   SegmentFields(Surface& surface, const Array<PointField*>& ofPoints)
       : points(ofPoints), blend(surface.geometry(), controlFields(ofPoints)) {}
@@ -57,21 +57,21 @@ struct SegmentFields {
   Array<ControlField*> fields;  ///< scratch
 };
 
-/// Where a search for a center of mass starts once more if it failed: at control points of positive
-/// weight, the heaviest first, which at the ends of a segment has been tried. Newton's method,
-/// which is the paper's, stops at once where the Hessian is not positive definite, and tries them
-/// all; our walk goes on there, and tries the heaviest alone.
+/// Where a search for a center of mass that failed starts again: at control points of positive
+/// weight, the heaviest first; at the ends of a segment that one has been tried. Newton's method,
+/// the paper's, stops where the Hessian is not positive definite, and tries all of them. Our walk
+/// goes on there, and tries the heaviest only.
 Array<int> restarts(Weights weights, Method method, bool isEnd);
 
-/// One sample a row of the table. The search for the first and the last starts at the control point
-/// of the largest weight, for each other where the last converged sample lies, and again at the
-/// control points of `restarts` where this fails: the result depends on the fields and the weights
-/// alone, and the end of one segment is the start of the next. The result takes the memory of
-/// `samples`.
+/// One sample per row of the table. The search for the first and the last sample starts at the
+/// control point of largest weight, each other one at the last converged sample; a search that
+/// fails starts again at the control points of `restarts`. So the result depends only on the fields
+/// and the weights, and the end of one segment is the start of the next. The result takes the
+/// memory of `samples`.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
                                 Array<CurveSample> samples = {});
 
-/// The center of mass of the fields of `points`, by the search that belongs to the method.
+/// The center of mass of the blended fields, by the method's search.
 CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
                         Method method);
 
