@@ -25,10 +25,13 @@ describe('what is held', () => {
     await tab.page.mouse.move(x, y, { steps: 4 });
   };
 
+  let files = 0;
+
   /** A corner and a smooth anchor, which is selected, on the left one of two parts. */
   async function drawn() {
     const tab = await Tab.open(browser);
-    await tab.drop('two.obj', twoParts);
+    // A file of a name of its own: the browser keeps what was drawn on another test's.
+    await tab.drop(`two-${++files}.obj`, twoParts);
     await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
     await tab.page.keyboard.press('p');
     await tab.click([-60, 90]);
