@@ -11,7 +11,7 @@ export function workOffline(): void {
   show();
   // The sources that are served while the page is developed change under its hand.
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
-  const address = new URL('service-worker.js', document.baseURI);
+  const address = new URL('./service-worker.js', document.baseURI);
   // Where it is refused, as in private windows of some browsers, the page works with a network.
   navigator.serviceWorker.register(address, { updateViaCache: 'none' }).catch(() => {});
 }
