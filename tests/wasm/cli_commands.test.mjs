@@ -351,8 +351,9 @@ test('compare prints each method with its measures or its reason', () => {
     ...['vectorHeat', 'affineHeat', 'weightedAverages', 'descent', 'bSurf', 'paper', 'karcher'],
   ]);
   const keys = [
-    ...['solver', 'ok', 'reason', 'prepareMs', 'traceMs', 'dragMs', 'samples', 'lost'],
-    ...['lostByOwnRule', 'logMaps', 'deviation', 'turningNoise', 'breaks', 'ruler'],
+    ...['solver', 'ok', 'reason', 'prepareMs', 'traceMs', 'fieldsMs', 'dragMs', 'dragFieldMs'],
+    ...['memory', 'samples', 'lost', 'lostByOwnRule', 'logMaps', 'deviation', 'turningNoise'],
+    ...['breaks', 'sharpestTurn', 'ruler'],
   ];
   for (const [name, method] of Object.entries(methods)) {
     assert.deepEqual(Object.keys(method), keys, name);
