@@ -18,8 +18,11 @@ set(KARCHER_FAST_IN_SMALL_ROOMS
 set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/branches.cpp
   curves/trace/edge_crossings.cpp
+  curves/trace/joined_path.cpp
+  curves/trace/piece.cpp
   curves/trace/polyline.cpp
   curves/trace/sample_status.cpp
+  curves/trace/sampling.cpp
   distance/fast_trial.cpp
   distance/find_path.cpp
   distance/geodesic_line.cpp
@@ -28,13 +31,16 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/source_images.cpp
   distance/tangent_maps.cpp
   distance/waypoints.cpp
+  intrinsic/geometry.cpp
   rcm/exact_minimum.cpp
   rcm/field_options.cpp
   rcm/field_set.cpp
   rcm/gradient_operator.cpp
   rcm/mean.cpp
   rcm/mean_weights.cpp
-  rcm/surface.cpp)
+  rcm/newton_center.cpp
+  rcm/surface.cpp
+  rcm/summed_field.cpp)
 # Libraries of their own.
 set(KARCHER_OTHER_ROOMS
   peers)
