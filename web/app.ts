@@ -4,6 +4,7 @@ import { CurveEdits } from './editor/curve_edits';
 import { Editor, type State } from './editor/editor';
 import { Gestures } from './editor/gestures';
 import { Measure } from './editor/measure';
+import { MirrorTool } from './editor/mirror_tool';
 import { Session } from './editor/session';
 import { exposeState } from './inspection';
 import { formatLink } from './model/link';
@@ -29,6 +30,7 @@ import { SurfacePanel } from './panels/surface_panel';
 import { drawingTools, ToolRail } from './panels/tool_list';
 import { Tools } from './panels/tools';
 import { Tour } from './panels/tour';
+import { TransformPanel } from './panels/transform_panel';
 import { ViewMenu } from './panels/view_menu';
 import { addressOf, linkOf, longestLink, saveChanges } from './saving';
 import type { ObjectDrawing } from './viewer/object_lines';
@@ -84,6 +86,7 @@ export async function start(): Promise<void> {
     if (shorter) editor.takeShortest(shorter.index);
   };
   const measure = new Measure(session);
+  const mirror = new MirrorTool(editor, session, viewer, showNote);
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
     surfaceClicked: (point) => edits.append(point),
     curveClicked: (tool, position, within) =>
@@ -93,6 +96,8 @@ export async function start(): Promise<void> {
     aimed: (words) => status.showAim(words, editor.state, session.view),
     otherClicked: (tool, id) => edits.atOther(tool, id),
     shorterClicked: (index) => shorten(index),
+    mirrorAimed: (point) => mirror.aim(point),
+    mirrorClicked: (point) => void mirror.click(point),
     moveStopped: () => showNote('The move stops where something would leave the surface.'),
   });
   const remove = () => {
@@ -179,6 +184,8 @@ export async function start(): Promise<void> {
   const freehand = new FreehandSettings((tolerance) => {
     gestures.freehand.tolerance = tolerance;
   });
+  const transformPanel = new TransformPanel(editor, (numbers) => gestures.place(numbers), mirror);
+  mirror.onChange = () => status.showMirroring(mirror.hasFirst, editor.state, session.view);
   new Clipboard(editor, () => session.client?.info.triangles ?? 0);
 
   editor.subscribe((state, before) => {
@@ -194,12 +201,14 @@ export async function start(): Promise<void> {
     rail.show(state, session.view);
     objectPanel.show(state);
     freehand.show(state);
+    transformPanel.show(state);
     status.showHint(state, session.view);
     showChosen(viewer, state);
   });
   curvePanel.show(editor.state, session.view);
   rail.show(editor.state, session.view);
   objectPanel.show(editor.state);
+  transformPanel.show(editor.state);
   const sheet = new Sheet();
   const tour = new Tour(() => sheet.show());
   saveChanges(editor);

@@ -8,6 +8,10 @@ import type { Viewer } from './viewer/viewer';
 export interface Inspection {
   /** Whether the engine has answered the newest state, control polygon included. */
   readonly settled: boolean;
+  /** The revision of the state that is shown. */
+  readonly shown: number;
+  /** How many the surface has; 0 without one. */
+  readonly triangles: number;
   /** Whether the newest view is drawn, and nothing moves. */
   readonly still: boolean;
   state(): State;
@@ -27,6 +31,12 @@ export function exposeState(editor: Editor, session: Session, viewer: Viewer): v
   const inspection: Inspection = {
     get settled() {
       return session.settled && session.view.revision === editor.state.revision;
+    },
+    get shown() {
+      return session.view.revision;
+    },
+    get triangles() {
+      return session.client?.info.triangles ?? 0;
     },
     get still() {
       return viewer.still;

@@ -4,6 +4,8 @@ export { Bend } from '../../web/editor/bend';
 export { curveValueOf } from '../../web/editor/compute';
 export { CurveEdits } from '../../web/editor/curve_edits';
 export { Editor } from '../../web/editor/editor';
+export { mirroredFigures, mirrorLine } from '../../web/editor/mirroring';
+export { Move } from '../../web/editor/moving';
 export { Session } from '../../web/editor/session';
 export { copiedText, pastedObjects } from '../../web/model/copied';
 export { cornersOf, cubicAt, fittedCubics } from '../../web/model/cubic_fit';

@@ -50,6 +50,10 @@ describe('every control is hit where it is clicked', () => {
       await controls.look('objects are only selected');
       await controls.click(page.locator('#tool-freehand'));
       await controls.look('freehand');
+      await controls.click(page.locator('#tool-transform'));
+      await controls.look('objects are turned and scaled');
+      await controls.click(page.locator('#mirror'));
+      await controls.look('objects are mirrored');
       await controls.click(page.locator('#tool-select'));
       await controls.click(page.locator('#go-on'));
       const chosen = new Set();

@@ -74,7 +74,8 @@ async function acrossRadius(
   if ('radius' in across) return across.radius;
   const to = await radiusTo(client, center, across);
   const least = leastAcross * client.info.diagonal;
-  return Math.max(least, reachAlong(to.radius, to.direction, direction));
+  // A mirror image has the point on the other side.
+  return Math.max(least, Math.abs(reachAlong(to.radius, to.direction, direction)));
 }
 
 /** Where the corners of a face are. */

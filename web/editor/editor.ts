@@ -69,12 +69,12 @@ export interface State {
  * Selects and moves only; or puts a point on the surface or into the edited curve, draws a stroke, cuts
  * the curve, joins another one to it, or measures it.
  */
-export type CurveTool = RestingTool | 'split' | 'join' | 'measure';
+export type CurveTool = RestingTool | 'split' | 'join' | 'measure' | 'mirror';
 /** What a tool that has done its work gives way to. */
-export type RestingTool = 'select' | 'insert' | 'freehand';
+export type RestingTool = 'select' | 'insert' | 'freehand' | 'transform';
 
 export const isResting = (tool: CurveTool): tool is RestingTool =>
-  tool === 'select' || tool === 'insert' || tool === 'freehand';
+  ['select', 'insert', 'freehand', 'transform'].includes(tool);
 
 /** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
 function fitted(to: Figure, from: Figure, edit: FigureCommand): Figure {
@@ -324,6 +324,12 @@ export class Editor {
     const group = withGroups(drawing, [id]);
     const left = chosen.filter((one) => !group.includes(one));
     this.#change({ chosen: left, selection: null }, false);
+  }
+
+  /** Selects the edited object where nothing is selected. */
+  chooseSome(): void {
+    const { chosen, drawing, figure } = this.#state;
+    if (chosen.length === 0 && !isEmpty(figure)) this.choose([drawing.active]);
   }
 
   chooseAll(): void {

@@ -18,6 +18,7 @@ import type { Session } from './session';
 import { type Snapped, Snapping } from './snapping';
 import { StagePointer } from './stage_pointer';
 import { type Target, targetAt } from './targets';
+import { type Numbers, TransformGestures } from './transform_gestures';
 import { twoFingersMeanTheView } from './two_fingers';
 
 /** A press that moves less, in CSS pixels, is a click. */
@@ -49,6 +50,9 @@ export interface CurveClicks {
   otherClicked(tool: CurveTool, id: number): void;
   /** By its number in the view. */
   shorterClicked(index: number): void;
+  /** The pointer is over the surface while the tool mirrors, or a click was there. */
+  mirrorAimed(point: SurfacePoint): void;
+  mirrorClicked(point: SurfacePoint): void;
   /** A move would take something off the surface. */
   moveStopped(): void;
 }
@@ -83,6 +87,7 @@ export class Gestures {
   readonly snapping: Snapping;
   readonly #pen: PenGestures;
   readonly #moves: MoveGestures;
+  readonly #transforms: TransformGestures;
   #pointers = 0;
   #hover: { x: number; y: number } | null = null;
   /** Whether the pointer is over the stage, and over which handle of the pen. */
@@ -113,10 +118,11 @@ export class Gestures {
     const handles = this.#handles;
     const severalFingers = twoFingersMeanTheView(stage, {
       get heldBy() {
-        return handles.heldBy ?? pointer.heldBy;
+        return handles.heldBy ?? transforms.heldBy ?? pointer.heldBy;
       },
       letGo() {
         handles.letGo();
+        transforms.letGo();
         pointer.letGo();
       },
     });
@@ -131,6 +137,10 @@ export class Gestures {
     this.#pointer = pointer;
     this.freehand = new FreehandGestures(editor, session, viewer, this.snapping);
     for (const one of [box, this.freehand, pen, moves]) pointer.offer((press) => one.take(press));
+    const transforms = new TransformGestures(editor, session, viewer, stage, severalFingers, {
+      stopped: () => events.moveStopped(),
+    });
+    this.#transforms = transforms;
     this.#pen = pen;
     this.#moves = moves;
     stage.addEventListener('keyup', (event) => {
@@ -183,7 +193,9 @@ export class Gestures {
   show(): void {
     const { surface } = this.viewer;
     const { view } = this.session;
-    this.#handles.show(surface ? handlesOf(this.editor.state, view, surface) : []);
+    const isEdited = this.editor.state.tool !== 'transform';
+    this.#handles.show(surface && isEdited ? handlesOf(this.editor.state, view, surface) : []);
+    this.#transforms.show();
     this.#showTangents();
     const { center } = view;
     this.#handles.showCenter(surface && center ? surface.position(center.point) : null);
@@ -199,6 +211,11 @@ export class Gestures {
     const { before, after } = (drawn && this.session.view.tangents?.[selection as number]) || {};
     const paths = [before, after].flatMap((tangent) => (tangent ? [tangent.path] : []));
     this.viewer.showPolygon(paths, false);
+  }
+
+  /** Places what is selected by numbers. */
+  place(numbers: Numbers): void {
+    void this.#transforms.place(numbers);
   }
 
   /** Makes the selected anchor of the pen, or else all of them, corners or smooth. */
@@ -284,9 +301,10 @@ export class Gestures {
       );
       const snapped = this.#hover && this.#snapAt({ ...this.#hover, touch: false }, target);
       if (snapped?.kind) this.#showSnap(snapped);
-      else if (target?.type === 'surface')
+      else if (target?.type === 'surface') {
         this.#handles.showPreview(target.pick.position, 'surface');
-      else if (this.editor.state.tool === 'measure') {
+        if (this.editor.state.tool === 'mirror') this.events.mirrorAimed(target.pick.point);
+      } else if (this.editor.state.tool === 'measure') {
         if (target?.type === 'curve') this.events.curveMeasured(target.position);
       } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
       else this.#handles.showPreview(null, 'surface');
@@ -380,7 +398,11 @@ export class Gestures {
 
   /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */
   #put({ point }: Pick): void {
-    const { figure } = this.editor.state;
+    const { figure, tool } = this.editor.state;
+    if (tool === 'mirror') {
+      this.events.mirrorClicked(point);
+      return;
+    }
     if (!isRound(figure.kind)) {
       this.events.surfaceClicked(point);
       return;

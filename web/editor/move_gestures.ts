@@ -1,8 +1,7 @@
-import { type DrawnObject, objectOf } from '../model/drawing';
 import { placesOf } from '../model/moving';
 import type { Viewer } from '../viewer/viewer';
-import type { Editor } from './editor';
-import { Move } from './moving';
+import { type Editor, isResting } from './editor';
+import { Move, movableObjects } from './moving';
 import { Newest } from './newest';
 import type { Session } from './session';
 import type { Hold, Place } from './stage_pointer';
@@ -42,7 +41,7 @@ export class MoveGestures {
   take(press: Place): Hold | null {
     const { editor } = this;
     if (press.shift || press.control || this.#held) return null;
-    if (!['select', 'insert'].includes(editor.state.tool)) return null;
+    if (!isResting(editor.state.tool)) return null;
     const id = this.#lineAt(press);
     // A finger turns the view wherever it lies, but on what is selected.
     if (id === null || (press.touch && !editor.state.chosen.includes(id))) return null;
@@ -82,7 +81,7 @@ export class MoveGestures {
     if (id === null || !pivot || !client || !viewer.surface) return null;
     if (!editor.state.chosen.includes(id)) editor.activate(id);
     const { chosen } = editor.state;
-    const objects = this.#selected(chosen.length > 0 ? chosen : [id]);
+    const objects = movableObjects(editor.state.drawing, chosen.length > 0 ? chosen : [id]);
     return Move.of(client, viewer.surface, objects, pivot).catch(() => null);
   }
 
@@ -131,7 +130,7 @@ export class MoveGestures {
     const { revision } = editor.state;
     const { surface, box } = viewer;
     const { client } = session;
-    const objects = this.#selected(editor.state.chosen);
+    const objects = movableObjects(editor.state.drawing, editor.state.chosen);
     if (!surface || !client) return null;
     for (const place of objects.flatMap(({ figure }) => placesOf(figure))) {
       const { x, y, hidden } = viewer.project(surface.position(place));
@@ -143,15 +142,6 @@ export class MoveGestures {
       return move && { move, x: left, y: top, revision };
     }
     return null;
-  }
-
-  /** Those of the objects that may be moved. */
-  #selected(ids: readonly number[]): DrawnObject[] {
-    const { drawing } = this.editor.state;
-    return ids
-      .map((id) => objectOf(drawing, id))
-      .filter((object) => object !== undefined)
-      .filter(({ locked, visible }) => visible && !locked);
   }
 
   async #moveTo({ x, y }: Place): Promise<void> {

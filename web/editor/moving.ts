@@ -1,75 +1,153 @@
-/** Selected objects moved as a whole, by log and exponential maps at the point that is held. */
+/** Selected objects moved, turned and scaled as a whole, by log and exponential maps at a pivot. */
 import type { SurfacePoint } from 'karcher';
+import { Vector3 } from 'three';
 import type { Command } from '../model/commands';
-import type { DrawnObject } from '../model/drawing';
-import type { Vector } from '../model/figure';
-import { movedFigure, placesOf } from '../model/moving';
+import { type Drawing, type DrawnObject, objectOf } from '../model/drawing';
+import { type Figure, isEmpty, type Vector } from '../model/figure';
+import { type Carried, type CarriedTo, carriedOf, movedFigures } from '../model/moving';
 import type { Surface } from '../viewer/surface';
 import type { EngineClient } from '../worker/client';
-import { directionOf } from './circle_drawing';
-
-/** A place as it is seen from the point that is held. */
-interface Log {
-  place: SurfacePoint;
-  direction: Vector;
-  length: number;
-}
 
 /** How much of a geodesic may be left at the boundary, as a part of the surface's diagonal. */
 const leftAtMost = 1e-9;
 
-const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
+/** Where the pivot goes, by how much all turns round it (counterclockwise, in radians), and grows. */
+export interface Placement {
+  point?: SurfacePoint;
+  angle?: number;
+  scale?: number;
+}
+
+/** What a placement leads to. */
+export interface Placed {
+  command: Command;
+  /** What was carried along beside the objects: where it went, and its directions there. */
+  beside: CarriedTo;
+}
+
+export const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
+
+const samePoint = (a: SurfacePoint, b: SurfacePoint) =>
+  a.face === b.face && `${a.bary}` === `${b.bary}`;
+
+/** x, y, z of the directions of what is carried; 0 where it is a place. */
+export const directionsOf = (carried: readonly Carried[]): Float64Array =>
+  Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
+
+/** Those of the objects of a drawing that may be moved. */
+export const movableObjects = (drawing: Drawing, ids: readonly number[]): DrawnObject[] =>
+  ids
+    .map((id) => objectOf(drawing, id))
+    .filter((object) => object !== undefined)
+    .filter(({ locked, visible, figure }) => visible && !locked && !isEmpty(figure));
+
+/** Replaces the figures of objects, as one step. */
+export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]): Command => ({
+  type: 'steps',
+  steps: objects.map(({ id, figure }, i) => ({
+    ...{ type: 'figure', id },
+    edit: { type: 'replace', from: figure, to: to[i]! },
+  })),
+});
 
 /**
- * A move of objects that are held at a pivot. Wherever the pivot goes, each place lies the same way
- * from it as at first, in the frame that the surface's normal carries along: positions of a drag do not
- * add up, and back at the pivot the objects are the ones they were.
+ * The unit normal of a point's face in the surface's coordinates, on the side that is outside: turns
+ * are counterclockwise as it is seen from there.
+ */
+export function faceNormal(client: EngineClient, surface: Surface, point: SurfacePoint): Vector3 {
+  const [positions, triangles] = [client.positions(), client.triangles()];
+  const [a, b, c] = [0, 1, 2].map((corner) =>
+    new Vector3().fromArray(positions, 3 * triangles[3 * point.face + corner]!),
+  );
+  const normal = b!.sub(a!).cross(c!.sub(a!)).normalize();
+  const outside = surface.directionFromScene(surface.normal(point));
+  return normal.dot(new Vector3(...outside)) < 0 ? normal.negate() : normal;
+}
+
+/**
+ * A move of objects that are held at a pivot. Each place is told by its log vector in the tangent
+ * plane there, each direction by what it becomes when it is carried to the pivot along the same path.
+ * Wherever the pivot goes, the plane is carried along the shortest path from where it was, and the exp
+ * map puts everything down again: positions of a drag do not add up, and back at the pivot the objects
+ * are the ones they were.
  */
 export class Move {
   private constructor(
     private readonly client: EngineClient,
-    private readonly surface: Surface,
+    private readonly normal: Vector3,
     private readonly objects: readonly DrawnObject[],
     private readonly pivot: SurfacePoint,
-    private readonly logs: readonly Log[],
+    private readonly carried: readonly Carried[],
+    private readonly beside: readonly Carried[],
+    private readonly logs: { vectors: Float64Array; directions: Float64Array },
   ) {}
 
-  /** Rejects where no path leads from the pivot to a place. */
+  /**
+   * `beside` goes along with the objects. Rejects where no path leads from the pivot to a place.
+   */
   static async of(
     client: EngineClient,
     surface: Surface,
     objects: readonly DrawnObject[],
     pivot: SurfacePoint,
+    beside: readonly Carried[] = [],
   ): Promise<Move> {
-    const places = objects.flatMap(({ figure }) => placesOf(figure));
-    const logs = places.map(async (place): Promise<Log> => {
-      const path = await client.mesh.shortestPath(plain(pivot), plain(place));
-      const direction = directionOf(path.polyline({ bits: 64 }));
-      return { place, direction, length: path.length };
-    });
-    return new Move(client, surface, objects, pivot, await Promise.all(logs));
+    const carried = carriedOf(objects.map(({ figure }) => figure));
+    const all = [...carried, ...beside];
+    const logs = await client.mesh.logMap(
+      plain(pivot),
+      all.map(({ place }) => plain(place)),
+      directionsOf(all),
+    );
+    const normal = faceNormal(client, surface, pivot);
+    return new Move(client, normal, objects, plain(pivot), carried, beside, logs);
   }
 
   /** The command that takes the pivot to a point; null where something would leave the surface. */
   async to(point: SurfacePoint): Promise<Command | null> {
-    const { client, surface, pivot } = this;
-    const isBack = point.face === pivot.face && `${point.bary}` === `${pivot.bary}`;
-    if (isBack) return { type: 'steps', steps: [] };
-    const { diagonal } = client.info;
-    const turn = surface.carry(pivot, point);
-    const found = this.logs.map(async ({ place, direction, length }) => {
-      if (length === 0) return [place, point] as const;
-      const way = turn(direction);
-      const { end, remaining } = await client.mesh.straightest(plain(point), way, length);
-      return remaining > leftAtMost * diagonal ? null : ([place, end] as const);
-    });
-    const ends = await Promise.all(found);
-    if (ends.some((end) => end === null)) return null;
-    const moved = new Map(ends as (readonly [SurfacePoint, SurfacePoint])[]);
-    const steps = this.objects.map(({ id, figure: from }): Command => {
-      const to = movedFigure(from, (place) => plain(moved.get(place)!), turn);
-      return { type: 'figure', id, edit: { type: 'replace', from, to } };
-    });
-    return { type: 'steps', steps };
+    return (await this.placed({ point }))?.command ?? null;
+  }
+
+  /** Null where something would leave the surface. */
+  async placed({ point = this.pivot, angle = 0, scale = 1 }: Placement): Promise<Placed | null> {
+    const { client, pivot, carried, objects } = this;
+    const stays = samePoint(point, pivot);
+    if (stays && angle === 0 && scale === 1) return this.#unmoved;
+    const count = this.logs.vectors.length;
+    const here = new Float64Array(2 * count);
+    here.set(this.#turned(this.logs.vectors, angle, scale));
+    here.set(this.#turned(this.logs.directions, angle, 1), count);
+    const there = stays ? here : await client.mesh.transport(pivot, plain(point), here);
+    const { points, directions, remaining } = await client.mesh.expMap(
+      plain(point),
+      there.slice(0, count),
+      there.slice(count),
+    );
+    if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return null;
+    const figures = objects.map(({ figure }) => figure);
+    const own = carried.length;
+    return {
+      command: replacing(objects, movedFigures(figures, carried, { points, directions }, scale)),
+      beside: { points: points.slice(own), directions: directions.slice(3 * own) },
+    };
+  }
+
+  get #unmoved(): Placed {
+    const { beside } = this;
+    return {
+      command: { type: 'steps', steps: [] },
+      beside: { points: beside.map(({ place }) => place), directions: directionsOf(beside) },
+    };
+  }
+
+  #turned(vectors: Float64Array, angle: number, scale: number): Float64Array {
+    if (angle === 0 && scale === 1) return vectors;
+    const turned = new Float64Array(vectors.length);
+    const vector = new Vector3();
+    for (let i = 0; i < vectors.length; i += 3) {
+      vector.fromArray(vectors, i).applyAxisAngle(this.normal, angle).multiplyScalar(scale);
+      turned.set(vector.toArray() as Vector, i);
+    }
+    return turned;
   }
 }

@@ -33,6 +33,11 @@ export class Newest<Job> {
     await this.#loopEnd;
   }
 
+  /** Resolves when nothing runs or waits. */
+  done(): Promise<void> {
+    return this.#loopEnd;
+  }
+
   get busy(): boolean {
     return this.#running;
   }

@@ -34,7 +34,8 @@ export function targetAt(
     return position && { type: 'curve', position };
   }
   const within = place.touch ? reach.touch : reach.mouse;
-  if (tool === 'select') {
+  if (tool === 'mirror') return pick && { type: 'surface', pick };
+  if (tool === 'select' || tool === 'transform') {
     // What was just duplicated lies over what it is a copy of.
     const { id, locked } = activeObject(drawing);
     if (!locked && viewer.pickOwn(place.x, place.y, within)) return { type: 'other', id };

@@ -30,6 +30,7 @@ export class Status {
   readonly #notice = byId('notice');
   #timer = 0;
   #measured: Measured | null = null;
+  #again = false;
   #aim = '';
 
   readonly #slider: HTMLInputElement;
@@ -98,6 +99,12 @@ export class Status {
     this.showHint(state, view);
   }
 
+  /** Whether the first of two clicks that mirror is done. */
+  showMirroring(again: boolean, state: State, view: View): void {
+    this.#again = again;
+    this.showHint(state, view);
+  }
+
   /** Says what the pointer does where it is, unless there is something else to say. */
   showAim(words: string, state: State, view: View): void {
     if (words === this.#aim) return;
@@ -108,7 +115,7 @@ export class Status {
   showHint(state: State, view: View): void {
     // What is measured has the room.
     const selection = state.tool === 'measure' ? null : state.selection;
-    const hint = hintOf(state, view, this.#measured) || this.#aim;
+    const hint = hintOf(state, view, this.#measured, this.#again) || this.#aim;
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
     byId('shorten').hidden = hint === '' || hint !== shorterHint(view);
@@ -133,11 +140,21 @@ function hintOf(
   { mesh, figure, tool, chosen, selection }: State,
   view: View,
   measured: Measured | null,
+  again: boolean,
 ): string {
   if (!mesh) return '';
   if (tool === 'freehand') return penWords.draw;
   if (tool === 'split') return 'Click the curve where you want to cut it';
   if (tool === 'join') return 'Click the curve to join with this one';
+  if (tool === 'mirror') {
+    return again
+      ? 'Click a second point of the mirror line'
+      : 'Click the surface where the mirror line goes through';
+  }
+  if (tool === 'transform' && chosen.length === 0)
+    return 'Click an object to move, turn or scale it';
+  if (tool === 'transform')
+    return 'Drag a corner to scale, the round handle to turn; Shift keeps steps';
   if (tool === 'measure') {
     return measured ? measuredText(measured) : 'Point at the curve, or tap it, to measure it there';
   }

@@ -53,6 +53,7 @@ export function sceneColors(): ViewerColors & { stage: string } {
     marks: read('ink'),
     center: read('center'),
     chosen: read('chosen'),
+    frame: read('accent'),
   };
   probe.remove();
   return colors;

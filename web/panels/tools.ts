@@ -1,5 +1,6 @@
 import type { CurveEdits } from '../editor/curve_edits';
 import { type Editor, isResting } from '../editor/editor';
+import { toggleMirror, toggleTransform } from '../editor/mirror_tool';
 import { isCurve, kinds } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
@@ -53,6 +54,7 @@ export class Tools {
   #escape(): void {
     const { editor } = this;
     if (editor.dragging) editor.cancelDrag();
+    else if (editor.state.tool === 'transform') editor.setTool('select');
     else if (!isResting(editor.state.tool)) editor.rest();
     else if (editor.state.selection !== null) editor.select(null);
     else editor.choose([]);
@@ -139,6 +141,8 @@ export class Tools {
     c: () => this.#toggleClosed(),
     s: () => this.edits.chooseSplit(),
     j: () => this.edits.chooseJoin(),
+    f: () => toggleTransform(this.editor),
+    i: () => toggleMirror(this.editor),
     '?': () => this.#help.showModal(),
   };
 }

@@ -8,7 +8,7 @@ export interface Handle {
   label: string;
   /** Text beside the handle while it is selected or pointed at. */
   tag: string;
-  look: 'point' | 'center' | 'rim' | 'anchor' | 'tangent';
+  look: 'point' | 'center' | 'rim' | 'anchor' | 'tangent' | 'corner' | 'turn' | 'move' | 'pivot';
   selected: boolean;
 }
 

@@ -24,6 +24,8 @@ export interface ViewerColors {
   center: string;
   /** Around what is selected. */
   chosen: string;
+  /** Of the frame round what is transformed. */
+  frame: string;
 }
 
 /** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
@@ -56,10 +58,12 @@ export class Viewer {
   readonly #shorter = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.3 }, 2);
   readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
   readonly #tangent = new FatLine({ width: 2.5, hidden: 0.5 }, 7);
+  readonly #frameLines = new FatLine({ width: 1.5, dash: fineDash, hidden: 0.2 }, 5);
   readonly #places = new FatLine({ width: 3, hidden: 0.45 }, 5);
   readonly #lines = [
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
     ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#halo, this.#stroke],
+    this.#frameLines,
   ];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
@@ -144,6 +148,7 @@ export class Viewer {
     this.showShorter([]);
     this.showPlaces([]);
     this.showStroke(new Float32Array());
+    this.showFrame([]);
     return this.#surface;
   }
 
@@ -158,6 +163,7 @@ export class Viewer {
     this.#showStyle();
     this.#shorter.setColor(new Color(colors.center), surface);
     this.#tangent.setColor(new Color(colors.center), surface);
+    this.#frameLines.setColor(new Color(colors.frame), surface);
     this.#places.setColor(new Color(colors.lost), surface);
     this.#marks.setColor(new Color(colors.marks), surface);
     this.requestFrame();
@@ -224,6 +230,12 @@ export class Viewer {
   /** A stroke that is being drawn, in the scene. */
   showStroke(line: Float32Array): void {
     this.#stroke.set(line.length > 0 ? [line] : []);
+    this.requestFrame();
+  }
+
+  /** The frame round what is transformed: polylines in the scene. */
+  showFrame(lines: readonly Float32Array[]): void {
+    this.#frameLines.set(lines);
     this.requestFrame();
   }
 

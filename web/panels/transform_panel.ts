@@ -1,0 +1,51 @@
+import type { Editor, State } from '../editor/editor';
+import { type MirrorTool, toggleMirror, toggleTransform } from '../editor/mirror_tool';
+import type { Numbers } from '../editor/transform_gestures';
+import { isEmpty } from '../model/figure';
+import { byId } from './elements';
+import { NumberField } from './number_field';
+
+const format = (least: number) => ({
+  read(text: string): number | null {
+    const value = Number(text.trim().replace(',', '.'));
+    return text.trim() !== '' && Number.isFinite(value) && value >= least ? value : null;
+  },
+  write: (value: number) => `${value}`,
+});
+
+/** Numbers by which what is selected is moved, turned and scaled, each as one step. */
+export class TransformPanel {
+  readonly #panel = byId('transform');
+  readonly #transform = byId<HTMLButtonElement>('tool-transform');
+  readonly #mirror = byId<HTMLButtonElement>('mirror');
+  readonly #copies = byId<HTMLInputElement>('mirror-copies');
+  readonly #fields: readonly (readonly [NumberField, number])[];
+
+  constructor(editor: Editor, place: (numbers: Numbers) => void, mirror: MirrorTool) {
+    this.#transform.addEventListener('click', () => toggleTransform(editor));
+    this.#mirror.addEventListener('click', () => toggleMirror(editor));
+    const field = (id: string, none: number, take: (value: number) => Numbers, least = -1e9) => {
+      const input = byId<HTMLInputElement>(id);
+      return [new NumberField(input, (value) => place(take(value)), format(least)), none] as const;
+    };
+    this.#fields = [
+      field('move-x', 0, (x) => ({ x })),
+      field('move-y', 0, (y) => ({ y })),
+      field('turn', 0, (degrees) => ({ angle: (degrees * Math.PI) / 180 })),
+      field('scale', 100, (percent) => ({ scale: percent / 100 }), 1),
+    ];
+    this.#copies.addEventListener('change', () => {
+      mirror.copies = this.#copies.checked;
+    });
+  }
+
+  show({ tool, chosen, figure }: State): void {
+    this.#mirror.setAttribute('aria-pressed', `${tool === 'mirror'}`);
+    this.#transform.setAttribute('aria-pressed', `${tool === 'transform'}`);
+    this.#transform.disabled = chosen.length === 0 && isEmpty(figure) && tool !== 'transform';
+    this.#mirror.disabled = chosen.length === 0 && isEmpty(figure);
+    this.#panel.hidden = tool !== 'transform';
+    byId('mirror-settings').hidden = tool !== 'mirror';
+    for (const [field, none] of this.#fields) field.show(chosen.length > 0 ? none : null);
+  }
+}
