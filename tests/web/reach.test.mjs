@@ -151,9 +151,17 @@ async function unfold(controls) {
       (one) => one.getAttribute('aria-expanded') === 'true' || one.parentElement.open,
     );
     assert.ok(shown, 'a click shows what is folded');
+    await checkedUp(controls.page);
     await controls.look('unfolded');
   }
 }
+
+/** Until an open check-up has its answer: what lies below it moves then. */
+const checkedUp = (page) =>
+  page.waitForFunction(() => {
+    const [details, found] = ['checkup', 'checkup-found'].map((id) => document.getElementById(id));
+    return !details.open || found.childElementCount > 0;
+  });
 
 const all = (controls, selector) =>
   controls.page.locator(selector).filter({ visible: true }).elementHandles();
