@@ -14,9 +14,10 @@ import { applyToFigure, type FigureCommand } from '../model/figure_commands';
 import { withAnchorAt } from '../model/pen';
 import { splineOf, withSpline } from '../model/splines';
 import type { Edit } from '../worker/edits';
-import type { CurveTool, Editor, Selection, State } from './editor';
+import type { Editor, Selection, State } from './editor';
 import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
+import type { CurveTool } from './tool';
 
 /** How often an edit is begun anew because another one, as a drag, overtook it. */
 const mostAttempts = 20;

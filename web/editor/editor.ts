@@ -36,6 +36,7 @@ import { applyToFigure, type FigureCommand } from '../model/figure_commands';
 import { withFittingLegs, withLeg } from '../model/legs';
 import { defaultMethod, type MethodId } from '../model/methods';
 import { type History, historyOf, longestHistory } from '../model/saved_work';
+import { type CurveTool, isResting, type RestingTool } from './tool';
 
 /** A control point by its number, or one of a circle's or ellipse's handles. */
 export type Selection = number | CircleHandle | null;
@@ -64,17 +65,6 @@ export interface State {
   /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
   readonly epoch: number;
 }
-
-/**
- * Selects and moves only; or puts a point on the surface or into the edited curve, draws a stroke, cuts
- * the curve, joins another one to it, or measures it.
- */
-export type CurveTool = RestingTool | 'split' | 'join' | 'measure' | 'mirror';
-/** What a tool that has done its work gives way to. */
-export type RestingTool = 'select' | 'insert' | 'freehand' | 'transform';
-
-export const isResting = (tool: CurveTool): tool is RestingTool =>
-  ['select', 'insert', 'freehand', 'transform'].includes(tool);
 
 /** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
 function fitted(to: Figure, from: Figure, edit: FigureCommand): Figure {

@@ -9,15 +9,17 @@ import { Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
 import { BoxSelection } from './box_selection';
-import type { CurveTool, Editor } from './editor';
+import type { Editor } from './editor';
 import { FreehandGestures } from './freehand';
-import { handlesOf, idOf, selectionOf, tangentOf } from './handle_list';
+import { handlesOf, idOf, selectionOf, tangentOf, underHandle, underPointer } from './handle_list';
 import { MoveGestures } from './move_gestures';
 import { type HeldKeys, PenGestures } from './pen_gestures';
 import type { Session } from './session';
 import { type Snapped, Snapping } from './snapping';
+import { arrows, StageKeys } from './stage_keys';
 import { StagePointer } from './stage_pointer';
 import { type Target, targetAt } from './targets';
+import type { CurveTool } from './tool';
 import { type Numbers, TransformGestures } from './transform_gestures';
 import { twoFingersMeanTheView } from './two_fingers';
 
@@ -26,14 +28,6 @@ const clickSlop = 4;
 const touchSlop = 10;
 /** How near to a knot, in CSS pixels, a click means the knot. */
 const nearKnot = { mouse: 6, touch: 12 };
-/** How far an arrow moves what is selected, in CSS pixels; with Shift ten times. */
-const nudgePixels = 4;
-const arrows: Record<string, [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 /** Clicks that ask for an edit that the engine has a part in. */
 export interface CurveClicks {
@@ -68,14 +62,6 @@ interface Grabbed {
   action: PenAction | null;
 }
 
-/** What of the pen a handle is, by its id. */
-function underHandle(id: string): UnderPointer | null {
-  const tangent = tangentOf(id);
-  if (tangent) return { type: 'handle', side: tangent.side };
-  const index = selectionOf(id);
-  return typeof index === 'number' && !Number.isNaN(index) ? { type: 'anchor', index } : null;
-}
-
 /** Turns what the pointer and the keys do on the stage into commands. */
 export class Gestures {
   readonly #handles: Handles;
@@ -86,7 +72,6 @@ export class Gestures {
   readonly freehand: FreehandGestures;
   readonly snapping: Snapping;
   readonly #pen: PenGestures;
-  readonly #moves: MoveGestures;
   readonly #transforms: TransformGestures;
   #pointers = 0;
   #hover: { x: number; y: number } | null = null;
@@ -142,18 +127,16 @@ export class Gestures {
     });
     this.#transforms = transforms;
     this.#pen = pen;
-    this.#moves = moves;
-    stage.addEventListener('keyup', (event) => {
-      if (event.key in arrows) moves.endNudge();
-    });
     const keys = ({ altKey, shiftKey, ctrlKey, metaKey }: PointerEvent) => {
       this.#keys = { alt: altKey, shift: shiftKey, control: ctrlKey || metaKey };
     };
     for (const type of ['pointerdown', 'pointermove'] as const) {
       window.addEventListener(type, keys, { capture: true });
     }
-    // The stage takes keys of its own: it turns, zooms and places points.
-    stage.tabIndex = 0;
+    new StageKeys(editor, viewer, stage, moves, {
+      clicked: (place) => this.#click({ ...place, touch: false }, { byKey: true }),
+      aimed: (place) => this.#aim(place),
+    });
     stage.addEventListener('pointerdown', (event) => this.#down(event));
     stage.addEventListener('pointermove', (event) => this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#up(event));
@@ -170,7 +153,6 @@ export class Gestures {
       });
     }
     stage.addEventListener('dblclick', (event) => this.#doubleClick(event));
-    stage.addEventListener('keydown', (event) => this.#stageKey(event));
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     stage.addEventListener('blur', () => {
       moves.endNudge();
@@ -186,6 +168,7 @@ export class Gestures {
   letGo(): void {
     this.#press = null;
     this.#handles.letGo();
+    this.#transforms.letGo();
     this.#pointer.letGo();
   }
 
@@ -267,7 +250,7 @@ export class Gestures {
     const hovers = event.pointerType !== 'touch' && event.buttons === 0;
     const free = event.target === this.stage || event.target instanceof HTMLCanvasElement;
     this.#isOver = event.pointerType !== 'touch';
-    this.#overHandle = this.#underPointer(event.target);
+    this.#overHandle = underPointer(event.target);
     this.#aim(hovers && free ? { x: event.clientX, y: event.clientY } : null);
   }
 
@@ -310,12 +293,6 @@ export class Gestures {
       else this.#handles.showPreview(null, 'surface');
       this.#dragNow();
     });
-  }
-
-  /** What of the pen's handles an element is. */
-  #underPointer(element: EventTarget | null): UnderPointer | null {
-    const handle = element instanceof Element ? element.closest('.handle') : null;
-    return handle instanceof HTMLElement ? underHandle(handle.dataset.id ?? '') : null;
   }
 
   /** Tells what the pen would do where the pointer is. */
@@ -368,7 +345,7 @@ export class Gestures {
    */
   #doubleClick({ clientX: x, clientY: y, target: element }: MouseEvent): void {
     const { tool, figure } = this.editor.state;
-    const anchor = this.#underPointer(element);
+    const anchor = underPointer(element);
     if (figure.kind === 'pen' && anchor?.type === 'anchor') {
       this.events.anchorRemoved(anchor.index);
       return;
@@ -496,26 +473,5 @@ export class Gestures {
     if (!grabbed) return;
     this.#keys = { alt: false, shift: false, control: false };
     this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], grabbed);
-  }
-
-  #stageKey(event: KeyboardEvent): void {
-    if (event.target !== this.stage || event.ctrlKey || event.metaKey || event.altKey) return;
-    const arrow = arrows[event.key];
-    const box = this.stage.getBoundingClientRect();
-    const middle = { x: box.left + box.width / 2, y: box.top + box.height / 2 };
-    const nudge = event.shiftKey ? 10 * nudgePixels : nudgePixels;
-    if (arrow && this.editor.state.chosen.length > 0) {
-      this.#moves.nudge(nudge * arrow[0], nudge * arrow[1]);
-    } else if (arrow) this.viewer.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
-    else if (event.key === '+' || event.key === '=') this.viewer.zoom(1 / 1.15);
-    else if (event.key === '-') this.viewer.zoom(1.15);
-    else if (event.key === 'Enter') {
-      // With a mouse points are placed where it is: the key is left to end the curve.
-      if (this.stage.classList.contains('pointed')) return;
-      this.#click({ ...middle, touch: false }, { byKey: true });
-    } else return;
-    event.preventDefault();
-    this.stage.classList.remove('pointed');
-    this.#aim(middle);
   }
 }

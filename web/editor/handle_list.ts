@@ -3,6 +3,7 @@ import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle'
 import { activeObject } from '../model/drawing';
 import { type ControlPoint, isRound } from '../model/figure';
 import type { Side } from '../model/pen';
+import type { UnderPointer } from '../model/pen_hints';
 import type { Handle } from '../viewer/handles';
 import type { Surface } from '../viewer/surface';
 import type { Selection, State } from './editor';
@@ -115,4 +116,18 @@ export function selectionOf(id: string): NonNullable<Selection> {
   const tangent = tangentOf(id);
   if (tangent) return tangent.anchor;
   return isCircleHandle(id) ? id : Number(id.slice('point-'.length));
+}
+
+/** What of the pen a handle is, by its id. */
+export function underHandle(id: string): UnderPointer | null {
+  const tangent = tangentOf(id);
+  if (tangent) return { type: 'handle', side: tangent.side };
+  const index = selectionOf(id);
+  return typeof index === 'number' && !Number.isNaN(index) ? { type: 'anchor', index } : null;
+}
+
+/** What of the pen's handles an element is. */
+export function underPointer(element: EventTarget | null): UnderPointer | null {
+  const handle = element instanceof Element ? element.closest('.handle') : null;
+  return handle instanceof HTMLElement ? underHandle(handle.dataset.id ?? '') : null;
 }

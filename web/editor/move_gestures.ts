@@ -1,11 +1,12 @@
 import { placesOf } from '../model/moving';
 import type { Viewer } from '../viewer/viewer';
-import { type Editor, isResting } from './editor';
+import type { Editor } from './editor';
 import { Move, movableObjects } from './moving';
 import { Newest } from './newest';
 import type { Session } from './session';
 import type { Hold, Place } from './stage_pointer';
 import { reach, targetAt } from './targets';
+import { isResting } from './tool';
 
 /** A line that is dragged, and what is moved with it. */
 interface HeldLine {

@@ -1,6 +1,6 @@
 /** Light or dark: as the system has it, until it is chosen here. */
 import { recall, remember } from '../model/storage';
-import type { ViewerColors } from '../viewer/viewer';
+import type { ViewerColors } from '../viewer/colors';
 
 export type Theme = 'light' | 'dark';
 

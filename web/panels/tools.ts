@@ -1,6 +1,7 @@
 import type { CurveEdits } from '../editor/curve_edits';
-import { type Editor, isResting } from '../editor/editor';
+import type { Editor } from '../editor/editor';
 import { toggleMirror, toggleTransform } from '../editor/mirror_tool';
+import { isResting } from '../editor/tool';
 import { isCurve, kinds } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';

@@ -1,32 +1,17 @@
 import { Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import { defaultStyle, type LineStyle } from '../model/drawing';
+import { litSurface, type ViewerColors } from './colors';
 import { outliveContextLoss } from './context_loss';
 import { nearestOnScreen } from './curve_pick';
 import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine, fineDash } from './fat_line';
 import { dashLengths, dotAt, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
+import { pictureOf } from './picture';
 import { colorSurface, type Pick, Surface } from './surface';
 import { type ViewName, views } from './views';
 
 type Vector = [number, number, number];
-
-export interface ViewerColors {
-  front: string;
-  back: string;
-  sky: string;
-  ground: string;
-  edges: string;
-  curve: string;
-  lost: string;
-  polygon: string;
-  marks: string;
-  center: string;
-  /** Around what is selected. */
-  chosen: string;
-  /** Of the frame round what is transformed. */
-  frame: string;
-}
 
 /** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
 export interface SeenLine {
@@ -37,9 +22,6 @@ export interface SeenLine {
 
 /** How long a tangent is drawn, in the scene; a surface's diagonal is 2. */
 const tangentLength = 0.16;
-
-/** The surface's color where it is lit as most of it is. */
-const surfaceShade = 0.75;
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
 export class Viewer {
@@ -154,7 +136,7 @@ export class Viewer {
 
   set colors(colors: ViewerColors) {
     colorSurface(colors);
-    const surface = new Color(colors.front).multiplyScalar(surfaceShade);
+    const surface = litSurface(colors);
     this.#colors = colors;
     this.#lost.setColor(new Color(colors.lost), surface);
     this.#polygon.setColor(new Color(colors.polygon), surface);
@@ -284,7 +266,7 @@ export class Viewer {
     const { color, width, dash } = this.#style;
     const colors = this.#colors;
     if (!colors) return;
-    const surface = new Color(colors.front).multiplyScalar(surfaceShade);
+    const surface = litSurface(colors);
     const own = new Color(color ?? colors.curve);
     this.#curve.setColor(own, surface);
     this.#curve.setStyle({ width, dash: dashLengths[dash] });
@@ -483,21 +465,10 @@ export class Viewer {
    * background is given.
    */
   picture(scale: number, background: string | null): Promise<Blob> {
-    const { width, height } = this.#size;
-    const ratio = this.#renderer.getPixelRatio();
-    const picture = new OffscreenCanvas(width * scale, height * scale);
-    const context = picture.getContext('2d')!;
-    if (background) {
-      context.fillStyle = background;
-      context.fillRect(0, 0, picture.width, picture.height);
-    }
-    this.#renderer.setPixelRatio(scale);
-    this.#renderer.render(this.#scene, this.#view.camera);
-    // What is drawn holds until this task ends.
-    context.drawImage(this.canvas, 0, 0);
-    this.#renderer.setPixelRatio(ratio);
+    const render = () => this.#renderer.render(this.#scene, this.#view.camera);
+    const picture = pictureOf(this.#renderer, render, this.#size, scale, background);
     this.requestFrame();
-    return picture.convertToBlob({ type: 'image/png' });
+    return picture;
   }
 
   #resize(): void {
