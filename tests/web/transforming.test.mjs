@@ -287,6 +287,25 @@ describe('the frame round what is selected', () => {
     await page.close();
   });
 
+  test('a finger that rests on a handle opens the menu and lets go of the frame', async () => {
+    const tab = await open();
+    const { page } = tab;
+    const whole = await bytesOf(tab);
+    const { x, y } = await tab.handle('Move the selection');
+    const protocol = await page.context().newCDPSession(page);
+    const touch = (type, ...touchPoints) =>
+      protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', { x, y });
+    await page.getByRole('menu').waitFor();
+    for (const step of [15, 30]) await touch('touchMove', { x: x + step, y: y + step });
+    await touch('touchEnd');
+    await tab.pastSaving();
+    await tab.settled();
+    assert.equal(await bytesOf(tab), whole);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   test('two clicks mirror a copy', async () => {
     const tab = await open();
     const { page } = tab;
