@@ -142,7 +142,7 @@ export class Tools {
     c: () => this.#toggleClosed(),
     s: () => this.edits.chooseSplit(),
     j: () => this.edits.chooseJoin(),
-    f: () => toggleTransform(this.editor),
+    k: () => toggleTransform(this.editor),
     i: () => toggleMirror(this.editor),
     '?': () => this.#help.showModal(),
   };
