@@ -54,7 +54,6 @@ export class Handles {
     this.#center.className = 'mass-center';
     this.#center.hidden = true;
     window.addEventListener('keydown', (event) => this.#key(event), { capture: true });
-    layer.append(this.#preview, this.#center, this.#beacon);
     viewer.onFrame(() => this.#place());
   }
 
@@ -100,7 +99,7 @@ export class Handles {
     this.#preview.dataset.on = on;
     this.#preview.dataset.tag = name;
     this.#previewPosition = position;
-    this.#preview.hidden = position === null;
+    this.#mark(this.#preview, position !== null);
     this.#put(this.#preview, position);
     if (position) this.viewer.requestFrame();
   }
@@ -108,7 +107,7 @@ export class Handles {
   /** The center of mass; it follows from the points, and is not dragged. */
   showCenter(position: Vector3 | null): void {
     this.#centerPosition = position;
-    this.#center.hidden = position === null;
+    this.#mark(this.#center, position !== null);
     this.viewer.requestFrame();
   }
 
@@ -116,10 +115,16 @@ export class Handles {
   showBeacon(position: Vector3): void {
     this.#beaconPosition = position;
     // Shown anew, the animation starts again.
-    this.#beacon.hidden = true;
+    this.#mark(this.#beacon, false);
     void this.#beacon.offsetWidth;
-    this.#beacon.hidden = false;
+    this.#mark(this.#beacon, true);
     this.viewer.requestFrame();
+  }
+
+  /** Shows or hides one of the marks, which the layer has from the first time on that it is shown. */
+  #mark(mark: HTMLElement, shown: boolean): void {
+    if (shown && !mark.isConnected) this.layer.append(mark);
+    mark.hidden = !shown;
   }
 
   focus(id: string): void {
