@@ -84,7 +84,7 @@ Vec3 tangentToSpace(const Geometry& geometry, const SurfacePoint& point, const V
 
 Vec2 tangentFromSpace(const Geometry& geometry, const SurfacePoint& point, const Vec3& vector) {
   const PointLocation at = locate(*geometry.mesh, point);
-  const Vec2 inFace = toFace(geometry, point.face, vector);
+  Vec2 inFace = toFace(geometry, point.face, vector);
   if (at.simplex != Simplex::kVertex) return inFace;
   return rotateBack(geometry.vertexToFace[cornerAt(*geometry.mesh, at.vertex, point.face)], inFace);
 }
