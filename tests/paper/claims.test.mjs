@@ -15,18 +15,6 @@ before(async () => {
   ({ claims } = await load('claims/claims.ts'));
 });
 
-const rowOf = (measured, id) => judge({ ...nothing, ...measured }).find((row) => row.id === id);
-
-/** A line with nothing in it but what is said. */
-const line = (id, more) => ({
-  ...{ id, ok: true, reason: null, prepareMs: 1, traceMs: 1, samples: 100, lost: 0 },
-  ...{ lostByOwnRule: 0, deviation: null, turningNoise: null, breaks: 0, ruler: null },
-  ...more,
-});
-const residual = (median) => ({
-  ruler: { residual: { median, max: median }, measured: 33, of: 33 },
-});
-
 describe('claims', () => {
   test('every section that claims something has a row, and every row a figure that exists', async () => {
     const { figures } = await load('figures/index.ts');
@@ -50,51 +38,6 @@ describe('claims', () => {
 
   test('what was not measured has no verdict', () => {
     for (const row of judge(nothing)) assert.equal(row.verdict, 'not measured here', row.id);
-  });
-
-  test('a verdict follows the numbers: descent on the coarse torus', () => {
-    const of = (descent, paper) =>
-      rowOf(
-        {
-          panels: {
-            'paths/coarse': [
-              line('descent', { deviation: { median: descent, max: 9, samples: 100 } }),
-              line('paper', { deviation: { median: paper, max: 9, samples: 100 } }),
-              line('karcherExact', { deviation: { median: 0.5, max: 9, samples: 100 } }),
-            ],
-          },
-        },
-        'paths-descent',
-      );
-    assert.equal(of(2, 1).verdict, 'holds');
-    assert.equal(of(1, 2).verdict, 'does not');
-    assert.match(of(1.25, 2).measured, /descent is 1\.3 h .* the paper’s method 2 h, ours 0\.5 h/);
-  });
-
-  test('weighted averages: who is nearer is counted panel by panel', () => {
-    const panel = (paper, averages) => [
-      line('paper', residual(paper)),
-      line('paperGraph6', residual(paper)),
-      line('karcher', residual(0.001)),
-      line('weightedAverages', residual(averages)),
-    ];
-    const of = (panels) => rowOf({ panels }, 'against-averages');
-    assert.equal(of({ 'a/b': panel(1, 2), 'a/c': panel(1, 3) }).verdict, 'holds');
-    assert.equal(of({ 'a/b': panel(2, 1), 'a/c': panel(3, 1) }).verdict, 'does not');
-    const mixed = of({ 'a/b': panel(2, 1), 'a/c': panel(1, 3) });
-    assert.equal(mixed.verdict, 'depends');
-    assert.match(mixed.measured, /1 of 2 panels .* weighted averages are in a\/b, a\/b/);
-  });
-
-  test('the armadillo needs a mesh of that name', () => {
-    const of = (prepareMs) => {
-      const result = { prepareMs, lost: 1, samples: 9, reason: 'folds', ruler: null };
-      const methods = [{ method: 'weightedAverages', result }];
-      return rowOf({ meshes: [{ name: 'armadillo.obj', triangles: 7, methods }] }, 'table').verdict;
-    };
-    assert.equal(of(3), 'does not');
-    assert.equal(of(null), 'holds');
-    assert.equal(rowOf({ meshes: [] }, 'table').verdict, 'not measured here');
   });
 
   test('the saved report has the claims as they are now, a verdict and numbers each', () => {

@@ -6,6 +6,7 @@ import { type ConvergencePoint, convergence } from './convergence';
 import { galleryTorus } from './gallery_torus';
 import { type RoughnessPoint, roughness } from './roughness';
 import { studySeed } from './seed';
+import { middle } from './words';
 
 /** What the figures do not measure and the claims ask for. */
 export interface Studies {
@@ -37,9 +38,6 @@ export interface Studies {
     reason: string | null;
   }[];
 }
-
-const median = (values: readonly number[]) =>
-  values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;
 
 function timed<Result>(work: () => Result): [Result, number] {
   const start = performance.now();
@@ -120,7 +118,7 @@ function oneCenter(peers: Peers): Studies['oneCenter'] {
     return timed(() => mesh.centerOfMass(moved, [w, 0.3, 0.2, 0.5 - w], options))[1];
   });
   mesh.dispose();
-  const centerMs = median(again);
+  const centerMs = middle(again);
   return { fieldsMs: all - centerMs, centerMs };
 }
 
@@ -135,8 +133,8 @@ function update(peers: Peers): Studies['update'] {
   });
   const { triangles } = mesh.info;
   mesh.dispose();
-  const fieldMs = median(runs.map(({ fields }) => fields));
-  return { fieldMs, segmentMs: median(runs.map(({ trace }) => trace)) / segments, triangles };
+  const fieldMs = middle(runs.map(({ fields }) => fields));
+  return { fieldMs, segmentMs: middle(runs.map(({ trace }) => trace)) / segments, triangles };
 }
 
 function reweigh(peers: Peers): Studies['reweigh'] {

@@ -48,12 +48,58 @@ export class NotMeasured extends Error {}
 
 /** Reads the measurements. Every reader throws `NotMeasured` for what is not there. */
 export class Evidence {
+  /** Methods that failed, where all of their samples were counted as lost for it. */
+  readonly failed = new Map<string, string>();
+
   constructor(readonly all: Measured) {}
 
   line(panel: string, id: LineId): LineNumbers {
     const line = this.all.panels[panel]?.find((one) => one.id === id);
     if (!line) throw new NotMeasured(`${id} of ${panel}`);
     return line;
+  }
+
+  /** A line of a method that did not fail. */
+  #whole(panel: string, id: LineId): LineNumbers {
+    const line = this.line(panel, id);
+    if (!line.ok) throw new NotMeasured(`${id} of ${panel}, which failed: ${line.reason}`);
+    return line;
+  }
+
+  /** How many samples a line lost: all that others have in the panel, if its method failed. */
+  lost(panel: string, id: LineId): { lost: number; own: number; samples: number } {
+    const { ok, reason, samples, lost, lostByOwnRule } = this.line(panel, id);
+    if (ok) {
+      const of = `${id} of ${panel}`;
+      return {
+        lost: known(lost, `lost samples of ${of}`),
+        own: known(lostByOwnRule ?? lost, `lost samples of ${of}`),
+        samples: known(samples, `samples of ${of}`),
+      };
+    }
+    this.failed.set(`${id} of ${panel}`, reason ?? 'no reason');
+    const asked = samples ?? Math.max(0, ...this.all.panels[panel]!.map((one) => one.samples ?? 0));
+    if (asked === 0) throw new NotMeasured(`${id} of ${panel}, which failed: ${reason}`);
+    return { lost: asked, own: asked, samples: asked };
+  }
+
+  /** Distances from the reference. */
+  deviation(panel: string, id: LineId): NonNullable<LineNumbers['deviation']> {
+    return known(this.#whole(panel, id).deviation, `the deviation of ${id} of ${panel}`);
+  }
+
+  turning(panel: string, id: LineId): number {
+    return known(this.#whole(panel, id).turningNoise, `the turning of ${id} of ${panel}`);
+  }
+
+  /** The median residual by exact paths. */
+  residual(panel: string, id: LineId): number {
+    const median = this.#whole(panel, id).ruler?.residual?.median ?? null;
+    return known(median, `the residual of ${id} of ${panel}`);
+  }
+
+  traceMs(panel: string, id: LineId): number {
+    return known(this.#whole(panel, id).traceMs, `the time of ${id} of ${panel}`);
   }
 
   /** The panels in which all of these lines were measured. */
@@ -81,4 +127,9 @@ export class Evidence {
     if (!this.all.meshes) throw new NotMeasured('meshes that the project does not hold');
     return this.all.meshes;
   }
+}
+
+function known<Value>(value: Value | null, what: string): Value {
+  if (value === null) throw new NotMeasured(what);
+  return value;
 }

@@ -12,6 +12,13 @@ export function num(value: number | null): string {
 
 export const ms = (value: number | null): string => (value === null ? '–' : `${num(value)} ms`);
 
+/** Radians in degrees. */
+export const degrees = (angle: number): string => `${num((180 / Math.PI) * angle)}°`;
+
 export const percent = (part: number): string => `${num(100 * part)} %`;
 
 export const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
+
+/** The one in the middle; of an even number the larger of the two there. */
+export const middle = (values: readonly number[]): number =>
+  values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;

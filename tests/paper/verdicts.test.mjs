@@ -1,0 +1,336 @@
+// Verdicts follow the numbers: each rule on lines that are made up.
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import { load } from './load.mjs';
+
+const nothing = { panels: {}, table: [], studies: {}, meshes: null };
+let judge;
+before(async () => {
+  ({ judge } = await load('claims/judge.ts'));
+});
+
+const rowOf = (measured, id) => judge({ ...nothing, ...measured }).find((row) => row.id === id);
+
+/** A line with nothing in it but what is said. */
+const line = (id, more) => ({
+  ...{ id, ok: true, reason: null, prepareMs: 1, traceMs: 1, samples: 100, lost: 0 },
+  ...{ lostByOwnRule: 0, deviation: null, turningNoise: null, breaks: 0, ruler: null },
+  ...more,
+});
+const residual = (median) => ({
+  ruler: { residual: { median, max: median }, measured: 33, of: 33 },
+});
+const deviation = (median, max = median) => ({ deviation: { median, max, samples: 100 } });
+
+/** A method that failed before it had samples, and one that lost all of them. */
+const failed = (id) =>
+  line(id, {
+    ...{ ok: false, reason: 'it gave up', prepareMs: null, traceMs: null, samples: null },
+    ...{ lost: null, lostByOwnRule: null, breaks: null },
+  });
+const allLost = (id) =>
+  line(id, { ok: false, reason: 'no sample converged: noSolution', lost: 100, lostByOwnRule: 100 });
+
+describe('descent on the coarse torus', () => {
+  const of = (...lines) => rowOf({ panels: { 'paths/coarse': lines } }, 'paths-descent');
+  const three = (descent, paper) =>
+    of(
+      line('descent', deviation(descent, 9)),
+      line('paper', deviation(paper, 9)),
+      line('karcherExact', deviation(0.5, 9)),
+    );
+
+  test('is worse or not', () => {
+    assert.equal(three(2, 1).verdict, 'holds');
+    assert.equal(three(1, 2).verdict, 'does not');
+    assert.equal(three(1, 1).verdict, 'does not');
+    assert.match(
+      three(1.25, 2).measured,
+      /descent is 1\.3 h .* the paper’s method 2 h, ours 0\.5 h/,
+    );
+  });
+
+  test('is not measured where a method failed', () => {
+    for (const one of [failed, allLost]) {
+      const row = of(one('descent'), line('paper', deviation(1)), line('karcherExact'));
+      assert.equal(row.verdict, 'not measured here');
+      assert.match(row.measured, /descent of paths\/coarse, which failed: /);
+    }
+  });
+});
+
+describe('more accurate than weighted averages, and slightly slower', () => {
+  const panel = (paper, averages, traceMs = 1) => [
+    line('paper', { ...residual(paper), traceMs }),
+    line('paperGraph6', residual(paper)),
+    line('karcher', residual(0.001)),
+    line('weightedAverages', residual(averages)),
+  ];
+  const of = (panels, table = []) => rowOf({ panels, table }, 'against-averages');
+  const cell = (method, traceMs) => ({
+    ...{ row: 'torus', method, triangles: 9, segments: 4 },
+    result: { ok: true, traceMs },
+  });
+
+  test('who is nearer is counted panel by panel', () => {
+    assert.equal(of({ 'a/b': panel(1, 2), 'a/c': panel(1, 3) }).verdict, 'holds');
+    assert.equal(of({ 'a/b': panel(2, 1), 'a/c': panel(3, 1) }).verdict, 'does not');
+    const mixed = of({ 'a/b': panel(2, 1), 'a/c': panel(1, 3) });
+    assert.equal(mixed.verdict, 'depends');
+    assert.match(
+      mixed.measured,
+      /1 of 2 panels .* with exact distances on a\/b; with k = 6 on a\/b/,
+    );
+    assert.match(mixed.on, /not nearer in 2 of 4 cases/);
+    assert.doesNotMatch(mixed.on, /time/);
+  });
+
+  test('a tie is won by neither', () => {
+    const row = of({ 'a/b': panel(1, 1), 'a/c': panel(1, 3) });
+    assert.equal(row.verdict, 'depends');
+    assert.match(row.measured, /weighted averages are nearer in none/);
+    assert.equal(of({ 'a/b': panel(1, 1) }).verdict, 'does not');
+  });
+
+  test('the time decides as well', () => {
+    assert.equal(of({ 'a/b': panel(1, 2, 2) }).verdict, 'holds');
+    const slow = of({ 'a/b': panel(1, 2, 117) });
+    assert.equal(slow.verdict, 'depends');
+    assert.equal(slow.on, 'the time: 117 times as long is not slightly slower');
+    const table = [cell('paper', 10), cell('weightedAverages', 8)];
+    const mixed = of({ 'a/b': panel(1, 2, 117) }, table);
+    assert.match(mixed.on, /117 times as long in the figures is not slightly/);
+    assert.match(
+      mixed.measured,
+      /117 times as long in the figures and 1\.3 times as long in Table 1/,
+    );
+    table[0].result.traceMs = 24;
+    assert.match(of({ 'a/b': panel(1, 2, 117) }, table).on, /at least 3 times as long is not/);
+  });
+
+  test('a method that failed has the largest residual, and no time', () => {
+    const lines = panel(1, 2);
+    lines[3] = failed('weightedAverages');
+    assert.equal(of({ 'a/b': lines }).verdict, 'not measured here');
+    assert.equal(of({ 'a/b': lines, 'a/c': panel(1, 3) }).verdict, 'holds');
+    lines[0] = allLost('paper');
+    const row = of({ 'a/b': lines, 'a/c': panel(1, 3) });
+    assert.match(row.measured, /in 1 of 2 panels with exact distances/);
+  });
+});
+
+describe('more stable than vector heat', () => {
+  const cell = (method, traceMs, logMaps) => ({
+    ...{ row: 'torus', method, triangles: 9, segments: 4 },
+    result: { ok: true, traceMs, logMaps },
+  });
+  const table = [cell('paper', 1, null), cell('vectorHeat', 100, { made: 1, asked: 100 })];
+  const of = (...lines) => rowOf({ panels: { 'a/b': lines }, table }, 'against-vector-heat');
+
+  test('more samples lost decide, and as many are not fewer', () => {
+    const two = (heat, paper) =>
+      of(line('vectorHeat', { lost: heat }), line('paper', { lost: paper }));
+    assert.equal(two(5, 4).verdict, 'holds');
+    assert.equal(two(5, 5).verdict, 'does not');
+    assert.equal(two(4, 5).verdict, 'does not');
+  });
+
+  test('a method that failed has lost all samples', () => {
+    for (const one of [failed, allLost]) {
+      const row = of(line('vectorHeat', { lost: 5 }), one('paper'));
+      assert.equal(row.verdict, 'does not');
+      assert.match(row.measured, /the paper’s method 100 of 100\./);
+      assert.match(row.measured, /Failed, so that all of its samples count as lost: paper of a\/b/);
+    }
+    const none = of(failed('vectorHeat'), failed('paper'));
+    assert.equal(none.verdict, 'not measured here');
+  });
+});
+
+describe('a B-spline on a coarse and on a fine mesh', () => {
+  const degree = Math.PI / 180;
+  const lines = ({ paper = 0.5, averages = 0.5, heat = 0.4, ms = 9 }) => [
+    line('paperGraph6', { turningNoise: paper * degree, ...residual(1) }),
+    line('weightedAverages', { turningNoise: averages * degree, ...residual(2) }),
+    line('vectorHeat', { turningNoise: heat * degree, traceMs: ms }),
+    line('karcher', { turningNoise: 0 }),
+  ];
+  const of = (coarse, fine) =>
+    rowOf(
+      { panels: { 'resolution/coarse': lines(coarse), 'resolution/fine': lines(fine) } },
+      'resolution',
+    );
+
+  test('holds where all of its parts do, and says the limits', () => {
+    const row = of({}, {});
+    assert.equal(row.verdict, 'holds');
+    assert.match(row.measured, /0\.5°, 0\.5°, 0\.4°, 0° on coarse; .* up to 1° counts as smooth/);
+  });
+
+  test('has a reason for each part that does not', () => {
+    assert.match(of({ paper: 1.1, heat: 1.1 }, {}).on, /^the mesh: the paper’s curve .* coarse$/);
+    assert.match(of({}, { averages: 1.1 }).on, /^the mesh: weighted averages’ is not on fine$/);
+    assert.match(of({ heat: 0.2 }, {}).on, /^the mesh: vector heat’s does not turn .* on coarse$/);
+    assert.match(of({ ms: 1 }, { ms: 1 }).on, /vector heat is not slow on coarse and fine$/);
+    const bad = { paper: 9, averages: 9, heat: 1, ms: 1 };
+    assert.equal(of(bad, bad).verdict, 'does not');
+    const row = of({ paper: 9, averages: 9, heat: 1 }, {});
+    assert.equal(row.on.split(';').length, 3);
+  });
+});
+
+describe('most stable on fairly regular triangles with exact distances', () => {
+  const lines = ([exact, graph], [of, sixth] = [0.1, 0.2]) => [
+    line('paper', { lost: exact, ...residual(of) }),
+    line('paperGraph6', { lost: graph, ...residual(sixth) }),
+    line('karcher', residual(0.01)),
+  ];
+  const of = (fair, delaunay, anisotropic) =>
+    rowOf(
+      {
+        panels: {
+          'plane/fair': fair,
+          'plane/delaunay': delaunay,
+          'plane/anisotropic': anisotropic,
+        },
+      },
+      'regular',
+    );
+
+  test('holds where it is so on each mesh, and tells what decides', () => {
+    const row = of(lines([0, 1]), lines([2, 3]), lines([4, 5]));
+    assert.equal(row.verdict, 'holds');
+    assert.match(
+      row.measured,
+      /0 of 100 \(0\.1 h\) and 1 of 100 \(0\.2 h\) on triangles of fairly/,
+    );
+  });
+
+  test('a tie of lost samples is settled by residuals, and one of both by nobody', () => {
+    assert.equal(of(lines([0, 0]), lines([2, 3]), lines([4, 5])).verdict, 'holds');
+    const tie = of(lines([0, 0], [0.1, 0.1]), lines([2, 3]), lines([4, 5]));
+    assert.equal(tie.verdict, 'depends');
+    assert.match(tie.on, /exact distances are not steadier than k = 6 on triangles of fairly/);
+    const same = [0.1, 0.1];
+    const all = of(lines([0, 0], same), lines([0, 0], same), lines([0, 0], same));
+    assert.equal(all.verdict, 'does not');
+  });
+
+  test('exact distances are compared with k = 6 on each mesh', () => {
+    const row = of(lines([0, 1]), lines([62, 17]), lines([259, 294]));
+    assert.equal(row.verdict, 'depends');
+    assert.match(row.on, /not steadier than k = 6 on triangles of random points$/);
+  });
+
+  test('a method that failed is not the steadiest', () => {
+    const fair = lines([0, 1]);
+    fair[0] = failed('paper');
+    const row = of(fair, lines([2, 3]), lines([4, 5]));
+    assert.equal(row.verdict, 'depends');
+    assert.match(
+      row.measured,
+      /100 of 100 and 1 of 100 .* Failed, so that all .*paper of plane\/fair/,
+    );
+  });
+});
+
+describe('Figure 8', () => {
+  const paper = (lost, max, turningNoise) =>
+    line('paper', { lost, ...deviation(max), turningNoise });
+  const ours = line('karcher', { ...deviation(0), turningNoise: 0 });
+  const of = ({ fair = paper(0, 0.2, 0), grid = 0.02, graph = 0.02, stretched }) =>
+    rowOf(
+      {
+        panels: {
+          'plane/fair': [fair, ours],
+          'plane/delaunay': [paper(9, 1, 0.1), ours],
+          'plane/grid': [
+            paper(0, 0.1, grid),
+            line('paperGraph6', { ...deviation(0.3), turningNoise: graph }),
+            ours,
+          ],
+          'plane/anisotropic': [stretched ?? paper(50, 1, 0.1), ours],
+        },
+      },
+      'plane',
+    );
+
+  test('each part is judged, and the numbers that decide are told', () => {
+    const row = of({});
+    assert.equal(row.verdict, 'holds');
+    assert.match(row.measured, /grid 0\.1 h and 0\.02 rad .* wiggles are more than 0\.01 rad/);
+    assert.match(of({ grid: 0 }).on, /^the part: no wiggles on the grid but with k = 6$/);
+    assert.match(of({ grid: 0, graph: 0.01 }).on, /^the part: no wiggles on the grid$/);
+    assert.match(of({ fair: paper(0, 0.5, 0) }).on, /not right on the fair mesh$/);
+    const still = of({ stretched: paper(0, 1, 0) });
+    assert.match(still.on, /no wiggles on the anisotropic mesh; no breaks on the anisotropic mesh/);
+  });
+
+  test('a method that failed is not right', () => {
+    assert.match(of({ fair: failed('paper') }).on, /not right on the fair mesh/);
+    assert.equal(of({ stretched: allLost('paper') }).verdict, 'holds');
+  });
+});
+
+test('ours on bad meshes is no good where it failed', () => {
+  const good = line('karcher', residual(0.01));
+  const of = (one) => {
+    const panels = { 'plane/anisotropic': [one, line('paper')], 'plane/delaunay': [good] };
+    return rowOf({ panels: { ...panels, 'resolution/coarse': [good] } }, 'bad-meshes');
+  };
+  assert.equal(of(good).verdict, 'holds');
+  for (const one of [failed, allLost]) {
+    assert.equal(of(one('karcher')).verdict, 'depends');
+    assert.match(of(one('karcher')).measured, /100 of 100 on plane\/anisotropic/);
+  }
+});
+
+test('a circle of arcs: nearer and smoother are told apart', () => {
+  const of = (arcs, linear) =>
+    rowOf(
+      {
+        panels: {
+          'circles/circle': [
+            line('circleArcs', { ...deviation(arcs[0]), turningNoise: arcs[1] }),
+            line('isolineLinear', { ...deviation(linear[0]), turningNoise: linear[1] }),
+          ],
+        },
+        studies: { arcs: [{ arcs: 7, worst: 0.02 }] },
+      },
+      'circle',
+    );
+  assert.equal(of([1, 0.1], [2, 0.3]).verdict, 'holds');
+  assert.equal(of([2, 0.1], [2, 0.3]).on, 'what is asked: smoother, but not nearer to the radius');
+  assert.match(of([1, 0.2], [2, 0.3]).on, /smoother, but not much$/);
+  assert.equal(of([1, 0.3], [2, 0.3]).verdict, 'does not');
+});
+
+test('the armadillo needs a mesh of that name', () => {
+  const of = (prepareMs) => {
+    const result = { prepareMs, lost: 1, samples: 9, reason: 'folds', ruler: null };
+    const methods = [{ method: 'weightedAverages', result }];
+    return rowOf({ meshes: [{ name: 'armadillo.obj', triangles: 7, methods }] }, 'table').verdict;
+  };
+  assert.equal(of(3), 'does not');
+  assert.equal(of(null), 'holds');
+  assert.equal(rowOf({ meshes: [] }, 'table').verdict, 'not measured here');
+});
+
+test('how a method grows tells the rows in which it failed', () => {
+  const cell = (method, triangles, ms) => ({
+    ...{ row: `${triangles}`, method, triangles, segments: 4 },
+    result: { ok: ms !== null, reason: 'it gave up', prepareMs: ms, traceMs: ms },
+  });
+  const of = (paper) => {
+    const table = [1_000, 2_000, 4_000].flatMap((triangles, k) => [
+      ...['vectorHeat', 'weightedAverages'].map((id) => cell(id, triangles, triangles ** 2)),
+      cell('karcher', triangles, triangles),
+      cell('paper', triangles, paper[k]),
+    ]);
+    return rowOf({ table }, 'scales');
+  };
+  assert.equal(of([1, 2, 4]).verdict, 'holds');
+  const row = of([1, 2, null]);
+  assert.equal(row.verdict, 'does not');
+  assert.match(row.measured, /Rows in which they failed: 0, 0, 1 and 0\./);
+});
