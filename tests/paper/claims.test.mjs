@@ -86,26 +86,3 @@ describe('studies', () => {
     assert.notDeepEqual(wanderingPoints(mesh, 17), points);
   });
 });
-
-test('captions tell numbers of triangles that their meshes have', async () => {
-  const { figures } = await load('figures/index.ts');
-  const { Lab } = await load('lab/lab.ts');
-  const lab = new Lab(await loadPeers());
-  let told = 0;
-  for (const { id, caption, panels } of figures) {
-    const numbers = [...caption.matchAll(/([\d,]+)(?= (?:and of ([\d,]+) )?triangles)/g)].flatMap(
-      ([, one, other]) => [one, other].filter(Boolean).map((text) => Number(text.replace(',', ''))),
-    );
-    for (const number of numbers) {
-      told++;
-      const counts = [];
-      for (const { mesh } of panels) counts.push((await lab.mesh(mesh)).info.triangles);
-      // To three digits.
-      assert.ok(
-        counts.some((count) => Math.abs(count / number - 1) < 0.005),
-        `${id}: ${number} of ${counts}`,
-      );
-    }
-  }
-  assert.ok(told >= 3, `${told}`);
-});

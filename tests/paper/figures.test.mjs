@@ -126,16 +126,18 @@ describe('figures', () => {
       await lab.trace(
         quick,
         points[panel.points],
-        ['paperGraph2', 'paperGraph6'],
+        ['paperGraph2', 'paperGraph6', 'paper'],
         (line) => rings.push(near(line, { max: 5, lost: 5 })),
         (id, ruler) => rulers.push([id, ruler.residual.median]),
       );
       assert.deepEqual(
         rulers.map(([id]) => id),
-        ['paperGraph2', 'paperGraph6'],
+        ['paperGraph2', 'paperGraph6', 'paper'],
       );
       assert.ok(rulers[0][1] > 2 * rulers[1][1], `${rulers}`);
-      const [two, six] = rings;
+      assert.ok(rulers[1][1] > rulers[2][1], `${rulers}`);
+      const [two, six, exact] = rings;
+      assert.ok(exact.deviation.median < six.deviation.median, panel.id);
       for (const of of [
         ({ deviation }) => deviation.median,
         ({ deviation }) => deviation.max,

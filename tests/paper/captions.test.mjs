@@ -1,0 +1,137 @@
+// What captions tell in numbers is what their figures are made of, and no number is left unchecked. What
+// Figure 7's caption tells of its curves is measured in figures.test.mjs.
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { loadPeers } from 'karcher/peers';
+import { load } from './load.mjs';
+
+let figures;
+let lineStyles;
+let lab;
+before(async () => {
+  ({ figures } = await load('figures/index.ts'));
+  ({ lineStyles } = await load('figures/lines.ts'));
+  const { Lab } = await load('lab/lab.ts');
+  lab = new Lab(await loadPeers());
+});
+
+/** Each line that is named after k has that k. */
+function rings(figure, texts) {
+  for (const [, k] of texts) {
+    const named = figure.panels.flatMap(({ lines }) => lines.filter((id) => id.endsWith(k)));
+    assert.ok(named.length > 0, `${figure.id}: k = ${k}`);
+    for (const id of named) assert.equal(lineStyles[id].options.rings, Number(k));
+  }
+}
+
+/** To three digits. */
+async function triangles({ id, panels }, texts) {
+  const counts = [];
+  for (const { mesh } of panels) counts.push((await lab.mesh(mesh)).info.triangles);
+  for (const text of texts.flatMap(([, one, other]) => (other ? [one, other] : [one]))) {
+    const number = Number(text.replace(',', ''));
+    assert.ok(
+      counts.some((count) => Math.abs(count / number - 1) < 0.005),
+      `${id}: ${number} of ${counts}`,
+    );
+  }
+}
+
+const curvesOf = ({ panels }, kind) =>
+  panels.map(({ curve }) => curve).filter((curve) => curve.kind === kind);
+
+/** Which texts tell numbers, and what they are to be: one after the other, each of what is left. */
+const rules = [
+  { text: /([\d,]+)(?: and of ([\d,]+))? triangles/g, check: triangles },
+  {
+    text: /distances are exact where the paper has k = 6/g,
+    check({ panels }) {
+      for (const { lines } of panels) {
+        const ofPaper = lines.filter((id) => id.startsWith('paper'));
+        assert.ok(ofPaper.length > 0);
+        for (const id of ofPaper) assert.equal(lineStyles[id].options.solver, 'exact');
+      }
+    },
+  },
+  { text: /k = (\d)/g, check: rings },
+  { text: /Fig(?:ure|\.) \d/g, check: () => {} },
+  { text: /Eq\. 3/g, check: () => {} },
+  { text: /\b1-ring/g, check: () => {} },
+  {
+    text: /weights ([\d.]+), ([\d.]+), ([\d.]+) and ([\d.]+)/g,
+    check(figure, [[, ...told]]) {
+      const curves = curvesOf(figure, 'center');
+      assert.equal(curves.length, figure.panels.length);
+      for (const { weights } of curves) assert.deepEqual(weights, told.map(Number));
+    },
+  },
+  // Weights along a path, by their formula.
+  { text: /\(1 − w, w\) with w from 0 to 1|w = 1/g, check: () => {} },
+  {
+    text: /all weights 1, then with the inner ones (\d+) times the outer ones/g,
+    check(figure, [[, times]]) {
+      const [equal, pulled] = curvesOf(figure, 'rational').map(({ weights }) => weights);
+      assert.deepEqual(equal, [1, 1, 1, 1]);
+      assert.equal(pulled[1] / pulled[0], Number(times));
+      assert.deepEqual(pulled, pulled.toReversed());
+    },
+  },
+  {
+    text: /weights ([\d.]+) and ([\d.]+) are the paper’s/g,
+    check(figure, [[, outer, inner]]) {
+      const weights = curvesOf(figure, 'rational').map((curve) => curve.weights.slice(0, 2));
+      assert.deepEqual(weights.at(-1), [Number(outer), Number(inner)]);
+    },
+  },
+  {
+    // Both of the paper's, of which one is drawn.
+    text: /of β it says (\d+\.\d+) in its text and 1\/4 in its caption, here it is (\d+\.\d+)/g,
+    check(figure, [[, paper, here]]) {
+      assert.equal(here, paper);
+      const betas = curvesOf(figure, 'barycentric').map((curve) => curve.betas[1]);
+      assert.ok(betas.includes(Number(here)), `${betas}`);
+    },
+  },
+  // Measured in figures.test.mjs.
+  { text: /turns by [\d.]+° (?:at t = [\d.]+|at most)/g, only: 'far', check: () => {} },
+];
+
+test('every number of a caption is checked, and is what the figure has', async () => {
+  let told = 0;
+  for (const figure of figures) {
+    let rest = figure.caption;
+    for (const { text, check, only } of rules) {
+      if (only && only !== figure.id) continue;
+      const found = [...rest.matchAll(text)];
+      if (found.length === 0) continue;
+      told += found.length;
+      await check(figure, found);
+      rest = rest.replace(text, '');
+    }
+    assert.doesNotMatch(rest, /\d/, `${figure.id}: ${rest}`);
+  }
+  assert.ok(told >= 20, `${told}`);
+});
+
+test('numbers in words: of segments, arcs and points', () => {
+  const of = (id) => figures.find((figure) => figure.id === id);
+  const resolution = of('resolution');
+  assert.match(resolution.caption, /B-spline of four segments/);
+  // A uniform cubic B-spline has three control points more.
+  for (const { points } of resolution.panels) {
+    assert.equal(resolution.points[points].length, 4 + 3);
+  }
+  assert.match(of('circles').caption, /by seven rational quadratic arcs/);
+  assert.deepEqual(
+    curvesOf(of('circles'), 'circle').map(({ arcs }) => arcs),
+    [7],
+  );
+  assert.match(of('means').caption, /^Four points/);
+  for (const { points } of of('means').panels) assert.equal(of('means').points[points].length, 4);
+  assert.match(of('paths').caption, /between two points/);
+  for (const { points } of of('paths').panels) assert.equal(of('paths').points[points].length, 2);
+  assert.match(of('rational').caption, /passes through its three points/);
+  for (const { points, curve } of of('rational').panels) {
+    assert.equal(of('rational').points[points].length, curve.kind === 'rational' ? 4 : 3);
+  }
+});
