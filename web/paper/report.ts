@@ -5,7 +5,13 @@ import { lineStyles } from './figures/lines';
 import { panelTitle } from './figures/titles';
 import type { Figure, LineResult } from './figures/types';
 import { Lab } from './lab/lab';
-import { asUsedMs, published, type TableCell, type TableRow, tableMethodNames } from './table/rows';
+import {
+  asUsedMs,
+  publishedNote,
+  type TableCell,
+  type TableRow,
+  tableMethodNames,
+} from './table/rows';
 import { runTable } from './table/run';
 
 const figure = (value: number | null, digits: number) =>
@@ -119,7 +125,7 @@ export async function tableReport(
       ]);
     },
   });
-  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. The paper’s own numbers are of its authors’ machine and of meshes that are not at hand: on the lion, with ${published.samples} samples a segment, an update took ${published.updateMs} ms, ${published.fieldMs} of them the field and about ${published.segmentMs} each segment.`;
+  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. ${publishedNote}`;
   return { text: `## Table 1\n\n${about}\n\n${markdownTable(rows)}\n`, cells };
 }
 

@@ -5,7 +5,7 @@ import { TableClient } from './client';
 import { tableCsv } from './csv';
 import {
   expectedTriangles,
-  published,
+  publishedNote,
   type TableCell,
   type TableRow,
   tableMethodNames,
@@ -172,7 +172,7 @@ export class TableSection {
       make(
         'p',
         'Two-point paths on two tori, with exact distances for the paper’s method and ours; then B-splines, with graph distances of k = 6 for the paper’s method and fast ones for ours, as in the editor. Control points are at vertices. Preprocessing is what a method does once for the mesh. Tracing includes the fields. An update follows a drag of one point by an edge and keeps what does not depend on that point, such as the fields of the others or log maps. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; a dash marks what was not measured. Below its preparation is the memory that a method holds with its curve, below tracing and updates what the fields take of them. The heat methods keep the log map of each vertex that a search came by; “as used” is what tracing takes where one is computed at each evaluation, as their authors’ library has it, reckoned from how many were asked for. ' +
-          `The paper’s own times are of its authors’ machine and of meshes that are not at hand: on the lion, with ${published.samples} samples a segment, an update took ${published.updateMs} ms, ${published.fieldMs} of them the field and about ${published.segmentMs} each segment.`,
+          publishedNote,
         { className: 'caption' },
       ),
     );
