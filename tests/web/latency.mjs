@@ -1,65 +1,104 @@
 // Prints how long it takes in Chromium, on the built page, from a pointer event until the page has
 // heard what the engine made of it, with 20 objects in the document; and the longest tasks of the main
-// thread then and while a large surface loads: node tests/web/latency.mjs [triangles of each surface]
+// thread then and while a large surface loads:
 //
-// Drawing is left out: WebGL draws nothing, and what is called on a frame is called at once. Times are
-// medians and 95 % quantiles in milliseconds.
+//   node tests/web/latency.mjs [SURFACE …]
+//
+// A surface is a mesh's file, a sphere's number of triangles, or a key such as `bunny:4`. Drawing is
+// left out: WebGL draws nothing, and what is called on a frame is called at once. Times are in
+// milliseconds: the least, which a busy machine disturbs little, the median and the 95 % quantile; and
+// the processor's time a step, of the main thread and the engine's, until all beside it is there too.
+import { existsSync, readFileSync } from 'node:fs';
+import { basename } from 'node:path';
 import { openBrowser, Tab } from './browser.mjs';
+import { tasksDuring } from './main_thread.mjs';
 
-const sizes = process.argv.slice(2).map(Number);
-const surfaces = sizes.length > 0 ? sizes : [70_000, 1_000_000];
+const given = process.argv.slice(2);
+const surfaces = given.length > 0 ? given : ['70000', '1000000'];
 const steps = 60;
 const loaded = 2_000_000;
 
 const quantile = (values, part) =>
   values.toSorted((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
 const told = (values) => ({
+  least: Number(quantile(values, 0)?.toFixed(1)),
   median: Number(quantile(values, 0.5)?.toFixed(1)),
   p95: Number(quantile(values, 0.95)?.toFixed(1)),
   steps: values.length,
 });
 
-/** Runs in each page before its own code. */
+/** Runs in each page before its own code: nothing is drawn, and `heard` tells of a worker's answers. */
 function watch() {
-  window.longest = 0;
-  new PerformanceObserver((list) => {
-    for (const { duration } of list.getEntries()) {
-      window.longest = Math.max(window.longest, duration);
-    }
-  }).observe({ type: 'longtask' });
   for (const name of ['drawElements', 'drawArrays']) {
     for (const whole of [name, `${name}Instanced`]) {
       WebGL2RenderingContext.prototype[whole] = () => {};
     }
   }
+  window.Worker = class extends Worker {
+    constructor(...given) {
+      super(...given);
+      this.addEventListener('message', () => window.heard?.());
+    }
+  };
 }
 
-/** The longest task since it was last asked for; the browser tells of those above 50 ms. */
-const longestTask = async (tab) => {
-  const longest = await tab.page.evaluate(() => {
-    const found = window.longest;
-    window.longest = 0;
-    return found;
-  });
-  return longest === 0 ? '50 or less' : Math.round(longest);
-};
-
-/** Twenty curves of four points round the middle of what is seen; all but the last are copies. */
+/** Twenty curves of four points, each a little below the one before. */
 async function draw20(tab) {
-  await tab.click([-60, 40], [-20, -30], [30, 30], [70, -30]);
-  await tab.page.keyboard.press('Escape');
+  await tab.click([-60, 0], [-20, -70], [30, -10], [70, -70]);
+  await tab.page.keyboard.press('Control+a');
   for (let count = 1; count < 20; count++) {
     await tab.page.keyboard.press('Control+d');
     await tab.page.waitForFunction(
       (more) => window.karcherPage.state().drawing.objects.length > more,
       count,
     );
+    const { revision } = await tab.state();
+    await tab.page.locator('#stage').press('ArrowDown');
+    await tab.page.waitForFunction((seen) => window.karcherPage.state().revision > seen, revision);
+    await tab.settled();
   }
+}
+
+/** Opens a surface: a file's, that of a key, or a sphere of so many triangles. */
+async function openSurface(browser, surface) {
+  if (!existsSync(surface)) {
+    return Tab.open(browser, `mesh=${/^\d+$/.test(surface) ? `sphere:${surface}` : surface}`);
+  }
+  const tab = await Tab.open(browser);
+  await load(tab, basename(surface), readFileSync(surface));
+  return tab;
+}
+
+/** Drops a file onto the page, and waits until it is shown; when it was dropped, by the page's clock. */
+async function load(tab, name, bytes) {
+  await tab.page.route('**/dropped', (route) => route.fulfill({ body: bytes }));
+  const dropped = await tab.page.evaluate(async (file) => {
+    const content = await (await fetch('dropped')).blob();
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([content], file));
+    const start = performance.now();
+    window.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
+    return start;
+  }, name);
+  await tab.page.waitForFunction(
+    () => window.karcherPage.state().mesh.startsWith('file:') && window.karcherPage.triangles > 0,
+    null,
+    { timeout: 300_000 },
+  );
   await tab.settled();
+  await tab.still();
+  return dropped;
+}
+
+/** What a drag of what is at a place costs. */
+async function measured(tab, place) {
+  const { result, longest, main, workers } = await tasksDuring(tab, () => dragged(tab, place));
+  const ofProcessor = Number(((main + workers) / (steps + 3)).toFixed(1));
+  return { times: { ...told(result), ofProcessor }, longest };
 }
 
 /** Milliseconds from each move of the pointer, which drags what is at a place, to its answer. */
-async function measured(tab, { x, y }) {
+async function dragged(tab, { x, y }) {
   const { mouse } = tab.page;
   await mouse.move(x, y);
   await mouse.down();
@@ -73,6 +112,11 @@ async function measured(tab, { x, y }) {
           port1.onmessage = resolve;
           port2.postMessage(0);
         });
+      const answered = () =>
+        new Promise((resolve) => {
+          window.heard = resolve;
+          setTimeout(resolve, 1000);
+        }).then(next);
       const frame = window.requestAnimationFrame;
       const target = document.elementFromPoint(left, top);
       const found = [];
@@ -94,7 +138,7 @@ async function measured(tab, { x, y }) {
         );
         window.requestAnimationFrame = frame;
         const end = start + 3000;
-        while (window.karcherPage.shown === before && performance.now() < end) await next();
+        while (window.karcherPage.shown === before && performance.now() < end) await answered();
         if (window.karcherPage.shown !== before) found.push(performance.now() - start);
         // The geodesics beside the curve are asked for after it.
         while (!window.karcherPage.settled && performance.now() < end) {
@@ -110,30 +154,26 @@ async function measured(tab, { x, y }) {
   return times;
 }
 
-async function ofSurface(triangles) {
+async function ofSurface(surface) {
   const browser = await openBrowser();
   try {
     await browser.context.addInitScript(watch);
-    const tab = await Tab.open(browser, `mesh=sphere:${triangles}`);
-    const opening = await longestTask(tab);
+    const tab = await openSurface(browser, surface);
+    const triangles = await tab.page.evaluate(() => window.karcherPage.triangles);
     await draw20(tab);
-    await longestTask(tab);
     const point = await measured(tab, await tab.handle('Control point 2 of 4'));
-    const dragging = await longestTask(tab);
     await tab.page.keyboard.press('Escape');
     await tab.page.locator('#tool-select').click();
     const line = await measured(tab, await tab.onCurve(0.5));
-    const moving = await longestTask(tab);
     await tab.page.keyboard.press('Control+a');
     const all = await measured(tab, await tab.onCurve(0.5));
-    const movingAll = await longestTask(tab);
     console.log(
       JSON.stringify({
-        ...{ triangles, objects: 20, askedMs: 16 },
-        controlPoint: told(point),
-        objectMoved: told(line),
-        all20Moved: told(all),
-        longestTask: { opening, dragging, moving, movingAll, asked: 50 },
+        ...{ surface: basename(surface), triangles, objects: 20, asked: 16 },
+        controlPoint: point.times,
+        objectMoved: line.times,
+        all20Moved: all.times,
+        longestTask: { point: point.longest, line: line.longest, all: all.longest, asked: 50 },
       }),
     );
   } finally {
@@ -181,30 +221,13 @@ async function ofLoading(triangles) {
     await browser.context.addInitScript(watch);
     const tab = await Tab.open(browser);
     const file = gridStl(triangles);
-    await browser.context.route('**/large.stl', (route) => route.fulfill({ body: file }));
-    await longestTask(tab);
-    const dropped = await tab.page.evaluate(async () => {
-      const content = await (await fetch('large.stl')).blob();
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([content], 'large.stl'));
-      window.longest = 0;
-      const start = performance.now();
-      window.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
-      return start;
-    });
-    await tab.page.waitForFunction(() => window.karcherPage.triangles > 1e5, null, {
-      timeout: 300_000,
-    });
-    await tab.settled();
-    await tab.still();
+    const { result: dropped, longest } = await tasksDuring(tab, () => load(tab, 'large.stl', file));
     const seconds = (await tab.page.evaluate((start) => performance.now() - start, dropped)) / 1000;
-    const longest = await longestTask(tab);
     console.log(
       JSON.stringify({
-        loading: triangles,
+        loading: await tab.page.evaluate(() => window.karcherPage.triangles),
         seconds: Math.round(seconds),
-        longestTask: longest,
-        asked: 50,
+        longestTask: { ...longest, asked: 50 },
       }),
     );
   } finally {
@@ -212,5 +235,5 @@ async function ofLoading(triangles) {
   }
 }
 
-for (const triangles of surfaces) await ofSurface(triangles);
-await ofLoading(loaded);
+for (const surface of surfaces) await ofSurface(surface);
+if (!process.env.NOLOAD) await ofLoading(loaded);
