@@ -3,6 +3,7 @@ import type { Session } from './editor/session';
 import { linkOfJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
 import { type Example, examples } from './model/examples';
+import type { History } from './model/history';
 import { fitting, formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';
 import { mostLinkPoints } from './model/link_problems';
 import {
@@ -19,7 +20,7 @@ import {
   sampleSource,
 } from './model/meshes';
 import { methodOptions } from './model/methods';
-import { type History, sameDrawing } from './model/saved_work';
+import { sameDrawing } from './model/saved_work';
 import { keepFile, keptFile, recall, remember } from './model/storage';
 import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';

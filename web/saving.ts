@@ -1,6 +1,7 @@
 import type { Editor, State } from './editor/editor';
+import type { History } from './model/history';
 import { formatLink, type Link, parseLink } from './model/link';
-import { type History, linkOfWork, readWork, savedWork } from './model/saved_work';
+import { linkOfWork, readWork, savedWork } from './model/saved_work';
 import { recall, recallInTab, rememberAll, rememberInTab } from './model/storage';
 
 const delayMilliseconds = 200;

@@ -12,7 +12,7 @@ import {
   withGroups,
 } from '../model/arranging';
 import type { CircleHandle } from '../model/circle';
-import { apply, type Command, invert } from '../model/commands';
+import { apply, type Command, invert, onlyEditOf } from '../model/commands';
 import {
   activeObject,
   type Drawing,
@@ -33,9 +33,18 @@ import {
   withFittingKnots,
 } from '../model/figure';
 import { applyToFigure, type FigureCommand } from '../model/figure_commands';
+import {
+  type History,
+  historyOf,
+  lastOfNewest,
+  record,
+  recordActivation,
+  replaceLastOfNewest,
+  stepBack,
+  stepForth,
+} from '../model/history';
 import { withFittingLegs, withLeg } from '../model/legs';
 import { defaultMethod, type MethodId } from '../model/methods';
-import { type History, historyOf, longestHistory } from '../model/saved_work';
 import { type CurveTool, isResting, type RestingTool } from './tool';
 
 /** A control point by its number, or one of a circle's or ellipse's handles. */
@@ -131,7 +140,7 @@ export class Editor {
     if (!command) return;
     this.cancelDrag();
     const drawing = apply(this.#state.drawing, command);
-    this.#record(command);
+    record(this.#history, command);
     this.#change({ drawing, ...part, tool: this.#resting }, true);
   }
 
@@ -179,7 +188,7 @@ export class Editor {
   /** Makes the drag one step of the history. */
   commitDrag(): void {
     const { command = null, base = null } = this.#drag ?? {};
-    if (command && base !== this.#state.drawing) this.#record(command);
+    if (command && base !== this.#state.drawing) record(this.#history, command);
     const dragged = this.#drag !== null;
     this.#drag = null;
     if (dragged) this.#change({ dragging: false, dragged: null }, false);
@@ -200,7 +209,7 @@ export class Editor {
     dragged: number,
     legs: readonly (readonly SurfacePoint[] | null)[],
   ): void {
-    const last = this.#history.done.at(-1);
+    const last = lastOfNewest(this.#history);
     const { base } = this;
     if (last?.type !== 'figure' || base.points !== figure.points) return;
     const before = (dragged + base.points.length - 1) % base.points.length;
@@ -212,7 +221,7 @@ export class Editor {
     const undone = apply(drawing, invert(last));
     const from = objectOf(undone, last.id)!.figure;
     const command: Command = { ...last, edit: { type: 'replace', from, to } };
-    this.#history.done[this.#history.done.length - 1] = command;
+    replaceLastOfNewest(this.#history, command);
     const kept = apply(undone, command);
     if (!this.#drag) this.#change({ drawing: kept }, false);
     else this.#drag.base = kept;
@@ -255,18 +264,14 @@ export class Editor {
       this.cancelDrag();
       return;
     }
-    const command = this.#history.done.pop();
-    if (!command) return;
-    this.#history.undone.push(command);
-    this.#step(invert(command));
+    const command = stepBack(this.#history);
+    if (command) this.#step(command);
   }
 
   redo(): void {
     if (this.#drag) return;
-    const command = this.#history.undone.pop();
-    if (!command) return;
-    this.#history.done.push(command);
-    this.#step(command);
+    const command = stepForth(this.#history);
+    if (command) this.#step(command);
   }
 
   setTool(tool: CurveTool): void {
@@ -288,13 +293,17 @@ export class Editor {
     this.#change({ selection, chosen }, false);
   }
 
-  /** Selects objects, of which the last one that is not locked is edited. */
+  /** Selects objects, of which the last one is edited: no step of the history (`recordActivation`). */
   choose(ids: readonly number[]): void {
     const chosen = withGroups(this.#state.drawing, ids);
     const edited = ids.findLast((id) => objectOf(this.#state.drawing, id));
     const command = edited === undefined ? null : activation(this.#state.drawing, edited);
-    if (command) this.perform(command, { selection: null, chosen });
-    else if (`${chosen}` !== `${this.#state.chosen}`) {
+    if (command) {
+      this.cancelDrag();
+      const drawing = apply(this.#state.drawing, command);
+      recordActivation(this.#history, command);
+      this.#change({ drawing, selection: null, chosen, tool: this.#resting }, true);
+    } else if (`${chosen}` !== `${this.#state.chosen}`) {
       this.#change({ chosen, selection: null }, false);
     }
   }
@@ -457,19 +466,12 @@ export class Editor {
     return history;
   }
 
-  #record(command: Command): void {
-    const history = this.#history;
-    history.done.push(command);
-    history.undone = [];
-    if (history.done.length > longestHistory) history.done.shift();
-  }
-
   /** One step back or forth; what the step touched is selected, so that it is seen. */
   #step(command: Command): void {
     const drawing = apply(this.#state.drawing, command);
     const chosen = this.#state.chosen.filter((id) => indexOf(drawing, id) >= 0);
     let { selection } = this.#state;
-    const edit = command.type === 'figure' && command.id === drawing.active ? command.edit : null;
+    const edit = onlyEditOf(command, drawing.active);
     if (edit?.type === 'insert' || edit?.type === 'change') selection = edit.index;
     else if (edit?.type === 'reorder') selection = edit.to;
     else if (edit?.type !== 'circle' || !edit.to) selection = null;

@@ -72,3 +72,17 @@ export function invert(command: Command): Command {
       return { ...command, from: command.to, to: command.from };
   }
 }
+
+/** Commands as one. */
+export const joined = (steps: readonly Command[]): Command =>
+  steps.length === 1 ? steps[0]! : { type: 'steps', steps };
+
+/** The single commands that a command is of, in order. */
+export const stepsOf = (command: Command): readonly Command[] =>
+  command.type === 'steps' ? command.steps.flatMap(stepsOf) : [command];
+
+/** The edit of a figure that is all that a command does, but for what is selected; else null. */
+export function onlyEditOf(command: Command, id: number): FigureCommand | null {
+  const [only, ...more] = stepsOf(command).filter(({ type }) => type !== 'activate');
+  return more.length === 0 && only?.type === 'figure' && only.id === id ? only.edit : null;
+}

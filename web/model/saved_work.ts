@@ -1,19 +1,8 @@
 /** What was done to a drawing, and how a tab keeps it with the drawing through reloads. */
 import { apply, type Command, invert } from './commands';
 import type { Drawing } from './drawing';
+import { type History, historyOf } from './history';
 import { drawingVersion, readDrawing, savedDrawing } from './saved_drawing';
-
-export interface History {
-  /** The newest last. */
-  done: Command[];
-  /** What was taken back, the next one to be done again last. */
-  undone: Command[];
-}
-
-/** How many steps can be taken back. */
-export const longestHistory = 1000;
-
-export const historyOf = (): History => ({ done: [], undone: [] });
 
 /** A tab's storage takes a few millions of letters; of more steps the newest are kept. */
 const mostLetters = 1_500_000;
@@ -47,7 +36,7 @@ function lastOf(commands: readonly Command[], letters: number): string[] {
 export function savedWork(link: string, drawing: Drawing, history: Readonly<History>): string {
   const [done, undone] = [history.done, history.undone].map((one) => lastOf(one, mostLetters / 2));
   const head = JSON.stringify({ link, drawing: savedDrawing(drawing), version: drawingVersion });
-  return `${head.slice(0, -1)},"done":[${done!.join(',')}],"undone":[${undone!.join(',')}]}`;
+  return `${head.slice(0, -1)},"done":[${done!.join(',')}],"undone":[${undone!.join(',')}],"activated":${JSON.stringify(history.activated)}}`;
 }
 
 const canonical = (drawing: Drawing) =>
@@ -87,19 +76,22 @@ export function readWork(
     readDrawing(work.drawing);
     const { objects, active } = work.drawing as Drawing;
     const drawing = { objects, active };
-    const history: History = { done: work.done, undone: work.undone };
+    const { done, undone, activated = [] } = work;
+    const history: History = { done, undone, activated };
     return { drawing, history: leadsTo(drawing, history) ? history : historyOf() };
   } catch {
     return null;
   }
 }
 
-function leadsTo(drawing: Drawing, { done, undone }: History): boolean {
+function leadsTo(drawing: Drawing, { done, undone, activated }: History): boolean {
   try {
-    const first = done.toReversed().map(invert).reduce(apply, drawing);
-    const again = done.reduce(apply, first);
+    const all = [...done, ...activated];
+    const first = all.toReversed().map(invert).reduce(apply, drawing);
+    const again = all.reduce(apply, first);
     canonical(first);
-    canonical(undone.toReversed().reduce(apply, again));
+    const step = activated.toReversed().map(invert).reduce(apply, again);
+    canonical(undone.toReversed().reduce(apply, step));
     return sameDrawing(again, drawing);
   } catch {
     return false;

@@ -1,0 +1,68 @@
+/** What was done to a drawing. Selecting is no step of it: it goes with the step that follows. */
+import { type Command, invert, joined, stepsOf } from './commands';
+
+export interface History {
+  /** The newest last. */
+  done: Command[];
+  /** What was taken back, the next one to be done again last. */
+  undone: Command[];
+  /** What edited another object since the newest step; it goes with the next one. */
+  activated: Command[];
+}
+
+/** How many steps can be taken back. */
+export const longestHistory = 1000;
+
+export const historyOf = (): History => ({ done: [], undone: [], activated: [] });
+
+/** A step was done: what was taken back is gone. */
+export function record(history: History, command: Command): void {
+  history.done.push(joined([...history.activated, command]));
+  history.activated = [];
+  history.undone = [];
+  if (history.done.length > longestHistory) history.done.shift();
+}
+
+/** Another object is edited: what was taken back can still be done again. */
+export function recordActivation({ activated }: History, command: Command): void {
+  const last = activated.at(-1);
+  if (last?.type !== 'activate' || command.type !== 'activate') {
+    activated.push(command);
+    return;
+  }
+  // From one to another and on is from the first to the last.
+  activated.pop();
+  if (last.from !== command.to) activated.push({ ...command, from: last.from });
+}
+
+/** Takes the newest step back, with what was selected since; the command that does it. */
+export function stepBack(history: History): Command | null {
+  const command = history.done.pop();
+  if (!command) return null;
+  const whole = joined([command, ...history.activated]);
+  history.activated = [];
+  history.undone.push(whole);
+  return invert(whole);
+}
+
+/** Does the step that was taken back last again; the command that does it. */
+export function stepForth(history: History): Command | null {
+  const command = history.undone.pop();
+  if (!command) return null;
+  const back = history.activated.toReversed().map(invert);
+  history.activated = [];
+  history.done.push(command);
+  return joined([...back, command]);
+}
+
+/** The last of what the newest step does; null where there is none, or something was selected since. */
+export function lastOfNewest({ done, activated }: History): Command | null {
+  const newest = done.at(-1);
+  return newest && activated.length === 0 ? (stepsOf(newest).at(-1) ?? null) : null;
+}
+
+/** Does something else at the end of the newest step. */
+export function replaceLastOfNewest({ done }: History, command: Command): void {
+  const newest = done.pop();
+  if (newest) done.push(joined([...stepsOf(newest).slice(0, -1), command]));
+}
