@@ -160,6 +160,31 @@ describe('what is held', () => {
     await page.close();
   });
 
+  test("a handle's nudge whose key is let go elsewhere stays, as one step", async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click([-110, 40], [-40, -10], [40, 50], [110, -10]);
+    const points = async () => JSON.stringify((await tab.state()).figure.points);
+    const start = await points();
+    await page.getByRole('button', { name: 'Control point 2 of 4' }).focus();
+    await page.keyboard.down('ArrowRight');
+    await page.waitForFunction(() => window.karcherPage.state().dragging);
+    await page.evaluate(() => document.activeElement.blur());
+    await page.waitForFunction(() => !window.karcherPage.state().dragging);
+    const nudged = await points();
+    assert.notEqual(nudged, start);
+    await page.keyboard.up('ArrowRight');
+    // A step that follows takes nothing of it back.
+    await page.keyboard.press('c');
+    assert.equal(await points(), nudged);
+    await page.keyboard.press('Control+z');
+    assert.equal(await points(), nudged);
+    await page.keyboard.press('Control+z');
+    assert.equal(await points(), start);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   test('Escape ends the drag of a handle, and Tab leads from an anchor to its handles', async () => {
     const tab = await drawn();
     const before = JSON.stringify((await tab.state()).figure);

@@ -67,6 +67,8 @@ export class Gestures {
   readonly #handles: Handles;
   #press: { id: number; x: number; y: number; slop: number } | null = null;
   #grabbed: Grabbed | null = null;
+  /** Whether a handle is moved by keys. */
+  #nudges = false;
   readonly #pointer: StagePointer;
   #keys: HeldKeys = { alt: false, shift: false, control: false };
   readonly freehand: FreehandGestures;
@@ -160,8 +162,10 @@ export class Gestures {
       this.#aim(null);
     });
     layer.addEventListener('keyup', (event) => {
-      if (event.key in arrows) this.editor.commitDrag();
+      if (event.key in arrows) this.#endNudge();
     });
+    // Nobody would hear the key being let go.
+    layer.addEventListener('focusout', () => this.#endNudge());
   }
 
   /** Takes back what the pointer has begun; what it does until it is up is no click. */
@@ -460,6 +464,12 @@ export class Gestures {
     else this.editor.commitDrag();
   }
 
+  /** What keys have moved stays, as one step of the history. */
+  #endNudge(): void {
+    if (this.#nudges) this.editor.commitDrag();
+    this.#nudges = false;
+  }
+
   #nudge(id: string, event: KeyboardEvent): void {
     const arrow = arrows[event.key];
     if (!arrow || event.altKey) return;
@@ -471,6 +481,7 @@ export class Gestures {
     if (!this.editor.dragging) this.#grab(id, place);
     const grabbed = this.#grabbed;
     if (!grabbed) return;
+    this.#nudges = true;
     this.#keys = { alt: false, shift: false, control: false };
     this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], grabbed);
   }
