@@ -89,4 +89,51 @@ describe('the order of objects, and the menu at a place', () => {
     assert.deepEqual(tab.logged, []);
     await page.close();
   });
+
+  test('a finger drags rows by their grips, and scrolls elsewhere', async () => {
+    const phone = await openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true });
+    try {
+      const tab = await Tab.open(phone, fragment);
+      const { page } = tab;
+      const protocol = await page.context().newCDPSession(page);
+      const touch = (type, ...touchPoints) =>
+        protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
+      await page.locator('#objects').scrollIntoViewIfNeeded();
+      const still = () =>
+        page.waitForFunction(() =>
+          document.getAnimations().every(({ playState }) => playState !== 'running'),
+        );
+      const middle = async (row, part) => {
+        const box = await page.locator(`#objects ${part}`).nth(row).boundingBox();
+        return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+      };
+      /** From one row to another, with the finger staying on the glass for `ended`. */
+      const drag = async (part, from, to, ended = 'touchEnd') => {
+        await still();
+        const [start, end] = [await middle(from, part), await middle(to, part)];
+        await touch('touchStart', start);
+        for (let step = 1; step <= 6; step++) {
+          await touch('touchMove', { x: start.x, y: start.y + ((end.y - start.y) * step) / 6 });
+        }
+        await touch(ended);
+        await tab.settled();
+      };
+      await drag('.row-grip', 0, 2);
+      assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second'], 'the topmost to the foot');
+      assert.equal((await tab.state()).drawing.active, 3, 'and a drag is no tap');
+      await drag('.row-grip', 2, 1);
+      assert.deepEqual(await namesOf(tab), ['First', 'Third', 'Second']);
+      // What the system takes away is not done.
+      await drag('.row-grip', 0, 2, 'touchCancel');
+      assert.deepEqual(await namesOf(tab), ['First', 'Third', 'Second']);
+      assert.equal(await page.locator('#objects .dragged').count(), 0);
+      await drag('.object span', 0, 2);
+      assert.deepEqual(await namesOf(tab), ['First', 'Third', 'Second'], 'elsewhere it scrolls');
+      await page.locator('#undo').tap();
+      assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second'], 'each is one step');
+      assert.deepEqual(tab.logged, []);
+    } finally {
+      await phone.close();
+    }
+  });
 });
