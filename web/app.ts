@@ -1,4 +1,5 @@
 import type { Beside } from './editor/beside';
+import { Comparison } from './editor/comparison';
 import { messageOf, polylinesOf } from './editor/compute';
 import { CurveEdits } from './editor/curve_edits';
 import { Editor, type State } from './editor/editor';
@@ -14,6 +15,7 @@ import { workOffline } from './offline';
 import { Opening } from './opening';
 import { CheckUpPanel } from './panels/checkup_panel';
 import { Clipboard } from './panels/clipboard';
+import { ComparisonPanel, comparedColor } from './panels/comparison_panel';
 import { ContextMenu } from './panels/context_menu';
 import { CurvePanel } from './panels/curve_panel';
 import { byId } from './panels/elements';
@@ -53,6 +55,23 @@ function drawingOf(
     lines: lines.map((line) => surface.toScene(line)),
     dots: single.map((point) => surface.position(point)),
   };
+}
+
+/** The edited curve by the method that it is compared with; it cannot be picked. */
+function comparedDrawing(
+  { active, state }: Editor,
+  { shown }: Comparison,
+  { surface }: Viewer,
+): ObjectDrawing[] {
+  if (!shown?.polyline || !surface || !active.visible) return [];
+  const { width, dash } = active;
+  const style = {
+    color: comparedColor(active.color),
+    width,
+    dash: dash === 'dashed' ? 'dotted' : 'dashed',
+  } as const;
+  const lines = [surface.toScene(shown.polyline)];
+  return [{ id: -state.drawing.active - 1, style, locked: true, lines, dots: [] }];
 }
 
 /** Several selected objects are told by a halo; a single one has its handles. */
@@ -112,15 +131,31 @@ export async function start(): Promise<void> {
   });
   let besideShown: readonly Beside[] = [];
   let surfaceShown: Surface | null = null;
+  const comparison = new Comparison(session);
+  const comparisonPanel = new ComparisonPanel(editor, comparison);
+  const showBeside = () => {
+    const compared = comparedDrawing(editor, comparison, viewer);
+    viewer.showObjects([...besideShown.map((one) => drawingOf(one, viewer)), ...compared]);
+  };
+  const showCompared = () => {
+    comparisonPanel.show(editor.state, comparison.method, comparison.shown);
+  };
+  comparison.onChange = () => {
+    showBeside();
+    showCompared();
+  };
   session.onView = (view) => {
     viewer.showStyle(editor.active);
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);
-    if (view.others !== besideShown || viewer.surface !== surfaceShown) {
+    const isNew = view.others !== besideShown || viewer.surface !== surfaceShown;
+    // The style of what is compared may be another one.
+    if (isNew || (comparison.shown && !editor.dragging)) {
       [besideShown, surfaceShown] = [view.others, viewer.surface];
-      viewer.showObjects(besideShown.map((one) => drawingOf(one, viewer)));
+      showBeside();
     }
+    comparison.update(editor.state, view);
     viewer.showShorter(view.shorter.map(({ polyline }) => polyline));
     viewer.showMarks(view.curve?.marks?.position ?? []);
     gestures.show();
@@ -198,6 +233,7 @@ export async function start(): Promise<void> {
     if (state.tool !== 'measure' || state.revision !== before.revision) measure.clear();
     gestures.show();
     curvePanel.show(state, session.view);
+    showCompared();
     rail.show(state, session.view);
     objectPanel.show(state);
     freehand.show(state);
@@ -206,6 +242,7 @@ export async function start(): Promise<void> {
     showChosen(viewer, state);
   });
   curvePanel.show(editor.state, session.view);
+  showCompared();
   rail.show(editor.state, session.view);
   objectPanel.show(editor.state);
   transformPanel.show(editor.state);

@@ -11,6 +11,7 @@ export { copiedText, pastedObjects } from '../../web/model/copied';
 export { cornersOf, cubicAt, fittedCubics } from '../../web/model/cubic_fit';
 export { activeObject, emptyDrawing, othersOf } from '../../web/model/drawing';
 export { isEmpty, isSpline, knotsFit, pointsNeeded } from '../../web/model/figure';
+export { gapBetween } from '../../web/model/gap';
 export { historyOf } from '../../web/model/history';
 export { fitting, formatLink, parseLink } from '../../web/model/link';
 export { methodOptions } from '../../web/model/methods';

@@ -1,0 +1,146 @@
+// Two methods of one curve beside each other: how far they are apart, in numbers and in the page.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { runnerImport } from 'vite';
+import { openBrowser, Tab } from './browser.mjs';
+import { lengthOf } from './polylines.mjs';
+
+describe('the distance of two polylines', () => {
+  let gapBetween;
+  before(async () => {
+    const file = fileURLToPath(new URL('./page_parts.ts', import.meta.url));
+    const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });
+    gapBetween = module.gapBetween;
+  });
+
+  /** x, y, z of points at parameters from 0 to 1. */
+  const line = (count, place) =>
+    Array.from({ length: count }, (_, i) => place(i / (count - 1))).flat();
+  const near = (value, wanted, within) =>
+    assert.ok(Math.abs(value - wanted) <= within, `${value}, not ${wanted}`);
+
+  test('of parallel lines is everywhere the same, however they are cut', () => {
+    const a = line(2, (t) => [3 * t, 0, 0]);
+    const b = line(700, (t) => [3 * t * t, 0.3, 0.4]);
+    for (const { mean, largest } of [gapBetween(a, b), gapBetween(b, a)]) {
+      near(mean, 0.5, 1e-12);
+      near(largest, 0.5, 1e-12);
+    }
+    const { mean, largest } = gapBetween(
+      b,
+      line(33, (t) => [3 * t, 0.3, 0.4]),
+    );
+    near(mean, 0, 1e-12);
+    near(largest, 0, 1e-12);
+  });
+
+  test('of circles about one center is that of their radii', () => {
+    const circle = (radius, count) =>
+      line(count, (t) => [
+        radius * Math.cos(2 * Math.PI * t),
+        radius * Math.sin(2 * Math.PI * t),
+        1,
+      ]);
+    const { mean, largest } = gapBetween(circle(1, 2001), circle(1.25, 3001));
+    // A polyline of so many vertices lies by radius * (pi / count)^2 / 2 inside.
+    near(mean, 0.25, 1e-5);
+    near(largest, 0.25, 1e-5);
+  });
+
+  test('tells of what one has beyond the other, from whichever it is asked', () => {
+    const [short, long] = [line(5, (t) => [t, 0, 0]), line(5, (t) => [2 * t, 0, 0])];
+    for (const { mean, largest } of [gapBetween(short, long), gapBetween(long, short)]) {
+      // 0 from the short one; from the long one 0 along its half, then up to 1.
+      near(mean, 0.125, 1e-3);
+      near(largest, 1, 1 / 256);
+    }
+    assert.equal(gapBetween([], short), null);
+    assert.deepEqual(gapBetween([0, 0, 0], [0, 3, 4]), { mean: 5, largest: 5 });
+  });
+});
+
+describe('a comparison', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 900 } });
+  });
+  after(() => browser.close());
+
+  const said = (tab, id) => tab.page.locator(`#compare-${id}`).textContent();
+  /** Mean edges and per cent, as they are told. */
+  const numbers = async (tab, id) => {
+    const told = /^(?:< )?([\d.e-]+) mean edges, (?:< )?([\d.e-]+) %$/.exec(await said(tab, id));
+    assert.ok(told, await said(tab, id));
+    return told.slice(1).map(Number);
+  };
+  const answered = async (tab) => {
+    await tab.settled();
+    await tab.page.waitForFunction(
+      () =>
+        !document.getElementById('comparison').classList.contains('late') &&
+        /edges/.test(document.getElementById('compare-mean').textContent),
+    );
+  };
+
+  test('draws the curve by a second method, and tells how far it is from the first', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:5000');
+    const { page } = tab;
+    await tab.click([-150, 40], [-60, -90], [60, 100], [150, -30]);
+    const alone = await page.locator('#stage').screenshot();
+    await page.locator('#compare').selectOption('paper-exact');
+    await answered(tab);
+    await tab.still();
+    assert.equal(await said(tab, 'own'), 'Karcher');
+    assert.equal(await said(tab, 'other'), 'Paper (exact)');
+    assert.notDeepEqual(await page.locator('#stage').screenshot(), alone);
+    const [mean, part] = await numbers(tab, 'mean');
+    const [largest, largestPart] = await numbers(tab, 'largest');
+    assert.ok(0 < mean && mean <= largest && part <= largestPart, `${mean} ${largest}`);
+    // Both units tell the same length, to the two digits that are shown.
+    const { polyline } = await tab.view();
+    const { info } = await tab.mesh();
+    const ratio = (largest * info.meanEdge) / ((largestPart / 100) * lengthOf(polyline));
+    assert.ok(Math.abs(ratio - 1) < 0.11, `${ratio}`);
+
+    const before = [await said(tab, 'mean'), await said(tab, 'largest')].join();
+    await tab.dragHandle('Control point 2 of 4', 20, -60);
+    await page.waitForFunction(
+      (old) =>
+        ['mean', 'largest']
+          .map((id) => document.getElementById(`compare-${id}`).textContent)
+          .join() !== old,
+      before,
+    );
+    await answered(tab);
+
+    await page.locator('#compare-off').click();
+    assert.ok(!(await page.locator('#comparison').isVisible()));
+    assert.equal(await page.locator('#compare').inputValue(), '');
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
+  test('with a method of the same curve finds none, and ends where both are one', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click([-60, 40], [-20, -30], [30, 30], [70, -30]);
+    await page.locator('#compare').selectOption('karcher-exact');
+    await answered(tab);
+    await page.waitForFunction(() => window.karcherPage.view().quality === 'exact');
+    await answered(tab);
+    const [largest] = await numbers(tab, 'largest');
+    assert.ok(largest <= 1e-4, `${largest}`);
+    await page.locator('#method').selectOption('karcher-exact');
+    await page.locator('#comparison').waitFor({ state: 'hidden' });
+    // What has no curve says so.
+    await page.locator('#compare').selectOption('karcher');
+    await page.keyboard.press('Escape');
+    await page.locator('#clear').click();
+    await page.waitForFunction(() =>
+      /no curve to compare/.test(document.getElementById('compare-problem').textContent),
+    );
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+});
