@@ -1,8 +1,9 @@
 import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
-import type { LongWorkOptions } from '../types.js';
+import type { CurveOptions, LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
-import { errorOf, isSent, type Reply, type Request, replaced } from './protocol.js';
+import { copyOf, type Origin, targetIn, withoutWork } from './origin.js';
+import { errorOf, isSent, type Reply, type Request, replaced, type Sent } from './protocol.js';
 import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './remote.js';
 
 /** A page's worker, or one of Node's. */
@@ -14,28 +15,71 @@ export interface WorkerLike {
 interface Pending {
   resolve(result: unknown): void;
   reject(error: unknown): void;
+  call: string;
+  args: readonly unknown[];
+  of: Origin | null;
+  tells: ((...args: unknown[]) => void) | undefined;
   callbacks: ((...args: unknown[]) => void)[];
+  /** When the worker began with it; 0 before. */
+  begun: number;
+  /** Whether the answer is taken as it is sent. */
+  raw: boolean;
 }
 
-/** The calls into one worker that runs `serve`. */
+/** A call that was cancelled, of which the worker is to say that it has heard. */
+interface Cancelled {
+  begun: boolean;
+  timer?: ReturnType<typeof setTimeout>;
+}
+
+/** Milliseconds that a worker has at least to hear that a call is cancelled. */
+const leastPatience = 200;
+
+/**
+ * The calls into one worker that runs `serve`.
+ *
+ * With a function that starts workers, a call that the worker is at can be interrupted: a worker that
+ * does not hear that its call is cancelled is ended after a while, and another one takes its place, in
+ * which all meshes and curves are made anew and the other calls are made again. It waits for about as
+ * long as that takes, so that little is lost where the call was about to end. What else `serve` was
+ * given must not hold anything that calls have changed.
+ */
 export class WorkerClient {
-  readonly #worker: WorkerLike;
+  readonly #start: (() => WorkerLike) | null;
+  #worker: WorkerLike;
   readonly #pending = new Map<number, Pending>();
-  /** The numbers of meshes and curves in the worker. */
-  readonly #targets = new WeakMap<object, number>();
+  readonly #cancelled = new Map<number, Cancelled>();
+  /** Of meshes and curves in the worker. */
+  readonly #origins = new WeakMap<object, Origin>();
+  /** Those that are to be made anew, in the order in which they were made. */
+  readonly #kept = new Set<Origin>();
+  /** Whether all of them can be. */
+  #keepsAll = true;
+  #isRestarting = false;
   #calls = 0;
   #end: KarcherError | null = null;
 
   /** Called when the worker ended by itself, or its engine broke: every call fails from then on. */
   onFatal: ((error: KarcherError) => void) | null = null;
+  /** Called when another worker has taken the place of one whose call was interrupted. */
+  onRestart: (() => void) | null = null;
 
-  constructor(worker: WorkerLike) {
-    this.#worker = worker;
-    listen(worker, 'message', (reply) => this.#receive(reply as Reply));
-    listen(worker, 'error', (error) => this.#break(error));
-    listen(worker, 'messageerror', (error) => this.#break(error));
+  constructor(worker: WorkerLike | (() => WorkerLike)) {
+    this.#start = typeof worker === 'function' ? worker : null;
+    this.#worker = typeof worker === 'function' ? worker() : worker;
+    this.#listen();
+  }
+
+  #listen(): void {
+    const worker = this.#worker;
+    const heard = (type: Parameters<typeof listen>[1], hear: (value: unknown) => void) =>
+      // Of a worker whose place another one has taken nothing is heard any more.
+      listen(worker, type, (value) => worker === this.#worker && hear(value));
+    heard('message', (reply) => this.#receive(reply as Reply));
+    heard('error', (error) => this.#break(error));
+    heard('messageerror', (error) => this.#break(error));
     // One of Node's that ended by itself, or was ended by others.
-    listen(worker, 'exit', () => this.#break(new Error('the worker has ended')));
+    heard('exit', () => this.#break(new Error('the worker has ended')));
   }
 
   /** Whether it ended, or was disposed of. */
@@ -59,26 +103,22 @@ export class WorkerClient {
   ): Promise<unknown> {
     if (this.#end) return Promise.reject(this.#end);
     const id = ++this.#calls;
-    const callbacks: Pending['callbacks'] = [];
     const signals: AbortSignal[] = own ? [own] : [];
-    if (progress) callbacks.push(progress as Pending['callbacks'][number]);
-    const tells = progress !== undefined;
     const settled = new AbortController();
     const done = new Promise((resolve, reject) => {
-      const target = of === undefined ? 0 : this.#targets.get(of)!;
-      const sent = args.map((arg) => this.#sent(arg, callbacks, signals));
+      const origin = of === undefined ? null : this.#origins.get(of);
+      if (origin === undefined) throw gone();
+      const pending: Pending = {
+        ...{ resolve, reject, call: name, args: this.#copied(args, signals), of: origin },
+        ...{ tells: progress as Pending['tells'], callbacks: [], begun: 0, raw: false },
+      };
       for (const signal of signals) {
         signal.throwIfAborted();
         const abort = () => this.#cancel(id, signal.reason);
         signal.addEventListener('abort', abort, { once: true, signal: settled.signal });
       }
-      try {
-        this.#worker.postMessage({ id, target, call: name, args: sent, tells } satisfies Request);
-      } catch (cause) {
-        const why = cause instanceof Error ? cause.message : `${cause}`;
-        throw new KarcherError('badArgument', `it cannot be sent to a worker: ${why}`, { cause });
-      }
-      this.#pending.set(id, { resolve, reject, callbacks });
+      if (!this.#isRestarting) this.#post(id, pending);
+      this.#pending.set(id, pending);
     }).finally(() => settled.abort());
     return progress ? done.then((result) => told(result, progress)) : done;
   }
@@ -88,12 +128,102 @@ export class WorkerClient {
     this.#stop(new KarcherError('disposed', 'the worker has been disposed of'));
   }
 
+  #post(id: number, pending: Pending): void {
+    const { call, tells, of } = pending;
+    pending.callbacks = tells ? [tells] : [];
+    if (of && of.worker !== this.#worker) throw gone();
+    const args = pending.args.map((arg) => this.#sent(arg, pending.callbacks));
+    const request = { id, target: of?.target ?? 0, call, args, tells: tells !== undefined };
+    try {
+      const keeps = this.#start !== null;
+      this.#worker.postMessage({ ...request, keeps } satisfies Request);
+    } catch (cause) {
+      const why = cause instanceof Error ? cause.message : `${cause}`;
+      throw new KarcherError('badArgument', `it cannot be sent to a worker: ${why}`, { cause });
+    }
+  }
+
   #cancel(id: number, reason: unknown): void {
     const pending = this.#pending.get(id);
     if (!pending) return;
     this.#pending.delete(id);
-    this.#worker.postMessage({ cancel: id } satisfies Request);
     pending.reject(reason);
+    if (this.#isRestarting) return;
+    this.#worker.postMessage({ cancel: id } satisfies Request);
+    if (!this.#start || !this.#keepsAll) return;
+    const cancelled = { begun: false };
+    this.#cancelled.set(id, cancelled);
+    if (pending.begun > 0) this.#impatient(cancelled);
+  }
+
+  /** Of a call that the worker is at. */
+  #impatient(cancelled: Cancelled): void {
+    if (cancelled.begun) return;
+    cancelled.begun = true;
+    let making = leastPatience;
+    for (const { took } of this.#kept) making += took;
+    cancelled.timer = setTimeout(() => void this.#restart(), making);
+  }
+
+  #forgetCancelled(): void {
+    for (const { timer } of this.#cancelled.values()) clearTimeout(timer);
+    this.#cancelled.clear();
+  }
+
+  /** Puts another worker in the place of this one, and makes all anew that was there. */
+  async #restart(): Promise<void> {
+    this.#forgetCancelled();
+    this.#isRestarting = true;
+    const before = this.#worker;
+    // What is not made anew is there no more.
+    const spare: Origin[] = [];
+    try {
+      this.#worker = this.#start!();
+      before.terminate();
+      this.#listen();
+      for (const origin of this.#kept) await this.#make(origin, spare);
+      for (const of of spare) await this.#ask({ call: 'dispose', args: [], of });
+    } catch (error) {
+      this.#break(error);
+      return;
+    }
+    this.#isRestarting = false;
+    for (const [id, pending] of this.#pending) {
+      pending.begun = 0;
+      try {
+        this.#post(id, pending);
+      } catch (error) {
+        this.#pending.delete(id);
+        pending.reject(error);
+      }
+    }
+    this.onRestart?.();
+  }
+
+  /** Makes a mesh or curve anew; what it is made of and was disposed of goes to `spare`. */
+  async #make(origin: Origin, spare: Origin[]): Promise<void> {
+    if (origin.of && origin.of.worker !== this.#worker) {
+      await this.#make(origin.of, spare);
+      spare.push(origin.of);
+    }
+    const target = targetIn(await this.#ask(origin));
+    if (target === undefined) throw new Error(`'${origin.call}' made nothing`);
+    origin.target = target;
+    origin.worker = this.#worker;
+  }
+
+  /** A call of its own while it restarts: what the worker answers, as it is sent. */
+  #ask({ call, args, of }: Pick<Pending, 'call' | 'args' | 'of'>): Promise<unknown> {
+    return new Promise((resolve, reject) => {
+      if (this.#end) return reject(this.#end);
+      const id = ++this.#calls;
+      const pending: Pending = {
+        ...{ resolve, reject, call, args, of },
+        ...{ tells: undefined, callbacks: [], begun: 0, raw: true },
+      };
+      this.#post(id, pending);
+      this.#pending.set(id, pending);
+    });
   }
 
   #break(error: unknown): void {
@@ -108,6 +238,7 @@ export class WorkerClient {
   #stop(end: KarcherError): void {
     if (this.#end) return;
     this.#end = end;
+    this.#forgetCancelled();
     this.#worker.terminate();
     const pending = [...this.#pending.values()];
     this.#pending.clear();
@@ -125,9 +256,19 @@ export class WorkerClient {
       }
       return;
     }
+    if ('begun' in reply) {
+      if (pending) pending.begun = performance.now();
+      const cancelled = this.#cancelled.get(reply.id);
+      if (cancelled) this.#impatient(cancelled);
+      return;
+    }
+    clearTimeout(this.#cancelled.get(reply.id)?.timer);
+    this.#cancelled.delete(reply.id);
+    if ('cancelled' in reply) return;
     this.#pending.delete(reply.id);
     if ('result' in reply) {
-      const result = this.#received(reply.result, pending === undefined);
+      const result = pending?.raw ? reply.result : this.#received(reply.result, pending);
+      this.#keep(reply, pending);
       pending?.resolve(result);
       return;
     }
@@ -135,22 +276,34 @@ export class WorkerClient {
     if (reply.failure.fatal) this.#break(errorOf(reply.failure));
   }
 
-  #sent(arg: unknown, callbacks: Pending['callbacks'], signals: AbortSignal[]): unknown {
+  /** Own copies of arguments that may have to be sent again; the signals among them. */
+  #copied(args: readonly unknown[], signals: AbortSignal[]): unknown[] {
+    return args.map((arg) =>
+      replaced(arg, (part) => {
+        if (part instanceof AbortSignal) signals.push(part);
+        if (ArrayBuffer.isView(part)) return this.#start ? copyOf(part) : part;
+        const isAsItIs = part instanceof AbortSignal || typeof part === 'function';
+        return isAsItIs || this.#origins.has(part) ? part : undefined;
+      }),
+    );
+  }
+
+  #sent(arg: unknown, callbacks: Pending['callbacks']): unknown {
     return replaced(arg, (part) => {
-      const target = this.#targets.get(part);
-      if (target !== undefined) return { sent: 'object', target };
+      const origin = this.#origins.get(part);
+      if (origin && origin.worker !== this.#worker) throw gone();
+      if (origin) return { sent: 'object', target: origin.target };
       if (typeof part === 'function') {
         callbacks.push(part as (...args: unknown[]) => void);
         return { sent: 'callback', callback: callbacks.length - 1 };
       }
-      if (!(part instanceof AbortSignal)) return undefined;
-      signals.push(part);
-      return { sent: 'signal' };
+      return part instanceof AbortSignal ? { sent: 'signal' } : undefined;
     });
   }
 
   /** What nobody waits for any more is disposed of. */
-  #received(result: unknown, late: boolean): unknown {
+  #received(result: unknown, pending: Pending | undefined): unknown {
+    let meshes = 0;
     return replaced(result, (part) => {
       if (ArrayBuffer.isView(part)) return part;
       if (!isSent(part)) return undefined;
@@ -159,12 +312,49 @@ export class WorkerClient {
       if (part.sent !== 'mesh' && part.sent !== 'curve') return undefined;
       const object: RemoteMesh | RemoteCurve =
         part.sent === 'mesh' ? remoteMesh(this, part.info) : remoteCurve(this);
-      this.#targets.set(object, part.target);
-      if (late) object.dispose().catch(() => {});
+      if (part.sent === 'mesh') meshes++;
+      const origin = this.#originOf(part, pending);
+      this.#origins.set(object, origin);
+      if (this.#start && pending) {
+        this.#kept.add(origin);
+        this.#keepsAll &&= meshes < 2 && (part.sent === 'mesh' || origin.of !== null);
+      }
+      if (!pending) object.dispose().catch(() => {});
       return object;
     });
   }
+
+  #originOf(
+    { sent, target, ...more }: Extract<Sent, { sent: 'mesh' | 'curve' }>,
+    pending: Pending | undefined,
+  ): Origin {
+    const { of = null, call = '', args = [], begun = 0 } = pending ?? {};
+    const worker = this.#worker;
+    if (sent === 'mesh') {
+      const took = performance.now() - begun;
+      return { target, worker, of, call, args: this.#start ? withoutWork(args) : [], took };
+    }
+    // A curve that another one makes is of the same mesh.
+    const mesh = of?.call === 'curve' ? of.of : of;
+    const { value } = more as { value?: CurveOptions };
+    const took = performance.now() - begun;
+    return { target, worker, of: mesh, call: 'curve', args: [value], took };
+  }
+
+  /** What the call made of the mesh or curve that it is of. */
+  #keep({ value }: { value?: CurveOptions }, pending: Pending | undefined): void {
+    const of = pending?.of;
+    if (!of) return;
+    if (value) of.args = [value];
+    if (pending.call !== 'dispose') return;
+    this.#kept.delete(of);
+    for (const origin of this.#kept) {
+      if (origin.of === of && origin.call === 'curve') this.#kept.delete(origin);
+    }
+  }
 }
+
+const gone = () => new KarcherError('disposed', 'the mesh or curve has been disposed of');
 
 /** Tells the progress that a call is done, whose own failure is the call's. */
 function told(result: unknown, progress: NonNullable<LongWorkOptions['progress']>): unknown {

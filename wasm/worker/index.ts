@@ -19,8 +19,11 @@ export function startWorker(): WorkerLike {
 }
 
 export interface WorkerOptions {
-  /** A worker that runs `karcher/worker-thread`; by default a new one. */
-  worker?: WorkerLike;
+  /**
+   * Starts a worker that runs `karcher/worker-thread`, or is one. Of one that is given, calls cannot be
+   * interrupted.
+   */
+  worker?: WorkerLike | (() => WorkerLike);
   /** Ends the loading. */
   signal?: AbortSignal;
 }
@@ -30,14 +33,17 @@ export interface WorkerOptions {
  * promises; what they return is the caller's, large arrays are transferred.
  *
  * Every method takes `{ progress, signal }` behind its other arguments. A signal rejects the call at once
- * with its reason: a call that waits is not begun, of one that the worker is at the answer is dropped,
- * and files, graphs and check-ups stop.
+ * with its reason: a call that waits is not begun; files, graphs and check-ups stop. A call that the
+ * worker is at and that does not hear of it is interrupted, once that is no longer than making anew what
+ * is there: another worker takes the place of this one, all meshes and curves are made in it as they
+ * were, and the calls that were not aborted are made there. For that, copies of what meshes were made of
+ * are kept, a small part of what they take in the engine.
  *
  * Every call rejects with the engine's `KarcherError`; once the worker ended by itself, all with
  * `internal`, after `dispose` with `disposed`.
  */
 export async function loadInWorker({
-  worker = startWorker(),
+  worker = startWorker,
   signal,
 }: WorkerOptions = {}): Promise<RemoteKarcher> {
   const client = new WorkerClient(worker);

@@ -1,15 +1,19 @@
 import { KarcherError } from '../errors.js';
 import type { EnginePath } from '../karcher-engine.mjs';
-import type { ErrorCode, MeshInfo } from '../types.js';
+import type { CurveOptions, ErrorCode, MeshInfo } from '../types.js';
 import type { ViewData } from '../view.js';
 
-/** With `tells` the first function among the arguments hears when the worker begins with the call. */
+/**
+ * With `tells` the first function among the arguments hears when the worker begins with the call. With
+ * `keeps` the client hears that too, and what curves are that the call makes or edits.
+ */
 export interface Call {
   id: number;
   target: number;
   call: string;
   args: unknown[];
   tells: boolean;
+  keeps: boolean;
 }
 
 /**
@@ -20,7 +24,11 @@ export interface Call {
 export type Request = Call | { cancel: number };
 
 export type Reply =
-  | { id: number; result: unknown }
+  /** With what the curve is that the call edited. */
+  | { id: number; result: unknown; value?: CurveOptions }
+  | { id: number; begun: true }
+  /** The worker has heard that the call is cancelled. */
+  | { id: number; cancelled: true }
   | { id: number; failure: Failure }
   /** A function among the call's arguments is to be called. */
   | { id: number; callback: number; args: unknown[] };
@@ -38,7 +46,7 @@ export type Sent =
   | { sent: 'signal' }
   | { sent: 'callback'; callback: number }
   | { sent: 'mesh'; target: number; info: Readonly<MeshInfo> }
-  | { sent: 'curve'; target: number }
+  | { sent: 'curve'; target: number; value?: CurveOptions }
   /** On the way to the worker, of either kind. */
   | { sent: 'object'; target: number }
   | { sent: 'path'; data: EnginePath }

@@ -37,6 +37,27 @@ export function serve(root: object | Promise<object>): void {
   server.listen();
 }
 
+/** Methods after which a curve may be another one. */
+const edits: readonly string[] = [
+  'set',
+  'movePoint',
+  'dragPoint',
+  'setPoints',
+  'addPoint',
+  'insertPoint',
+  'removePoint',
+  'insertOnCurve',
+  'movePointInOrder',
+  'reverse',
+  'setKind',
+  'setClosed',
+  'setWeight',
+  'setWeights',
+  'setBeta',
+  'setBetas',
+] satisfies (keyof Curve)[];
+const isEdit = (call: string) => edits.includes(call);
+
 class Server {
   readonly #root: object | Promise<object>;
   readonly #scope: Scope;
@@ -78,15 +99,17 @@ class Server {
     const waiting = this.#waiting.findIndex((call) => call.id === id);
     if (waiting >= 0) this.#waiting.splice(waiting, 1);
     else this.#running.get(id)?.abort();
+    this.#post({ id, cancelled: true });
   }
 
-  async #answer({ id, target, call, args, tells }: Call): Promise<void> {
+  async #answer({ id, target, call, args, tells, keeps }: Call): Promise<void> {
     const controller = new AbortController();
     this.#running.set(id, controller);
     try {
       const owner = target === 0 ? await this.#root : this.#object(target);
       // It may have been cancelled while the root loaded.
       controller.signal.throwIfAborted();
+      if (keeps) this.#post({ id, begun: true });
       if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
       const method: unknown = (owner as Record<string, unknown>)[call];
       if (typeof method !== 'function') throw new Error(`there is no call '${call}'`);
@@ -94,7 +117,9 @@ class Server {
       const result = await method.apply(owner, given);
       if (call === 'dispose') this.#objects.delete(target);
       const transfer = new Set<Transferable>();
-      this.#post({ id, result: this.#sent(result, transfer) }, [...transfer]);
+      const sent = this.#sent(result, transfer, keeps);
+      const value = keeps && owner instanceof Curve && isEdit(call) && { value: owner.value() };
+      this.#post({ id, result: sent, ...value }, [...transfer]);
     } catch (error) {
       this.#post({ id, failure: failureOf(error) });
     } finally {
@@ -123,7 +148,7 @@ class Server {
     });
   }
 
-  #sent(result: unknown, transfer: Set<Transferable>): unknown {
+  #sent(result: unknown, transfer: Set<Transferable>, keeps: boolean): unknown {
     const add = (array: ArrayBufferView) => transfer.add(array.buffer as ArrayBuffer);
     return replaced(result, (part): Sent | object | undefined => {
       if (ArrayBuffer.isView(part)) {
@@ -145,7 +170,7 @@ class Server {
       this.#objects.set(target, part);
       return part instanceof Mesh
         ? { sent: 'mesh', target, info: part.info }
-        : { sent: 'curve', target };
+        : { sent: 'curve', target, ...(keeps && { value: part.value() }) };
     });
   }
 }

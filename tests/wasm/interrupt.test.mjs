@@ -1,0 +1,164 @@
+// Calls that the worker is at are interrupted, and nothing is lost by that.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Worker } from 'node:worker_threads';
+import { loadInWorker } from 'karcher/worker';
+import { long, randoms, seed } from '../web/part.mjs';
+import { grid } from './meshes.mjs';
+
+const endless = () => new Worker(new URL('./endless_worker.mjs', import.meta.url));
+const minutes = { timeout: 600_000 };
+const reason = new Error('not wanted');
+
+/** Aborts a call once the worker is at it; resolves once another worker has taken its place. */
+async function interrupt(karcher, begin) {
+  const controller = new AbortController();
+  const restarted = new Promise((resolve) => {
+    karcher.client.onRestart = resolve;
+  });
+  let begun;
+  const isBegun = new Promise((resolve) => {
+    begun = resolve;
+  });
+  const call = begin({ signal: controller.signal, progress: begun });
+  await isBegun;
+  controller.abort(reason);
+  await assert.rejects(call, reason);
+  return restarted;
+}
+
+const spin = (karcher) => (work) => karcher.client.call('spin', [], undefined, work);
+
+test(
+  'a call without an end is interrupted, and all that was there is as it was',
+  minutes,
+  async () => {
+    const karcher = await loadInWorker({ worker: endless });
+    const text = grid(12);
+    const places = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] };
+    const coordinates = Float64Array.from(places.positions);
+    const meshes = [
+      await karcher.meshFromObj(text),
+      await karcher.meshFromObj(new TextEncoder().encode(text)),
+      await karcher.meshFromArrays(coordinates, places.triangles),
+      await karcher.shape('torus', 2000),
+    ];
+    // What the caller changes, or disposes of, later is no part of them.
+    coordinates.fill(7);
+    const coarse = await karcher.shape('sphere', 500);
+    meshes.push(await coarse.subdivide(2));
+    await coarse.dispose();
+    const [mesh] = meshes;
+    const random = randoms(seed);
+    const vertex = () => ({ vertex: Math.floor(random.next().value * 100) });
+    const first = await mesh.curve({ kind: 'bspline', points: Array.from({ length: 5 }, vertex) });
+    await first.movePoint(1, vertex());
+    await first.dragPoint(2, vertex());
+    await first.setWeights([1, 2, 3, 4, 5]);
+    await first.insertOnCurve(0.7);
+    const second = await mesh.curve({
+      ...{ kind: 'catmullrom', points: Array.from({ length: 4 }, vertex), levels: 2, samples: 9 },
+      ...{ solver: 'exact', closed: true },
+    });
+    await second.set({ ...(await second.value()), closed: false });
+    const parts = await second.split(0.5);
+    const gone = await mesh.curve({ kind: 'polyline', points: [vertex(), vertex()] });
+    await gone.dispose();
+    const curves = [first, second, ...parts];
+    const all = async () => ({
+      positions: await Promise.all(meshes.map((one) => one.positions())),
+      triangles: await Promise.all(meshes.map((one) => one.triangles())),
+      values: await Promise.all(curves.map((one) => one.value())),
+      lines: await Promise.all(curves.map((one) => one.polyline({ bits: 64 }))),
+      distance: await mesh.distance({ vertex: 3 }),
+    });
+    const before = await all();
+    for (let times = 0; times < 2; times++) {
+      await interrupt(karcher, spin(karcher));
+      assert.deepEqual(await all(), before);
+      await assert.rejects(coarse.positions(), { code: 'disposed' });
+      await assert.rejects(gone.points(), { code: 'disposed' });
+    }
+    // They go on being what they are: on a mesh of its own the same edit makes the same curve.
+    await first.movePoint(0, { vertex: 40 });
+    const other = await karcher.meshFromObj(text);
+    const anew = await other.curve(await first.value());
+    assert.deepEqual(await first.polyline({ bits: 64 }), await anew.polyline({ bits: 64 }));
+    await mesh.dispose();
+    await interrupt(karcher, spin(karcher));
+    await assert.rejects(first.points(), { code: 'disposed' });
+    assert.deepEqual(await meshes[3].positions(), before.positions[3]);
+    karcher.dispose();
+  },
+);
+
+test('calls that wait behind one that is interrupted are made, each once', minutes, async () => {
+  const karcher = await loadInWorker({ worker: endless });
+  const mesh = await karcher.meshFromObj(grid(12));
+  const curve = await mesh.curve({ kind: 'polyline', points: [{ vertex: 0 }, { vertex: 9 }] });
+  const waiting = [];
+  await interrupt(karcher, (work) => {
+    const call = spin(karcher)(work);
+    waiting.push(curve.addPoint({ vertex: 20 }), curve.addPoint({ vertex: 30 }), curve.points());
+    waiting.push(karcher.shape('sphere', 500), mesh.curve({ kind: 'polyline', points: [{}] }));
+    waiting[4].catch(() => {});
+    return call;
+  });
+  const [, , points, sphere] = await Promise.all(waiting.slice(0, 4));
+  assert.equal(points.length, 4);
+  assert.equal(sphere.info.genus, 0);
+  await assert.rejects(waiting[4], { name: 'KarcherError' });
+  const end = karcher.client.call('spin', []);
+  karcher.dispose();
+  await assert.rejects(end, { code: 'disposed' });
+});
+
+test('a worker that hears in time that a call is cancelled goes on', minutes, async () => {
+  const karcher = await loadInWorker();
+  let restarts = 0;
+  karcher.client.onRestart = () => restarts++;
+  const mesh = await karcher.shape('sphere', 20_000);
+  const controller = new AbortController();
+  const work = mesh.prepare(
+    { solver: 'graph', rings: 3 },
+    { signal: controller.signal, progress: () => controller.abort(reason) },
+  );
+  await assert.rejects(work, reason);
+  await mesh.distance({ vertex: 0 });
+  const given = await loadInWorker({ worker: endless() });
+  const spinning = new AbortController();
+  const call = given.client.call('spin', [], undefined, {
+    signal: spinning.signal,
+    progress: () => spinning.abort(reason),
+  });
+  await assert.rejects(call, reason);
+  assert.equal(restarts, 0);
+  given.dispose();
+  karcher.dispose();
+});
+
+test(
+  'exact distances on a large mesh are interrupted, and the next ones are right',
+  minutes,
+  async () => {
+    const triangles = long ? 1_000_000 : 50_000;
+    const karcher = await loadInWorker();
+    const mesh = await karcher.shape('sphere', triangles);
+    const curve = await mesh.curve({
+      kind: 'bspline',
+      points: [0, 9, 99, 999].map((vertex) => ({ vertex })),
+    });
+    const line = await curve.polyline();
+    const path = await mesh.shortestPath({ vertex: 0 }, { vertex: 300 });
+    // So many that the worker is at it for longer than it takes to make another one.
+    const pairs = Array.from({ length: 400 }, (_, i) => ({ vertex: i }));
+    const weights = pairs.map(() => 1 / pairs.length);
+    const center = (work) => mesh.centerOfMass(pairs, weights, { solver: 'exact' }, work);
+    await interrupt(karcher, center);
+    assert.deepEqual(await curve.polyline(), line);
+    const again = await mesh.shortestPath({ vertex: 0 }, { vertex: 300 });
+    assert.equal(again.length, path.length);
+    assert.equal(mesh.info.triangles, (await mesh.triangles()).length / 3);
+    karcher.dispose();
+  },
+);

@@ -1,0 +1,46 @@
+import type { WorkerLike } from './client.js';
+import { isSent, replaced } from './protocol.js';
+
+/**
+ * A mesh or curve of the worker's, and how another worker makes it anew: a mesh by the call that made
+ * it, a curve from its mesh by what it is.
+ */
+export interface Origin {
+  /** Its number in the worker that it is in, or was in. */
+  target: number;
+  worker: WorkerLike;
+  /** The mesh that it was made of; null of one that was made of nothing. */
+  readonly of: Origin | null;
+  readonly call: string;
+  /** Nobody else changes them. */
+  args: readonly unknown[];
+  /** Milliseconds that the call took. */
+  readonly took: number;
+}
+
+/** A copy of a view alone, however large the buffer that it is of. */
+export const copyOf = (view: ArrayBufferView): unknown =>
+  'slice' in view ? (view as Uint8Array).slice() : structuredClone(view);
+
+/** Arguments without functions and signals: a call that is made again tells nothing. */
+export const withoutWork = (args: readonly unknown[]): unknown[] =>
+  args.map((arg) => {
+    if (typeof arg !== 'object' || arg === null) return arg;
+    if (Object.getPrototypeOf(arg) !== Object.prototype) return arg;
+    const entries = Object.entries(arg);
+    return Object.fromEntries(
+      entries.filter(([, part]) => typeof part !== 'function' && !(part instanceof AbortSignal)),
+    );
+  });
+
+/** The number of the mesh or curve in what a call returned. */
+export function targetIn(result: unknown): number | undefined {
+  let target: number | undefined;
+  replaced(result, (part) => {
+    if (ArrayBuffer.isView(part)) return part;
+    if (!isSent(part)) return undefined;
+    if (part.sent === 'mesh' || part.sent === 'curve') target ??= part.target;
+    return part;
+  });
+  return target;
+}
