@@ -32,6 +32,7 @@ import {
 import { Path } from './path.js';
 import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
+import { checkDistancesFit, checkMeshFits } from './room.js';
 import type {
   CenterOfMass,
   CenterOptions,
@@ -107,10 +108,15 @@ export class Mesh {
 
   /**
    * The mesh refined by Loop subdivision: four triangles for each, `levels` times (1 to 6). The new
-   * mesh has a numbering of its own and is disposed of on its own.
+   * mesh has a numbering of its own and is disposed of on its own. Throws `KarcherError` outOfMemory
+   * where it cannot fit.
    */
   subdivide(levels = 1): Mesh {
     checkInteger(levels, 'the number of levels');
+    if (levels >= 1 && levels <= 6) {
+      const what = `${levels} ${levels === 1 ? 'level' : 'levels'} of subdivision make`;
+      checkMeshFits(0, 4 ** levels * this.info.triangles, what, this.#bytesInUse);
+    }
     return new Mesh(
       this.#engine,
       this.#handle.call((mesh) => mesh.subdivided(levels)),
@@ -137,14 +143,15 @@ export class Mesh {
    * Makes what the given fields need of the mesh; the graph of the graph solver in slices of a few
    * milliseconds. Other methods make at once what is missing.
    *
-   * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed.
+   * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed and outOfMemory,
+   * the latter as soon as it is known that a graph cannot fit.
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
     checkOptions(options, fieldOptionNames);
     checkLongWork(work);
     const field = engineFieldOptions(options);
     if (field.solver === 'graph') {
-      await prepareGraph(this.#engine, this.#handle, field.rings, work);
+      await prepareGraph(this.#engine, this.#handle, this.info.triangles, field.rings, work);
     }
     this.#handle.call((mesh) => mesh.prepareFields(field));
   }
@@ -323,6 +330,7 @@ export class Mesh {
     checkOptions(options, distanceOptionNames);
     const wire = wirePoint(from);
     const field = engineFieldOptions({ solver: 'exact', ...options });
+    checkDistancesFit(this.info.vertices, this.#bytesInUse);
     return this.#handle.call((mesh) => mesh.distance(wire, field));
   }
 
@@ -418,6 +426,8 @@ export class Mesh {
     this.#curves.dispose();
     this.#handle.dispose();
   }
+
+  readonly #bytesInUse = () => this.#engine.call((engine) => engine.allocatedBytes());
 
   #toCircle(circle: EngineCircle): Circle {
     const view = new CurveView({ bytes: circle.view, statusNames: this.#engine.statusNames });

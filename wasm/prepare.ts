@@ -1,11 +1,15 @@
 import { type Engine, Handle } from './engine.js';
 import type { EngineMesh } from './karcher-engine.mjs';
+import { checkGraphFits, checkGraphGoesOn } from './room.js';
 import type { LongWorkOptions } from './types.js';
 
 /** How long a slice may keep the thread busy, in milliseconds. */
 export const sliceTime = 8;
 /** Vertices between two looks at the clock. */
 const batch = 32;
+
+/** The part of a graph between two looks at the memory that it takes. */
+const lookEvery = 0.1;
 
 /** Lets the thread do what waits: messages, drawing. */
 export function pause(): Promise<void> {
@@ -25,10 +29,15 @@ export function pause(): Promise<void> {
 export async function prepareGraph(
   engine: Engine,
   mesh: Handle<EngineMesh>,
+  triangles: number,
   rings: number,
   { progress, signal }: LongWorkOptions,
 ): Promise<number> {
   if (mesh.call((target) => target.hasRingGraph(rings))) return 0;
+  const inUse = () => engine.call((module) => module.allocatedBytes());
+  checkGraphFits(triangles, rings, inUse);
+  const before = inUse();
+  let looked = 0;
   const start = performance.now();
   const builder = new Handle(
     engine,
@@ -47,10 +56,12 @@ export async function prepareGraph(
       while (!done && performance.now() < end)
         done = builder.call((target) => target.advance(batch));
       worked += performance.now() - sliceStart;
-      progress?.(
-        builder.call((target) => target.progress()),
-        'graph',
-      );
+      const made = builder.call((target) => target.progress());
+      if (made >= looked + lookEvery) {
+        looked = made;
+        checkGraphGoesOn(triangles, rings, { bytes: inUse() - before, done: made }, inUse);
+      }
+      progress?.(made, 'graph');
       if (!done) await pause();
     }
   } finally {

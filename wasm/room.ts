@@ -13,6 +13,11 @@ const triangleBytes = 330;
 /** The same of a vertex that no face uses: its place, twice while the mesh is made. */
 const vertexBytes = 48;
 
+/** The least bytes that a solver keeps of a vertex once it went over the whole surface, and its answer. */
+const distanceBytes = 56;
+/** The least bytes of the graph of the k-rings for a triangle: arcs along its edges, of 16 bytes. */
+const graphBytes = 48;
+
 export const meshBytes = (vertices: number, triangles: number) =>
   triangleBytes * triangles + vertexBytes * vertices;
 
@@ -46,3 +51,31 @@ export function checkMeshFits(
     inUse,
   );
 }
+
+/** Throws as `checkFits` does for distances to all vertices, which are kept at once. */
+export function checkDistancesFit(vertices: number, inUse: () => number): void {
+  const what = `distances to ${counted(vertices)} vertices take`;
+  checkFits(distanceBytes * vertices, what, inUse);
+}
+
+/** The same for a graph, by what every one has. */
+export function checkGraphFits(triangles: number, rings: number, inUse: () => number): void {
+  checkFits(graphBytes * triangles, graphTakes(triangles, rings), inUse);
+}
+
+/**
+ * The same by a part that is made, `done` of 1, which takes so many bytes. The rest may be a fifth less
+ * than it lets expect.
+ */
+export function checkGraphGoesOn(
+  triangles: number,
+  rings: number,
+  made: { bytes: number; done: number },
+  inUse: () => number,
+): void {
+  const rest = 0.8 * made.bytes * (1 / made.done - 1);
+  checkFits(rest, `${graphTakes(triangles, rings)} for what is left of it`, inUse);
+}
+
+const graphTakes = (triangles: number, rings: number) =>
+  `a graph of ${rings} ${rings === 1 ? 'ring' : 'rings'} on ${counted(triangles)} triangles takes`;

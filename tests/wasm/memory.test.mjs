@@ -70,6 +70,34 @@ test('more than the memory can hold is an error, and the program goes on', async
   assert.equal(mesh.info.triangles, 8);
 });
 
+test('what cannot fit is refused before it is tried, with the number', async () => {
+  const karcher = await load();
+  const mesh = karcher.shape('sphere', 20_000);
+  const bytes = karcher.allocatedBytes();
+  assert.throws(() => mesh.subdivide(6), {
+    code: 'outOfMemory',
+    message:
+      /^6 levels of subdivision make 83,886,080 triangles, which take at least 25\.8 GB of memory, /,
+  });
+  assert.throws(() => mesh.subdivide(7), { code: 'badArgument' });
+  assert.equal(karcher.allocatedBytes(), bytes);
+  const finer = mesh.subdivide(2);
+  assert.equal(finer.info.triangles, 16 * mesh.info.triangles);
+  // What no test has the memory for, by the rooms that are left.
+  const room = await import(new URL('./room.js', import.meta.resolve('karcher')));
+  const full = () => 4e9;
+  const told = { code: 'outOfMemory', message: /at least [\d.]+ [GM]B of memory, and .* left$/ };
+  assert.throws(() => room.checkDistancesFit(6_000_000, full), told);
+  assert.throws(() => room.checkGraphFits(9_000_000, 6, full), told);
+  const made = { bytes: 1e9, done: 0.1 };
+  assert.throws(() => room.checkGraphGoesOn(1e6, 6, made, () => 1.4e9), told);
+  for (const inUse of [() => 0, () => 3e9]) {
+    room.checkDistancesFit(1_000_000, inUse);
+    room.checkGraphFits(1_000_000, 6, inUse);
+    room.checkGraphGoesOn(1e6, 6, { bytes: 1e9, done: 0.9 }, inUse);
+  }
+});
+
 test('what nobody can reach any more is given back, whatever is gone first', async () => {
   setFlagsFromString('--expose-gc');
   const collect = runInNewContext('gc');

@@ -153,7 +153,7 @@ export async function prepareMethod(
   if (options.method === 'bSurf') return new SubdivisionMethod(mesh, options);
   let worked = 0;
   if (wire.field.solver === 'graph') {
-    worked += await prepareGraph(engine, mesh.handle, wire.field.rings, work);
+    worked += await prepareGraph(engine, mesh.handle, mesh.info.triangles, wire.field.rings, work);
   }
   const start = performance.now();
   const target = mesh.handle.call((engineMesh) =>
