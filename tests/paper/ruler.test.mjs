@@ -1,14 +1,11 @@
 // One ruler for all methods: what the page, `karcher compare` and an independent reckoning say of the same
 // curves.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { loadPeers, Ruler, runMethod, standardOptions } from 'karcher/peers';
+import { printed, temporaryFolder } from '../wasm/run_cli.mjs';
 import { residualsByBruteForce } from './brute_force.mjs';
-import { inRoot, load } from './load.mjs';
+import { load } from './load.mjs';
 
 const samples = 33;
 /** The names of `compare` and the page's lines that are set up alike. */
@@ -21,10 +18,10 @@ const alike = {
   karcher: 'karcher',
 };
 
+const folder = temporaryFolder();
 let lab;
 let panel;
 let figure;
-let folder;
 let drawn;
 let placed;
 let compared;
@@ -37,29 +34,23 @@ before(async () => {
   panel = { ...figure.panels[0], samples, lines: [...Object.values(alike), 'exactLogs'] };
   drawn = await lab.mesh(panel.mesh);
   placed = await lab.place(panel.mesh, figure.points[panel.points]);
-  folder = mkdtempSync(join(tmpdir(), 'karcher-ruler-'));
   const { positions, triangles } = drawn;
   const rows = (name, values, add) =>
     Array.from({ length: values.length / 3 }, (_, i) =>
       [name, ...[0, 1, 2].map((c) => values[3 * i + c] + add)].join(' '),
     );
-  writeFileSync(
-    join(folder, 'mesh.obj'),
+  const meshFile = folder.write(
+    'mesh.obj',
     [...rows('v', positions, 0), ...rows('f', triangles, 1)].join('\n'),
   );
-  writeFileSync(
-    join(folder, 'points.txt'),
+  const pointsFile = folder.write(
+    'points.txt',
     placed.points.map(({ face, bary }) => [face, bary[1], bary[2]].join(' ')).join('\n'),
   );
-  const args = [inRoot('dist/cli.js'), 'compare', join(folder, 'mesh.obj')];
-  const options = ['--points', join(folder, 'points.txt'), '--samples', `${samples}`];
-  const { status, stdout, stderr } = spawnSync(process.execPath, [...args, ...options], {
-    encoding: 'utf8',
-  });
-  assert.equal(status, 0, stderr);
-  compared = JSON.parse(stdout);
+  const options = ['--points', pointsFile, '--samples', `${samples}`];
+  compared = await printed('compare', meshFile, ...options);
 });
-after(() => rmSync(folder, { recursive: true, force: true }));
+after(() => folder.remove());
 
 test('page, command line and brute force agree to 1e-9 h', async () => {
   const lines = await lab.lines(panel, figure.points[panel.points]);

@@ -1,16 +1,15 @@
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
 import { after, test } from 'node:test';
 import { cutBox, everyFile, gltfParts, stlFile } from './mesh_files.mjs';
 import { badFiles, grid, square } from './meshes.mjs';
-import { failure, karcher, printed, program, temporaryFolder } from './run_cli.mjs';
+import { failure, karcher, karcherProcess, printed, temporaryFolder } from './run_cli.mjs';
 
 const folder = temporaryFolder();
 after(() => folder.remove());
 const squareFile = folder.write('square.obj', square);
 
-test('help, of the program and of each command', () => {
-  const general = karcher('--help');
+test('help, of the program and of each command', async () => {
+  const general = await karcher('--help');
   assert.equal(general.status, 0);
   assert.equal(general.stderr, '');
   const commands = [...general.stdout.matchAll(/^ {2}(\w+) {2,}\S/gm)].map((match) => match[1]);
@@ -27,20 +26,20 @@ test('help, of the program and of each command', () => {
     'bench',
     'compare',
   ]);
-  assert.equal(karcher('-h').stdout, general.stdout);
+  assert.equal((await karcher('-h')).stdout, general.stdout);
   for (const command of commands) {
-    const { status, stdout, stderr } = karcher(command, '--help');
-    assert.equal(karcher(command, '-h').stdout, stdout);
+    const { status, stdout, stderr } = await karcher(command, '--help');
+    assert.equal((await karcher(command, '-h')).stdout, stdout);
     assert.equal(status, 0);
     assert.equal(stderr, '');
     assert.match(stdout, new RegExp(`^karcher ${command} MESH `));
-    assert.equal(karcher(command, 'anything', '--more', '--help').stdout, stdout);
+    assert.equal((await karcher(command, 'anything', '--more', '--help')).stdout, stdout);
   }
 });
 
 test("the version is the package's", async () => {
   const { default: own } = await import('karcher/package.json', { with: { type: 'json' } });
-  assert.deepEqual(karcher('--version').stdout, `${own.version}\n`);
+  assert.deepEqual((await karcher('--version')).stdout, `${own.version}\n`);
 });
 
 test('a result as JSON is written in pieces, whatever its size', async () => {
@@ -60,7 +59,7 @@ test('a result as JSON is written in pieces, whatever its size', async () => {
   assert.ok(pieces.every((piece) => piece.length < 100));
 });
 
-test('mistakes in the command line: a sentence and status 1', () => {
+test('mistakes in the command line: a sentence and status 1', async () => {
   const wrong = [
     [[], /needs a command/],
     [['paint'], /no command 'paint'/],
@@ -91,17 +90,17 @@ test('mistakes in the command line: a sentence and status 1', () => {
     [['info', `${folder.path}/none.obj`], /cannot read .*none\.obj: there is no such file/],
     [['info', folder.path], /cannot read .*: it is a folder/],
   ];
-  for (const [args, message] of wrong) assert.match(failure(...args), message);
+  for (const [args, message] of wrong) assert.match(await failure(...args), message);
 });
 
-test('files that are no mesh: a sentence and status 1', () => {
+test('files that are no mesh: a sentence and status 1', async () => {
   for (const { text, says } of badFiles) {
-    assert.match(failure('info', folder.write('bad.obj', text), '--repair', 'none'), says);
+    assert.match(await failure('info', folder.write('bad.obj', text), '--repair', 'none'), says);
   }
 });
 
-test('info tells what a mesh consists of', () => {
-  const { meanEdge, diagonal, repairs, checkUp, ...counts } = printed('info', squareFile);
+test('info tells what a mesh consists of', async () => {
+  const { meanEdge, diagonal, repairs, checkUp, ...counts } = await printed('info', squareFile);
   assert.deepEqual(counts, {
     vertices: 4,
     triangles: 2,
@@ -122,29 +121,29 @@ test('info tells what a mesh consists of', () => {
   );
 });
 
-test('every format is read, with the parts that are asked for', () => {
+test('every format is read, with the parts that are asked for', async () => {
   for (const [name, bytes] of Object.entries(everyFile(cutBox))) {
-    const { file, triangles, genus } = printed('info', folder.write(name, bytes));
+    const { file, triangles, genus } = await printed('info', folder.write(name, bytes));
     assert.deepEqual([triangles, genus], [12, 0], name);
     assert.equal(file.format, name.split('.')[1].replace('glb', 'gltf'));
   }
   const halves = folder.write('halves.stl', stlFile(cutBox, { text: true, solids: 2 }));
-  assert.equal(printed('info', halves, '--parts', '1').triangles, 6);
-  assert.match(failure('info', halves, '--parts', '2'), /no part 2: the file has 2/);
-  assert.match(failure('info', folder.write('x.ply', 'ply\n')), /header does not end/);
+  assert.equal((await printed('info', halves, '--parts', '1')).triangles, 6);
+  assert.match(await failure('info', halves, '--parts', '2'), /no part 2: the file has 2/);
+  assert.match(await failure('info', folder.write('x.ply', 'ply\n')), /header does not end/);
   // Text with its buffer beside it.
   const { json, buffer } = gltfParts(cutBox);
   json.buffers[0].uri = 'body.bin';
   const scene = folder.write('scene.gltf', JSON.stringify(json));
-  assert.match(failure('info', scene), /cannot read .*body\.bin: there is no such file/);
+  assert.match(await failure('info', scene), /cannot read .*body\.bin: there is no such file/);
   folder.write('body.bin', buffer);
-  assert.equal(printed('distance', scene, '--from', 'v:0').distance.length, 8);
+  assert.equal((await printed('distance', scene, '--from', 'v:0')).distance.length, 8);
 });
 
-test('two parts, Windows line ends, a handle', () => {
+test('two parts, Windows line ends, a handle', async () => {
   const moved = square.replaceAll('v 0', 'v 5').replaceAll('v 1', 'v 6');
   const both = `${square}${moved.replace('f 1 2 3 4', 'f 5 6 7 8')}`.replaceAll('\n', '\r\n');
-  const counts = printed('info', folder.write('both.obj', both));
+  const counts = await printed('info', folder.write('both.obj', both));
   assert.equal(counts.components, 2);
   assert.equal(counts.boundaryLoops, 2);
   // Three by three squares with opposite sides joined: a torus.
@@ -161,22 +160,54 @@ test('two parts, Windows line ends, a handle', () => {
     const corners = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
     torus.push(`f ${corners.join(' ')}`);
   }
-  const closed = printed('info', folder.write('torus.obj', torus.join('\n')));
+  const closed = await printed('info', folder.write('torus.obj', torus.join('\n')));
   assert.deepEqual(
     [closed.vertices, closed.triangles, closed.boundaryLoops, closed.genus],
     [9, 18, 0, 1],
   );
 });
 
+test('in a process of its own, a command ends with what it says here', async () => {
+  for (const args of [
+    ['--help'],
+    ['distance', squareFile, '--from', 'v:0'],
+    ['path', squareFile, '--from', 'v:0', '--to', 'v:2', '--format', 'obj'],
+    ['distance', squareFile, '--from', 'v:999'],
+    ['paint'],
+  ]) {
+    const { signal, ...rest } = await karcherProcess(args);
+    assert.equal(signal, null);
+    assert.deepEqual(rest, await karcher(...args), args.join(' '));
+  }
+});
+
+test('a long result goes whole through a pipe that is read late', async () => {
+  const long = folder.write('long.obj', grid(200));
+  const args = ['distance', long, '--from', 'v:0'];
+  const { status, stdout, stderr } = await karcherProcess(args, (child) => {
+    child.stdout.pause();
+    child.once('spawn', () => setTimeout(() => child.stdout.resume(), 300));
+  });
+  assert.deepEqual([status, stderr], [0, '']);
+  assert.ok(stdout.length > 1 << 17, `${stdout.length} characters`);
+  assert.equal(JSON.parse(stdout).distance.length, 201 ** 2);
+});
+
+test('a signal ends it', async () => {
+  const gridFile = folder.write('plain.obj', grid(4));
+  const points = folder.write('points.txt', '0 0 0\n3 0 0\n9 0 0\n20 0 0\n');
+  const { status, signal } = await karcherProcess(
+    ['bench', gridFile, '--points', points],
+    (child) => child.kill('SIGTERM'),
+  );
+  assert.deepEqual([status, signal], [null, 'SIGTERM']);
+});
+
 test('a reader that goes away is reported', async () => {
   const gridFile = folder.write('grid.obj', grid(4));
-  const child = spawn(process.execPath, [program, 'info', gridFile]);
-  child.stdout.destroy();
-  let message = '';
-  child.stderr.setEncoding('utf8').on('data', (text) => {
-    message += text;
-  });
-  const status = await new Promise((resolve) => child.on('close', resolve));
+  const { status, stderr } = await karcherProcess(['info', gridFile], (child) =>
+    child.stdout.destroy(),
+  );
   assert.equal(status, 1);
-  assert.match(message, /^karcher: cannot write to standard output: it was closed [^\n]*\n$/);
+  assert.match(stderr, /^karcher: cannot write to standard output: it was closed [^\n]*\n$/);
 });

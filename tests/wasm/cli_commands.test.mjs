@@ -26,14 +26,14 @@ const weights = '0.1,0.2,0.3,0.4,0';
 
 const mesh = (await load()).meshFromObj(grid(cells));
 
-test('distance prints what the API gives', () => {
+test('distance prints what the API gives', async () => {
   for (const [point, from] of [
     ['v:40', { vertex: 40 }],
     ['57:0.25,0.5', { face: 57, bary: [0.25, 0.25, 0.5] }],
   ]) {
     for (const solver of ['fast', 'exact', 'graph']) {
       const rings = solver === 'graph' ? { rings: 3 } : {};
-      const { distance, ...rest } = printed(
+      const { distance, ...rest } = await printed(
         ...['distance', gridFile, '--from', point, '--solver', solver],
         ...(rings.rings ? ['--rings', '3'] : []),
       );
@@ -43,11 +43,11 @@ test('distance prints what the API gives', () => {
   }
 });
 
-test('distance follows the vertices of the file', () => {
+test('distance follows the vertices of the file', async () => {
   // A vertex of no face, then the square, then a triangle apart.
   const text = `v 9 9 9\n${square.replace('f 1 2 3 4', 'f 2 3 4 5')}v 5 0 0\nv 6 0 0\nv 5 1 0\nf 6 7 8\n`;
   const file = folder.write('parts.obj', text);
-  const { distance } = printed('distance', file, '--from', 'v:1', '--solver', 'exact');
+  const { distance } = await printed('distance', file, '--from', 'v:1', '--solver', 'exact');
   assert.equal(distance[0], null);
   assert.deepEqual(distance.slice(5), [null, null, null]);
   [0, 1, Math.SQRT2, 1].forEach((expected, i) => {
@@ -55,13 +55,13 @@ test('distance follows the vertices of the file', () => {
   });
 });
 
-test('path, as JSON and as an OBJ file', () => {
+test('path, as JSON and as an OBJ file', async () => {
   const args = ['path', gridFile, '--from', '0:0.25,0.25', '--to', 'v:100'];
-  const { length, polyline } = printed(...args);
+  const { length, polyline } = await printed(...args);
   const expected = mesh.shortestPath({ face: 0, bary: [0.5, 0.25, 0.25] }, { vertex: 100 });
   assert.equal(length, expected.length);
   assert.deepEqual(polyline.flat(), Array.from(expected.polyline({ bits: 64 })));
-  const { status, stdout } = karcher(...args, '--format', 'obj');
+  const { status, stdout } = await karcher(...args, '--format', 'obj');
   assert.equal(status, 0);
   const lines = stdout.trimEnd().split('\n');
   assert.deepEqual(
@@ -71,38 +71,41 @@ test('path, as JSON and as an OBJ file', () => {
   assert.equal(lines.at(-1), `l ${polyline.map((_, i) => i + 1).join(' ')}`);
 });
 
-test('mean prints the center of mass', () => {
+test('mean prints the center of mass', async () => {
   const args = ['mean', gridFile, '--points', pointsFile];
-  const mean = printed(...args, '--weights', weights);
+  const mean = await printed(...args, '--weights', weights);
   const masses = [0.1, 0.2, 0.3, 0.4, 0];
   assert.deepEqual(mean, mesh.centerOfMass(points, masses));
-  const papers = printed(...args, '--weights', weights, '--method', 'paper');
+  const papers = await printed(...args, '--weights', weights, '--method', 'paper');
   assert.deepEqual(papers, mesh.centerOfMass(points, masses, paper));
-  const scaled = printed(...args, '--weights', '1,2,3,4,0', '--normalize');
+  const scaled = await printed(...args, '--weights', '1,2,3,4,0', '--normalize');
   assert.ok(Math.abs(scaled.position[0] - mean.position[0]) < 1e-12);
   // A list that begins with a negative weight.
-  const negative = printed(...args, '--weights', '-0.1,0.3,0.4,0.4,0');
+  const negative = await printed(...args, '--weights', '-0.1,0.3,0.4,0.4,0');
   assert.equal(negative.status, 'converged');
-  const graph = printed(...args, '--weights', weights, '--solver', 'graph', '--rings', '2');
+  const graph = await printed(...args, '--weights', weights, '--solver', 'graph', '--rings', '2');
   assert.deepEqual(graph, mesh.centerOfMass(points, masses, { solver: 'graph', rings: 2 }));
 });
 
-test('weights prints those that make a point the center of mass', () => {
+test('weights prints those that make a point the center of mass', async () => {
   const [{ face, bary }] = points;
   const at = `${face}:${bary[1]},${bary[2]}`;
   const args = ['weights', gridFile, '--points', pointsFile, '--point', at];
   const plain = mesh.weightsOf(points[0], points);
-  assert.deepEqual(printed(...args), { ...plain, weights: Array.from(plain.weights) });
-  const given = printed(...args, '--weights', weights, '--nonnegative', '--solver', 'exact');
+  assert.deepEqual(await printed(...args), { ...plain, weights: Array.from(plain.weights) });
+  const given = await printed(...args, '--weights', weights, '--nonnegative', '--solver', 'exact');
   const options = { weights: weights.split(',').map(Number), nonNegative: true, solver: 'exact' };
   assert.deepEqual(given.weights, Array.from(mesh.weightsOf(points[0], points, options).weights));
-  assert.match(failure('weights', gridFile, '--points', pointsFile, '--point', '1 2'), /--point/);
+  assert.match(
+    await failure('weights', gridFile, '--points', pointsFile, '--point', '1 2'),
+    /--point/,
+  );
 });
 
-test('mean with the shortest paths to the points', () => {
+test('mean with the shortest paths to the points', async () => {
   const args = ['mean', gridFile, '--points', pointsFile, '--weights', weights];
-  const { paths, ...mean } = printed(...args, '--paths');
-  assert.deepEqual(mean, printed(...args));
+  const { paths, ...mean } = await printed(...args, '--paths');
+  assert.deepEqual(mean, await printed(...args));
   assert.equal(paths.length, points.length);
   paths.forEach(({ length, polyline }, i) => {
     const expected = mesh.shortestPath(mean.point, points[i]);
@@ -111,12 +114,12 @@ test('mean with the shortest paths to the points', () => {
   });
 });
 
-test('trace prints the samples of a curve', () => {
+test('trace prints the samples of a curve', async () => {
   for (const [kind, segments] of [
     ['bspline', 2],
     ['bezier', 1],
   ]) {
-    const { samples, polyline, length, ms } = printed(
+    const { samples, polyline, length, ms } = await printed(
       ...['trace', gridFile, '--points', pointsFile, '--kind', kind, '--samples', '9'],
       ...['--method', 'paper', '--solver', 'exact'],
     );
@@ -152,7 +155,7 @@ test('trace prints the samples of a curve', () => {
   }
 });
 
-test('trace knows every kind of curve', () => {
+test('trace knows every kind of curve', async () => {
   const curves = [
     [['--closed', '--degree', '2'], { kind: 'bspline', closed: true, degree: 2 }],
     [['--clamped'], { kind: 'bspline', knots: 'clamped' }],
@@ -176,33 +179,40 @@ test('trace knows every kind of curve', () => {
     [['--kind', 'polyline'], { kind: 'polyline' }],
   ];
   for (const [args, options] of curves) {
-    const { length, samples } = printed('trace', gridFile, '--points', pointsFile, ...args);
+    const { length, samples } = await printed('trace', gridFile, '--points', pointsFile, ...args);
     const curve = mesh.curve({ points, ...options });
     assert.equal(length, curve.length);
     assert.equal(samples.length, curve.samples().count);
   }
-  const adaptive = printed('trace', gridFile, '--points', pointsFile, '--tolerance', '1e-3');
+  const adaptive = await printed('trace', gridFile, '--points', pointsFile, '--tolerance', '1e-3');
   const curve = mesh.curve({ kind: 'bspline', points, samples: 'adaptive', tolerance: 1e-3 });
   assert.equal(adaptive.samples.length, curve.samples().count);
-  const byDefault = printed('trace', gridFile, '--points', pointsFile, '--samples', 'adaptive');
+  const byDefault = await printed(
+    'trace',
+    gridFile,
+    '--points',
+    pointsFile,
+    '--samples',
+    'adaptive',
+  );
   assert.ok(byDefault.samples.length > adaptive.samples.length);
 });
 
-test('what trace prints, read back as points, is where it was', () => {
-  const { samples } = printed('trace', gridFile, '--points', pointsFile, '--samples', '5');
+test('what trace prints, read back as points, is where it was', async () => {
+  const { samples } = await printed('trace', gridFile, '--points', pointsFile, '--samples', '5');
   const text = samples.map(({ face, bary }) => `${face} ${bary[1]} ${bary[2]}\n`).join('');
   const file = folder.write('again.txt', text);
   for (const [i, sample] of samples.entries()) {
     const oneHot = samples.map((_, j) => (i === j ? 1 : 0)).join(',');
-    const mean = printed('mean', gridFile, '--points', file, '--weights', oneHot);
+    const mean = await printed('mean', gridFile, '--points', file, '--weights', oneHot);
     mean.position.forEach((value, k) => {
       assert.ok(Math.abs(value - sample.position[k]) < 1e-9);
     });
   }
 });
 
-test('trace draws a curve as an OBJ file', () => {
-  const { status, stdout } = karcher(
+test('trace draws a curve as an OBJ file', async () => {
+  const { status, stdout } = await karcher(
     ...['trace', gridFile, '--points', pointsFile, '--samples', '5', '--format', 'obj'],
   );
   assert.equal(status, 0);
@@ -214,8 +224,8 @@ test('trace draws a curve as an OBJ file', () => {
   );
 });
 
-test('circle prints samples at the radius', () => {
-  const { polyline, samples, length, notShortest } = printed(
+test('circle prints samples at the radius', async () => {
+  const { polyline, samples, length, notShortest } = await printed(
     ...['circle', gridFile, '--center', 'v:84', '--radius', '3', '--arcs', '5'],
   );
   assert.equal(samples.length, 5 * 32);
@@ -227,17 +237,17 @@ test('circle prints samples at the radius', () => {
   assert.deepEqual(notShortest, []);
 });
 
-test('circle --type linear and exact, and ellipse', () => {
+test('circle --type linear and exact, and ellipse', async () => {
   const about = ['--center', 'v:84'];
   for (const type of ['linear', 'exact']) {
-    const { lines } = printed('circle', gridFile, ...about, '--radius', '3', '--type', type);
+    const { lines } = await printed('circle', gridFile, ...about, '--radius', '3', '--type', type);
     const expected = mesh.isolines({ vertex: 84 }, { radius: 3, type });
     assert.equal(lines.length, 1);
     assert.equal(lines[0].closed, true);
     assert.equal(lines[0].length, expected[0].length);
     assert.deepEqual(lines[0].polyline.flat(), Array.from(expected[0].polyline({ bits: 64 })));
   }
-  const { samples } = printed(
+  const { samples } = await printed(
     ...['ellipse', gridFile, ...about, '--radii', '3,2', '--direction', '0,1,0'],
   );
   for (const { position } of samples) {
@@ -245,8 +255,8 @@ test('circle --type linear and exact, and ellipse', () => {
   }
 });
 
-test('bench prints every timing', () => {
-  const report = printed('bench', gridFile, '--points', pointsFile, '--samples', '16');
+test('bench prints every timing', async () => {
+  const report = await printed('bench', gridFile, '--points', pointsFile, '--samples', '16');
   assert.deepEqual(report.mesh, { vertices: 169, triangles: 288 });
   assert.equal(report.paper.samples, 32);
   assert.equal(report.paper.lost, 0);
@@ -280,7 +290,7 @@ test('bench prints every timing', () => {
   }
 });
 
-test('bad points, weights and radii: a sentence and status 1', () => {
+test('bad points, weights and radii: a sentence and status 1', async () => {
   let files = 0;
   const file = (text) => folder.write(`wrong${files++}.txt`, text);
   const from = (point) => ['distance', gridFile, '--from', point];
@@ -340,12 +350,12 @@ test('bad points, weights and radii: a sentence and status 1', () => {
     [[...circle('2'), '--type', 'linear', '--rings', '3'], /'exact' has no rings/],
     [[...circle('0'), '--type', 'linear'], /distance must be a positive number/],
   ];
-  for (const [args, message] of wrong) assert.match(failure(...args), message);
+  for (const [args, message] of wrong) assert.match(await failure(...args), message);
 });
 
-test('compare prints each method with its measures or its reason', () => {
+test('compare prints each method with its measures or its reason', async () => {
   const args = ['compare', gridFile, '--points', pointsFile, '--samples', '5', '--landmarks', '40'];
-  const { mesh: printedMesh, methods } = printed(...args);
+  const { mesh: printedMesh, methods } = await printed(...args);
   assert.deepEqual(printedMesh, { vertices: 169, triangles: 288, meanEdge: mesh.info.meanEdge });
   assert.deepEqual(Object.keys(methods), [
     ...['vectorHeat', 'affineHeat', 'weightedAverages', 'descent', 'bSurf', 'paper', 'karcher'],
@@ -365,16 +375,25 @@ test('compare prints each method with its measures or its reason', () => {
   assert.ok(methods.karcher.deviation.max < 1e-8);
   assert.match(methods.descent.reason, /two points/);
   const two = folder.write('two.txt', '3 0 0\n200 0.1 0.2\n');
-  const pair = printed('compare', gridFile, '--points', two, '--samples', '9', '--landmarks', '40');
+  const pair = await printed(
+    'compare',
+    gridFile,
+    '--points',
+    two,
+    '--samples',
+    '9',
+    '--landmarks',
+    '40',
+  );
   assert.equal(pair.methods.descent.ok, true);
   // From the exact path, which is straight here; our own is on it.
   assert.ok(pair.methods.karcher.deviation.max < 1e-8);
   assert.ok(pair.methods.descent.deviation.max > 0);
-  const delaunay = printed(...args, '--delaunay', '--budget', '60').methods;
+  const delaunay = (await printed(...args, '--delaunay', '--budget', '60')).methods;
   assert.equal(delaunay.vectorHeat.ok, true);
-  assert.match(failure(...args, '--budget', '-1'), /--budget must be at least 0/);
+  assert.match(await failure(...args, '--budget', '-1'), /--budget must be at least 0/);
   assert.match(
-    failure('compare', gridFile, '--points', folder.write('one.txt', '3 0 0\n')),
+    await failure('compare', gridFile, '--points', folder.write('one.txt', '3 0 0\n')),
     /2 points/,
   );
 });

@@ -40,9 +40,9 @@ function expectSame({ samples }, curve) {
   });
 }
 
-test('trace --at, --nearest and --spaced measure the curve', () => {
+test('trace --at, --nearest and --spaced measure the curve', async () => {
   const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
-  const { at, nearest, spaced } = traced(
+  const { at, nearest, spaced } = await traced(
     ...curveArgs,
     ...['--at', '0,0.3,1,2', '--nearest', '6,5,1', '--spaced', '4'],
   );
@@ -72,11 +72,11 @@ test('trace --at, --nearest and --spaced measure the curve', () => {
     spaced.flatMap((one) => one.position),
     Array.from(position),
   );
-  const toVertex = traced(...curveArgs, '--nearest', 'v:58');
+  const toVertex = await traced(...curveArgs, '--nearest', 'v:58');
   assert.deepEqual(toVertex.nearest, asJson(curve.nearest(mesh.position({ vertex: 58 }))));
-  const other = traced(...curveArgs, '--nearest', `${places[1][0]}:0.25,0.5`).nearest;
+  const other = (await traced(...curveArgs, '--nearest', `${places[1][0]}:0.25,0.5`)).nearest;
   assert.deepEqual(other, asJson(curve.nearest(mesh.position(points[1]))));
-  const plain = Object.keys(traced(...curveArgs));
+  const plain = Object.keys(await traced(...curveArgs));
   assert.deepEqual(plain, ['levels', 'samples', 'bridged', 'polyline', 'length', 'ms']);
 });
 
@@ -95,27 +95,27 @@ const edits = [
   [['--to-kind', 'catmullrom'], (curve) => curve.setKind('catmullrom')],
 ];
 
-test('edit prints a curve that trace reads', () => {
+test('edit prints a curve that trace reads', async () => {
   for (const [args, change] of edits) {
     const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
     const point = change(curve);
-    const result = edited(...curveArgs, ...args);
+    const result = await edited(...curveArgs, ...args);
     assert.equal(result.curves.length, 1);
     assert.equal(result.point, point);
     assert.equal(result.curves[0].kind, curve.kind);
-    expectSame(traced('--curve', fileOf(result)), curve);
+    expectSame(await traced('--curve', fileOf(result)), curve);
     // One curve of it is as good.
-    expectSame(traced('--curve', fileOf(result.curves[0])), curve);
+    expectSame(await traced('--curve', fileOf(result.curves[0])), curve);
   }
 });
 
-test('legs are read from a curve, and printed with it', () => {
+test('legs are read from a curve, and printed with it', async () => {
   const [a, b, c, ...rest] = points;
   const through = mesh.curve({ kind: 'polyline', points: [a, b, c], samples: 9 });
   // On a plane every way is pulled tight to the same line: none is told.
   const file = fileOf({ kind: 'polyline', points: [a, b, c], legs: [[rest[0]], null] });
-  expectSame(traced('--curve', file), through);
-  assert.equal(edited('--curve', file, '--reverse').curves[0].legs, undefined);
+  expectSame(await traced('--curve', file), through);
+  assert.equal((await edited('--curve', file, '--reverse')).curves[0].legs, undefined);
   const cylinder = folder.write('tube.obj', tube(24, 6));
   const ends = [0, 2 * 4].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
   const around = {
@@ -123,16 +123,16 @@ test('legs are read from a curve, and printed with it', () => {
     points: ends,
     legs: [[{ face: 2 * 14, bary: [0.2, 0.3, 0.5] }]],
   };
-  const long = printed('trace', cylinder, '--curve', fileOf(around));
-  const short = printed('trace', cylinder, '--curve', fileOf({ ...around, legs: [null] }));
+  const long = await printed('trace', cylinder, '--curve', fileOf(around));
+  const short = await printed('trace', cylinder, '--curve', fileOf({ ...around, legs: [null] }));
   assert.ok(long.length > 4 * short.length, `${long.length}, ${short.length}`);
-  const [again] = printed('edit', cylinder, '--curve', fileOf(around), '--reverse').curves;
+  const [again] = (await printed('edit', cylinder, '--curve', fileOf(around), '--reverse')).curves;
   assert.equal(again.legs.length, 1);
-  const back = printed('trace', cylinder, '--curve', fileOf(again));
+  const back = await printed('trace', cylinder, '--curve', fileOf(again));
   assert.ok(Math.abs(back.length - long.length) < 1e-9);
 });
 
-test('every kind comes back, with all that it has', () => {
+test('every kind comes back, with all that it has', async () => {
   const kinds = [
     [{ kind: 'bezier' }, []],
     [{ kind: 'rational', weights: [1, 2, 3, 2, 1] }, ['--weights', '1,2,3,2,1']],
@@ -145,41 +145,41 @@ test('every kind comes back, with all that it has', () => {
     const curve = mesh.curve({ points, samples: 9, ...options });
     curve.insertOnCurve(0.5);
     const all = [...curveArgs, '--kind', options.kind, ...args, '--insert-at', '0.5'];
-    expectSame(traced('--curve', fileOf(edited(...all))), curve);
+    expectSame(await traced('--curve', fileOf(await edited(...all))), curve);
   }
-  const opened = edited(...curveArgs, '--kind', 'polyline', '--closed', '--open');
+  const opened = await edited(...curveArgs, '--kind', 'polyline', '--closed', '--open');
   assert.equal(opened.curves[0].closed, false);
-  const beta = edited(...curveArgs, '--kind', 'barycentric', '--beta', '1=4');
+  const beta = await edited(...curveArgs, '--kind', 'barycentric', '--beta', '1=4');
   assert.deepEqual(beta.curves[0].betas, [1, 4, 1, 1, 1]);
 });
 
-test('curves split and joined again', () => {
+test('curves split and joined again', async () => {
   const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
-  const parts = edited(...curveArgs, '--split-at', '1.5');
+  const parts = await edited(...curveArgs, '--split-at', '1.5');
   assert.equal(parts.curves.length, 2);
   const file = fileOf(parts);
-  curve.split(1.5).forEach((part, i) => {
-    expectSame(traced('--curve', file, '--number', `${i}`), part);
-  });
-  const joined = edited('--curve', file, '--number', '0', '--join', fileOf(parts.curves[1]));
+  for (const [i, part] of curve.split(1.5).entries()) {
+    expectSame(await traced('--curve', file, '--number', `${i}`), part);
+  }
+  const joined = await edited('--curve', file, '--number', '0', '--join', fileOf(parts.curves[1]));
   const [first, second] = curve.split(1.5);
-  expectSame(traced('--curve', fileOf(joined)), first.join(second));
+  expectSame(await traced('--curve', fileOf(joined)), first.join(second));
 
   // A file of points makes a curve of the same kind.
   const more = folder.write('more.txt', linesOf(places.toReversed()));
   const clamped = { kind: 'bspline', degree: 2, knots: 'clamped', samples: 9 };
-  const both = edited(...curveArgs, '--degree', '2', '--clamped', '--join', more);
+  const both = await edited(...curveArgs, '--degree', '2', '--clamped', '--join', more);
   const expected = mesh
     .curve({ ...clamped, points })
     .join(mesh.curve({ ...clamped, points: points.toReversed() }));
-  expectSame(traced('--curve', fileOf(both)), expected);
+  expectSame(await traced('--curve', fileOf(both)), expected);
 });
 
-test('curves and edits that cannot be: a sentence and status 1', () => {
+test('curves and edits that cannot be: a sentence and status 1', async () => {
   const edit = (...args) => ['edit', meshFile, ...curveArgs, ...args];
   const trace = (...args) => ['trace', meshFile, ...args];
-  const two = fileOf(edited(...curveArgs, '--split-at', '1'));
-  const { curves } = edited(...curveArgs, '--reverse');
+  const two = fileOf(await edited(...curveArgs, '--split-at', '1'));
+  const { curves } = await edited(...curveArgs, '--reverse');
   const wrong = [
     [edit(), /edit takes one of --insert-at, --split-at, .*--to-kind$/],
     [edit('--reverse', '--close'), /edit takes one of .*, not two/],
@@ -224,5 +224,5 @@ test('curves and edits that cannot be: a sentence and status 1', () => {
     [trace(...curveArgs, '--spaced', '0'), /2 to 1000000/],
     [trace(...curveArgs, '--at', '1', '--format', 'obj'), /--at has no use with --format obj/],
   ];
-  for (const [args, message] of wrong) assert.match(failure(...args), message);
+  for (const [args, message] of wrong) assert.match(await failure(...args), message);
 });

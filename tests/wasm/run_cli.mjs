@@ -1,17 +1,48 @@
-import { spawnSync } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { Writable } from 'node:stream';
 import { fileURLToPath } from 'node:url';
+
+const { main } = await import(new URL('./cli/main.js', import.meta.resolve('karcher')));
 
 const program = fileURLToPath(new URL('./cli.js', import.meta.resolve('karcher')));
 
-/** Runs `karcher` as a shell would: {status, stdout, stderr}. */
-export function karcher(...args) {
-  return spawnSync(process.execPath, [program, ...args], {
-    encoding: 'utf8',
-    maxBuffer: 2 ** 28,
+/** A stream that keeps what is written to it; `text()` gives it. */
+function written() {
+  const pieces = [];
+  const stream = new Writable({
+    write(piece, _encoding, done) {
+      pieces.push(piece);
+      done();
+    },
   });
+  return { stream, text: () => Buffer.concat(pieces).toString('utf8') };
+}
+
+/** Runs `karcher` in this process, as a shell would in one of its own: {status, stdout, stderr}. */
+export async function karcher(...args) {
+  const [stdout, stderr] = [written(), written()];
+  const status = await main(args, { stdout: stdout.stream, stderr: stderr.stream });
+  return { status, stdout: stdout.text(), stderr: stderr.text() };
+}
+
+/** Runs `karcher` in a process of its own; `begun` gets it once it has started. */
+export async function karcherProcess(args, begun = () => {}) {
+  const child = spawn(process.execPath, [program, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
+  const said = { stdout: '', stderr: '' };
+  for (const name of Object.keys(said)) {
+    child[name].setEncoding('utf8').on('data', (text) => {
+      said[name] += text;
+    });
+  }
+  begun(child);
+  const [status, signal] = await new Promise((resolve, reject) => {
+    child.on('error', reject);
+    child.on('close', (...how) => resolve(how));
+  });
+  return { status, signal, ...said };
 }
 
 // How far a command is that has taken two seconds: on a slow machine others print it too.
@@ -21,16 +52,16 @@ const progress = /^karcher: \w+: [^\n]+, \d+ %\n/gm;
  * The JSON object that a command printed. Throws if it failed or printed anything else but its
  * progress.
  */
-export function printed(...args) {
-  const { status, stdout, stderr } = karcher(...args);
+export async function printed(...args) {
+  const { status, stdout, stderr } = await karcher(...args);
   if (status !== 0 || stderr.replace(progress, '') !== '')
     throw new Error(`karcher ${args.join(' ')}: ${stderr}`);
   return JSON.parse(stdout);
 }
 
 /** The sentence with which a command failed: alone on standard error, with exit status 1. */
-export function failure(...args) {
-  const { status, stdout, stderr } = karcher(...args);
+export async function failure(...args) {
+  const { status, stdout, stderr } = await karcher(...args);
   if (status !== 1 || stdout !== '' || !/^karcher: [^\n]+\n$/.test(stderr)) {
     throw new Error(`karcher ${args.join(' ')}: status ${status}, '${stdout}', '${stderr}'`);
   }
@@ -50,5 +81,3 @@ export function temporaryFolder() {
     remove: () => rmSync(path, { recursive: true }),
   };
 }
-
-export { program };

@@ -27,7 +27,8 @@ export interface Command {
   /** What the JSON object holds. */
   output: string;
   options: readonly Option[];
-  run(args: Arguments): Promise<Result>;
+  /** `tell` says on standard error how far a long command is. */
+  run(args: Arguments, tell: (sentence: string) => void): Promise<Result>;
 }
 
 /** The option of commands whose result can be drawn. */

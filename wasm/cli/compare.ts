@@ -24,7 +24,7 @@ export const compare: Command = {
       default: '0',
     },
   ],
-  async run(args) {
+  async run(args, tell) {
     const samples = args.integer('samples');
     const landmarks = args.integer('landmarks');
     const budgetMs = 1000 * args.number('budget') || Number.POSITIVE_INFINITY;
@@ -56,7 +56,7 @@ export const compare: Command = {
       const run = await runMethod(peers, mesh, plan, options, reference.samples, {
         budgetMs,
         ruler,
-        progress: reporter(name),
+        progress: reporter(name, tell),
       });
       const { curve: _, ...result } = run;
       methods[name] = { solver: solverWords(mesh, options), ...result };
@@ -70,14 +70,17 @@ export const compare: Command = {
   },
 };
 
-/** Tells on standard error how far a method is that takes long. */
-function reporter(name: string): (done: number, stage: string) => void {
+/** Tells how far a method is that takes long. */
+function reporter(
+  name: string,
+  tell: (sentence: string) => void,
+): (done: number, stage: string) => void {
   const quietMs = 2000;
   let told = performance.now();
   return (done, stage) => {
     const now = performance.now();
     if (now - told < quietMs) return;
     told = now;
-    process.stderr.write(`karcher: ${name}: ${stage}, ${Math.round(100 * done)} %\n`);
+    tell(`${name}: ${stage}, ${Math.round(100 * done)} %`);
   };
 }

@@ -1,3 +1,4 @@
+import type { Writable } from 'node:stream';
 import type { Path } from '../path.js';
 import type { CurvePoints, CurveSamples, Status } from '../types.js';
 import { UsageError } from './errors.js';
@@ -105,30 +106,36 @@ export function* jsonPieces(value: unknown): Generator<string> {
   yield '}';
 }
 
+/** A value as JSON on a line of its own, in pieces. */
+export function* jsonLine(value: unknown): Generator<string> {
+  yield* jsonPieces(value);
+  yield '\n';
+}
+
 /** Writes pieces of a text to standard output, each when those before it have gone. */
-export async function print(pieces: Iterable<string>): Promise<void> {
+export async function print(pieces: Iterable<string>, stdout: Writable): Promise<void> {
   const enough = 1 << 16;
   let text = '';
   for (const piece of pieces) {
     text += piece;
     if (text.length < enough) continue;
-    await write(text);
+    await write(text, stdout);
     text = '';
   }
-  await write(text);
+  await write(text, stdout);
 }
 
-function write(text: string): Promise<void> {
+function write(text: string, stdout: Writable): Promise<void> {
   return new Promise((resolve, reject) => {
     const fail = (cause: NodeJS.ErrnoException) => {
       const reason =
         cause.code === 'EPIPE' ? 'it was closed before everything was written' : cause.message;
       reject(new UsageError(`cannot write to standard output: ${reason}`, { cause }));
     };
-    process.stdout.once('error', fail);
-    process.stdout.write(text, (error) => {
+    stdout.once('error', fail);
+    stdout.write(text, (error) => {
       if (error) return fail(error);
-      process.stdout.off('error', fail);
+      stdout.off('error', fail);
       resolve();
     });
   });
