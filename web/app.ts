@@ -2,6 +2,7 @@ import type { Beside } from './editor/beside';
 import { Comparison } from './editor/comparison';
 import { messageOf, polylinesOf } from './editor/compute';
 import { CurveEdits } from './editor/curve_edits';
+import { Distances } from './editor/distances';
 import { Editor, type State } from './editor/editor';
 import { Gestures } from './editor/gestures';
 import { Measure } from './editor/measure';
@@ -18,6 +19,7 @@ import { Clipboard } from './panels/clipboard';
 import { ComparisonPanel, comparedColor } from './panels/comparison_panel';
 import { ContextMenu } from './panels/context_menu';
 import { CurvePanel } from './panels/curve_panel';
+import { DistanceLegend } from './panels/distance_legend';
 import { byId } from './panels/elements';
 import { ExamplesMenu } from './panels/examples_menu';
 import { FreehandSettings } from './panels/freehand_settings';
@@ -35,6 +37,7 @@ import { Tour } from './panels/tour';
 import { TransformPanel } from './panels/transform_panel';
 import { ViewMenu } from './panels/view_menu';
 import { addressOf, linkOf, longestLink, saveChanges } from './saving';
+import { DistanceLayer } from './viewer/distance_layer';
 import type { ObjectDrawing } from './viewer/object_lines';
 import type { Surface } from './viewer/surface';
 import { Viewer } from './viewer/viewer';
@@ -105,6 +108,9 @@ export async function start(): Promise<void> {
     if (shorter) editor.takeShortest(shorter.index);
   };
   const measure = new Measure(session);
+  const distances = new Distances(editor, session);
+  const distanceLayer = new DistanceLayer();
+  viewer.addLayer(distanceLayer);
   const mirror = new MirrorTool(editor, session, viewer, showNote);
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
     surfaceClicked: (point) => edits.append(point),
@@ -149,6 +155,8 @@ export async function start(): Promise<void> {
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
     viewer.showPolygon(view.legs, view.polygonOnly);
+    distances.update();
+    if (viewer.surface !== surfaceShown && distances.shown) distances.onChange(distances.shown);
     const isNew = view.others !== besideShown || viewer.surface !== surfaceShown;
     // The style of what is compared may be another one.
     if (isNew || (comparison.shown && !editor.dragging)) {
@@ -165,6 +173,13 @@ export async function start(): Promise<void> {
     status.show(editor.state, view, session.client?.info ?? null);
   };
 
+  const distanceLegend = new DistanceLegend(() => distances.off());
+  distances.onProblem = showNote;
+  distances.onChange = (shown) => {
+    distanceLayer.show(viewer.surface, shown?.traced ?? null, shown?.from ?? null);
+    viewer.requestFrame();
+    distanceLegend.show(shown, distances.on, editor.state);
+  };
   measure.onChange = (measured) => {
     viewer.showTangent(measured);
     gestures.showMeasured(measured?.position ?? null);
@@ -198,6 +213,7 @@ export async function start(): Promise<void> {
   const toolEvents = {
     saveJson: () => saveMenu.save('json'),
     toggleSnapping: () => snap.toggle(),
+    toggleDistances: () => distances.toggle(),
     removeSelected: remove,
     link() {
       const { mesh, method, drawing } = editor.state;
@@ -209,7 +225,7 @@ export async function start(): Promise<void> {
       };
     },
   };
-  new Tools(editor, viewer, edits, toolEvents, rail, new ViewMenu(viewer));
+  new Tools(editor, viewer, edits, toolEvents, rail, new ViewMenu(viewer, distances));
   new ExamplesMenu((example) => void opening.example(example));
   const objectPanel = new ObjectPanel(editor);
   new ContextMenu(editor, viewer, stage, () => gestures.letGo());
@@ -231,6 +247,7 @@ export async function start(): Promise<void> {
       remember('tool', state.tool);
     }
     if (state.tool !== 'measure' || state.revision !== before.revision) measure.clear();
+    distances.update();
     gestures.show();
     curvePanel.show(state, session.view);
     showCompared();
@@ -254,7 +271,7 @@ export async function start(): Promise<void> {
     const found = linkOf(location.hash);
     if (found && location.hash.slice(1) !== addressOf(editor.state)) void opening.link(found);
   });
-  exposeState(editor, session, viewer);
+  exposeState(editor, session, viewer, distances);
   opening.show(viewer);
   if (await first) tour.greet();
   else if ((recallInTab('tool') ?? usualTool) === 'select') editor.setTool('select');

@@ -1,4 +1,5 @@
 import type { MeshInfo } from 'karcher';
+import type { Distances, ShownDistances } from './editor/distances';
 import type { Editor, State } from './editor/editor';
 import type { Session, View } from './editor/session';
 import type { Vector } from './model/figure';
@@ -16,6 +17,7 @@ export interface Inspection {
   readonly still: boolean;
   state(): State;
   view(): View;
+  distances(): ShownDistances | null;
   /** Where a place in the surface's coordinates is seen in the window; null where it is hidden. */
   seen(position: Vector): { x: number; y: number } | null;
   mesh(): { info: MeshInfo; positions: Float64Array; triangles: Int32Array } | null;
@@ -27,7 +29,12 @@ declare global {
   }
 }
 
-export function exposeState(editor: Editor, session: Session, viewer: Viewer): void {
+export function exposeState(
+  editor: Editor,
+  session: Session,
+  viewer: Viewer,
+  distances: Distances,
+): void {
   const inspection: Inspection = {
     get settled() {
       return session.settled && session.view.revision === editor.state.revision;
@@ -43,6 +50,7 @@ export function exposeState(editor: Editor, session: Session, viewer: Viewer): v
     },
     state: () => structuredClone(editor.state),
     view: () => structuredClone(session.view),
+    distances: () => structuredClone(distances.shown),
     seen(position) {
       const { x, y, hidden } = viewer.seen(Float32Array.from(position));
       const box = viewer.box;

@@ -46,6 +46,11 @@ describe('every control is hit where it is clicked', () => {
       await unfold(controls);
       await controls.click(page.locator('#points button').first());
       await controls.look('a point selected');
+      await page.keyboard.press('d');
+      await page.locator('#distance-legend[aria-busy="false"]').waitFor();
+      await controls.look('distances');
+      await controls.click(page.locator('#distance-off'));
+      await page.locator('#distance-legend').waitFor({ state: 'hidden' });
       await controls.click(page.locator('#tool-select'));
       await controls.look('objects are only selected');
       await controls.click(page.locator('#tool-freehand'));

@@ -54,3 +54,17 @@ export interface Measured {
   /** The derivative by the parameter. */
   tangent: [number, number, number];
 }
+
+/** Distances along the surface from a point, as the page draws them. */
+export interface TracedDistances {
+  /** At the vertices, in the caller's order; minus the farthest where no path leads. */
+  values: Float32Array;
+  /** The farthest. */
+  most: number;
+  /** From one line to the next. */
+  step: number;
+  /** The lines of each multiple of the step, from the first. */
+  lines: Float32Array[][];
+  /** Whether a path leads to every vertex. */
+  complete: boolean;
+}

@@ -16,6 +16,7 @@ export interface ToolEvents {
   link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;
   toggleSnapping(): void;
+  toggleDistances(): void;
 }
 
 /** The toolbar, the keys that work everywhere, the help and the theme. */
@@ -139,6 +140,7 @@ export class Tools {
     home: () => this.viewer.resetView({ animated: true }),
     g: () => this.events.toggleSnapping(),
     t: () => this.viewMenu.toggleEdges(),
+    d: () => this.events.toggleDistances(),
     c: () => this.#toggleClosed(),
     s: () => this.edits.chooseSplit(),
     j: () => this.edits.chooseJoin(),

@@ -17,8 +17,15 @@ const viewNames: Record<ViewName, string> = {
 export class ViewMenu {
   readonly #edges = byId<HTMLButtonElement>('edges');
 
-  constructor(private readonly viewer: Viewer) {
+  constructor(
+    private readonly viewer: Viewer,
+    distances: { toggle(): void },
+  ) {
     const menu = new Menu('view-menu', 'view');
+    byId('distances').addEventListener('click', () => {
+      menu.element.hidePopover();
+      distances.toggle();
+    });
     const places = byId('view-places');
     for (const name of Object.keys(views) as ViewName[]) {
       const item = make('button', viewNames[name], { type: 'button' });

@@ -47,6 +47,7 @@ export class FatLine {
     // Not see-through: the segments' round ends lie over each other, and would show as beads.
     const hidden = new LineMaterial(common);
     hidden.depthFunc = GreaterDepth;
+    hidden.visible = style.hidden > 0;
     this.#materials = [hidden, seen];
     for (const [i, material] of this.#materials.entries()) {
       const line = new LineSegments2(this.#geometry, material);

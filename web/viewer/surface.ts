@@ -16,6 +16,7 @@ import {
 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/figure';
+import { rampForShader } from './color_ramp';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
   directionFromScene,
@@ -51,11 +52,16 @@ const material = new ShaderMaterial({
     sky: { value: new Color() },
     ground: { value: new Color() },
     frontIsOutside: { value: true },
+    ramp: { value: rampForShader() },
+    most: { value: 0 },
   },
   vertexShader: `
+    attribute float value;
     varying vec3 vNormal;
     varying vec3 vEye;
+    varying float vValue;
     void main() {
+      vValue = value;
       vec4 eye = modelViewMatrix * vec4(position, 1.0);
       vEye = -eye.xyz;
       vNormal = normalMatrix * normal;
@@ -67,8 +73,11 @@ const material = new ShaderMaterial({
     uniform vec3 sky;
     uniform vec3 ground;
     uniform bool frontIsOutside;
+    uniform vec3 ramp[5];
+    uniform float most;
     varying vec3 vNormal;
     varying vec3 vEye;
+    varying float vValue;
     void main() {
       vec3 eye = normalize(vEye);
       vec3 normal = normalize(vNormal);
@@ -79,6 +88,11 @@ const material = new ShaderMaterial({
       float gloss = pow(max(0.0, dot(normal, normalize(key + eye))), 24.0);
       float rim = pow(1.0 - abs(dot(normal, eye)), 3.0);
       vec3 clay = gl_FrontFacing == frontIsOutside ? front : back;
+      if (most > 0.0 && vValue > -0.5 * most) {
+        float at = 4.0 * clamp(vValue / most, 0.0, 1.0);
+        clay = ramp[0];
+        for (int i = 0; i < 4; i++) clay = mix(clay, ramp[i + 1], clamp(at - float(i), 0.0, 1.0));
+      }
       vec3 light = mix(ground, sky, up) * 0.64 + vec3(0.56) * lit * lit;
       gl_FragColor = vec4(clay * light + sky * (0.05 * gloss + 0.1 * rim), 1.0);
       #include <colorspace_fragment>
@@ -125,6 +139,7 @@ export class Surface {
     this.#geometry.setIndex(new BufferAttribute(drawn.triangles, 1));
     material.side = sides[drawn.outside];
     material.uniforms.frontIsOutside!.value = drawn.outside !== 'back';
+    material.uniforms.most!.value = 0;
     material.needsUpdate = true;
     this.#tree = MeshBVH.deserialize(drawn.tree, this.#geometry, { setIndex: false });
     this.#edges = new Mesh(this.#geometry, edgeMaterial);
@@ -139,6 +154,16 @@ export class Surface {
 
   set edges(visible: boolean) {
     this.#edges.visible = visible;
+  }
+
+  /**
+   * Colors the surface by values at its vertices, from 0 to the greatest, which is positive; as it is
+   * where they are minus that, and everywhere without any.
+   */
+  colorBy(colored: { values: Float32Array; most: number } | null): void {
+    material.uniforms.most!.value = colored?.most ?? 0;
+    if (colored) this.#geometry.setAttribute('value', new BufferAttribute(colored.values, 1));
+    else this.#geometry.deleteAttribute('value');
   }
 
   /** Where a ray of the scene meets the surface first. */

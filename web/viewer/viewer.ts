@@ -5,6 +5,7 @@ import { outliveContextLoss } from './context_loss';
 import { nearestOnScreen } from './curve_pick';
 import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine, fineDash } from './fat_line';
+import type { Layer } from './layer';
 import { dashLengths, dotAt, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
 import { pictureOf } from './picture';
@@ -47,6 +48,7 @@ export class Viewer {
     ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#halo, this.#stroke],
     this.#frameLines,
   ];
+  readonly #layers: Layer[] = [];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
   /** The curve that is shown, in the scene. */
@@ -87,6 +89,13 @@ export class Viewer {
     this.#resize();
   }
 
+  /** Draws something more, in the colors that are set from then on. */
+  addLayer(layer: Layer): void {
+    this.#layers.push(layer);
+    this.#scene.add(layer.object);
+    if (this.#colors) layer.setColors(this.#colors);
+  }
+
   /** Called before each frame is drawn, with the camera as it will be. */
   onFrame(listener: () => void): void {
     this.#beforeFrame.push(listener);
@@ -97,7 +106,7 @@ export class Viewer {
       this.#frame = 0;
       this.#view.advance(now);
       this.#view.camera.updateMatrixWorld();
-      for (const line of this.#lines) line.follow(this.#view.camera.position);
+      for (const line of [...this.#lines, ...this.#layers]) line.follow(this.#view.camera.position);
       for (const listener of this.#beforeFrame) listener();
       this.#renderer.render(this.#scene, this.#view.camera);
     });
@@ -148,6 +157,7 @@ export class Viewer {
     this.#frameLines.setColor(new Color(colors.frame), surface);
     this.#places.setColor(new Color(colors.lost), surface);
     this.#marks.setColor(new Color(colors.marks), surface);
+    for (const layer of this.#layers) layer.setColors(colors);
     this.requestFrame();
   }
 

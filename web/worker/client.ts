@@ -3,6 +3,7 @@ import type {
   CircleOptions,
   CurveOptions,
   CurvePoint,
+  DistanceOptions,
   EllipseOptions,
   IsolineOptions,
   LongWorkOptions,
@@ -12,7 +13,13 @@ import type {
 import type { FileInfo } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { MeshSource, UpAxis } from '../model/meshes';
-import type { Measured, ShorterLeg, TracedCurve, TracedIsolines } from '../model/traced';
+import type {
+  Measured,
+  ShorterLeg,
+  TracedCurve,
+  TracedDistances,
+  TracedIsolines,
+} from '../model/traced';
 import { type Edit, type Edited, edited } from './edits';
 import { tracedCircle, tracedCurve } from './traced';
 
@@ -198,6 +205,11 @@ export class EngineClient {
     }));
     const length = lines.reduce((sum, line) => sum + line.length, 0);
     return { lines, length, milliseconds: performance.now() - started };
+  }
+
+  /** Distances along the surface from a point to all of it. */
+  async distances(from: PointLike, options: DistanceOptions): Promise<TracedDistances> {
+    return (await this.#worker.call('distances', [this.mesh, from, options])) as TracedDistances;
   }
 
   get closed(): boolean {

@@ -1,8 +1,16 @@
 /** The worker that runs the engine: `karcher/worker-thread` that also makes the page's meshes. */
-import { type Karcher, type LongWorkOptions, load, type Mesh } from 'karcher';
+import {
+  type DistanceOptions,
+  type Karcher,
+  type LongWorkOptions,
+  load,
+  type Mesh,
+  type PointLike,
+} from 'karcher';
 import type { FileInfo } from 'karcher/formats';
 import { serve } from 'karcher/own-worker';
 import type { MeshSource, UpAxis } from '../model/meshes';
+import { tracedDistances } from './distances';
 
 interface Loaded {
   mesh: Mesh;
@@ -47,6 +55,8 @@ const calls = {
     const up = guessUp(arrays.positions, arrays.triangles, read.file.format);
     return { ...arrays, file: read.file, up };
   },
+  distances: (mesh: Mesh, from: PointLike, options: DistanceOptions) =>
+    tracedDistances(mesh, from, options),
 };
 
 export type Calls = typeof calls;
