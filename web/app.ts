@@ -16,6 +16,7 @@ import { workOffline } from './offline';
 import { Opening } from './opening';
 import { CheckUpPanel } from './panels/checkup_panel';
 import { Clipboard } from './panels/clipboard';
+import { CombLegend } from './panels/comb_legend';
 import { ComparisonPanel, comparedColor } from './panels/comparison_panel';
 import { ContextMenu } from './panels/context_menu';
 import { CurvePanel } from './panels/curve_panel';
@@ -37,6 +38,7 @@ import { Tour } from './panels/tour';
 import { TransformPanel } from './panels/transform_panel';
 import { ViewMenu } from './panels/view_menu';
 import { addressOf, linkOf, longestLink, saveChanges } from './saving';
+import { CombLayer } from './viewer/comb_layer';
 import { DistanceLayer } from './viewer/distance_layer';
 import type { ObjectDrawing } from './viewer/object_lines';
 import type { Surface } from './viewer/surface';
@@ -110,7 +112,13 @@ export async function start(): Promise<void> {
   const measure = new Measure(session);
   const distances = new Distances(editor, session);
   const distanceLayer = new DistanceLayer();
-  viewer.addLayer(distanceLayer);
+  const combLayer = new CombLayer();
+  for (const layer of [distanceLayer, combLayer]) viewer.addLayer(layer);
+  const comb = new CombLegend(viewer, combLayer, () => ({
+    state: editor.state,
+    view: session.view,
+    meanEdge: session.client?.info.meanEdge ?? 0,
+  }));
   const mirror = new MirrorTool(editor, session, viewer, showNote);
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
     surfaceClicked: (point) => edits.append(point),
@@ -166,6 +174,7 @@ export async function start(): Promise<void> {
     comparison.update(editor.state, view);
     viewer.showShorter(view.shorter.map(({ polyline }) => polyline));
     viewer.showMarks(view.curve?.marks?.position ?? []);
+    comb.show();
     gestures.show();
     curvePanel.show(editor.state, view);
     rail.show(editor.state, view);
@@ -214,6 +223,7 @@ export async function start(): Promise<void> {
     saveJson: () => saveMenu.save('json'),
     toggleSnapping: () => snap.toggle(),
     toggleDistances: () => distances.toggle(),
+    toggleComb: () => comb.toggle(),
     removeSelected: remove,
     link() {
       const { mesh, method, drawing } = editor.state;
@@ -225,7 +235,14 @@ export async function start(): Promise<void> {
       };
     },
   };
-  new Tools(editor, viewer, edits, toolEvents, rail, new ViewMenu(viewer, distances));
+  new Tools(
+    editor,
+    viewer,
+    edits,
+    toolEvents,
+    rail,
+    new ViewMenu(viewer, { distances: toolEvents.toggleDistances, comb: toolEvents.toggleComb }),
+  );
   new ExamplesMenu((example) => void opening.example(example));
   const objectPanel = new ObjectPanel(editor);
   new ContextMenu(editor, viewer, stage, () => gestures.letGo());

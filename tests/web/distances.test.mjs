@@ -1,5 +1,6 @@
 // Distances along the surface from a point: as values, as lines, and as the page shows them.
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { load as loadEngine } from 'karcher';
@@ -111,7 +112,9 @@ describe('distances on the page', () => {
   const picture = async (tab) => {
     await tab.still();
     const clip = { x: 500, y: 220, width: 400, height: 400 };
-    return (await tab.page.screenshot({ clip })).toString('base64');
+    return createHash('sha1')
+      .update(await tab.page.screenshot({ clip }))
+      .digest('hex');
   };
 
   test('are those of the selected point, follow it, and go by one click', async () => {

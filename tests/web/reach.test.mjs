@@ -51,6 +51,9 @@ describe('every control is hit where it is clicked', () => {
       await controls.look('distances');
       await controls.click(page.locator('#distance-off'));
       await page.locator('#distance-legend').waitFor({ state: 'hidden' });
+      await page.keyboard.press('u');
+      await controls.look('the curvature');
+      await controls.click(page.locator('#comb-off'));
       await controls.click(page.locator('#tool-select'));
       await controls.look('objects are only selected');
       await controls.click(page.locator('#tool-freehand'));

@@ -17,6 +17,7 @@ export interface ToolEvents {
   saveJson(): void;
   toggleSnapping(): void;
   toggleDistances(): void;
+  toggleComb(): void;
 }
 
 /** The toolbar, the keys that work everywhere, the help and the theme. */
@@ -141,6 +142,7 @@ export class Tools {
     g: () => this.events.toggleSnapping(),
     t: () => this.viewMenu.toggleEdges(),
     d: () => this.events.toggleDistances(),
+    u: () => this.events.toggleComb(),
     c: () => this.#toggleClosed(),
     s: () => this.edits.chooseSplit(),
     j: () => this.edits.chooseJoin(),

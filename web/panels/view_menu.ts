@@ -19,13 +19,15 @@ export class ViewMenu {
 
   constructor(
     private readonly viewer: Viewer,
-    distances: { toggle(): void },
+    overlays: { distances(): void; comb(): void },
   ) {
     const menu = new Menu('view-menu', 'view');
-    byId('distances').addEventListener('click', () => {
-      menu.element.hidePopover();
-      distances.toggle();
-    });
+    for (const id of ['distances', 'comb'] as const) {
+      byId(id).addEventListener('click', () => {
+        menu.element.hidePopover();
+        overlays[id]();
+      });
+    }
     const places = byId('view-places');
     for (const name of Object.keys(views) as ViewName[]) {
       const item = make('button', viewNames[name], { type: 'button' });

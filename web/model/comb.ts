@@ -1,0 +1,149 @@
+/**
+ * A curvature comb: teeth along a curve, as long as it is bent within the surface there. The curvature
+ * at a point is that of the circle through it and the points that lie a window before and behind, of
+ * which the geodesic curvature is the part within the tangent plane: exact for circles in space.
+ */
+import type { Vector } from './figure';
+
+export interface Tooth {
+  /** On the curve. */
+  foot: Vector;
+  /** The geodesic curvature, positive where the curve turns left, seen from outside. */
+  curvature: number;
+  /** Of unit length, in the tangent plane, to the left of the curve. */
+  left: Vector;
+}
+
+export interface Comb {
+  teeth: Tooth[];
+  /** Where the curve turns at a point and so has no curvature, there are no teeth: in how many places. */
+  corners: number;
+  closed: boolean;
+}
+
+/** A polyline that turns by more within the surface has a corner there, in radians. */
+const cornerAngle = Math.PI / 6;
+
+/**
+ * The teeth of a polyline, x, y, z each, that are evenly spaced by length; `countOn` tells how many a length
+ * has. `window` is how far before
+ * and behind a tooth its curvature is taken from, at most a quarter of the length; an open curve has no
+ * teeth nearer to its ends. `normalAt` gives the surface's unit normal.
+ */
+export function combOf(
+  polyline: ArrayLike<number>,
+  normalAt: (place: Vector) => Vector,
+  countOn: (length: number) => number,
+  window: number,
+): Comb {
+  const line = new Arclength(polyline);
+  const { length, closed } = line;
+  if (!(length > 0)) return { teeth: [], corners: 0, closed };
+  const count = countOn(length);
+  const reach = Math.min(window, length / 4);
+  const [first, room] = closed ? [0, length] : [reach, length - 2 * reach];
+  const teeth: Tooth[] = [];
+  const corners = line.corners(normalAt);
+  for (let i = 0; i < count; i++) {
+    const at = first + (room * i) / (closed ? count : Math.max(1, count - 1));
+    if (corners.some((corner) => line.between(at, corner) < reach)) continue;
+    const foot = line.at(at);
+    const [before, after] = [minus(foot, line.at(at - reach)), minus(line.at(at + reach), foot)];
+    const [a, b] = [norm(before), norm(after)];
+    if (!(a > 0 && b > 0)) continue;
+    const [from, to] = [scaled(before, 1 / a), scaled(after, 1 / b)];
+    const curvature = scaled(minus(to, from), 2 / (a + b));
+    const along = [0, 1, 2].map((axis) => from[axis]! + to[axis]!) as Vector;
+    const left = cross(normalAt(foot), along);
+    const unit = scaled(left, 1 / norm(left));
+    teeth.push({ foot, curvature: dot(curvature, unit), left: unit });
+  }
+  return { teeth, corners: corners.length, closed };
+}
+
+/** The curvature that a share of the teeth do not exceed; 0 without teeth. */
+export function usualCurvature(combs: readonly Comb[], share: number): number {
+  const sizes = combs.flatMap(({ teeth }) => teeth.map(({ curvature }) => Math.abs(curvature)));
+  sizes.sort((a, b) => a - b);
+  return sizes[Math.floor(share * (sizes.length - 1))] ?? 0;
+}
+
+/** A polyline by length. */
+class Arclength {
+  readonly #lengths: Float64Array;
+  readonly closed: boolean;
+
+  constructor(private readonly line: ArrayLike<number>) {
+    const count = Math.floor(line.length / 3);
+    this.#lengths = new Float64Array(count);
+    for (let i = 1; i < count; i++) {
+      this.#lengths[i] = this.#lengths[i - 1]! + norm(minus(this.#vertex(i), this.#vertex(i - 1)));
+    }
+    const gap = count > 2 ? norm(minus(this.#vertex(0), this.#vertex(count - 1))) : Infinity;
+    this.closed = gap <= 1e-5 * this.length;
+  }
+
+  get length(): number {
+    return this.#lengths.at(-1) ?? 0;
+  }
+
+  /** The place so far from the start; of a closed line also before it and beyond its end. */
+  at(wanted: number): Vector {
+    const { length } = this;
+    const at = this.closed ? ((wanted % length) + length) % length : wanted;
+    let [low, high] = [0, this.#lengths.length - 1];
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.#lengths[middle]! <= at) low = middle;
+      else high = middle;
+    }
+    const step = this.#lengths[high]! - this.#lengths[low]!;
+    const part = step > 0 ? Math.min(1, Math.max(0, (at - this.#lengths[low]!) / step)) : 0;
+    const [p, q] = [this.#vertex(low), this.#vertex(high)];
+    return [0, 1, 2].map((axis) => p[axis]! + part * (q[axis]! - p[axis]!)) as Vector;
+  }
+
+  /** How far two places are from each other along the line. */
+  between(a: number, b: number): number {
+    const apart = Math.abs(a - b);
+    return this.closed ? Math.min(apart, this.length - apart) : apart;
+  }
+
+  /** Where its corners are. */
+  corners(normalAt: (place: Vector) => Vector): number[] {
+    const last = this.#lengths.length - 1;
+    // Vertices that lie on each other have no direction from one to the next.
+    const kept = Array.from(this.#lengths.keys()).filter(
+      (i) => i === 0 || this.#lengths[i]! > this.#lengths[i - 1]!,
+    );
+    const corners: number[] = [];
+    for (const [k, i] of kept.entries()) {
+      const isEnd = k === 0 || i === last || k === kept.length - 1;
+      if (isEnd && !(this.closed && k === 0)) continue;
+      const at = this.#vertex(i);
+      const before = minus(at, this.#vertex(k === 0 ? kept.at(-2)! : kept[k - 1]!));
+      const after = minus(this.#vertex(kept[k + 1]!), at);
+      if (!turns(before, after)) continue;
+      // A bend over an edge of the surface is none within it.
+      const normal = normalAt(at);
+      const within = (p: Vector) => minus(p, scaled(normal, dot(p, normal)));
+      if (turns(within(before), within(after))) corners.push(this.#lengths[i]!);
+    }
+    return corners;
+  }
+
+  #vertex(i: number): Vector {
+    return [this.line[3 * i]!, this.line[3 * i + 1]!, this.line[3 * i + 2]!];
+  }
+}
+
+const turns = (p: Vector, q: Vector) => dot(p, q) < Math.cos(cornerAngle) * norm(p) * norm(q);
+const minus = (p: Vector, q: Vector): Vector => [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+const scaled = (p: Vector, factor: number): Vector => [factor * p[0], factor * p[1], factor * p[2]];
+const dot = (p: Vector, q: Vector) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+const norm = (p: Vector) => Math.hypot(...p);
+const cross = (p: Vector, q: Vector): Vector => [
+  p[1] * q[2] - p[2] * q[1],
+  p[2] * q[0] - p[0] * q[2],
+  p[0] * q[1] - p[1] * q[0],
+];

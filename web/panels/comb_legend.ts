@@ -1,0 +1,76 @@
+import { polylinesOf } from '../editor/compute';
+import type { State } from '../editor/editor';
+import type { View } from '../editor/session';
+import { activeObject } from '../model/drawing';
+import type { CombFacts, CombLayer } from '../viewer/comb_layer';
+import type { Surface } from '../viewer/surface';
+import type { Viewer } from '../viewer/viewer';
+import { byId, formatCount } from './elements';
+import { nameOf } from './object_panel';
+
+/** The curvature comb of the edited curve, with its scale and its greatest number; off at first. */
+export class CombLegend {
+  readonly #scale = byId<HTMLInputElement>('comb-scale');
+  #on = false;
+  /** What is combed: neither anew, nor with another scale. */
+  #shown: { lines: readonly Float32Array[]; object: number; surface: Surface | null } | null = null;
+
+  constructor(
+    private readonly viewer: Viewer,
+    private readonly layer: CombLayer,
+    private readonly now: () => { state: State; view: View; meanEdge: number },
+  ) {
+    byId('comb-off').addEventListener('click', () => this.toggle());
+    this.#scale.addEventListener('input', () => this.#setScale());
+    this.#setScale();
+  }
+
+  toggle(): void {
+    this.#on = !this.#on;
+    byId('comb').setAttribute('aria-checked', `${this.#on}`);
+    byId('comb-legend').hidden = !this.#on;
+    this.show();
+  }
+
+  /** Shows what is edited now. */
+  show(): void {
+    const { state, view, meanEdge } = this.now();
+    const lines = this.#on ? polylinesOf(view) : [];
+    const { surface } = this.viewer;
+    const object = state.drawing.active;
+    const before = this.#shown;
+    const same =
+      before?.object === object && before.surface === surface && sameLines(before.lines, lines);
+    if (!this.#on && !before) return;
+    if (this.#on && same) return;
+    this.#shown = this.#on ? { lines, object, surface } : null;
+    const keepScale = state.dragging && before?.object === object;
+    const facts = this.layer.show(surface, lines, meanEdge, { keepScale });
+    this.viewer.requestFrame();
+    byId('comb-title').textContent = `Curvature of ${nameOf(activeObject(state.drawing))}`;
+    byId('comb-note').textContent = wordsOf(facts);
+  }
+
+  #setScale(): void {
+    const factor = 2 ** Number(this.#scale.value);
+    const words = `${Number(factor.toPrecision(3))} ×`;
+    byId('comb-factor').textContent = words;
+    this.#scale.setAttribute('aria-valuetext', words);
+    this.layer.factor = factor;
+    this.viewer.requestFrame();
+  }
+}
+
+const sameLines = (a: readonly Float32Array[], b: readonly Float32Array[]) =>
+  a.length === b.length && a.every((line, i) => line === b[i]);
+
+function wordsOf({ greatest, corners }: CombFacts): string {
+  if (greatest === null) {
+    return corners > 0
+      ? 'The curve has corners too near to each other.'
+      : 'There is no curve here: select one.';
+  }
+  const radius = greatest > 0 ? ` (radius ${(1 / greatest).toPrecision(3)})` : '';
+  const without = corners > 0 ? ` No teeth at ${formatCount(corners, 'corner')}.` : '';
+  return `Greatest ${greatest.toPrecision(4)} per unit${radius}.${without}`;
+}

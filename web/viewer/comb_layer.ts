@@ -1,0 +1,103 @@
+import { Color, Group, Vector3 } from 'three';
+import { type Comb, combOf, usualCurvature } from '../model/comb';
+import { type ViewerColors, litSurface } from './colors';
+import { FatLine } from './fat_line';
+import type { Layer } from './layer';
+import type { Surface } from './surface';
+
+/** From tooth to tooth, in the scene; a surface's diagonal is 2. */
+const spacing = 0.011;
+const [fewestTeeth, mostTeeth] = [16, 600];
+/** How long most teeth are at first, in the scene; a surface's diagonal is 2. */
+const usualLength = 0.12;
+/** The part of the teeth that are no longer than that. */
+const usualShare = 0.9;
+
+/** What a comb shows, in the surface's coordinates. */
+export interface CombFacts {
+  /** The greatest geodesic curvature, without its sign; null without teeth. */
+  greatest: number | null;
+  /** Places without teeth. */
+  corners: number;
+}
+
+const teethOn = (length: number) =>
+  Math.round(Math.min(mostTeeth, Math.max(fewestTeeth, length / spacing)));
+
+/** Teeth across a curve, on the side that it turns away from, as long as it is bent within the surface. */
+export class CombLayer implements Layer {
+  readonly object = new Group();
+  readonly #teeth = new FatLine({ width: 1, hidden: 0.3 }, 3);
+  readonly #tips = new FatLine({ width: 2, hidden: 0.3 }, 3);
+  #combs: Comb[] = [];
+  /** A tooth's length for each unit of curvature, in the scene. */
+  #unit = 0;
+  #factor = 1;
+
+  constructor() {
+    this.object.add(this.#teeth.object, this.#tips.object);
+  }
+
+  /**
+   * The combs of lines in the surface's coordinates. Curvature is not told from what is shorter than
+   * `meanEdge`. The length of the teeth is fitted anew unless it is to stay, as during a drag.
+   */
+  show(
+    surface: Surface | null,
+    lines: readonly Float32Array[],
+    meanEdge: number,
+    { keepScale }: { keepScale: boolean },
+  ): CombFacts {
+    const scale = surface?.frame.scale ?? 1;
+    this.#combs = surface ? this.#combsOf(surface, lines, meanEdge * scale) : [];
+    const usual = usualCurvature(this.#combs, usualShare);
+    if (!keepScale || this.#unit === 0) this.#unit = usual > 0 ? usualLength / usual : 0;
+    this.#draw();
+    const sizes = this.#combs.flatMap(({ teeth }) => teeth.map((one) => Math.abs(one.curvature)));
+    return {
+      greatest: sizes.length > 0 ? Math.max(...sizes) * scale : null,
+      corners: this.#combs.reduce((sum, { corners }) => sum + corners, 0),
+    };
+  }
+
+  /** How many times as long as fitted the teeth are. */
+  set factor(factor: number) {
+    this.#factor = factor;
+    this.#draw();
+  }
+
+  follow(camera: Vector3): void {
+    this.#teeth.follow(camera);
+    this.#tips.follow(camera);
+  }
+
+  setColors(colors: ViewerColors): void {
+    for (const line of [this.#teeth, this.#tips]) {
+      line.setColor(new Color(colors.center), litSurface(colors));
+    }
+  }
+
+  #combsOf(surface: Surface, lines: readonly Float32Array[], window: number): Comb[] {
+    const normalAt = (place: readonly [number, number, number]) =>
+      surface.normal(surface.nearest(new Vector3(...place))).toArray();
+    return lines.map((line) => combOf(surface.toScene(line), normalAt, teethOn, window));
+  }
+
+  #draw(): void {
+    const unit = this.#unit * this.#factor;
+    const tips = this.#combs.map(({ teeth, closed }) => {
+      const line = teeth.flatMap(({ foot, curvature, left }) =>
+        foot.map((value, axis) => value - unit * curvature * left[axis]!),
+      );
+      return Float32Array.from(closed && line.length > 0 ? [...line, ...line.slice(0, 3)] : line);
+    });
+    this.#tips.set(tips);
+    this.#teeth.set(
+      this.#combs.flatMap(({ teeth }, comb) =>
+        teeth.map(({ foot }, i) =>
+          Float32Array.from([...foot, ...tips[comb]!.subarray(3 * i, 3 * i + 3)]),
+        ),
+      ),
+    );
+  }
+}
