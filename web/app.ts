@@ -227,7 +227,7 @@ export async function start(): Promise<void> {
     removeSelected: remove,
     link() {
       const { mesh, method, drawing } = editor.state;
-      const link = formatLink(mesh, method, drawing);
+      const link = formatLink(mesh, method, drawing, viewer.place);
       return {
         address: `${location.href.split('#')[0]}#${link}`,
         complete: !mesh.startsWith('file:'),
@@ -282,11 +282,13 @@ export async function start(): Promise<void> {
   transformPanel.show(editor.state);
   const sheet = new Sheet();
   const tour = new Tour(() => sheet.show());
-  saveChanges(editor);
+  const viewChanged = saveChanges(editor, () => viewer.place);
+  viewer.onFrame(viewChanged);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', () => {
     const found = linkOf(location.hash);
-    if (found && location.hash.slice(1) !== addressOf(editor.state)) void opening.link(found);
+    if (found && location.hash.slice(1) !== addressOf(editor.state, viewer.place))
+      void opening.link(found);
   });
   exposeState(editor, session, viewer, distances);
   opening.show(viewer);

@@ -174,13 +174,17 @@ export class Opening {
       if (client !== this.session.client || mesh !== this.editor.state.mesh) return false;
       if (method) this.editor.setMethod(method);
       this.#replace(wantedOf(link)(this.#viewer!.surface!));
+      if (link.view) this.#viewer!.showPlace(link.view, { animated: true });
       return true;
     }
     const made = madeSource(mesh);
     if (made) return this.#openLink(link, made);
     const bytes = await keptFile(keyOfFile(mesh));
     if (bytes) return this.#openLink(link, fileSource(mesh, bytes));
-    this.#await(mesh, formatLink(mesh, method ?? this.editor.state.method, link.drawing));
+    this.#await(
+      mesh,
+      formatLink(mesh, method ?? this.editor.state.method, link.drawing, link.view),
+    );
     this.#complain(`The curve is on ${meshLabel(mesh)}. Drop that file here to continue.`);
     return false;
   }
@@ -235,9 +239,11 @@ export class Opening {
     }
   }
 
-  #openLink(link: Link, source: MeshSource): Promise<boolean> {
+  async #openLink(link: Link, source: MeshSource): Promise<boolean> {
     if (link.method) this.editor.setMethod(link.method);
-    return this.#open(link.mesh, source, wantedOf(link));
+    const opened = await this.#open(link.mesh, source, wantedOf(link));
+    if (opened && link.view) this.#viewer!.showPlace(link.view, { animated: false });
+    return opened;
   }
 
   /** Keeps a link until its file is there; an empty one ends that. */

@@ -1,8 +1,9 @@
 import type { Editor, State } from './editor/editor';
 import type { History } from './model/history';
-import { formatLink, type Link, parseLink } from './model/link';
+import { formatLink, type Link, parseLink, viewFields } from './model/link';
 import { linkOfWork, readWork, savedWork } from './model/saved_work';
 import { recall, recallInTab, rememberAll, rememberInTab } from './model/storage';
+import { parseView, type ViewPlace } from './model/view_place';
 
 const delayMilliseconds = 200;
 
@@ -12,20 +13,31 @@ export const longestLink = 16_000;
 /**
  * The address of a drawing: its link; of one that is too long only where this browser keeps it.
  */
-export function addressOf({ mesh, method, drawing }: State): string {
-  const link = formatLink(mesh, method, drawing);
+export function addressOf({ mesh, method, drawing }: State, view: ViewPlace | null): string {
+  const link = formatLink(mesh, method, drawing, view);
   if (link.length <= longestLink) return link;
-  return `mesh=${encodeURIComponent(mesh).replaceAll('%3A', ':')}&method=${method}&kept=1`;
+  const key = encodeURIComponent(mesh).replaceAll('%3A', ':');
+  return [`mesh=${key}&method=${method}&kept=1`, ...viewFields(view)].join('&');
 }
 
 /**
- * Keeps what is made where a reload finds it: in the address and in the browser's storage, with what
+ * Keeps what is made, and from where it is looked at, where a reload finds it: in the address and in the browser's storage, with what
  * was done in that of the tab. Saving waits for a moment's rest, as browsers limit how often an
  * address may change. A surface that stands in for another is not saved: what could not be opened may
- * be opened later.
+ * be opened later. What is given back is called where the view may have changed.
  */
-export function saveChanges(editor: Editor): void {
+export function saveChanges(editor: Editor, viewNow: () => ViewPlace | null): () => void {
   let timer = 0;
+  let viewTimer = 0;
+  let viewShown = '';
+  const saveAddress = (state: State) => {
+    const before = location.hash.slice(1);
+    const address = addressOf(state, viewNow());
+    if (before === address) return;
+    history.replaceState(null, '', `#${address}`);
+    // A reload that is under way may still go to the address as it was.
+    rememberInTab('overtaken', `${before} ${location.hash.slice(1)}`);
+  };
   const save = (state: State) => {
     clearTimeout(timer);
     timer = 0;
@@ -35,12 +47,7 @@ export function saveChanges(editor: Editor): void {
     if (mesh === editor.state.mesh) {
       rememberInTab('work', savedWork(text, drawing, editor.history));
     }
-    const before = location.hash.slice(1);
-    const address = addressOf(state);
-    if (before === address) return;
-    history.replaceState(null, '', `#${address}`);
-    // A reload that is under way may still go to the address as it was.
-    rememberInTab('overtaken', `${before} ${location.hash.slice(1)}`);
+    saveAddress(state);
   };
   const saveSoon = () => {
     clearTimeout(timer);
@@ -63,6 +70,17 @@ export function saveChanges(editor: Editor): void {
   document.addEventListener('visibilitychange', () => {
     if (document.hidden) flush();
   });
+  return () => {
+    const [view = ''] = viewFields(viewNow());
+    if (view === viewShown) return;
+    viewShown = view;
+    clearTimeout(viewTimer);
+    viewTimer = window.setTimeout(() => {
+      const { state } = editor;
+      // What waits to be saved saves the view with it.
+      if (!timer && state.mesh !== '' && !state.standIn) saveAddress(state);
+    }, delayMilliseconds);
+  };
 }
 
 /** A link, and whether this browser kept it, so that it may be of any size. */
@@ -83,10 +101,16 @@ function found(text: string | null | undefined, own: boolean): FoundLink | null 
 export function linkOf(fragment: string): FoundLink | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   if (!fields.get('kept')) return found(fragment, false);
-  const mesh = fields.get('mesh');
+  const kept = keptLink(fields.get('mesh')) ?? found(fragment, false);
+  const view = parseView(fields.get('view') ?? '');
+  return kept && { ...kept, link: { ...kept.link, view } };
+}
+
+/** What this browser keeps of a surface. */
+function keptLink(mesh: string | null): FoundLink | null {
   const inTab = found(linkOfWork(recallInTab('work') ?? ''), true);
   if (inTab?.link.mesh === mesh) return inTab;
-  return found(recall(`document.${mesh}`), true) ?? found(fragment, false);
+  return found(recall(`document.${mesh}`), true);
 }
 
 /** What the page starts with: its address says it, or else what was last made in this browser. */

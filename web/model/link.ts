@@ -5,7 +5,8 @@
  * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`
  * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&group=…&place=2`. Legs are told by a
  * point's number and the points that its way to the next one goes through, its place by how many
- * objects lie below it. Then the others from the lowest to the topmost, each with the same fields in a
+ * objects lie below it. `view=azimuth,elevation,reach,x,y,z` or `view=top` is from where the surface is
+ * looked at (view_place.ts), by default the front. Then the others from the lowest to the topmost, each with the same fields in a
  * field `other`. Weights and betas of 1, shortest legs and other defaults go without saying. Ids are
  * not told: objects are numbered anew in their order.
  */
@@ -54,11 +55,14 @@ import { isMethod, type MethodId } from './methods';
 import { longestName, shortened } from './names';
 import { type Tangent, type Tangents, withTangents } from './pen';
 import { isColor, mostObjects } from './saved_drawing';
+import { formatView, parseView, type ViewPlace } from './view_place';
 
 export interface Link {
   mesh: string;
   method: MethodId | null;
   drawing: Drawing;
+  /** From where the surface is looked at; null where it does not say. */
+  view: ViewPlace | null;
   /** What it says so wrongly that the drawing is without it. */
   unread: Lost;
   /** Sentences about what else it says wrongly, and what is taken in its place. */
@@ -93,7 +97,12 @@ function formatCircle({ center, rim, across }: CircleShape): string {
   return [...parts, ...(across ? [formatAcross(across)] : [])].join(';');
 }
 
-export function formatLink(mesh: string, method: MethodId, drawing: Drawing): string {
+export function formatLink(
+  mesh: string,
+  method: MethodId,
+  drawing: Drawing,
+  view: ViewPlace | null = null,
+): string {
   const active = activeObject(drawing);
   const others = othersOf(drawing);
   const place = indexOf(drawing, active.id);
@@ -104,8 +113,15 @@ export function formatLink(mesh: string, method: MethodId, drawing: Drawing): st
     `method=${method}`,
     ...rest,
     ...(place > 0 ? [`place=${place}`] : []),
+    ...viewFields(view),
     ...others.map((other) => `other=${encodeURIComponent(objectFields(other).join('&'))}`),
   ].join('&');
+}
+
+/** The field of a view, for a fragment. */
+export function viewFields(view: ViewPlace | null): string[] {
+  const text = view && formatView(view);
+  return text ? [`view=${text}`] : [];
 }
 
 function objectFields({ figure, ...properties }: DrawnObject): string[] {
@@ -213,6 +229,7 @@ export function parseLink(fragment: string): Link | null {
     mesh,
     method: isMethod(method) ? method : null,
     drawing,
+    view: parseView(fields.get('view') ?? ''),
     unread: { points: said - read.points, circles: circles - read.circles },
     problems: linkProblems(fragment),
   };

@@ -14,6 +14,7 @@ import {
 } from './figure';
 import { isMethod } from './methods';
 import { isColor, mostObjects } from './saved_drawing';
+import { parseView, viewRange } from './view_place';
 
 /** A link of more points would keep the page and its engine busy for minutes. */
 export const mostLinkPoints = 1000;
@@ -95,6 +96,11 @@ const rules: Readonly<Record<string, Rule>> = {
     ),
     range: `numbers of points with up to ${mostLegPoints} places each`,
     instead: 'the shortest path',
+  },
+  view: {
+    allows: (text) => parseView(text) !== null,
+    range: viewRange,
+    instead: 'the view there is',
   },
   tangents: {
     allows: byPoint((handles) => handles.length <= 2 && handles.every(isHandle)),

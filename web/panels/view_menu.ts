@@ -1,10 +1,10 @@
+import { type ViewName, viewNames } from '../model/view_place';
 import type { Viewer } from '../viewer/viewer';
-import { type ViewName, views } from '../viewer/views';
 import { byId, make } from './elements';
 import { Menu } from './menu';
 import { onTheme, toggleTheme } from './theme';
 
-const viewNames: Record<ViewName, string> = {
+const labels: Record<ViewName, string> = {
   front: 'Front',
   back: 'Back',
   left: 'Left',
@@ -29,12 +29,12 @@ export class ViewMenu {
       });
     }
     const places = byId('view-places');
-    for (const name of Object.keys(views) as ViewName[]) {
-      const item = make('button', viewNames[name], { type: 'button' });
+    for (const name of viewNames) {
+      const item = make('button', labels[name], { type: 'button' });
       item.setAttribute('role', 'menuitem');
       item.addEventListener('click', () => {
         menu.element.hidePopover();
-        viewer.lookFrom(name);
+        viewer.showPlace(name, { animated: true });
       });
       places.append(item);
     }

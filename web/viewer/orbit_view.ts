@@ -1,8 +1,11 @@
-import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { MathUtils, PerspectiveCamera, Quaternion, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { type ViewPlace, viewNames } from '../model/view_place';
 import type { Surface } from './surface';
+import { views } from './views';
 
 const fieldOfView = 30;
+const halfSlope = Math.tan((fieldOfView * Math.PI) / 360);
 /** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
 const margin = 0.88;
 /** The part of the stage's width that a surface may take. */
@@ -87,10 +90,35 @@ export class OrbitView {
     this.#showWhole(animated);
   }
 
-  /** The whole scene, seen from a direction. */
-  lookFrom(direction: Vector3): void {
-    this.#whole = direction;
-    this.#showWhole(true);
+  /** From where the scene is seen, or will be once a flight ends; null for the usual view. */
+  get place(): ViewPlace | null {
+    if (this.#whole) return viewNames.find((name) => views[name] === this.#whole) ?? null;
+    const { offset, target } = this.#flight?.to ?? {
+      target: this.#controls.target,
+      offset: this.camera.position.clone().sub(this.#controls.target),
+    };
+    const { radius, phi, theta } = new Spherical().setFromVector3(offset);
+    return {
+      azimuth: MathUtils.radToDeg(theta),
+      elevation: 90 - MathUtils.radToDeg(phi),
+      reach: radius * Math.sin(this.#narrowAngle),
+      target: target.toArray(),
+    };
+  }
+
+  /** Sees the scene from a place, where a ball of its reach fits into the stage. */
+  show(place: ViewPlace, { animated }: { animated: boolean }): void {
+    if (typeof place === 'string') {
+      this.#whole = views[place];
+      this.#showWhole(animated);
+      return;
+    }
+    this.#whole = null;
+    const { azimuth, elevation, reach, target } = place;
+    const far = Math.min(farthest, Math.max(nearest, reach / Math.sin(this.#narrowAngle)));
+    const [polar, around] = [90 - elevation, azimuth].map(MathUtils.degToRad) as [number, number];
+    const offset = new Vector3().setFromSphericalCoords(far, polar, around);
+    this.#go({ offset, target: new Vector3(...target) }, animated);
   }
 
   #showWhole(animated: boolean): void {
@@ -141,11 +169,15 @@ export class OrbitView {
     this.#controls.update();
   }
 
+  /** Half of what is seen of the stage's narrower side, in radians. */
+  get #narrowAngle(): number {
+    return Math.atan(halfSlope * Math.min(1, this.camera.aspect));
+  }
+
   /** From how far the bounding sphere, of radius 1, fills the stage, and no width is cut off. */
   #wholeDistance(direction: Vector3): number {
-    const slope = Math.tan((fieldOfView * Math.PI) / 360);
-    const narrow = Math.atan(slope * Math.min(1, this.camera.aspect));
-    const wide = widthTaken * slope * this.camera.aspect;
+    const narrow = this.#narrowAngle;
+    const wide = widthTaken * halfSlope * this.camera.aspect;
     const width = this.surface?.widthDistance(direction, wide) ?? 0;
     return Math.max(margin / Math.sin(narrow), width);
   }

@@ -1,5 +1,6 @@
 import { Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import { defaultStyle, type LineStyle } from '../model/drawing';
+import type { ViewPlace } from '../model/view_place';
 import { litSurface, type ViewerColors } from './colors';
 import { outliveContextLoss } from './context_loss';
 import { nearestOnScreen } from './curve_pick';
@@ -10,7 +11,6 @@ import { dashLengths, dotAt, type ObjectDrawing, ObjectLines } from './object_li
 import { OrbitView } from './orbit_view';
 import { pictureOf } from './picture';
 import { colorSurface, type Pick, Surface } from './surface';
-import { type ViewName, views } from './views';
 
 type Vector = [number, number, number];
 
@@ -78,13 +78,10 @@ export class Viewer {
       );
     }
     this.#renderer = new WebGLRenderer({ canvas, context });
-    outliveContextLoss(
-      canvas,
-      () => [this.#scene],
-      () => this.requestFrame(),
-    );
+    const redraw = () => this.requestFrame();
+    outliveContextLoss(canvas, () => [this.#scene], redraw);
     this.#scene.add(...this.#lines.map((line) => line.object));
-    this.#view = new OrbitView(stage, () => this.requestFrame());
+    this.#view = new OrbitView(stage, redraw);
     new ResizeObserver(() => this.#resize()).observe(stage);
     this.#resize();
   }
@@ -147,15 +144,15 @@ export class Viewer {
     colorSurface(colors);
     const surface = litSurface(colors);
     this.#colors = colors;
-    this.#lost.setColor(new Color(colors.lost), surface);
+    const lost = new Color(colors.lost);
+    for (const line of [this.#lost, this.#places]) line.setColor(lost, surface);
     this.#polygon.setColor(new Color(colors.polygon), surface);
     this.#beside.setColors(new Color(colors.curve), surface);
     this.#halo.setColor(new Color(colors.chosen).lerp(surface, 0.35), surface);
     this.#showStyle();
-    this.#shorter.setColor(new Color(colors.center), surface);
-    this.#tangent.setColor(new Color(colors.center), surface);
+    const center = new Color(colors.center);
+    for (const line of [this.#shorter, this.#tangent]) line.setColor(center, surface);
     this.#frameLines.setColor(new Color(colors.frame), surface);
-    this.#places.setColor(new Color(colors.lost), surface);
     this.#marks.setColor(new Color(colors.marks), surface);
     for (const layer of this.#layers) layer.setColors(colors);
     this.requestFrame();
@@ -281,8 +278,7 @@ export class Viewer {
     this.#curve.setColor(own, surface);
     this.#curve.setStyle({ width, dash: dashLengths[dash] });
     this.#lost.setStyle({ width, dash: fineDash });
-    this.#sketch.setColor(own, surface);
-    this.#stroke.setColor(own, surface);
+    for (const line of [this.#sketch, this.#stroke]) line.setColor(own, surface);
   }
 
   /** Shorter ways than the legs of the curve. */
@@ -459,9 +455,13 @@ export class Viewer {
     this.#view.reset(options);
   }
 
-  /** The whole surface, from one of the named sides. */
-  lookFrom(name: ViewName): void {
-    this.#view.lookFrom(views[name]);
+  /** From where the surface is looked at; null for the usual view, of the whole from the front. */
+  get place(): ViewPlace | null {
+    return this.#view.place;
+  }
+
+  showPlace(place: ViewPlace, options: { animated: boolean }): void {
+    this.#view.show(place, options);
   }
 
   /** Puts a point of the scene in the middle, seen from straight above the surface there. */

@@ -1,0 +1,55 @@
+/** From where a surface is looked at, as a link tells it: `view=top`, or six numbers. */
+import type { Vector } from './figure';
+
+/** The views of the whole surface that have a name. */
+export const viewNames = ['front', 'back', 'left', 'right', 'top', 'bottom'] as const;
+export type ViewName = (typeof viewNames)[number];
+
+export const isViewName = (name: string | null): name is ViewName =>
+  (viewNames as readonly (string | null)[]).includes(name);
+
+/** A view that was turned, zoomed or moved, in the scene, where a surface's diagonal is 2. */
+export interface OrbitPlace {
+  /** Of the camera from what it looks at, in degrees: around the axis up, from the front, and above. */
+  azimuth: number;
+  elevation: number;
+  /** The radius of the ball about what it looks at that fits into the window, whatever its shape. */
+  reach: number;
+  target: Vector;
+}
+
+export type ViewPlace = ViewName | OrbitPlace;
+
+/** What its numbers may be. */
+const ranges = [
+  { least: -180, most: 180 },
+  { least: -90, most: 90 },
+  { least: 0.01, most: 10 },
+  ...Array.from({ length: 3 }, () => ({ least: -20, most: 20 })),
+];
+
+export const viewRange =
+  'a side, as front, or six numbers: degrees around from -180 to 180, above from -90 to 90, reach from 0.01 to 10, and what is looked at from -20 to 20';
+
+/** Null where it is beyond what a link may say. */
+export function formatView(view: ViewPlace): string | null {
+  if (typeof view === 'string') return view;
+  const { azimuth, elevation, reach, target } = view;
+  const numbers = [azimuth, elevation].map((angle) => rounded(angle, 2));
+  const text = [...numbers, Number(reach.toPrecision(5)), ...target.map((at) => rounded(at, 5))];
+  return parseView(text.join(',')) ? text.join(',') : null;
+}
+
+/** Null where it is no view, or a number is out of its range. */
+export function parseView(text: string): ViewPlace | null {
+  if (isViewName(text)) return text;
+  const fields = text.split(',');
+  const numbers = fields.map((field) => (field.trim() === '' ? Number.NaN : Number(field)));
+  const good = ranges.every(({ least, most }, i) => numbers[i]! >= least && numbers[i]! <= most);
+  if (!good || numbers.length !== ranges.length) return null;
+  const [azimuth, elevation, reach, ...target] = numbers as [number, number, number, ...Vector];
+  return { azimuth, elevation, reach, target };
+}
+
+/** Without a minus before 0. */
+const rounded = (value: number, digits: number) => Number(value.toFixed(digits)) + 0;
