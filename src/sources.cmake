@@ -40,7 +40,8 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   rcm/mean_weights.cpp
   rcm/newton_center.cpp
   rcm/surface.cpp
-  rcm/summed_field.cpp)
+  rcm/summed_field.cpp
+  rcm/uniqueness.cpp)
 # Libraries of their own.
 set(KARCHER_OTHER_ROOMS
   peers)

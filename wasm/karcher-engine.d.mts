@@ -7,6 +7,7 @@ import type {
   Solver,
   Status,
   StraightestPath,
+  Uniqueness,
 } from './types.js';
 
 /**
@@ -79,6 +80,7 @@ export interface EngineMesh {
     weights: Float64Array,
     start: Float64Array,
     normalize: boolean,
+    looksForOthers: boolean,
     field: EngineFieldOptions,
   ): EngineMean;
   /** `given` is empty for equal weights. */
@@ -199,7 +201,14 @@ export interface EngineMean {
   status: Status;
   iterations: number;
   energy: number;
-  otherMinima: boolean;
+  uniqueness: Uniqueness;
+  otherMinima: EngineMinimum[];
+}
+
+export interface EngineMinimum {
+  point: Float64Array;
+  position: [number, number, number];
+  energy: number;
 }
 
 /** Each edit makes it another curve, whole, or fails and changes nothing. */

@@ -176,8 +176,11 @@ export class Mesh {
     const start = this.#wireStart(options);
     const field = engineFieldOptions(options);
     const normalize = checkBoolean(options.normalize ?? false, 'normalize');
+    const looks = checkBoolean(options.uniqueness ?? false, 'uniqueness');
     return toCenterOfMass(
-      this.#handle.call((mesh) => mesh.centerOfMass(places, masses, start, normalize, field)),
+      this.#handle.call((mesh) =>
+        mesh.centerOfMass(places, masses, start, normalize, looks, field),
+      ),
     );
   }
 
@@ -443,5 +446,10 @@ export class Mesh {
 }
 
 function toCenterOfMass(mean: EngineMean): CenterOfMass {
-  return { ...mean, point: toSurfacePoint(mean.point) };
+  const others = mean.otherMinima.map((other) => ({
+    ...other,
+    point: toSurfacePoint(other.point),
+  }));
+  const otherMinima = mean.uniqueness === 'notLooked' ? 'notLooked' : others;
+  return { ...mean, point: toSurfacePoint(mean.point), otherMinima };
 }

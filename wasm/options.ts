@@ -36,7 +36,11 @@ const longWorkOptionNames = namesOf<LongWorkOptions>({ progress: true, signal: t
 const meshOptionNames = namesOf<MeshOptions>({ repair: true, weld: true });
 const start = { start: true, normalize: true } as const;
 export const startOptionNames = namesOf<StartOptions>(start);
-export const centerOptionNames = namesOf<CenterOptions>({ ...field, ...start });
+export const centerOptionNames = namesOf<CenterOptions>({
+  ...field,
+  ...start,
+  uniqueness: true,
+});
 export const weightsOptionNames = namesOf<WeightsOptions>({
   ...field,
   weights: true,

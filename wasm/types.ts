@@ -229,12 +229,29 @@ export interface CenterOfMass {
   iterations: number;
   /** Sum of weight times squared distance, in squared units of the mesh. */
   energy: number;
+  /** Whether it is the only one. */
+  uniqueness: Uniqueness;
   /**
-   * Whether searches from other control points ended at other minima; this is the lowest of them.
-   * Always false with the method `paper`, which searches once.
+   * Other minima at which searches ended, from the lowest up, each more than a tenth of the mean edge
+   * from the others, and a minimum as the center is; `notLooked` where nobody looked beyond the control
+   * points and those led to none.
    */
-  otherMinima: boolean;
+  otherMinima: OtherMinimum[] | 'notLooked';
 }
+
+/**
+ * What is known of other minima of the energy. `certain`: it is proved that none is lower, and that
+ * none is as near as the farthest point. So it is where the weights are not negative and the points lie
+ * in a ball in which the squared distances are convex: on a mesh one about which no vertex has positive
+ * curvature; on the built-in sphere and torus one that is small beside their curvature (Karcher 1977),
+ * where the proof is of the smooth surface. `likely`: searches from all points and from 32 places spread
+ * over the surface ended there. `notUnique`: some ended elsewhere, too. `notLooked`: see
+ * `CenterOptions.uniqueness`.
+ */
+export type Uniqueness = 'certain' | 'likely' | 'notUnique' | 'notLooked';
+
+/** A place where the energy has a minimum, too. */
+export type OtherMinimum = Pick<CenterOfMass, 'point' | 'position' | 'energy'>;
 
 /** Weights of points for which a given point is their center of mass. */
 export interface MeanWeights {
@@ -271,7 +288,13 @@ export interface StartOptions {
   normalize?: boolean;
 }
 
-export interface CenterOptions extends FieldOptions, StartOptions {}
+export interface CenterOptions extends FieldOptions, StartOptions {
+  /**
+   * Look for other minima all over the surface, and tell whether the center is the only one. Reads the
+   * whole of each point's field: about half a microsecond a vertex and point with the fast solver.
+   */
+  uniqueness?: boolean;
+}
 
 export type CurveGeometry = 'geodesic' | 'exact';
 

@@ -47,15 +47,18 @@ int heaviest(const Array<double>& weights) {
 }
 
 Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOfMass& center) {
-  return {center.point, center.status, center.iterations, fields.energy(center.point, weights),
-          false};
+  return {center.point,           center.status,
+          center.iterations,      fields.energy(center.point, weights),
+          Uniqueness::kNotLooked, {}};
 }
 
 /// The fields' estimate of a sum of squares may lie below 0 near its least; the sum does not.
 Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   const bool anyNegative =
       std::any_of(weights.begin(), weights.end(), [](double weight) { return weight < 0; });
-  if (!anyNegative) mean.energy = std::max(mean.energy, 0.0);
+  if (anyNegative) return mean;
+  mean.energy = std::max(mean.energy, 0.0);
+  for (Minimum& other : mean.otherMinima) other.energy = std::max(other.energy, 0.0);
   return mean;
 }
 
@@ -77,22 +80,67 @@ bool better(const Mean& a, const Mean& b) {
   return aConverged != bConverged ? aConverged : a.energy < b.energy;
 }
 
-Mean lowestMinimum(FieldBlend& fields, const Array<double>& weights,
-                   const Array<SurfacePoint>& starts) {
-  const Geometry& geometry = fields.geometry();
-  Array<Mean> minima;
-  for (const SurfacePoint& start : starts) {
-    minima.push_back(withEnergy(fields, weights, walkToCenter(fields, weights, start)));
-  }
-  Mean best = *std::min_element(minima.begin(), minima.end(), better);
-  const Vec3 where = position(*geometry.mesh, best.point);
-  for (const Mean& other : minima) {
-    if (other.status != Status::kConverged) continue;
-    const Vec3 there = position(*geometry.mesh, other.point);
-    if ((there - where).norm() > 1e-6 * geometry.diagonal) best.otherMinima = true;
-  }
-  return best;
+/// Minima nearer than this part of the mean edge are one: searches from either side of an edge may
+/// end that far apart.
+constexpr double kSameMinimum = 0.1;
+constexpr int kSpreadStarts = 32;
+
+bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  return (position(mesh, a) - position(mesh, b)).norm() > kSameMinimum * geometry.meanEdge;
 }
+
+/// Keeps minima from the lowest up, and of equal ones the first found first.
+void insertByEnergy(Array<Minimum>& minima, const Minimum& minimum) {
+  int place = minima.count();
+  while (place > 0 && minimum.energy < minima[place - 1].energy) --place;
+  minima.insert(minima.begin() + place, minimum);
+}
+
+/// Leaves those of minima that are apart from the center and from each other.
+void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean& mean) {
+  Array<Minimum> apart;
+  for (const Minimum& minimum : minima) {
+    bool isNew = areApart(geometry, minimum.point, mean.point);
+    for (const Minimum& known : apart) {
+      isNew = isNew && areApart(geometry, minimum.point, known.point);
+    }
+    if (isNew) apart.push_back(minimum);
+  }
+  mean.uniqueness = apart.empty() ? Uniqueness::kNotLooked : Uniqueness::kNotUnique;
+  mean.otherMinima = std::move(apart);
+}
+
+/// One search after another: the first answer is the center, or the best one where `lowest`.
+class MinimumSearch {
+ public:
+  MinimumSearch(FieldBlend& fields, const Array<double>& weights, Method method)
+      : fields_(fields), weights_(weights), method_(method) {}
+
+  void from(const SurfacePoint& start, bool lowest) {
+    const CenterOfMass end = method_ == Method::kPaper ? newtonCenter(fields_, weights_, start)
+                                                       : walkToCenter(fields_, weights_, start);
+    Mean found = withEnergy(fields_, weights_, end);
+    const bool isFirst = !begun_;
+    begun_ = true;
+    if (isFirst || (lowest && better(found, best_))) std::swap(found, best_);
+    if (isFirst || found.status != Status::kConverged) return;
+    insertByEnergy(others_, {found.point, found.energy});
+  }
+
+  Mean result() {
+    setOtherMinima(fields_.geometry(), others_, best_);
+    return std::move(best_);
+  }
+
+ private:
+  FieldBlend& fields_;
+  const Array<double>& weights_;
+  Method method_;
+  bool begun_ = false;
+  Mean best_;
+  Array<Minimum> others_;
+};
 
 /// Distances of a point as fields have them at a vertex beside it, no shorter.
 Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
@@ -112,28 +160,59 @@ bool isToBeChecked(const Mean& mean, const MeanOptions& options) {
   return options.isChecked && mean.status == Status::kConverged && areHeldToExact(options.field);
 }
 
-/// A center that is a minimum by exact distances too; `fields`, if not empty, are those of the
-/// points.
-Mean checkedMean(const Mean& mean, FieldBlend& blend, Weights ofBlend,
-                 const Array<ControlField*>& fields, const Array<SurfacePoint>& points,
-                 Weights weights) {
-  const Geometry& geometry = blend.geometry();
-  ExactEnergy energy(geometry, points, weights);
-  if (!fields.empty()) energy.guesses = distancesNear(geometry, fields, mean.point);
-  const ExactMinimum found = exactMinimumNear(geometry, energy, mean.point);
-  Mean checked = mean;
-  checked.iterations += found.moves;
-  if (!found.isLowest) checked.status = Status::kLowerNearby;
+/// The points and the blend of their fields that a mean was found in; `fields`, if not empty, are
+/// the points' own.
+struct Blended {
+  FieldBlend& blend;
+  Weights ofBlend;
+  const Array<ControlField*>& fields;
+  const Array<SurfacePoint>& points;
+  Weights weights;
+};
+
+/// A zero that is a minimum by exact distances too.
+Mean heldToExact(const Mean& zero, const Blended& in) {
+  const Geometry& geometry = in.blend.geometry();
+  ExactEnergy energy(geometry, in.points, in.weights);
+  if (!in.fields.empty()) energy.guesses = distancesNear(geometry, in.fields, zero.point);
+  const ExactMinimum found = exactMinimumNear(geometry, energy, zero.point);
+  Mean held = zero;
+  held.iterations += found.moves;
+  if (!found.isLowest) held.status = Status::kLowerNearby;
   if (found.moves > 0) {
-    checked.point = found.point;
-    checked.energy = blend.energy(found.point, ofBlend);
+    held.point = found.point;
+    held.energy = in.blend.energy(found.point, in.ofBlend);
   }
-  return checked;
+  return held;
+}
+
+/// The same of a mean and its other minima. Of these, zeros that are no minima are left out, and
+/// where `lowest` one that turns out to be lower than the center takes its place.
+Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
+  Mean center = heldToExact(mean, in);
+  Array<Minimum> others;
+  for (const Minimum& other : mean.otherMinima) {
+    Mean found = heldToExact({other.point,
+                              Status::kConverged,
+                              mean.iterations,
+                              other.energy,
+                              Uniqueness::kNotLooked,
+                              {}},
+                             in);
+    if (found.status != Status::kConverged) continue;
+    const bool isLower = found.energy < center.energy && center.status == Status::kConverged;
+    if (lowest && isLower) std::swap(found, center);
+    insertByEnergy(others, {found.point, found.energy});
+  }
+  setOtherMinima(in.blend.geometry(), others, center);
+  return center;
 }
 
 /// How many values the fields of these points would hold: those of the vertices within the points'
-/// spread of each.
-double likelyValues(const Surface& surface, const Array<SurfacePoint>& points) {
+/// spread of each, or all.
+double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, bool everywhere) {
+  const double all = static_cast<double>(points.count()) * surface.mesh().vertexCount();
+  if (everywhere) return all;
   Vec3 low = position(surface.mesh(), points[0]);
   Vec3 high = low;
   for (const SurfacePoint& point : points) {
@@ -141,18 +220,52 @@ double likelyValues(const Surface& surface, const Array<SurfacePoint>& points) {
     high = high.cwiseMax(position(surface.mesh(), point));
   }
   const double spread = 2 * (high - low).norm() / surface.geometry().diagonal;
-  return static_cast<double>(points.count()) * surface.mesh().vertexCount() *
-         std::min(spread * spread, 1.0);
+  return all * std::min(spread * spread, 1.0);
 }
 
-Mean search(FieldBlend& fields, const Array<double>& weights, const Array<SurfacePoint>& points,
-            int heaviestPoint, const MeanOptions& options) {
-  if (options.field.method == Method::kPaper) {
-    const SurfacePoint start = options.start ? *options.start : points[heaviestPoint];
-    return withEnergy(fields, weights, newtonCenter(fields, weights, start));
+Mean search(Surface& surface, FieldBlend& fields, const Array<double>& weights,
+            const Array<SurfacePoint>& points, int heaviestPoint, const MeanOptions& options) {
+  MinimumSearch minima(fields, weights, options.field.method);
+  const bool lowest = !options.start;
+  if (options.start) {
+    minima.from(*options.start, lowest);
+  } else if (options.field.method == Method::kPaper && !options.looksForOthers) {
+    minima.from(points[heaviestPoint], lowest);
   }
-  return lowestMinimum(fields, weights,
-                       options.start ? Array<SurfacePoint>{*options.start} : points);
+  const bool tryAll =
+      options.looksForOthers || (!options.start && options.field.method == Method::kKarcher);
+  if (tryAll) {
+    for (const SurfacePoint& point : points) minima.from(point, lowest);
+  }
+  if (options.looksForOthers) {
+    for (const SurfacePoint& place : spreadPoints(surface, points[0].face, kSpreadStarts)) {
+      minima.from(place, lowest);
+    }
+  }
+  return minima.result();
+}
+
+/// Says of a mean for which others were looked for what is known of its uniqueness.
+void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
+                     const Array<double>& weights, const std::optional<CurvatureBound>& smooth,
+                     Mean& mean) {
+  if (mean.status != Status::kConverged) {
+    mean.uniqueness = mean.otherMinima.empty() ? Uniqueness::kNotLooked : Uniqueness::kNotUnique;
+    return;
+  }
+  const double radius = provedRadius(surface, points, weights, mean.point, smooth);
+  const Vec3 center = position(surface.mesh(), mean.point);
+  // What contradicts the proof is an error of the fields, and counts for more.
+  const bool contradicted =
+      std::any_of(mean.otherMinima.begin(), mean.otherMinima.end(), [&](const Minimum& other) {
+        return other.energy <= mean.energy ||
+               (position(surface.mesh(), other.point) - center).norm() <= radius;
+      });
+  if (radius >= 0 && !contradicted) {
+    mean.uniqueness = Uniqueness::kCertain;
+  } else if (mean.otherMinima.empty()) {
+    mean.uniqueness = Uniqueness::kLikely;
+  }
 }
 
 /// The fields of points from a set: those that are there stay, the others are moved or made.
@@ -185,31 +298,36 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   if (options.start) connected.push_back(*options.start);
   checkOneComponent(surface, connected);
 
+  const auto finished = [&](Mean mean) {
+    if (options.looksForOthers) judgeUniqueness(surface, points, weights, options.smooth, mean);
+    return withSoundEnergy(std::move(mean), weights);
+  };
   const int only = onlyPoint(points, weights);
   if (only >= 0) {
     kept = std::move(set);
-    return {points[only], Status::kConverged, 0, 0, false};
+    return {points[only], Status::kConverged, 0, 0, Uniqueness::kCertain, {}};
   }
-  const double values = likelyValues(surface, points);
+  const double values = likelyValues(surface, points, options.looksForOthers);
   if (values > options.mostValues) {
     ControlField sum = sumOfFields(surface, points, weights, options.field);
     FieldBlend field(surface.geometry(), {&sum});
     const Array<double> one{1};
-    Mean mean = search(field, one, points, heaviest(weights), options);
+    const Array<ControlField*> summed;
+    Mean mean = search(surface, field, one, points, heaviest(weights), options);
     if (isToBeChecked(mean, options)) {
-      mean = checkedMean(mean, field, one, {}, points, weights);
+      mean = checkedMean(mean, {field, one, summed, points, weights}, !options.start);
     }
-    return withSoundEnergy(mean, weights);
+    return finished(std::move(mean));
   }
   Array<std::shared_ptr<PointField>> fields = fieldsOf(*set, points);
   Array<ControlField*> pointers;
   for (const auto& field : fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), pointers);
-  Mean mean = search(blend, weights, points, heaviest(weights), options);
+  Mean mean = search(surface, blend, weights, points, heaviest(weights), options);
   if (isToBeChecked(mean, options)) {
-    mean = checkedMean(mean, blend, weights, pointers, points, weights);
+    mean = checkedMean(mean, {blend, weights, pointers, points, weights}, !options.start);
   }
-  mean = withSoundEnergy(mean, weights);
+  mean = finished(std::move(mean));
   const bool isKept = values <= options.mostValues / 4;
   if (!isKept) fields.clear();
   // Of more points that there were before, not more than as many again.

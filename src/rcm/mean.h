@@ -5,9 +5,15 @@
 
 #include "rcm/center_of_mass.h"
 #include "rcm/field_set.h"
+#include "rcm/uniqueness.h"
 
 /// The center of mass of points given at once, from a cold start.
 namespace karcher {
+
+struct Minimum {
+  SurfacePoint point;
+  double energy = 0;  ///< as Mean's
+};
 
 struct Mean {
   SurfacePoint point;
@@ -16,9 +22,13 @@ struct Mean {
   /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy); not
   /// below 0 where no weight is.
   double energy = 0;
-  /// Whether searches from other control points ended at minima elsewhere. Only the method
-  /// kKarcher looks for them.
-  bool otherMinima = false;
+  /// kNotUnique is also said where nobody was asked to look for other minima, but searches from the
+  /// control points ended at some.
+  Uniqueness uniqueness = Uniqueness::kNotLooked;
+  /// Other minima at which searches ended, checked as the center is: more than a tenth of the mean
+  /// edge apart, from the lowest up. Where the uniqueness is certain they lie higher, and farther
+  /// than any of the points.
+  Array<Minimum> otherMinima;
 };
 
 struct MeanOptions {
@@ -27,6 +37,12 @@ struct MeanOptions {
   /// paper's method; at each control point in turn with kKarcher, which returns the lowest energy.
   std::optional<SurfacePoint> start;
   bool normalize = false;  ///< divide the weights by their sum instead of requiring 1
+  /// Search from the control points and from 32 places all over the surface, and tell whether the
+  /// center is the only one. Without `start` it is the lowest minimum that was found. Reads all of
+  /// each field.
+  bool looksForOthers = false;
+  /// Of the smooth surface that the mesh approximates, where that is known: for the uniqueness.
+  std::optional<CurvatureBound> smooth = std::nullopt;
   /// Fields are kept one by one, and only as far as they are read, while they are likely to hold no
   /// more values than this; else they are summed one after the other (summed_field.h), which takes
   /// the memory of one over the whole surface. A value takes about 150 bytes.

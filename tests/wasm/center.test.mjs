@@ -19,6 +19,16 @@ const inner = [
   { face: 2 * (5 + cells * 6) + 1, bary: [0.6, 0.3, 0.1] },
 ];
 
+/** The vertex that is farthest along an axis. */
+function extreme(mesh, axis) {
+  const positions = mesh.positions();
+  let best = 0;
+  for (let v = 1; 3 * v < positions.length; v++) {
+    if (positions[3 * v + axis] > positions[3 * best + axis]) best = v;
+  }
+  return best;
+}
+
 const weightedSum = (mesh, points, weights) =>
   [0, 1, 2].map((k) =>
     points.reduce((sum, point, i) => sum + weights[i] * mesh.position(point)[k], 0),
@@ -40,7 +50,10 @@ test('on a plane the center of mass is the weighted mean', () => {
   for (const [field, weights] of exactFields.flatMap((f) => lists.map((list) => [f, list]))) {
     const expected = weightedSum(mesh, inner, weights);
     const center = mesh.centerOfMass(inner, weights, field);
-    assert.equal(center.otherMinima, false);
+    // A point that has all the weight is its own center, without any search.
+    const single = weights.filter((weight) => weight !== 0).length === 1;
+    const known = single ? ['certain', []] : ['notLooked', 'notLooked'];
+    assert.deepEqual([center.uniqueness, center.otherMinima], known);
     assert.equal(center.status, 'converged');
     closeTo(center.position, expected, 1e-9);
     closeTo(mesh.position(center.point), center.position, 1e-12);
@@ -51,6 +64,36 @@ test('on a plane the center of mass is the weighted mean', () => {
     }, 0);
     assert.ok(Math.abs(center.energy - energy) < 1e-8, `${center.energy} instead of ${energy}`);
   }
+});
+
+test('tells whether it is the only one where that is asked', () => {
+  const plane = karcher.meshFromObj(grid(cells));
+  const only = plane.centerOfMass(inner, [0.1, 0.2, 0.3, 0.4], { uniqueness: true });
+  assert.deepEqual([only.uniqueness, only.otherMinima], ['certain', []]);
+
+  const sphere = karcher.shape('sphere', 2000);
+  // Around the equator, a little north of it: each pole is a minimum.
+  const north = [0, 1, 2, 3].map((k) => {
+    const way = [Math.cos((k * Math.PI) / 2), Math.sin((k * Math.PI) / 2), 0];
+    const pole = { vertex: extreme(sphere, 2) };
+    return sphere.straightest(pole, way, 1.45).end;
+  });
+  const weights = [0.25, 0.25, 0.25, 0.25];
+  // Nobody looked at the other pole.
+  assert.equal(sphere.centerOfMass(north, weights).otherMinima, 'notLooked');
+  const center = sphere.centerOfMass(north, weights, { uniqueness: true });
+  assert.equal(center.uniqueness, 'notUnique');
+  assert.ok(center.position[2] > 0.99);
+  const last = center.otherMinima.at(-1);
+  assert.ok(last.position[2] < -0.99 && last.energy > center.energy, `${last.energy}`);
+  closeTo(sphere.position(last.point), last.position, 1e-12);
+  for (const { point, energy } of center.otherMinima) {
+    const there = sphere.centerOfMass(north, weights, { start: point });
+    assert.ok(Math.abs(there.energy - energy) <= 1e-9 * energy);
+  }
+  const near = north.map((point) => sphere.straightest(point, [0, 0, 1], 1.2).end);
+  assert.equal(sphere.centerOfMass(near, weights, { uniqueness: true }).uniqueness, 'certain');
+  assert.throws(() => sphere.centerOfMass(near, weights, { uniqueness: 1 }), /uniqueness/);
 });
 
 test('does not depend on the centers that were asked for before', () => {

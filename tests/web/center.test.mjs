@@ -93,8 +93,35 @@ describe('a center of mass', () => {
     }, points);
     await tab.page.waitForFunction(() => window.karcherPage.state().figure.points.length === 6);
     const { center } = await tab.view();
-    assert.ok(center.otherMinima);
-    assert.match(await tab.page.locator('#hint').textContent(), /several minima/);
+    assert.equal(center.uniqueness, 'notUnique');
+    const hint = await tab.page.locator('#hint').textContent();
+    assert.match(hint, /Not the only center: \d+ other minim(um|a), of energy [\d.]+/);
+    assert.match(await tab.page.locator('#status-length').textContent(), /not the only center/);
+    // Each is drawn, with its energy.
+    const tags = await tab.page
+      .locator('.mass-center.other')
+      .evaluateAll((all) => all.map(({ dataset }) => Number(dataset.tag)));
+    assert.equal(tags.length, center.otherMinima.length);
+    for (const tag of tags) assert.ok(tag >= Number(center.energy.toPrecision(4)), `${tag}`);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('tells whether it is the only one while points are dragged', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=center');
+    await tab.click([-30, -30], [30, -25], [20, 40]);
+    const words = () => tab.page.locator('#status-length').textContent();
+    assert.match(await words(), /· certainly the only center$/);
+    assert.equal(await tab.page.locator('.mass-center.other').count(), 0);
+    await tab.dragHandle('Point 3 of 3', 10, 100);
+    const { center } = await tab.view();
+    const expected = {
+      certain: 'certainly the only center',
+      likely: 'likely the only center',
+      notUnique: 'not the only center',
+    }[center.uniqueness];
+    assert.ok((await words()).endsWith(`· ${expected}`), await words());
+    assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
 });

@@ -143,8 +143,10 @@ void MeshHandle::prepareFields(const val& field) {
 }
 
 val MeshHandle::centerOfMass(const val& points, const val& weights, const val& start,
-                             bool normalize, const val& field) {
+                             bool normalize, bool looksForOthers, const val& field) {
   MeanOptions options = meanOptions(start, normalize);
+  options.looksForOthers = looksForOthers;
+  options.smooth = smooth_;
   options.field = fieldOptionsFromJs(field);
   return meanToJs(karcher::centerOfMass(*fieldSets_, pointsFromJs(numbering_, mesh(), points),
                                         fromJs<double>(weights), options, fields_));
@@ -187,7 +189,17 @@ val MeshHandle::meanToJs(const Mean& mean) const {
   result.set("status", std::string(statusName(mean.status)));
   result.set("iterations", mean.iterations);
   result.set("energy", mean.energy);
-  result.set("otherMinima", mean.otherMinima);
+  result.set("uniqueness", std::string(uniquenessName(mean.uniqueness)));
+  val others = val::array();
+  for (int i = 0; i < mean.otherMinima.count(); ++i) {
+    const Minimum& minimum = mean.otherMinima[i];
+    val other = val::object();
+    other.set("point", toJs(numbering_, minimum.point));
+    other.set("position", toJs(karcher::position(mesh(), minimum.point)));
+    other.set("energy", minimum.energy);
+    others.set(i, other);
+  }
+  result.set("otherMinima", others);
   return result;
 }
 
@@ -230,7 +242,9 @@ std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& tria
 std::unique_ptr<MeshHandle> builtInShape(const std::string& name, int triangles) {
   for (const Shape shape : kShapes) {
     if (name != shapeName(shape)) continue;
-    return std::make_unique<MeshHandle>(importMesh(makeShape(shape, triangles)));
+    auto mesh = std::make_unique<MeshHandle>(importMesh(makeShape(shape, triangles)));
+    mesh->setSmooth(curvatureBound(shape));
+    return mesh;
   }
   throw Error(ErrorCode::kBadArgument, "there is no shape '" + name + "'");
 }

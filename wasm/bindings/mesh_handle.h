@@ -22,6 +22,9 @@ class MeshHandle {
   /// Of the mesh's curves and centers of mass.
   const std::shared_ptr<FieldSets>& fieldSets() const { return fieldSets_; }
 
+  /// Of a mesh that approximates a known smooth surface.
+  void setSmooth(const std::optional<CurvatureBound>& bound) { smooth_ = bound; }
+
   val info();
   int inputVertices() const { return numbering_.engineVertex.count(); }
   val positions() const;
@@ -51,7 +54,7 @@ class MeshHandle {
   void prepareFields(const val& field);
   /// `start` is a point, or an empty array for the engine's choice.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
-                   const val& field);
+                   bool looksForOthers, const val& field);
   /// {weights, isMinimum}; `given` is empty for equal weights.
   val weightsOf(const val& point, const val& points, const val& given, bool nonNegative,
                 const val& field);
@@ -77,6 +80,7 @@ class MeshHandle {
   Array<Vec3> droppedPositions_;
   Array<Repair> repairs_;
   Surface surface_;
+  std::optional<CurvatureBound> smooth_;
   std::shared_ptr<FieldSets> fieldSets_;
   /// Of the last center of mass.
   std::shared_ptr<FieldSet> fields_;

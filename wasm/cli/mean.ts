@@ -5,7 +5,7 @@ export const mean: Command = {
   name: 'mean',
   summary: 'the Riemannian center of mass of weighted points',
   output:
-    '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, otherMinima, paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
+    '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, uniqueness: certain|likely|notUnique|notLooked, otherMinima: notLooked|[{point, position, energy}, …], paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
   options: [
     pointsOption,
     {
@@ -15,6 +15,7 @@ export const mean: Command = {
       required: true,
     },
     { name: 'normalize', help: 'divide the weights by their sum instead' },
+    { name: 'uniqueness', help: 'look for other minima all over the surface' },
     { name: 'paths', help: 'the shortest paths from the center to the points, too' },
     ...fieldOptions,
   ],
@@ -26,6 +27,7 @@ export const mean: Command = {
     const center = mesh.centerOfMass(points, weights, {
       ...field,
       normalize: args.given('normalize'),
+      uniqueness: args.given('uniqueness'),
     });
     if (!args.given('paths')) return { json: center };
     const paths = points.map((point) => mesh.shortestPath(center.point, point));

@@ -48,20 +48,25 @@ export interface Computation {
   draft?: boolean;
   /** Of a drag, the number of its point. */
   dragged?: number | undefined;
+  /** Whether to look for other minima than a center of mass, where that is quickly done. */
+  uniqueness?: boolean;
 }
+
+/** Other minima are looked for where fields have no more values than these: some 60 ms. */
+const mostLooked = { fast: 120_000, others: 20_000 };
 
 export function compute(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { object, draft = false, dragged }: Computation,
+  { object, draft = false, dragged, uniqueness = false }: Computation,
 ): Promise<Shown> {
   if (isRound(figure.kind)) return computeCircle(client, figure, options, draft);
   if (figure.kind === 'pen') return computePen(client, figure, options, object);
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
   const spline = splineOf(figure);
-  if (!spline) return computeCenter(client, figure, options);
+  if (!spline) return computeCenter(client, figure, options, uniqueness);
   const { marks } = spline.settings;
   return client
     .curve(curveOptions(spline, options), { object, marks, dragged })
@@ -108,14 +113,33 @@ async function computeCenter(
   client: EngineClient,
   { points }: Figure,
   options: FieldOptions,
+  looks: boolean,
 ): Promise<Shown> {
   const started = performance.now();
   const weights = points.map(({ weight = 1 }) => weight);
+  const { vertices, fastSolver } = client.info;
+  const isFast = options.solver === 'fast' && fastSolver === 'fast';
+  const uniqueness =
+    looks && points.length * vertices <= (isFast ? mostLooked.fast : mostLooked.others);
   const center = await client.mesh.centerOfMass([...points], weights, {
     ...options,
     normalize: true,
+    uniqueness,
   });
   return { ...nothing, center: { ...center, milliseconds: performance.now() - started } };
+}
+
+/**
+ * A center with what its draft tells of others: the engine of exact answers does not look for them, and
+ * has a copy of the surface that it does not know as a built-in shape.
+ */
+export function withUniqueness(
+  exact: ShownCenter | null,
+  draft: ShownCenter | null,
+): ShownCenter | null {
+  if (exact?.status !== 'converged' || draft?.status !== 'converged') return exact;
+  const { uniqueness, otherMinima } = draft;
+  return { ...exact, uniqueness, otherMinima };
 }
 
 async function computeCircle(

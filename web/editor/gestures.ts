@@ -185,7 +185,16 @@ export class Gestures {
     this.#transforms.show();
     this.#showTangents();
     const { center } = view;
+    const others = center && center.otherMinima !== 'notLooked' ? center.otherMinima : [];
     this.#handles.showCenter(surface && center ? surface.position(center.point) : null);
+    this.#handles.showMinima(
+      surface
+        ? others.map(({ point, energy }) => ({
+            position: surface.position(point),
+            tag: energy.toPrecision(4),
+          }))
+        : [],
+    );
     // What is under the pointer may be something else now.
     if (this.#hover) this.#schedule();
   }

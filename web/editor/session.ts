@@ -22,6 +22,7 @@ import {
   qualityShown,
   type Shown,
   shiftOf,
+  withUniqueness,
 } from './compute';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
@@ -270,6 +271,7 @@ export class Session {
         object: state.drawing.active,
         draft: refinedOptions(method) !== null,
         dragged: state.dragged ?? undefined,
+        uniqueness: true,
       }).catch((error) => {
         if (client.closed) throw error;
         return { ...nothing, problem: messageOf(error) };
@@ -372,7 +374,8 @@ export class Session {
     this.#refinement.request({
       revision: state.revision,
       compute: (client) => compute(client, state.figure, options, { object: state.drawing.active }),
-      done: (exact) => {
+      done: (found) => {
+        const exact = { ...found, center: withUniqueness(found.center, draft.center) };
         const refined = { quality: 'exact', refining: false } as const;
         const { figure, method, drawing } = state;
         this.#others.keep(figure, { method, shown: exact, quality: 'exact' }, drawing);

@@ -1,4 +1,4 @@
-import type { MeshInfo } from 'karcher';
+import type { MeshInfo, Uniqueness } from 'karcher';
 import type { ShownCenter } from '../editor/compute';
 import type { Editor, Selection, State } from '../editor/editor';
 import type { View } from '../editor/session';
@@ -205,10 +205,26 @@ function qualityText(
 const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 
 /** What is worth knowing about a center that is not simply the center. */
-function centerHint({ status, otherMinima }: ShownCenter): string {
+function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   if (status !== 'converged') return `No center was found: ${reasons[status as LostReason]}`;
-  return otherMinima ? 'One of several minima: the lowest one found' : '';
+  if (uniqueness !== 'notUnique' || otherMinima === 'notLooked') return '';
+  const energies = otherMinima.map(({ energy }) => formatLength(energy));
+  const shown = energies.slice(0, mostEnergies).join(', ');
+  const more = energies.length > mostEnergies ? ' and more' : '';
+  const are = formatCount(energies.length, 'other minimum', 'other minima');
+  return `Not the only center: ${are}, of energy ${shown}${more}`;
 }
+
+/** So many energies of other minima are told. */
+const mostEnergies = 3;
+
+/** Whether the center is the only one. */
+const uniquenessWords: Record<Uniqueness, string> = {
+  certain: ' · certainly the only center',
+  likely: ' · likely the only center',
+  notUnique: ' · not the only center',
+  notLooked: '',
+};
 
 /** What a curve consists of. */
 function countOf({ curve, isolines }: View): string {
@@ -219,7 +235,11 @@ function countOf({ curve, isolines }: View): string {
 }
 
 function measureOf({ curve, isolines, center }: View): string {
-  if (center) return `energy ${formatLength(center.energy)}`;
+  if (center) {
+    const { status, energy, uniqueness } = center;
+    const only = status === 'converged' ? uniquenessWords[uniqueness] : '';
+    return `energy ${formatLength(energy)}${only}`;
+  }
   const drawn = curve ?? isolines;
   return drawn ? `length ${formatLength(drawn.length)}` : '';
 }

@@ -28,6 +28,7 @@ export class Handles {
   #previewPosition: Vector3 | null = null;
   readonly #center = document.createElement('div');
   #centerPosition: Vector3 | null = null;
+  #minima: { element: HTMLElement; position: Vector3 }[] = [];
   readonly #beacon = document.createElement('div');
   #beaconPosition: Vector3 | null = null;
   /** The drag that is going on: its pointer, and how far from the handle's middle that is. */
@@ -111,6 +112,19 @@ export class Handles {
     this.viewer.requestFrame();
   }
 
+  /** Other minima than the center of mass, each with its energy. */
+  showMinima(minima: readonly { position: Vector3; tag: string }[]): void {
+    for (const { element } of this.#minima) element.remove();
+    this.#minima = minima.map(({ position, tag }) => {
+      const element = document.createElement('div');
+      element.className = 'mass-center other';
+      element.dataset.tag = tag;
+      this.layer.append(element);
+      return { element, position };
+    });
+    this.viewer.requestFrame();
+  }
+
   /** Rings around a place, for a moment. */
   showBeacon(position: Vector3): void {
     this.#beaconPosition = position;
@@ -179,6 +193,7 @@ export class Handles {
     }
     this.#put(this.#preview, this.#previewPosition);
     this.#put(this.#center, this.#centerPosition);
+    for (const { element, position } of this.#minima) this.#put(element, position);
     this.#put(this.#beacon, this.#beaconPosition);
   }
 

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+
+#include "mesh/shapes.h"
+#include "rcm/surface.h"
+
+/// When is the center of mass of points the only one?
+///
+/// H. Karcher, "Riemannian Center of Mass and Mollifier Smoothing" (1977): where the points lie in
+/// a ball that is small beside the curvature and the injectivity radius, the energy is convex
+/// there, and has no other minimum in the ball and no lower value outside. On a mesh the same is
+/// true, whatever the ball's size, where no vertex has positive curvature and the ball lies in a
+/// disk: such a disk has shortest paths that are unique and squared distances that are convex (M.
+/// Bridson, A. Haefliger, "Metric Spaces of Non-Positive Curvature", chapter II.4; R. Bishop, "The
+/// Intrinsic Geometry of a Jordan Domain", for its boundary).
+namespace karcher {
+
+/// What is known of other minima of the energy.
+enum class Uniqueness {
+  kNotLooked,  ///< nobody searched beyond the control points, or from them
+  kCertain,    ///< it is proved that there is no lower one, and no other near the points
+  kLikely,     ///< all searches ended here
+  kNotUnique,  ///< searches ended elsewhere, too
+};
+
+/// The name of a state in reports: "notLooked".
+const char* uniquenessName(Uniqueness uniqueness);
+
+/// What is known of the smooth surface that a mesh approximates.
+struct CurvatureBound {
+  double largestCurvature = 0;   ///< of Gauss, anywhere
+  double injectivityRadius = 0;  ///< up to there every geodesic is the only shortest one
+};
+
+/// Of the sphere and the torus, whose curvature is known in closed form.
+std::optional<CurvatureBound> curvatureBound(Shape shape);
+
+/// The radius of a ball about `center` that holds all points of weight not 0, if it is proved that
+/// their energy has no other minimum in it and no lower value elsewhere; else -1. Weights below 0
+/// prove nothing. With `smooth` the proof may be of the smooth surface that the mesh approximates;
+/// else it is of the mesh, whose vertices within three radii of the center then have no angle
+/// defect above 1e-9.
+double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
+                    const Array<double>& weights, const SurfacePoint& center,
+                    const std::optional<CurvatureBound>& smooth = std::nullopt);
+
+/// Points spread evenly over the connected component of a face: the centroids of faces at equal
+/// steps of the area, in the faces' order, which is one of places near each other.
+Array<SurfacePoint> spreadPoints(Surface& surface, int face, int count);
+
+}  // namespace karcher
