@@ -70,7 +70,7 @@ describe('a comparison', () => {
   const said = (tab, id) => tab.page.locator(`#compare-${id}`).textContent();
   /** Mean edges and per cent, as they are told. */
   const numbers = async (tab, id) => {
-    const told = /^(?:< )?([\d.e-]+) mean edges, (?:< )?([\d.e-]+) %$/.exec(await said(tab, id));
+    const told = /^(?:< )?([\d.e-]+) edges · (?:< )?([\d.e-]+) %$/.exec(await said(tab, id));
     assert.ok(told, await said(tab, id));
     return told.slice(1).map(Number);
   };

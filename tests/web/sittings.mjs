@@ -81,19 +81,22 @@ export async function scanSitting(tab, tell = async () => {}) {
   await page.locator('#tool-select').click();
   await (await control(tab, '#objects .object:last-child, #objects li:last-child .object')).click();
   await tab.settled();
-  const ours = (await tab.view()).curve.length;
-  await (await control(tab, '#method')).selectOption('paper-exact');
-  await page.waitForFunction(() => window.karcherPage.state().method === 'paper-exact');
-  const paper = (await tab.view()).curve.length;
-  assert.notEqual(ours, paper, 'another method, another curve');
-  assert.ok(Math.abs(ours / paper - 1) < 0.1, `but not another drawing: ${ours} and ${paper}`);
+  await (await control(tab, '#compare')).selectOption('paper-exact');
+  await page.waitForFunction(
+    () =>
+      !document.getElementById('comparison').classList.contains('late') &&
+      /edges/.test(document.getElementById('compare-largest').textContent),
+  );
+  const told = await page.locator('#compare-largest').textContent();
+  const [, edges, part] = /^([\d.]+) edges · ([\d.]+) %$/.exec(told) ?? [];
+  assert.ok(Number(edges) > 0, `another method, another curve: ${told}`);
+  assert.ok(Number(part) < 10, `but not another drawing: ${told}`);
+  await control(tab, '#comparison');
   await tell('compared');
-  await (await control(tab, '#method')).selectOption('karcher');
-  await page.waitForFunction(() => window.karcherPage.state().method === 'karcher');
-  await tab.settled();
+  await (await control(tab, '#compare-off')).click();
+  await page.locator('#comparison').waitFor({ state: 'hidden' });
   const { text } = await tab.save('OBJ');
   assert.equal(text.split('\n').filter((line) => line.startsWith('l ')).length, 2);
-  return { ours, paper };
 }
 
 /** Draws a closed seam with the pen, styles it, duplicates and moves it, and all of it is kept. */
@@ -137,18 +140,32 @@ export async function seamSitting(tab, tell = async () => {}) {
   await tab.settled();
   await tell('moved');
 
+  // The same on the other side of a line of two clicks.
+  const { drawing: unmirrored } = await tab.state();
+  await (await control(tab, '#mirror')).click();
+  await (await control(tab, '#mirror-copies')).check();
+  await clickAt(tab, [-0.5, -0.14]);
+  await page.getByText('second point').waitFor();
+  await clickAt(tab, [0.5, -0.14]);
+  await page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 3);
+  await tab.settled();
+  const { drawing: mirrored } = await tab.state();
+  assert.deepEqual(mirrored.objects.slice(0, 2), unmirrored.objects);
+  const [copied, image] = mirrored.objects.slice(1).map((object) => object.figure);
+  assert.deepEqual([image.points.length, image.settings.closed], [6, true]);
+  assert.notDeepEqual(image.points, copied.points);
+  await tell('mirrored');
+
   const bytes = async () => JSON.stringify((await tab.state()).drawing);
   const end = await bytes();
   await tab.pastSaving();
   await page.reload();
   await tab.settled();
   assert.equal(await bytes(), end, 'a reload keeps all of it');
-  await page.locator('#undo').click();
-  await page.locator('#undo').click();
+  for (let step = 0; step < 3; step++) await page.locator('#undo').click();
   await tab.settled();
   assert.equal(await bytes(), JSON.stringify(before.drawing), 'and what was done');
-  await page.locator('#redo').click();
-  await page.locator('#redo').click();
+  for (let step = 0; step < 3; step++) await page.locator('#redo').click();
   await tab.settled();
   assert.equal(await bytes(), end);
   await tell('after a reload');

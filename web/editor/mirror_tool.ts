@@ -1,7 +1,7 @@
 import type { SurfacePoint } from 'karcher';
 import type { Viewer } from '../viewer/viewer';
 import type { Editor } from './editor';
-import { copiesOf, mirroredFigures, mirrorLine } from './mirroring';
+import { copiesOf, mirroredAcross, mirrorLine } from './mirroring';
 import { movableObjects, replacing } from './moving';
 import { Newest } from './newest';
 import type { Session } from './session';
@@ -65,8 +65,7 @@ export class MirrorTool {
     const objects = movableObjects(drawing, chosen.length > 0 ? chosen : [drawing.active]);
     if (!client || objects.length === 0) return;
     try {
-      const line = await mirrorLine(client, first, point);
-      const figures = await mirroredFigures(client, line, objects);
+      const figures = await mirroredAcross(client, first, point, objects);
       if (editor.state.drawing !== drawing) return;
       if (!figures) this.problem('The mirror image would leave the surface.');
       else if (this.copies) editor.addObjects(copiesOf(objects, figures));

@@ -61,6 +61,6 @@ const number = (value: number) =>
 
 function wordsOf(told: Compared | null, which: keyof Gap): string {
   if (!told?.inEdges) return '…';
-  const edges = `${number(told.inEdges[which])} mean edges`;
-  return told.ofLength ? `${edges}, ${number(100 * told.ofLength[which])} %` : edges;
+  const edges = `${number(told.inEdges[which])} edges`;
+  return told.ofLength ? `${edges} · ${number(100 * told.ofLength[which])} %` : edges;
 }
