@@ -34,10 +34,14 @@ export class TableView {
   readonly #rows = new Map<string, HTMLTableRowElement>();
 
   constructor(rows: readonly TableRow[]) {
+    // It scrolls sideways where the window is narrow: by keys, too.
+    this.element.tabIndex = 0;
+    this.element.role = 'region';
+    this.element.ariaLabel = 'Times of all methods';
     const table = make('table');
     const head = table.createTHead();
     const methods = head.insertRow();
-    methods.append(make('th'), make('th'), make('th'));
+    methods.append(make('td'), make('td'), make('td'));
     const heads = head.insertRow();
     heads.append(make('th', 'Curve', { scope: 'col' }));
     for (const text of ['triangles', 'segments']) heads.append(make('th', text));

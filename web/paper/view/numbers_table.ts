@@ -100,7 +100,7 @@ export class NumbersTable {
     const table = make('table');
     table.style.setProperty('--columns', `${this.#columns.length}`);
     const head = table.createTHead().insertRow();
-    head.append(make('th', ''));
+    head.append(make('td'));
     for (const { head: text, title } of this.#columns) head.append(make('th', text, { title }));
     const body = table.createTBody();
     for (const id of panel.lines) {

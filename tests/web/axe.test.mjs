@@ -1,0 +1,111 @@
+// What axe finds wrong with the page for people who use it with a keyboard or a screen reader, in all its
+// panels and states: nothing.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const sizes = { desk: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } };
+
+/** The rules that what is shown breaks, each with the elements that do. */
+async function violations(page) {
+  await page.evaluate(axe);
+  // What is half faded in has the colors of neither state.
+  await page.waitForFunction(() =>
+    document
+      .getAnimations()
+      .every(({ playState, effect }) =>
+        playState === 'running' ? effect.getComputedTiming().iterations === Infinity : true,
+      ),
+  );
+  const found = await page.evaluate(() =>
+    window.axe.run(document, { resultTypes: ['violations'] }),
+  );
+  assert.ok(found.passes.length > 10, 'axe has looked');
+  return found.violations.map(({ id, nodes }) => [id, ...nodes.map(({ target }) => `${target}`)]);
+}
+
+for (const [name, viewport] of Object.entries(sizes)) {
+  for (const colorScheme of ['light', 'dark']) {
+    test(`axe finds nothing, ${colorScheme}, ${viewport.width} pixels wide`, async () => {
+      const browser = await openBrowser({ viewport, colorScheme, hasTouch: name === 'phone' });
+      try {
+        const wrong = {};
+        const look = async (state, { page }) => {
+          const found = await violations(page);
+          if (found.length > 0) wrong[state] = found;
+        };
+        const first = new Tab(await browser.context.newPage(), browser.address);
+        await first.page.goto(browser.address);
+        await first.settled();
+        await look('the first visit', first);
+        await first.page.close();
+
+        const tab = await Tab.open(browser);
+        const { page } = tab;
+        await look('empty', tab);
+        await tab.click([-60, 10], [-20, -50], [30, 10], [70, -50]);
+        await look('drawing', tab);
+        for (const menu of ['view', 'examples', 'save']) {
+          await page.locator(`#${menu}`).click();
+          await page.locator(`#${menu}-menu`).waitFor();
+          await look(`${menu} menu`, tab);
+          await page.keyboard.press('Escape');
+        }
+        await page.keyboard.press('?');
+        await look('help', tab);
+        await page.keyboard.press('Escape');
+        if (name === 'phone') {
+          const handle = page.locator('#sheet-handle');
+          await handle.click();
+          await look('the sheet down', tab);
+          await handle.press('ArrowUp');
+          await handle.press('ArrowUp');
+          await look('the sheet up', tab);
+          await handle.press('ArrowDown');
+        }
+        await page.locator('#facts-line').click();
+        await page.locator('#checkup > summary').click();
+        await page.locator('#checkup-found > *').first().waitFor();
+        await look('check-up', tab);
+        await page.locator('#compare').selectOption('paper-exact');
+        await page.locator('#comparison').waitFor();
+        await look('comparison', tab);
+        await page.locator('#fine > summary').click();
+        await look('samples, marks and knots', tab);
+        await page.keyboard.press('k');
+        await look('the frame', tab);
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('i');
+        await look('the mirror', tab);
+        await page.keyboard.press('Escape');
+        for (const [key, tool] of Object.entries({
+          p: 'pen',
+          f: 'freehand',
+          o: 'circle',
+          e: 'ellipse',
+          w: 'center',
+        })) {
+          await page.keyboard.press(key);
+          await tab.click([-90, 60], [-50, 80]);
+          await look(tool, tab);
+        }
+        const { x, y } = await tab.middle();
+        await page.mouse.click(x, y, { button: 'right' });
+        await page.locator('#context-menu').waitFor();
+        await look('context menu', tab);
+        await page.close();
+
+        const paper = await browser.context.newPage();
+        await paper.goto(`${browser.address}paper.html`);
+        await paper.locator('h1').waitFor();
+        await look('the Paper page', { page: paper });
+        assert.deepEqual(wrong, {});
+      } finally {
+        await browser.close();
+      }
+    });
+  }
+}
