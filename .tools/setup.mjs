@@ -16,11 +16,18 @@ function cmakeIsNewEnough() {
   return major > kOldestCmake[0] || (+major === kOldestCmake[0] && minor >= kOldestCmake[1]);
 }
 
-/** Whether clang++ can link a program with the address sanitizer; its runtime is a package apart. */
-function clangHasSanitizers() {
-  const args = ['-x', 'c++', '-fsanitize=address,undefined', '-', '-o', '/dev/null'];
-  return !!which('clang++') && spawnSync('clang++', args, { input: 'int main() {}' }).status === 0;
+/** Whether clang++ can link a program with these; their runtime is a package apart. */
+function clangHas(sanitizers, program) {
+  const args = ['-x', 'c++', `-fsanitize=${sanitizers}`, '-', '-o', '/dev/null'];
+  return !!which('clang++') && spawnSync('clang++', args, { input: program }).status === 0;
 }
+const clangHasSanitizers = () => clangHas('address,undefined', 'int main() {}');
+/** Apple's clang has no libFuzzer. */
+const clangHasFuzzer = () =>
+  clangHas(
+    'fuzzer,address,undefined',
+    'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }',
+  );
 
 const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
 const hasHeader = (name) => includeFolders.some((folder) => existsSync(`${folder}/${name}`));
@@ -87,6 +94,13 @@ const needs = [
     found: clangHasSanitizers,
     apt: ['clang', 'libclang-rt-dev'],
     how: 'xcode-select --install, or your system’s clang and compiler-rt',
+  },
+  {
+    what: 'clang++ with libFuzzer',
+    for: 'fuzz',
+    found: clangHasFuzzer,
+    apt: ['clang', 'libclang-rt-dev'],
+    how: 'brew install llvm, and put its bin folder on PATH',
   },
   {
     what: 'GoogleTest',
@@ -233,7 +247,7 @@ function checkWritable() {
 }
 
 /**
- * Makes the machine ready for `purposes` ('build', 'native', 'test', 'format', 'lint'); returns at once where it is.
+ * Makes the machine ready for `purposes` ('build', 'native', 'test', 'fuzz', 'format', 'lint'); returns at once where it is.
  * Prints what is wrong and ends the process where it cannot.
  */
 export async function setUp(...purposes) {
@@ -258,6 +272,8 @@ export async function setUp(...purposes) {
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const purposes = process.argv.slice(2);
-  await setUp(...(purposes.length > 0 ? purposes : ['build', 'native', 'test', 'format', 'lint']));
+  await setUp(
+    ...(purposes.length > 0 ? purposes : ['build', 'native', 'test', 'fuzz', 'format', 'lint']),
+  );
   console.log('Everything that is needed is installed.');
 }

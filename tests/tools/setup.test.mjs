@@ -56,6 +56,7 @@ test('each command asks for what it needs, and for no more', () => {
     return /^Missing: (.*)\.$/m.exec(stdout)[1];
   };
   assert.equal(asked('format'), 'clang-format');
+  assert.equal(asked('fuzz'), 'clang++ with libFuzzer');
   assert.doesNotMatch(asked('build', 'native'), /Chromium|clang/);
   assert.doesNotMatch(asked('build', 'lint'), /Chromium/);
   assert.match(asked('test'), /Chromium/);

@@ -1,0 +1,5 @@
+#include "fuzz/targets/fuzz_target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  return karcher::fuzzed(karcher::fuzzRepairs, data, size);
+}
