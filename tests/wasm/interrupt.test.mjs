@@ -113,6 +113,28 @@ test('calls that wait behind one that is interrupted are made, each once', minut
   await assert.rejects(end, { code: 'disposed' });
 });
 
+test('a curve keeps the numbers of kinds that it was before', minutes, async () => {
+  const karcher = await loadInWorker({ worker: endless });
+  const mesh = await karcher.meshFromObj(grid(12));
+  const points = [3, 40, 70, 99, 120].map((vertex) => ({ vertex }));
+  const curve = await mesh.curve({ kind: 'bspline', degree: 2, points, weights: [1, 2, 3, 4, 5] });
+  await curve.setKind('catmullrom');
+  await curve.removePoint(1);
+  await interrupt(karcher, spin(karcher));
+  await curve.movePoint(0, { vertex: 5 });
+  await interrupt(karcher, spin(karcher));
+  await curve.setKind('bspline');
+  const { degree, weights } = await curve.value();
+  assert.deepEqual([degree, Array.from(weights)], [2, [1, 3, 4, 5]]);
+  // A value says all that there is.
+  await curve.set({ kind: 'polyline', points });
+  await interrupt(karcher, spin(karcher));
+  await curve.setKind('bspline');
+  const { degree: plain, weights: none } = await curve.value();
+  assert.deepEqual([plain, none], [3, undefined]);
+  karcher.dispose();
+});
+
 test('a worker that hears in time that a call is cancelled goes on', minutes, async () => {
   const karcher = await loadInWorker();
   let restarts = 0;

@@ -2,7 +2,7 @@ import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
 import type { CurveOptions, LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
-import { copyOf, type Origin, targetIn, withoutWork } from './origin.js';
+import { copyOf, noteEdit, type Origin, targetIn, withoutWork } from './origin.js';
 import { errorOf, isSent, type Reply, type Request, replaced, type Sent } from './protocol.js';
 import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './remote.js';
 
@@ -210,6 +210,7 @@ export class WorkerClient {
     if (target === undefined) throw new Error(`'${origin.call}' made nothing`);
     origin.target = target;
     origin.worker = this.#worker;
+    for (const edit of origin.edits) await this.#ask({ ...edit, of: origin });
   }
 
   /** A call of its own while it restarts: what the worker answers, as it is sent. */
@@ -268,7 +269,8 @@ export class WorkerClient {
     this.#pending.delete(reply.id);
     if ('result' in reply) {
       const result = pending?.raw ? reply.result : this.#received(reply.result, pending);
-      this.#keep(reply, pending);
+      // What is made again is known.
+      if (!pending?.raw) this.#keep(reply, pending);
       pending?.resolve(result);
       return;
     }
@@ -332,20 +334,21 @@ export class WorkerClient {
     const worker = this.#worker;
     if (sent === 'mesh') {
       const took = performance.now() - begun;
-      return { target, worker, of, call, args: this.#start ? withoutWork(args) : [], took };
+      const kept = this.#start ? withoutWork(args) : [];
+      return { target, worker, of, call, args: kept, edits: [], took };
     }
     // A curve that another one makes is of the same mesh.
     const mesh = of?.call === 'curve' ? of.of : of;
     const { value } = more as { value?: CurveOptions };
     const took = performance.now() - begun;
-    return { target, worker, of: mesh, call: 'curve', args: [value], took };
+    return { target, worker, of: mesh, call: 'curve', args: [value], edits: [], took };
   }
 
   /** What the call made of the mesh or curve that it is of. */
   #keep({ value }: { value?: CurveOptions }, pending: Pending | undefined): void {
     const of = pending?.of;
     if (!of) return;
-    if (value) of.args = [value];
+    if (value) noteEdit(of, { call: pending.call, args: withoutWork(pending.args) }, value);
     if (pending.call !== 'dispose') return;
     this.#kept.delete(of);
     for (const origin of this.#kept) {

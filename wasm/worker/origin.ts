@@ -14,8 +14,27 @@ export interface Origin {
   readonly call: string;
   /** Nobody else changes them. */
   args: readonly unknown[];
+  /**
+   * Of a curve the edits since its kind changed: it keeps numbers that another kind has use for, which
+   * its value does not tell.
+   */
+  edits: Pick<Origin, 'call' | 'args'>[];
   /** Milliseconds that the call took. */
   readonly took: number;
+}
+
+/** More edits are not made again: then a curve has what its own kind has use for. */
+const mostEdits = 200;
+
+/** Notes what an edit made of a curve. */
+export function noteEdit(origin: Origin, edit: Origin['edits'][number], value: unknown): void {
+  const changesKind = edit.call === 'setKind' || origin.edits.length > 0;
+  if (changesKind && edit.call !== 'set' && origin.edits.length < mostEdits) {
+    origin.edits.push(edit);
+    return;
+  }
+  origin.args = [value];
+  origin.edits = [];
 }
 
 /** A copy of a view alone, however large the buffer that it is of. */
