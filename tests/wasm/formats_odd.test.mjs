@@ -5,14 +5,13 @@ import { load } from 'karcher';
 import { formatOf, meshFromFile } from 'karcher/formats';
 import * as files from './mesh_files.mjs';
 
-const { box, cutBox } = files;
+const { box, cutBox, encode } = files;
 let karcher;
 before(async () => {
   karcher = await load();
 });
 
 const open = (bytes, options) => meshFromFile(karcher, bytes, options);
-const encode = (text) => new TextEncoder().encode(text);
 const decode = (bytes) => new TextDecoder().decode(bytes);
 
 test('what is no number is one place, however often it comes', async () => {

@@ -1,7 +1,8 @@
 // Writers of mesh files, for tests of their readers: each takes {positions, faces} (x, y, z a vertex; lists
 // of vertex numbers) and gives bytes.
 
-const encode = (text) => new TextEncoder().encode(text);
+/** A text's bytes. */
+export const encode = (text) => new TextEncoder().encode(text);
 
 const triples = ({ positions }) =>
   Array.from({ length: positions.length / 3 }, (_, i) => positions.slice(3 * i, 3 * i + 3));

@@ -1,15 +1,8 @@
 // A drawing of many objects as a value: its commands, its JSON, and what a tab keeps of it.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
-import { runnerImport } from 'vite';
+import { pageModule } from './page_module.mjs';
 import { long, randoms, seed } from './part.mjs';
-
-async function load(path) {
-  const file = fileURLToPath(new URL(path, import.meta.url));
-  const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });
-  return module;
-}
 
 const triangles = 5000;
 const kinds = ['bspline', 'pen', 'polyline', 'circle', 'ellipse', 'center', 'points'];
@@ -18,7 +11,7 @@ const steps = 200;
 describe('a drawing', () => {
   let page;
   before(async () => {
-    page = await load('./page_parts.ts');
+    page = await pageModule('./page_parts.ts');
   });
 
   const json = ({ state }) => JSON.stringify(state.drawing);

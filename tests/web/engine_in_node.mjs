@@ -1,14 +1,6 @@
 // The page's editor, session and engine without a browser: the worker's code runs in this thread.
-import { fileURLToPath } from 'node:url';
 import { load as loadEngine } from 'karcher';
-import { runnerImport } from 'vite';
-
-/** A module of the tests or of web/, with what it imports. */
-async function load(path) {
-  const file = fileURLToPath(new URL(path, import.meta.url));
-  const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });
-  return module;
-}
+import { pageModule } from './page_module.mjs';
 
 /** The one worker there is, which holds one surface. */
 class InThisThread {
@@ -44,8 +36,8 @@ export async function openPage(surface) {
     InThisThread.served = hear;
   };
   globalThis.Worker = InThisThread;
-  await load('../../web/worker/engine.ts');
-  const parts = await load('./page_parts.ts');
+  await pageModule('../../web/worker/engine.ts');
+  const parts = await pageModule('./page_parts.ts');
   const editor = new parts.Editor();
   const session = new parts.Session();
   const edits = new parts.CurveEdits(editor, session);
@@ -58,7 +50,7 @@ export async function openPage(surface) {
   const arrays = sphere
     ? { positions: sphere.positions(), triangles: sphere.triangles() }
     : surface;
-  session.use(await parts.EngineClient.load({ kind: 'arrays', ...arrays }));
+  session.use(await parts.EngineClient.pageModule({ kind: 'arrays', ...arrays }));
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;
     if (state.revision !== before.revision || ended) session.update(state);

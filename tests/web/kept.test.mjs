@@ -1,8 +1,7 @@
 // What a browser keeps of drawings for the page, and which of it a reload finds.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
-import { runnerImport } from 'vite';
+import { pageModule } from './page_module.mjs';
 
 /** A storage that holds so many letters. */
 class Store extends Map {
@@ -30,8 +29,7 @@ describe('what is kept', () => {
   let page;
   before(async () => {
     globalThis.window = {};
-    const file = fileURLToPath(new URL('./kept_parts.ts', import.meta.url));
-    page = (await runnerImport(file, { configFile: false, logLevel: 'error' })).module;
+    page = await pageModule('./kept_parts.ts');
   });
 
   /** Keeps a link's drawing as the tab of a storage does. */

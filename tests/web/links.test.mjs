@@ -1,18 +1,11 @@
 // Links that say too much, or what no page knows: refused or told, and never a failure of the page.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
 import fc from 'fast-check';
-import { runnerImport } from 'vite';
 import { draws } from '../wasm/draws.mjs';
 import { openBrowser, Tab } from './browser.mjs';
+import { load } from './figures.mjs';
 import { sometimes } from './part.mjs';
-
-const load = async (path) => {
-  const file = fileURLToPath(new URL(`../../web/${path}`, import.meta.url));
-  const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });
-  return module;
-};
 
 const link =
   'mesh=sphere:1500&kind=bspline&method=karcher&points=1,0.2,0.3;40,0.1,0.1,2;90,0.3,0.3;7,0.5,0.25' +

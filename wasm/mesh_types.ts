@@ -1,0 +1,77 @@
+/** The types of meshes: how one is read, what was repaired, and what it is like. */
+
+/** How a mesh is read. */
+export interface MeshOptions {
+  /**
+   * `safe` (the default): defects are repaired where that is safe, and listed in `info.repairs`.
+   * `none`: a mesh with defects is refused. Polygons are still cut into triangles, vertices at exactly
+   * the same place welded, and vertices of no face dropped.
+   */
+  repair?: 'safe' | 'none';
+  /**
+   * The distance within which vertices on boundaries are welded, in the units of the mesh; never more
+   * than a third of the shortest edge at either vertex. 0 welds none. By default the smaller of 1e-6
+   * of the diagonal and 1 % of the shortest edge.
+   */
+  weld?: number;
+}
+
+/**
+ * What was repaired while a mesh was read, in this order; `count` counts what is in brackets.
+ *
+ * - `triangulated`: polygons were cut into triangles (polygons);
+ * - `contracted`: edges of at most 1e-14 of the diagonal were contracted to a point (vertices);
+ * - `welded`: vertices at one place became one where their faces share an edge (vertices);
+ * - `keptApart`: vertices at one place stayed apart because the parts only touch there (vertices);
+ * - `repeatedCorner`: faces with one vertex at two corners were dropped (faces);
+ * - `duplicate`: faces with the same corners as another were dropped (faces);
+ * - `noArea`: faces whose corners lie on a line were flipped away: the corner between the ends of the
+ *   longest edge became a corner of the face on its other side (faces);
+ * - `turnedOver`: faces oriented against their neighbours were turned over (faces);
+ * - `branching`: where more than two faces share an edge, the pairs with the widest angle between them
+ *   stayed together, and each other face got an edge of its own (edges);
+ * - `bowTie`: vertices where several fans of faces met became one vertex for each fan (vertices);
+ * - `dropped`: vertices of no face were dropped (vertices).
+ */
+export type RepairKind =
+  | 'triangulated'
+  | 'contracted'
+  | 'welded'
+  | 'keptApart'
+  | 'repeatedCorner'
+  | 'duplicate'
+  | 'noArea'
+  | 'turnedOver'
+  | 'branching'
+  | 'bowTie'
+  | 'dropped';
+
+/** One kind of repair. Numbers stay the caller's: a point keeps its place, whatever became of its face. */
+export interface Repair {
+  kind: RepairKind;
+  count: number;
+  /** The same as a sentence. */
+  message: string;
+}
+
+export interface MeshInfo {
+  /** Vertices and triangles of the surface, after repairs. */
+  vertices: number;
+  triangles: number;
+  components: number;
+  boundaryLoops: number;
+  genus: number;
+  meanEdge: number;
+  /** Length of the bounding box's diagonal. */
+  diagonal: number;
+  /**
+   * The solver that answers where `fast` is asked for: `exact` on a mesh that the fast one does not
+   * suit. Each mesh is tested when it is made, in about 40 ms. It fails with many vertices at sharp
+   * corners of thin triangles, and with stretched tubes or needles.
+   */
+  fastSolver: 'fast' | 'exact';
+  repairs: Repair[];
+}
+
+/** A built-in shape; sizes are about 1. */
+export type Shape = 'sphere' | 'torus' | 'knot' | 'genus3' | 'openSheet';
