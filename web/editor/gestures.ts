@@ -17,15 +17,12 @@ import { type HeldKeys, PenGestures } from './pen_gestures';
 import type { Session } from './session';
 import { type Snapped, Snapping } from './snapping';
 import { arrows, StageKeys } from './stage_keys';
-import { StagePointer } from './stage_pointer';
+import { clickSlop, StagePointer } from './stage_pointer';
 import { type Target, targetAt } from './targets';
 import type { CurveTool } from './tool';
 import { type Numbers, TransformGestures } from './transform_gestures';
 import { twoFingersMeanTheView } from './two_fingers';
 
-/** A press that moves less, in CSS pixels, is a click. */
-const clickSlop = 4;
-const touchSlop = 10;
 /** How near to a knot, in CSS pixels, a click means the knot. */
 const nearKnot = { mouse: 6, touch: 12 };
 
@@ -249,7 +246,7 @@ export class Gestures {
     this.#pointers++;
     this.#aim(null);
     this.stage.classList.add('pointed');
-    const slop = event.pointerType === 'mouse' ? clickSlop : touchSlop;
+    const slop = event.pointerType === 'mouse' ? clickSlop.mouse : clickSlop.touch;
     const alone = this.#pointers === 1 && event.button === 0;
     this.#press = alone ? { id: event.pointerId, x: event.clientX, y: event.clientY, slop } : null;
   }
@@ -429,7 +426,7 @@ export class Gestures {
     this.#drag = null;
     if (!drag || !grabbed) return;
     const moved = Math.hypot(drag.x - grabbed.x, drag.y - grabbed.y);
-    if (!this.editor.dragging && moved <= clickSlop / 2) return;
+    if (!this.editor.dragging && moved <= clickSlop.mouse / 2) return;
     this.#moveTo(drag.id, drag.x, drag.y, grabbed);
   }
 

@@ -1,7 +1,7 @@
 import type { Held } from './two_fingers';
 
 /** A press that moves less, in CSS pixels, is a click. */
-const slop = { mouse: 4, touch: 10 };
+export const clickSlop = { mouse: 4, touch: 10 };
 
 /** Where a pointer is in the window, in CSS pixels, and the keys that are held with it. */
 export interface Place {
@@ -99,7 +99,7 @@ export class StagePointer implements Held {
       stage.focus({ preventScroll: true });
       stage.classList.add('pointed');
       stage.setPointerCapture(event.pointerId);
-      const least = event.pointerType === 'mouse' ? slop.mouse : slop.touch;
+      const least = event.pointerType === 'mouse' ? clickSlop.mouse : clickSlop.touch;
       const pointer = event.pointerId;
       this.#pressed = { pointer, from, slop: least, hold, dragged: false, way: [] };
       return;

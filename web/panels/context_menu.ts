@@ -1,13 +1,13 @@
 import type { Editor, State } from '../editor/editor';
+import { clickSlop } from '../editor/stage_pointer';
 import { targetAt } from '../editor/targets';
 import { isEmpty } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import { make } from './elements';
 import { Menu } from './menu';
 
-/** How long a finger rests, in milliseconds, and by how much it may stray, in CSS pixels. */
+/** How long a finger rests, in milliseconds. */
 const restMilliseconds = 500;
-const slop = { mouse: 4, touch: 10 };
 
 /**
  * What can be done with what lies at a place of the stage: by a click of the other button, a finger that
@@ -68,7 +68,7 @@ export class ContextMenu {
       this.#open({ x, y, touch });
     };
     const timer = touch ? window.setTimeout(open, restMilliseconds) : 0;
-    this.#press = { pointer, x, y, slop: touch ? slop.touch : slop.mouse, timer };
+    this.#press = { pointer, x, y, slop: touch ? clickSlop.touch : clickSlop.mouse, timer };
   }
 
   /** Closes it, unless the press is on it. */
