@@ -25,7 +25,7 @@ import type {
   Parametrization,
 } from './types.js';
 
-export const curveKinds: readonly CurveKind[] = [
+const curveKinds: readonly CurveKind[] = [
   'bspline',
   'bezier',
   'rational',
@@ -38,7 +38,7 @@ const geometries: readonly CurveGeometry[] = ['geodesic', 'exact'];
 const defaultSamples = 128;
 const defaultTolerance = 1e-4;
 
-export const parametrizations: readonly Parametrization[] = ['centripetal', 'uniform'];
+const parametrizations: readonly Parametrization[] = ['centripetal', 'uniform'];
 
 export const checkKind = (kind: unknown) => checkOneOf(kind, curveKinds, 'the kind of a curve');
 

@@ -7,7 +7,7 @@ const [needleAngle, capAngle] = [2, 170];
 const leastHeight = 1e-12;
 const degrees = 180 / Math.PI;
 
-export interface Shapes {
+interface Shapes {
   shortestEdge: number;
   longestEdge: number;
   smallestAngle: number;

@@ -116,7 +116,7 @@ function leastSquares(
 }
 
 /** Parameters by the length along the points, from 0 to 1. */
-export function chordParameters(points: readonly Planar[]): number[] {
+function chordParameters(points: readonly Planar[]): number[] {
   const lengths = [0];
   for (let i = 1; i < points.length; i++) {
     lengths.push(lengths[i - 1]! + far(points[i]!, points[i - 1]!));

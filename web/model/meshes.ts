@@ -3,7 +3,7 @@ import type { UpAxis } from 'karcher/formats';
 
 export type { UpAxis };
 
-export const tessellations = ['fair', 'delaunay', 'grid', 'anisotropic'] as const;
+const tessellations = ['fair', 'delaunay', 'grid', 'anisotropic'] as const;
 
 /** How many times as long as high the cells of an anisotropic plane are where nothing is said. */
 export const usualStretch = 20;
@@ -143,7 +143,7 @@ export function madeKey(source: MadeSource): string {
 }
 
 /** What a person calls it. */
-export function madeName(source: MadeSource): string {
+function madeName(source: MadeSource): string {
   switch (source.kind) {
     case 'plane':
       return `Plane, ${source.tessellation}`;

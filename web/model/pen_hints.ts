@@ -36,7 +36,7 @@ export const goesOn = ({ anchors, closed, selected }: PenState) =>
   anchors > 0 && !closed && selected !== null;
 
 /** Whether a click on an anchor closes the curve. */
-export const closesAt = (index: number, { anchors, closed, selected, alt }: PenState) =>
+const closesAt = (index: number, { anchors, closed, selected, alt }: PenState) =>
   index === 0 && !closed && anchors > 1 && selected === anchors - 1 && !alt;
 
 /** Whether a drag of the curve bends it; one that is selected as a whole is moved. */

@@ -29,7 +29,7 @@ export function bendingParts(t: number): [number, number] {
 }
 
 /** A tangent vector as a handle's; null where it has no length. */
-export function handleOf(vector: Vector): Tangent | null {
+function handleOf(vector: Vector): Tangent | null {
   const length = Math.hypot(...vector);
   if (!(length > 0)) return null;
   return { direction: vector.map((value) => value / length) as Vector, length };

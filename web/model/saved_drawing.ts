@@ -34,7 +34,7 @@ import {
 import { longestName } from './names';
 import type { Tangent, Tangents } from './pen';
 
-export const drawingFormat = 'karcher-drawing';
+const drawingFormat = 'karcher-drawing';
 export const drawingVersion = 1;
 
 /** What a drawing has at most. */

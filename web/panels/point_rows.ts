@@ -21,9 +21,9 @@ const names: Record<ParameterName, string> = { weight: 'Weight', beta: 'Beta' };
 const steps = 64;
 
 /** Sliders run evenly over the powers of 2: from 1/16 to 16, with 1 in the middle. */
-export const toSlider = (value: number) =>
+const toSlider = (value: number) =>
   Math.round(((Math.log2(value) - Math.log2(parameterRange.least)) / span) * steps);
-export const fromSlider = (position: number) =>
+const fromSlider = (position: number) =>
   Number((parameterRange.least * 2 ** ((position / steps) * span)).toPrecision(4));
 const span = Math.log2(parameterRange.most / parameterRange.least);
 

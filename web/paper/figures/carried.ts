@@ -36,7 +36,7 @@ export const carriedMiddle: Vector = onTorus(90, 60);
 
 /** The size of the drawing, in units of the source, and how many points a side of it has. */
 export const carriedSize = 0.26;
-export const pointsASide = 10;
+const pointsASide = 10;
 
 /**
  * The drawing in the plane, in units of its size: a star of five points and a circle about it, each

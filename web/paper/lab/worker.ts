@@ -47,6 +47,4 @@ const calls = {
   },
 };
 
-export type LabCalls = typeof calls;
-
 serve(calls);
