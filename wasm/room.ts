@@ -18,7 +18,7 @@ const distanceBytes = 56;
 /** The least bytes of the graph of the k-rings for a triangle: arcs along its edges, of 16 bytes. */
 const graphBytes = 48;
 
-export const meshBytes = (vertices: number, triangles: number) =>
+const meshBytes = (vertices: number, triangles: number) =>
   triangleBytes * triangles + vertexBytes * vertices;
 
 const counted = (count: number) => count.toLocaleString('en');
