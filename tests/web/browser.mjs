@@ -251,7 +251,7 @@ export class Tab {
   async save(format) {
     const coming = this.page.waitForEvent('download');
     await this.page.locator('#save').click();
-    await this.page.getByRole('menuitem', { name: format }).click();
+    await this.page.getByRole('menuitem', { name: format }).first().click();
     const download = await coming;
     const text = readFileSync(await download.path(), 'utf8');
     return { name: download.suggestedFilename(), text };

@@ -13,13 +13,19 @@ export interface Drawing {
   width: number;
   height: number;
   lines: DrawnLine[];
-  points: { x: number; y: number; color: string; filled?: boolean }[];
+  points: { x: number; y: number; color: string; filled?: boolean; hidden?: boolean }[];
+  /** The surface's, as it is seen: x, y of each line's points. What the surface hides is then left out. */
+  outline?: { lines: readonly Float32Array[]; color: string };
 }
 
-/** The curve as it is seen, as an SVG file; what the surface hides is faint. */
-export function svgOf({ width, height, lines, points }: Drawing): string {
-  const paths = lines.flatMap(pathsOf);
-  const dots = points.map(({ x, y, color, filled }) =>
+/**
+ * The curve as it is seen, as an SVG file; what the surface hides is faint, and with its outline left
+ * out.
+ */
+export function svgOf({ width, height, lines, points, outline }: Drawing): string {
+  const paths = lines.flatMap((line) => pathsOf(line, outline ? 'left out' : 'faint'));
+  const seen = outline ? points.filter(({ hidden }) => !hidden) : points;
+  const dots = seen.map(({ x, y, color, filled }) =>
     filled
       ? `<circle cx="${short(x)}" cy="${short(y)}" r="4" fill="${color}"/>`
       : `<circle cx="${short(x)}" cy="${short(y)}" r="4.5" fill="#fff" stroke="${color}" stroke-width="2.5"/>`,
@@ -27,7 +33,7 @@ export function svgOf({ width, height, lines, points }: Drawing): string {
   const [w, h] = [Math.round(width), Math.round(height)];
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${w} ${h}" width="${w}" height="${h}">
 <g fill="none" stroke-linecap="round" stroke-linejoin="round">
-${paths.join('\n')}
+${[...(outline ? outlinePaths(outline) : []), ...paths].join('\n')}
 </g>
 ${dots.join('\n')}
 </svg>
@@ -36,8 +42,24 @@ ${dots.join('\n')}
 
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
+const outlineWidth = 1.5;
+
+function outlinePaths({ lines, color }: NonNullable<Drawing['outline']>): string[] {
+  const paths = lines.map((line) => {
+    const count = line.length / 2;
+    const places = Array.from({ length: count }, (_, i) =>
+      [line[2 * i]!, line[2 * i + 1]!].map(short).join(' '),
+    );
+    return `<path d="M${places.join('L')}"/>`;
+  });
+  return [`<g id="outline" stroke="${color}" stroke-width="${outlineWidth}">`, ...paths, '</g>'];
+}
+
 /** A path for each run of segments that look alike. */
-function pathsOf({ x, y, hidden, color, width, dashes, lost }: DrawnLine): string[] {
+function pathsOf(
+  { x, y, hidden, color, width, dashes, lost }: DrawnLine,
+  behind: 'faint' | 'left out',
+): string[] {
   const look = (segment: number) => {
     const seen = hidden[segment] && hidden[segment + 1] ? ' opacity="0.3"' : '';
     const stroke = lost?.has(segment)
@@ -50,8 +72,9 @@ function pathsOf({ x, y, hidden, color, width, dashes, lost }: DrawnLine): strin
   let first = 0;
   for (let segment = 1; segment < x.length; segment++) {
     if (segment < x.length - 1 && look(segment) === look(first)) continue;
+    const isLeftOut = behind === 'left out' && hidden[first] && hidden[first + 1];
     const vertices = Array.from({ length: segment - first + 1 }, (_, i) => at(first + i));
-    paths.push(`<path ${look(first)} d="M${vertices.join('L')}"/>`);
+    if (!isLeftOut) paths.push(`<path ${look(first)} d="M${vertices.join('L')}"/>`);
     first = segment;
   }
   return paths;

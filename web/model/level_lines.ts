@@ -11,8 +11,9 @@ export function roundStep(most: number, count: number): number {
   return power < 1 ? factor / Math.round(1 / power) : factor * power;
 }
 
-interface Crossing {
-  /** Tells the edge from all others. */
+/** The end of a segment. */
+export interface Crossing {
+  /** Tells the edge, or what else it lies on, from all others. */
   edge: number;
   place: readonly [number, number, number];
 }
@@ -57,8 +58,8 @@ export function levelLines(
   return segments.map(joined);
 }
 
-/** Segments made into lines where they meet on an edge. */
-function joined(segments: readonly (readonly [Crossing, Crossing])[]): Float32Array[] {
+/** Segments made into lines where they meet on an edge; loops end where they begin. */
+export function joined(segments: readonly (readonly [Crossing, Crossing])[]): Float32Array[] {
   const meeting = new Map<number, number[]>();
   for (const [i, ends] of segments.entries()) {
     for (const { edge } of ends) {

@@ -3,14 +3,14 @@ import { polylinesOf } from '../editor/compute';
 import type { Editor } from '../editor/editor';
 import type { Session } from '../editor/session';
 import { jsonOf, objOf } from '../export/curve_file';
-import { type DrawnLine, svgOf } from '../export/svg';
+import { type DrawnLine, type Drawing as SvgDrawing, svgOf } from '../export/svg';
 import { isBlank, type LineStyle } from '../model/drawing';
 import { isEmpty, isRound } from '../model/figure';
 import { meshLabel } from '../model/meshes';
 import type { Viewer } from '../viewer/viewer';
 import { byId, make } from './elements';
 import { Menu } from './menu';
-import { showNote } from './messages';
+import { sentenceOf, showError, showNote } from './messages';
 import { sceneColors } from './theme';
 
 export type Format = 'obj' | 'svg' | 'json';
@@ -39,8 +39,9 @@ export class SaveMenu {
     for (const item of this.#items) {
       item.addEventListener('click', () => {
         this.#menu.element.hidePopover();
-        const format = item.dataset.save as Format | 'png' | 'clear';
-        if (format === 'png' || format === 'clear') void this.#savePicture(format === 'clear');
+        const format = item.dataset.save as Format | 'outline' | 'png' | 'clear';
+        if (format === 'outline') void this.#saveOutline();
+        else if (format === 'png' || format === 'clear') void this.#savePicture(format === 'clear');
         else this.save(format);
       });
     }
@@ -56,10 +57,23 @@ export class SaveMenu {
     const title = this.#title;
     const text = {
       obj: () => objOf(this.#polylines, this.#marks, title),
-      svg: () => this.#drawing(),
+      svg: () => svgOf(this.#drawing()),
       json: () => jsonOf(state, this.session.view),
     }[format]();
     this.#download(new Blob([text], { type: types[format] }), format);
+  }
+
+  /** Saves what is seen, with the surface's outline, as lines. */
+  async #saveOutline(): Promise<void> {
+    // As it is now: the view may turn while the outline is drawn.
+    const drawing = this.#drawing();
+    const color = sceneColors().marks;
+    try {
+      const outline = { lines: await this.viewer.outline(), color };
+      this.#download(new Blob([svgOf({ ...drawing, outline })], { type: types.svg }), 'svg');
+    } catch (error) {
+      showError(`The outline could not be drawn. ${sentenceOf(error)}`);
+    }
   }
 
   /** Saves what is seen, the surface too, in twice as many pixels. */
@@ -109,7 +123,7 @@ export class SaveMenu {
     }
   }
 
-  #drawing(): string {
+  #drawing(): SvgDrawing {
     const { viewer } = this;
     const { curve, isolines, center, legs, others } = this.session.view;
     const colors = sceneColors();
@@ -144,7 +158,7 @@ export class SaveMenu {
         dots.push({ ...dot(point, look.color ?? colors.curve), filled: true });
       }
     }
-    return svgOf({ ...viewer.size, lines, points: dots });
+    return { ...viewer.size, lines, points: dots };
   }
 }
 

@@ -14,7 +14,7 @@ import {
   ShaderMaterial,
   Vector3,
 } from 'three';
-import { MeshBVH } from 'three-mesh-bvh';
+import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/figure';
 import { rampForShader } from './color_ramp';
 import type { DrawnGeometry } from './drawn_geometry';
@@ -181,6 +181,15 @@ export class Surface {
   nearest(position: Vector3): SurfacePoint {
     const hit = this.#tree.closestPointToPoint(position)!;
     return this.#pickAt(hit.faceIndex, hit.point).point;
+  }
+
+  /** What a worker draws the outline of. */
+  get outlined(): {
+    mesh: { positions: Float32Array; triangles: Uint32Array };
+    tree: SerializedBVH;
+  } {
+    const mesh = { positions: this.#positions, triangles: this.#triangles };
+    return { mesh, tree: MeshBVH.serialize(this.#tree, { cloneBuffers: false }) };
   }
 
   /** Where a surface point is in the scene. */

@@ -9,6 +9,7 @@ import { FatLine, fineDash } from './fat_line';
 import type { Layer } from './layer';
 import { dashLengths, dotAt, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
+import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
 import { colorSurface, type Pick, Surface } from './surface';
 
@@ -479,6 +480,11 @@ export class Viewer {
     const picture = pictureOf(this.#renderer, render, this.#size, scale, background);
     this.requestFrame();
     return picture;
+  }
+
+  /** The surface's outline as it is seen: x, y of its lines' points, in CSS pixels of the stage. */
+  outline(): Promise<Float32Array[]> {
+    return requestOutline(this.#surface!.outlined, this.#view.camera, this.#size);
   }
 
   #resize(): void {

@@ -1,0 +1,134 @@
+/** What is seen of lines that the surface hides in part: no line is drawn through it. */
+import { DoubleSide, Matrix4, Ray, Vector3 } from 'three';
+import type { MeshBVH } from 'three-mesh-bvh';
+import { type Mesh, outlineOf } from './outline';
+
+/** How finely lines are looked at, in the scene; a surface's diagonal is 2. */
+const step = 0.008;
+/** A line is not hidden by what is so little nearer, in the scene: by the faces that it lies on. */
+const grain = 0.004;
+/**
+ * Where the surface turns away, its facets may hide the contour itself: there it is seen where a place
+ * beside it is, so many edges away, which on one side is off the surface.
+ */
+const asideEdges = 0.4;
+const [leastAside, mostAside] = [0.002, 0.02];
+/** Shorter gaps in what is seen, and shorter pieces of it, are the facets' doing. */
+const speck = 0.02;
+/** Shorter creases are a rough surface's grain. */
+const shortestCrease = 0.06;
+
+export interface Sight {
+  eye: [number, number, number];
+  /** From the scene to the camera's cube, by columns. */
+  matrix: number[];
+  /** Of the stage, in CSS pixels. */
+  width: number;
+  height: number;
+}
+
+/** The surface's outline as it is seen: x, y of its lines' points in CSS pixels of the stage. */
+export function seenOutline(mesh: Mesh, tree: MeshBVH, sight: Sight): Float32Array[] {
+  const { contours, creases, boundary } = outlineOf(mesh, sight.eye);
+  const aside = Math.min(mostAside, Math.max(leastAside, asideEdges * meanEdge(mesh)));
+  const parts = [
+    ...contours.flatMap((line) => visibleParts(line, tree, sight, aside)),
+    ...[...creases.filter((line) => lengthOf(line) >= shortestCrease), ...boundary].flatMap(
+      (line) => visibleParts(line, tree, sight, 0),
+    ),
+  ];
+  return parts.map((part) => onStage(part, sight));
+}
+
+/** The parts of a line that are before the camera and not hidden, or not so far aside of it on one side. */
+export function visibleParts(
+  line: Float32Array,
+  tree: MeshBVH,
+  { eye, matrix }: Pick<Sight, 'eye' | 'matrix'>,
+  aside: number,
+): Float32Array[] {
+  const places = subdivided(line);
+  const ray = new Ray(new Vector3(...eye));
+  const seen = new Matrix4().fromArray(matrix);
+  const [middle, beside, place] = [new Vector3(), new Vector3(), new Vector3()];
+  const isSeen = (i: number) => {
+    middle.addVectors(places[i]!, places[i + 1]!).multiplyScalar(0.5);
+    beside
+      .subVectors(places[i + 1]!, places[i]!)
+      .cross(ray.direction.subVectors(middle, ray.origin));
+    beside.setLength(beside.lengthSq() > 0 ? aside : 0);
+    const isOpen = (side: number) => {
+      place.copy(middle).addScaledVector(beside, side);
+      const away = place.distanceTo(ray.origin);
+      ray.direction.copy(place).sub(ray.origin).divideScalar(away);
+      return (tree.raycastFirst(ray, DoubleSide)?.distance ?? Infinity) >= away - grain;
+    };
+    const visible = isOpen(1) || (aside > 0 && isOpen(-1));
+    return visible && middle.applyMatrix4(seen).z <= 1;
+  };
+  const lengths = places.slice(1).map((place, i) => place.distanceTo(places[i]!));
+  const runs: { first: number; end: number; seen: boolean; length: number }[] = [];
+  for (const [i, length] of lengths.entries()) {
+    const visible = isSeen(i);
+    const last = runs.at(-1);
+    if (last?.seen === visible) [last.end, last.length] = [i + 1, last.length + length];
+    else runs.push({ first: i, end: i + 1, seen: visible, length });
+  }
+  for (const [i, run] of runs.entries()) {
+    const between = i > 0 && i < runs.length - 1;
+    if (!run.seen && between && run.length < speck) run.seen = true;
+  }
+  const parts: { first: number; end: number; length: number }[] = [];
+  for (const { first, end, seen: visible, length } of runs) {
+    const last = parts.at(-1);
+    if (visible && last?.end === first) [last.end, last.length] = [end, last.length + length];
+    else if (visible) parts.push({ first, end, length });
+  }
+  const whole = lengths.reduce((sum, length) => sum + length, 0);
+  return parts
+    .filter(({ length }) => length >= Math.min(speck, whole))
+    .map(({ first, end }) =>
+      Float32Array.from(places.slice(first, end + 1).flatMap((place) => place.toArray())),
+    );
+}
+
+function lengthOf(line: Float32Array): number {
+  let length = 0;
+  for (let i = 3; i < line.length; i += 3) {
+    const along = (axis: number) => line[i + axis]! - line[i - 3 + axis]!;
+    length += Math.hypot(along(0), along(1), along(2));
+  }
+  return length;
+}
+
+function subdivided(line: Float32Array): Vector3[] {
+  const places = [new Vector3().fromArray(line)];
+  for (let i = 3; i < line.length; i += 3) {
+    const [from, to] = [places.at(-1)!, new Vector3().fromArray(line, i)];
+    const pieces = Math.max(1, Math.ceil(from.distanceTo(to) / step));
+    for (let k = 1; k <= pieces; k++) places.push(from.clone().lerp(to, k / pieces));
+  }
+  return places;
+}
+
+function onStage(line: Float32Array, { matrix, width, height }: Sight): Float32Array {
+  const seen = new Matrix4().fromArray(matrix);
+  const result = new Float32Array((line.length / 3) * 2);
+  const place = new Vector3();
+  for (let i = 0; i < line.length / 3; i++) {
+    place.fromArray(line, 3 * i).applyMatrix4(seen);
+    result[2 * i] = ((place.x + 1) / 2) * width;
+    result[2 * i + 1] = ((1 - place.y) / 2) * height;
+  }
+  return result;
+}
+
+function meanEdge({ positions, triangles }: Mesh): number {
+  let sum = 0;
+  for (let i = 0; i < triangles.length; i++) {
+    const [p, q] = [triangles[i]!, triangles[i % 3 === 2 ? i - 2 : i + 1]!];
+    const between = (axis: number) => positions[3 * p + axis]! - positions[3 * q + axis]!;
+    sum += Math.hypot(between(0), between(1), between(2));
+  }
+  return sum / Math.max(1, triangles.length);
+}

@@ -1,0 +1,34 @@
+import { Matrix4, type PerspectiveCamera } from 'three';
+import type { SerializedBVH } from 'three-mesh-bvh';
+import type { Sight } from './hidden_lines';
+import type { Mesh } from './outline';
+
+export interface OutlineRequest {
+  mesh: Mesh;
+  tree: SerializedBVH;
+  sight: Sight;
+}
+
+/** The surface's outline as the camera sees it: x, y of its lines' points, in CSS pixels of the stage. */
+export async function requestOutline(
+  surface: Pick<OutlineRequest, 'mesh' | 'tree'>,
+  camera: PerspectiveCamera,
+  stage: { width: number; height: number },
+): Promise<Float32Array[]> {
+  camera.updateMatrixWorld();
+  const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+  const sight: Sight = { eye: camera.position.toArray(), matrix: matrix.toArray(), ...stage };
+  const worker = new Worker(new URL('./outline_worker.ts', import.meta.url), { type: 'module' });
+  try {
+    return await new Promise<Float32Array[]>((resolve, reject) => {
+      worker.onmessage = ({ data }) => resolve(data);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        reject(new Error(event.message || 'the outline could not be drawn'));
+      };
+      worker.postMessage({ ...surface, sight } satisfies OutlineRequest);
+    });
+  } finally {
+    worker.terminate();
+  }
+}
