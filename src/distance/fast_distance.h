@@ -146,7 +146,7 @@ class FastDistance final : public DistanceSolver {
   const Geometry& geometry_;
   Vec3 source_ = Vec3::Zero();
   std::shared_ptr<const VertexFans> fans_;
-  PagedArray<VertexRecord, 6> vertices_;
+  PagedArray<VertexRecord, 4> vertices_;
   OrderedQueue queue_;
   std::optional<OrientedBox> box_;
   Ring ring_{};

@@ -80,7 +80,7 @@ class ControlField {
 
   Evaluate evaluate_;
   EvaluateMidpoint evaluateMidpoint_;
-  PagedArray<Entry, 6> entries_;
+  PagedArray<Entry, 4> entries_;
   std::unordered_map<int, Vec2> corrections_;
   int knownCount_ = 0;
 };

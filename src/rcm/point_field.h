@@ -57,7 +57,7 @@ class PointField {
   std::unique_ptr<DistanceSolver> whole_;
   bool wholeIsSet_ = false;
   StencilTable* stencils_ = nullptr;
-  PagedArray<LogEntry, 6> logVectors_;
+  PagedArray<LogEntry, 4> logVectors_;
   Array<double> squaredDistances_;
   Array<Vec2> gradients_;
 };
