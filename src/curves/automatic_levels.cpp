@@ -70,7 +70,8 @@ int automaticLevels(const Geometry& geometry, const CurveShape& shape, int point
   int levels = 1;
   for (; levels < kMostLevels && isAllowed(shape, points, levels + 1); ++levels) {
     const double part = std::ldexp(1.0, -levels);
-    if (curvature * part * part <= kSafeCurvature) break;
+    const bool isSafe = curvature * part * part <= kSafeCurvature;
+    if (isSafe && longest * part <= kSmallLeg * geometry.meanEdge) break;
     if (longest * part <= kShortestLeg * geometry.meanEdge) break;
   }
   return isAllowed(shape, points, levels) ? levels : 0;
