@@ -22,15 +22,25 @@ double partMoved(const Array<Vec3>& from, const Array<Vec3>& to) {
          length;
 }
 
+/// What a geodesic of some length that became another one allows the curve to leap: half the length
+/// times the curvature that it passed over. That of the vertices next to both, or where it slid on
+/// until both have no vertex in common, the angles between both.
+double allowedByPassing(const Geometry& geometry, double length, const Array<SurfacePoint>& before,
+                        const Array<SurfacePoint>& after) {
+  double curvature = 0;
+  for (const VertexPassage& passage : passedVertices(geometry, before, after)) {
+    curvature += passage.curvature;
+  }
+  return length / 2 * std::max(curvature, anglesBetween(*geometry.mesh, before, after));
+}
+
 /// What passages of the legs between two tracings allow the curve to leap.
 double allowedLeap(const Geometry& geometry, const TracedCurve& before, const TracedCurve& after) {
   double sum = 0;
   for (int i = 0; i < std::min(before.legs.count(), after.legs.count()); ++i) {
-    const Array<SurfacePoint>& leg = after.legs[i];
+    const Array<SurfacePoint>& leg = before.legs[i];
     const double length = lengthsAlong(*geometry.mesh, leg).back();
-    for (const VertexPassage& passage : passedVertices(geometry, before.legs[i], leg)) {
-      sum += length * passage.curvature / 2;
-    }
+    sum += allowedByPassing(geometry, length, leg, after.legs[i]);
   }
   return sum;
 }
@@ -78,9 +88,7 @@ double allowedByAverages(const Geometry& geometry, const TracedCurve& before,
   const Array<SurfacePath> to = averagedPaths(geometry, after);
   double sum = 0;
   for (int i = 0; i < std::min(from.count(), to.count()); ++i) {
-    for (const VertexPassage& passage : passedVertices(geometry, from[i].points, to[i].points)) {
-      sum += to[i].length() * passage.curvature / 2;
-    }
+    sum += allowedByPassing(geometry, from[i].length(), from[i].points, to[i].points);
   }
   return sum;
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "generators/control_polygons.h"
 #include "generators/flat.h"
@@ -216,6 +217,29 @@ TEST(PassedVertices, AreThoseBetweenTwoPaths) {
   EXPECT_NEAR(passages[0].curvature, 2 * kPi - geometry.totalAngle[0], 1e-15);
   EXPECT_EQ(passedVertices(geometry, right, left).count(), 1);
   EXPECT_TRUE(passedVertices(geometry, left, left).empty());
+}
+
+TEST(AnglesBetween, AreTheCurvatureBetweenGeodesics) {
+  // A cube's corner, of curvature pi / 2, lies between two geodesics from one of its faces to the
+  // next: straight over the edge between, and through the third face.
+  Array<Vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const TriangleMesh mesh = buildMesh(positions, {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}});
+  const double x = 0.2;
+  const double y = 0.3;
+  const SurfacePoint from{0, {1 - x - y, y, x}};
+  const SurfacePoint to{2, {1 - x - y, x, y}};
+  const SurfacePoint middle{0, {1 - x, 0, x}};
+  const Array<SurfacePoint> straight = {from, middle, to};
+  // Both points are as far from the corner, so unfolded about it the other path is a base of an
+  // isosceles triangle.
+  const double turn = 3 * kPi / 2 - 2 * std::atan2(y, x);
+  const double toEdge = kPi / 2 - std::atan2(y, x);
+  const double crossing = std::hypot(x, y) * std::cos(turn / 2) / std::cos(turn / 2 - toEdge);
+  const SurfacePoint over02{0, {1 - crossing, crossing, 0}};
+  const SurfacePoint over03{2, {1 - crossing, 0, crossing}};
+  const Array<SurfacePoint> around = {from, over02, over03, to};
+  EXPECT_NEAR(anglesBetween(mesh, straight, around), kPi / 2, 1e-12);
+  EXPECT_NEAR(anglesBetween(mesh, around, around), 0, 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "measures/drag.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "intrinsic/strip_path.h"
@@ -28,7 +29,29 @@ Sides sidesOf(const TriangleMesh& mesh, const Array<SurfacePoint>& path) {
   return sides;
 }
 
+/// The unit vector along the first piece that has a length.
+Vec3 directionAlong(const TriangleMesh& mesh, const Array<SurfacePoint>& path, bool backwards) {
+  const int n = path.count();
+  const Vec3 from = position(mesh, path[backwards ? n - 1 : 0]);
+  for (int i = 1; i < n; ++i) {
+    const Vec3 along = position(mesh, path[backwards ? n - 1 - i : i]) - from;
+    if (along.norm() > 0) return along.normalized();
+  }
+  return Vec3::Zero();
+}
+
 }  // namespace
+
+double anglesBetween(const TriangleMesh& mesh, const Array<SurfacePoint>& before,
+                     const Array<SurfacePoint>& after) {
+  double sum = 0;
+  for (const bool backwards : {false, true}) {
+    const Vec3 a = directionAlong(mesh, before, backwards);
+    const Vec3 b = directionAlong(mesh, after, backwards);
+    sum += std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  return sum;
+}
 
 Array<VertexPassage> passedVertices(const Geometry& geometry, const Array<SurfacePoint>& before,
                                     const Array<SurfacePoint>& after) {

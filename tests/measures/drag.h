@@ -21,6 +21,12 @@ struct VertexPassage {
 Array<VertexPassage> passedVertices(const Geometry& geometry, const Array<SurfacePoint>& before,
                                     const Array<SurfacePoint>& after);
 
+/// The sum of the angles between two paths at their two ends, radians. By Gauss and Bonnet it is at
+/// most the curvature between them, if they are geodesics with the same ends: what a geodesic that
+/// ends to exist passed over until it became the other, also where no vertex lies next to both.
+double anglesBetween(const TriangleMesh& mesh, const Array<SurfacePoint>& before,
+                     const Array<SurfacePoint>& after);
+
 /// Lengths in steps of the hand.
 struct DragFigures {
   /// A motion of more than this is a shiver.
