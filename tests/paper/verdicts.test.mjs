@@ -306,13 +306,14 @@ test('a circle of arcs: nearer and smoother are told apart', () => {
 });
 
 test('the armadillo needs a mesh of that name', () => {
-  const of = (prepareMs) => {
-    const result = { prepareMs, lost: 1, samples: 9, reason: 'folds', ruler: null };
+  const of = (prepareMs, reason = 'folds') => {
+    const result = { prepareMs, lost: 1, samples: 9, reason, ruler: null };
     const methods = [{ method: 'weightedAverages', result }];
     return rowOf({ meshes: [{ name: 'armadillo.obj', triangles: 7, methods }] }, 'table').verdict;
   };
   assert.equal(of(3), 'does not');
   assert.equal(of(null), 'holds');
+  assert.equal(of(null, 'stopped after 120 s'), 'not measured here');
   assert.equal(rowOf({ meshes: [] }, 'table').verdict, 'not measured here');
 });
 
