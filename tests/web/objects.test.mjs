@@ -158,10 +158,9 @@ describe('a drawing of many objects', () => {
       () => page.locator('#lower').click(),
       (objects) => objects[2].name === 'Seam',
     );
+    // Selecting is no step of the history: it goes with the next one.
     await clickRow(tab, 3);
-    states.push(await bytesOf(tab));
     await clickRow(tab, 2, { shift: true });
-    states.push(await bytesOf(tab));
     await step(
       () => page.locator('#group').click(),
       (objects) => objects.filter(({ group }) => group === 'Group 1').length === 2,
@@ -182,18 +181,15 @@ describe('a drawing of many objects', () => {
     await step(
       async () => {
         await clickRow(tab, 0);
-        states.push(await bytesOf(tab));
         await page.keyboard.press('Delete');
       },
       (objects) => !byId(objects, 3) && objects.length === 4,
     );
-    // A state twice: a step that changed the selection alone is none of the history.
-    const steps = states.filter((state, i) => state !== states[i - 1]);
-    for (const state of steps.toReversed().slice(1)) {
+    for (const state of states.toReversed().slice(1)) {
       await page.locator('#undo').click();
       assert.equal(await bytesOf(tab), state);
     }
-    for (const state of steps.slice(1)) {
+    for (const state of states.slice(1)) {
       await page.locator('#redo').click();
       assert.equal(await bytesOf(tab), state);
     }
