@@ -9,7 +9,7 @@ import { CommandError, closeWith, filesBelow, inRoot, run, runStages } from './s
 
 const usage = 'Usage: npm run fuzz -- [MINUTES] [TARGET...]';
 /** Seconds that an input may take, on a busy machine; ordinary ones take milliseconds. */
-const patience = 60;
+const patience = 300;
 /** Bytes of an input: as many as a case of each target can use. */
 const mostBytes = 1024;
 
