@@ -1,6 +1,6 @@
 #pragma once
 
-#include "curves/polygon/knot_insertion.h"
+#include "curves/polygon/leg_average.h"
 #include "curves/spec/curve_layout.h"
 #include "intrinsic/surface_path.h"
 
@@ -52,12 +52,6 @@ struct LeggedPolygon {
 struct BezierHalves {
   LeggedPolygon first;
   LeggedPolygon second;
-};
-
-/// The average of both ends of a leg, and how far along it lies.
-struct LegAverage {
-  WeightedPoint point;
-  double at = 0;
 };
 
 /// Scratch memory of averages. A workspace that is used again spares the allocations.

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "curves/polygon/knot_insertion.h"
+#include "intrinsic/surface_path.h"
+
+/// Averages on the legs of a control polygon, and the paths that join them.
+namespace karcher {
+
+/// The average of both ends of a leg, and how far along it lies.
+struct LegAverage {
+  WeightedPoint point;
+  double at = 0;
+};
+
+/// The average of a leg's ends, whose weights are `from` and `to`, both positive.
+inline LegAverage averageOn(const TriangleMesh& mesh, const SurfacePath& path, double from,
+                            double to) {
+  const double at = path.length() * (to / (from + to));
+  return {{pointAlong(mesh, path, at), from + to}, at};
+}
+
+/// Paths one after the other, to be straightened as one. Writes to the points of `path`.
+class Chain {
+ public:
+  Chain(const TriangleMesh& mesh, SurfacePath& path) : mesh_(mesh), points_(path.points) {
+    points_.clear();
+    // Of a path of one point, which is straight.
+    path.lengths.assign(1, 0.0);
+  }
+  /// The part between two lengths, backwards where from > to.
+  void append(const SurfacePath& next, double from, double to) {
+    appendPart(mesh_, next, from, to, points_);
+  }
+  void append(const SurfacePath& next) { append(next, 0, next.length()); }
+  void appendReversed(const SurfacePath& next) { append(next, next.length(), 0); }
+
+ private:
+  const TriangleMesh& mesh_;
+  Array<SurfacePoint>& points_;
+};
+
+/// The part of a path between two lengths, backwards where from > to.
+inline SurfacePath partOf(const TriangleMesh& mesh, const SurfacePath& path, double from,
+                          double to) {
+  SurfacePath part;
+  appendPart(mesh, path, from, to, part);
+  return part;
+}
+
+}  // namespace karcher
