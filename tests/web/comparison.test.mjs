@@ -94,6 +94,16 @@ describe('a comparison', () => {
     assert.equal(await said(tab, 'own'), 'Karcher');
     assert.equal(await said(tab, 'other'), 'Paper (exact)');
     assert.notDeepEqual(await page.locator('#stage').screenshot(), alone);
+    // The words of each row lie within it, and the rows below each other.
+    const edges = await page.locator('.comparison .compared').evaluateAll((rows) =>
+      rows.flatMap((row) => {
+        const { top, bottom } = row.getBoundingClientRect();
+        const words = row.querySelector('span').getBoundingClientRect();
+        return [top, words.top, words.bottom, bottom];
+      }),
+    );
+    const inOrder = edges.every((edge, i) => i === 0 || edges[i - 1] <= edge);
+    assert.ok(inOrder, `${edges}`);
     const [mean, part] = await numbers(tab, 'mean');
     const [largest, largestPart] = await numbers(tab, 'largest');
     assert.ok(0 < mean && mean <= largest && part <= largestPart, `${mean} ${largest}`);

@@ -50,7 +50,7 @@ export async function openPage(surface) {
   const arrays = sphere
     ? { positions: sphere.positions(), triangles: sphere.triangles() }
     : surface;
-  session.use(await parts.EngineClient.pageModule({ kind: 'arrays', ...arrays }));
+  session.use(await parts.EngineClient.load({ kind: 'arrays', ...arrays }));
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;
     if (state.revision !== before.revision || ended) session.update(state);

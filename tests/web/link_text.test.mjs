@@ -64,13 +64,16 @@ describe('links', () => {
     for (const mesh of ['bunny:1', 'file:1x-9:a b&c=#.obj']) {
       for (const active of [1, 2, 3, 4, 5]) {
         const made = { ...whole, active };
-        const text = link.formatLink(mesh, 'paper-exact', made);
+        const turned = { azimuth: -30.5, elevation: 12.25, reach: 0.5, target: [0, 0.125, -1] };
+        const view = [null, 'top', turned][active % 3];
+        const text = link.formatLink(mesh, 'paper-exact', made, view);
         const read = link.parseLink(`#${text}`);
         const unread = { points: 0, circles: 0 };
         assert.deepEqual(read, {
           mesh,
           method: 'paper-exact',
           drawing: made,
+          view,
           unread,
           problems: [],
         });

@@ -129,9 +129,11 @@ describe('objects that are moved', () => {
     const { page } = tab;
     await tab.click(...places);
     await page.keyboard.press('Enter');
+    await tab.settled();
+    // What is selected belongs to the step that follows.
+    const whole = await bytesOf(tab);
     await page.locator('#objects .object').last().click();
     await tab.settled();
-    const whole = await bytesOf(tab);
     const first = await tab.handle('Control point 2 of 4');
     await page.locator('#stage').focus();
     const steps = [

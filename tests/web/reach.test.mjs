@@ -94,6 +94,7 @@ describe('every control is hit where it is clicked', () => {
       await controls.click(page.locator('#tour-skip'));
       await tab.drop('bad.obj', 'nothing');
       await page.getByRole('alert').waitFor();
+      await page.locator('#progress').waitFor({ state: 'hidden' });
       await controls.look('a message');
       await page.getByRole('alert').getByRole('button', { name: 'Dismiss' }).click();
       await tab.dropBytes('solids.stl', stlFile(cutBox, { text: true, solids: 3 }));

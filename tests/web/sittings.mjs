@@ -133,6 +133,10 @@ export async function seamSitting(tab, tell = async () => {}) {
   assert.equal(before.drawing.objects.length, 2);
   const from = await tab.onCurve(0.4);
   await tab.drag(from, { x: from.x + 30, y: from.y + 24 });
+  await page.waitForFunction((revision) => {
+    const state = window.karcherPage.state();
+    return state.revision > revision && !state.dragging;
+  }, before.revision);
   const moved = await tab.state();
   assert.notDeepEqual(moved.figure.points, before.figure.points);
   assert.deepEqual(moved.drawing.objects[0], before.drawing.objects[0], 'the other stays');
