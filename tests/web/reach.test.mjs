@@ -67,6 +67,11 @@ describe('every control is hit where it is clicked', () => {
       const chosen = new Set();
       // Of the curve that is there; another kind of tool begins another one.
       await chooseAll(tab, controls, 'the curve', chosen);
+      await page.locator('#compare').selectOption('paper-exact');
+      await page.locator('#compare-off').waitFor();
+      await tab.settled();
+      await controls.look('two methods');
+      await controls.click(page.locator('#compare-off'));
       const radios = page.locator('[name="kind"]');
       const kinds = await radios.evaluateAll((inputs) => inputs.map(({ value }) => value));
       for (const kind of [...kinds, 'pen']) {
