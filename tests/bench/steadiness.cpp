@@ -22,16 +22,30 @@ double partMoved(const Array<Vec3>& from, const Array<Vec3>& to) {
          length;
 }
 
+Array<Vec3> positionsOf(const TriangleMesh& mesh, const Array<SurfacePoint>& path) {
+  Array<Vec3> positions;
+  for (const SurfacePoint& p : path) positions.push_back(position(mesh, p));
+  return positions;
+}
+
 /// What a geodesic of some length that became another one allows the curve to leap: half the length
-/// times the curvature that it passed over. That of the vertices next to both, or where it slid on
-/// until both have no vertex in common, the angles between both.
+/// times the curvature that it passed over. That of the vertices next to both, or where it slid
+/// farther than an edge, so that vertices between may be next to none, the angles between both.
 double allowedByPassing(const Geometry& geometry, double length, const Array<SurfacePoint>& before,
                         const Array<SurfacePoint>& after) {
+  const TriangleMesh& mesh = *geometry.mesh;
   double curvature = 0;
   for (const VertexPassage& passage : passedVertices(geometry, before, after)) {
     curvature += passage.curvature;
   }
-  return length / 2 * std::max(curvature, anglesBetween(*geometry.mesh, before, after));
+  constexpr double kTolerance = 0.1;
+  const double apart =
+      hausdorffDistance(MeasuredPolyline(positionsOf(mesh, before)),
+                        MeasuredPolyline(positionsOf(mesh, after)), kTolerance * geometry.meanEdge);
+  if (apart > geometry.meanEdge) {
+    curvature = std::max(curvature, anglesBetween(mesh, before, after));
+  }
+  return length / 2 * curvature;
 }
 
 /// What passages of the legs between two tracings allow the curve to leap.
