@@ -110,7 +110,7 @@ SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int 
   if (!image.beside.empty()) return nearestBeside(mesh, image, place);
   // Its vertices are its own. Others may be at the same place.
   constexpr double kNear = 1e-6;
-  const SurfacePoint nearest = nearestPoint(mesh, place);
+  SurfacePoint nearest = nearestPoint(mesh, place);
   const double distance = (position(mesh, nearest) - place).norm();
   if (distance <= kNear * boundingBoxDiagonal(mesh)) return nearest;
   throw Error(ErrorCode::kBadIndex, "face " + std::to_string(inputFace) +
