@@ -66,8 +66,10 @@ const emptyView: View = {
   polygonOnly: false,
 };
 
-/** A step of a drag that takes longer, in milliseconds, is followed by drafts without fields. */
+/** Steps of a drag that take longer, in milliseconds, are followed by drafts without fields. */
 const longestDraft = 12;
+/** So many in a row: the first step also makes what later ones keep. */
+const slowSteps = 2;
 
 /** A shorter way is shown where it is shorter by more than this part. */
 const leastGain = 0.02;
@@ -95,6 +97,8 @@ export class Session {
   #manySamples = false;
   /** Of a curve whose levels are automatic, how many it has between drags. */
   #levels: CurveLevels = 0;
+  /** How many steps of the drag, one after the other, were slow. */
+  #slow = 0;
   /** The control point of a drag whose legs the figure does not tell yet. */
   #held: number | null = null;
   /** The figure whose legs were compared with the shortest ones. */
@@ -282,8 +286,10 @@ export class Session {
       if (!coarse && !state.dragging) {
         this.#others.keep(figure, { method, shown, quality }, state.drawing);
       }
+      const slow = state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft;
+      this.#slow = slow ? this.#slow + 1 : 0;
       // A draft of averages alone needs no fields.
-      if (state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft) this.#levels = 'limit';
+      if (this.#slow >= slowSteps) this.#levels = 'limit';
       this.#showTraced(state, shown, quality);
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
