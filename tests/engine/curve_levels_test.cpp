@@ -219,6 +219,31 @@ TEST(CurveLevels, AfterAnyEditsAreTheCurveTracedAnew) {
   }
 }
 
+TEST(CurveLevels, OfTheirOwnEndAtSmallLegs) {
+  // On a unit sphere a cubic's leg reaches its square of curvature, whatever the mesh.
+  for (const int triangles : {2000, 32000}) {
+    Surface surface(meshOf(makeShape(Shape::kSphere, triangles)));
+    const double edge = surface.geometry().meanEdge;
+    for (const double leg : {0.6, 0.8, 0.9}) {
+      SCOPED_TRACE(std::to_string(triangles) + " triangles, legs of " + std::to_string(leg));
+      Array<SurfacePoint> points;
+      for (int i = 0; i < 4; ++i) {
+        const Vec3 place(std::cos(leg * i), std::sin(leg * i), 0.05);
+        points.push_back(nearestPoint(surface.mesh(), place));
+      }
+      const CurveOptions options = optionsOf({CurveKind::kBezier}, 9, kAutomaticLevels, kFast);
+      const int levels = Curve(surface, options, points).levels();
+      if (leg * leg < 0.5) {
+        EXPECT_EQ(levels, 0);
+        continue;
+      }
+      // The first level makes each of these safe; the others make legs small.
+      const double expected = std::max(1.0, std::ceil(std::log2(leg / (4 * edge))));
+      EXPECT_EQ(levels, expected);
+    }
+  }
+}
+
 TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
   // Around a tube there are two ways.
   const FlatCylinder tube = flatCylinder(24, 2, 5);
