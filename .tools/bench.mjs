@@ -49,11 +49,11 @@ try {
   for (const [name, [program, args]] of Object.entries(programs)) {
     const output = await run(program, args, { quiet: true });
     console.log(`\n${name}\n${output.trim()}`);
-    times.push(JSON.parse(output).karcher);
+    times.push(JSON.parse(output));
   }
-  const ratio = (key) => (times[1][key] / times[0][key]).toFixed(2);
+  const ratio = (part, key) => (times[1][part][key] / times[0][part][key]).toFixed(2);
   console.log(
-    `\nWebAssembly against native: field ${ratio('fieldMs')}, sample ${ratio('sampleNs')}, drag ${ratio('dragMs')}`,
+    `\nWebAssembly against native: field ${ratio('karcher', 'fieldMs')}, sample ${ratio('karcher', 'sampleNs')}, drag ${ratio('karcher', 'dragMs')}, drag of ${times[1].steady.levels} levels ${ratio('steady', 'dragMs')}`,
   );
 } catch (error) {
   console.error(error.message);

@@ -57,6 +57,20 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   return result;
 }
 
+SteadyTimes timeSteadyDrag(Surface& surface, const Array<SurfacePoint>& points, int samples) {
+  CurveOptions options{{CurveKind::kBSpline}, samples, {}};
+  options.levels = kAutomaticLevels;
+  options.levels = Curve(surface, options, points).levels();
+  Curve curve(surface, options, points);
+  const int moved = curve.pointCount() / 2;
+  const SurfacePoint places[2] = {neighbour(curve.point(moved)), curve.point(moved)};
+  Array<double> steps;
+  for (int i = 0; i < kQuickRuns; ++i) {
+    steps.push_back(timed([&] { curve.set(curve.withPointDragged(moved, places[i % 2])); }));
+  }
+  return {options.levels, median(steps)};
+}
+
 double peakMemoryMB() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -30,6 +30,14 @@ struct CurveTimes {
 CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int samples,
                      const FieldOptions& field);
 
+struct SteadyTimes {
+  int levels = 0;     ///< those that 'auto' takes
+  double dragMs = 0;  ///< a step of the hand that drags the middle point by an edge, all of it
+};
+
+/// Of the default curve, at the levels that it takes, which a drag keeps.
+SteadyTimes timeSteadyDrag(Surface& surface, const Array<SurfacePoint>& points, int samples);
+
 /// The largest memory that the program has used so far.
 double peakMemoryMB();
 

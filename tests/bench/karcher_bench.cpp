@@ -59,6 +59,8 @@ void run(const std::string& meshPath, const std::string& pointsPath, int samples
   const CurveTimes karcher =
       timeCurve(*surface, input.points, samples, {Method::kKarcher, Solver::kFast, 6});
 
+  const SteadyTimes steady = timeSteadyDrag(*surface, input.points, samples);
+
   std::printf(
       "{\"mesh\":{\"vertices\":%d,\"triangles\":%d},\"prepareMs\":%.3f,"
       "\"paper\":{\"graphMs\":%.1f,\"fieldGraphMs\":%.3f,\"fieldExactMs\":%.3f,"
@@ -68,13 +70,14 @@ void run(const std::string& meshPath, const std::string& pointsPath, int samples
       "\"sampleNs\":%.1f,\"samples\":%d,\"lost\":%d,\"dragMs\":%.3f,\"bridgeMs\":%.3f,\"joinMs\":%."
       "3f,"
       "\"weightMs\":%.3f},"
+      "\"steady\":{\"levels\":%d,\"dragMs\":%.3f},"
       "\"exact\":{\"fieldMs\":%.3f,\"fieldVertices\":%d,\"fieldNsPerVertex\":%.1f},"
       "\"calibrationNs\":%.1f,\"peakMemoryMB\":%.1f}\n",
       vertices, triangles, prepareMs, graphMs, fieldGraphMs, fieldExactMs, gradientMs,
       paper.sampleUs, paper.samples, paper.lost, paper.dragMs, paper.bridgeMs, paper.joinMs,
       paper.weightMs, fast.ms, fast.vertices, 1e6 * fast.ms / fast.vertices,
       1000 * karcher.sampleUs, karcher.samples, karcher.lost, karcher.dragMs, karcher.bridgeMs,
-      karcher.joinMs, karcher.weightMs, windows.ms, windows.vertices,
+      karcher.joinMs, karcher.weightMs, steady.levels, steady.dragMs, windows.ms, windows.vertices,
       1e6 * windows.ms / windows.vertices, calibration, peakMemoryMB());
 }
 

@@ -17,7 +17,7 @@ export const bench: Command = {
   name: 'bench',
   summary: "how long the steps take, for a B-spline: the default method and the paper's",
   output:
-    "{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians of several runs, but for graphMs. The paper's fields and gradient are of all vertices, those of karcher and exact of fieldVertices, within a tenth of the diagonal. dragMs: a point moved, weightMs: its weight changed, both without joinMs, the paths between all samples",
+    "{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, steady: {levels, dragMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians of several runs, but for graphMs. The paper's fields and gradient are of all vertices, those of karcher and exact of fieldVertices, within a tenth of the diagonal. dragMs: a point moved, weightMs: its weight changed, both without joinMs, the paths between all samples; steady is the curve of levels 'auto', its dragMs a whole step of a drag",
   options: [
     pointsOption,
     { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
@@ -51,6 +51,7 @@ export const bench: Command = {
           ...paperCurve,
         },
         karcher: { ...steps.fast, sampleNs: 1000 * sampleUs, ...karcherCurve },
+        steady: timeSteadyDrag(mesh, points, samples),
         exact: steps.exact,
         calibrationNs: (1e6 * steps.calibrationMs) / vertices,
         peakMemoryMB: process.resourceUsage().maxRSS / 1024,
@@ -138,6 +139,22 @@ function timeCurve(
     joinMs: median(joins),
     weightMs: median(weights),
   };
+}
+
+/** The default curve, its middle point dragged to a neighbouring place and back at its levels. */
+function timeSteadyDrag(mesh: Mesh, points: readonly SurfacePoint[], samples: number) {
+  const curve = mesh.curve({ kind: 'bspline', points: [...points], samples });
+  const { levels } = curve;
+  curve.set({ ...curve.value(), levels });
+  const index = Math.floor(points.length / 2);
+  const here = curve.points()[index]!;
+  const places = [nextCorner(here), here];
+  const step = (i: number) => elapsed(() => curve.dragPoint(index, places[i % 2]!));
+  const start = performance.now();
+  for (let i = 0; i < warmUp.runs && performance.now() - start < warmUp.ms; i++) step(i);
+  const steps = Array.from({ length: quickRuns }, (_, i) => step(i));
+  curve.dispose();
+  return { levels, dragMs: median(steps) };
 }
 
 function elapsed(work: () => void): number {
