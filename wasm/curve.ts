@@ -436,8 +436,9 @@ export class Curve {
 
   /** Its samples and fields, as they were given. */
   #shared(): Partial<CurveOptions> {
-    const { method, solver, rings, samples, tolerance, geometry, levels } = this.#options;
-    const all = { method, solver, rings, samples, tolerance, geometry, levels };
+    const { method, solver, rings, samples, tolerance, geometry, levels, leastLevels } =
+      this.#options;
+    const all = { method, solver, rings, samples, tolerance, geometry, levels, leastLevels };
     return Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined));
   }
 

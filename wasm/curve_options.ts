@@ -15,7 +15,12 @@ import type {
   EngineCurveValue,
   EngineSampling,
 } from './karcher-engine.mjs';
-import { curveOptionNames, engineFieldOptions, engineLevels } from './options.js';
+import {
+  curveOptionNames,
+  engineFieldOptions,
+  engineLeastLevels,
+  engineLevels,
+} from './options.js';
 import { toSurfacePoints, wirePoints } from './points.js';
 import type {
   CurveBasis,
@@ -79,6 +84,7 @@ export class OwnBasis {
 function engineSampling(options: CurveOptions): EngineSampling {
   const { samples, tolerance } = options;
   const levels = engineLevels(options);
+  const leastLevels = engineLeastLevels(options);
   const geometry = options.geometry ?? 'geodesic';
   const exact = checkOneOf(geometry, geometries, 'the geometry of a curve') === 'exact';
   if (samples !== 'adaptive' && tolerance === undefined) {
@@ -87,6 +93,7 @@ function engineSampling(options: CurveOptions): EngineSampling {
       tolerance: 0,
       exact,
       levels,
+      leastLevels,
     };
   }
   if (samples !== 'adaptive' && samples !== undefined) {
@@ -96,7 +103,7 @@ function engineSampling(options: CurveOptions): EngineSampling {
     );
   }
   const part = checkPositive(tolerance ?? defaultTolerance, 'the tolerance');
-  return { samples: defaultSamples, tolerance: part, exact, levels };
+  return { samples: defaultSamples, tolerance: part, exact, levels, leastLevels };
 }
 
 /** Options that one kind alone has a use for; the engine refuses weights and betas. */

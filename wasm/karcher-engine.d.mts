@@ -144,6 +144,8 @@ export interface EngineSampling {
   exact: boolean;
   /** -1 for as many as fit, -2 for the limit. */
   levels: number;
+  /** Of those that fit. */
+  leastLevels: number;
 }
 
 /** Arrays are empty where there are none. */

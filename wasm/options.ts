@@ -55,6 +55,7 @@ export const curveOptionNames = namesOf<CurveOptions>({
   tolerance: true,
   geometry: true,
   levels: true,
+  leastLevels: true,
   closed: true,
   degree: true,
   knots: true,
@@ -106,6 +107,23 @@ export function engineLevels({ levels = 'auto' }: { levels?: CurveLevels }): num
   throw new KarcherError(
     'badArgument',
     `a curve takes 0 to ${mostLevels} levels, 'auto' or 'limit', not ${number}`,
+  );
+}
+
+/** The fewest levels that `auto` takes. */
+export function engineLeastLevels({ levels = 'auto', leastLevels }: CurveOptions): number {
+  if (leastLevels === undefined) return 0;
+  const number = checkInteger(leastLevels, 'the least number of levels');
+  if (number < 0 || number > mostLevels) {
+    throw new KarcherError(
+      'badArgument',
+      `the least number of levels is 0 to ${mostLevels}, not ${number}`,
+    );
+  }
+  if (levels === 'auto') return number;
+  throw new KarcherError(
+    'badArgument',
+    `a least number of levels is for levels: 'auto', not ${levels}`,
   );
 }
 

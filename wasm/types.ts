@@ -270,6 +270,11 @@ export interface CurveOptions extends FieldOptions {
    */
   levels?: CurveLevels;
   /**
+   * The fewest levels that `auto` takes, 0 to 8; 0 by default. While a point is dragged, the most that
+   * the curve has had: where levels come and go under the hand it moves a little by that alone.
+   */
+  leastLevels?: number;
+  /**
    * Whether the curve ends where it starts; of at least 3 points. B-splines and Catmull-Rom curves
    * go on there as smoothly as elsewhere; curves of one segment and polylines have a corner at their
    * first point. Not of the kind `custom`.

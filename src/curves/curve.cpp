@@ -228,10 +228,10 @@ bool Curve::isOfCenters(const CurveOptions& options) {
 void Curve::check(const CurveValue& value) const {
   checkOptions(value.options);
   checkShape(value.options.shape, value.points.count());
-  const bool isNumber =
-      value.options.levels != kAutomaticLevels && value.options.levels != kLimitLevels;
-  if (isNumber && mayHaveLevels(value.options)) {
-    checkLevels(value.options.shape, value.points.count(), value.options.levels);
+  if (value.options.levels != kLimitLevels && mayHaveLevels(value.options)) {
+    const bool isAutomatic = value.options.levels == kAutomaticLevels;
+    checkLevels(value.options.shape, value.points.count(),
+                isAutomatic ? value.options.leastLevels : value.options.levels);
   }
   checkOneComponent(surface(), value.points);
   checkLegs(surface().mesh(), value);
@@ -279,7 +279,8 @@ void Curve::makeLegs(Next& next) const {
     const Geometry& geometry = surface().geometry();
     const int points = next.value.points.count();
     next.levels = options.levels == kAutomaticLevels
-                      ? automaticLevels(geometry, options.shape, points, next.legs)
+                      ? std::max(automaticLevels(geometry, options.shape, points, next.legs),
+                                 options.leastLevels)
                   : options.levels == kLimitLevels
                       ? levelsToLimit(geometry, options.shape, points, next.legs)
                       : options.levels;

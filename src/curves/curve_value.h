@@ -27,6 +27,9 @@ struct CurveOptions {
   /// 8, kAutomaticLevels or kLimitLevels. 0 is the curve of Mancinelli and Puppo, one center of
   /// mass of all the points of a segment.
   int levels = 0;
+  /// The fewest that kAutomaticLevels takes, 0 to 8. So levels that a drag once had do not go again
+  /// while it lasts.
+  int leastLevels = 0;
 };
 
 struct CurveValue {

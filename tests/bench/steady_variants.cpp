@@ -87,22 +87,18 @@ SteadyVariant refined(const std::string& name, int levels) {
   variant.hold = [levels](Surface& surface, const Array<SurfacePoint>& points) {
     const auto curve = std::make_shared<Curve>(surface, cubicBezier(levels), points);
     curve->setClock(processorMilliseconds);
-    // A drag keeps the levels that it began with.
-    if (levels == kAutomaticLevels) {
-      CurveValue value = curve->value();
-      value.options.levels = curve->levels();
-      curve->set(value);
-    }
     HeldCurve held;
-    held.drag = [curve](int i, const SurfacePoint& place) {
+    held.drag = [curve, levels](int i, const SurfacePoint& place) {
       const int64_t allocations = allocationsSoFar();
-      if (curve->levels() == 0) {
+      if (levels == 0) {
         // It has no use for legs.
         curve->movePoint(i, place);
         return described(*curve, allocationsSoFar() - allocations);
       }
       CurveValue value;
       const double continued = processorTimed([&] { value = curve->withPointDragged(i, place); });
+      // As the page does: a drag keeps the most levels that it ever had.
+      if (levels == kAutomaticLevels) value.options.leastLevels = curve->levels();
       curve->set(std::move(value));
       TracedCurve traced = described(*curve, allocationsSoFar() - allocations);
       traced.stages[0].ms += continued;
@@ -112,6 +108,7 @@ SteadyVariant refined(const std::string& name, int levels) {
     held.release = [curve, levels] {
       CurveValue value = curve->value();
       value.options.levels = levels;
+      value.options.leastLevels = 0;
       curve->set(value);
       return described(*curve);
     };

@@ -244,6 +244,27 @@ TEST(CurveLevels, OfTheirOwnEndAtSmallLegs) {
   }
 }
 
+TEST(CurveLevels, AreAtLeastAsManyAsTheyAreToBe) {
+  Surface surface(bunnyMesh());
+  Array<SurfacePoint> points;
+  for (int i = 0; i < 4; ++i) {
+    points.push_back(nearestPoint(surface.mesh(), Vec3(-3 + 1.1 * i, 7.5, 4)));
+  }
+  CurveOptions options = optionsOf({CurveKind::kBezier}, 17, kAutomaticLevels, kFast);
+  const int fitting = Curve(surface, options, points).levels();
+  ASSERT_LT(fitting, 4);
+  for (int least = 0; least <= 4; ++least) {
+    options.leastLevels = least;
+    const Curve curve(surface, options, points);
+    const int expected = std::max(least, fitting);
+    EXPECT_EQ(curve.levels(), expected);
+    expectIdentical(curve,
+                    Curve(surface, optionsOf({CurveKind::kBezier}, 17, expected, kFast), points));
+  }
+  options.leastLevels = 9;
+  EXPECT_EQ(codeOf([&] { Curve(surface, options, points); }), ErrorCode::kBadArgument);
+}
+
 TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
   // Around a tube there are two ways.
   const FlatCylinder tube = flatCylinder(24, 2, 5);

@@ -52,6 +52,28 @@ test('levels are 0 to 8, auto or limit, and none for the paper and for means of 
   mesh.dispose();
 });
 
+test('automatic levels are at least as many as are asked for', () => {
+  const mesh = karcher.shape('sphere', 5000);
+  const points = [0, 1, 2, 3].map((i) => ({ face: i, bary: [0.4, 0.3, 0.3] }));
+  const bezier = { kind: 'bezier', points, samples: 9 };
+  const curve = mesh.curve({ ...bezier, leastLevels: 2 });
+  assert.equal(curve.levels, 2);
+  assert.equal(curve.value().leastLevels, 2);
+  // It goes with every edit, until another value is set.
+  curve.movePoint(1, { face: 5, bary: [0.4, 0.3, 0.3] });
+  assert.equal(curve.levels, 2);
+  curve.set({ ...curve.value(), leastLevels: 0 });
+  assert.equal(curve.levels, 0);
+  for (const leastLevels of [-1, 9, 1.5, 'all', null]) {
+    assert.throws(() => mesh.curve({ ...bezier, leastLevels }), badArgument, `${leastLevels}`);
+  }
+  assert.throws(() => mesh.curve({ ...bezier, levels: 3, leastLevels: 2 }), {
+    ...badArgument,
+    message: "a least number of levels is for levels: 'auto', not 3",
+  });
+  mesh.dispose();
+});
+
 test('a dragged point takes its legs along, a moved one has the shortest', () => {
   // Half around the tube there are two ways; the hand goes on around it.
   const mesh = karcher.shape('torus', 2000);

@@ -1,4 +1,4 @@
-import type { CurveLevels, SurfacePoint } from 'karcher';
+import type { SurfacePoint } from 'karcher';
 import { activeObject } from '../model/drawing';
 import {
   type Figure,
@@ -95,8 +95,8 @@ export class Session {
   #asked: State | null = null;
   /** Of a curve by tolerance, whether a fixed number of samples were fewer. */
   #manySamples = false;
-  /** Of a curve whose levels are automatic, how many it has between drags. */
-  #levels: CurveLevels = 0;
+  /** Of a curve whose levels are automatic: how many it has between drags, in a drag the most so far. */
+  #levels: number | 'limit' = 0;
   /** How many steps of the drag, one after the other, were slow. */
   #slow = 0;
   /** The control point of a drag whose legs the figure does not tell yet. */
@@ -286,6 +286,7 @@ export class Session {
       if (!coarse && !state.dragging) {
         this.#others.keep(figure, { method, shown, quality }, state.drawing);
       }
+      if (state.dragging) this.#keepLevels(shown);
       const slow = state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft;
       this.#slow = slow ? this.#slow + 1 : 0;
       // A draft of averages alone needs no fields.
@@ -304,6 +305,11 @@ export class Session {
     if (!spline || !curve) return;
     this.#manySamples = moreThanFixed(spline, curve);
     this.#levels = curve.levels;
+  }
+
+  /** Levels that a drag needed stay while it lasts. */
+  #keepLevels({ curve }: Shown): void {
+    if (this.#levels !== 'limit' && curve) this.#levels = Math.max(this.#levels, curve.levels);
   }
 
   #showTraced(state: State, traced: Shown, quality: Quality | null): void {
@@ -355,17 +361,19 @@ export class Session {
 
   /**
    * While something is dragged, fewer samples than a tolerance takes will do, and a curve keeps the
-   * levels that it began with: on release both are asked for again.
+   * most levels that it has had: on release both are asked for again.
    */
   #asTraced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;
     const fewer = dragging && this.#manySamples && settings.tolerance !== null;
     const keeps = dragging && this.#levels !== 0 && settings.levels === 'auto';
     if (!fewer && !keeps) return { figure, coarse: false };
+    const levels =
+      this.#levels === 'limit' ? { levels: this.#levels } : { leastLevels: this.#levels };
     const held = {
       ...settings,
       ...(fewer && { tolerance: null }),
-      ...(keeps && { levels: this.#levels }),
+      ...(keeps && levels),
     };
     return { figure: { ...figure, settings: held }, coarse: true };
   }

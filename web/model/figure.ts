@@ -70,6 +70,8 @@ export interface CurveSettings {
   readonly marks: number;
   /** How steady a curve is on rough surfaces, from the mean of all its points to the limit. */
   readonly levels: CurveLevels;
+  /** Of a drag, which keeps the most levels that it has had; never saved. */
+  readonly leastLevels?: number;
 }
 
 /** A curve with control points. */
@@ -100,6 +102,10 @@ export const defaultSettings: CurveSettings = {
   marks: 0,
   levels: 'auto',
 };
+
+/** The levels of a curve, as the engine is asked for them. */
+export const askedLevels = ({ levels, leastLevels = 0 }: CurveSettings) =>
+  leastLevels > 0 ? { levels, leastLevels } : { levels };
 
 /** What the numbers of the settings lie between. */
 export const samplesRange = { least: 2, most: 5000 };

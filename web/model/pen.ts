@@ -4,7 +4,7 @@
  * as the opposite of the other the curve is smooth there, whatever is done to either.
  */
 import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
-import type { ControlPoint, Figure, Vector } from './figure';
+import { askedLevels, type ControlPoint, type Figure, type Vector } from './figure';
 
 export type Side = 'before' | 'after';
 
@@ -130,7 +130,7 @@ export function penOptions(
   options: FieldOptions,
 ): CurveOptions {
   const { points, settings } = figure;
-  const { samples, tolerance, levels } = settings;
+  const { samples, tolerance } = settings;
   const count = segmentsOf(figure);
   const control: SurfacePoint[] = [];
   const knots = [0];
@@ -149,7 +149,7 @@ export function penOptions(
     points: control,
     knots,
     ...(tolerance === null ? { samples } : { tolerance }),
-    ...(options.method !== 'paper' && { levels }),
+    ...(options.method !== 'paper' && askedLevels(settings)),
   };
 }
 

@@ -1,6 +1,7 @@
 /** Figures that are splines, as the engine takes them and gives them back. */
 import type { CurveOptions, FieldOptions, LegPoints, SurfacePoint } from 'karcher';
 import {
+  askedLevels,
   type ControlPoint,
   defaultSettings,
   type Figure,
@@ -35,7 +36,7 @@ export const usesLegs = (kind: Kind) =>
 /** A spline as the engine takes it: with what its kind has a use for. */
 export function curveOptions(spline: Spline, options: FieldOptions): CurveOptions {
   const { kind, points, settings } = spline;
-  const { closed, degree, clamped, knots, parametrization, samples, tolerance, levels } = settings;
+  const { closed, degree, clamped, knots, parametrization, samples, tolerance } = settings;
   const rule = clamped && !closed ? 'clamped' : 'uniform';
   const parameter = parameterOf(kind);
   const numbers = points.map((point) => (parameter && point[parameter]) ?? 1);
@@ -48,7 +49,7 @@ export function curveOptions(spline: Spline, options: FieldOptions): CurveOption
     closed,
     ...(usesLegs(kind) && legsOf(spline)),
     // The paper's method is one mean a segment.
-    ...(options.method !== 'paper' && { levels }),
+    ...(options.method !== 'paper' && askedLevels(settings)),
     ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
     ...(kind === 'catmullrom' && { parametrization }),
     ...(parameter === 'weight' && !plain && { weights: numbers }),
