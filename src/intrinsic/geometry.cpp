@@ -1,9 +1,17 @@
 #include "intrinsic/geometry.h"
 
 #include <algorithm>
+#include <array>
 
 namespace karcher {
 namespace {
+
+/// By the two shortest edges: rounding takes a part of their lengths' product, which for the long
+/// edges of a needle is far more than its area.
+double doubledArea(const std::array<const Vec3*, 3>& edges, const double* lengths) {
+  const int longest = static_cast<int>(std::max_element(lengths, lengths + 3) - lengths);
+  return edges[(longest + 1) % 3]->cross(*edges[(longest + 2) % 3]).norm();
+}
 
 void measureFaces(const TriangleMesh& mesh, Geometry& geometry) {
   const size_t halfedges = static_cast<size_t>(mesh.halfedgeCount());
@@ -17,11 +25,11 @@ void measureFaces(const TriangleMesh& mesh, Geometry& geometry) {
     const Vec3 e0 = p1 - p0;
     const Vec3 e1 = p2 - p1;
     const Vec3 e2 = p0 - p2;
-    const double area = e0.cross(e1).norm();
     const double length = e0.norm();
     geometry.edgeLength[3 * f] = length;
     geometry.edgeLength[3 * f + 1] = e1.norm();
     geometry.edgeLength[3 * f + 2] = e2.norm();
+    const double area = doubledArea({&e0, &e1, &e2}, &geometry.edgeLength[3 * f]);
     geometry.cornerAngle[3 * f] = std::atan2(area, -e2.dot(e0));
     geometry.cornerAngle[3 * f + 1] = std::atan2(area, -e0.dot(e1));
     geometry.cornerAngle[3 * f + 2] = std::atan2(area, -e1.dot(e2));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -90,6 +91,29 @@ TEST(ExactDistance, KeepsItsAccuracyOnNeedles) {
     for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
       const double truth = (p - surface.mesh.positions[v]).norm();
       ASSERT_NEAR(solver.distance(v), truth, 1e-11 * truth + 1e-12);
+    }
+  }
+}
+
+TEST(ExactDistance, IsNoShorterThanStraightAtTheEndOfANeedle) {
+  // Two needles on an edge of 1e-10, and the triangle between them; from any corner of each needle.
+  const Array<Vec3> positions{{0, 0, 0}, {1e-10, 0, 0}, {0, 8, 0}, {9, 14, 0}};
+  for (int turn = 0; turn < 9; ++turn) {
+    SCOPED_TRACE("turned " + std::to_string(turn));
+    Triangle needles[2] = {{0, 1, 2}, {0, 3, 1}};
+    std::rotate(needles[0].data(), needles[0].data() + turn % 3, needles[0].data() + 3);
+    std::rotate(needles[1].data(), needles[1].data() + turn / 3, needles[1].data() + 3);
+    const TriangleMesh mesh = buildMesh(positions, {needles[0], {3, 0, 2}, needles[1]});
+    const Geometry geometry = buildGeometry(mesh);
+    ExactDistance distance(geometry);
+    for (int source = 0; source < 4; ++source) {
+      distance.setSource(vertexPoint(mesh, source));
+      distance.grow(kInfinity);
+      for (int v = 0; v < 4; ++v) {
+        const double straight = (positions[v] - positions[source]).norm();
+        EXPECT_GE(distance.distance(v), (1 - 1e-14) * straight) << source << " to " << v;
+        EXPECT_LE(distance.distance(v), straight + 1e-9) << source << " to " << v;
+      }
     }
   }
 }
