@@ -1,16 +1,18 @@
 #include "intrinsic/geometry.h"
 
 #include <algorithm>
-#include <array>
 
 namespace karcher {
 namespace {
 
 /// By the two shortest edges: rounding takes a part of their lengths' product, which for the long
 /// edges of a needle is far more than its area.
-double doubledArea(const std::array<const Vec3*, 3>& edges, const double* lengths) {
-  const int longest = static_cast<int>(std::max_element(lengths, lengths + 3) - lengths);
-  return edges[(longest + 1) % 3]->cross(*edges[(longest + 2) % 3]).norm();
+double doubledArea(const Vec3& e0, const Vec3& e1, const Vec3& e2) {
+  const double a = e0.squaredNorm();
+  const double b = e1.squaredNorm();
+  const double c = e2.squaredNorm();
+  if (c >= a && c >= b) return e0.cross(e1).norm();
+  return a >= b ? e1.cross(e2).norm() : e2.cross(e0).norm();
 }
 
 void measureFaces(const TriangleMesh& mesh, Geometry& geometry) {
@@ -29,7 +31,7 @@ void measureFaces(const TriangleMesh& mesh, Geometry& geometry) {
     geometry.edgeLength[3 * f] = length;
     geometry.edgeLength[3 * f + 1] = e1.norm();
     geometry.edgeLength[3 * f + 2] = e2.norm();
-    const double area = doubledArea({&e0, &e1, &e2}, &geometry.edgeLength[3 * f]);
+    const double area = doubledArea(e0, e1, e2);
     geometry.cornerAngle[3 * f] = std::atan2(area, -e2.dot(e0));
     geometry.cornerAngle[3 * f + 1] = std::atan2(area, -e0.dot(e1));
     geometry.cornerAngle[3 * f + 2] = std::atan2(area, -e1.dot(e2));
