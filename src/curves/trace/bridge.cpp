@@ -172,7 +172,26 @@ class JumpSearch {
     const Vec2 middleB = acrossEdge(twin, zeroB.bary);
     return (middleA - middleB).norm() <= longest_ / 4 && (middleA - (a + b) / 2).norm() < margin &&
            (middleB - (a + b) / 2).norm() < margin && keptOff(h, zeroA.bary) >= margin &&
-           keptOff(twin, zeroB.bary) >= margin && isAlone(h, zeroA) && isAlone(twin, zeroB);
+           keptOff(twin, zeroB.bary) >= margin && isAlone(h, zeroA) && isAlone(twin, zeroB) &&
+           gapAtEdge(h, zeroA) <= longest_ / 2;
+  }
+
+  /// How far apart the zeros of both faces lie where the zero comes to half-edge h, at most. In the
+  /// other face the values at the ends are turned relative to each other (CellZero::holonomy);
+  /// where they point against each other, and so cancel out at the edge, what is left is at right
+  /// angles to them.
+  double gapAtEdge(int h, const CellZero& zero) const {
+    const Vec2& tail = zero.field.corner[cornerOf(h)];
+    const Vec2& head = zero.field.corner[cornerOf(next(h))];
+    const double both = tail.norm() + head.norm();
+    if (!(both > 0)) return 0;
+    const Vec2 left = Vec2(-tail.y(), tail.x()) * (zero.holonomy * head.norm() / both);
+    const Vec2 b = zero.field.corner[1] - zero.field.corner[0];
+    const Vec2 c = zero.field.corner[2] - zero.field.corner[0];
+    const double scale = 1 / cross(b, c);
+    const double along = cross(left, c) * scale;
+    const double up = cross(b, left) * scale;
+    return lengthInFace(faceOf(h), {-along - up, along, up});
   }
 
   /// A point of a half-edge's face, which may lie beyond it, with the half-edge as x axis.
