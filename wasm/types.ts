@@ -187,11 +187,9 @@ export interface MeanWeights {
   /** One a point; their sum is 1. */
   weights: Float64Array;
   /**
-   * Whether the search for the center of mass of these weights, started at the point, stays there, to
-   * 1e-9 mean edges. It does not where the energy's Hessian is not positive definite, which happens
-   * with negative weights and with points far apart; nor beside an edge at which fields jump, if the
-   * face on the other side has the deeper minimum; nor where the energy by exact distances is lower near
-   * by, see `Status`.
+   * Whether the search for the center of mass of these weights, started at the point, stays there. It
+   * does not where the energy's Hessian is not positive definite, which happens with negative weights
+   * and with points far apart; nor where the energy by exact distances is lower near by, see `Status`.
    */
   isMinimum: boolean;
 }

@@ -30,6 +30,11 @@ struct CenterOfMass {
   int iterations = 0;
 };
 
+/// Whether grad K vanishes at a point, up to rounding, and the Hessian there is positive definite:
+/// a search that starts there has nothing to look for, though another zero may lie deeper in a face
+/// near by (deepest_zero.h).
+bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point);
+
 /// Newton's method along geodesics (Algorithm 1) from `start`. A zero that two neighbouring faces
 /// each place in the other is taken on their edge (FieldBlend::zeroAlongEdge).
 CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);

@@ -90,7 +90,6 @@ class FieldBlend {
   void setFields(const Array<ControlField*>& fields);
 
   const Geometry& geometry() const { return geometry_; }
-  int fieldCount() const { return fields_.count(); }
   const Cells& cells() const { return cells_; }
 
   /// The weighted sum of the fields in a cell, in its frame.

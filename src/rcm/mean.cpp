@@ -118,8 +118,9 @@ class MinimumSearch {
       : fields_(fields), weights_(weights), method_(method) {}
 
   void from(const SurfacePoint& start, bool lowest) {
-    const CenterOfMass end = method_ == Method::kPaper ? newtonCenter(fields_, weights_, start)
-                                                       : walkToCenter(fields_, weights_, start);
+    const CenterOfMass end = isZero(fields_, weights_, start) ? CenterOfMass{start}
+                             : method_ == Method::kPaper ? newtonCenter(fields_, weights_, start)
+                                                         : walkToCenter(fields_, weights_, start);
     Mean found = withEnergy(fields_, weights_, end);
     const bool isFirst = !begun_;
     begun_ = true;

@@ -17,8 +17,6 @@ using Column = Eigen::Vector3d;
 constexpr double kMet = 1e-9;
 /// A constraint of which less than this part (squared) is left beside the others depends on them.
 constexpr double kRank = 1e-13;
-/// A center that moves by less than this part of a mean edge stays.
-constexpr double kStays = 1e-9;
 /// Multipliers above this negative number are 0 but for rounding.
 constexpr double kOptimal = 1e-12;
 
@@ -243,13 +241,8 @@ MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfaceP
     unit[i] = 0;
   }
   MeanWeights result{balancedWeights(vectors, given, options.nonNegative), false};
-  const CenterOfMass center = set.options().method == Method::kPaper
-                                  ? newtonCenter(blend, result.weights, x)
-                                  : walkToCenter(blend, result.weights, x);
-  const TriangleMesh& mesh = set.surface().mesh();
-  const double moved = (position(mesh, center.point) - position(mesh, x)).norm();
-  result.isMinimum =
-      center.status == Status::kConverged && moved <= kStays * set.surface().geometry().meanEdge;
+  // Balanced weights make the gradient vanish; that leaves the Hessian.
+  result.isMinimum = isZero(blend, result.weights, x);
   if (result.isMinimum && areHeldToExact(set.options())) {
     ExactEnergy energy(set.surface().geometry(), points, result.weights);
     result.isMinimum = exactMinimumNear(set.surface().geometry(), energy, x).moves == 0;

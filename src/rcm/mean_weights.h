@@ -14,11 +14,10 @@ struct MeanWeightsOptions {
 
 struct MeanWeights {
   Array<double> weights;  ///< one a point; their sum is 1
-  /// Whether `centerOfMass` of these weights that starts at the point stays there, to 1e-9 mean
-  /// edges. It does not where the energy's Hessian is not positive definite, as may be where
-  /// weights are negative or points lie far apart; nor where, beside an edge at which fields jump,
-  /// the face on the other side has the deeper minimum; nor where the energy by exact distances is
-  /// lower near by (exact_minimum.h).
+  /// Whether `centerOfMass` of these weights that starts at the point stays there. It does not
+  /// where the energy's Hessian is not positive definite, as may be where weights are negative or
+  /// points lie far apart; nor where the energy by exact distances is lower near by
+  /// (exact_minimum.h).
   bool isMinimum = false;
 };
 

@@ -204,6 +204,16 @@ CenterOfMass walkThroughCuts(FieldBlend& fields, Weights weights, const SurfaceP
 
 }  // namespace
 
+bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
+  // Rounding of the fields, of weights that may be far larger than their sum.
+  constexpr double kRounding = 1e-12;
+  double sum = 0;
+  for (const double weight : weights) sum += std::abs(weight);
+  const Vec2 gradient = fields.at(point, weights);
+  if (!(gradient.norm() <= kRounding * sum * fields.geometry().diagonal)) return false;
+  return zeroOfCell(fields, weights, fields.cells().at(point).cell).has_value();
+}
+
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   if (fields.cells().cut()) return walkThroughCuts(fields, weights, start);
   // Most samples of a curve lie in the face of the one before, and no other zero is near: all that
