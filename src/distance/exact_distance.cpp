@@ -25,15 +25,16 @@ bool spreadsPaths(const Geometry& geometry, int vertex) {
   return geometry.totalAngle[vertex] > flat + kWedgeMargin;
 }
 
-/// From this ratio of lengths on, the short sides of a face are not taken as differences of long
-/// ones.
+/// From this ratio of lengths on, windows are carried by both sides of a face, so that short ones
+/// are no differences of long ones. (From vertices and sources they are always sent out so.)
 constexpr double kWide = 1e6;
 
 /// From this ratio on a window may come to the same edges again and again, no nearer to a vertex
 /// that would beat it.
 constexpr double kThin = 1e3;
 
-/// The two sides of a face above half-edge h, as vectors from its tail and from its head.
+/// The two sides of a face above half-edge h, as vectors from its tail and from its head: each to
+/// the rounding of its own length.
 struct FaceSides {
   Vec2 fromTail;
   Vec2 fromHead;
@@ -150,14 +151,19 @@ void ExactDistance::leaveSourceFace(int face, const SurfacePoint& source, int ow
   for (int k = 0; k < 3; ++k) {
     const int h = 3 * face + k;
     const double length = geometry_.edgeLength[h];
-    const Vec2 apex = oppositeOverHalfedge(geometry_, h);
+    const FaceSides sides = sidesOver(geometry_, h);
+    const double atTail = source.bary[cornerOf(h)];
+    const double atHead = source.bary[cornerOf(next(h))];
     const double height = source.bary[cornerOf(previous(h))];
-    const Vec2 point = Vec2(source.bary[cornerOf(next(h))] * length, 0) + height * apex;
     const int vertex = mesh_.opposite(h);
-    const double crossing = apex.x() + (point.x() - apex.x()) / (1 - height);
-    arrive(vertex, vertices_.touch(vertex), {(apex - point).norm(), 0, -1}, h, crossing);
+    const double leg = (atTail * sides.fromTail + atHead * sides.fromHead).norm();
+    const double crossing = length * atHead / (atTail + atHead);
+    arrive(vertex, vertices_.touch(vertex), {leg, 0, -1}, h, crossing);
     const int t = mesh_.twin[h];
-    if (t >= 0 && h != ownEdge) addWindow(t, {0, length, length - point.x(), point.y()});
+    if (t >= 0 && h != ownEdge) {
+      const double fromHead = atTail * length - height * sides.fromHead.x();
+      addWindow(t, {0, length, fromHead, height * sides.fromTail.y()});
+    }
   }
 }
 
@@ -203,14 +209,14 @@ void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to
   const int t = mesh_.twin[edge];
   if (t < 0) return;
   const double length = geometry_.edgeLength[edge];
-  const Vec2 position = oppositeOverHalfedge(geometry_, edge);
-  const double foot = std::atan2(position.x(), position.y());
-  const auto hit = [&](double a) { return position.x() + position.y() * std::tan(a - foot); };
+  const FaceSides sides = sidesOver(geometry_, edge);
+  const double foot = std::atan2(sides.fromTail.x(), sides.fromTail.y());
   Window window;
-  window.begin = to < angle ? length - hit(to) : 0;
-  window.end = from > 0 ? length - hit(from) : length;
-  window.sourceX = length - position.x();
-  window.depth = position.y();
+  window.sourceX = -sides.fromHead.x();
+  window.depth = sides.fromTail.y();
+  const auto hit = [&](double a) { return window.sourceX - window.depth * std::tan(a - foot); };
+  window.begin = to < angle ? hit(to) : 0;
+  window.end = from > 0 ? hit(from) : length;
   window.offset = distance;
   window.pseudoSource = vertex;
   window.begin = std::max(window.begin, 0.0);
