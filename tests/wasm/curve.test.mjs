@@ -219,15 +219,20 @@ test('curves that cannot be', () => {
     [{ solver: 'graph', rings: 99 }, 'badArgument', /rings/],
     [{ solver: 'fast' }, 'badArgument', /paper's method takes/],
   ];
+  const refuseAll = () => {
+    for (const [change, code, message] of wrong) {
+      assert.throws(() => mesh.curve({ ...good, ...change }), {
+        name: 'KarcherError',
+        code,
+        message,
+      });
+    }
+  };
+  // The allocator may round a block up the first time.
+  refuseAll();
   const bytes = karcher.allocatedBytes();
-  for (const [change, code, message] of wrong) {
-    assert.throws(() => mesh.curve({ ...good, ...change }), {
-      name: 'KarcherError',
-      code,
-      message,
-    });
-    assert.equal(karcher.allocatedBytes(), bytes);
-  }
+  refuseAll();
+  assert.equal(karcher.allocatedBytes(), bytes);
   assert.throws(() => mesh.curve(), { code: 'badArgument' });
   assert.deepEqual(shown(mesh.curve(good)), expected);
 });

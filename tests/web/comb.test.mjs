@@ -103,7 +103,7 @@ describe('the comb on the page', () => {
       await tab.still();
       const clip = { x: 420, y: 220, width: 500, height: 440 };
       return createHash('sha1')
-        .update(await page.screenshot({ clip }))
+        .update(await page.screenshot({ clip, animations: 'disabled' }))
         .digest('hex');
     };
     await page.locator('#stage').focus();

@@ -130,7 +130,7 @@ describe('files of surfaces', () => {
       new RegExp(`${foot.toPrecision(3)} to ${side.toPrecision(3)}`),
     );
     await tab.still();
-    const picture = () => tab.page.locator('#stage').screenshot();
+    const picture = () => tab.page.locator('#stage').screenshot({ animations: 'disabled' });
     const before = await picture();
     await show.click();
     await tab.still();

@@ -112,7 +112,10 @@ describe('nothing that was made is lost', () => {
     await tab.click(...places);
     const { width, height } = tab.page.viewportSize();
     const picture = () =>
-      tab.page.screenshot({ clip: { x: 280, y: 60, width: width - 280, height: height - 120 } });
+      tab.page.screenshot({
+        clip: { x: 280, y: 60, width: width - 280, height: height - 120 },
+        animations: 'disabled',
+      });
     await tab.page.mouse.move(0, 0);
     const whole = await picture();
     const lost = await tab.page.evaluateHandle(() => {
