@@ -227,12 +227,17 @@ test('curves that cannot be say why', () => {
     [{ kind: 'bspline', samples: 'adaptive', tolerance: 0 }, 'badArgument', /positive/],
     [{ kind: 'bspline', samples: 'adaptive', tolerance: 2 }, 'badArgument', /1e-7 to 1, not 2/],
   ];
+  const refuseAll = () => {
+    for (const [change, code, message] of wrong) {
+      const make = () => mesh.curve({ ...good, ...change });
+      assert.throws(make, { name: 'KarcherError', code, message });
+    }
+  };
+  // The allocator may round a block up the first time.
+  refuseAll();
   const bytes = karcher.allocatedBytes();
-  for (const [change, code, message] of wrong) {
-    const make = () => mesh.curve({ ...good, ...change });
-    assert.throws(make, { name: 'KarcherError', code, message });
-    assert.equal(karcher.allocatedBytes(), bytes);
-  }
+  refuseAll();
+  assert.equal(karcher.allocatedBytes(), bytes);
   const thrown = new Error('mine');
   const basis = () => {
     throw thrown;
