@@ -61,9 +61,10 @@ struct SideEdge {
 
 /// Trims a window that was carried to a side by the three corners of the face; false if nothing
 /// worth keeping is left.
-inline bool isWorthKeeping(const SideEdge& side, Window& window) {
+inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& window) {
   return trimByTail(window, side.nearDistance) &&
-         trimByHead(window, side.apexDistance, side.length) && !isTooNarrow(window, side.length) &&
+         trimByHead(window, side.apexDistance, side.length) &&
+         !isTooNarrow(window, narrowest * side.length) &&
          !isBeatenFrom(window, side.farDistance, side.leftLength * side.along.x(),
                        side.leftLength * side.along.y(), window.begin);
 }
@@ -77,6 +78,7 @@ ExactDistance::ExactDistance(const Geometry& geometry)
       faces_(mesh_.faceCount()),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
       isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
+      narrowest_(isWide_ ? kNarrowestWideWindow : kNarrowestWindow),
       midpoints_(geometry),
       queue_(kBucketWidth * geometry.meanEdge),
       target_(geometry),
@@ -224,7 +226,8 @@ void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to
   const VertexRecord& tail = vertices_.touch(mesh_.tail(t));
   const VertexRecord& head = vertices_.touch(mesh_.head(t));
   if (trimByTail(window, tail.arrival.distance) &&
-      trimByHead(window, head.arrival.distance, length) && !isTooNarrow(window, length)) {
+      trimByHead(window, head.arrival.distance, length) &&
+      !isTooNarrow(window, narrowest_ * length)) {
     addWindow(t, window);
   }
 }
@@ -305,7 +308,7 @@ void ExactDistance::carryAcross(int h) {
   for (int i = 0; i < leftCount && leftSide.twin >= 0; ++i) {
     Window window = carriedToTailEdge(leftward_[i].window, leftSide.along, leftSide.length,
                                       leftward_[i].crossing);
-    if (isWorthKeeping(leftSide, window)) addWindow(leftSide.twin, window);
+    if (isWorthKeeping(leftSide, narrowest_, window)) addWindow(leftSide.twin, window);
   }
   const int right = next(h);
   const SideEdge rightSide{mesh_.twin[right],
@@ -318,7 +321,7 @@ void ExactDistance::carryAcross(int h) {
   for (int i = 0; i < rightCount && rightSide.twin >= 0; ++i) {
     Window window = carriedToTailEdge(mirrored(rightward_[i].window, length), rightSide.along,
                                       rightSide.length, length - rightward_[i].crossing);
-    if (isWorthKeeping(rightSide, window)) {
+    if (isWorthKeeping(rightSide, narrowest_, window)) {
       addWindow(rightSide.twin, mirrored(window, rightSide.length));
     }
   }

@@ -147,6 +147,7 @@ class ExactDistance final : public DistanceSolver {
   PagedArray<FaceRecord, 7> faces_;
   bool isWide_;                             ///< edges of very different lengths meet
   bool isThin_;                             ///< paths may wind round a tip
+  double narrowest_;                        ///< a window may be, as a part of its edge
   std::unordered_map<int, Window> widest_;  ///< by half-edge the widest window so far, if isThin_
   bool keepsMidpoints_ = false;
   EdgeMidpoints midpoints_;

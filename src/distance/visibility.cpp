@@ -123,7 +123,7 @@ void Visibility::addWindow(int h, Window window) {
   // What the way over an end of the edge beats leads to no shortest path (Xin, Wang 2009).
   const double length = geometry_.edgeLength[h];
   if (trimByTail(window, seen(mesh_.tail(h))) && trimByHead(window, seen(mesh_.head(h)), length) &&
-      !isTooNarrow(window, length)) {
+      !isTooNarrow(window, kNarrowestWindow * length)) {
     windows_.push_back({h, window});
   }
 }

@@ -20,6 +20,8 @@ struct Window {
 /// A window, or what is left of it, narrower than this part of its edge is dropped. What lies
 /// behind it is found from its neighbours, with an error of second order in this number.
 inline constexpr double kNarrowestWindow = 1e-11;
+/// The same where edges are so short that such a window may be all that passes between their ends.
+inline constexpr double kNarrowestWideWindow = 1e-15;
 
 /// A way beats another only if it is shorter by this part of its whole length, which is more than
 /// rounding makes of equal ways.
@@ -82,9 +84,7 @@ inline bool trimByHead(Window& w, double headDistance, double length) {
   return w.begin < w.end;
 }
 
-inline bool isTooNarrow(const Window& w, double length) {
-  return !(w.end - w.begin > kNarrowestWindow * length);
-}
+inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begin > width); }
 
 /// A window carried across its face to the edge that leaves the tail along the unit vector
 /// `along`, in the frame of that edge, tail kept. `apexCrossing` is where the line from the source

@@ -330,6 +330,39 @@ TEST(ExactDistance, WindowsDoNotWindRoundATip) {
   EXPECT_EQ(solver.reached(), kInfinity);
 }
 
+TEST(ExactDistance, IsTheSameBothWaysPastNeedles) {
+  // All that passes between the ends of a side of 1e-10 is narrower than windows on long sides are
+  // kept elsewhere. Of sources every needle's tip counts: those come last.
+  const MeasuredMesh sheet(galleryMesh("rough sheet, needles 1e-10"));
+  ExactDistance solver(sheet.geometry);
+  const int count = sheet.mesh.vertexCount();
+  Array<int> sources;
+  for (int v = count - 1; v >= 0; v -= 7) sources.push_back(v);
+  Array<Array<double>> from;
+  for (const int v : sources)
+    from.push_back(distancesFrom(solver, vertexPoint(sheet.mesh, v), count));
+  double worst = 0;
+  for (int i = 0; i < sources.count(); ++i) {
+    for (int j = 0; j < i; ++j) {
+      worst = std::max(worst, std::abs(from[i][sources[j]] - from[j][sources[i]]));
+    }
+  }
+  EXPECT_LT(worst, 1e-12 * sheet.geometry.diagonal);
+}
+
+TEST(ExactDistance, IsStraightPastNeedlesOfAPlane) {
+  const MeasuredMesh plane(galleryMesh("plane, needles 1e-10"));
+  ExactDistance solver(plane.geometry);
+  const int count = plane.mesh.vertexCount();
+  for (int source = count - 1; source >= 0; source -= 31) {
+    const Array<double> lengths = distancesFrom(solver, vertexPoint(plane.mesh, source), count);
+    for (int v = 0; v < count; ++v) {
+      const double straight = (plane.mesh.positions[v] - plane.mesh.positions[source]).norm();
+      EXPECT_NEAR(lengths[v], straight, 1e-12 * plane.geometry.diagonal) << source << " to " << v;
+    }
+  }
+}
+
 TEST(ExactDistance, RefusesATargetAtAVertex) {
   const MeasuredMesh surface(planeGrid(2, 2));
   ExactDistance solver(surface.geometry);
