@@ -306,7 +306,7 @@ void ExactDistance::carryAcross(int h) {
                           top.arrival.distance,
                           head};
   for (int i = 0; i < leftCount && leftSide.twin >= 0; ++i) {
-    Window window = carriedToTailEdge(leftward_[i].window, leftSide.along, leftSide.length,
+    Window window = carriedToTailEdge(leftward_[i].window, leftSide.along, length, leftSide.length,
                                       leftward_[i].crossing);
     if (isWorthKeeping(leftSide, narrowest_, window)) addWindow(leftSide.twin, window);
   }
@@ -320,7 +320,7 @@ void ExactDistance::carryAcross(int h) {
                            tail};
   for (int i = 0; i < rightCount && rightSide.twin >= 0; ++i) {
     Window window = carriedToTailEdge(mirrored(rightward_[i].window, length), rightSide.along,
-                                      rightSide.length, length - rightward_[i].crossing);
+                                      length, rightSide.length, length - rightward_[i].crossing);
     if (isWorthKeeping(rightSide, narrowest_, window)) {
       addWindow(rightSide.twin, mirrored(window, rightSide.length));
     }

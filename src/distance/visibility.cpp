@@ -141,15 +141,15 @@ void Visibility::carryAcross(int h, const Window& window) {
     see(mesh_.opposite(h), back.norm(), geometry_.cumulatedAngle[left] + angle);
   }
   if (crossing > window.begin && mesh_.twin[left] >= 0) {
-    addWindow(mesh_.twin[left],
-              carriedToTailEdge(window, apex.normalized(), geometry_.edgeLength[left], crossing));
+    addWindow(mesh_.twin[left], carriedToTailEdge(window, apex.normalized(), length,
+                                                  geometry_.edgeLength[left], crossing));
   }
   if (crossing < window.end && mesh_.twin[right] >= 0) {
     const double edge = geometry_.edgeLength[right];
     const Vec2 along = Vec2(length - apex.x(), apex.y()).normalized();
-    addWindow(mesh_.twin[right],
-              mirrored(carriedToTailEdge(mirrored(window, length), along, edge, length - crossing),
-                       edge));
+    addWindow(mesh_.twin[right], mirrored(carriedToTailEdge(mirrored(window, length), along, length,
+                                                            edge, length - crossing),
+                                          edge));
   }
 }
 

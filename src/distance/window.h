@@ -86,18 +86,24 @@ inline bool trimByHead(Window& w, double headDistance, double length) {
 
 inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begin > width); }
 
+/// Places on an edge, and sources beside it, are known to this part of its length. Ends of windows
+/// that lie so near to an end of the edge, or to the line to the apex, are there: from a source
+/// that is much nearer than the edge is long, all that such a gap opens to would be lost.
+inline constexpr double kPlaceRounding = 1e-15;
+
 /// A window carried across its face to the edge that leaves the tail along the unit vector
 /// `along`, in the frame of that edge, tail kept. `apexCrossing` is where the line from the source
-/// to the face's apex crosses the half-edge; `length` is that of the new edge.
-inline Window carriedToTailEdge(const Window& w, const Vec2& along, double length,
+/// to the face's apex crosses the half-edge, of length `from`; `length` is that of the new edge.
+inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from, double length,
                                 double apexCrossing) {
+  const double rounding = kPlaceRounding * from;
   const auto hit = [&](double x) {
     const double across = along.x() * w.depth - along.y() * (x - w.sourceX);
     return across > 0 ? std::min(x * w.depth / across, length) : length;
   };
   Window c = w;
-  c.begin = w.begin > 0 ? hit(w.begin) : 0;
-  c.end = w.end < apexCrossing ? hit(w.end) : length;
+  c.begin = w.begin > rounding ? hit(w.begin) : 0;
+  c.end = w.end < apexCrossing - rounding ? hit(w.end) : length;
   c.sourceX = w.sourceX * along.x() - w.depth * along.y();
   c.depth = std::max(0.0, w.sourceX * along.y() + w.depth * along.x());
   return c;
