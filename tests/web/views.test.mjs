@@ -87,8 +87,8 @@ describe('links of the page', () => {
   /** Where some vertices are seen; null where they are hidden. */
   const seen = async (tab) => {
     await tab.still();
-    return tab.page.evaluate(() => {
-      const { positions } = window.karcherPage.mesh();
+    return tab.page.evaluate(async () => {
+      const { positions } = await window.karcherPage.mesh();
       const count = positions.length / 3;
       return Array.from({ length: 300 }, (_, i) => {
         const at = 3 * Math.floor((i * count) / 300);

@@ -1,17 +1,17 @@
 import { Matrix4, type PerspectiveCamera } from 'three';
-import type { SerializedBVH } from 'three-mesh-bvh';
+import type { MeshBlobs } from '../model/mesh_blobs';
+import type { Frame } from './frame';
 import type { Sight } from './hidden_lines';
-import type { Mesh } from './outline';
 
 export interface OutlineRequest {
-  mesh: Mesh;
-  tree: SerializedBVH;
+  mesh: MeshBlobs;
+  frame: Frame;
   sight: Sight;
 }
 
 /** The surface's outline as the camera sees it: x, y of its lines' points, in CSS pixels of the stage. */
 export async function requestOutline(
-  surface: Pick<OutlineRequest, 'mesh' | 'tree'>,
+  { mesh, frame }: Pick<OutlineRequest, 'mesh' | 'frame'>,
   camera: PerspectiveCamera,
   stage: { width: number; height: number },
 ): Promise<Float32Array[]> {
@@ -26,7 +26,7 @@ export async function requestOutline(
         event.preventDefault();
         reject(new Error(event.message || 'the outline could not be drawn'));
       };
-      worker.postMessage({ ...surface, sight } satisfies OutlineRequest);
+      worker.postMessage({ mesh, frame, sight } satisfies OutlineRequest);
     });
   } finally {
     worker.terminate();

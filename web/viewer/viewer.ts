@@ -484,7 +484,7 @@ export class Viewer {
 
   /** The surface's outline as it is seen: x, y of its lines' points, in CSS pixels of the stage. */
   outline(): Promise<Float32Array[]> {
-    return requestOutline(this.#surface!.outlined, this.#view.camera, this.#size);
+    return requestOutline(this.#surface!, this.#view.camera, this.#size);
   }
 
   #resize(): void {
