@@ -6,6 +6,7 @@ import { isRound } from '../model/figure';
 import { formatLink, type Link, parseLink } from '../model/link';
 import { readDrawing, savedDrawing } from '../model/saved_drawing';
 import type { TracedCurve } from '../model/traced';
+import type { ViewPlace } from '../model/view_place';
 
 const format = 'karcher-curve';
 const version = 2;
@@ -46,16 +47,16 @@ export function objOf(
 }
 
 /**
- * Everything about a drawing: all of its objects, a link that opens it again, and of the edited object
- * what the engine made of it.
+ * Everything about a drawing: all of its objects, a link that opens it again with the place that it is
+ * seen from, and of the edited object what the engine made of it.
  */
-export function jsonOf(state: State, view: View): string {
+export function jsonOf(state: State, view: View, place: ViewPlace | null): string {
   const { curve, isolines } = view;
   const { kind, settings, points, circle, circleForm } = state.figure;
   return `${JSON.stringify({
     format,
     version,
-    link: formatLink(state.mesh, state.method, state.drawing),
+    link: formatLink(state.mesh, state.method, state.drawing, place),
     surface: state.mesh,
     method: state.method,
     drawing: savedDrawing(state.drawing),

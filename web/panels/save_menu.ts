@@ -58,7 +58,7 @@ export class SaveMenu {
     const text = {
       obj: () => objOf(this.#polylines, this.#marks, title),
       svg: () => svgOf(this.#drawing()),
-      json: () => jsonOf(state, this.session.view),
+      json: () => jsonOf(state, this.session.view, this.viewer.place),
     }[format]();
     this.#download(new Blob([text], { type: types[format] }), format);
   }
