@@ -11,6 +11,7 @@ import type { Viewer } from '../viewer/viewer';
 import { byId, make } from './elements';
 import { Menu } from './menu';
 import { sentenceOf, showError, showNote } from './messages';
+import { showProgress } from './progress';
 import { sceneColors } from './theme';
 
 export type Format = 'obj' | 'svg' | 'json';
@@ -68,11 +69,16 @@ export class SaveMenu {
     // As it is now: the view may turn while the outline is drawn.
     const drawing = this.#drawing();
     const color = sceneColors().marks;
+    const controller = new AbortController();
+    const progress = showProgress('Drawing the outline', () => controller.abort());
     try {
-      const outline = { lines: await this.viewer.outline(), color };
+      const outline = { lines: await this.viewer.outline(controller.signal), color };
       this.#download(new Blob([svgOf({ ...drawing, outline })], { type: types.svg }), 'svg');
     } catch (error) {
-      showError(`The outline could not be drawn. ${sentenceOf(error)}`);
+      if (!controller.signal.aborted)
+        showError(`The outline could not be drawn. ${sentenceOf(error)}`);
+    } finally {
+      progress.hide();
     }
   }
 

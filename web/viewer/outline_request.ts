@@ -9,11 +9,15 @@ export interface OutlineRequest {
   sight: Sight;
 }
 
-/** The surface's outline as the camera sees it: x, y of its lines' points, in CSS pixels of the stage. */
+/**
+ * The surface's outline as the camera sees it: x, y of its lines' points, in CSS pixels of the stage.
+ * Rejects with the signal's reason.
+ */
 export async function requestOutline(
   { mesh, frame }: Pick<OutlineRequest, 'mesh' | 'frame'>,
   camera: PerspectiveCamera,
   stage: { width: number; height: number },
+  signal: AbortSignal,
 ): Promise<Float32Array[]> {
   camera.updateMatrixWorld();
   const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
@@ -21,6 +25,7 @@ export async function requestOutline(
   const worker = new Worker(new URL('./outline_worker.ts', import.meta.url), { type: 'module' });
   try {
     return await new Promise<Float32Array[]>((resolve, reject) => {
+      signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.onmessage = ({ data }) => resolve(data);
       worker.onerror = (event) => {
         event.preventDefault();

@@ -483,8 +483,8 @@ export class Viewer {
   }
 
   /** The surface's outline as it is seen: x, y of its lines' points, in CSS pixels of the stage. */
-  outline(): Promise<Float32Array[]> {
-    return requestOutline(this.#surface!, this.#view.camera, this.#size);
+  outline(signal: AbortSignal): Promise<Float32Array[]> {
+    return requestOutline(this.#surface!, this.#view.camera, this.#size, signal);
   }
 
   #resize(): void {
