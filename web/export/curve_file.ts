@@ -23,27 +23,26 @@ export function shortest(value: number): string {
 }
 
 /**
- * Polylines (x, y, z each) as an OBJ file: vertices, and a line element for each; then points that
- * are marked, in a point element.
+ * Polylines (x, y, z each) as the parts of an OBJ file's text: vertices, and a line element for each;
+ * then points that are marked, in a point element.
  */
-export function objOf(
+export function* partsOfObj(
   polylines: readonly Float32Array[],
   marks: ArrayLike<number>,
   title: string,
-): string {
-  const lines = [`# ${title}`];
+): Generator<string> {
+  yield `# ${title}\n`;
   let first = 1;
-  const add = (element: 'l' | 'p', places: ArrayLike<number>) => {
-    for (let i = 0; i < places.length; i += 3) {
-      lines.push(`v ${[0, 1, 2].map((axis) => shortest(places[i + axis]!)).join(' ')}`);
-    }
+  const elements = polylines.map((places): ['l' | 'p', ArrayLike<number>] => ['l', places]);
+  if (marks.length > 0) elements.push(['p', marks]);
+  for (const [element, places] of elements) {
     const count = places.length / 3;
-    lines.push(`${element} ${Array.from({ length: count }, (_, i) => first + i).join(' ')}`);
+    for (let i = 0; i < count; i++) {
+      yield `v ${[0, 1, 2].map((axis) => shortest(places[3 * i + axis]!)).join(' ')}\n`;
+    }
+    yield `${element} ${Array.from({ length: count }, (_, i) => first + i).join(' ')}\n`;
     first += count;
-  };
-  for (const polyline of polylines) add('l', polyline);
-  if (marks.length > 0) add('p', marks);
-  return `${lines.join('\n')}\n`;
+  }
 }
 
 /**
