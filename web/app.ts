@@ -285,10 +285,11 @@ export async function start(): Promise<void> {
   const viewChanged = saveChanges(editor, () => viewer.place);
   viewer.onFrame(viewChanged);
   onKeeping((kept) => status.setKept(kept));
-  window.addEventListener('hashchange', () => {
-    const found = linkOf(location.hash);
-    if (found && location.hash.slice(1) !== addressOf(editor.state, viewer.place))
-      void opening.link(found);
+  window.addEventListener('hashchange', ({ newURL }) => {
+    // By now the page may have written another address over the one that was asked for.
+    const { hash } = new URL(newURL);
+    const found = linkOf(hash);
+    if (found && hash.slice(1) !== addressOf(editor.state, viewer.place)) void opening.link(found);
   });
   exposeState(editor, session, viewer, distances);
   opening.show(viewer);

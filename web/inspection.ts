@@ -3,6 +3,7 @@ import type { Distances, ShownDistances } from './editor/distances';
 import type { Editor, State } from './editor/editor';
 import type { Session, View } from './editor/session';
 import type { Vector } from './model/figure';
+import { arraysOf, type MeshArrays } from './model/mesh_blobs';
 import type { Viewer } from './viewer/viewer';
 
 /** What the page shows, as copies: for tests, and for a look from the browser's console. */
@@ -20,7 +21,8 @@ export interface Inspection {
   distances(): ShownDistances | null;
   /** Where a place in the surface's coordinates is seen in the window; null where it is hidden. */
   seen(position: Vector): { x: number; y: number } | null;
-  mesh(): { info: MeshInfo; positions: Float64Array; triangles: Int32Array } | null;
+  info(): MeshInfo | null;
+  mesh(): Promise<({ info: MeshInfo } & MeshArrays) | null>;
 }
 
 declare global {
@@ -56,15 +58,11 @@ export function exposeState(
       const box = viewer.box;
       return hidden[0] ? null : { x: box.left + x[0]!, y: box.top + y[0]! };
     },
-    mesh() {
+    info: () => structuredClone(session.client?.info ?? null),
+    async mesh() {
       const { client } = session;
       if (!client) return null;
-      const { info } = client;
-      return structuredClone({
-        info,
-        positions: client.positions(),
-        triangles: client.triangles(),
-      });
+      return { info: structuredClone(client.info), ...(await arraysOf(client.arrays)) };
     },
   };
   Object.defineProperty(window, 'karcherPage', { value: Object.freeze(inspection) });

@@ -97,16 +97,15 @@ export class Opening {
       if (file.size > largestFile) {
         throw new Error(`it has ${formatBytes(file.size)}; files of up to 1 GB are opened`);
       }
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      const key = await fileKey(file.name, bytes);
+      const key = await fileKey(file);
       const awaited = parseLink(this.#awaited.get(key) ?? recall(`awaited.${key}`) ?? '');
       const opened = awaited
-        ? await this.#openLink(awaited, fileSource(awaited.mesh, bytes))
-        : await this.#open(key, fileSource(key, bytes), () => null);
+        ? await this.#openLink(awaited, fileSource(awaited.mesh, file))
+        : await this.#open(key, fileSource(key, file), () => null);
       if (!opened) return;
       this.#file = { key, file };
       if (awaited) this.#await(key, '');
-      if (await keepFile(key, bytes)) return;
+      if (await keepFile(key, file)) return;
       showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
     } catch (error) {
       this.#complain(`${file.name} could not be read. ${sentenceOf(error)}`);
@@ -126,10 +125,8 @@ export class Opening {
     if (!before || !after || key === shown) return;
     if (`${before.parts}` === `${after.parts}`) return this.#turn(key, () => turn === this.#turns);
     const file = keyOfFile(key);
-    const bytes =
-      (await keptFile(file)) ??
-      (this.#file?.key === file ? new Uint8Array(await this.#file.file.arrayBuffer()) : null);
-    if (bytes) await this.#open(key, fileSource(key, bytes), () => null);
+    const content = (await keptFile(file)) ?? (this.#file?.key === file ? this.#file.file : null);
+    if (content) await this.#open(key, fileSource(key, content), () => null);
     else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
   }
 
@@ -179,8 +176,8 @@ export class Opening {
     }
     const made = madeSource(mesh);
     if (made) return this.#openLink(link, made);
-    const bytes = await keptFile(keyOfFile(mesh));
-    if (bytes) return this.#openLink(link, fileSource(mesh, bytes));
+    const content = await keptFile(keyOfFile(mesh));
+    if (content) return this.#openLink(link, fileSource(mesh, content));
     this.#await(
       mesh,
       formatLink(mesh, method ?? this.editor.state.method, link.drawing, link.view),
@@ -345,10 +342,9 @@ export class Opening {
 
 /** A surface to be drawn, with the axis up that its key says, or that seems to be. */
 function drawnMesh(client: EngineClient, key: string): GeometryRequest {
-  const { info } = client;
+  const { info, arrays } = client;
   return {
-    positions: client.positions(),
-    triangles: client.triangles(),
+    mesh: arrays,
     // Triangles that were turned over are drawn as they came.
     closed: info.boundaryLoops === 0 && info.repairs.every(({ kind }) => kind !== 'turnedOver'),
     up: readingOf(key)?.up ?? client.up,

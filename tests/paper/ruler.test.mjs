@@ -32,7 +32,8 @@ before(async () => {
   figure = figures.find(({ id }) => id === 'resolution');
   // The coarse mesh of Fig. 4: far from smooth, so that methods differ.
   panel = { ...figure.panels[0], samples, lines: [...Object.values(alike), 'exactLogs'] };
-  drawn = await lab.mesh(panel.mesh);
+  const { arraysOf } = await load('../model/mesh_blobs.ts');
+  drawn = await arraysOf((await lab.mesh(panel.mesh)).arrays);
   placed = await lab.place(panel.mesh, figure.points[panel.points]);
   const { positions, triangles } = drawn;
   const rows = (name, values, add) =>

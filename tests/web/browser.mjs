@@ -137,7 +137,7 @@ export class Tab {
   /** Until the engine has answered the newest state. */
   async settled() {
     await this.page.waitForFunction(
-      () => window.karcherPage?.settled && window.karcherPage.mesh() !== null,
+      () => window.karcherPage?.settled && window.karcherPage.triangles > 0,
     );
   }
 
@@ -160,7 +160,7 @@ export class Tab {
   async view() {
     const view = await this.page.waitForFunction(() => {
       const page = window.karcherPage;
-      if (!page?.settled || page.mesh() === null) return null;
+      if (!page?.settled || page.triangles === 0) return null;
       const { curve, legs, ...rest } = page.view();
       const polyline = curve && Array.from(curve.polyline);
       return { ...rest, legs: legs.map((leg) => Array.from(leg)), curve, polyline };
@@ -169,8 +169,8 @@ export class Tab {
   }
 
   mesh = () =>
-    this.page.evaluate(() => {
-      const { info, positions, triangles } = window.karcherPage.mesh();
+    this.page.evaluate(async () => {
+      const { info, positions, triangles } = await window.karcherPage.mesh();
       return { info, positions: Array.from(positions), triangles: Array.from(triangles) };
     });
 

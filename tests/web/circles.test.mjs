@@ -40,7 +40,7 @@ describe('circles', () => {
   sometimes('on a plane are circles, of each type', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 512);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
     await tab.page.keyboard.press('7');
     await tab.click([3, 5]);
     const { circle: handles, curve } = await typeRadius(tab, '4.5');

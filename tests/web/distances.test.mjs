@@ -140,9 +140,9 @@ describe('distances on the page', () => {
     const numbers = await page.locator('#distance-ticks li').allInnerTexts();
     assert.ok(numbers.length >= 3 && numbers[0] === '0');
     assert.ok(numbers.every((number) => Number(number) <= most));
-    const place = await page.evaluate(() => {
+    const place = await page.evaluate(async () => {
       const { from } = window.karcherPage.distances();
-      const { positions, triangles } = window.karcherPage.mesh();
+      const { positions, triangles } = await window.karcherPage.mesh();
       const corners = [0, 1, 2].map((i) => 3 * triangles[3 * from.face + i]);
       return [0, 1, 2].map((axis) =>
         corners.reduce((sum, corner, i) => sum + from.bary[i] * positions[corner + axis], 0),

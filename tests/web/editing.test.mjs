@@ -275,7 +275,7 @@ describe('editing a curve', () => {
       ),
     );
     await tab.drop('two.obj', [...corners, ...faces.flat()].join(''));
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.components === 2);
+    await tab.page.waitForFunction(() => window.karcherPage.info().components === 2);
     const { mesh } = await tab.state();
     const hint = tab.page.locator('#hint');
     const hintOf = async (fragment, text) => {

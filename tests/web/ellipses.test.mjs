@@ -31,7 +31,7 @@ describe('ellipses', () => {
   sometimes('on a plane are ellipses, and turn with their handle', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 512);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
     await tab.page.keyboard.press('8');
     assert.equal((await tab.state()).figure.kind, 'ellipse');
     assert.equal(
@@ -204,7 +204,7 @@ describe('ellipses', () => {
   sometimes('that cannot be, or go beyond shortest ways, are said so', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 512);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
     await tab.page.keyboard.press('8');
     await tab.click([3, 5]);
     assert.equal((await tab.view()).problem, null);

@@ -47,10 +47,10 @@ export async function openPage(surface) {
   const isSphere = typeof surface === 'number';
   editor.open(isSphere ? `sphere:${surface}` : 'arrays', parts.emptyDrawing);
   const sphere = isSphere && (await loadEngine()).shape('sphere', surface);
-  const arrays = sphere
-    ? { positions: sphere.positions(), triangles: sphere.triangles() }
-    : surface;
-  session.use(await parts.EngineClient.load({ kind: 'arrays', ...arrays }));
+  const arrays = parts.blobsOf(
+    sphere ? { positions: sphere.positions(), triangles: sphere.triangles() } : surface,
+  );
+  session.use(await parts.EngineClient.load({ kind: 'arrays', arrays }));
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;
     if (state.revision !== before.revision || ended) session.update(state);

@@ -105,10 +105,10 @@ describe('files of surfaces', () => {
       'part 2',
     ]);
     await part.selectOption('part 1');
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
     await tab.pastSaving();
     await tab.page.reload();
-    await tab.page.waitForFunction(() => window.karcherPage?.mesh()?.info.triangles === 4);
+    await tab.page.waitForFunction(() => window.karcherPage?.triangles === 4);
     await tab.settled();
     assert.equal(await part.inputValue(), '1');
     await tab.page.close();

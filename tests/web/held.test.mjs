@@ -32,7 +32,7 @@ describe('what is held', () => {
     const tab = await Tab.open(browser);
     // A file of a name of its own: the browser keeps what was drawn on another test's.
     await tab.drop(`two-${++files}.obj`, twoParts);
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
     await tab.page.keyboard.press('p');
     await tab.click([-60, 90]);
     await tab.drag(await at(tab, [-110, 0]), await at(tab, [-110, -50]));

@@ -50,17 +50,9 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
-  sometimes('a file is opened, reloaded, and left for a sample and back', async () => {
-    const tab = await Tab.open(browser);
-    await tab.drop('tetrahedron.obj', tetrahedron);
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
-    await tab.page.keyboard.press('2');
-    await tab.click([-10, 0], [15, 10]);
-    const [{ figure: document, mesh }, { polyline }] = [await tab.state(), await tab.view()];
-    assert.equal(document.points.length, 2);
-    await tab.page.waitForFunction(() => location.hash.includes('points='));
-    // The browser keeps the file after it is shown.
-    await tab.page.waitForFunction(
+  /** The browser keeps a file after it is shown. */
+  const isKept = (tab, mesh) =>
+    tab.page.waitForFunction(
       (key) =>
         new Promise((resolve) => {
           const opening = indexedDB.open('karcher', 1);
@@ -75,6 +67,17 @@ describe('nothing that was made is lost', () => {
       mesh,
     );
 
+  sometimes('a file is opened, reloaded, and left for a sample and back', async () => {
+    const tab = await Tab.open(browser);
+    await tab.drop('tetrahedron.obj', tetrahedron);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
+    await tab.page.keyboard.press('2');
+    await tab.click([-10, 0], [15, 10]);
+    const [{ figure: document, mesh }, { polyline }] = [await tab.state(), await tab.view()];
+    assert.equal(document.points.length, 2);
+    await tab.page.waitForFunction(() => location.hash.includes('points='));
+    await isKept(tab, mesh);
+
     await tab.page.reload();
     await tab.settled();
     assert.equal((await tab.state()).mesh, mesh);
@@ -84,8 +87,34 @@ describe('nothing that was made is lost', () => {
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
     assert.equal((await tab.state()).figure.points.length, 0);
     await tab.drop('tetrahedron.obj', tetrahedron);
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
     assert.deepEqual((await tab.view()).polyline, polyline);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('a file that was kept as bytes is found', async () => {
+    const tab = await Tab.open(browser);
+    await tab.drop('tetrahedron.obj', tetrahedron);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
+    const { mesh } = await tab.state();
+    await isKept(tab, mesh);
+    await tab.page.evaluate(
+      ([key, text]) =>
+        new Promise((resolve) => {
+          indexedDB.open('karcher', 1).onsuccess = ({ target }) => {
+            const writing = target.result.transaction('files', 'readwrite');
+            const files = writing.objectStore('files');
+            files.clear();
+            files.put({ bytes: new TextEncoder().encode(text), opened: 1 }, key);
+            writing.oncomplete = resolve;
+          };
+        }),
+      [mesh, tetrahedron],
+    );
+    await tab.page.reload();
+    await tab.settled();
+    assert.equal((await tab.state()).mesh, mesh);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
@@ -196,7 +225,7 @@ describe('nothing that was made is lost', () => {
     async () => {
       const tab = await Tab.open(browser);
       await tab.drop('tetrahedron.obj', tetrahedron);
-      await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+      await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
       await tab.page.keyboard.press('2');
       await tab.click([-10, 0], [15, 10]);
       const { figure: document } = await tab.state();
@@ -226,7 +255,7 @@ describe('nothing that was made is lost', () => {
         await elsewhere.settled();
 
         await elsewhere.drop('tetrahedron.obj', tetrahedron);
-        await elsewhere.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+        await elsewhere.page.waitForFunction(() => window.karcherPage.triangles === 4);
         assert.deepEqual((await elsewhere.state()).figure, document);
         await elsewhere.page.waitForFunction(() => location.hash.startsWith('#mesh=file:'));
         assert.deepEqual(elsewhere.logged, []);

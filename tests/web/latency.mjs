@@ -13,6 +13,7 @@ import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { openBrowser, Tab } from './browser.mjs';
+import { gridStl } from './large_file.mjs';
 import { tasksDuring } from './main_thread.mjs';
 
 const given = process.argv.slice(2);
@@ -76,7 +77,6 @@ async function load(tab, path) {
   const dropped = await tab.page.evaluate(() => performance.now());
   // The browser reads it by itself: so large a file does not go through the test.
   await tab.page.locator('#file').setInputFiles(path);
-  // Not `tab.settled`, which copies the mesh: that would be a long task of the test's.
   await tab.page.waitForFunction(
     () => {
       const { karcherPage: shown } = window;
@@ -178,39 +178,6 @@ async function ofSurface(surface) {
   } finally {
     await browser.close();
   }
-}
-
-/** A flat grid of about so many triangles, as the bytes of a binary STL file. */
-function gridStl(triangles) {
-  const cells = Math.round(Math.sqrt(triangles / 2));
-  const bytes = Buffer.alloc(84 + 50 * 2 * cells * cells);
-  bytes.writeUInt32LE(2 * cells * cells, 80);
-  const height = (i, j) => 0.1 * Math.sin((6 * i) / cells) * Math.cos((5 * j) / cells);
-  let at = 84;
-  const write = (corners) => {
-    for (const [k, [i, j]] of corners.entries()) {
-      const place = at + 12 + 12 * k;
-      bytes.writeFloatLE(i / cells, place);
-      bytes.writeFloatLE(j / cells, place + 4);
-      bytes.writeFloatLE(height(i, j), place + 8);
-    }
-    at += 50;
-  };
-  for (let j = 0; j < cells; j++) {
-    for (let i = 0; i < cells; i++) {
-      write([
-        [i, j],
-        [i + 1, j],
-        [i + 1, j + 1],
-      ]);
-      write([
-        [i, j],
-        [i + 1, j + 1],
-        [i, j + 1],
-      ]);
-    }
-  }
-  return bytes;
 }
 
 /** The longest task while a file of so many triangles is read and shown. */

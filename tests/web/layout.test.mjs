@@ -30,7 +30,7 @@ describe('where the page is shown', () => {
       `v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0
 f 1 2 3 4\nf 5 6 7 8\n`,
     );
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 4);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
     await tab.click([-30, 0], [30, 10]);
     await tab.page.locator('#facts-line').tap();
     const lists = tab.page.locator('#facts, #repairs li, #points li, #clear, #method');

@@ -229,7 +229,7 @@ describe('a page with a link', () => {
       said,
       /'samples' must be a whole number from 2 to 5,000, not '5000000'; using 128/,
     );
-    assert.match(said, /kind is 'spiral'/);
+    assert.match(said, /'kind' must be one of bspline, .*, not 'spiral'; using bspline/);
     assert.equal((await tab.view()).curve.samples.count, 128);
     await tab.page.close();
   });

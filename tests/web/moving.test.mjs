@@ -38,7 +38,7 @@ describe('objects that are moved', () => {
   test('on a plane keep their shape, as one step', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 512);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
     await tab.click([-60, 20], [-20, -20], [20, 30], [50, -10]);
     await tab.page.keyboard.press('Escape');
     const whole = await bytesOf(tab);
@@ -107,7 +107,7 @@ describe('objects that are moved', () => {
   test('stop where one would leave the surface, and say so', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 512);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
     const { x, y } = await tab.middle();
     await tab.click([-60, 20], [-20, -20], [20, 30], [50, -10]);
     const at = await tab.onCurve(0.5);

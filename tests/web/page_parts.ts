@@ -14,6 +14,7 @@ export { isEmpty, isSpline, knotsFit, pointsNeeded } from '../../web/model/figur
 export { gapBetween } from '../../web/model/gap';
 export { historyOf } from '../../web/model/history';
 export { fitting, formatLink, parseLink } from '../../web/model/link';
+export { blobsOf } from '../../web/model/mesh_blobs';
 export { methodOptions } from '../../web/model/methods';
 export { asJoint, jointOf, withHandleAt } from '../../web/model/pen';
 export { penActionAt, penWords } from '../../web/model/pen_hints';

@@ -314,11 +314,11 @@ describe('the Paper page', () => {
       new URL(`${href}`.replace('index.html#', 'index.html?antialias=off#'), browser.address).href,
     );
     await tab.waitForFunction(
-      () => window.karcherPage?.settled && window.karcherPage.mesh() !== null,
+      () => window.karcherPage?.settled && window.karcherPage.triangles > 0,
     );
     const editor = await tab.evaluate(() => ({
       edited: window.karcherPage.state().figure,
-      info: window.karcherPage.mesh().info,
+      info: window.karcherPage.info(),
       length: window.karcherPage.view().curve?.length ?? null,
     }));
     await tab.close();

@@ -134,8 +134,7 @@ describe('the pen', () => {
     const { length } = (await tab.view()).curve;
     assert.ok(Math.abs(length / curve.length - 1) < 0.02, 'the curve stays nearly as it is');
     await page.keyboard.press('Delete');
-    await tab.settled();
-    assert.equal((await penOf(tab)).points.length, 3);
+    await page.waitForFunction(() => window.karcherPage.state().figure.points.length === 3);
 
     await page.keyboard.press('Escape');
     await tab.click([-120, -110], [-60, -130]);

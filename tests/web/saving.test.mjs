@@ -119,7 +119,7 @@ describe('saving', () => {
   sometimes('a curve on a file waits for that file', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('octahedron.obj', octahedron);
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 8);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 8);
     await tab.page.keyboard.press('2');
     await tab.click([-30, -20], [40, 10]);
     const { figure: document } = await tab.state();
@@ -134,7 +134,7 @@ describe('saving', () => {
       await alert.waitFor();
       assert.match(await alert.textContent(), /octahedron\.obj/);
       await elsewhere.drop('octahedron.obj', octahedron);
-      await elsewhere.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 8);
+      await elsewhere.page.waitForFunction(() => window.karcherPage.triangles === 8);
       assert.deepEqual((await elsewhere.state()).figure, document);
       await alert.waitFor({ state: 'detached' });
     } finally {

@@ -19,7 +19,7 @@ describe('snapping', () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.drop('flat.obj', flatGrid(4));
-    await page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 32);
+    await page.waitForFunction(() => window.karcherPage.triangles === 32);
     await tab.still();
     await page.keyboard.press('p');
     const vertex = await seen(tab, [2, 2, 0]);
@@ -98,9 +98,9 @@ describe('snapping', () => {
     await page.locator('.preview[data-tag="curve"]').waitFor();
     await page.mouse.up();
     await tab.settled();
-    const far = await page.evaluate(() => {
+    const far = await page.evaluate(async () => {
       const { drawing } = window.karcherPage.state();
-      const { positions, triangles } = window.karcherPage.mesh();
+      const { positions, triangles } = await window.karcherPage.mesh();
       const { face, bary } = drawing.objects[1].figure.points[0];
       const place = [0, 1, 2].map((axis) =>
         bary.reduce(

@@ -9,7 +9,7 @@ async function startTime(context, address) {
   const page = await context.newPage();
   await page.addInitScript(() => {
     const look = () => {
-      if (window.karcherPage?.mesh()) window.usableAt ??= performance.now();
+      if (window.karcherPage?.triangles > 0) window.usableAt ??= performance.now();
       else requestAnimationFrame(look);
     };
     requestAnimationFrame(look);

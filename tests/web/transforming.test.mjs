@@ -160,7 +160,7 @@ describe('the frame round what is selected', () => {
   async function open() {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
-    await tab.page.waitForFunction(() => window.karcherPage.mesh().info.triangles === 512);
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
     await tab.click([-60, 20], [-20, -20], [20, 30], [50, -10]);
     await tab.page.locator('#tool-transform').click();
     await frameShown(tab);

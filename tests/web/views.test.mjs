@@ -87,8 +87,8 @@ describe('links of the page', () => {
   /** Where some vertices are seen; null where they are hidden. */
   const seen = async (tab) => {
     await tab.still();
-    return tab.page.evaluate(() => {
-      const { positions } = window.karcherPage.mesh();
+    return tab.page.evaluate(async () => {
+      const { positions } = await window.karcherPage.mesh();
       const count = positions.length / 3;
       return Array.from({ length: 300 }, (_, i) => {
         const at = 3 * Math.floor((i * count) / 300);
@@ -148,6 +148,32 @@ describe('links of the page', () => {
     assert.ok(!(await copied(tab)).includes('view='));
     assert.deepEqual([...tab.logged, ...second.logged], []);
     await second.page.close();
+    await page.close();
+  });
+
+  test('and files of drawings open with the view that they were saved with', async () => {
+    const tab = await Tab.open(browser, link);
+    const { page } = tab;
+    const usual = await seen(tab);
+    assert.ok(!JSON.parse((await tab.save('JSON')).text).link.includes('view='));
+    const { x, y } = await tab.middle();
+    await tab.drag({ x: x + 200, y: y + 250 }, { x: x + 290, y: y + 190 });
+    const turned = await seen(tab);
+    assert.ok(farthest(usual, turned) > 40);
+    const { name, text } = await tab.save('JSON');
+    assert.match(JSON.parse(text).link, /&view=[-\d.,]+(&|$)/);
+
+    const elsewhere = await Tab.open(browser);
+    await elsewhere.drop(name, text);
+    await elsewhere.page.waitForFunction(() => window.karcherPage.state().mesh === 'torus:5000');
+    await elsewhere.settled();
+    assert.ok(farthest(turned, await seen(elsewhere)) < 1, 'on another surface');
+    await page.keyboard.press('r');
+    await until(async () => farthest(usual, await seen(tab)) < 1, 'the view is the usual one');
+    await tab.drop(name, text);
+    await until(async () => farthest(turned, await seen(tab)) < 1, 'the view is that of the file');
+    assert.deepEqual([...tab.logged, ...elsewhere.logged], []);
+    await elsewhere.page.close();
     await page.close();
   });
 

@@ -96,4 +96,34 @@ describe('while the page waits', () => {
     assert.deepEqual([mesh.split(':')[0], figure.points.length], ['torus', 0]);
     await tab.page.close();
   });
+
+  test('for the outline it says so, and nothing is saved once that is cancelled', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click([-60, 0], [60, 0]);
+    await hold(tab, 'outline');
+    const saveOutline = async () => {
+      await page.locator('#save').click();
+      await page.getByRole('menuitem', { name: 'with the surface’s outline' }).press('Enter');
+    };
+    let downloads = 0;
+    page.on('download', () => downloads++);
+    await saveOutline();
+    const progress = page.getByRole('status').filter({ hasText: 'Drawing the outline' });
+    await progress.waitFor();
+    await progress.getByRole('button', { name: 'Cancel' }).click();
+    await progress.waitFor({ state: 'hidden' });
+
+    const coming = page.waitForEvent('download');
+    await saveOutline();
+    await progress.waitFor();
+    await page.evaluate(() => {
+      for (const send of window.held) send();
+    });
+    await coming;
+    await progress.waitFor({ state: 'hidden' });
+    assert.equal(downloads, 1);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
 });

@@ -38,7 +38,7 @@ export async function resolveCircle(
       ? await radiusTo(client, center, rim)
       : await radiusOf(client, center, rim.direction, rim.radius);
   if (!isEllipse) return { ...along, across: null };
-  const direction = acrossDirection(along.direction, cornersOf(client, center.face));
+  const direction = acrossDirection(along.direction, await client.corners(center.face));
   const radius = await acrossRadius(client, center, across, along.radius, direction);
   return { ...along, across: await radiusOf(client, center, direction, radius) };
 }
@@ -76,16 +76,6 @@ async function acrossRadius(
   const least = leastAcross * client.info.diagonal;
   // A mirror image has the point on the other side.
   return Math.max(least, Math.abs(reachAlong(to.radius, to.direction, direction)));
-}
-
-/** Where the corners of a face are. */
-export function cornersOf(client: EngineClient, face: number): [Vector, Vector, Vector] {
-  const [positions, triangles] = [client.positions(), client.triangles()];
-  const corner = (i: number) => {
-    const at = 3 * triangles[3 * face + i]!;
-    return Array.from(positions.subarray(at, at + 3)) as Vector;
-  };
-  return [corner(0), corner(1), corner(2)];
 }
 
 /**

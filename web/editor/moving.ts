@@ -54,11 +54,13 @@ export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]
  * The unit normal of a point's face in the surface's coordinates, on the side that is outside: turns
  * are counterclockwise as it is seen from there.
  */
-export function faceNormal(client: EngineClient, surface: Surface, point: SurfacePoint): Vector3 {
-  const [positions, triangles] = [client.positions(), client.triangles()];
-  const [a, b, c] = [0, 1, 2].map((corner) =>
-    new Vector3().fromArray(positions, 3 * triangles[3 * point.face + corner]!),
-  );
+export async function faceNormal(
+  client: EngineClient,
+  surface: Surface,
+  point: SurfacePoint,
+): Promise<Vector3> {
+  const corners = await client.corners(point.face);
+  const [a, b, c] = corners.map((corner) => new Vector3(...corner));
   const normal = b!.sub(a!).cross(c!.sub(a!)).normalize();
   const outside = surface.directionFromScene(surface.normal(point));
   return normal.dot(new Vector3(...outside)) < 0 ? normal.negate() : normal;
@@ -99,7 +101,7 @@ export class Move {
       all.map(({ place }) => plain(place)),
       directionsOf(all),
     );
-    const normal = faceNormal(client, surface, pivot);
+    const normal = await faceNormal(client, surface, pivot);
     return new Move(client, normal, objects, plain(pivot), carried, beside, logs);
   }
 

@@ -5,7 +5,7 @@ import type { ControlPoint, Figure, Vector } from '../model/figure';
 import { type DrawnTangents, type Side, withHandleAt, withHandleLength } from '../model/pen';
 import { mergedCubic } from '../model/pen_shape';
 import type { EngineClient } from '../worker/client';
-import { cornersOf, directionOf } from './circle_drawing';
+import { directionOf } from './circle_drawing';
 import { drawnTangents } from './pen_drawing';
 
 const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
@@ -23,16 +23,20 @@ class LogPlane {
   readonly #x: Vector;
   readonly #y: Vector;
 
-  constructor(
+  private constructor(
     private readonly client: EngineClient,
     private readonly at: SurfacePoint,
+    [p, q, r]: readonly [Vector, Vector, Vector],
   ) {
-    const [p, q, r] = cornersOf(client, at.face);
     const side = (to: Vector) => to.map((value, axis) => value - p[axis]!) as Vector;
     const normal = cross(side(q), side(r));
     this.#x = scaled(side(q), 1 / Math.hypot(...side(q)));
     const y = cross(normal, this.#x);
     this.#y = scaled(y, 1 / Math.hypot(...y));
+  }
+
+  static async of(client: EngineClient, at: SurfacePoint): Promise<LogPlane> {
+    return new LogPlane(client, at, await client.corners(at.face));
   }
 
   async log(point: SurfacePoint): Promise<Planar> {
@@ -75,7 +79,7 @@ export async function withoutAnchor(
   ];
   // Straight sides stay straight.
   if (isEnd || !handles.some((handle) => handle)) return without(points);
-  const plane = new LogPlane(client, points[index]!);
+  const plane = await LogPlane.of(client, points[index]!);
   const at = (handle: (typeof handles)[number], anchor: number) =>
     plane.log(handle?.point ?? points[anchor]!);
   const [start, first, second, third, fourth, end] = await Promise.all([

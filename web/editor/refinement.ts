@@ -86,8 +86,8 @@ export class Refinement<Result> {
     this.#restarts++;
     this.#loading = new AbortController();
     const { signal } = this.#loading;
-    const [positions, triangles] = [source.positions(), source.triangles()];
-    const client = await EngineClient.load({ kind: 'arrays', positions, triangles }, { signal });
+    const { arrays } = source;
+    const client = await EngineClient.load({ kind: 'arrays', arrays }, { signal });
     if (signal.aborted) client.close();
     signal.throwIfAborted();
     this.#client = client;

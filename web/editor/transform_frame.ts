@@ -34,19 +34,23 @@ const stalk = 0.05;
 const piecesOfSide = 16;
 
 /** The second axis, to the left of the first one. */
-export function acrossFrame(
+export async function acrossFrame(
   client: EngineClient,
   surface: Surface,
   { pivot, right }: Pick<TransformFrame, 'pivot' | 'right'>,
-): Vector {
-  return faceNormal(client, surface, pivot)
-    .cross(new Vector3(...right))
-    .toArray();
+): Promise<Vector> {
+  const normal = await faceNormal(client, surface, pivot);
+  return normal.cross(new Vector3(...right)).toArray();
 }
 
 /** A direction in the plane of a point's face, of length 1. */
-function inPlane(client: EngineClient, surface: Surface, at: SurfacePoint, along: Vector): Vector {
-  const normal = faceNormal(client, surface, at);
+async function inPlane(
+  client: EngineClient,
+  surface: Surface,
+  at: SurfacePoint,
+  along: Vector,
+): Promise<Vector> {
+  const normal = await faceNormal(client, surface, at);
   const projected = new Vector3(...along).projectOnPlane(normal);
   // A view from the side has no direction of its own there.
   if (projected.length() < 1e-3) projected.set(normal.z, normal.x, normal.y).projectOnPlane(normal);
@@ -66,8 +70,8 @@ export async function frameOf(
 ): Promise<TransformFrame> {
   const around = objects.flatMap(extentsOf);
   const boxAt = async (at: SurfacePoint) => {
-    const axis = inPlane(client, surface, at, right);
-    const across = acrossFrame(client, surface, { pivot: at, right: axis });
+    const axis = await inPlane(client, surface, at, right);
+    const across = await acrossFrame(client, surface, { pivot: at, right: axis });
     const places = around.map(({ place }) => plain(place));
     const { vectors } = await client.mesh.logMap(plain(at), places);
     const box = { left: 0, right: 0, bottom: 0, top: 0 };
@@ -152,7 +156,7 @@ export async function shownFrame(
   frame: TransformFrame,
 ): Promise<ShownFrame> {
   const { pivot, right, box } = frame;
-  const across = acrossFrame(client, surface, frame);
+  const across = await acrossFrame(client, surface, frame);
   const corners: [number, number][] = [
     [box.left, box.bottom],
     [box.right, box.bottom],

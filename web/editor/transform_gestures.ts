@@ -250,7 +250,7 @@ export class TransformGestures {
     const { vectors } = await client!.mesh.logMap(frame.pivot, [point]);
     const [from, to] = [await log, new Vector3().fromArray(vectors)];
     if (id === 'turn') {
-      const normal = faceNormal(client!, surface!, frame.pivot);
+      const normal = await faceNormal(client!, surface!, frame.pivot);
       const angle = Math.atan2(from.clone().cross(to).dot(normal), from.dot(to));
       return { angle: this.#shift ? Math.round(angle / angleStep) * angleStep : angle };
     }
@@ -329,7 +329,7 @@ export class TransformGestures {
     const { surface } = this.viewer;
     if (!client || !surface) return null;
     if (x === 0 && y === 0) return frame.pivot;
-    const across = acrossFrame(client, surface, frame);
+    const across = await acrossFrame(client, surface, frame);
     const vector = frame.right.map((value, axis) => x * value + y * across[axis]!);
     const { points, remaining } = await client.mesh.expMap(frame.pivot, vector);
     return remaining[0]! > 1e-9 * client.info.diagonal ? null : points[0]!;

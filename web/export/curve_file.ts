@@ -6,6 +6,7 @@ import { isRound } from '../model/figure';
 import { formatLink, type Link, parseLink } from '../model/link';
 import { readDrawing, savedDrawing } from '../model/saved_drawing';
 import type { TracedCurve } from '../model/traced';
+import type { ViewPlace } from '../model/view_place';
 
 const format = 'karcher-curve';
 const version = 2;
@@ -22,40 +23,39 @@ export function shortest(value: number): string {
 }
 
 /**
- * Polylines (x, y, z each) as an OBJ file: vertices, and a line element for each; then points that
- * are marked, in a point element.
+ * Polylines (x, y, z each) as the parts of an OBJ file's text: vertices, and a line element for each;
+ * then points that are marked, in a point element.
  */
-export function objOf(
+export function* partsOfObj(
   polylines: readonly Float32Array[],
   marks: ArrayLike<number>,
   title: string,
-): string {
-  const lines = [`# ${title}`];
+): Generator<string> {
+  yield `# ${title}\n`;
   let first = 1;
-  const add = (element: 'l' | 'p', places: ArrayLike<number>) => {
-    for (let i = 0; i < places.length; i += 3) {
-      lines.push(`v ${[0, 1, 2].map((axis) => shortest(places[i + axis]!)).join(' ')}`);
-    }
+  const elements = polylines.map((places): ['l' | 'p', ArrayLike<number>] => ['l', places]);
+  if (marks.length > 0) elements.push(['p', marks]);
+  for (const [element, places] of elements) {
     const count = places.length / 3;
-    lines.push(`${element} ${Array.from({ length: count }, (_, i) => first + i).join(' ')}`);
+    for (let i = 0; i < count; i++) {
+      yield `v ${[0, 1, 2].map((axis) => shortest(places[3 * i + axis]!)).join(' ')}\n`;
+    }
+    yield `${element} ${Array.from({ length: count }, (_, i) => first + i).join(' ')}\n`;
     first += count;
-  };
-  for (const polyline of polylines) add('l', polyline);
-  if (marks.length > 0) add('p', marks);
-  return `${lines.join('\n')}\n`;
+  }
 }
 
 /**
- * Everything about a drawing: all of its objects, a link that opens it again, and of the edited object
- * what the engine made of it.
+ * Everything about a drawing: all of its objects, a link that opens it again with the place that it is
+ * seen from, and of the edited object what the engine made of it.
  */
-export function jsonOf(state: State, view: View): string {
+export function jsonOf(state: State, view: View, place: ViewPlace | null): string {
   const { curve, isolines } = view;
   const { kind, settings, points, circle, circleForm } = state.figure;
   return `${JSON.stringify({
     format,
     version,
-    link: formatLink(state.mesh, state.method, state.drawing),
+    link: formatLink(state.mesh, state.method, state.drawing, place),
     surface: state.mesh,
     method: state.method,
     drawing: savedDrawing(state.drawing),

@@ -1,4 +1,4 @@
-import type { SeenLine } from '../viewer/viewer';
+import type { SeenLine } from '../viewer/vantage';
 
 export interface DrawnLine extends SeenLine {
   color: string;
@@ -22,37 +22,42 @@ export interface Drawing {
  * The curve as it is seen, as an SVG file; what the surface hides is faint, and with its outline left
  * out.
  */
-export function svgOf({ width, height, lines, points, outline }: Drawing): string {
-  const paths = lines.flatMap((line) => pathsOf(line, outline ? 'left out' : 'faint'));
-  const seen = outline ? points.filter(({ hidden }) => !hidden) : points;
-  const dots = seen.map(({ x, y, color, filled }) =>
-    filled
-      ? `<circle cx="${short(x)}" cy="${short(y)}" r="4" fill="${color}"/>`
-      : `<circle cx="${short(x)}" cy="${short(y)}" r="4.5" fill="#fff" stroke="${color}" stroke-width="2.5"/>`,
-  );
+export const svgOf = (drawing: Drawing): string => [...partsOfSvg(drawing)].join('');
+
+/** The file's text, a part for each line. */
+export function* partsOfSvg({ width, height, lines, points, outline }: Drawing): Generator<string> {
   const [w, h] = [Math.round(width), Math.round(height)];
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${w} ${h}" width="${w}" height="${h}">
+  yield `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${w} ${h}" width="${w}" height="${h}">
 <g fill="none" stroke-linecap="round" stroke-linejoin="round">
-${[...(outline ? outlinePaths(outline) : []), ...paths].join('\n')}
-</g>
-${dots.join('\n')}
-</svg>
 `;
+  if (outline) for (const path of outlinePaths(outline)) yield `${path}\n`;
+  for (const line of lines) {
+    for (const path of pathsOf(line, outline ? 'left out' : 'faint')) yield `${path}\n`;
+  }
+  yield '</g>\n';
+  for (const { x, y, color, filled, hidden } of points) {
+    if (outline && hidden) continue;
+    yield filled
+      ? `<circle cx="${short(x)}" cy="${short(y)}" r="4" fill="${color}"/>\n`
+      : `<circle cx="${short(x)}" cy="${short(y)}" r="4.5" fill="#fff" stroke="${color}" stroke-width="2.5"/>\n`;
+  }
+  yield '</svg>\n';
 }
 
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
 const outlineWidth = 1.5;
 
-function outlinePaths({ lines, color }: NonNullable<Drawing['outline']>): string[] {
-  const paths = lines.map((line) => {
+function* outlinePaths({ lines, color }: NonNullable<Drawing['outline']>): Generator<string> {
+  yield `<g id="outline" stroke="${color}" stroke-width="${outlineWidth}">`;
+  for (const line of lines) {
     const count = line.length / 2;
     const places = Array.from({ length: count }, (_, i) =>
       [line[2 * i]!, line[2 * i + 1]!].map(short).join(' '),
     );
-    return `<path d="M${places.join('L')}"/>`;
-  });
-  return [`<g id="outline" stroke="${color}" stroke-width="${outlineWidth}">`, ...paths, '</g>'];
+    yield `<path d="M${places.join('L')}"/>`;
+  }
+  yield '</g>';
 }
 
 /** A path for each run of segments that look alike. */

@@ -33,11 +33,12 @@ export function levelLines(
   const segments: [Crossing, Crossing][][] = levels.map(() => []);
   const vertices = positions.length / 3;
   for (let first = 0; first < triangles.length; first += 3) {
-    const values = [valueAt(first), valueAt(first + 1), valueAt(first + 2)] as const;
-    const least = Math.min(...values);
-    const most = Math.max(...values);
-    // Not so where one is no number.
-    if (!(least < most)) continue;
+    const [a, b, c] = [valueAt(first), valueAt(first + 1), valueAt(first + 2)];
+    const least = Math.min(a, b, c);
+    const most = Math.max(a, b, c);
+    // Not so where one is no number, and mostly not where there is one level.
+    if (!(least < most) || !(levels[0]! <= most)) continue;
+    const values = [a, b, c];
     for (let level = 0; level < levels.length && levels[level]! <= most; level++) {
       if (levels[level]! <= least) continue;
       const crossings: Crossing[] = [];

@@ -1,5 +1,6 @@
 import type { Shape } from 'karcher';
 import type { UpAxis } from 'karcher/formats';
+import type { MeshBlobs } from './mesh_blobs';
 
 export type { UpAxis };
 
@@ -28,16 +29,13 @@ export type MadeSource =
 /** A file, and which of its parts are read; null for all. */
 export interface FileSource {
   kind: 'file';
-  bytes: Uint8Array;
+  content: Blob;
   name: string;
   parts: readonly number[] | null;
 }
 
 /** Where a surface comes from. */
-export type MeshSource =
-  | MadeSource
-  | FileSource
-  | { kind: 'arrays'; positions: Float64Array; triangles: Int32Array };
+export type MeshSource = MadeSource | FileSource | { kind: 'arrays'; arrays: MeshBlobs };
 
 export interface Sample {
   id: 'bunny' | Shape;
@@ -180,17 +178,15 @@ const hashedAtOnce = 1 << 21;
 
 /**
  * Tells files apart (FNV-1a); `crypto.subtle` is missing on plain http. In slices: a large file takes a
- * while.
+ * while, and is never read as a whole.
  */
-export async function fileKey(name: string, bytes: Uint8Array): Promise<string> {
+export async function fileKey(file: File): Promise<string> {
   let hash = 0x811c9dc5;
-  for (let at = 0; at < bytes.length; at += hashedAtOnce) {
-    if (at > 0) await new Promise((resolve) => setTimeout(resolve));
-    for (const byte of bytes.subarray(at, at + hashedAtOnce)) {
-      hash = Math.imul(hash ^ byte, 0x01000193);
-    }
+  for (let at = 0; at < file.size; at += hashedAtOnce) {
+    const bytes = new Uint8Array(await file.slice(at, at + hashedAtOnce).arrayBuffer());
+    for (let i = 0; i < bytes.length; i++) hash = Math.imul(hash ^ bytes[i]!, 0x01000193);
   }
-  return `file:${(hash >>> 0).toString(36)}-${bytes.length.toString(36)}:${name}`;
+  return `file:${(hash >>> 0).toString(36)}-${file.size.toString(36)}:${file.name}`;
 }
 
 function parseFileKey(text: string, name: string): ParsedKey {
@@ -219,6 +215,6 @@ export function readAs(key: string, reading: Partial<Reading>): string {
 export const keyOfFile = (key: string) => readAs(key, { parts: null, up: null });
 
 /** A file as its key says that it is read. */
-export function fileSource(key: string, bytes: Uint8Array): FileSource {
-  return { kind: 'file', bytes, name: meshLabel(key), parts: readingOf(key)?.parts ?? null };
+export function fileSource(key: string, content: Blob): FileSource {
+  return { kind: 'file', content, name: meshLabel(key), parts: readingOf(key)?.parts ?? null };
 }

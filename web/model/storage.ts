@@ -1,6 +1,6 @@
 /**
  * What a browser keeps for the page: documents by surface and preferences (localStorage), and the
- * bytes of the last files that were opened (IndexedDB). A browser that keeps nothing, as in private
+ * last files that were opened (IndexedDB). A browser that keeps nothing, as in private
  * windows, is no error: the page then starts afresh.
  */
 const prefix = 'karcher.';
@@ -52,6 +52,14 @@ function request<T>(make: IDBRequest<T>): Promise<T> {
   });
 }
 
+/** Until all is written: what is in a Blob is read after it was put. */
+function completed(transaction: IDBTransaction): Promise<void> {
+  return new Promise((resolve, reject) => {
+    transaction.oncomplete = () => resolve();
+    transaction.onabort = () => reject(transaction.error);
+  });
+}
+
 async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
   const opening = indexedDB.open('karcher', 1);
   opening.onupgradeneeded = () => opening.result.createObjectStore('files');
@@ -59,22 +67,23 @@ async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
   return database.transaction('files', mode).objectStore('files');
 }
 
-interface StoredFile {
-  bytes: Uint8Array;
-  opened: number;
-}
+/** What was kept as bytes is still found. */
+type StoredFile = ({ content: Blob } | { bytes: Uint8Array<ArrayBuffer> }) & { opened: number };
 
 /** Keeps a file in place of the oldest; false where it is too long, or the browser keeps none. */
-export async function keepFile(key: string, bytes: Uint8Array): Promise<boolean> {
-  if (bytes.length > longestFile) return false;
+export async function keepFile(key: string, content: Blob): Promise<boolean> {
+  if (content.size > longestFile) return false;
   try {
     const files = await openFiles('readwrite');
-    await request(files.put({ bytes, opened: Date.now() } satisfies StoredFile, key));
+    const kept = completed(files.transaction);
+    await request(files.put({ content, opened: Date.now() } satisfies StoredFile, key));
     const keys = await request(files.getAllKeys());
-    if (keys.length <= filesKept) return true;
-    const stored: StoredFile[] = await request(files.getAll());
-    const oldest = stored.reduce((a, b, i) => (b.opened < stored[a]!.opened ? i : a), 0);
-    await request(files.delete(keys[oldest]!));
+    if (keys.length > filesKept) {
+      const stored: StoredFile[] = await request(files.getAll());
+      const oldest = stored.reduce((a, b, i) => (b.opened < stored[a]!.opened ? i : a), 0);
+      await request(files.delete(keys[oldest]!));
+    }
+    await kept;
     return true;
   } catch {
     // Full or forbidden.
@@ -82,10 +91,11 @@ export async function keepFile(key: string, bytes: Uint8Array): Promise<boolean>
   }
 }
 
-export async function keptFile(key: string): Promise<Uint8Array | null> {
+export async function keptFile(key: string): Promise<Blob | null> {
   try {
     const file: StoredFile | undefined = await request((await openFiles('readonly')).get(key));
-    return file?.bytes ?? null;
+    if (!file) return null;
+    return 'content' in file ? file.content : new Blob([file.bytes]);
   } catch {
     return null;
   }

@@ -1,33 +1,23 @@
 import type { LongWorkOptions, MeshInfo } from 'karcher';
-import type { CheckUp } from 'karcher/checkup';
+import { type CheckedUp, mostPlaces, outlineLength } from '../model/checked_up';
+import type { MeshBlobs } from '../model/mesh_blobs';
 import { byId, formatCount, formatInteger, make } from './elements';
 import { sentenceOf } from './messages';
 import { showProgress } from './progress';
 
-/** More outlines than this are not drawn at once. */
-const mostOutlines = 20_000;
-
 /** A surface as it is looked over. */
 export interface CheckedSurface {
-  info: Readonly<MeshInfo>;
-  positions: Float64Array;
-  triangles: Int32Array;
-}
-
-/** What is shown, which can be asked for its arrays. */
-interface Shown {
-  info: Readonly<MeshInfo>;
-  positions(): Float64Array;
-  triangles(): Int32Array;
+  readonly info: Readonly<MeshInfo>;
+  readonly arrays: MeshBlobs;
 }
 
 /** The surface's check-up, made when it is asked for; the places that it tells of can be shown. */
 export class CheckUpPanel {
   readonly #details = byId<HTMLDetailsElement>('checkup');
   readonly #found = byId('checkup-found');
-  #client: Shown | null = null;
+  #client: CheckedSurface | null = null;
   /** The surface that was looked over, or is. */
-  #checked: Shown | null = null;
+  #checked: CheckedSurface | null = null;
   #shown: HTMLButtonElement | null = null;
 
   /**
@@ -35,7 +25,7 @@ export class CheckUpPanel {
    * before.
    */
   constructor(
-    private readonly check: (surface: CheckedSurface, work: LongWorkOptions) => Promise<CheckUp>,
+    private readonly check: (surface: CheckedSurface, work: LongWorkOptions) => Promise<CheckedUp>,
     private readonly showPlaces: (places: readonly Float32Array[]) => void,
   ) {
     this.#details.addEventListener('toggle', () => {
@@ -45,7 +35,7 @@ export class CheckUpPanel {
   }
 
   /** Another surface is shown, or the same in another way. */
-  show(client: Shown): void {
+  show(client: CheckedSurface): void {
     this.#client = client;
     this.#toggle(null, []);
     if (client === this.#checked) return;
@@ -60,17 +50,12 @@ export class CheckUpPanel {
     this.#checked = client;
     const controller = new AbortController();
     const progress = showProgress('Checking the surface', () => controller.abort());
-    const mesh = {
-      info: client.info,
-      positions: client.positions(),
-      triangles: client.triangles(),
-    };
     try {
-      const found = await this.check(mesh, {
+      const found = await this.check(client, {
         progress: (done) => progress.set(done, 'Checking the surface'),
         signal: controller.signal,
       });
-      if (client === this.#checked) this.#show(found, mesh);
+      if (client === this.#checked) this.#show(found, client.info);
     } catch (error) {
       if (client !== this.#checked) return;
       this.#checked = null;
@@ -82,7 +67,7 @@ export class CheckUpPanel {
     }
   }
 
-  #show(found: CheckUp, mesh: CheckedSurface): void {
+  #show(found: CheckedUp, { diagonal }: Readonly<MeshInfo>): void {
     const { shortestEdge, longestEdge, smallestAngle, largestAngle } = found;
     const facts = make('dl', '', { className: 'facts' });
     for (const [name, value] of [
@@ -91,15 +76,15 @@ export class CheckUpPanel {
     ] as const) {
       facts.append(make('dt', name), make('dd', value));
     }
-    const { needles, caps, boundary, nearBoundaries: near } = found;
+    const { needles, caps, boundary, nearBoundaries: near, outlines } = found;
     const rows = [
-      this.#row(needles.length, 'needle', () => outlines(needles, mesh)),
-      this.#row(caps.length, 'cap', () => outlines(caps, mesh)),
-      this.#row(boundary.length / 6, 'boundary edge', () => segments(boundary)),
+      this.#row(needles.length, 'needle', () => parts(outlines.needles, outlineLength)),
+      this.#row(caps.length, 'cap', () => parts(outlines.caps, outlineLength)),
+      this.#row(boundary.length / 6, 'boundary edge', () => parts(boundary, 6)),
       this.#row(
         near ? near.places.length / 3 : 0,
         'vertex on a boundary that lies on another',
-        () => dots(near!.places, mesh.info.diagonal),
+        () => dots(near!.places, diagonal),
         'vertices on boundaries that lie on others',
       ),
     ].filter((row) => row !== null);
@@ -117,7 +102,7 @@ export class CheckUpPanel {
     const button = make('button', 'Show', { type: 'button', className: 'link' });
     button.setAttribute('aria-pressed', 'false');
     button.setAttribute('aria-label', `Show ${formatCount(count, one, many)}`);
-    if (count > mostOutlines) button.title = `The first ${formatInteger(mostOutlines)} are shown`;
+    if (count > mostPlaces) button.title = `The first ${formatInteger(mostPlaces)} are shown`;
     button.addEventListener('click', () => {
       if (this.#shown === button) this.#toggle(null, []);
       else this.#toggle(button, lines());
@@ -136,28 +121,17 @@ export class CheckUpPanel {
 
 const degrees = (angle: number) => `${Number(angle.toPrecision(3))}°`;
 
-/** Around triangles. */
-function outlines(faces: Int32Array, { positions, triangles }: CheckedSurface): Float32Array[] {
-  return Array.from(faces.subarray(0, mostOutlines), (face) =>
-    Float32Array.from(
-      [0, 1, 2, 0].flatMap((corner) => {
-        const at = 3 * triangles[3 * face + corner]!;
-        return [positions[at]!, positions[at + 1]!, positions[at + 2]!];
-      }),
-    ),
-  );
-}
-
-function segments(ends: Float64Array): Float32Array[] {
-  const count = Math.min(mostOutlines, ends.length / 6);
+/** Lines of so many numbers each. */
+function parts(lines: Float32Array | Float64Array, length: number): Float32Array[] {
+  const count = Math.min(mostPlaces, lines.length / length);
   return Array.from({ length: count }, (_, i) =>
-    Float32Array.from(ends.subarray(6 * i, 6 * i + 6)),
+    Float32Array.from(lines.subarray(length * i, length * (i + 1))),
   );
 }
 
 /** A line so short is a dot. */
 function dots(places: Float64Array, diagonal: number): Float32Array[] {
-  const count = Math.min(mostOutlines, places.length / 3);
+  const count = Math.min(mostPlaces, places.length / 3);
   return Array.from({ length: count }, (_, i) => {
     const [x, y, z] = places.subarray(3 * i, 3 * i + 3);
     return Float32Array.of(x!, y!, z!, x! + 1e-4 * diagonal, y!, z!);

@@ -1,16 +1,20 @@
 import type { SurfacePoint } from 'karcher';
 import { polylinesOf } from '../editor/compute';
 import type { Editor } from '../editor/editor';
-import type { Session } from '../editor/session';
-import { jsonOf, objOf } from '../export/curve_file';
-import { type DrawnLine, type Drawing as SvgDrawing, svgOf } from '../export/svg';
-import { isBlank, type LineStyle } from '../model/drawing';
+import type { Session, View } from '../editor/session';
+import { jsonOf, partsOfObj } from '../export/curve_file';
+import { type DrawnLine, partsOfSvg, type Drawing as SvgDrawing } from '../export/svg';
+import { type DrawnObject, isBlank, type LineStyle } from '../model/drawing';
 import { isEmpty, isRound } from '../model/figure';
+import { gathered } from '../model/gathered';
 import { meshLabel } from '../model/meshes';
+import type { ViewerColors } from '../viewer/colors';
+import type { Vantage } from '../viewer/vantage';
 import type { Viewer } from '../viewer/viewer';
 import { byId, make } from './elements';
 import { Menu } from './menu';
 import { sentenceOf, showError, showNote } from './messages';
+import { showProgress } from './progress';
 import { sceneColors } from './theme';
 
 export type Format = 'obj' | 'svg' | 'json';
@@ -42,44 +46,51 @@ export class SaveMenu {
         const format = item.dataset.save as Format | 'outline' | 'png' | 'clear';
         if (format === 'outline') void this.#saveOutline();
         else if (format === 'png' || format === 'clear') void this.#savePicture(format === 'clear');
-        else this.save(format);
+        else void this.save(format);
       });
     }
   }
 
   /** Saves what is shown; without a curve, says so. */
-  save(format: Format): void {
+  async save(format: Format): Promise<void> {
     if (!this.#has(format)) {
       showNote('There is no curve to save yet.');
       return;
     }
     const { state } = this.editor;
     const title = this.#title;
-    const text = {
-      obj: () => objOf(this.#polylines, this.#marks, title),
-      svg: () => svgOf(this.#drawing()),
-      json: () => jsonOf(state, this.session.view),
-    }[format]();
-    this.#download(new Blob([text], { type: types[format] }), format);
+    const parts = {
+      obj: () => gathered(partsOfObj(this.#polylines, this.#marks, title)),
+      svg: async () => gathered(partsOfSvg(await this.#drawing())),
+      json: () => [jsonOf(state, this.session.view, this.viewer.place)],
+    };
+    this.#download(title, new Blob(await parts[format](), { type: types[format] }), format);
   }
 
   /** Saves what is seen, with the surface's outline, as lines. */
   async #saveOutline(): Promise<void> {
     // As it is now: the view may turn while the outline is drawn.
     const drawing = this.#drawing();
-    const color = sceneColors().marks;
+    const [title, color] = [this.#title, sceneColors().marks];
+    const controller = new AbortController();
+    const progress = showProgress('Drawing the outline', () => controller.abort());
     try {
-      const outline = { lines: await this.viewer.outline(), color };
-      this.#download(new Blob([svgOf({ ...drawing, outline })], { type: types.svg }), 'svg');
+      const outline = { lines: await this.viewer.outline(controller.signal), color };
+      const parts = await gathered(partsOfSvg({ ...(await drawing), outline }));
+      this.#download(title, new Blob(parts, { type: types.svg }), 'svg');
     } catch (error) {
-      showError(`The outline could not be drawn. ${sentenceOf(error)}`);
+      if (!controller.signal.aborted)
+        showError(`The outline could not be drawn. ${sentenceOf(error)}`);
+    } finally {
+      progress.hide();
     }
   }
 
   /** Saves what is seen, the surface too, in twice as many pixels. */
   async #savePicture(seeThrough: boolean): Promise<void> {
     const background = seeThrough ? null : sceneColors().stage;
-    this.#download(await this.viewer.picture(pictureScale, background), 'png');
+    const title = this.#title;
+    this.#download(title, await this.viewer.picture(pictureScale, background), 'png');
   }
 
   get #title(): string {
@@ -87,8 +98,8 @@ export class SaveMenu {
     return `${figure.kind} on ${meshLabel(mesh).replace(/\.obj$/i, '')}`;
   }
 
-  #download(file: Blob, extension: string): void {
-    const name = `${this.#title.replaceAll(/[^\p{L}\p{N}]+/gu, '-').toLowerCase()}.${extension}`;
+  #download(title: string, file: Blob, extension: string): void {
+    const name = `${title.replaceAll(/[^\p{L}\p{N}]+/gu, '-').toLowerCase()}.${extension}`;
     const address = URL.createObjectURL(file);
     make('a', '', { href: address, download: name }).click();
     setTimeout(() => URL.revokeObjectURL(address), 60_000);
@@ -123,33 +134,22 @@ export class SaveMenu {
     }
   }
 
-  #drawing(): SvgDrawing {
+  /** What is seen now. */
+  async #drawing(): Promise<SvgDrawing> {
     const { viewer } = this;
-    const { curve, isolines, center, legs, others } = this.session.view;
+    const { view } = this.session;
+    const { center, others } = view;
+    const vantage = viewer.vantage();
     const colors = sceneColors();
-    const lost = {
-      color: colors.lost,
-      has: (segment: number) => curve!.polylineStatus[segment + 1] === 1,
-    };
-    const lines: DrawnLine[] = [
-      ...others.flatMap(({ style, lines: all }) =>
-        all.map((line) => ({ ...viewer.seen(line), ...drawnStyle(style, colors.curve) })),
-      ),
-      ...legs.map((leg) => ({ ...viewer.seen(leg), color: colors.polygon, width: 1.2 })),
-    ];
     const { active, isOpen } = this.editor;
-    const style = drawnStyle(active, colors.curve);
-    if (curve) lines.push({ ...viewer.seen(curve.polyline), ...style, lost });
-    for (const { polyline } of isolines?.lines ?? [])
-      lines.push({ ...viewer.seen(polyline), ...style });
     const { kind, points, circle } = this.editor.state.figure;
     const own = isRound(kind) ? (circle ? [circle.center] : []) : points;
     const handles = isOpen ? own : [];
     const dot = (point: SurfacePoint, color: string) => ({
-      ...viewer.project(viewer.surface!.position(point)),
+      ...vantage.project(viewer.surface!.position(point)),
       color,
     });
-    const { x, y } = viewer.seen(Float32Array.from(this.#marks));
+    const { x, y } = vantage.seen(Float32Array.from(this.#marks));
     const marks = x.map((at, i) => ({ x: at, y: y[i]!, color: colors.marks, filled: true }));
     const dots = [...marks, ...handles.map((point) => dot(point, colors.curve))];
     if (center) dots.push(dot(center.point, colors.center));
@@ -158,8 +158,28 @@ export class SaveMenu {
         dots.push({ ...dot(point, look.color ?? colors.curve), filled: true });
       }
     }
-    return { ...viewer.size, lines, points: dots };
+    const lines = await gathered(seenLines(view, active, vantage, colors));
+    return { ...vantage.size, lines, points: dots };
   }
+}
+
+function* seenLines(
+  { curve, isolines, legs, others }: View,
+  active: DrawnObject,
+  vantage: Vantage,
+  colors: ViewerColors,
+): Generator<DrawnLine> {
+  for (const { style, lines } of others) {
+    const look = drawnStyle(style, colors.curve);
+    for (const line of lines) yield { ...vantage.seen(line), ...look };
+  }
+  for (const leg of legs) yield { ...vantage.seen(leg), color: colors.polygon, width: 1.2 };
+  const style = drawnStyle(active, colors.curve);
+  if (curve) {
+    const has = (segment: number) => curve.polylineStatus[segment + 1] === 1;
+    yield { ...vantage.seen(curve.polyline), ...style, lost: { color: colors.lost, has } };
+  }
+  for (const { polyline } of isolines?.lines ?? []) yield { ...vantage.seen(polyline), ...style };
 }
 
 /** A line's style in an SVG, where dashes are told in pixels. */

@@ -1,6 +1,6 @@
 import { Color, Group, Vector3 } from 'three';
 import { type Comb, combOf, usualCurvature } from '../model/comb';
-import { type ViewerColors, litSurface } from './colors';
+import { litSurface, type ViewerColors } from './colors';
 import { FatLine } from './fat_line';
 import type { Layer } from './layer';
 import type { Surface } from './surface';

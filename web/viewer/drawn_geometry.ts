@@ -1,8 +1,11 @@
 import type { SerializedBVH } from 'three-mesh-bvh';
+import type { MeshBlobs } from '../model/mesh_blobs';
 import type { UpAxis } from '../model/meshes';
 import type { Frame } from './frame';
 
 export interface DrawnGeometry {
+  /** What it was made of. */
+  mesh: MeshBlobs;
   frame: Frame;
   /** In the scene's coordinates. */
   positions: Float32Array;
@@ -14,8 +17,7 @@ export interface DrawnGeometry {
 }
 
 export interface GeometryRequest {
-  positions: Float64Array;
-  triangles: Int32Array;
+  mesh: MeshBlobs;
   /** Without a boundary. */
   closed: boolean;
   /** The axis that points up. */
@@ -23,7 +25,10 @@ export interface GeometryRequest {
 }
 
 /** Prepares a surface for drawing and picking in a worker of its own. */
-export function drawnGeometry(mesh: GeometryRequest, signal?: AbortSignal): Promise<DrawnGeometry> {
+export function drawnGeometry(
+  request: GeometryRequest,
+  signal?: AbortSignal,
+): Promise<DrawnGeometry> {
   const worker = new Worker(new URL('./geometry_worker.ts', import.meta.url), { type: 'module' });
   return new Promise<DrawnGeometry>((resolve, reject) => {
     signal?.throwIfAborted();
@@ -33,6 +38,6 @@ export function drawnGeometry(mesh: GeometryRequest, signal?: AbortSignal): Prom
       event.preventDefault();
       reject(new Error(event.message || 'the surface could not be drawn'));
     };
-    worker.postMessage(mesh);
+    worker.postMessage(request);
   }).finally(() => worker.terminate());
 }

@@ -127,8 +127,10 @@ function meanEdge({ positions, triangles }: Mesh): number {
   let sum = 0;
   for (let i = 0; i < triangles.length; i++) {
     const [p, q] = [triangles[i]!, triangles[i % 3 === 2 ? i - 2 : i + 1]!];
-    const between = (axis: number) => positions[3 * p + axis]! - positions[3 * q + axis]!;
-    sum += Math.hypot(between(0), between(1), between(2));
+    const x = positions[3 * p]! - positions[3 * q]!;
+    const y = positions[3 * p + 1]! - positions[3 * q + 1]!;
+    const z = positions[3 * p + 2]! - positions[3 * q + 2]!;
+    sum += Math.sqrt(x * x + y * y + z * z);
   }
   return sum / Math.max(1, triangles.length);
 }

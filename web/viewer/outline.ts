@@ -23,36 +23,34 @@ export interface Outline {
 }
 
 /** The lines that a camera at `eye` may see, also those that the surface hides. */
-export function outlineOf(mesh: Mesh, eye: readonly [number, number, number]): Outline {
+export function outlineOf(mesh: Mesh, [x, y, z]: readonly [number, number, number]): Outline {
   const { positions, triangles } = mesh;
   const normals = faceNormals(mesh);
-  const edges = edgesOf(mesh);
-  const cornerNormals = smoothNormals(mesh, normals, edges);
+  const across = sidesAcross(mesh);
+  const cornerNormals = smoothNormals(mesh, normals, across);
   const facing = (corner: number) => {
-    const at = 3 * triangles[corner]!;
-    let sum = 0;
-    for (let axis = 0; axis < 3; axis++) {
-      sum += cornerNormals[3 * corner + axis]! * (eye[axis]! - positions[at + axis]!);
-    }
-    return sum;
+    const [at, to] = [3 * triangles[corner]!, 3 * corner];
+    return (
+      cornerNormals[to]! * (x - positions[at]!) +
+      cornerNormals[to + 1]! * (y - positions[at + 1]!) +
+      cornerNormals[to + 2]! * (z - positions[at + 2]!)
+    );
   };
   const [contours] = levelLines(positions, triangles, facing, [0]);
-  const isCrease = (edge: Edge) => edge.next >= 0 && isSharp(normals, edge);
+  const [creases, boundary]: [number[], number[]] = [[], []];
+  for (let side = 0; side < across.length; side++) {
+    const other = across[side]!;
+    if (other < 0) boundary.push(side);
+    else if (side < other && isSharp(normals, side, other)) creases.push(side);
+  }
   return {
     contours: contours!,
-    creases: linesOf(mesh, edges.filter(isCrease)),
-    boundary: linesOf(
-      mesh,
-      edges.filter(({ next }) => next < 0),
-    ),
+    creases: linesOf(mesh, creases),
+    boundary: linesOf(mesh, boundary),
   };
 }
 
-/** The side of a triangle behind one of its corners, and the one of another triangle; -1 without one. */
-interface Edge {
-  side: number;
-  next: number;
-}
+// The side of a triangle behind one of its corners has that corner's number.
 
 const follower = (corner: number) => (corner % 3 === 2 ? corner - 2 : corner + 1);
 
@@ -60,50 +58,68 @@ const follower = (corner: number) => (corner % 3 === 2 ? corner - 2 : corner + 1
 function faceNormals({ positions, triangles }: Mesh): Float64Array {
   const normals = new Float64Array(triangles.length);
   for (let first = 0; first < triangles.length; first += 3) {
-    const [p, q, r] = [0, 1, 2].map((i) => 3 * triangles[first + i]!) as [number, number, number];
-    const between = (to: number, axis: number) => positions[to + axis]! - positions[p + axis]!;
+    const p = 3 * triangles[first]!;
+    const q = 3 * triangles[first + 1]!;
+    const r = 3 * triangles[first + 2]!;
     for (let axis = 0; axis < 3; axis++) {
-      const [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+      const next = axis === 2 ? 0 : axis + 1;
+      const last = axis === 0 ? 2 : axis - 1;
       normals[first + axis] =
-        between(q, next) * between(r, last) - between(q, last) * between(r, next);
+        (positions[q + next]! - positions[p + next]!) *
+          (positions[r + last]! - positions[p + last]!) -
+        (positions[q + last]! - positions[p + last]!) *
+          (positions[r + next]! - positions[p + next]!);
     }
   }
   return normals;
 }
 
-/** Of more than two triangles at one edge, those beyond the second have an edge of their own. */
-function edgesOf({ positions, triangles }: Mesh): Edge[] {
-  const vertices = positions.length / 3;
-  const open = new Map<number, number>();
-  const edges: Edge[] = [];
+/**
+ * For each side that of the triangle beyond it; -1 on the boundary. Of more than two triangles at one
+ * edge, those beyond the second go on among themselves.
+ */
+function sidesAcross({ positions, triangles }: Mesh): Int32Array {
+  const across = new Int32Array(triangles.length).fill(-1);
+  // Sides that wait for their other one, in a list for each vertex: at the end of the side with the lower number.
+  const firstAt = new Int32Array(positions.length / 3).fill(-1);
+  const behind = new Int32Array(triangles.length);
   for (let side = 0; side < triangles.length; side++) {
     const [p, q] = [triangles[side]!, triangles[follower(side)]!];
-    const key = Math.min(p, q) * vertices + Math.max(p, q);
-    const known = open.get(key);
-    if (known === undefined) {
-      open.set(key, edges.length);
-      edges.push({ side, next: -1 });
-    } else {
-      edges[known]!.next = side;
-      open.delete(key);
+    const [low, high] = p < q ? [p, q] : [q, p];
+    let [before, at] = [-1, firstAt[low]!];
+    while (at >= 0 && triangles[at] !== high && triangles[follower(at)] !== high) {
+      before = at;
+      at = behind[at]!;
     }
+    if (at < 0) {
+      behind[side] = firstAt[low]!;
+      firstAt[low] = side;
+      continue;
+    }
+    if (before < 0) firstAt[low] = behind[at]!;
+    else behind[before] = behind[at]!;
+    across[side] = at;
+    across[at] = side;
   }
-  return edges;
+  return across;
 }
 
-function isSharp(normals: Float64Array, { side, next }: Edge): boolean {
-  const [a, b] = [side - (side % 3), next - (next % 3)];
-  const dot = (p: number, q: number) =>
-    normals[p]! * normals[q]! +
-    normals[p + 1]! * normals[q + 1]! +
-    normals[p + 2]! * normals[q + 2]!;
-  return dot(a, b) < Math.cos(creaseAngle) * Math.sqrt(dot(a, a) * dot(b, b));
+const leastCosine = Math.cos(creaseAngle);
+
+/** Whether the faces at two sides have a crease between them. */
+function isSharp(normals: Float64Array, side: number, other: number): boolean {
+  const [a, b] = [side - (side % 3), other - (other % 3)];
+  const [ax, ay, az] = [normals[a]!, normals[a + 1]!, normals[a + 2]!];
+  const [bx, by, bz] = [normals[b]!, normals[b + 1]!, normals[b + 2]!];
+  const lengths = Math.sqrt((ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz));
+  return ax * bx + ay * by + az * bz < leastCosine * lengths;
 }
 
 /** At each corner, of unit length, the sum of the normals of the faces that meet there without a crease between them. */
-function smoothNormals({ triangles }: Mesh, normals: Float64Array, edges: readonly Edge[]) {
+function smoothNormals({ triangles }: Mesh, normals: Float64Array, across: Int32Array) {
   // Corners that share a normal are in one set, each with the corner that leads to its first.
-  const leads = Uint32Array.from(triangles.keys());
+  const leads = new Uint32Array(triangles.length);
+  for (let corner = 0; corner < leads.length; corner++) leads[corner] = corner;
   const firstOf = (corner: number) => {
     let at = corner;
     while (leads[at] !== at) {
@@ -112,14 +128,17 @@ function smoothNormals({ triangles }: Mesh, normals: Float64Array, edges: readon
     }
     return at;
   };
-  for (const edge of edges) {
-    if (edge.next < 0 || isSharp(normals, edge)) continue;
-    const { side, next } = edge;
-    for (const a of [side, follower(side)]) {
-      for (const b of [next, follower(next)]) {
-        if (triangles[a] === triangles[b]) leads[firstOf(a)] = firstOf(b);
-      }
-    }
+  const unite = (a: number, b: number) => {
+    if (triangles[a] === triangles[b]) leads[firstOf(a)] = firstOf(b);
+  };
+  for (let side = 0; side < across.length; side++) {
+    const other = across[side]!;
+    if (other < side || isSharp(normals, side, other)) continue;
+    const [end, otherEnd] = [follower(side), follower(other)];
+    unite(side, other);
+    unite(side, otherEnd);
+    unite(end, other);
+    unite(end, otherEnd);
   }
   const sums = new Float64Array(3 * triangles.length);
   for (let corner = 0; corner < triangles.length; corner++) {
@@ -128,19 +147,20 @@ function smoothNormals({ triangles }: Mesh, normals: Float64Array, edges: readon
   }
   const unit = new Float64Array(sums.length);
   for (let corner = 0; corner < triangles.length; corner++) {
-    const from = 3 * firstOf(corner);
-    const length = Math.hypot(sums[from]!, sums[from + 1]!, sums[from + 2]!) || 1;
-    for (let axis = 0; axis < 3; axis++) unit[3 * corner + axis] = sums[from + axis]! / length;
+    const [from, to] = [3 * firstOf(corner), 3 * corner];
+    const [x, y, z] = [sums[from]!, sums[from + 1]!, sums[from + 2]!];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    [unit[to], unit[to + 1], unit[to + 2]] = [x / length, y / length, z / length];
   }
   return unit;
 }
 
-/** Edges as lines. */
-function linesOf({ positions, triangles }: Mesh, edges: readonly Edge[]): Float32Array[] {
+/** Sides of triangles as lines. */
+function linesOf({ positions, triangles }: Mesh, sides: readonly number[]): Float32Array[] {
   const end = (corner: number) => {
     const vertex = triangles[corner]!;
     const at = (axis: number) => positions[3 * vertex + axis]!;
     return { edge: vertex, place: [at(0), at(1), at(2)] as const };
   };
-  return joined(edges.map(({ side }) => [end(side), end(follower(side))]));
+  return joined(sides.map((side) => [end(side), end(follower(side))]));
 }

@@ -1,19 +1,23 @@
 import { Matrix4, type PerspectiveCamera } from 'three';
-import type { SerializedBVH } from 'three-mesh-bvh';
+import type { MeshBlobs } from '../model/mesh_blobs';
+import type { Frame } from './frame';
 import type { Sight } from './hidden_lines';
-import type { Mesh } from './outline';
 
 export interface OutlineRequest {
-  mesh: Mesh;
-  tree: SerializedBVH;
+  mesh: MeshBlobs;
+  frame: Frame;
   sight: Sight;
 }
 
-/** The surface's outline as the camera sees it: x, y of its lines' points, in CSS pixels of the stage. */
+/**
+ * The surface's outline as the camera sees it: x, y of its lines' points, in CSS pixels of the stage.
+ * Rejects with the signal's reason.
+ */
 export async function requestOutline(
-  surface: Pick<OutlineRequest, 'mesh' | 'tree'>,
+  { mesh, frame }: Pick<OutlineRequest, 'mesh' | 'frame'>,
   camera: PerspectiveCamera,
   stage: { width: number; height: number },
+  signal: AbortSignal,
 ): Promise<Float32Array[]> {
   camera.updateMatrixWorld();
   const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
@@ -21,12 +25,13 @@ export async function requestOutline(
   const worker = new Worker(new URL('./outline_worker.ts', import.meta.url), { type: 'module' });
   try {
     return await new Promise<Float32Array[]>((resolve, reject) => {
+      signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.onmessage = ({ data }) => resolve(data);
       worker.onerror = (event) => {
         event.preventDefault();
         reject(new Error(event.message || 'the outline could not be drawn'));
       };
-      worker.postMessage({ ...surface, sight } satisfies OutlineRequest);
+      worker.postMessage({ mesh, frame, sight } satisfies OutlineRequest);
     });
   } finally {
     worker.terminate();

@@ -1,14 +1,13 @@
 /** The worker that draws the surface's outline, so that the page never waits. */
-import { BufferAttribute, BufferGeometry } from 'three';
-import { MeshBVH } from 'three-mesh-bvh';
+import { arraysOf } from '../model/mesh_blobs';
+import { answering } from './answering';
 import { seenOutline } from './hidden_lines';
 import type { OutlineRequest } from './outline_request';
+import { geometryInScene, treeOf } from './scene_mesh';
 
-self.onmessage = ({ data }: MessageEvent<OutlineRequest>) => {
-  const { mesh, tree, sight } = data;
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
-  geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
-  const lines = seenOutline(mesh, MeshBVH.deserialize(tree, geometry, { setIndex: false }), sight);
-  self.postMessage(lines, { transfer: lines.map(({ buffer }) => buffer) });
-};
+async function outline({ mesh, frame, sight }: OutlineRequest): Promise<Float32Array[]> {
+  const { geometry, ...inScene } = geometryInScene(await arraysOf(mesh), frame);
+  return seenOutline(inScene, treeOf(geometry), sight);
+}
+
+answering(outline, (lines) => lines.map(({ buffer }) => buffer));

@@ -1,6 +1,7 @@
 import type { SurfacePoint } from 'karcher';
 import {
   BackSide,
+  type Box3,
   BufferAttribute,
   BufferGeometry,
   Color,
@@ -12,10 +13,12 @@ import {
   Quaternion,
   type Ray,
   ShaderMaterial,
+  Sphere,
   Vector3,
 } from 'three';
-import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
+import { MeshBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/figure';
+import type { MeshBlobs } from '../model/mesh_blobs';
 import { rampForShader } from './color_ramp';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
@@ -120,6 +123,8 @@ export function colorSurface(colors: SurfaceColors): void {
 export class Surface {
   readonly object = new Group();
   readonly frame: Frame;
+  /** In its own coordinates. */
+  readonly mesh: MeshBlobs;
   readonly #geometry = new BufferGeometry();
   readonly #tree: MeshBVH;
   readonly #positions: Float32Array;
@@ -130,6 +135,7 @@ export class Surface {
 
   constructor(drawn: DrawnGeometry) {
     this.frame = drawn.frame;
+    this.mesh = drawn.mesh;
     this.#positions = drawn.positions;
     this.#triangles = drawn.triangles;
     this.#normals = drawn.normals;
@@ -137,6 +143,8 @@ export class Surface {
     this.#geometry.setAttribute('position', new BufferAttribute(drawn.positions, 3));
     this.#geometry.setAttribute('normal', new BufferAttribute(drawn.normals, 3));
     this.#geometry.setIndex(new BufferAttribute(drawn.triangles, 1));
+    // Of the frame's box; three.js would look at all vertices.
+    this.#geometry.boundingSphere = new Sphere(new Vector3(), 1);
     material.side = sides[drawn.outside];
     material.uniforms.frontIsOutside!.value = drawn.outside !== 'back';
     material.uniforms.most!.value = 0;
@@ -181,15 +189,6 @@ export class Surface {
   nearest(position: Vector3): SurfacePoint {
     const hit = this.#tree.closestPointToPoint(position)!;
     return this.#pickAt(hit.faceIndex, hit.point).point;
-  }
-
-  /** What a worker draws the outline of. */
-  get outlined(): {
-    mesh: { positions: Float32Array; triangles: Uint32Array };
-    tree: SerializedBVH;
-  } {
-    const mesh = { positions: this.#positions, triangles: this.#triangles };
-    return { mesh, tree: MeshBVH.serialize(this.#tree, { cloneBuffers: false }) };
   }
 
   /** Where a surface point is in the scene. */
@@ -253,14 +252,33 @@ export class Surface {
    * surface's whole width; `slope` is the tangent of half its horizontal field of view.
    */
   widthDistance(direction: Vector3, slope: number): number {
-    const aside = new Vector3(0, 1, 0).cross(direction).normalize();
+    const aside = new Vector3(0, 1, 0).cross(direction).normalize().divideScalar(slope);
+    const sides = [direction.clone().add(aside), direction.clone().sub(aside)];
+    return Math.max(0, ...sides.map((side) => this.#reach(side)));
+  }
+
+  /** How far the surface reaches in a direction, times the direction's length. */
+  #reach(direction: Vector3): number {
+    let farthest = -Infinity;
+    // Those that reach less than this farther are not looked at: a plane's boxes all reach as far.
+    const grain = 1e-6 * direction.length();
     const corner = new Vector3();
-    let farthest = 0;
-    for (const vertex of this.#triangles) {
-      corner.fromArray(this.#positions, 3 * vertex);
-      const distance = corner.dot(direction) + Math.abs(corner.dot(aside)) / slope;
-      farthest = Math.max(farthest, distance);
-    }
+    const reachOf = (box: Box3) =>
+      corner
+        .set(
+          direction.x > 0 ? box.max.x : box.min.x,
+          direction.y > 0 ? box.max.y : box.min.y,
+          direction.z > 0 ? box.max.z : box.min.z,
+        )
+        .dot(direction);
+    this.#tree.shapecast({
+      boundsTraverseOrder: (box) => -reachOf(box),
+      intersectsBounds: (box) => reachOf(box) > farthest + grain,
+      intersectsTriangle: ({ a, b, c }) => {
+        farthest = Math.max(farthest, a.dot(direction), b.dot(direction), c.dot(direction));
+        return false;
+      },
+    });
     return farthest;
   }
 

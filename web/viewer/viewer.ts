@@ -12,15 +12,9 @@ import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
 import { colorSurface, type Pick, Surface } from './surface';
+import { type SeenLine, Vantage } from './vantage';
 
 type Vector = [number, number, number];
-
-/** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
-export interface SeenLine {
-  x: number[];
-  y: number[];
-  hidden: boolean[];
-}
 
 /** How long a tangent is drawn, in the scene; a surface's diagonal is 2. */
 const tangentLength = 0.16;
@@ -355,9 +349,10 @@ export class Viewer {
     const { box } = this;
     this.#view.camera.updateMatrixWorld();
     const place = new Vector3();
+    const vantage = this.#vantage;
     const isWithin = (line: Float32Array) => {
       for (let i = 0; i < line.length; i += 3) {
-        const { x, y } = this.#onStage(place.fromArray(line, i));
+        const { x, y } = vantage.onStage(place.fromArray(line, i));
         const [dx, dy] = [x + box.left - left, y + box.top - top];
         if (dx < 0 || dx > width || dy < 0 || dy > height) continue;
         if (!this.project(new Vector3().fromArray(line, i)).hidden) return true;
@@ -387,22 +382,17 @@ export class Viewer {
 
   /** Where a point of the scene is on the stage, in CSS pixels, and whether the surface hides it. */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
-    const { ray } = this.#raycaster;
-    const distance = this.#view.camera.position.distanceTo(position);
-    ray.origin.copy(this.#view.camera.position);
-    ray.direction.copy(position).sub(ray.origin).normalize();
-    const hidden = (this.#surface?.depth(ray) ?? Infinity) < distance - 0.004;
-    const { x, y, z } = this.#onStage(position.clone());
-    return { x, y, hidden: hidden || z > 1 };
+    return this.#vantage.project(position);
   }
 
-  /** Takes a point of the scene to where it is on the stage, in CSS pixels, and its depth. */
-  #onStage(position: Vector3): Vector3 {
-    const place = position.project(this.#view.camera);
-    const { width, height } = this.#size;
-    place.x = ((place.x + 1) / 2) * width;
-    place.y = ((1 - place.y) / 2) * height;
-    return place;
+  get #vantage(): Vantage {
+    return new Vantage(this.#surface, this.#view.camera, this.#size);
+  }
+
+  /** What is seen now, also while the view turns later. */
+  vantage(): Vantage {
+    this.#view.camera.updateMatrixWorld();
+    return new Vantage(this.#surface, this.#view.camera.clone(), this.#size);
   }
 
   /** The stage's size, in CSS pixels. */
@@ -425,15 +415,7 @@ export class Viewer {
 
   /** A polyline in the surface's coordinates as it is seen on the stage. */
   seen(polyline: Float32Array): SeenLine {
-    const line: SeenLine = { x: [], y: [], hidden: [] };
-    const places = this.#surface?.toScene(polyline) ?? [];
-    for (let i = 0; i < places.length; i += 3) {
-      const { x, y, hidden } = this.project(new Vector3().fromArray(places, i));
-      line.x.push(x);
-      line.y.push(y);
-      line.hidden.push(hidden);
-    }
-    return line;
+    return this.#vantage.seen(polyline);
   }
 
   /** The camera's direction to the right, in the surface's coordinates. */
@@ -483,8 +465,8 @@ export class Viewer {
   }
 
   /** The surface's outline as it is seen: x, y of its lines' points, in CSS pixels of the stage. */
-  outline(): Promise<Float32Array[]> {
-    return requestOutline(this.#surface!.outlined, this.#view.camera, this.#size);
+  outline(signal: AbortSignal): Promise<Float32Array[]> {
+    return requestOutline(this.#surface!, this.#view.camera, this.#size, signal);
   }
 
   #resize(): void {

@@ -1,22 +1,18 @@
 import type { LongWorkOptions, MeshInfo } from 'karcher';
-import type { CheckUp } from 'karcher/checkup';
 import { WorkerClient } from 'karcher/own-worker';
+import type { CheckedUp } from '../model/checked_up';
+import type { MeshBlobs } from '../model/mesh_blobs';
 
 /** Looks a surface over in a worker of its own. */
 export async function checkedUp(
-  mesh: { info: Readonly<MeshInfo>; positions: Float64Array; triangles: Int32Array },
+  { info, arrays }: { info: Readonly<MeshInfo>; arrays: MeshBlobs },
   work: LongWorkOptions,
-): Promise<CheckUp> {
+): Promise<CheckedUp> {
   const worker = new WorkerClient(
     new Worker(new URL('./checkup_worker.ts', import.meta.url), { type: 'module' }),
   );
   try {
-    return (await worker.call('checkUp', [
-      mesh.info,
-      mesh.positions,
-      mesh.triangles,
-      work,
-    ])) as CheckUp;
+    return (await worker.call('checkUp', [info, arrays, work])) as CheckedUp;
   } finally {
     worker.dispose();
   }

@@ -12,6 +12,8 @@ import type {
 } from 'karcher';
 import type { FileInfo } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
+import type { Vector } from '../model/figure';
+import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
 import type {
   Measured,
@@ -27,11 +29,13 @@ export { KarcherError } from 'karcher/own-worker';
 
 interface Loaded {
   mesh: RemoteMesh;
-  positions: Float64Array;
-  triangles: Int32Array;
+  arrays: MeshBlobs;
   file: FileInfo | null;
   up: UpAxis;
 }
+
+/** x, y, z each. */
+type Corners = [Vector, Vector, Vector];
 
 /** What a curve is asked for, beside its value. */
 export interface CurveRequest {
@@ -53,6 +57,8 @@ export class EngineClient {
     new Worker(new URL('./engine.ts', import.meta.url), { type: 'module' }),
   );
   #loaded: Loaded | null = null;
+  /** The face whose corners were asked for last. */
+  #asked: { face: number; corners: Promise<Corners> } | null = null;
   /** By the ids of objects; null where there is no curve of the first value that was asked for. */
   readonly #curves = new Map<number, Promise<RemoteCurve | null>>();
   /** Called when the worker ends by itself, as when memory runs out. */
@@ -93,14 +99,18 @@ export class EngineClient {
     return this.mesh.info;
   }
 
-  /** x, y, z of the vertices, in the caller's order. */
-  positions(): Float64Array {
-    return this.#loaded!.positions;
+  /** Vertices and triangles, in the caller's order. */
+  get arrays(): MeshBlobs {
+    return this.#loaded!.arrays;
   }
 
-  /** Vertices of the triangles, in the caller's order. */
-  triangles(): Int32Array {
-    return this.#loaded!.triangles;
+  /** Where the corners of a face are. */
+  corners(face: number): Promise<Corners> {
+    if (this.#asked?.face !== face) {
+      const at = (...bary: Vector) => this.mesh.position({ face, bary });
+      this.#asked = { face, corners: Promise.all([at(1, 0, 0), at(0, 1, 0), at(0, 0, 1)]) };
+    }
+    return this.#asked.corners;
   }
 
   /** The curve of a value. */

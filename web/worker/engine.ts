@@ -9,13 +9,13 @@ import {
 } from 'karcher';
 import type { FileInfo } from 'karcher/formats';
 import { serve } from 'karcher/own-worker';
+import { arraysOf, blobsOf, type MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
 import { tracedDistances } from './distances';
 
 interface Loaded {
   mesh: Mesh;
-  positions: Float64Array;
-  triangles: Int32Array;
+  arrays: MeshBlobs;
   /** Of a surface from a file. */
   file: FileInfo | null;
   /** The axis that seems to point up. */
@@ -28,8 +28,7 @@ const fileStages: Record<string, string> = {
   making: 'Making the surface',
 };
 
-const arraysOf = (mesh: Mesh) => ({
-  mesh,
+const takenFrom = (mesh: Mesh) => ({
   positions: mesh.positions(),
   triangles: mesh.triangles(),
 });
@@ -42,18 +41,19 @@ const calls = {
     progress(0.2, 'Reading the surface');
     if (source.kind !== 'file') {
       const mesh = await meshOf(karcher, source, progress);
-      return { ...arraysOf(mesh), file: null, up: 'y' };
+      return { mesh, arrays: blobsOf(takenFrom(mesh)), file: null, up: 'y' };
     }
     const { guessUp, meshFromFile } = await import('karcher/formats');
-    const { bytes, name, parts } = source;
-    const read = await meshFromFile(karcher, bytes, {
+    const { content, name, parts } = source;
+    const bytes = new Uint8Array(await content.arrayBuffer());
+    const { mesh, file } = await meshFromFile(karcher, bytes, {
       ...{ name, ...(parts && { parts }) },
       progress: (done, stage) =>
         progress(0.2 + 0.6 * done, fileStages[stage] ?? 'Reading the file'),
     });
-    const arrays = arraysOf(read.mesh);
-    const up = guessUp(arrays.positions, arrays.triangles, read.file.format);
-    return { ...arrays, file: read.file, up };
+    const arrays = takenFrom(mesh);
+    const up = guessUp(arrays.positions, arrays.triangles, file.format);
+    return { mesh, arrays: blobsOf(arrays), file, up };
   },
   distances: (mesh: Mesh, from: PointLike, options: DistanceOptions) =>
     tracedDistances(mesh, from, options),
@@ -69,8 +69,10 @@ async function meshOf(
   progress: NonNullable<LongWorkOptions['progress']>,
 ): Promise<Mesh> {
   switch (source.kind) {
-    case 'arrays':
-      return karcher.meshFromArrays(source.positions, source.triangles);
+    case 'arrays': {
+      const { positions, triangles } = await arraysOf(source.arrays);
+      return karcher.meshFromArrays(positions, triangles);
+    }
     case 'bunny':
     case 'shape': {
       const { makeSample } = await import('../model/sample_mesh');

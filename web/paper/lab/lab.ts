@@ -1,5 +1,6 @@
 import type { CurveSamples, LongWorkOptions } from 'karcher';
 import { type Peers, type ReferenceSamples, Ruler, type RulerMeasures } from 'karcher/peers';
+import { blobsOf } from '../../model/mesh_blobs';
 import { madeKey } from '../../model/meshes';
 import type { LineId, LineResult, MeshSpec, Panel, Vector } from '../figures/types';
 import { type Carried, carry } from './carry';
@@ -19,8 +20,8 @@ export class Lab {
 
   /** A mesh for drawing. */
   async mesh(spec: MeshSpec): Promise<DrawnMesh> {
-    const { mesh, positions, triangles } = await this.#scene(spec);
-    return { info: mesh.info, positions, triangles };
+    const scene = await this.#scene(spec);
+    return { info: scene.mesh.info, arrays: blobsOf(scene) };
   }
 
   /** The points of a panel's mesh that are nearest to points of space. */

@@ -1,4 +1,5 @@
 import type { MeshInfo, SurfacePoint } from 'karcher';
+import type { MeshBlobs } from '../../model/mesh_blobs';
 import type { LineId, MeshSpec, Panel, Vector } from '../figures/types';
 
 /** A panel to be traced: its points, and which of its lines are wanted. */
@@ -24,6 +25,5 @@ export interface CarryJob {
 
 export interface DrawnMesh {
   info: MeshInfo;
-  positions: Float64Array;
-  triangles: Int32Array;
+  arrays: MeshBlobs;
 }

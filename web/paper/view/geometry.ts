@@ -8,14 +8,14 @@ export class GeometryMaker {
   });
   #last: Promise<unknown> = Promise.resolve();
 
-  make({ info, positions, triangles }: DrawnMesh): Promise<DrawnGeometry> {
+  make({ info, arrays }: DrawnMesh): Promise<DrawnGeometry> {
     const made = this.#last.then(
       () =>
         new Promise<DrawnGeometry>((resolve, reject) => {
           this.#worker.onmessage = ({ data }: MessageEvent<DrawnGeometry>) => resolve(data);
           this.#worker.onerror = (event) => reject(new Error(event.message));
           const closed = info.boundaryLoops === 0;
-          const request: GeometryRequest = { positions, triangles, closed, up: 'y' };
+          const request: GeometryRequest = { mesh: arrays, closed, up: 'y' };
           this.#worker.postMessage(request);
         }),
     );

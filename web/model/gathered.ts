@@ -1,0 +1,15 @@
+/** How long the page may be at work before it does other work, in milliseconds. */
+const sliceMilliseconds = 8;
+
+/** All that is made one by one, in slices between which the page does other work. */
+export async function gathered<Part>(parts: Iterable<Part>): Promise<Part[]> {
+  const all: Part[] = [];
+  let started = performance.now();
+  for (const part of parts) {
+    all.push(part);
+    if (performance.now() - started < sliceMilliseconds) continue;
+    await new Promise((resolve) => setTimeout(resolve));
+    started = performance.now();
+  }
+  return all;
+}

@@ -1,0 +1,26 @@
+/** A mesh, numbered as its maker has it. */
+export interface MeshArrays {
+  /** x, y, z of the vertices. */
+  positions: Float64Array;
+  /** Vertices of the triangles. */
+  triangles: Int32Array;
+}
+
+/**
+ * The same as Blobs, which pass between threads without a copy: the page hands the arrays of two million
+ * triangles from worker to worker, and never has them itself.
+ */
+export interface MeshBlobs {
+  readonly positions: Blob;
+  readonly triangles: Blob;
+}
+
+export const blobsOf = ({ positions, triangles }: MeshArrays): MeshBlobs => ({
+  positions: new Blob([positions as Float64Array<ArrayBuffer>]),
+  triangles: new Blob([triangles as Int32Array<ArrayBuffer>]),
+});
+
+export async function arraysOf({ positions, triangles }: MeshBlobs): Promise<MeshArrays> {
+  const [places, corners] = await Promise.all([positions.arrayBuffer(), triangles.arrayBuffer()]);
+  return { positions: new Float64Array(places), triangles: new Int32Array(corners) };
+}
