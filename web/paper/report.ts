@@ -1,4 +1,4 @@
-import { loadPeers } from 'karcher/peers';
+import { loadPeers, type MethodResult } from 'karcher/peers';
 import type { MeshFinding } from './claims/meshes';
 import type { JudgedClaim, Measured } from './claims/types';
 import { lineStyles } from './figures/lines';
@@ -38,6 +38,13 @@ export function cells(line: LineResult): string[] {
     figure(line.prepareMs, 3),
     figure(line.traceMs, 3),
   ];
+}
+
+/** The residual and the energy by exact paths, and over how many samples where some were lost. */
+function ruled({ ruler }: MethodResult): [string, string] {
+  const residual = figure(ruler?.residual?.median ?? null, 3);
+  const over = ruler && ruler.measured < ruler.of ? ` over ${ruler.measured} of ${ruler.of}` : '';
+  return [residual + over, figure(ruler?.energy?.median ?? null, 3)];
 }
 
 const markdownTable = (rows: readonly string[][]) =>
@@ -100,6 +107,7 @@ export async function tableReport(
         'lost',
         'lost by own rule',
         'residual h',
+        'energy h²',
       ],
     ],
   ];
@@ -121,11 +129,11 @@ export async function tableReport(
         ...times.map((time) => figure(time, 3)),
         result.reason ?? `${result.lost} of ${result.samples}`,
         result.lostByOwnRule === null ? '–' : `${result.lostByOwnRule}`,
-        figure(result.ruler?.residual?.median ?? null, 3),
+        ...ruled(result),
       ]);
     },
   });
-  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. ${publishedNote}`;
+  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals and energies are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. ${publishedNote}`;
   return { text: `## Table 1\n\n${about}\n\n${markdownTable(rows)}\n`, cells };
 }
 
@@ -160,9 +168,9 @@ export function meshesReport(meshes: readonly MeshFinding[]): string {
       result.lostByOwnRule === null ? '–' : `${result.lostByOwnRule}`,
       ...[figure(result.deviation?.median ?? null, 3), figure(result.turningNoise, 3)],
       `${result.breaks ?? '–'}`,
-      figure(result.ruler?.residual?.median ?? null, 3),
+      ...ruled(result),
     ]),
   );
-  const all = [...heads, 'median h', 'turning noise', 'breaks', 'residual h'];
+  const all = [...heads, 'median h', 'turning noise', 'breaks', 'residual h', 'energy h²'];
   return `## Meshes of a folder\n\n${markdownTable([all, ...rows])}\n`;
 }
