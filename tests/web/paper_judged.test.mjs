@@ -164,6 +164,36 @@ describe('the paper, judged', () => {
     assert.equal(await section.locator('.uplot canvas').count(), 3);
   });
 
+  test('nothing of a table is cut off at 1280 px, however long its numbers are', async () => {
+    await open('resolution');
+    await page.setViewportSize({ width: 1280, height: 800 });
+    const beyond = await page.evaluate(() => {
+      const numbers = document.querySelector('#resolution .numbers');
+      const texts = ['12.68', '22.28', '0.0577', '309/512', '0.63', '−1·10⁻⁵', '14,586', '14,053'];
+      for (const row of numbers.querySelectorAll('tbody tr')) {
+        const cells = texts.map((text, k) => {
+          const cell = document.createElement('td');
+          const note = { 0: 'over 203/512', 3: 'own 132', 4: 'over 13/33' }[k];
+          cell.append(text);
+          if (note)
+            cell.append(Object.assign(document.createElement('small'), { textContent: note }));
+          return cell;
+        });
+        row.replaceChildren(row.firstElementChild, ...cells);
+      }
+      const timings = document.querySelector('#table .timings');
+      for (const row of timings.querySelectorAll('tr[data-row]')) {
+        for (const [k, cell] of [...row.querySelectorAll('[data-method]')].entries()) {
+          const detail = ['10.3 MB', k < 6 ? 'as used 14,492' : 'fields 110', 'field 110'][k % 3];
+          const small = Object.assign(document.createElement('small'), { textContent: detail });
+          cell.replaceChildren('1,674', small);
+        }
+      }
+      return [numbers, timings].map((box) => box.scrollWidth - box.clientWidth);
+    });
+    assert.deepEqual(beyond, [0, 0]);
+  });
+
   test('figures use the width of the page', async () => {
     for (const width of [1280, 390]) {
       await page.setViewportSize({ width, height: 800 });
