@@ -73,6 +73,33 @@ describe('figures', () => {
     }
   });
 
+  test('means: says whether the center is the only one, and where it is not', async () => {
+    const { uniquenessWords } = await load('lab/center.ts');
+    const figure = figures.find(({ id }) => id === 'means');
+    const [torus, plane] = figure.panels;
+    const at = ({ mesh, points, curve }) => lab.center(mesh, figure.points[points], curve.weights);
+    const flat = await at(plane);
+    assert.equal(flat.uniqueness, 'certain');
+    assert.deepEqual(flat.others, []);
+    assert.equal((await at(torus)).uniqueness, 'likely');
+    // Around the equator the energy is the same above and below it, but for the mesh.
+    const ring = [
+      [1.4, 0, 0],
+      [0, 1.4, 0],
+      [-1.4, 0, 0],
+      [0, -1.4, 0],
+    ];
+    const center = await lab.center(torus.mesh, ring, torus.curve.weights);
+    assert.equal(center.uniqueness, 'notUnique');
+    const [other] = center.others;
+    assert.ok(center.position[2] * other.position[2] < -0.05);
+    assert.ok(other.energy >= center.energy && other.energy < 1.01 * center.energy);
+    assert.match(
+      uniquenessWords(center),
+      /^Not the only center: its energy is [\d.]+, .* [\d.]+\.$/,
+    );
+  });
+
   test('paths: ours follow the exact path, the coarser the mesh the more others leave it', async () => {
     const { fine, coarse, close } = await computed('paths');
     near(fine.karcherExact, { median: 0.1, max: 0.3 });

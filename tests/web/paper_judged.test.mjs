@@ -55,6 +55,33 @@ describe('the paper, judged', () => {
     }
   });
 
+  test('Figure 1: says whether the center is the only one, and shows the others', async () => {
+    await open('means');
+    const said = page.locator('#means .only');
+    const says = (wanted) =>
+      page.waitForFunction(
+        (start) => document.querySelector('#means .only').textContent.startsWith(start),
+        wanted,
+      );
+    await says('Likely the only center');
+    assert.match(await said.nth(1).textContent(), /^Certainly the only center/);
+    assert.equal(await page.locator('#means .marker.other').count(), 0);
+    await page.evaluate(() => {
+      const { sections } = window.karcherPaper;
+      const { panels } = sections.find(({ element }) => element.id === 'means');
+      // Around the equator.
+      panels[0].setPoints([
+        [1.4, 0, 0],
+        [0, 1.4, 0],
+        [-1.4, 0, 0],
+        [0, -1.4, 0],
+      ]);
+    });
+    await says('Not the only center: its energy is 2.');
+    assert.ok((await page.locator('#means .marker.other').count()) >= 1);
+    await settled('means');
+  });
+
   test('Figure 2: the vector turns in the face as it is turned at the vertex', async () => {
     const section = page.locator('#transport');
     await section.scrollIntoViewIfNeeded();

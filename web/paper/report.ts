@@ -4,6 +4,7 @@ import type { JudgedClaim, Measured } from './claims/types';
 import { lineStyles } from './figures/lines';
 import { panelTitle } from './figures/titles';
 import type { Figure, LineResult } from './figures/types';
+import { uniquenessWords } from './lab/center';
 import { Lab } from './lab/lab';
 import {
   asUsedMs,
@@ -84,6 +85,11 @@ export async function report(
         `### ${title}, ${info.triangles.toLocaleString('en')} triangles`,
         markdownTable(rows),
       );
+      const { curve, mesh } = panel;
+      if (curve.kind === 'center') {
+        const center = await lab.center(mesh, points[panel.points]!, curve.weights);
+        parts.push(uniquenessWords(center));
+      }
       panels[`${id}/${panel.id}`] = lines.map(
         ({ polylines: _, status: __, marker: ___, ...numbers }) => numbers,
       );

@@ -2,8 +2,9 @@ import { WorkerClient } from 'karcher/own-worker';
 import type { RulerMeasures } from 'karcher/peers';
 import { madeKey } from '../../model/meshes';
 import { slowLines } from '../figures/lines';
-import type { LineId, LineResult, MeshSpec } from '../figures/types';
+import type { LineId, LineResult, MeshSpec, Vector } from '../figures/types';
 import type { Carried } from './carry';
+import type { KnownCenter } from './center';
 import type { CarryJob, DrawnMesh, Placed, TraceJob } from './protocol';
 
 export interface TraceEvents {
@@ -37,6 +38,11 @@ export class LabClient {
     const made = this.#quick.call('mesh', [mesh]) as Promise<DrawnMesh>;
     this.#meshes.set(key, made);
     return made;
+  }
+
+  /** Whether the center of mass of a panel's points is the only one. */
+  center(mesh: MeshSpec, points: readonly Vector[], weights: readonly number[]) {
+    return this.#quick.call('center', [mesh, points, weights]) as Promise<KnownCenter>;
   }
 
   carry(job: CarryJob): Promise<Carried> {

@@ -3,6 +3,7 @@ import { type Peers, type ReferenceSamples, Ruler, type RulerMeasures } from 'ka
 import { madeKey } from '../../model/meshes';
 import type { LineId, LineResult, MeshSpec, Panel, Vector } from '../figures/types';
 import { type Carried, carry } from './carry';
+import { type KnownCenter, lookForOthers } from './center';
 import { traceLine } from './lines';
 import type { CarryJob, DrawnMesh, Placed } from './protocol';
 import { Scene } from './scene';
@@ -68,6 +69,11 @@ export class Lab {
   async carry({ source, target, middle, points }: CarryJob): Promise<Carried> {
     const [from, to] = [await this.#scene(source), await this.#scene(target)];
     return carry(from, to, middle, points);
+  }
+
+  /** Whether the center of mass of these points and weights is the only one. */
+  async center(spec: MeshSpec, points: readonly Vector[], weights: readonly number[]) {
+    return lookForOthers(await this.#scene(spec), points, weights) satisfies KnownCenter;
   }
 
   /** All of a panel's lines at once. */

@@ -3,7 +3,7 @@
 import type { LongWorkOptions } from 'karcher';
 import { serve } from 'karcher/own-worker';
 import { loadPeers, type RulerMeasures } from 'karcher/peers';
-import type { LineId, LineResult, MeshSpec } from '../figures/types';
+import type { LineId, LineResult, MeshSpec, Vector } from '../figures/types';
 import { Lab } from './lab';
 import type { CarryJob, Placed, TraceJob } from './protocol';
 
@@ -24,6 +24,10 @@ const calls = {
       // The lab keeps its arrays.
       return { info, positions: positions.slice(), triangles: triangles.slice() };
     });
+  },
+
+  center(mesh: MeshSpec, points: readonly Vector[], weights: readonly number[]) {
+    return inOrder(async () => (await lab).center(mesh, points, weights));
   },
 
   carry(job: CarryJob) {
