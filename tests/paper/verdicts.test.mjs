@@ -329,6 +329,16 @@ test('a circle of arcs: nearer and smoother are told apart', () => {
   assert.equal(of([1, 0.3], [2, 0.3]).verdict, 'does not');
 });
 
+test('too far: leaps under a drag are told where they were measured', () => {
+  const ids = ['vectorHeat', 'weightedAverages', 'bSurf', 'paper', 'karcher', 'bridged', 'leveled'];
+  const of = (drag) => {
+    const lines = ids.map((id) => line(id, { breaks: 1, drag }));
+    return rowOf({ panels: { 'far/bspline': lines, 'far/bezier': lines } }, 'too-far').measured;
+  };
+  assert.match(of({ steps: 20, leaps: 3, most: 7.31 }), /drag .* b\/Surf 6 of 40 \(×7\.3\)/);
+  assert.doesNotMatch(of(null), /drag/);
+});
+
 test('the armadillo needs a mesh of that name', () => {
   const of = (prepareMs, reason = 'folds') => {
     const result = { prepareMs, lost: 1, samples: 9, reason, ruler: null };

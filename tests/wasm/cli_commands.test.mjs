@@ -363,7 +363,7 @@ test('compare prints each method with its measures or its reason', async () => {
   const keys = [
     ...['solver', 'ok', 'reason', 'prepareMs', 'traceMs', 'fieldsMs', 'dragMs', 'dragFieldMs'],
     ...['memory', 'samples', 'lost', 'lostByOwnRule', 'logMaps', 'deviation', 'turningNoise'],
-    ...['breaks', 'sharpestTurn', 'ruler'],
+    ...['breaks', 'sharpestTurn', 'ruler', 'drag'],
   ];
   for (const [name, method] of Object.entries(methods)) {
     assert.deepEqual(Object.keys(method), keys, name);

@@ -101,6 +101,43 @@ describe('the paper, judged', () => {
     assert.notEqual(other[1], turned[1]);
   });
 
+  test('Figure 7: every curve tells how far it leaps under a drag, until its points move', async () => {
+    await open('far');
+    const panel = page.locator('#far .panel-card').first();
+    const turning = () =>
+      panel
+        .locator('tbody tr')
+        .evaluateAll((all) => all.map((row) => [row.dataset.line, row.cells[3].textContent]));
+    await panel.getByRole('button', { name: 'Drag', exact: true }).click();
+    await page.waitForFunction(() =>
+      [...document.querySelector('#far .panel-card').querySelectorAll('tbody tr')].every((row) =>
+        /drag ×[0-9.]+/.test(row.cells[3].textContent),
+      ),
+    );
+    const told = Object.fromEntries(await turning());
+    assert.ok('bSurf' in told && 'leveled' in told && 'vectorHeat' in told);
+    assert.doesNotMatch(told.bSurf, /leap/);
+    const drags = await page.evaluate(() => {
+      const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === 'far');
+      return JSON.parse(panels[0].json()).lines.map(({ drag }) => drag);
+    });
+    for (const { steps, leaps, most } of drags) {
+      assert.equal(steps, 20);
+      assert.equal(leaps > 0, most > 5);
+    }
+    await page.evaluate(() => {
+      const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === 'far');
+      panels[0].setPoints([
+        [-1.6, 0, 0.1],
+        [-0.3, 0.45, 0.25],
+        [0.3, -0.4, 0.25],
+        [1.6, 0, 0.1],
+      ]);
+    });
+    await settled('far');
+    for (const [id, text] of await turning()) assert.doesNotMatch(text, /drag/, id);
+  });
+
   test('Figure 8: another anisotropy is another mesh, measured anew', async () => {
     await open('plane');
     const panel = page.locator('#plane .panel-card').nth(3);

@@ -21,6 +21,7 @@ const figure = (value: number | null, digits: number) =>
 /** The numbers of a line as cells of a table; a line that failed has its reason. */
 export function cells(line: LineResult): string[] {
   if (!line.ok) return [`failed: ${line.reason}`, ...heads.slice(2).map(() => '')];
+  const { drag } = line;
   const { deviation, samples, lost, lostByOwnRule, ruler } = line;
   const part = (count: number, of: number) => (count < of ? ` over ${count} of ${of}` : '');
   return [
@@ -34,6 +35,7 @@ export function cells(line: LineResult): string[] {
     line.sharpestTurn
       ? `${line.sharpestTurn.degrees.toFixed(1)} at ${line.sharpestTurn.t.toFixed(3)}`
       : '–',
+    drag ? `${drag.leaps} of ${drag.steps}, ×${drag.most?.toFixed(1) ?? '–'}` : '–',
     figure(ruler?.residual?.median ?? null, 3) + (ruler ? part(ruler.measured, ruler.of) : ''),
     figure(ruler?.energy?.excess ?? null, 2),
     figure(line.prepareMs, 3),
@@ -56,8 +58,12 @@ const markdownTable = (rows: readonly string[][]) =>
 const heads = [
   ...['', 'median h', 'max h', 'turning noise', 'lost', 'lost by own rule', 'breaks'],
   'sharpest turn, degrees, at t',
+  'leaps under a drag',
   ...['residual h', 'energy − reference’s h²', 'prepare ms', 'trace ms'],
 ];
+
+/** Where leaps under a drag are what a figure is about; elsewhere they would take long. */
+const draggedFigures: ReadonlySet<string> = new Set(['far']);
 
 /** What a figure's report has: its numbers, as Markdown and as they are. */
 export interface FiguresReport {
@@ -80,6 +86,11 @@ export async function report(
       tell(`${name}, ${title}`);
       const { info } = await lab.mesh(panel.mesh);
       const lines = await lab.lines(panel, points[panel.points]!);
+      if (draggedFigures.has(id)) {
+        await lab.drag(panel, points[panel.points]!, panel.lines, (one, drag) => {
+          lines.find((line) => line.id === one)!.drag = drag;
+        });
+      }
       const rows = [heads, ...lines.map((line) => [lineStyles[line.id].label, ...cells(line)])];
       parts.push(
         `### ${title}, ${info.triangles.toLocaleString('en')} triangles`,

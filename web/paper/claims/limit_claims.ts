@@ -101,7 +101,19 @@ export const limitClaims: readonly Claim[] = [
         bridged: 'ours, bridged',
         leveled: 'ours, with levels',
       };
-      const measured = `Samples lost and leaps in both panels: ${broken.map((one) => `${names[one.id]} ${one.lost} and ${one.breaks}`).join('; ')}.`;
+      const dragged = ids.flatMap((id) => {
+        const drags = panels.flatMap((panel) => evidence.line(panel, id).drag ?? []);
+        if (drags.length < panels.length) return [];
+        const most = Math.max(...drags.map((drag) => drag.most ?? 0));
+        const steps = sum(drags.map((drag) => drag.steps));
+        const leaps = sum(drags.map((drag) => drag.leaps));
+        return [`${names[id]} ${leaps} of ${steps} (×${num(most)})`];
+      });
+      const underDrags =
+        dragged.length > 0
+          ? ` Steps of a drag in which a sample moves more than five times as far as the hand, and the farthest: ${dragged.join('; ')}.`
+          : '';
+      const measured = `Samples lost and leaps in both panels: ${broken.map((one) => `${names[one.id]} ${one.lost} and ${one.breaks}`).join('; ')}.${underDrags}`;
       const is = (id: LineId) => broken.some((one) => one.id === id && one.lost + one.breaks > 0);
       const three = (['vectorHeat', 'weightedAverages', 'paper'] as const).map(is);
       if (three.every(Boolean)) return { verdict: 'holds', measured };

@@ -1,5 +1,5 @@
 import { WorkerClient } from 'karcher/own-worker';
-import type { RulerMeasures } from 'karcher/peers';
+import type { DragMeasures, RulerMeasures } from 'karcher/peers';
 import { madeKey } from '../../model/meshes';
 import { slowLines } from '../figures/lines';
 import type { LineId, LineResult, MeshSpec, Vector } from '../figures/types';
@@ -47,6 +47,25 @@ export class LabClient {
 
   carry(job: CarryJob): Promise<Carried> {
     return this.#quick.call('carry', [job]) as Promise<Carried>;
+  }
+
+  /** Drags a control point of a panel's curves; resolves when all was told, rejects when it is aborted. */
+  async drag(
+    job: TraceJob,
+    measured: (id: LineId, drag: DragMeasures) => void,
+    signal: AbortSignal,
+  ): Promise<void> {
+    const isSlow = (id: LineId) => slowLines.has(id);
+    const part = (worker: WorkerClient, lines: readonly LineId[]) =>
+      worker.call('drag', [{ ...job, lines }, measured, { signal }]);
+    this.#slow ??= startWorker();
+    await Promise.all([
+      part(
+        this.#quick,
+        job.lines.filter((id) => !isSlow(id)),
+      ),
+      part(this.#slow, job.lines.filter(isSlow)),
+    ]);
   }
 
   /** Traces a panel; the result stops it, and no event comes after that. */

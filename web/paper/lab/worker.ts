@@ -2,7 +2,7 @@
 
 import type { LongWorkOptions } from 'karcher';
 import { serve } from 'karcher/own-worker';
-import { loadPeers, type RulerMeasures } from 'karcher/peers';
+import { type DragMeasures, loadPeers, type RulerMeasures } from 'karcher/peers';
 import type { LineId, LineResult, MeshSpec, Vector } from '../figures/types';
 import { Lab } from './lab';
 import type { CarryJob, Placed, TraceJob } from './protocol';
@@ -32,6 +32,17 @@ const calls = {
 
   carry(job: CarryJob) {
     return inOrder(async () => (await lab).carry(job));
+  },
+
+  drag(
+    { panel, points, lines }: TraceJob,
+    measured: (id: LineId, drag: DragMeasures) => void,
+    work: LongWorkOptions,
+  ) {
+    return inOrder(async () => {
+      work.signal?.throwIfAborted();
+      await (await lab).drag(panel, points, lines, measured, work);
+    });
   },
 
   /** Tells the points of a panel, then its lines one by one. */

@@ -72,6 +72,12 @@ export class FigurePanel {
   #center: KnownCenter | null = null;
   #isLooking = false;
   #looksAgain = false;
+  #dragging: AbortController | null = null;
+  readonly #dragButton = make('button', 'Drag', {
+    className: 'link',
+    type: 'button',
+    title: 'Drags a control point in small steps, and tells how far the curves leap',
+  });
   #placedOnce = false;
 
   constructor(
@@ -82,6 +88,7 @@ export class FigurePanel {
   ) {
     this.#points = points;
     this.#curve = panel.curve;
+    this.#dragButton.addEventListener('click', () => void this.#dragAll());
     this.#spec = panel.mesh;
     this.#shown = new Set(panel.lines.filter((id) => !panel.off?.includes(id)));
     const canvas = make('canvas');
@@ -147,6 +154,7 @@ export class FigurePanel {
 
   /** Nothing that is there is of the points and the curve as they are now. */
   #renew(): void {
+    this.#dragging?.abort();
     for (const id of this.panel.lines) if (!this.#shown.has(id)) this.#forget(id);
     this.#trace(this.panel.lines.filter((id) => this.#shown.has(id)));
     if (this.#mesh && this.#curve.kind === 'center') void this.#lookForOthers(this.#curve.weights);
@@ -385,6 +393,9 @@ export class FigurePanel {
     const name = `karcher-${this.panel.points}-${this.panel.id}`;
     foot.append(
       edges,
+      ...(this.panel.curve.kind === 'bspline' || this.panel.curve.kind === 'bezier'
+        ? [this.#dragButton]
+        : []),
       button('Reset view', () => this.#view.resetView(this.#placed?.places ?? [])),
       button('SVG', () => download(`${name}.svg`, 'image/svg+xml', this.svg())),
       button('JSON', () => download(`${name}.json`, 'application/json', this.json())),
@@ -392,6 +403,37 @@ export class FigurePanel {
       this.#noLink,
     );
     return foot;
+  }
+
+  /** Drags a control point of every curve that is shown, and tells how far they leap. */
+  async #dragAll(): Promise<void> {
+    const lines = this.panel.lines.filter((id) => this.#shown.has(id) && this.#result(id));
+    if (this.#dragging) return;
+    const dragging = new AbortController();
+    this.#dragging = dragging;
+    this.#dragButton.disabled = true;
+    this.#note.textContent = 'Dragging a control point in small steps…';
+    const panel = { ...this.panel, mesh: this.#spec, curve: this.#curve };
+    try {
+      await this.context.client.drag(
+        { panel, points: this.#points, lines },
+        (id, drag) => {
+          const line = this.#result(id);
+          // Of points that have moved since it says nothing.
+          if (!line || dragging.signal.aborted) return;
+          line.drag = drag;
+          this.#numbers.set(line);
+        },
+        dragging.signal,
+      );
+      this.#note.textContent = '';
+    } catch (error) {
+      const failed = !dragging.signal.aborted && error instanceof Error;
+      this.#note.textContent = failed ? error.message : '';
+    } finally {
+      this.#dragging = null;
+      this.#dragButton.disabled = false;
+    }
   }
 
   /** The panel's numbers: of all methods that were measured at the points as they are. */
