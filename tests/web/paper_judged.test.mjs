@@ -228,6 +228,24 @@ describe('the paper, judged', () => {
     assert.equal(await section.locator('.uplot canvas').count(), 3);
   });
 
+  test('curves of convergence take the width of their charts', async () => {
+    const empty = await page.evaluate(() => {
+      const { width, height } = document.querySelector('#plots .uplot canvas');
+      const context = document.querySelector('#plots .uplot canvas').getContext('2d');
+      const { data } = context.getImageData(0, 0, width, height);
+      // The lines are colored, axes and grid are not.
+      const isColored = (k) => {
+        const [r, g, b] = data.slice(k, k + 3);
+        return data[k + 3] > 200 && Math.max(r, g, b) - Math.min(r, g, b) > 80;
+      };
+      let last = 0;
+      for (let k = 0; k < data.length; k += 4)
+        if (isColored(k)) last = Math.max(last, (k / 4) % width);
+      return 1 - last / width;
+    });
+    assert.ok(empty < 0.25, `${empty} of the width is empty on the right`);
+  });
+
   test('nothing of a table is cut off at 1280 px, however long its numbers are', async () => {
     await open('resolution');
     await page.setViewportSize({ width: 1280, height: 800 });
