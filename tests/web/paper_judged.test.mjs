@@ -140,6 +140,8 @@ describe('the paper, judged', () => {
 
   test('Figure 8: another anisotropy is another mesh, measured anew', async () => {
     await open('plane');
+    const caption = await page.locator('#plane > .caption').textContent();
+    assert.match(caption, /“Paper, 1-ring”: Eq\. 3 as printed/);
     const panel = page.locator('#plane .panel-card').nth(3);
     const json = () =>
       page.evaluate(() => {

@@ -1,6 +1,7 @@
 import { loadPeers, type MethodResult } from 'karcher/peers';
 import type { MeshFinding } from './claims/meshes';
 import type { JudgedClaim, Measured } from './claims/types';
+import { captionOf } from './figures/captions';
 import { lineStyles } from './figures/lines';
 import { panelTitle } from './figures/titles';
 import type { Figure, LineResult } from './figures/types';
@@ -79,8 +80,9 @@ export async function report(
   const lab = new Lab(await loadPeers());
   const parts: string[] = [];
   const panels: Measured['panels'] = {};
-  for (const { id, name, title, caption, points, panels: ofFigure } of figures) {
-    parts.push(`## ${name}: ${title}`, caption);
+  for (const figure of figures) {
+    const { id, name, title, points, panels: ofFigure } = figure;
+    parts.push(`## ${name}: ${title}`, captionOf(figure));
     for (const panel of ofFigure) {
       const title = panelTitle(panel, panel.curve);
       tell(`${name}, ${title}`);
