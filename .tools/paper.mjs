@@ -3,7 +3,7 @@
 // build/paper.json too.
 //
 //   npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N]
-//                    [--meshes FOLDER] [--plots] [--save] [--built]
+//                    [--meshes FOLDER] [--points FOLDER] [--plots] [--save] [--built]
 //
 // One figure only (or none), and then no claims; meshes of a part of the triangles; Table 1 up to so many
 // triangles (20,000) and with so many samples a segment; every OBJ file of a folder by every method, for the
@@ -11,16 +11,16 @@
 // last report; the verdicts kept in docs/paper-report.json, from which the page shows them; what is in
 // dist/ as it is. Where there is nothing to write, the last report stays.
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { arch, cpus, type } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildWasm } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { inRoot } from './shell.mjs';
 
 const usage =
-  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--plots] [--save] [--built]';
+  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--points FOLDER] [--plots] [--save] [--built]';
 const budgetMs = 120_000;
 
 const known = {
@@ -29,6 +29,7 @@ const known = {
   table: { type: 'string' },
   samples: { type: 'string', default: '4096' },
   meshes: { type: 'string' },
+  points: { type: 'string' },
   plots: { type: 'boolean' },
   save: { type: 'boolean' },
   built: { type: 'boolean' },
@@ -82,18 +83,24 @@ async function tablePart({ table, samples }) {
 }
 
 /** The meshes of the folder; null without one. */
-async function meshesPart({ meshes }, seed) {
+async function meshesPart({ meshes, points }, seed) {
   if (meshes === undefined) return { text: '', found: null };
   const names = readdirSync(meshes).filter((name) => name.endsWith('.obj'));
   if (names.length === 0) throw new Error(`There is no OBJ file in ${meshes}.`);
   const { judgeMesh } = await load('claims/meshes.ts');
+  const { parsePoints } = await load('../../dist/cli/syntax.js');
+  const pointsOf = (name) => {
+    const path = points && join(points, `${basename(name, '.obj')}.txt`);
+    return path && existsSync(path) ? parsePoints(readFileSync(path, 'utf8'), path) : undefined;
+  };
   const { meshesReport } = await load('report.ts');
   const { loadPeers } = await load('../../dist/peers/index.js');
   const peers = await loadPeers();
   const found = [];
   for (const name of names.toSorted()) {
     const bytes = readFileSync(join(meshes, name));
-    found.push(await judgeMesh(peers, name, bytes, { seed, budgetMs }, tell));
+    const options = { seed, budgetMs, points: pointsOf(name) };
+    found.push(await judgeMesh(peers, name, bytes, options, tell));
   }
   return { text: meshesReport(found), found };
 }

@@ -113,6 +113,33 @@ test('every number of a caption is checked, and is what the figure has', async (
   assert.ok(told >= 20, `${told}`);
 });
 
+test('a figure says which form of Eq. 3 and which seeds each line of the paper’s method has', async () => {
+  const { captionOf } = await load('figures/captions.ts');
+  let named = 0;
+  for (const figure of figures) {
+    const whole = captionOf(figure);
+    assert.ok(whole.startsWith(figure.caption));
+    const lines = new Set(figure.panels.flatMap((panel) => panel.lines));
+    for (const id of lines) {
+      const { label, options } = lineStyles[id];
+      const told = whole
+        .slice(figure.caption.length)
+        .split('. “')
+        .find((part) => part.includes(`${label}”`));
+      assert.equal(told !== undefined, options?.method === 'paper', `${figure.id}: ${id}`);
+      if (told === undefined) continue;
+      assert.equal(/as printed/.test(told), options.star === 'ring', `${figure.id}: ${id}`);
+      assert.equal(
+        /start as theirs/.test(told),
+        options.seeds === 'authors',
+        `${figure.id}: ${id}`,
+      );
+      named++;
+    }
+  }
+  assert.ok(named >= 12, `${named}`);
+});
+
 test('numbers in words: of segments, arcs and points', () => {
   const of = (id) => figures.find((figure) => figure.id === id);
   const resolution = of('resolution');

@@ -73,6 +73,33 @@ describe('figures', () => {
     }
   });
 
+  test('means: says whether the center is the only one, and where it is not', async () => {
+    const { uniquenessWords } = await load('lab/center.ts');
+    const figure = figures.find(({ id }) => id === 'means');
+    const [torus, plane] = figure.panels;
+    const at = ({ mesh, points, curve }) => lab.center(mesh, figure.points[points], curve.weights);
+    const flat = await at(plane);
+    assert.equal(flat.uniqueness, 'certain');
+    assert.deepEqual(flat.others, []);
+    assert.equal((await at(torus)).uniqueness, 'likely');
+    // Around the equator the energy is the same above and below it, but for the mesh.
+    const ring = [
+      [1.4, 0, 0],
+      [0, 1.4, 0],
+      [-1.4, 0, 0],
+      [0, -1.4, 0],
+    ];
+    const center = await lab.center(torus.mesh, ring, torus.curve.weights);
+    assert.equal(center.uniqueness, 'notUnique');
+    const [other] = center.others;
+    assert.ok(center.position[2] * other.position[2] < -0.05);
+    assert.ok(other.energy >= center.energy && other.energy < 1.01 * center.energy);
+    assert.match(
+      uniquenessWords(center),
+      /^Not the only center: its energy is [\d.]+, .* [\d.]+\.$/,
+    );
+  });
+
   test('paths: ours follow the exact path, the coarser the mesh the more others leave it', async () => {
     const { fine, coarse, close } = await computed('paths');
     near(fine.karcherExact, { median: 0.1, max: 0.3 });
@@ -258,6 +285,49 @@ describe('figures', () => {
     assert.equal(leveled.sharpestTurn.degrees.toFixed(1), most);
     assert.deepEqual([leveled.lost, leveled.breaks], [0, 0]);
     assert.ok(bridged.breaks > 0);
+  });
+
+  test('plane: where the paper’s method loses samples, there are centers: by brute force at 99 of 99 parameters', async () => {
+    const { figures: whole } = await load('figures/index.ts');
+    const { makeMesh } = await load('../model/made_mesh.ts');
+    const { NearestPoints } = await load('lab/nearest.ts');
+    const { peers } = lab;
+    const figure = whole.find(({ id }) => id === 'plane');
+    const panel = figure.panels.find(({ id }) => id === 'anisotropic');
+    const [line] = await lab.lines({ ...panel, lines: ['paper'] }, figure.points.spline);
+    assert.ok(line.lost > 0.5 * line.samples, `${line.lost} of ${line.samples}`);
+    const mesh = await makeMesh(peers.karcher, panel.mesh);
+    const [positions, triangles] = [mesh.positions(), mesh.triangles()];
+    const middles = Array.from({ length: triangles.length / 3 }, (_, f) =>
+      [0, 1].map((c) =>
+        [0, 1, 2].reduce((sum, k) => sum + positions[3 * triangles[3 * f + k] + c] / 3, 0),
+      ),
+    );
+    const nearest = new NearestPoints(positions, triangles);
+    const points = figure.points.spline.map((place) => nearest.point(place));
+    const places = points.map((point) => mesh.position(point));
+    const { table, first } = peers.plan(points, 33);
+    let found = 0;
+    for (const start of first) {
+      const four = points.slice(start, start + 4);
+      for (let i = 0; i < 33; i++) {
+        const weights = table.weights.slice(4 * i, 4 * i + 4);
+        const truth = [0, 1].map((c) =>
+          weights.reduce((sum, weight, k) => sum + weight * places[start + k][c], 0),
+        );
+        const away = (f) => Math.hypot(middles[f][0] - truth[0], middles[f][1] - truth[1]);
+        const faces = middles.map((_, f) => f).toSorted((a, b) => away(a) - away(b));
+        const options = { method: 'paper', solver: 'exact', normalize: true };
+        const leads = (face) =>
+          mesh.centerOfMass(four, weights, {
+            ...options,
+            start: { face, bary: [1 / 3, 1 / 3, 1 / 3] },
+          }).status === 'converged';
+        if (faces.slice(0, 200).some(leads)) found++;
+      }
+    }
+    mesh.dispose();
+    assert.equal(found, 99);
   });
 
   test('plane: ours is exact on every tessellation, the paper’s where rings are symmetric', async () => {

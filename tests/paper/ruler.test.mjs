@@ -150,12 +150,17 @@ test('compare says what finds distances, and what was left out', () => {
   );
   assert.match(methods.karcher.solver, /^(fast|exact) distances$/);
   assert.equal(reference, 'our method, exact distances');
-  for (const [name, { deviation, samples: all, lost, lostByOwnRule, logMaps }] of Object.entries(
-    methods,
-  )) {
+  for (const [
+    name,
+    { deviation, samples: all, lost, lostByOwnRule, logMaps, drag },
+  ] of Object.entries(methods)) {
     if (name === 'descent') continue;
     assert.ok(deviation.samples <= all - lost, name);
     assert.ok(lostByOwnRule <= lost, name);
+    // A curve without half of its samples is not dragged.
+    assert.equal(drag?.steps, lost > all / 2 ? undefined : 20, name);
+    if (!drag) continue;
+    assert.ok(drag.leaps <= drag.steps && (drag.most > 5 || drag.leaps === 0), name);
     assert.equal(logMaps !== null, /Heat/.test(name), name);
   }
   // It searches: many more evaluations than vertices that it comes by.

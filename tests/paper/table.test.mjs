@@ -190,6 +190,20 @@ describe('the table', () => {
     }
   });
 
+  test('has a residual and an energy for every method in the report', async () => {
+    const { tableReport } = await load('report.ts');
+    const chosen = rows.smallRows(0.02).slice(2, 3);
+    const { text, cells } = await tableReport({ rows: chosen, samples: 9, budgetMs: 60_000 });
+    const lines = text.split('\n').filter((line) => line.startsWith('| Genus 3'));
+    assert.equal(lines.length, cells.length);
+    for (const [k, { method, result }] of cells.entries()) {
+      const [residual, energy] = lines[k].split(' | ').slice(-2).map(Number.parseFloat);
+      const { ruler } = result;
+      assert.ok(Math.abs(residual / ruler.residual.median - 1) < 0.01, `${method}: ${lines[k]}`);
+      assert.ok(Math.abs(energy / ruler.energy.median - 1) < 0.01, `${method}: ${lines[k]}`);
+    }
+  });
+
   test('has rows from 500 to 500,000 triangles', () => {
     const sizes = rows.tableRows.map(({ mesh }) => rows.expectedTriangles(mesh));
     assert.equal(Math.min(...sizes), 500);
@@ -248,7 +262,7 @@ test('the report names every figure and every line', async () => {
     assert.ok(text.includes(`## ${name}: ${title}`));
     for (const panel of panels) assert.ok(text.includes(`### ${panel.title}, `));
   }
-  assert.match(text, /\| Karcher \| [^|]+ \| [^|]+ \| [^|]+ \| 0 of 15 \| 0 \| 0 \|/);
+  assert.match(text, /\| Karcher \| [^|]+ \| [^|]+ \| [^|]+ \| 0 of 15 \| 0 \| 0 \| [^|]+ \| – \|/);
   // What the claims are judged by.
   const karcher = panels['plane/grid'].find(({ id }) => id === 'karcher');
   assert.ok(karcher.ruler.residual.median < 1e-9);

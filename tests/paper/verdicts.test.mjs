@@ -85,6 +85,30 @@ describe('more accurate than weighted averages, and slightly slower', () => {
     assert.doesNotMatch(mixed.on, /time/);
   });
 
+  test('the meshes of a folder count as well', () => {
+    const method = (name, median) => ({
+      method: name,
+      result: { ok: true, lost: 0, samples: 9, ...residual(median) },
+    });
+    const mesh = (paper, exact, averages) => ({
+      ...{ name: 'spot.obj', triangles: 9 },
+      methods: [
+        method('paper', paper),
+        method('paperExact', exact),
+        method('weightedAverages', averages),
+        method('karcher', 0.01),
+        method('bSurf', 0.001),
+      ],
+    });
+    const on = (...meshes) =>
+      rowOf({ panels: { 'a/b': panel(1, 2) }, table: [], meshes }, 'against-averages');
+    assert.equal(on(mesh(1, 1, 2)).verdict, 'holds');
+    assert.match(on(mesh(1, 3, 2)).on, /not nearer in 1 of 4 cases/);
+    const row = on(mesh(4, 3, 2));
+    assert.match(row.on, /not nearer in 2 of 4 cases/);
+    assert.match(row.measured, /both ways on spot; residuals .* spot 4, 3, 2, 0\.01, 0\.001\./);
+  });
+
   test('a tie is won by neither', () => {
     const row = of({ 'a/b': panel(1, 1), 'a/c': panel(1, 3) });
     assert.equal(row.verdict, 'depends');
@@ -305,6 +329,16 @@ test('a circle of arcs: nearer and smoother are told apart', () => {
   assert.equal(of([1, 0.3], [2, 0.3]).verdict, 'does not');
 });
 
+test('too far: leaps under a drag are told where they were measured', () => {
+  const ids = ['vectorHeat', 'weightedAverages', 'bSurf', 'paper', 'karcher', 'bridged', 'leveled'];
+  const of = (drag) => {
+    const lines = ids.map((id) => line(id, { breaks: 1, drag }));
+    return rowOf({ panels: { 'far/bspline': lines, 'far/bezier': lines } }, 'too-far').measured;
+  };
+  assert.match(of({ steps: 20, leaps: 3, most: 7.31 }), /drag .* b\/Surf 6 of 40 \(×7\.3\)/);
+  assert.doesNotMatch(of(null), /drag/);
+});
+
 test('the armadillo needs a mesh of that name', () => {
   const of = (prepareMs, reason = 'folds') => {
     const result = { prepareMs, lost: 1, samples: 9, reason, ruler: null };
@@ -315,6 +349,34 @@ test('the armadillo needs a mesh of that name', () => {
   assert.equal(of(null), 'holds');
   assert.equal(of(null, 'stopped after 120 s'), 'not measured here');
   assert.equal(rowOf({ meshes: [] }, 'table').verdict, 'not measured here');
+});
+
+describe('resilient to roughness', () => {
+  const point = (method, lost) => ({ noise: 0.4, method, lost, samples: 100, residual: 0.2 });
+  const of = (lost, onMesh) => {
+    const method = (name, count) => ({
+      method: name,
+      result: { ok: true, lost: count, samples: 200, ...residual(0.3) },
+    });
+    const methods = [method('paper', 0), method('paperExact', onMesh), method('karcher', 0)];
+    const meshes = onMesh === null ? null : [{ name: 'armadillo.obj', triangles: 9, methods }];
+    const roughness = [point('paper', lost), point('karcher', 0)];
+    return rowOf({ studies: { roughness }, meshes }, 'roughness');
+  };
+
+  test('the armadillo counts where it is at hand', () => {
+    assert.equal(of(0, null).verdict, 'holds');
+    assert.equal(of(0, 0).verdict, 'holds');
+    assert.equal(of(0, 1).on, 'how rough: some samples are lost on the armadillo');
+    assert.match(
+      of(0, 1).measured,
+      /armadillo of 9 triangles: .* exact distances 0\.3 h and 1 lost/,
+    );
+    assert.match(of(1, 1).on, /where the noise is largest and on the armadillo$/);
+    assert.equal(of(6, null).verdict, 'does not');
+    assert.equal(of(6, 11).verdict, 'does not');
+    assert.equal(of(6, 0).verdict, 'depends');
+  });
 });
 
 test('how a method grows tells the rows in which it failed', () => {

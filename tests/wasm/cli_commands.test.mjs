@@ -363,7 +363,7 @@ test('compare prints each method with its measures or its reason', async () => {
   const keys = [
     ...['solver', 'ok', 'reason', 'prepareMs', 'traceMs', 'fieldsMs', 'dragMs', 'dragFieldMs'],
     ...['memory', 'samples', 'lost', 'lostByOwnRule', 'logMaps', 'deviation', 'turningNoise'],
-    ...['breaks', 'sharpestTurn', 'ruler'],
+    ...['breaks', 'sharpestTurn', 'ruler', 'drag'],
   ];
   for (const [name, method] of Object.entries(methods)) {
     assert.deepEqual(Object.keys(method), keys, name);
@@ -392,6 +392,19 @@ test('compare prints each method with its measures or its reason', async () => {
   const delaunay = (await printed(...args, '--delaunay', '--budget', '60')).methods;
   assert.equal(delaunay.vectorHeat.ok, true);
   assert.match(await failure(...args, '--budget', '-1'), /--budget must be at least 0/);
+  const asPrinted = ['--solver', 'exact', '--star', 'ring', '--seeds', 'heaviest', '--drag', '0'];
+  const { paper, karcher } = (await printed(...args, ...asPrinted)).methods;
+  assert.equal(
+    paper.solver,
+    'exact distances; gradients of the faces around a vertex; seeds at the heaviest points',
+  );
+  assert.equal(paper.drag, null);
+  assert.equal(karcher.solver, methods.karcher.solver);
+  assert.notDeepEqual(paper.deviation, methods.paper.deviation);
+  const twoRings = (await printed(...args, '--rings', '2', '--drag', '0')).methods.paper;
+  assert.match(twoRings.solver, /^graph distances, k = 2; .* and beyond; authors’ seeds$/);
+  assert.match(await failure(...args, '--solver', 'fast'), /--solver must be one of exact, graph/);
+  assert.match(await failure(...args, '--solver', 'exact', '--rings', '2'), /--rings/);
   assert.match(
     await failure('compare', gridFile, '--points', folder.write('one.txt', '3 0 0\n')),
     /2 points/,

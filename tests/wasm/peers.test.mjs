@@ -6,6 +6,7 @@ import {
   CurveMeter,
   comparedMethods,
   loadPeers,
+  measureDrag,
   runMethod,
   standardOptions,
   traceReference,
@@ -384,6 +385,54 @@ describe('errors', () => {
     mesh.dispose();
     assert.throws(() => curve.finish(), code('disposed'));
     method.dispose();
+  });
+});
+
+describe('a drag', () => {
+  test('moves a B-spline on the plane by its largest weight, and without leaps', async () => {
+    for (const name of ['karcher', 'bSurf', 'affineHeat', 'weightedAverages']) {
+      const method = await prepared(name);
+      const plan = peers.plan(points, 17);
+      const curve = method.curve(plan);
+      await curve.trace();
+      const { steps, leaps, most } = await measureDrag(curve, plane, plan, 10);
+      assert.deepEqual([steps, leaps], [10, 0], name);
+      // 2/3 at a knot; averages are taken in an embedding that is not quite the plane.
+      const tolerance = name === 'weightedAverages' ? 0.05 : 1e-6;
+      assert.ok(Math.abs(most - 2 / 3) < tolerance, `${name}: ${most}`);
+      method.dispose();
+    }
+  });
+
+  test('counts the steps in which a sample leaps', async () => {
+    const plan = peers.plan(points, 2);
+    const start = plane.position(points[2]);
+    // Along a cell's diagonal to the next control point, which is nearer than two edges.
+    const hand = Math.SQRT2 / 10;
+    /** Follows the hand, but for a leap forth and back of a part of an edge; its other sample is lost. */
+    const curve = (leap) => {
+      let moves = 0;
+      let place = start;
+      return {
+        movePoint(i, point) {
+          assert.equal(i, 2);
+          moves++;
+          place = plane.position(point);
+        },
+        trace: async () => 0,
+        samples: () => ({
+          count: 2,
+          position: [...place.with(1, place[1] + (moves === 4 ? leap : 0)), 99 * moves, 0, 0],
+          status: ['converged', 'noProgress'],
+        }),
+      };
+    };
+    const steady = await measureDrag(curve(4 * hand), plane, plan, 10);
+    assert.equal(steady.leaps, 0);
+    const leaping = await measureDrag(curve(8 * hand), plane, plan, 10);
+    assert.equal(leaping.leaps, 2);
+    assert.ok(leaping.most > 5 && leaping.most < 9.1, `${leaping.most}`);
+    assert.ok(steady.most > 3 && steady.most < 5, `${steady.most}`);
   });
 });
 

@@ -399,6 +399,17 @@ describe('the Paper page', () => {
         .locator(`tr[data-row="${row}"] td[data-method="${method}"]`)
         .allTextContents();
       assert.equal(/\d/.test(shown[1]), result.traceMs !== null, `${row}, ${method}: ${shown}`);
+      const measures = await section
+        .locator(`tr[data-measures="${row}"] td[data-method="${method}"]`)
+        .textContent();
+      const { residual, energy } = result.ruler ?? {};
+      assert.equal(/residual [\d.·⁻⁰-⁹]+ h/.test(measures), Boolean(residual), `${row}, ${method}`);
+      assert.equal(/energy [\d.]+ h²/.test(measures), Boolean(energy), `${row}, ${method}`);
+      const lost = result.lost ? [`lost ${result.lost}/${result.samples}`] : null;
+      assert.deepEqual(measures.match(/lost \d+\/\d+/)?.slice() ?? null, lost);
+      const own = result.lostByOwnRule;
+      const isOther = lost !== null && own !== null && own !== result.lost;
+      assert.equal(measures.includes(`, own ${own}`), isOther, `${row}, ${method}: ${measures}`);
     }
     assert.equal(await section.locator('.uplot canvas').count(), 1);
     await section.getByText('Update', { exact: true }).click();

@@ -55,6 +55,33 @@ describe('the paper, judged', () => {
     }
   });
 
+  test('Figure 1: says whether the center is the only one, and shows the others', async () => {
+    await open('means');
+    const said = page.locator('#means .only');
+    const says = (wanted) =>
+      page.waitForFunction(
+        (start) => document.querySelector('#means .only').textContent.startsWith(start),
+        wanted,
+      );
+    await says('Likely the only center');
+    assert.match(await said.nth(1).textContent(), /^Certainly the only center/);
+    assert.equal(await page.locator('#means .marker.other').count(), 0);
+    await page.evaluate(() => {
+      const { sections } = window.karcherPaper;
+      const { panels } = sections.find(({ element }) => element.id === 'means');
+      // Around the equator.
+      panels[0].setPoints([
+        [1.4, 0, 0],
+        [0, 1.4, 0],
+        [-1.4, 0, 0],
+        [0, -1.4, 0],
+      ]);
+    });
+    await says('Not the only center: its energy is 2.');
+    assert.ok((await page.locator('#means .marker.other').count()) >= 1);
+    await settled('means');
+  });
+
   test('Figure 2: the vector turns in the face as it is turned at the vertex', async () => {
     const section = page.locator('#transport');
     await section.scrollIntoViewIfNeeded();
@@ -74,8 +101,47 @@ describe('the paper, judged', () => {
     assert.notEqual(other[1], turned[1]);
   });
 
+  test('Figure 7: every curve tells how far it leaps under a drag, until its points move', async () => {
+    await open('far');
+    const panel = page.locator('#far .panel-card').first();
+    const turning = () =>
+      panel
+        .locator('tbody tr')
+        .evaluateAll((all) => all.map((row) => [row.dataset.line, row.cells[3].textContent]));
+    await panel.getByRole('button', { name: 'Drag', exact: true }).click();
+    await page.waitForFunction(() =>
+      [...document.querySelector('#far .panel-card').querySelectorAll('tbody tr')].every((row) =>
+        /drag ×[0-9.]+/.test(row.cells[3].textContent),
+      ),
+    );
+    const told = Object.fromEntries(await turning());
+    assert.ok('bSurf' in told && 'leveled' in told && 'vectorHeat' in told);
+    assert.doesNotMatch(told.bSurf, /leap/);
+    const drags = await page.evaluate(() => {
+      const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === 'far');
+      return JSON.parse(panels[0].json()).lines.map(({ drag }) => drag);
+    });
+    for (const { steps, leaps, most } of drags) {
+      assert.equal(steps, 20);
+      assert.equal(leaps > 0, most > 5);
+    }
+    await page.evaluate(() => {
+      const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === 'far');
+      panels[0].setPoints([
+        [-1.6, 0, 0.1],
+        [-0.3, 0.45, 0.25],
+        [0.3, -0.4, 0.25],
+        [1.6, 0, 0.1],
+      ]);
+    });
+    await settled('far');
+    for (const [id, text] of await turning()) assert.doesNotMatch(text, /drag/, id);
+  });
+
   test('Figure 8: another anisotropy is another mesh, measured anew', async () => {
     await open('plane');
+    const caption = await page.locator('#plane > .caption').textContent();
+    assert.match(caption, /“Paper, 1-ring”: Eq\. 3 as printed/);
     const panel = page.locator('#plane .panel-card').nth(3);
     const json = () =>
       page.evaluate(() => {
@@ -162,6 +228,54 @@ describe('the paper, judged', () => {
       /^Order of convergence/,
     );
     assert.equal(await section.locator('.uplot canvas').count(), 3);
+  });
+
+  test('curves of convergence take the width of their charts', async () => {
+    const empty = await page.evaluate(() => {
+      const { width, height } = document.querySelector('#plots .uplot canvas');
+      const context = document.querySelector('#plots .uplot canvas').getContext('2d');
+      const { data } = context.getImageData(0, 0, width, height);
+      // The lines are colored, axes and grid are not.
+      const isColored = (k) => {
+        const [r, g, b] = data.slice(k, k + 3);
+        return data[k + 3] > 200 && Math.max(r, g, b) - Math.min(r, g, b) > 80;
+      };
+      let last = 0;
+      for (let k = 0; k < data.length; k += 4)
+        if (isColored(k)) last = Math.max(last, (k / 4) % width);
+      return 1 - last / width;
+    });
+    assert.ok(empty < 0.25, `${empty} of the width is empty on the right`);
+  });
+
+  test('nothing of a table is cut off at 1280 px, however long its numbers are', async () => {
+    await open('resolution');
+    await page.setViewportSize({ width: 1280, height: 800 });
+    const beyond = await page.evaluate(() => {
+      const numbers = document.querySelector('#resolution .numbers');
+      const texts = ['12.68', '22.28', '0.0577', '309/512', '0.63', '−1·10⁻⁵', '14,586', '14,053'];
+      for (const row of numbers.querySelectorAll('tbody tr')) {
+        const cells = texts.map((text, k) => {
+          const cell = document.createElement('td');
+          const note = { 0: 'over 203/512', 3: 'own 132', 4: 'over 13/33' }[k];
+          cell.append(text);
+          if (note)
+            cell.append(Object.assign(document.createElement('small'), { textContent: note }));
+          return cell;
+        });
+        row.replaceChildren(row.firstElementChild, ...cells);
+      }
+      const timings = document.querySelector('#table .timings');
+      for (const row of timings.querySelectorAll('tr[data-row]')) {
+        for (const [k, cell] of [...row.querySelectorAll('[data-method]')].entries()) {
+          const detail = ['10.3 MB', k < 6 ? 'as used 14,492' : 'fields 110', 'field 110'][k % 3];
+          const small = Object.assign(document.createElement('small'), { textContent: detail });
+          cell.replaceChildren('1,674', small);
+        }
+      }
+      return [numbers, timings].map((box) => box.scrollWidth - box.clientWidth);
+    });
+    assert.deepEqual(beyond, [0, 0]);
   });
 
   test('figures use the width of the page', async () => {

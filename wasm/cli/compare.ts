@@ -6,7 +6,7 @@ export const compare: Command = {
   name: 'compare',
   summary: 'a curve by each method: times, and how far it is from exact log vectors or paths',
   output:
-    '{mesh: {vertices, triangles, meanEdge}, reference, methods: {vectorHeat|affineHeat|weightedAverages|descent|bSurf|paper|karcher: {solver, ok, reason, prepareMs, traceMs, fieldsMs, dragMs, dragFieldMs, memory, samples, lost, lostByOwnRule, logMaps: {made, asked}, deviation: {median, max, samples}, turningNoise, breaks, sharpestTurn: {degrees, t}, ruler: {residual: {median, max}, energy: {median, excess}, measured, of}}}}; two points give the shortest path between them, three a quadratic Bezier curve, more a B-spline. solver says how the method finds distances or log maps: paper has exact distances for two points and the graph of k = 6 for more, karcher fast ones. Deviations, from the reference (the exact path, or our curve of exact log vectors), are in mean edges h, over so many samples as converged. lost counts samples that did not converge to 1e-6 h, lostByOwnRule those that the method’s authors would not have accepted either (vector heat’s library stops at a third of the root of a face’s area). logMaps tells how many the heat methods made, and asked for, each of which their library computes anew. ruler is the same for all: at up to 33 samples, by exact shortest paths, the residual |sum w log p| in h and the energy sum w d^2 in h^2, excess over the reference’s. breaks counts leaps between neighbouring samples, sharpestTurn is the largest angle at one. fieldsMs and dragFieldMs are the part of traceMs and dragMs that fields take, memory the bytes that the method holds with its curve. null is what was not measured',
+    '{mesh: {vertices, triangles, meanEdge}, reference, methods: {vectorHeat|affineHeat|weightedAverages|descent|bSurf|paper|karcher: {solver, ok, reason, prepareMs, traceMs, fieldsMs, dragMs, dragFieldMs, memory, samples, lost, lostByOwnRule, logMaps: {made, asked}, deviation: {median, max, samples}, turningNoise, breaks, sharpestTurn: {degrees, t}, ruler: {residual: {median, max}, energy: {median, excess}, measured, of}, drag: {steps, leaps, most}}}}; two points give the shortest path between them, three a quadratic Bezier curve, more a B-spline. solver says how the method finds distances or log maps: paper has exact distances for two points and the graph of k = 6 for more, unless --solver or --rings say otherwise, karcher fast ones. Deviations, from the reference (the exact path, or our curve of exact log vectors), are in mean edges h, over so many samples as converged. lost counts samples that did not converge to 1e-6 h, lostByOwnRule those that the method’s authors would not have accepted either (vector heat’s library stops at a third of the root of a face’s area). logMaps tells how many the heat methods made, and asked for, each of which their library computes anew. ruler is the same for all: at up to 33 samples, by exact shortest paths, the residual |sum w log p| in h and the energy sum w d^2 in h^2, excess over the reference’s. breaks counts leaps between neighbouring samples, sharpestTurn is the largest angle at one. drag moves the middle control point towards the next one in even steps, over two edges at most: leaps counts the steps in which a sample moved more than five times as far as the hand, most is the farthest, in steps of the hand. fieldsMs and dragFieldMs are the part of traceMs and dragMs that fields take, memory the bytes that the method holds with its curve. null is what was not measured',
   options: [
     pointsOption,
     { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
@@ -18,6 +18,31 @@ export const compare: Command = {
     },
     { name: 'delaunay', help: 'the heat methods on the intrinsic Delaunay triangulation' },
     {
+      name: 'solver',
+      value: 'exact|graph',
+      help: 'how the paper’s method finds distances; exact for two points, graph for more',
+      default: 'graph',
+    },
+    { name: 'rings', value: 'K', help: 'rings of its graph, 1 to 10', default: '6' },
+    {
+      name: 'star',
+      value: 'wide|ring',
+      help: 'the faces of its Eq. 3: also those beyond, as in its authors’ program, or those around a vertex, as printed',
+      default: 'wide',
+    },
+    {
+      name: 'seeds',
+      value: 'authors|heaviest',
+      help: 'where its searches start: as in its authors’ program, or as the engine’s',
+      default: 'authors',
+    },
+    {
+      name: 'drag',
+      value: 'STEPS',
+      help: 'steps of the drag in which leaps are counted; 0 for none',
+      default: '20',
+    },
+    {
       name: 'budget',
       value: 'SECONDS',
       help: 'a method gives up after so long; 0 for never',
@@ -28,8 +53,20 @@ export const compare: Command = {
     const samples = args.integer('samples');
     const landmarks = args.integer('landmarks');
     const budgetMs = 1000 * args.number('budget') || Number.POSITIVE_INFINITY;
+    const dragSteps = args.integer('drag');
+    if (dragSteps < 0) throw new UsageError('--drag must be at least 0 steps');
     if (budgetMs < 0) throw new UsageError('--budget must be at least 0 seconds');
     const delaunay = args.given('delaunay');
+    const solver = args.choice<'exact' | 'graph'>('solver');
+    if (args.given('rings') && args.given('solver') && solver === 'exact') {
+      args.refuse(['rings'], 'with --solver exact');
+    }
+    const ofPaper: Partial<MethodOptions> = {
+      star: args.choice<'wide' | 'ring'>('star'),
+      seeds: args.choice<'authors' | 'heaviest'>('seeds'),
+      ...(args.given('solver') && { solver }),
+    };
+    const rings = args.integer('rings');
     const points = await args.points();
     const read = await args.meshFile();
     // Only here: the other commands need not wait for a second module.
@@ -53,9 +90,15 @@ export const compare: Command = {
     const methods: Record<string, object> = {};
     for (const name of comparedMethods) {
       const options: MethodOptions = { ...standardOptions(name, plan), landmarks, delaunay };
+      if (name === 'paper') {
+        Object.assign(options, ofPaper);
+        if (options.solver === 'graph') options.rings = rings;
+        else delete options.rings;
+      }
       const run = await runMethod(peers, mesh, plan, options, reference.samples, {
         budgetMs,
         ruler,
+        dragSteps,
         progress: reporter(name, tell),
       });
       const { curve: _, ...result } = run;

@@ -3,6 +3,7 @@ import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import { nextCorner, toSurfacePoint, wirePoint } from '../points.js';
 import type { CurveSamples, LongWorkOptions } from '../types.js';
+import { type DragMeasures, measureDrag } from './drag.js';
 import { alongPath, type CurveMeasures, CurveMeter, type ReferenceSamples } from './measure.js';
 import type { Peers } from './peers.js';
 import { comparedMethods } from './prepared_method.js';
@@ -53,6 +54,8 @@ export interface MethodResult {
   sharpestTurn: CurveMeasures['sharpestTurn'];
   /** By exact shortest paths, the same for all methods; null where no ruler was given. */
   ruler: RulerMeasures | null;
+  /** How the curve follows a hand; null where no drag was asked for. */
+  drag: DragMeasures | null;
 }
 
 /** A result with the curve itself, where there is one. */
@@ -67,6 +70,8 @@ export interface CompareOptions extends LongWorkOptions {
   once?: boolean;
   /** Measures the curve by exact shortest paths too. */
   ruler?: Ruler;
+  /** Drags a control point in so many steps, and measures how the curve follows; 0 for none. */
+  dragSteps?: number;
 }
 
 /**
@@ -160,6 +165,7 @@ export async function runMethod(
     budgetMs = Number.POSITIVE_INFINITY,
     once = false,
     ruler,
+    dragSteps = 0,
   }: CompareOptions = {},
 ): Promise<MethodRun> {
   const run: MethodRun = { ...nothingMeasured, curve: null };
@@ -189,6 +195,12 @@ export async function runMethod(
     // With fewer it is no curve.
     run.ok = run.lost! <= run.samples! / 2;
     if (!run.ok) run.reason = `${run.lost} of ${run.samples} samples did not converge`;
+    if (dragSteps > 0 && run.ok) {
+      const dragged = method.curve(plan);
+      await dragged.trace(work);
+      run.drag = await measureDrag(dragged, own, plan, dragSteps, work);
+      dragged.dispose();
+    }
     if (!once && run.ok) await repeat(run, { peers, method, curve, mesh: own, plan, work });
   } catch (error) {
     signal?.throwIfAborted();
@@ -245,6 +257,7 @@ export const nothingMeasured: MethodResult = {
   breaks: null,
   sharpestTurn: null,
   ruler: null,
+  drag: null,
 };
 
 function measures(mesh: Mesh, samples: CurveSamples, reference: ReferenceSamples | null) {

@@ -5,6 +5,7 @@ import { Peers } from './peers.js';
 
 export * from '../index.js';
 export * from './compare.js';
+export * from './drag.js';
 export * from './measure.js';
 export type { Peers } from './peers.js';
 export * from './ruler.js';

@@ -1,9 +1,11 @@
-import { loadPeers } from 'karcher/peers';
+import { loadPeers, type MethodResult } from 'karcher/peers';
 import type { MeshFinding } from './claims/meshes';
 import type { JudgedClaim, Measured } from './claims/types';
+import { captionOf } from './figures/captions';
 import { lineStyles } from './figures/lines';
 import { panelTitle } from './figures/titles';
 import type { Figure, LineResult } from './figures/types';
+import { uniquenessWords } from './lab/center';
 import { Lab } from './lab/lab';
 import {
   asUsedMs,
@@ -20,6 +22,7 @@ const figure = (value: number | null, digits: number) =>
 /** The numbers of a line as cells of a table; a line that failed has its reason. */
 export function cells(line: LineResult): string[] {
   if (!line.ok) return [`failed: ${line.reason}`, ...heads.slice(2).map(() => '')];
+  const { drag } = line;
   const { deviation, samples, lost, lostByOwnRule, ruler } = line;
   const part = (count: number, of: number) => (count < of ? ` over ${count} of ${of}` : '');
   return [
@@ -33,11 +36,19 @@ export function cells(line: LineResult): string[] {
     line.sharpestTurn
       ? `${line.sharpestTurn.degrees.toFixed(1)} at ${line.sharpestTurn.t.toFixed(3)}`
       : '–',
+    drag ? `${drag.leaps} of ${drag.steps}, ×${drag.most?.toFixed(1) ?? '–'}` : '–',
     figure(ruler?.residual?.median ?? null, 3) + (ruler ? part(ruler.measured, ruler.of) : ''),
     figure(ruler?.energy?.excess ?? null, 2),
     figure(line.prepareMs, 3),
     figure(line.traceMs, 3),
   ];
+}
+
+/** The residual and the energy by exact paths, and over how many samples where some were lost. */
+function ruled({ ruler }: MethodResult): [string, string] {
+  const residual = figure(ruler?.residual?.median ?? null, 3);
+  const over = ruler && ruler.measured < ruler.of ? ` over ${ruler.measured} of ${ruler.of}` : '';
+  return [residual + over, figure(ruler?.energy?.median ?? null, 3)];
 }
 
 const markdownTable = (rows: readonly string[][]) =>
@@ -48,8 +59,12 @@ const markdownTable = (rows: readonly string[][]) =>
 const heads = [
   ...['', 'median h', 'max h', 'turning noise', 'lost', 'lost by own rule', 'breaks'],
   'sharpest turn, degrees, at t',
+  'leaps under a drag',
   ...['residual h', 'energy − reference’s h²', 'prepare ms', 'trace ms'],
 ];
+
+/** Where leaps under a drag are what a figure is about; elsewhere they would take long. */
+const draggedFigures: ReadonlySet<string> = new Set(['far']);
 
 /** What a figure's report has: its numbers, as Markdown and as they are. */
 export interface FiguresReport {
@@ -65,18 +80,29 @@ export async function report(
   const lab = new Lab(await loadPeers());
   const parts: string[] = [];
   const panels: Measured['panels'] = {};
-  for (const { id, name, title, caption, points, panels: ofFigure } of figures) {
-    parts.push(`## ${name}: ${title}`, caption);
+  for (const figure of figures) {
+    const { id, name, title, points, panels: ofFigure } = figure;
+    parts.push(`## ${name}: ${title}`, captionOf(figure));
     for (const panel of ofFigure) {
       const title = panelTitle(panel, panel.curve);
       tell(`${name}, ${title}`);
       const { info } = await lab.mesh(panel.mesh);
       const lines = await lab.lines(panel, points[panel.points]!);
+      if (draggedFigures.has(id)) {
+        await lab.drag(panel, points[panel.points]!, panel.lines, (one, drag) => {
+          lines.find((line) => line.id === one)!.drag = drag;
+        });
+      }
       const rows = [heads, ...lines.map((line) => [lineStyles[line.id].label, ...cells(line)])];
       parts.push(
         `### ${title}, ${info.triangles.toLocaleString('en')} triangles`,
         markdownTable(rows),
       );
+      const { curve, mesh } = panel;
+      if (curve.kind === 'center') {
+        const center = await lab.center(mesh, points[panel.points]!, curve.weights);
+        parts.push(uniquenessWords(center));
+      }
       panels[`${id}/${panel.id}`] = lines.map(
         ({ polylines: _, status: __, marker: ___, ...numbers }) => numbers,
       );
@@ -100,6 +126,7 @@ export async function tableReport(
         'lost',
         'lost by own rule',
         'residual h',
+        'energy h²',
       ],
     ],
   ];
@@ -121,11 +148,11 @@ export async function tableReport(
         ...times.map((time) => figure(time, 3)),
         result.reason ?? `${result.lost} of ${result.samples}`,
         result.lostByOwnRule === null ? '–' : `${result.lostByOwnRule}`,
-        figure(result.ruler?.residual?.median ?? null, 3),
+        ...ruled(result),
       ]);
     },
   });
-  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. ${publishedNote}`;
+  const about = `${options.samples} samples a segment; a method gives up after ${options.budgetMs / 1000} s. A log map each: as the heat methods’ library has it, which computes one at each evaluation; reckoned from how many were asked for. Residuals and energies are by exact paths at 33 samples. MB: what a method holds with its curve, the mesh apart. ${publishedNote}`;
   return { text: `## Table 1\n\n${about}\n\n${markdownTable(rows)}\n`, cells };
 }
 
@@ -160,9 +187,9 @@ export function meshesReport(meshes: readonly MeshFinding[]): string {
       result.lostByOwnRule === null ? '–' : `${result.lostByOwnRule}`,
       ...[figure(result.deviation?.median ?? null, 3), figure(result.turningNoise, 3)],
       `${result.breaks ?? '–'}`,
-      figure(result.ruler?.residual?.median ?? null, 3),
+      ...ruled(result),
     ]),
   );
-  const all = [...heads, 'median h', 'turning noise', 'breaks', 'residual h'];
+  const all = [...heads, 'median h', 'turning noise', 'breaks', 'residual h', 'energy h²'];
   return `## Meshes of a folder\n\n${markdownTable([all, ...rows])}\n`;
 }

@@ -1,6 +1,9 @@
 import type { Mesh, SurfacePoint } from 'karcher';
 import {
+  type ComparedMethod,
+  type CurvePlan,
   comparedMethods,
+  type MethodOptions,
   type MethodResult,
   type Peers,
   Ruler,
@@ -10,15 +13,37 @@ import {
 } from 'karcher/peers';
 import { randomFrom } from '../../model/random';
 
-/** What each method did on a mesh from a folder: a B-spline through seeded points. */
+/** The compared methods; of the paper's own, with k = 6 and with exact distances. */
+export type MeshMethod = ComparedMethod | 'paperExact';
+
+/** What each method did on a mesh from a folder: a B-spline of points that are given, or seeded. */
 export interface MeshFinding {
   name: string;
   triangles: number;
-  methods: { method: string; result: MethodResult }[];
+  methods: { method: MeshMethod; result: MethodResult }[];
+}
+
+const meshMethods: readonly MeshMethod[] = comparedMethods.flatMap((method): MeshMethod[] => {
+  // It joins two points only.
+  if (method === 'descent') return [];
+  return method === 'paper' ? ['paper', 'paperExact'] : [method];
+});
+
+function optionsOf(method: MeshMethod, plan: CurvePlan): MethodOptions {
+  if (method !== 'paperExact') return standardOptions(method, plan);
+  return { method: 'paper', solver: 'exact', seeds: 'authors' };
+}
+
+/** The median residual by exact paths; infinite where the method failed, null where it was not measured. */
+export function residualOn({ methods }: MeshFinding, method: MeshMethod): number | null {
+  const result = methods.find((one) => one.method === method)?.result;
+  if (!result) return null;
+  if (!result.ok) return Number.POSITIVE_INFINITY;
+  return result.ruler?.residual?.median ?? null;
 }
 
 const samples = 64;
-const points = 7;
+const wandering = 7;
 
 /**
  * Control points for a mesh of which nothing is known: from a random place straight ahead, a tenth of the
@@ -33,7 +58,7 @@ export function wanderingPoints(mesh: Mesh, seed: number): SurfacePoint[] {
   };
   const way = [random() - 0.5, random() - 0.5, random() - 0.5];
   const result = [here];
-  for (let k = 1; k < points; k++) {
+  for (let k = 1; k < wandering; k++) {
     const aside = [random() - 0.5, random() - 0.5, random() - 0.5];
     const direction = way.map((x, c) => x + 0.8 * aside[c]!);
     here = mesh.straightest(here, direction, step).end;
@@ -42,26 +67,24 @@ export function wanderingPoints(mesh: Mesh, seed: number): SurfacePoint[] {
   return result;
 }
 
-/** Compares the methods on a mesh. */
+/** Compares the methods on a mesh; with control points where there are some. */
 export async function judgeMesh(
   peers: Peers,
   name: string,
   bytes: Uint8Array,
-  { seed, budgetMs }: { seed: number; budgetMs: number },
+  { seed, budgetMs, points }: { seed: number; budgetMs: number; points?: readonly SurfacePoint[] },
   tell: (what: string) => void,
 ): Promise<MeshFinding> {
   const mesh = peers.karcher.meshFromObj(bytes);
   try {
-    const plan = peers.plan(wanderingPoints(mesh, seed), samples);
+    const plan = peers.plan(points ?? wanderingPoints(mesh, seed), samples);
     const reference = await traceReference(peers, mesh, plan);
     const ruler = new Ruler(mesh, plan);
     await ruler.compareWith(reference.samples);
     const methods: MeshFinding['methods'] = [];
-    for (const method of comparedMethods) {
-      if (method === 'descent') continue;
+    for (const method of meshMethods) {
       tell(`${name}: ${method}`);
-      const options = standardOptions(method, plan);
-      const run = await runMethod(peers, mesh, plan, options, reference.samples, {
+      const run = await runMethod(peers, mesh, plan, optionsOf(method, plan), reference.samples, {
         ruler,
         budgetMs,
         once: true,

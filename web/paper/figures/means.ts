@@ -9,7 +9,7 @@ export const meanFigure: Figure = {
   name: 'Figure 1',
   title: 'The center of mass of four points',
   caption:
-    'Four points with the weights 0.47, 0.30, 0.08 and 0.15, and their center of mass, joined to them by shortest paths. Beside it is the plane, where the center of mass is the affine average. Deviations are measured from our center of mass with exact distances, and on the plane from the average itself. The weights are the paper’s; the torus and the points are ours, and the plane is one of random points.',
+    'Four points with the weights 0.47, 0.30, 0.08 and 0.15, and their center of mass, joined to them by shortest paths. Beside it is the plane, where the center of mass is the affine average. Deviations are measured from our center of mass with exact distances, and on the plane from the average itself. Below each picture stands whether the center is the only one; other minima are empty dots, also while a point is dragged. The weights are the paper’s; the torus and the points are ours, and the plane is one of random points.',
   points: {
     torus: [onTorus(52, 112), onTorus(132, 118), onTorus(122, 8), onTorus(66, 2)],
     plane: [

@@ -1,4 +1,4 @@
-import type { RulerMeasures } from 'karcher/peers';
+import type { DragMeasures, RulerMeasures } from 'karcher/peers';
 import type { MadeSource } from '../../model/meshes';
 
 /** What a figure shows, as data: the page draws it, the report and the tests read its numbers. */
@@ -98,6 +98,8 @@ export interface LineNumbers {
   sharpestTurn: { degrees: number; t: number } | null;
   /** By exact shortest paths, the same for all methods; it comes after the line. */
   ruler: RulerMeasures | null;
+  /** How the curve follows a hand, where that was asked for. */
+  drag: DragMeasures | null;
 }
 
 export interface LineResult extends LineNumbers {

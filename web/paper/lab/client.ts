@@ -1,9 +1,10 @@
 import { WorkerClient } from 'karcher/own-worker';
-import type { RulerMeasures } from 'karcher/peers';
+import type { DragMeasures, RulerMeasures } from 'karcher/peers';
 import { madeKey } from '../../model/meshes';
 import { slowLines } from '../figures/lines';
-import type { LineId, LineResult, MeshSpec } from '../figures/types';
+import type { LineId, LineResult, MeshSpec, Vector } from '../figures/types';
 import type { Carried } from './carry';
+import type { KnownCenter } from './center';
 import type { CarryJob, DrawnMesh, Placed, TraceJob } from './protocol';
 
 export interface TraceEvents {
@@ -39,8 +40,32 @@ export class LabClient {
     return made;
   }
 
+  /** Whether the center of mass of a panel's points is the only one. */
+  center(mesh: MeshSpec, points: readonly Vector[], weights: readonly number[]) {
+    return this.#quick.call('center', [mesh, points, weights]) as Promise<KnownCenter>;
+  }
+
   carry(job: CarryJob): Promise<Carried> {
     return this.#quick.call('carry', [job]) as Promise<Carried>;
+  }
+
+  /** Drags a control point of a panel's curves; resolves when all was told, rejects when it is aborted. */
+  async drag(
+    job: TraceJob,
+    measured: (id: LineId, drag: DragMeasures) => void,
+    signal: AbortSignal,
+  ): Promise<void> {
+    const isSlow = (id: LineId) => slowLines.has(id);
+    const part = (worker: WorkerClient, lines: readonly LineId[]) =>
+      worker.call('drag', [{ ...job, lines }, measured, { signal }]);
+    this.#slow ??= startWorker();
+    await Promise.all([
+      part(
+        this.#quick,
+        job.lines.filter((id) => !isSlow(id)),
+      ),
+      part(this.#slow, job.lines.filter(isSlow)),
+    ]);
   }
 
   /** Traces a panel; the result stops it, and no event comes after that. */

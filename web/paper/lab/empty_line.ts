@@ -16,6 +16,7 @@ export function emptyLine(id: LineId): LineResult {
     breaks: null,
     sharpestTurn: null,
     ruler: null,
+    drag: null,
     polylines: [],
     status: [],
     marker: null,

@@ -1,10 +1,17 @@
 import type { CurveSamples, LongWorkOptions } from 'karcher';
-import { type Peers, type ReferenceSamples, Ruler, type RulerMeasures } from 'karcher/peers';
+import {
+  type DragMeasures,
+  type Peers,
+  type ReferenceSamples,
+  Ruler,
+  type RulerMeasures,
+} from 'karcher/peers';
 import { blobsOf } from '../../model/mesh_blobs';
 import { madeKey } from '../../model/meshes';
 import type { LineId, LineResult, MeshSpec, Panel, Vector } from '../figures/types';
 import { type Carried, carry } from './carry';
-import { traceLine } from './lines';
+import { type KnownCenter, lookForOthers } from './center';
+import { dragLine, traceLine } from './lines';
 import type { CarryJob, DrawnMesh, Placed } from './protocol';
 import { Scene } from './scene';
 import { planOf, referenceOf, type Task } from './task';
@@ -65,10 +72,37 @@ export class Lab {
     for (const { id, samples } of traced) measured(id, await ruler.measure(samples, work));
   }
 
+  /**
+   * How the curves of methods follow a control point that is dragged, each given to `measured`; lines that no
+   * method makes are passed over, and those that fail. Rejects with the signal's reason.
+   */
+  async drag(
+    panel: Panel,
+    points: readonly Vector[],
+    lines: readonly LineId[],
+    measured: (id: LineId, drag: DragMeasures) => void,
+    work: LongWorkOptions = {},
+  ): Promise<void> {
+    const scene = await this.#scene(panel.mesh);
+    const { curve, samples } = panel;
+    const placed = await this.place(panel.mesh, points);
+    const task: Task = { peers: this.peers, scene, ...placed, curve, samples };
+    for (const id of lines) {
+      work.signal?.throwIfAborted();
+      const drag = await dragLine(task, id, work);
+      if (drag) measured(id, drag);
+    }
+  }
+
   /** A drawing on one mesh, carried to another by the weights of its points. */
   async carry({ source, target, middle, points }: CarryJob): Promise<Carried> {
     const [from, to] = [await this.#scene(source), await this.#scene(target)];
     return carry(from, to, middle, points);
+  }
+
+  /** Whether the center of mass of these points and weights is the only one. */
+  async center(spec: MeshSpec, points: readonly Vector[], weights: readonly number[]) {
+    return lookForOthers(await this.#scene(spec), points, weights) satisfies KnownCenter;
   }
 
   /** All of a panel's lines at once. */

@@ -1,8 +1,10 @@
-import type { CurveLevels, CurveSamples, LongWorkOptions } from 'karcher';
+import type { CurveLevels, CurveOptions, CurveSamples, LongWorkOptions, PointLike } from 'karcher';
 import {
+  type DragMeasures,
   KarcherError,
   type MethodCurve,
   type MethodOptions,
+  measureDrag,
   type ReferenceSamples,
   referenceOptions,
   vectors,
@@ -44,6 +46,48 @@ export async function traceLine(
     work.signal?.throwIfAborted();
     if (!(error instanceof KarcherError)) throw error;
     return { line: { ...emptyLine(id), ok: false, reason: error.message }, samples: null };
+  }
+}
+
+/** Steps of the hand in a drag. */
+const dragSteps = 20;
+
+/** How a method's curve follows a control point that is dragged; null of other lines and of one that fails. */
+export async function dragLine(
+  task: Task,
+  id: LineId,
+  work: LongWorkOptions,
+): Promise<DragMeasures | null> {
+  const { options } = lineStyles[id];
+  const plan = planOf(task);
+  const { mesh } = task.scene;
+  const levels = engineLevels[id];
+  if (levels !== undefined) {
+    const curve = mesh.curve(engineShape(task, levels));
+    const dragged = {
+      movePoint: (i: number, point: PointLike) => curve.movePoint(i, point),
+      trace: async () => 0,
+      samples: () => curve.samples(),
+    };
+    try {
+      return await measureDrag(dragged, mesh, plan, dragSteps, work);
+    } finally {
+      curve.dispose();
+    }
+  }
+  if (!options) return null;
+  try {
+    const curve = (await task.scene.method(options, work)).curve(plan);
+    try {
+      await curve.trace(work);
+      return await measureDrag(curve, mesh, plan, dragSteps, work);
+    } finally {
+      curve.dispose();
+    }
+  } catch (error) {
+    work.signal?.throwIfAborted();
+    if (!(error instanceof KarcherError)) throw error;
+    return null;
   }
 }
 
@@ -89,19 +133,26 @@ function drawn(
   return { polylines: [path.polyline()], status: [unconverged], marker: null };
 }
 
+/** Lines that are the engine's curves, and their levels. */
+const engineLevels: Partial<Record<LineId, CurveLevels>> = { bridged: 0, leveled: 'auto' };
+
+function engineShape(
+  { points, curve: { kind }, samples }: Task,
+  levels: CurveLevels,
+): CurveOptions {
+  if (kind !== 'bspline' && kind !== 'bezier') {
+    throw new KarcherError('badArgument', 'only splines are bridged');
+  }
+  return { kind, points: [...points], samples, levels };
+}
+
 /**
  * Our curve as the engine gives it. Of several minima it takes the best, so it is measured against the
  * same curve of exact distances.
  */
-function engineCurve(
-  { scene, points, curve: { kind }, samples }: Task,
-  id: LineId,
-  levels: CurveLevels,
-): TracedLine {
-  if (kind !== 'bspline' && kind !== 'bezier') {
-    throw new KarcherError('badArgument', 'only splines are bridged');
-  }
-  const shape = { kind, points: [...points], samples, levels };
+function engineCurve(task: Task, id: LineId): TracedLine {
+  const { scene } = task;
+  const shape = engineShape(task, engineLevels[id]!);
   const exact = scene.mesh.curve({ ...shape, solver: 'exact' });
   const truth = exact.samples();
   exact.dispose();
@@ -154,10 +205,10 @@ const makers: Partial<Record<LineId, Maker>> = {
   },
 
   /** Our curve of all points at once, bridged where there is no center of mass. */
-  bridged: (task, id) => engineCurve(task, id, 0),
+  bridged: engineCurve,
 
   /** The same as the editor has it: the control polygon is refined first, as often as needed. */
-  leveled: (task, id) => engineCurve(task, id, 'auto'),
+  leveled: engineCurve,
 
   /** From the center of mass to the points. */
   async spokes(task, id, reference) {

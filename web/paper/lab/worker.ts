@@ -2,8 +2,8 @@
 
 import type { LongWorkOptions } from 'karcher';
 import { serve } from 'karcher/own-worker';
-import { loadPeers, type RulerMeasures } from 'karcher/peers';
-import type { LineId, LineResult, MeshSpec } from '../figures/types';
+import { type DragMeasures, loadPeers, type RulerMeasures } from 'karcher/peers';
+import type { LineId, LineResult, MeshSpec, Vector } from '../figures/types';
 import { Lab } from './lab';
 import type { CarryJob, Placed, TraceJob } from './protocol';
 
@@ -22,8 +22,23 @@ const calls = {
     return inOrder(async () => (await lab).mesh(mesh));
   },
 
+  center(mesh: MeshSpec, points: readonly Vector[], weights: readonly number[]) {
+    return inOrder(async () => (await lab).center(mesh, points, weights));
+  },
+
   carry(job: CarryJob) {
     return inOrder(async () => (await lab).carry(job));
+  },
+
+  drag(
+    { panel, points, lines }: TraceJob,
+    measured: (id: LineId, drag: DragMeasures) => void,
+    work: LongWorkOptions,
+  ) {
+    return inOrder(async () => {
+      work.signal?.throwIfAborted();
+      await (await lab).drag(panel, points, lines, measured, work);
+    });
   },
 
   /** Tells the points of a panel, then its lines one by one. */

@@ -1,7 +1,7 @@
 import type { MethodResult } from 'karcher/peers';
 import { make } from '../../panels/elements';
 import { lineStyles } from '../figures/lines';
-import { formatBytes, formatMilliseconds } from '../view/format';
+import { formatBytes, formatDeviation, formatMilliseconds } from '../view/format';
 import {
   asUsedMs,
   expectedTriangles,
@@ -27,11 +27,25 @@ const details: Record<(typeof parts)[number], (result: MethodResult) => string |
   dragMs: ({ dragFieldMs }) => (dragFieldMs ? `field ${formatMilliseconds(dragFieldMs)}` : null),
 };
 
-/** The table itself: three times a method, milliseconds. */
+/** By exact paths, as in the figures, and what was lost by our rule and by its authors' own. */
+function measuresOf({ ruler, lost, lostByOwnRule, samples }: MethodResult): string[] {
+  const { residual = null, energy = null } = ruler ?? {};
+  const part = ruler && ruler.measured < ruler.of ? ` over ${ruler.measured}/${ruler.of}` : '';
+  const own = lostByOwnRule !== null && lostByOwnRule !== lost ? `, own ${lostByOwnRule}` : '';
+  return [
+    residual ? `residual ${formatDeviation(residual.median)} h${part}` : '',
+    energy ? `energy ${formatDeviation(energy.median)} h²` : '',
+    lost ? `lost ${lost}/${samples}${own}` : '',
+  ].filter(Boolean);
+}
+
+/** The table itself: three times a method, milliseconds; below them how far its curve is from centers. */
 export class TableView {
   readonly element = make('div', '', { className: 'timings' });
   readonly #body: HTMLTableSectionElement;
   readonly #rows = new Map<string, HTMLTableRowElement>();
+  /** Below each row, a cell a method. */
+  readonly #measures = new Map<string, HTMLTableRowElement>();
 
   constructor(rows: readonly TableRow[]) {
     // It scrolls sideways where the window is narrow: by keys, too.
@@ -52,7 +66,7 @@ export class TableView {
       for (const text of partNames) heads.append(make('th', text));
     }
     this.#body = table.createTBody();
-    for (const row of rows) this.#body.append(this.#row(row));
+    for (const row of rows) this.#body.append(this.#row(row), this.#measuresRow(row));
     this.element.append(table);
   }
 
@@ -73,6 +87,23 @@ export class TableView {
     return element;
   }
 
+  #measuresRow({ id }: TableRow): HTMLTableRowElement {
+    const element = make('tr', '', { className: 'measures' });
+    element.dataset.measures = id;
+    element.append(make('td', '', { colSpan: 3 }));
+    for (const method of tableMethods) {
+      const cell = make('td', '', { colSpan: parts.length, className: 'first' });
+      cell.dataset.method = method;
+      element.append(cell);
+    }
+    this.#measures.set(id, element);
+    return element;
+  }
+
+  #measuresCell(row: string, method: TableMethod): HTMLTableCellElement {
+    return this.#measures.get(row)!.cells[1 + tableMethods.indexOf(method)]!;
+  }
+
   #cells(row: string, method: TableMethod): HTMLTableCellElement[] {
     return [...this.#rows.get(row)!.querySelectorAll<HTMLTableCellElement>('td')].filter(
       (cell) => cell.dataset.method === method,
@@ -81,7 +112,10 @@ export class TableView {
 
   clear(): void {
     for (const id of this.#rows.keys()) {
-      for (const method of tableMethods) this.#fill(id, method, ['', '', '']);
+      for (const method of tableMethods) {
+        this.#fill(id, method, ['', '', '']);
+        this.#measuresCell(id, method).replaceChildren();
+      }
     }
   }
 
@@ -101,12 +135,12 @@ export class TableView {
       const detail = details[parts[i]!](result);
       if (detail) cell.append(make('small', detail, { className: 'detail' }));
     });
-    const { lost, samples, reason } = result;
-    const notes = [reason, lost ? `${lost} of ${samples} lost` : null].filter(Boolean);
+    const measures = measuresOf(result).map((text) => make('small', text));
+    this.#measuresCell(row, method).replaceChildren(...measures);
+    const { reason } = result;
     const cells = this.#cells(row, method);
-    if (notes.length === 0) return;
-    const note = make('small', notes.join('; '), { className: result.ok ? 'note' : 'reason' });
-    note.title = notes.join('; ');
+    if (!reason) return;
+    const note = make('small', reason, { className: result.ok ? 'note' : 'reason', title: reason });
     // Beside what was measured before it failed.
     const at = result.traceMs === null ? cells[result.prepareMs === null ? 0 : 1]! : cells[2]!;
     if (result.traceMs === null) at.replaceChildren(note);

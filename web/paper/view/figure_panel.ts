@@ -12,6 +12,7 @@ import type {
   Panel,
   Vector,
 } from '../figures/types';
+import { type KnownCenter, uniquenessWords } from '../lab/center';
 import type { LabClient } from '../lab/client';
 import type { DrawnMesh, Placed } from '../lab/protocol';
 import { download } from './download';
@@ -45,6 +46,8 @@ export class FigurePanel {
   readonly #stage = make('div', '', { className: 'panel-stage' });
   readonly #markers = make('div', '', { className: 'markers' });
   readonly #note = make('p', '', { className: 'panel-note' });
+  /** Whether a center is the only one. */
+  readonly #only = make('p', '', { className: 'panel-note only', hidden: true });
   readonly #link = make('a', 'Open in the editor', { className: 'link', hidden: true });
   readonly #noLink = make('span', `Not in the editor: ${noSuchWeights}`, {
     className: 'no-link',
@@ -66,6 +69,15 @@ export class FigurePanel {
   #placed: Placed | null = null;
   #points: readonly Vector[];
   #stop: (() => void) | null = null;
+  #center: KnownCenter | null = null;
+  #isLooking = false;
+  #looksAgain = false;
+  #dragging: AbortController | null = null;
+  readonly #dragButton = make('button', 'Drag', {
+    className: 'link',
+    type: 'button',
+    title: 'Drags a control point in small steps, and tells how far the curves leap',
+  });
   #placedOnce = false;
 
   constructor(
@@ -76,6 +88,7 @@ export class FigurePanel {
   ) {
     this.#points = points;
     this.#curve = panel.curve;
+    this.#dragButton.addEventListener('click', () => void this.#dragAll());
     this.#spec = panel.mesh;
     this.#shown = new Set(panel.lines.filter((id) => !panel.off?.includes(id)));
     const canvas = make('canvas');
@@ -86,7 +99,7 @@ export class FigurePanel {
     this.#handles = this.#makeHandles(layer);
     this.#numbers = new NumbersTable(panel, this.#shown, (id, shown) => this.#toggle(id, shown));
     this.#view.onFrame(() => this.#placeMarkers());
-    this.element.append(this.#head(), this.#stage, this.#note);
+    this.element.append(this.#head(), this.#stage, this.#note, this.#only);
     const controls = [
       sliders(panel.curve, (curve) => this.#setCurve(curve)),
       stretchSlider(panel.mesh, (mesh) => void this.#setMesh(mesh)),
@@ -141,8 +154,31 @@ export class FigurePanel {
 
   /** Nothing that is there is of the points and the curve as they are now. */
   #renew(): void {
+    this.#dragging?.abort();
     for (const id of this.panel.lines) if (!this.#shown.has(id)) this.#forget(id);
     this.#trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+    if (this.#mesh && this.#curve.kind === 'center') void this.#lookForOthers(this.#curve.weights);
+  }
+
+  /** Looks for other centers of the points as they are; while it does, once more after that. */
+  async #lookForOthers(weights: readonly number[]): Promise<void> {
+    this.#looksAgain = true;
+    if (this.#isLooking) return;
+    this.#isLooking = true;
+    try {
+      while (this.#looksAgain) {
+        this.#looksAgain = false;
+        this.#center = await this.context.client.center(this.#spec, this.#points, weights);
+        this.#only.textContent = uniquenessWords(this.#center);
+        this.#placeMarkers();
+      }
+    } catch (error) {
+      this.#center = null;
+      this.#only.textContent = error instanceof Error ? error.message : `${error}`;
+    } finally {
+      this.#isLooking = false;
+      this.#only.hidden = false;
+    }
   }
 
   #forget(id: LineId): void {
@@ -314,7 +350,16 @@ export class FigurePanel {
       dot.dataset.line = id;
       return dot;
     });
-    this.#markers.replaceChildren(...dots);
+    const others = this.#center?.others ?? [];
+    this.#markers.replaceChildren(
+      ...dots,
+      ...others.map(({ position }) => {
+        const { x, y, hidden } = this.#view.project(this.#view.toScene(position));
+        const dot = make('i', '', { className: hidden ? 'marker other behind' : 'marker other' });
+        dot.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+        return dot;
+      }),
+    );
   }
 
   #seenMarkers() {
@@ -348,6 +393,9 @@ export class FigurePanel {
     const name = `karcher-${this.panel.points}-${this.panel.id}`;
     foot.append(
       edges,
+      ...(this.panel.curve.kind === 'bspline' || this.panel.curve.kind === 'bezier'
+        ? [this.#dragButton]
+        : []),
       button('Reset view', () => this.#view.resetView(this.#placed?.places ?? [])),
       button('SVG', () => download(`${name}.svg`, 'image/svg+xml', this.svg())),
       button('JSON', () => download(`${name}.json`, 'application/json', this.json())),
@@ -355,6 +403,37 @@ export class FigurePanel {
       this.#noLink,
     );
     return foot;
+  }
+
+  /** Drags a control point of every curve that is shown, and tells how far they leap. */
+  async #dragAll(): Promise<void> {
+    const lines = this.panel.lines.filter((id) => this.#shown.has(id) && this.#result(id));
+    if (this.#dragging) return;
+    const dragging = new AbortController();
+    this.#dragging = dragging;
+    this.#dragButton.disabled = true;
+    this.#note.textContent = 'Dragging a control point in small steps…';
+    const panel = { ...this.panel, mesh: this.#spec, curve: this.#curve };
+    try {
+      await this.context.client.drag(
+        { panel, points: this.#points, lines },
+        (id, drag) => {
+          const line = this.#result(id);
+          // Of points that have moved since it says nothing.
+          if (!line || dragging.signal.aborted) return;
+          line.drag = drag;
+          this.#numbers.set(line);
+        },
+        dragging.signal,
+      );
+      this.#note.textContent = '';
+    } catch (error) {
+      const failed = !dragging.signal.aborted && error instanceof Error;
+      this.#note.textContent = failed ? error.message : '';
+    } finally {
+      this.#dragging = null;
+      this.#dragButton.disabled = false;
+    }
   }
 
   /** The panel's numbers: of all methods that were measured at the points as they are. */
@@ -367,8 +446,9 @@ export class FigurePanel {
     const { samples } = this.panel;
     const { info } = this.#mesh ?? {};
     const { points } = this.#placed ?? {};
+    const center = this.#isLooking ? null : this.#center;
     return JSON.stringify(
-      { mesh: this.#spec, info, curve: this.#curve, samples, points, lines },
+      { mesh: this.#spec, info, curve: this.#curve, samples, points, center, lines },
       null,
       2,
     );

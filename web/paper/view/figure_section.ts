@@ -1,4 +1,5 @@
 import { make } from '../../panels/elements';
+import { captionOf } from '../figures/captions';
 import type { Figure, LineNumbers, Vector } from '../figures/types';
 import { FigurePanel, type PanelContext } from './figure_panel';
 
@@ -30,7 +31,7 @@ export class FigureSection {
       grid.append(made.element);
       return made;
     });
-    this.element.append(head, make('p', figure.caption, { className: 'caption' }), grid);
+    this.element.append(head, make('p', captionOf(figure), { className: 'caption' }), grid);
     const observer = new IntersectionObserver(
       ([entry]) => {
         if (!entry!.isIntersecting) return;

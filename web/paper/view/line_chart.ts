@@ -26,6 +26,8 @@ export interface ChartContent {
 }
 
 const height = 320;
+/** On a logarithmic axis. */
+const roomAtEnds = 1.08;
 
 /** Lines over an axis; it follows its element's width. */
 export class LineChart {
@@ -76,8 +78,12 @@ export class LineChart {
     return {
       width: this.element.clientWidth,
       height,
-      scales: { x: scale(x), y: scale(y) },
-      axes: [axis(x), { ...axis(y), size: 64 }],
+      // Whole decades would leave most of a short axis empty.
+      scales: { x: { ...scale(x), ...(x.log && { range: around }) }, y: scale(y) },
+      axes: [
+        { ...axis(x), ...(x.log && { filter: onlyRound }) },
+        { ...axis(y), size: 64 },
+      ],
       series: [
         { label: x.label, value: legend(x.exact) },
         ...lines.map(({ label, color, dashed }) => ({
@@ -100,6 +106,16 @@ export class LineChart {
     else this.redraw();
   }
 }
+
+/** The values of an axis, with a little room at either end. */
+const around = (_: uPlot, least: number, most: number): uPlot.Range.MinMax => [
+  least / roomAtEnds,
+  most * roomAtEnds,
+];
+
+/** On a logarithmic axis every tenth of a decade is split off; 1, 2 and 5 have numbers. */
+const onlyRound = (_: uPlot, splits: number[]): (number | null)[] =>
+  splits.map((value) => ('125'.includes(value.toExponential()[0]!) ? value : null));
 
 function resolved(element: HTMLElement, name: string): string {
   const probe = element.appendChild(document.createElement('i'));

@@ -51,6 +51,12 @@ const ruler: Column[] = [
   },
 ];
 
+/** The farthest step, and how many leap. */
+function dragText({ most, leaps }: NonNullable<LineResult['drag']>): string {
+  const far = most === null ? '–' : `×${most.toFixed(1)}`;
+  return leaps === 0 ? far : `${far}, ${leaps} ${leaps === 1 ? 'leap' : 'leaps'}`;
+}
+
 const curveColumns: Column[] = [
   deviation,
   {
@@ -60,8 +66,16 @@ const curveColumns: Column[] = [
   },
   {
     head: 'turning\nrad',
-    title: 'Turning noise: RMS of turning angle minus the reference’s, in radians',
+    title:
+      'Turning noise: RMS of turning angle minus the reference’s, in radians; “breaks”: where the curve leaps from one sample to the next; “drag”: the farthest that a sample moves in a step of a drag, in steps of the hand',
     text: ({ turningNoise }) => formatDeviation(turningNoise),
+    note: ({ breaks, drag }) =>
+      [
+        breaks ? (breaks === 1 ? '1 break' : `${breaks} breaks`) : '',
+        drag ? `drag ${dragText(drag)}` : '',
+      ]
+        .filter(Boolean)
+        .join(', ') || null,
   },
   {
     head: 'lost\n',

@@ -1,0 +1,77 @@
+import type { Mesh } from '../mesh.js';
+import type { CurveSamples, LongWorkOptions } from '../types.js';
+import type { CurvePlan, MethodCurve } from './types.js';
+import { at, length, subtract, type Vector } from './vectors.js';
+
+/** Where a curve moves so many times as far as the hand in a step, it leaps. */
+const leap = 5;
+
+/** A drag goes so many mean edges, or as far as the next control point where that is nearer. */
+const dragEdges = 2;
+
+/** How steadily a curve follows the hand: a control point dragged in small even steps. */
+export interface DragMeasures {
+  steps: number;
+  /** Steps in which a sample moved more than five times as far as the hand. */
+  leaps: number;
+  /** The farthest that a sample moved in a step, in steps of the hand; null where none converged twice. */
+  most: number | null;
+}
+
+/**
+ * Drags the middle control point of a traced curve along the shortest path towards the one after it, in
+ * `steps` even steps over two mean edges or less, traces it at each, and leaves it there. Samples count
+ * where they converged, or were bridged, before and after a step. Rejects with the signal's reason.
+ */
+export async function measureDrag(
+  curve: Pick<MethodCurve, 'movePoint' | 'trace' | 'samples'>,
+  mesh: Mesh,
+  { points }: CurvePlan,
+  steps: number,
+  work: LongWorkOptions = {},
+): Promise<DragMeasures> {
+  const middle = Math.floor((points.length - 1) / 2);
+  const path = mesh.shortestPath(points[middle]!, points[middle + 1]!);
+  const far = Math.min(path.length, dragEdges * mesh.info.meanEdge);
+  const result: DragMeasures = { steps, leaps: 0, most: null };
+  if (!(far > 0)) return result;
+  const start = path.points()[0]!;
+  const direction = directionOf(path.polyline({ bits: 64 }));
+  let before = curve.samples();
+  for (let k = 1; k <= steps; k++) {
+    curve.movePoint(middle, mesh.straightest(start, direction, (far * k) / steps).end);
+    await curve.trace(work);
+    const after = curve.samples();
+    const moved = farthest(before, after);
+    before = after;
+    if (moved === null) continue;
+    const ratio = moved / (far / steps);
+    if (ratio > leap) result.leaps++;
+    result.most = Math.max(result.most ?? 0, ratio);
+  }
+  return result;
+}
+
+/** Of the first piece that is not a rounding error long. */
+function directionOf(polyline: Float64Array): Vector {
+  const from = at(polyline, 0);
+  const last = polyline.length / 3 - 1;
+  const whole = length(subtract(at(polyline, last), from));
+  for (let i = 1; i < last; i++) {
+    const step = subtract(at(polyline, i), from);
+    if (length(step) > 1e-6 * whole) return step;
+  }
+  return subtract(at(polyline, last), from);
+}
+
+/** A bridged sample is seen as the others are. */
+const isThere = (status: string) => status === 'converged' || status === 'bridged';
+
+function farthest(before: CurveSamples, after: CurveSamples): number | null {
+  let most: number | null = null;
+  for (let i = 0; i < after.count; i++) {
+    if (!isThere(before.status[i]!) || !isThere(after.status[i]!)) continue;
+    most = Math.max(most ?? 0, length(subtract(at(after.position, i), at(before.position, i))));
+  }
+  return most;
+}

@@ -1,0 +1,53 @@
+import type { Uniqueness } from 'karcher';
+import type { Vector } from '../figures/types';
+import type { Scene } from './scene';
+
+/** Whether a center of mass is the only one, and where the energy has other minima. */
+export interface KnownCenter {
+  uniqueness: Uniqueness;
+  position: Vector;
+  /** Squared units of the mesh, as those of the others. */
+  energy: number;
+  /** From the lowest up. */
+  others: { position: Vector; energy: number }[];
+}
+
+/** Our center of mass, and what searches from all points and from all over the surface tell of others. */
+export function lookForOthers(
+  scene: Scene,
+  places: readonly Vector[],
+  weights: readonly number[],
+): KnownCenter {
+  const points = places.map((place) => scene.nearest.point(place));
+  const center = scene.mesh.centerOfMass(points, weights, { uniqueness: true });
+  const { uniqueness, position, energy, otherMinima } = center;
+  const others = otherMinima === 'notLooked' ? [] : otherMinima;
+  return {
+    uniqueness: center.status === 'converged' ? uniqueness : 'notLooked',
+    position,
+    energy,
+    others: others.map((other) => ({ position: other.position, energy: other.energy })),
+  };
+}
+
+/** So many energies of other minima are told. */
+const mostTold = 3;
+
+/** A sentence on it. */
+export function uniquenessWords({ uniqueness, energy, others }: KnownCenter): string {
+  const told = (value: number) => value.toPrecision(3);
+  switch (uniqueness) {
+    case 'certain':
+      return 'Certainly the only center: the points lie in a ball in which the energy is convex.';
+    case 'likely':
+      return 'Likely the only center: searches from all points and from all over the surface end there.';
+    case 'notUnique': {
+      const energies = others.slice(0, mostTold).map((other) => told(other.energy));
+      const more = others.length > mostTold ? ' and more' : '';
+      const are = others.length === 1 ? 'another minimum has' : 'other minima have';
+      return `Not the only center: its energy is ${told(energy)}, ${are} ${energies.join(', ')}${more}.`;
+    }
+    case 'notLooked':
+      return 'No center was found.';
+  }
+}
