@@ -103,7 +103,7 @@ function printUncovered(counts) {
 }
 
 async function main() {
-  await setUp('build', 'native', 'test');
+  await setUp('build', 'native');
   await writeBunny();
   await buildNative('coverage', 'karcher_tests');
   for (const data of filesBelow(folder, /\.gcda$/)) await run('rm', [inRoot(data)]);
