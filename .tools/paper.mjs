@@ -12,7 +12,7 @@
 // dist/ as it is. Where there is nothing to write, the last report stays.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { arch, cpus, type } from 'node:os';
+import { arch, cpus, loadavg, type } from 'node:os';
 import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildWasm } from './build.mjs';
@@ -105,7 +105,7 @@ async function meshesPart({ meshes, points }, seed) {
   return { text: meshesReport(found), found };
 }
 
-/** Where and when: what the numbers depend on. */
+/** Where and when: what the numbers depend on; times also on what else the machine had to do. */
 function about(seed) {
   const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
   const git = spawnSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: inRoot('.') });
@@ -113,7 +113,7 @@ function about(seed) {
   const cores = cpus();
   return {
     date: new Date().toISOString().slice(0, 10),
-    machine: `${cores[0].model.trim()}, ${cores.length} cores, ${type()} ${arch()}, Node ${process.version}`,
+    machine: `${cores[0].model.trim()}, ${cores.length} cores, ${type()} ${arch()}, Node ${process.version}, load ${loadavg()[1].toFixed(1)}`,
     version: `${version}${commit}`,
     seed,
   };

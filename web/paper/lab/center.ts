@@ -35,7 +35,7 @@ const mostTold = 3;
 
 /** A sentence on it. */
 export function uniquenessWords({ uniqueness, energy, others }: KnownCenter): string {
-  const told = (value: number) => value.toPrecision(3);
+  const told = (value: number) => value.toPrecision(4);
   switch (uniqueness) {
     case 'certain':
       return 'Certainly the only center: the points lie in a ball in which the energy is convex.';
