@@ -19,10 +19,20 @@ constexpr double kBucketWidth = 0.5;
 /// How much wider than its wedge a vertex sends out windows, radians: the rounding of directions.
 constexpr double kWedgeMargin = 1e-9;
 
-/// Shortest paths turn round vertices with more angle than this.
+/// A corner of a smaller angle, radians, may lie in the shadow of a vertex that is flat to
+/// kWedgeMargin, all of it.
+constexpr double kSliver = 1e-8;
+
+/// Whether shortest paths turn round a vertex: where there is more angle than on a plane. At the
+/// tip of a sliver also where there is as much.
 bool spreadsPaths(const Geometry& geometry, int vertex) {
   const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
-  return geometry.totalAngle[vertex] > flat + kWedgeMargin;
+  const double excess = geometry.totalAngle[vertex] - flat;
+  if (std::abs(excess) > kWedgeMargin) return excess > 0;
+  for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
+    if (geometry.cornerAngle[h] < kSliver) return true;
+  }
+  return false;
 }
 
 /// From this ratio of lengths on, windows are carried by both sides of a face, so that short ones
@@ -104,10 +114,12 @@ void ExactDistance::setSource(const SurfacePoint& source) {
   target_.clear();
   images_.clear();
   source_ = source;
+  reachedCount_ = 0;
   const PointLocation location = locate(mesh_, source);
   if (location.simplex == Simplex::kVertex) {
     VertexRecord& record = vertices_.touch(location.vertex);
     record.arrival.distance = 0;
+    ++reachedCount_;
     leaveVertex(location.vertex);
     return;
   }
@@ -131,7 +143,7 @@ void ExactDistance::grow(double radius) {
       leaveVertex(~item);
     }
   }
-  if (isWide_ && queue_.empty()) reachAlongEdges();
+  if (queue_.empty() && !aim_ && reachedCount_ < mesh_.vertexCount()) reachAlongEdges();
 }
 
 double ExactDistance::direction(int vertex) const {
@@ -351,6 +363,7 @@ void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arri
                            double crossing) {
   const double before = record.arrival.distance;
   if (!(arrival.distance < before * (1 - kImprovement)) || before <= queue_.leastKey()) return;
+  reachedCount_ += before == kInfinity;
   record.arrival = arrival;
   record.crossing = crossing;
   record.via = via;
@@ -376,6 +389,7 @@ void ExactDistance::reachAlongEdges() {
     const auto reach = [&](int w, double edge, int via, double crossing) {
       VertexRecord& record = vertices_.touch(w);
       if (!(distance + edge < record.arrival.distance)) return;
+      reachedCount_ += record.arrival.distance == kInfinity;
       record.arrival = {distance + edge, distance, v};
       record.via = via;
       record.crossing = crossing;

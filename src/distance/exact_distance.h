@@ -154,6 +154,7 @@ class ExactDistance final : public DistanceSolver {
   BucketQueue queue_;
   WindowPool pool_;
   int64_t windowsLeft_ = 0;
+  int reachedCount_ = 0;  ///< vertices that a path has come to
   Array<Window> batch_;
   struct AimedWindow {
     Window window;

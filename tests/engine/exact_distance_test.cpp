@@ -363,6 +363,36 @@ TEST(ExactDistance, IsStraightPastNeedlesOfAPlane) {
   }
 }
 
+/// The distance between two vertices, which is to be the same both ways.
+double bothWays(const MeasuredMesh& surface, int a, int b) {
+  ExactDistance solver(surface.geometry);
+  const int count = surface.mesh.vertexCount();
+  const double there = distancesFrom(solver, vertexPoint(surface.mesh, a), count)[b];
+  const double back = distancesFrom(solver, vertexPoint(surface.mesh, b), count)[a];
+  EXPECT_NEAR(there, back, 1e-12) << a << " to " << b;
+  return there;
+}
+
+TEST(ExactDistance, GoesStraightAlongABoundaryPastAnEdgeOfNothing) {
+  // The boundary runs up the z axis, its first edge 1e-11 long.
+  const MeasuredMesh fan(
+      buildMesh({{0, 0, 0}, {0, 0, 1e-11}, {0, 0, 1}, {0, 0, 1.0001}, {1, 0, 1.001}},
+                {{0, 1, 4}, {1, 2, 4}, {4, 2, 3}}));
+  EXPECT_NEAR(bothWays(fan, 0, 3), 1.0001, 1e-12);
+  EXPECT_NEAR(bothWays(fan, 0, 2), 1, 1e-12);
+}
+
+TEST(ExactDistance, EntersASliverThroughItsTip) {
+  // The sliver 0, 3, 1 is 1e-11 high; from 4, which lies on the line of its long side, all of it
+  // and what is behind it are in the shadow of 3, which is flat but for 3e-12.
+  const MeasuredMesh strip(
+      buildMesh({{0, 0, 0}, {1, 0, 1e-11}, {0.01, 0, 1}, {4, 0, 0}, {8, 0, 0}, {0.01, 0, 1}},
+                {{1, 0, 3}, {0, 4, 5}, {5, 3, 0}, {1, 2, 0}, {5, 4, 3}}));
+  EXPECT_NEAR(bothWays(strip, 4, 1), 7, 1e-10);
+  // Straight on in the plane of the last triangle.
+  EXPECT_NEAR(bothWays(strip, 4, 2), 7 + std::hypot(0.99, 1), 1e-10);
+}
+
 TEST(ExactDistance, RefusesATargetAtAVertex) {
   const MeasuredMesh surface(planeGrid(2, 2));
   ExactDistance solver(surface.geometry);
