@@ -113,7 +113,7 @@ describe('distances on the page', () => {
     await tab.still();
     const clip = { x: 500, y: 220, width: 400, height: 400 };
     return createHash('sha1')
-      .update(await tab.page.screenshot({ clip }))
+      .update(await tab.page.screenshot({ clip, animations: 'disabled' }))
       .digest('hex');
   };
 
