@@ -111,6 +111,7 @@ export async function start(): Promise<void> {
   };
   const measure = new Measure(session);
   const distances = new Distances(editor, session);
+  const distanceLegend = new DistanceLegend(() => distances.off());
   const distanceLayer = new DistanceLayer();
   const combLayer = new CombLayer();
   for (const layer of [distanceLayer, combLayer]) viewer.addLayer(layer);
@@ -182,7 +183,6 @@ export async function start(): Promise<void> {
     status.show(editor.state, view, session.client?.info ?? null);
   };
 
-  const distanceLegend = new DistanceLegend(() => distances.off());
   distances.onProblem = showNote;
   distances.onChange = (shown) => {
     distanceLayer.show(viewer.surface, shown?.traced ?? null, shown?.from ?? null);

@@ -22,6 +22,40 @@ describe('where the page is shown', () => {
     await tab.page.close();
   });
 
+  test('a narrow window has both legends in one strip, with all of their words', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click([-80, -40], [-20, 60], [40, -40], [90, 50]);
+    await page.locator('#points button').first().click();
+    await page.locator('#stage').focus();
+    await page.keyboard.press('d');
+    await page.keyboard.press('u');
+    await page.locator('#distance-legend[aria-busy="false"]').waitFor();
+    await page.locator('#comb-note').getByText('Greatest').waitFor();
+    const [first, second] = [
+      await page.locator('#distance-legend').boundingBox(),
+      await page.locator('#comb-legend').boundingBox(),
+    ];
+    assert.deepEqual([first.x, first.width], [second.x, second.width]);
+    assert.equal(first.y + first.height, second.y, 'no gap');
+    const stage = await page.locator('#stage').boundingBox();
+    assert.ok(first.height + second.height < 0.22 * stage.height, `${first.height}`);
+    const cut = await page
+      .locator('.legend h2, .legend .remark')
+      .evaluateAll((words) =>
+        words
+          .filter((one) => one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight)
+          .map((one) => one.textContent),
+      );
+    assert.deepEqual(cut, []);
+    for (const id of ['distance-off', 'comb-off', 'comb-scale']) {
+      const { height } = await page.locator(`#${id}`).boundingBox();
+      assert.ok(height >= 44, `${id} is for a finger`);
+    }
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   test('a narrow window has facts, repairs, the points and Clear in its sheet', async () => {
     const tab = await Tab.open(browser);
     // Two squares, the second with vertices of its own along the common edge.

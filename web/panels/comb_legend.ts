@@ -5,12 +5,18 @@ import { activeObject } from '../model/drawing';
 import type { CombFacts, CombLayer } from '../viewer/comb_layer';
 import type { Surface } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
-import { byId, formatCount } from './elements';
+import { formatCount, make } from './elements';
+import { Legend } from './legend';
 import { nameOf } from './object_panel';
 
 /** The curvature comb of the edited curve, with its scale and its greatest number; off at first. */
 export class CombLegend {
-  readonly #scale = byId<HTMLInputElement>('comb-scale');
+  readonly #legend: Legend;
+  readonly #scale = make('input', '', {
+    ...{ id: 'comb-scale', type: 'range', min: '-3', max: '3', step: '0.25', value: '0' },
+    title: 'How long the teeth are',
+  });
+  readonly #factor = make('output', '', { id: 'comb-factor' });
   #on = false;
   /** What is combed: neither anew, nor with another scale. */
   #shown: { lines: readonly Float32Array[]; object: number; surface: Surface | null } | null = null;
@@ -20,15 +26,24 @@ export class CombLegend {
     private readonly layer: CombLayer,
     private readonly now: () => { state: State; view: View; meanEdge: number },
   ) {
-    byId('comb-off').addEventListener('click', () => this.toggle());
+    const field = make('label', '', { className: 'field grow' });
+    field.append(make('span', 'Teeth', { className: 'field-name' }), this.#scale, this.#factor);
+    this.#factor.htmlFor.add(this.#scale.id);
+    this.#legend = new Legend(
+      {
+        ...{ id: 'comb', item: 'comb', title: 'Curvature' },
+        ...{ hides: 'Hide the curvature', key: 'U' },
+      },
+      [field],
+      () => this.toggle(),
+    );
     this.#scale.addEventListener('input', () => this.#setScale());
     this.#setScale();
   }
 
   toggle(): void {
     this.#on = !this.#on;
-    byId('comb').setAttribute('aria-checked', `${this.#on}`);
-    byId('comb-legend').hidden = !this.#on;
+    this.#legend.shown = this.#on;
     this.show();
   }
 
@@ -47,14 +62,13 @@ export class CombLegend {
     const keepScale = state.dragging && before?.object === object;
     const facts = this.layer.show(surface, lines, meanEdge, { keepScale });
     this.viewer.requestFrame();
-    byId('comb-title').textContent = `Curvature of ${nameOf(activeObject(state.drawing))}`;
-    byId('comb-note').textContent = wordsOf(facts);
+    this.#legend.tell(`Curvature of ${nameOf(activeObject(state.drawing))}`, wordsOf(facts));
   }
 
   #setScale(): void {
     const factor = 2 ** Number(this.#scale.value);
     const words = `${Number(factor.toPrecision(3))} ×`;
-    byId('comb-factor').textContent = words;
+    this.#factor.textContent = words;
     this.#scale.setAttribute('aria-valuetext', words);
     this.layer.factor = factor;
     this.viewer.requestFrame();

@@ -3,7 +3,8 @@ import type { State } from '../editor/editor';
 import { objectOf } from '../model/drawing';
 import { methodOptions } from '../model/methods';
 import { rampAsCss } from '../viewer/color_ramp';
-import { byId, make } from './elements';
+import { make } from './elements';
+import { Legend } from './legend';
 import { nameOf } from './object_panel';
 
 /** How many numbers stand below the ramp, beside 0. */
@@ -11,26 +12,35 @@ const mostTicks = 4;
 
 /** What the colors of distances mean, in numbers; one click takes all away. */
 export class DistanceLegend {
-  readonly #legend = byId('distance-legend');
+  readonly #legend: Legend;
+  readonly #ticks = make('ol', '', { id: 'distance-ticks', className: 'ticks' });
 
   constructor(hide: () => void) {
-    byId('distance-ramp').style.backgroundImage = rampAsCss;
-    byId('distance-off').addEventListener('click', hide);
+    const ramp = make('div', '', { className: 'ramp' });
+    ramp.style.backgroundImage = rampAsCss;
+    ramp.ariaHidden = 'true';
+    this.#ticks.setAttribute('aria-label', 'Distances, from near to far');
+    this.#legend = new Legend(
+      {
+        ...{ id: 'distance', item: 'distances', title: 'Distances' },
+        ...{ hides: 'Hide the distances', key: 'D' },
+      },
+      [ramp, this.#ticks],
+      hide,
+    );
   }
 
   /** `on` also where the distances are asked for and not yet there. */
   show(shown: ShownDistances | null, on: boolean, state: State): void {
-    byId('distances').setAttribute('aria-checked', `${on}`);
-    this.#legend.hidden = !on;
-    this.#legend.setAttribute('aria-busy', `${on && !shown?.current}`);
-    byId('distance-title').textContent = shown ? titleOf(shown, state) : 'Distances';
+    this.#legend.shown = on;
+    this.#legend.busy = on && !shown?.current;
     if (!shown) {
-      byId('distance-ticks').replaceChildren();
-      byId('distance-note').textContent = on ? 'Computing…' : '';
+      this.#ticks.replaceChildren();
+      this.#legend.tell('Distances', on ? 'Computing…' : '');
       return;
     }
     const { most, step, complete } = shown.traced;
-    byId('distance-ticks').replaceChildren(
+    this.#ticks.replaceChildren(
       ...ticksOf(most, step).map((value) => {
         const tick = make('li', formatDistance(value));
         tick.style.left = `${(100 * value) / most}%`;
@@ -40,9 +50,9 @@ export class DistanceLegend {
     const unreached = complete ? '' : ' No path leads to what has no color.';
     const graph =
       methodOptions(state.method).solver === 'graph' ? ' Distances are the graph’s.' : '';
-    byId('distance-note').textContent = shown.current
-      ? `Line every ${formatDistance(step)}, farthest ${most.toPrecision(4)} (surface’s unit).${unreached}${graph}`
-      : 'Follows when the point rests.';
+    const told = `Line every ${formatDistance(step)}, farthest ${most.toPrecision(4)} (surface’s unit).${unreached}${graph}`;
+    const note = shown.current ? told : 'Follows when the point rests.';
+    this.#legend.tell(titleOf(shown, state), note);
   }
 }
 

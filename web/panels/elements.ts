@@ -5,6 +5,9 @@ export function byId<Type extends HTMLElement = HTMLElement>(id: string): Type {
   return element as Type;
 }
 
+export const closeIcon =
+  '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="m5 5 10 10M15 5 5 15" /></svg>';
+
 export function make<Name extends keyof HTMLElementTagNameMap>(
   name: Name,
   text = '',

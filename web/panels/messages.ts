@@ -1,6 +1,5 @@
-import { byId, make } from './elements';
+import { byId, closeIcon, make } from './elements';
 
-const close = '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="m5 5 10 10M15 5 5 15" /></svg>';
 const noteMilliseconds = 4000;
 const mostShown = 4;
 
@@ -24,7 +23,7 @@ function show(sentence: string, kind: 'error' | 'note'): HTMLElement {
   const message = make('div', '', { className: `message ${kind}` });
   const button = make('button', '', { type: 'button', className: 'tool' });
   button.setAttribute('aria-label', 'Dismiss');
-  button.innerHTML = close;
+  button.innerHTML = closeIcon;
   button.addEventListener('click', () => message.remove());
   message.append(make('p', sentence), button);
   container.append(message);

@@ -1,0 +1,64 @@
+import { byId, closeIcon, make } from './elements';
+
+export interface LegendWords {
+  /** Of its elements' ids. */
+  id: string;
+  /** The id of the menu's item that shows it. */
+  item: string;
+  title: string;
+  /** What its button does, and the key that does the same. */
+  hides: string;
+  key: string;
+}
+
+/**
+ * What is shown over the surface, in words and on a scale, among the others of the stage. Where the
+ * window is narrow all of them are rows of one strip.
+ */
+export class Legend {
+  readonly #element: HTMLElement;
+  readonly #title: HTMLElement;
+  readonly #note: HTMLElement;
+  readonly #item: HTMLElement;
+
+  constructor(
+    { id, item, title, hides, key }: LegendWords,
+    scale: readonly HTMLElement[],
+    hide: () => void,
+  ) {
+    this.#item = byId(item);
+    this.#element = make('section', '', { id: `${id}-legend`, className: 'legend', hidden: true });
+    this.#title = make('h2', title, { id: `${id}-title` });
+    this.#element.setAttribute('aria-labelledby', this.#title.id);
+    const off = make('button', '', { id: `${id}-off`, type: 'button', className: 'tool' });
+    off.title = `Hide (${key})`;
+    off.setAttribute('aria-label', hides);
+    off.innerHTML = closeIcon;
+    off.addEventListener('click', hide);
+    const middle = make('div', '', { className: 'legend-scale' });
+    middle.append(...scale);
+    this.#note = make('p', '', { id: `${id}-note`, className: 'remark' });
+    this.#note.setAttribute('aria-live', 'polite');
+    this.#element.append(this.#title, off, middle, this.#note);
+    byId('legends').append(this.#element);
+  }
+
+  /** Whether it is there. */
+  set shown(shown: boolean) {
+    this.#item.setAttribute('aria-checked', `${shown}`);
+    this.#element.hidden = !shown;
+  }
+
+  /** What it tells is not yet so. */
+  set busy(busy: boolean) {
+    this.#element.setAttribute('aria-busy', `${busy}`);
+  }
+
+  tell(title: string, note: string): void {
+    this.#title.textContent = title;
+    this.#note.textContent = note;
+    // Where it is cut off.
+    this.#title.title = title;
+    this.#note.title = note;
+  }
+}
