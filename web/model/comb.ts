@@ -77,9 +77,9 @@ class Arclength {
     const count = Math.floor(line.length / 3);
     this.#lengths = new Float64Array(count);
     for (let i = 1; i < count; i++) {
-      this.#lengths[i] = this.#lengths[i - 1]! + norm(minus(this.#vertex(i), this.#vertex(i - 1)));
+      this.#lengths[i] = this.#lengths[i - 1]! + this.#apart(i - 1, i);
     }
-    const gap = count > 2 ? norm(minus(this.#vertex(0), this.#vertex(count - 1))) : Infinity;
+    const gap = count > 2 ? this.#apart(0, count - 1) : Infinity;
     this.closed = gap <= 1e-5 * this.length;
   }
 
@@ -113,17 +113,16 @@ class Arclength {
   corners(normalAt: (place: Vector) => Vector): number[] {
     const last = this.#lengths.length - 1;
     // Vertices that lie on each other have no direction from one to the next.
-    const kept = Array.from(this.#lengths.keys()).filter(
-      (i) => i === 0 || this.#lengths[i]! > this.#lengths[i - 1]!,
-    );
+    const kept = this.#lengths.length > 0 ? [0] : [];
+    for (let i = 1; i <= last; i++) if (this.#lengths[i]! > this.#lengths[i - 1]!) kept.push(i);
     const corners: number[] = [];
-    for (const [k, i] of kept.entries()) {
-      const isEnd = k === 0 || i === last || k === kept.length - 1;
-      if (isEnd && !(this.closed && k === 0)) continue;
+    for (let k = 0; k < kept.length - 1; k++) {
+      const i = kept[k]!;
+      if (k === 0 ? !this.closed : i === last) continue;
+      const [from, to] = [k === 0 ? kept.at(-2)! : kept[k - 1]!, kept[k + 1]!];
+      if (!this.#turns(from, i, to)) continue;
       const at = this.#vertex(i);
-      const before = minus(at, this.#vertex(k === 0 ? kept.at(-2)! : kept[k - 1]!));
-      const after = minus(this.#vertex(kept[k + 1]!), at);
-      if (!turns(before, after)) continue;
+      const [before, after] = [minus(at, this.#vertex(from)), minus(this.#vertex(to), at)];
       // A bend over an edge of the surface is none within it.
       const normal = normalAt(at);
       const within = (p: Vector) => minus(p, scaled(normal, dot(p, normal)));
@@ -132,16 +131,38 @@ class Arclength {
     return corners;
   }
 
+  #apart(i: number, j: number): number {
+    return Math.sqrt(this.#dot(i, j, i, j));
+  }
+
+  /** Whether the line turns much at a vertex. Nothing is allocated: most do not. */
+  #turns(from: number, at: number, to: number): boolean {
+    const lengths = Math.sqrt(this.#dot(from, at, from, at) * this.#dot(at, to, at, to));
+    return this.#dot(from, at, at, to) < cornerCosine * lengths;
+  }
+
+  /** The product of the steps from one vertex to another, and from a third one to a fourth. */
+  #dot(a: number, b: number, c: number, d: number): number {
+    const { line } = this;
+    let sum = 0;
+    for (let axis = 0; axis < 3; axis++) {
+      const step = line[3 * b + axis]! - line[3 * a + axis]!;
+      sum += step * (line[3 * d + axis]! - line[3 * c + axis]!);
+    }
+    return sum;
+  }
+
   #vertex(i: number): Vector {
     return [this.line[3 * i]!, this.line[3 * i + 1]!, this.line[3 * i + 2]!];
   }
 }
 
-const turns = (p: Vector, q: Vector) => dot(p, q) < Math.cos(cornerAngle) * norm(p) * norm(q);
+const cornerCosine = Math.cos(cornerAngle);
+const turns = (p: Vector, q: Vector) => dot(p, q) < cornerCosine * norm(p) * norm(q);
 const minus = (p: Vector, q: Vector): Vector => [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
 const scaled = (p: Vector, factor: number): Vector => [factor * p[0], factor * p[1], factor * p[2]];
 const dot = (p: Vector, q: Vector) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-const norm = (p: Vector) => Math.hypot(...p);
+const norm = (p: Vector) => Math.sqrt(dot(p, p));
 const cross = (p: Vector, q: Vector): Vector => [
   p[1] * q[2] - p[2] * q[1],
   p[2] * q[0] - p[0] * q[2],

@@ -55,10 +55,14 @@ export class Legend {
   }
 
   tell(title: string, note: string): void {
-    this.#title.textContent = title;
-    this.#note.textContent = note;
-    // Where it is cut off.
-    this.#title.title = title;
-    this.#note.title = note;
+    say(this.#title, title);
+    say(this.#note, note);
   }
+}
+
+/** Words that may be cut off; the same again cost nothing, as in a drag. */
+function say(element: HTMLElement, words: string): void {
+  if (element.textContent === words) return;
+  element.textContent = words;
+  element.title = words;
 }

@@ -50,8 +50,10 @@ export class CombLayer implements Layer {
   ): CombFacts {
     const scale = surface?.frame.scale ?? 1;
     this.#combs = surface ? this.#combsOf(surface, lines, meanEdge * scale) : [];
-    const usual = usualCurvature(this.#combs, usualShare);
-    if (!keepScale || this.#unit === 0) this.#unit = usual > 0 ? usualLength / usual : 0;
+    if (!keepScale || this.#unit === 0) {
+      const usual = usualCurvature(this.#combs, usualShare);
+      this.#unit = usual > 0 ? usualLength / usual : 0;
+    }
     this.#draw();
     const sizes = this.#combs.flatMap(({ teeth }) => teeth.map((one) => Math.abs(one.curvature)));
     return {

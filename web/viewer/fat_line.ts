@@ -112,11 +112,13 @@ export class FatLine {
 
   #add(line: Float32Array, at: number): void {
     const segment = this.#segments++;
-    this.#ends.set(line.subarray(at - 3, at + 3), 6 * segment);
+    for (let i = 0; i < 6; i++) this.#ends[6 * segment + i] = line[at - 3 + i]!;
     const before = segment > 0 ? this.#distances[2 * segment - 1]! : 0;
-    const [x, y, z] = [0, 1, 2].map((axis) => line[at + axis]! - line[at - 3 + axis]!);
+    const x = line[at]! - line[at - 3]!;
+    const y = line[at + 1]! - line[at - 2]!;
+    const z = line[at + 2]! - line[at - 1]!;
     this.#distances[2 * segment] = before;
-    this.#distances[2 * segment + 1] = before + Math.hypot(x!, y!, z!);
+    this.#distances[2 * segment + 1] = before + Math.sqrt(x * x + y * y + z * z);
   }
 
   #reserve(count: number): void {
