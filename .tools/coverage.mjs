@@ -8,7 +8,7 @@ import { dirname, relative, resolve } from 'node:path';
 import { buildNative, writeBunny } from './build.mjs';
 import { runGoogleTest } from './gtest.mjs';
 import { setUp } from './setup.mjs';
-import { CommandError, filesBelow, inRoot, root } from './shell.mjs';
+import { filesBelow, inRoot, root } from './shell.mjs';
 
 const leastPercent = 95;
 const folder = 'build/coverage';
@@ -110,7 +110,7 @@ async function main() {
   await writeBunny();
   await buildNative('coverage', 'karcher_tests');
   for (const data of filesBelow(folder, /\.gcda$/)) rmSync(data);
-  // In one process after the other: they write the same counters.
+  // Processes that end at once wait for each other where they add to the same counters.
   const { failed } = await runGoogleTest(inRoot(`${folder}/karcher_tests`), {
     reports: inRoot('build/reports/coverage'),
     minutes: 60,
@@ -128,6 +128,6 @@ async function main() {
 try {
   await main();
 } catch (error) {
-  console.error(error instanceof CommandError ? error.message : String(error.message ?? error));
+  console.error(error.message);
   process.exit(1);
 }

@@ -20,8 +20,14 @@ struct Window {
 /// A window, or what is left of it, narrower than this part of its edge is dropped. What lies
 /// behind it is found from its neighbours, with an error of second order in this number.
 inline constexpr double kNarrowestWindow = 1e-11;
-/// The same where edges are so short that such a window may be all that passes between their ends.
-inline constexpr double kNarrowestWideWindow = 1e-15;
+/// Places on an edge, and sources beside it, are known to this part of its length. Ends of windows
+/// that lie so near to an end of the edge, or to the line to the apex, are there: from a source
+/// that is much nearer than the edge is long, all that such a gap opens to would be lost.
+inline constexpr double kPlaceRounding = 1e-15;
+
+/// The narrowest where edges are so short that a wider window may be all that passes between their
+/// ends: what rounding does not make.
+inline constexpr double kNarrowestWideWindow = kPlaceRounding;
 
 /// A way beats another only if it is shorter by this part of its whole length, which is more than
 /// rounding makes of equal ways.
@@ -85,11 +91,6 @@ inline bool trimByHead(Window& w, double headDistance, double length) {
 }
 
 inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begin > width); }
-
-/// Places on an edge, and sources beside it, are known to this part of its length. Ends of windows
-/// that lie so near to an end of the edge, or to the line to the apex, are there: from a source
-/// that is much nearer than the edge is long, all that such a gap opens to would be lost.
-inline constexpr double kPlaceRounding = 1e-15;
 
 /// A window carried across its face to the edge that leaves the tail along the unit vector
 /// `along`, in the frame of that edge, tail kept. `apexCrossing` is where the line from the source

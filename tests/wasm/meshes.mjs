@@ -110,3 +110,16 @@ export const partsOf = (path) => ({
   lengths: path.lengths(),
   polyline: path.polyline({ bits: 64 }),
 });
+
+/** The number of the vertex of a mesh that is nearest to a place. */
+export function nearestVertex(mesh, place) {
+  const positions = mesh.positions();
+  let nearest = 0;
+  const away = (v) => distance(Array.from(positions.slice(3 * v, 3 * v + 3)), place);
+  for (let v = 1; 3 * v < positions.length; v++) if (away(v) < away(nearest)) nearest = v;
+  return nearest;
+}
+
+export function distance(a, b) {
+  return Math.hypot(...a.map((x, i) => x - b[i]));
+}

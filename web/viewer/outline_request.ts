@@ -25,6 +25,7 @@ export async function requestOutline(
   const worker = new Worker(new URL('./outline_worker.ts', import.meta.url), { type: 'module' });
   try {
     return await new Promise<Float32Array[]>((resolve, reject) => {
+      signal.throwIfAborted();
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.onmessage = ({ data }) => resolve(data);
       worker.onerror = (event) => {

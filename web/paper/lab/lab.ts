@@ -38,6 +38,11 @@ export class Lab {
     return { points: placed, places: placed.map((point) => mesh.position(point)) };
   }
 
+  async #task({ mesh, curve, samples }: Panel, points: readonly Vector[]): Promise<Task> {
+    const scene = await this.#scene(mesh);
+    return { peers: this.peers, scene, ...(await this.place(mesh, points)), curve, samples };
+  }
+
   /**
    * The lines of a panel, each given to `show` as soon as it is there, then what is measured of each by
    * exact paths, which takes longer. Rejects with the signal's reason.
@@ -50,10 +55,7 @@ export class Lab {
     measured: (id: LineId, ruler: RulerMeasures) => void,
     work: LongWorkOptions = {},
   ): Promise<void> {
-    const scene = await this.#scene(panel.mesh);
-    const { curve, samples } = panel;
-    const placed = await this.place(panel.mesh, points);
-    const task: Task = { peers: this.peers, scene, ...placed, curve, samples };
+    const task = await this.#task(panel, points);
     let reference: Promise<ReferenceSamples> | undefined;
     const getReference = () => {
       reference ??= referenceOf(task, work);
@@ -67,7 +69,7 @@ export class Lab {
       if (samples) traced.push({ id, samples });
     }
     if (traced.length === 0) return;
-    const ruler = new Ruler(scene.mesh, planOf(task));
+    const ruler = new Ruler(task.scene.mesh, planOf(task));
     await ruler.compareWith(await getReference(), work);
     for (const { id, samples } of traced) measured(id, await ruler.measure(samples, work));
   }
@@ -83,10 +85,7 @@ export class Lab {
     measured: (id: LineId, drag: DragMeasures) => void,
     work: LongWorkOptions = {},
   ): Promise<void> {
-    const scene = await this.#scene(panel.mesh);
-    const { curve, samples } = panel;
-    const placed = await this.place(panel.mesh, points);
-    const task: Task = { peers: this.peers, scene, ...placed, curve, samples };
+    const task = await this.#task(panel, points);
     for (const id of lines) {
       work.signal?.throwIfAborted();
       const drag = await dragLine(task, id, work);
