@@ -44,5 +44,13 @@ TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheBunny) {
   expectNoFaults("bunny", bunnyMesh(), 100'000, longRun() ? 250 : 5);
 }
 
+TEST(PolygonFuzz, AJumpWhereTheZeroComesToAnEdgeIsMarked) {
+  // Catmull-Rom and Bezier curves whose jumps of .070 and .082 mean edges were not marked while the
+  // bound on a jump was not held where the zero of a cell comes to the cell's edge.
+  const int anySpacing = kSpacingCount - 1;
+  expectNoFaults("bunny", bunnyMesh(), 500'036, 1, anySpacing);
+  expectNoFaults("bunny", bunnyMesh(), 500'062, 1, anySpacing);
+}
+
 }  // namespace
 }  // namespace karcher
