@@ -115,16 +115,11 @@ export class Move {
     const { client, pivot, carried, objects } = this;
     const stays = samePoint(point, pivot);
     if (stays && angle === 0 && scale === 1) return this.#unmoved;
-    const count = this.logs.vectors.length;
-    const here = new Float64Array(2 * count);
-    here.set(this.#turned(this.logs.vectors, angle, scale));
-    here.set(this.#turned(this.logs.directions, angle, 1), count);
-    const there = stays ? here : await client.mesh.transport(pivot, plain(point), here);
-    const { points, directions, remaining } = await client.mesh.expMap(
-      plain(point),
-      there.slice(0, count),
-      there.slice(count),
-    );
+    const vectors = this.#turned(this.logs.vectors, angle, scale);
+    const ways = this.#turned(this.logs.directions, angle, 1);
+    const { points, directions, remaining } = stays
+      ? await client.mesh.expMap(pivot, vectors, ways)
+      : await client.putDown(pivot, plain(point), vectors, ways);
     if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return null;
     const figures = objects.map(({ figure }) => figure);
     const own = carried.length;

@@ -2,7 +2,7 @@ import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/session';
 import { handleNames, withRadius } from '../model/circle';
 import { type CircleType, isRound } from '../model/figure';
-import { byId, make } from './elements';
+import { byId, make, write } from './elements';
 import { NumberField } from './number_field';
 
 const typeNames: Record<CircleType, string> = {
@@ -61,13 +61,13 @@ export class CircleSettings {
     const isEllipse = kind === 'ellipse';
     this.#type.closest('label')!.hidden = isEllipse;
     this.#type.value = type;
-    byId('radius-name').textContent = handleNames(kind).rim;
+    write(byId('radius-name'), handleNames(kind).rim);
     byId('across').closest('label')!.hidden = !isEllipse;
     this.#arcs.closest('label')!.hidden = !isEllipse && type !== 'arcs';
     this.#arcs.value = `${arcs}`;
-    byId('arcs-count').textContent = `${arcs}`;
+    write(byId('arcs-count'), `${arcs}`);
     this.#radius.show(circle && (view.circle?.radius ?? null));
     this.#across.show(circle && (view.circle?.across?.radius ?? null));
-    byId('circle-note').textContent = isEllipse ? ellipseNote : typeNotes[type];
+    write(byId('circle-note'), isEllipse ? ellipseNote : typeNotes[type]);
   }
 }

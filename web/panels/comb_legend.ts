@@ -5,7 +5,7 @@ import { activeObject } from '../model/drawing';
 import type { CombFacts, CombLayer } from '../viewer/comb_layer';
 import type { Surface } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
-import { formatCount, make } from './elements';
+import { formatCount, make, write } from './elements';
 import { Legend } from './legend';
 import { nameOf } from './object_panel';
 
@@ -68,7 +68,7 @@ export class CombLegend {
   #setScale(): void {
     const factor = 2 ** Number(this.#scale.value);
     const words = `${Number(factor.toPrecision(3))} ×`;
-    this.#factor.textContent = words;
+    write(this.#factor, words);
     this.#scale.setAttribute('aria-valuetext', words);
     this.layer.factor = factor;
     this.viewer.requestFrame();

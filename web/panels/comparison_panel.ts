@@ -2,7 +2,7 @@ import type { Compared, Comparison } from '../editor/comparison';
 import type { Editor, State } from '../editor/editor';
 import type { Gap } from '../model/gap';
 import { isMethod, type MethodId, methods } from '../model/methods';
-import { byId } from './elements';
+import { byId, write } from './elements';
 import { sentenceOf } from './messages';
 
 /** Chooses the method that the edited curve is compared with, and tells how far the two are apart. */
@@ -36,16 +36,16 @@ export class ComparisonPanel {
     this.#box.hidden = method === null;
     if (method === null) return;
     const label = (id: MethodId) => methods.find((one) => one.id === id)!.label;
-    byId('compare-own').textContent = label(own);
-    byId('compare-other').textContent = label(method);
+    write(byId('compare-own'), label(own));
+    write(byId('compare-other'), label(method));
     const active = drawing.objects.find(({ id }) => id === drawing.active);
     this.#box.style.setProperty('--own', active?.color ?? 'var(--curve)');
     this.#box.style.setProperty('--other', comparedColor(active?.color ?? null));
     this.#box.classList.toggle('late', told?.late ?? true);
-    byId('compare-mean').textContent = wordsOf(told, 'mean');
-    byId('compare-largest').textContent = wordsOf(told, 'largest');
+    write(byId('compare-mean'), wordsOf(told, 'mean'));
+    write(byId('compare-largest'), wordsOf(told, 'largest'));
     const problem = told?.problem ? sentenceOf(told.problem) : noCurve(told);
-    byId('compare-problem').textContent = problem;
+    write(byId('compare-problem'), problem);
     byId('compare-numbers').hidden = problem !== '';
   }
 }

@@ -5,7 +5,7 @@ import { isCurve, isEmpty, isRound, isSpline, type Kind } from '../model/figure'
 import { type MethodId, methods } from '../model/methods';
 import type { Joint } from '../model/pen';
 import { CircleSettings } from './circle_settings';
-import { byId, make } from './elements';
+import { byId, make, write } from './elements';
 import { FineSettings } from './fine_settings';
 import { kindGroups, kindNames, kindNotes } from './kind_names';
 import { PointRows } from './point_rows';
@@ -58,7 +58,7 @@ export class CurvePanel {
   show(state: State, view: View): void {
     const { kind } = state.figure;
     const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;
-    byId('kind-title').textContent = group.title;
+    write(byId('kind-title'), group.title);
     byId('kind').hidden = group.kinds.length < 2;
     for (const input of this.#kinds) {
       input.checked = input.value === kind;
@@ -76,7 +76,7 @@ export class CurvePanel {
     this.#join.setAttribute('aria-pressed', `${tool === 'join'}`);
     this.#join.hidden = !isSpline(kind) || joinable(state).length === 0;
     this.#clear.hidden = isEmpty(state.figure);
-    byId('points-title').textContent = pointsTitles[kind] ?? 'Control points';
+    write(byId('points-title'), pointsTitles[kind] ?? 'Control points');
     this.#rows.show(state, view);
     this.#settings.show(state);
     this.#circle.show(state, view);

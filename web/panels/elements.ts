@@ -30,3 +30,8 @@ export function formatBytes(bytes: number): string {
   const power = Math.min(3, Math.max(1, Math.floor(Math.log10(Math.max(1, bytes)) / 3)));
   return `${Number((bytes / 1000 ** power).toPrecision(2))} ${['', 'kB', 'MB', 'GB'][power]}`;
 }
+
+/** Says something in an element: the page is laid out again only where it is something else. */
+export function write(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}

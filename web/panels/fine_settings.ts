@@ -11,7 +11,7 @@ import {
 } from '../model/figure';
 import { levelsOf } from '../model/link';
 import { mayHaveLevels } from '../model/splines';
-import { byId } from './elements';
+import { byId, write } from './elements';
 import { sentenceOf } from './messages';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
 
@@ -66,7 +66,7 @@ export class FineSettings {
     const { kind, settings } = figure;
     this.#group.hidden = !isCurve(kind);
     const withKnots = kind === 'bspline';
-    byId('fine-title').textContent = withKnots ? 'Samples, marks and knots' : 'Samples and marks';
+    write(byId('fine-title'), withKnots ? 'Samples, marks and knots' : 'Samples and marks');
     const { samples, tolerance, marks } = settings;
     byId('levels-field').hidden = !mayHaveLevels(kind);
     this.#showLevels(settings.levels);
@@ -150,7 +150,7 @@ class KnotsField {
   }
 
   #tell(problem: string): void {
-    this.#problem.textContent = problem;
+    write(this.#problem, problem);
     this.#problem.hidden = problem === '';
     this.#text.setAttribute('aria-invalid', `${problem !== ''}`);
     if (problem) this.#problem.scrollIntoView({ block: 'nearest' });

@@ -1,6 +1,6 @@
 import type { State } from '../editor/editor';
 import { recall, remember } from '../model/storage';
-import { byId } from './elements';
+import { byId, write } from './elements';
 
 /** How far a curve may be from the stroke that it was drawn by, in CSS pixels: kept by the browser. */
 export class FreehandSettings {
@@ -13,7 +13,7 @@ export class FreehandSettings {
     if (kept >= Number(min) && kept <= Number(max)) this.#tolerance.value = `${kept}`;
     const take = () => {
       const { value } = this.#tolerance;
-      byId('freehand-pixels').textContent = `${value} px`;
+      write(byId('freehand-pixels'), `${value} px`);
       changed(Number(value));
     };
     this.#tolerance.addEventListener('input', take);

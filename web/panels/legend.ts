@@ -1,4 +1,4 @@
-import { byId, closeIcon, make } from './elements';
+import { byId, closeIcon, make, write } from './elements';
 
 export interface LegendWords {
   /** Of its elements' ids. */
@@ -63,6 +63,6 @@ export class Legend {
 /** Words that may be cut off; the same again cost nothing, as in a drag. */
 function say(element: HTMLElement, words: string): void {
   if (element.textContent === words) return;
-  element.textContent = words;
+  write(element, words);
   element.title = words;
 }

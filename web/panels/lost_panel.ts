@@ -1,6 +1,6 @@
 import type { View } from '../editor/session';
 import { type LostInterval, type LostReason, lostSamples } from '../model/lost';
-import { byId, formatCount, make } from './elements';
+import { byId, formatCount, make, write } from './elements';
 
 /** Why a part of a curve is no center of mass. */
 export const reasons: Record<LostReason, string> = {
@@ -36,7 +36,7 @@ export class LostPanel {
     this.#shown = text;
     this.#next = 0;
     this.#group.hidden = this.#intervals.length === 0;
-    byId('lost-count').textContent = countLost(this.#intervals);
+    write(byId('lost-count'), countLost(this.#intervals));
     const shown = this.#intervals.slice(0, mostShown);
     const all = [...new Set(shown.map(({ reason }) => reason))];
     this.#kinds.replaceChildren(...all.flatMap((reason) => this.#list(reason, shown)));

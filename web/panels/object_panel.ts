@@ -9,7 +9,7 @@ import {
 import { isEmpty } from '../model/figure';
 import { longestName } from '../model/names';
 import { EditedField } from './edited_field';
-import { byId, make } from './elements';
+import { byId, make, write } from './elements';
 import { kindNames } from './kind_names';
 import { ListDrag } from './list_drag';
 import { NumberField, positiveNumber } from './number_field';
@@ -125,7 +125,7 @@ export class ObjectPanel {
     this.#showRows(state);
     const active = activeObject(state.drawing);
     this.#showStyle(active);
-    byId('sheet-title').textContent = nameOf(active);
+    write(byId('sheet-title'), nameOf(active));
     for (const [button, isPossible] of this.#actions) button.disabled = !isPossible(state);
     byId<HTMLButtonElement>('new-object').disabled = isEmpty(activeObject(state.drawing).figure);
   }
@@ -157,8 +157,8 @@ export class ObjectPanel {
     else main!.removeAttribute('aria-current');
     const [dot, words, tag] = [...main!.children] as HTMLElement[];
     dot!.style.background = color ?? '';
-    words!.textContent = isEmpty(figure) ? `${name}, empty` : name;
-    tag!.textContent = group ?? '';
+    write(words!, isEmpty(figure) ? `${name}, empty` : name);
+    write(tag!, group ?? '');
     see!.setAttribute('aria-pressed', `${visible}`);
     see!.setAttribute('aria-label', `Show ${name}`);
     hold!.setAttribute('aria-pressed', `${locked}`);

@@ -14,7 +14,7 @@ import {
   withParameter,
 } from '../model/figure';
 import { jointOf } from '../model/pen';
-import { byId, formatInteger, make } from './elements';
+import { byId, formatInteger, make, write } from './elements';
 
 const names: Record<ParameterName, string> = { weight: 'Weight', beta: 'Beta' };
 /** Steps of a slider from one end to the other. */
@@ -141,8 +141,8 @@ function showRow(
 ) {
   const [button, input] = [...element.children] as [HTMLButtonElement, HTMLInputElement];
   button.dataset.which = `${which}`;
-  button.firstElementChild!.textContent = name;
-  button.lastElementChild!.textContent = value;
+  write(button.firstElementChild!, name);
+  write(button.lastElementChild!, value);
   button.title = place;
   button.setAttribute('aria-pressed', `${which === selection}`);
   input.hidden = slider === null;

@@ -1,4 +1,4 @@
-import { byId } from './elements';
+import { byId, write } from './elements';
 
 /** Work this short shows no bar. */
 const patienceMilliseconds = 200;
@@ -25,7 +25,7 @@ export function showProgress(stage: string, onCancel: () => void): ShownProgress
   }, patienceMilliseconds);
   const set = (done: number | null, text: string) => {
     if (shown !== own) return;
-    stageText.textContent = text;
+    write(stageText, text);
     if (done === null) bar.removeAttribute('value');
     else bar.value = done;
   };

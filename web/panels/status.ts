@@ -8,7 +8,7 @@ import type { LostReason } from '../model/lost';
 import type { Quality } from '../model/methods';
 import { penWords } from '../model/pen_hints';
 import type { Measured } from '../model/traced';
-import { byId, formatCount, formatInteger } from './elements';
+import { byId, formatCount, formatInteger, write } from './elements';
 import { kindNames } from './kind_names';
 import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
@@ -45,18 +45,18 @@ export class Status {
   }
 
   show(state: State, view: View, info: MeshInfo | null): void {
-    byId('status-triangles').textContent = info ? formatCount(info.triangles, 'triangle') : '';
+    write(byId('status-triangles'), info ? formatCount(info.triangles, 'triangle') : '');
     const { curve, isolines, center } = view;
-    byId('status-samples').textContent = countOf(view);
-    byId('status-length').textContent = measureOf(view);
+    write(byId('status-samples'), countOf(view));
+    write(byId('status-length'), measureOf(view));
     const time = (curve ?? isolines ?? center)?.milliseconds;
-    byId('status-time').textContent = time === undefined ? '' : `${formatMilliseconds(time)} ms`;
+    write(byId('status-time'), time === undefined ? '' : `${formatMilliseconds(time)} ms`);
     this.#showLost(view);
     this.#showQuality(view);
     const arcs = byId('status-arcs');
     const bent = curve?.arcsNotShortest ?? 0;
     arcs.hidden = bent === 0;
-    arcs.textContent = formatCount(bent, 'arc not shortest', 'arcs not shortest');
+    write(arcs, formatCount(bent, 'arc not shortest', 'arcs not shortest'));
     this.showHint(state, view);
   }
 
@@ -77,7 +77,7 @@ export class Status {
     const badge = byId('status-lost');
     const lost = curve?.lost ?? [];
     badge.hidden = lost.length === 0;
-    badge.textContent = `${countLost(lost)} without a center`;
+    write(badge, `${countLost(lost)} without a center`);
     badge.title = 'Show the next place';
   }
 
@@ -89,7 +89,7 @@ export class Status {
     mark.dataset.quality = quality;
     mark.classList.toggle('refining', refining);
     mark.classList.toggle('jumped', jumped);
-    mark.textContent = jumped ? `exact, moved by ${formatShift(shift.median)}` : quality;
+    write(mark, jumped ? `exact, moved by ${formatShift(shift.median)}` : quality);
     mark.title = qualityText(quality, refining, shift, notRefined);
   }
 
@@ -120,13 +120,13 @@ export class Status {
     byId('remove').hidden = selection === null;
     byId('shorten').hidden = hint === '' || hint !== shorterHint(view);
     const { kind, points } = state.figure;
-    byId('selected').textContent = nameOf(kind, selection);
+    write(byId('selected'), nameOf(kind, selection));
     const name = parameterOf(kind);
     const point = typeof selection === 'number' ? points[selection] : undefined;
     this.#slider.hidden = !name || !point;
     if (name && point) showOnSlider(this.#slider, Number(selection), point, name);
     const element = byId('hint');
-    if (element.textContent !== hint) element.textContent = hint;
+    write(element, hint);
   }
 }
 

@@ -9,7 +9,7 @@ import {
   samples,
   type UpAxis,
 } from '../model/meshes';
-import { byId, formatCount, formatInteger, make } from './elements';
+import { byId, formatCount, formatInteger, make, write } from './elements';
 
 export interface SurfaceEvents {
   choose(key: string): void;
@@ -112,7 +112,7 @@ export class SurfacePanel {
     if (info.boundaryLoops > 0) {
       line.push(formatCount(info.boundaryLoops, 'boundary', 'boundaries'));
     } else line.push(`genus ${formatInteger(info.genus)}`);
-    byId('facts-line').textContent = line.join(', ');
+    write(byId('facts-line'), line.join(', '));
     const facts: [string, string][] = [
       ['Triangles', formatInteger(info.triangles)],
       ['Vertices', formatInteger(info.vertices)],

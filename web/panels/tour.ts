@@ -1,5 +1,5 @@
 import { recall, remember } from '../model/storage';
-import { byId } from './elements';
+import { byId, write } from './elements';
 
 interface Step {
   /** What is spoken of: a selector. */
@@ -80,10 +80,10 @@ export class Tour {
     }
     remember('tour', 'shown');
     this.#at = at;
-    byId('tour-title').textContent = step.title;
-    byId('tour-text').textContent = step.text;
-    byId('tour-count').textContent = `${at + 1} of ${steps.length}`;
-    this.#next.textContent = at + 1 < steps.length ? 'Next' : 'Done';
+    write(byId('tour-title'), step.title);
+    write(byId('tour-text'), step.text);
+    write(byId('tour-count'), `${at + 1} of ${steps.length}`);
+    write(this.#next, at + 1 < steps.length ? 'Next' : 'Done');
     this.#card.hidden = false;
     this.#mark();
     this.#place();

@@ -58,12 +58,14 @@ export class Viewer {
   #edges = false;
   /** The stage's, in CSS pixels: to ask the stage lays the page out, which a thousand handles cannot bear. */
   #size = { width: 1, height: 1 };
+  /** Where the stage is in the window; null until it is asked for again. */
+  #box: DOMRect | null = null;
   #frame = 0;
 
   /** `stage` takes the pointer; the canvas fills it. Throws where there is no WebGL 2. */
   constructor(
     private readonly stage: HTMLElement,
-    private readonly canvas: HTMLCanvasElement,
+    canvas: HTMLCanvasElement,
     options: { antialias: boolean },
   ) {
     const context = canvas.getContext('webgl2', { alpha: true, ...options });
@@ -79,6 +81,9 @@ export class Viewer {
     this.#view = new OrbitView(stage, redraw);
     new ResizeObserver(() => this.#resize()).observe(stage);
     this.#resize();
+    for (const type of ['resize', 'scroll']) {
+      addEventListener(type, () => (this.#box = null), { capture: true, passive: true });
+    }
   }
 
   /** Draws something more, in the colors that are set from then on. */
@@ -296,7 +301,7 @@ export class Viewer {
   /** The surface's point at a place of the window, in CSS pixels. */
   pick(clientX: number, clientY: number): Pick | null {
     if (!this.#surface) return null;
-    const box = this.canvas.getBoundingClientRect();
+    const { box } = this;
     const place = new Vector2(
       (2 * (clientX - box.left)) / box.width - 1,
       1 - (2 * (clientY - box.top)) / box.height,
@@ -372,7 +377,7 @@ export class Viewer {
   }
 
   #pickLine(line: Float32Array, clientX: number, clientY: number, within: number): Vector3 | null {
-    const box = this.canvas.getBoundingClientRect();
+    const { box } = this;
     const place = { x: clientX - box.left, y: clientY - box.top };
     this.#view.camera.updateMatrixWorld();
     const nearest = nearestOnScreen(line, this.#view.camera, this.size, place);
@@ -408,9 +413,10 @@ export class Viewer {
     return ((height / this.#size.height) * pixels) / (this.#surface?.frame.scale ?? 1);
   }
 
-  /** Where the stage is in the window. */
+  /** Where the stage is in the window: asked of the page once, as its size is. */
   get box(): DOMRect {
-    return this.stage.getBoundingClientRect();
+    this.#box ??= this.stage.getBoundingClientRect();
+    return this.#box;
   }
 
   /** A polyline in the surface's coordinates as it is seen on the stage. */
@@ -471,6 +477,7 @@ export class Viewer {
 
   #resize(): void {
     const { clientWidth, clientHeight } = this.stage;
+    this.#box = null;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#size = { width: clientWidth, height: clientHeight };
     this.#renderer.setPixelRatio(Math.min(2, devicePixelRatio));

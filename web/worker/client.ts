@@ -7,6 +7,7 @@ import type {
   EllipseOptions,
   IsolineOptions,
   LongWorkOptions,
+  MappedPoints,
   MeshInfo,
   PointLike,
 } from 'karcher';
@@ -220,6 +221,20 @@ export class EngineClient {
   /** Distances along the surface from a point to all of it. */
   async distances(from: PointLike, options: DistanceOptions): Promise<TracedDistances> {
     return (await this.#worker.call('distances', [this.mesh, from, options])) as TracedDistances;
+  }
+
+  /**
+   * Where vectors of the tangent plane at `from` lead from `to`, once they are carried there, and their
+   * directions: the transport and the exp map in one call, for a drag.
+   */
+  async putDown(
+    from: PointLike,
+    to: PointLike,
+    vectors: Float64Array,
+    directions: Float64Array,
+  ): Promise<MappedPoints> {
+    const given = [this.mesh, from, to, vectors, directions];
+    return (await this.#worker.call('putDown', given)) as MappedPoints;
   }
 
   get closed(): boolean {

@@ -4,6 +4,7 @@ import {
   type Karcher,
   type LongWorkOptions,
   load,
+  type MappedPoints,
   type Mesh,
   type PointLike,
 } from 'karcher';
@@ -57,6 +58,17 @@ const calls = {
   },
   distances: (mesh: Mesh, from: PointLike, options: DistanceOptions) =>
     tracedDistances(mesh, from, options),
+  putDown(
+    mesh: Mesh,
+    from: PointLike,
+    to: PointLike,
+    vectors: Float64Array,
+    directions: Float64Array,
+  ): MappedPoints {
+    const carried = mesh.transport(from, to, [...vectors, ...directions]);
+    const { length } = vectors;
+    return mesh.expMap(to, carried.subarray(0, length), carried.subarray(length));
+  },
 };
 
 export type Calls = typeof calls;
