@@ -1,6 +1,7 @@
 #include "rcm/exact_minimum.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "distance/exact_distance.h"
 #include "intrinsic/straightest.h"
@@ -38,6 +39,31 @@ double lengthTo(const Geometry& geometry, const ExactDistance& distance, const S
         length, distance.distance(vertex) + (point - cornerInFace(geometry, to.face, k)).norm());
   }
   return length;
+}
+
+// Circles begin where the shape of the mesh says, so that they have the same points whatever the
+// numbers of its faces are.
+
+/// The direction, in the frame of a face, from a point of it to the farthest corner.
+double farthestCorner(const Geometry& geometry, const SurfacePoint& point) {
+  const Vec2 from = pointInFace(geometry, point);
+  Vec2 farthest = Vec2::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 way = cornerInFace(geometry, point.face, k) - from;
+    if (way.norm() > farthest.norm()) farthest = way;
+  }
+  return std::atan2(farthest.y(), farthest.x());
+}
+
+/// The direction, in the frame of a vertex, of its longest edge; 0 at the boundary, where frames
+/// begin.
+double longestEdge(const Geometry& geometry, int vertex) {
+  if (geometry.mesh->onBoundary[vertex]) return 0;
+  int longest = geometry.mesh->outgoing[vertex];
+  for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
+    if (geometry.edgeLength[h] > geometry.edgeLength[longest]) longest = h;
+  }
+  return geometry.cumulatedAngle[longest];
 }
 
 }  // namespace
@@ -98,17 +124,17 @@ Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& c
                                  double radius, int count) {
   const PointLocation location = locate(*geometry.mesh, center);
   const StraightestOptions options{.maxCrossings = kMostCrossings};
+  const bool isVertex = location.simplex == Simplex::kVertex;
+  const double all = isVertex ? geometry.totalAngle[location.vertex] : 2 * kPi;
+  const double first =
+      isVertex ? longestEdge(geometry, location.vertex) : farthestCorner(geometry, center);
   Array<SurfacePoint> points;
   for (int k = 0; k < count; ++k) {
-    const double part = (k + 0.5) / count;
-    if (location.simplex == Simplex::kVertex) {
-      const double direction = part * geometry.totalAngle[location.vertex];
-      points.push_back(
-          traceFromVertex(geometry, location.vertex, direction, radius, options).path.end());
-    } else {
-      const Vec2 vector = radius * unitVector(2 * kPi * part);
-      points.push_back(traceStraightest(geometry, center, vector, options).path.end());
-    }
+    const double direction = std::fmod(first + all * (k + 0.5) / count, all);
+    points.push_back(
+        isVertex ? traceFromVertex(geometry, location.vertex, direction, radius, options).path.end()
+                 : traceStraightest(geometry, center, radius * unitVector(direction), options)
+                       .path.end());
   }
   return points;
 }

@@ -6,6 +6,7 @@
 
 #include "bench_support.h"
 #include "generators/gallery.h"
+#include "generators/renumbered.h"
 #include "mesh/error.h"
 #include "rcm/exact_minimum.h"
 #include "rcm/mean.h"
@@ -22,7 +23,7 @@
 /// - how far rotations of the mesh about its middle and away from it, and scale by a power of two,
 ///   move the centers, as a part of the diagonal: how many by more than 1e-9 where the two energies
 ///   differ by 1e-6 of them or more, how many where they differ less (ties), and the farthest of
-///   the former;
+///   the former; the same of another order of vertices and faces, on its own;
 /// - milliseconds a center, without and with what is kept.
 ///
 ///   centers_study [--cases N] [--solver exact] [PART_OF_A_NAME | MESH.obj ...]
@@ -54,13 +55,31 @@ struct Lower {
   }
 };
 
+/// Centers that something moved which should not.
+struct Moved {
+  int count = 0;
+  int ties = 0;
+  double farthest = 0;  ///< a part of the diagonal
+
+  void take(double distance, bool isTie) {
+    if (distance <= kMoved) return;
+    ties += isTie ? 1 : 0;
+    count += isTie ? 0 : 1;
+    if (!isTie) farthest = std::max(farthest, distance);
+  }
+  void take(const Moved& other) {
+    count += other.count;
+    ties += other.ties;
+    farthest = std::max(farthest, other.farthest);
+  }
+};
+
 struct Row {
   std::map<std::string, int> statuses;
   Lower unchecked;
   Lower checked;
-  int moved = 0;
-  int ties = 0;
-  double farthest = 0;
+  Moved moved;
+  Moved renumbered;
   double uncheckedTime = 0;
   double time = 0;
 };
@@ -112,6 +131,8 @@ Row measure(const TriangleMesh& mesh, const Options& options) {
   Surface turned(movedMesh(mesh, Vec3::Zero(), 1));
   Surface away(movedMesh(mesh, 10 * geometry.diagonal * Vec3(0.6, -0.5, 0.62), 1));
   Surface scaled(movedMesh(mesh, Vec3::Zero(), 8));
+  const Renumbered order = renumbered(mesh, kSeed);
+  Surface reordered(order.mesh);
   MeanOptions mean;
   mean.field.solver = options.solver;
   mean.normalize = true;
@@ -147,19 +168,20 @@ Row measure(const TriangleMesh& mesh, const Options& options) {
     row.checked.take(lowerOnCircle(geometry, points, weights, center.point));
     ExactEnergy energy(geometry, points, weights);
     const double here = energy.at(center.point, 0, {center.point})[0];
+    const auto compare = [&](const SurfacePoint& point, Status status, Moved& moved) {
+      const double distance =
+          (position(mesh, point) - position(mesh, center.point)).norm() / geometry.diagonal;
+      const double value = energy.at(point, 0, {point})[0];
+      moved.take(distance, status == Status::kConverged && std::abs(value - here) < kTie * here);
+    };
     for (Surface* other : {&turned, &away, &scaled}) {
       const Mean there = centerOfMass(*other, points, weights, mean);
-      const double moved =
-          (position(mesh, there.point) - position(mesh, center.point)).norm() / geometry.diagonal;
-      if (moved <= kMoved) continue;
-      const double value = energy.at(there.point, 0, {there.point})[0];
-      if (there.status == Status::kConverged && std::abs(value - here) < kTie * here) {
-        ++row.ties;
-      } else {
-        ++row.moved;
-        row.farthest = std::max(row.farthest, moved);
-      }
+      compare(there.point, there.status, row.moved);
     }
+    Array<SurfacePoint> newPoints;
+    for (const SurfacePoint& point : points) newPoints.push_back(order.at(point));
+    const Mean there = centerOfMass(reordered, newPoints, weights, mean);
+    compare(order.before(there.point), there.status, row.renumbered);
   }
   row.time /= options.cases;
   row.uncheckedTime /= options.cases;
@@ -175,14 +197,14 @@ void print(const std::string& name, const TriangleMesh& mesh, const Options& opt
       std::printf("%d %s ", count, status.c_str());
       total.statuses[status] += count;
     }
-    std::printf("| %d | %.1e | %d | %.1e | %d | %d | %.0e | %.1f | %.1f |\n", row.unchecked.count,
-                row.unchecked.worst, row.checked.count, row.checked.worst, row.moved, row.ties,
-                row.farthest, row.uncheckedTime, row.time);
+    std::printf("| %d | %.1e | %d | %.1e | %d | %d | %.0e | %d | %d | %.0e | %.1f | %.1f |\n",
+                row.unchecked.count, row.unchecked.worst, row.checked.count, row.checked.worst,
+                row.moved.count, row.moved.ties, row.moved.farthest, row.renumbered.count,
+                row.renumbered.ties, row.renumbered.farthest, row.uncheckedTime, row.time);
     total.unchecked.take(row.unchecked);
     total.checked.take(row.checked);
-    total.moved += row.moved;
-    total.ties += row.ties;
-    total.farthest = std::max(total.farthest, row.farthest);
+    total.moved.take(row.moved);
+    total.renumbered.take(row.renumbered);
   } catch (const std::exception& error) {
     std::printf("%s |\n", error.what());
   }
@@ -213,8 +235,10 @@ int main(int argc, char** argv) {
                 static_cast<int>(karcher::kSeed));
     std::printf(
         "| mesh | triangles | ended | unchecked: no minimum | lower by, h2 | checked: no minimum | "
-        "lower by, h2 | moved | ties | farthest | unchecked: ms | checked: ms |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+        "lower by, h2 | moved | ties | farthest | renumbered: moved | ties | farthest | "
+        "unchecked: ms | checked: ms |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
+        "|\n");
     karcher::Row total;
     for (const std::string& name : names) {
       if (!karcher::isFile(name)) continue;
@@ -236,7 +260,9 @@ int main(int argc, char** argv) {
     std::printf(" no minimum: unchecked %d (lower by %.1e h2 at most), checked %d (%.1e h2);",
                 total.unchecked.count, total.unchecked.worst, total.checked.count,
                 total.checked.worst);
-    std::printf(" moved %d, ties %d, farthest %.0e\n", total.moved, total.ties, total.farthest);
+    std::printf(" moved %d, ties %d, farthest %.0e; renumbered: moved %d, ties %d, farthest %.0e\n",
+                total.moved.count, total.moved.ties, total.moved.farthest, total.renumbered.count,
+                total.renumbered.ties, total.renumbered.farthest);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

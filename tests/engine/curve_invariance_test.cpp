@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "curve_support.h"
 #include "curves/curve.h"
 #include "generators/random_points.h"
+#include "generators/renumbered.h"
 #include "intrinsic/straightest.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -29,38 +29,10 @@ Scene moved(const Scene& scene, const Eigen::Affine3d& motion) {
   return {buildMesh(positions, scene.mesh.faces), scene.points, motion.inverse()};
 }
 
-/// The same mesh with vertices and faces in another order, and each face from another corner.
 Scene renumbered(const Scene& scene, uint64_t seed) {
-  Random random(seed);
-  const int vertices = scene.mesh.vertexCount();
-  const int faces = scene.mesh.faceCount();
-  Array<int> newVertex(static_cast<size_t>(vertices));
-  Array<int> oldFace(static_cast<size_t>(faces));
-  std::iota(newVertex.begin(), newVertex.end(), 0);
-  std::iota(oldFace.begin(), oldFace.end(), 0);
-  random.shuffle(newVertex);
-  random.shuffle(oldFace);
-  Array<Vec3> positions(static_cast<size_t>(vertices));
-  for (int v = 0; v < vertices; ++v) positions[newVertex[v]] = scene.mesh.positions[v];
-  Array<Triangle> triangles;
-  Array<int> newFace(static_cast<size_t>(faces));
-  Array<int> shift;
-  for (int f = 0; f < faces; ++f) {
-    shift.push_back(random.index(3));
-    newFace[oldFace[f]] = f;
-    Triangle triangle;
-    for (int k = 0; k < 3; ++k) {
-      triangle[k] = newVertex[scene.mesh.corner(oldFace[f], (k + shift[f]) % 3)];
-    }
-    triangles.push_back(triangle);
-  }
-  Scene result{buildMesh(positions, triangles), {}, scene.back};
-  for (const SurfacePoint& p : scene.points) {
-    const int f = newFace[p.face];
-    Vec3 bary;
-    for (int k = 0; k < 3; ++k) bary[k] = p.bary[(k + shift[f]) % 3];
-    result.points.push_back({f, bary});
-  }
+  const Renumbered other = renumbered(scene.mesh, seed);
+  Scene result{other.mesh, {}, scene.back};
+  for (const SurfacePoint& p : scene.points) result.points.push_back(other.at(p));
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "distance_meshes.h"
 #include "generators/gallery.h"
 #include "generators/random_points.h"
+#include "generators/renumbered.h"
 #include "rcm/mean.h"
 #include "support.h"
 
@@ -47,6 +48,25 @@ TEST(ExactEnergy, TakesNoNoticeOfPointsWithoutWeight) {
   const Array<double> weights{1, 0};
   const SurfacePoint place = nearestPoint(mesh.mesh, Vec3(4, 5, 0));
   EXPECT_NEAR(ExactEnergy(mesh.geometry, points, weights).at(place, 0, {place})[0], 25, 1e-12);
+}
+
+TEST(ExactMinimum, TriesThePointsThatTheShapeSaysWhateverTheMeshsNumbers) {
+  const MeasuredMesh mesh(galleryMesh("rough sheet"));
+  const Renumbered order = renumbered(mesh.mesh, 3);
+  const MeasuredMesh other(order.mesh);
+  Random random(43);
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE("seed 43, center " + std::to_string(i));
+    SurfacePoint center = randomPoint(mesh.mesh, random);
+    if (i % 2 == 0) center.bary = Vec3(0, 1, 0);
+    const double radius = 0.3 * mesh.geometry.meanEdge;
+    const Array<SurfacePoint> here = circleAround(mesh.geometry, center, radius, 7);
+    const Array<SurfacePoint> there = circleAround(other.geometry, order.at(center), radius, 7);
+    for (int k = 0; k < here.count(); ++k) {
+      const double apart = (position(mesh.mesh, here[k]) - position(other.mesh, there[k])).norm();
+      EXPECT_LE(apart, 1e-12 * mesh.geometry.diagonal);
+    }
+  }
 }
 
 TEST(ExactMinimum, StaysAtOneAndIsFoundFromBesideIt) {
