@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "generators/delaunay.h"
 #include "generators/flat.h"
+#include "generators/marching_tetrahedra.h"
 #include "generators/plane.h"
 #include "generators/random.h"
+#include "generators/smooth_surface.h"
 #include "generators/sphere.h"
 #include "generators/torus.h"
 #include "intrinsic/geometry.h"
@@ -106,8 +109,8 @@ void expectClosed(const TriangleMesh& mesh, int genus) {
 }
 
 TEST(Spheres, AreClosedOnTheSphereAndFaceOutwards) {
-  for (const TriangleSoup& soup :
-       {randomSphere(2000, 1), relaxedSphere(2000, 1), jitteredUvSphere(2000, 1)}) {
+  for (const TriangleSoup& soup : {randomSphere(2000, 1), relaxedSphere(2000, 1),
+                                   jitteredUvSphere(2000, 1), marchedSphere(2000)}) {
     expectClosed(meshOf(soup), 0);
     EXPECT_NEAR(static_cast<double>(soup.triangles.size()), 2000, 200);
     double volume = 0;
@@ -118,6 +121,53 @@ TEST(Spheres, AreClosedOnTheSphereAndFaceOutwards) {
     EXPECT_LT(volume, 4 * kPi / 3);
     EXPECT_GT(volume, 0.98 * 4 * kPi / 3);
     for (const Vec3& p : soup.positions) EXPECT_NEAR(p.norm(), 1, 1e-14);
+  }
+}
+
+/// Random points in [-1, 1]^3.
+Vec3 randomInCube(Random& random) {
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
+
+/// A random tangent vector of length up to `most`.
+Vec3 randomTangent(const SmoothSurface& surface, const Vec3& p, double most, Random& random) {
+  const Vec3 way = surface.normal(p).cross(randomInCube(random));
+  return most * random.uniform() * way.normalized();
+}
+
+TEST(SmoothSurfaces, HaveTheSpheresMapsWhereAnEllipsoidIsOne) {
+  const SmoothSurface sphere = smoothSphere();
+  const SmoothSurface ellipsoid = smoothEllipsoid(Vec3(1, 1, 1));
+  Random random(6);
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE("seed 6, case " + std::to_string(i));
+    const Vec3 p = sphere.project(randomInCube(random));
+    EXPECT_NEAR((ellipsoid.normal(p) - p).norm(), 0, 1e-14);
+    const Vec3 v = randomTangent(sphere, p, 1, random);
+    const Vec3 q = sphere.exp(p, v);
+    EXPECT_NEAR((ellipsoid.exp(p, v) - q).norm(), 0, 1e-9);
+    EXPECT_NEAR((ellipsoid.log(p, q) - v).norm(), 0, 1e-9);
+  }
+}
+
+TEST(SmoothSurfaces, HaveMapsThatUndoEachOtherBothWays) {
+  struct Named {
+    const char* name;
+    SmoothSurface surface;
+  };
+  for (const auto& [name, surface] :
+       {Named{"ellipsoid", smoothEllipsoid(Vec3(1.4, 1, 0.7))}, Named{"saddle", smoothSaddle(0.5)},
+        Named{"torus", smoothTorus(kTorusMajor, kTorusMinor)}}) {
+    Random random(7);
+    for (int i = 0; i < 20; ++i) {
+      SCOPED_TRACE(std::string(name) + ", seed 7, case " + std::to_string(i));
+      const Vec3 p = surface.project(randomInCube(random));
+      const Vec3 v = randomTangent(surface, p, 0.4, random);
+      const Vec3 q = surface.exp(p, v);
+      EXPECT_NEAR((surface.project(q) - q).norm(), 0, 1e-12);
+      EXPECT_NEAR((surface.log(p, q) - v).norm(), 0, 1e-8);
+      EXPECT_NEAR(surface.log(q, p).norm(), v.norm(), 1e-8);
+    }
   }
 }
 

@@ -97,7 +97,92 @@ struct Torus {
   }
 };
 
+/// The zero of f(x) = x' A x + b' x + c, with A diagonal.
+struct Quadric {
+  Vec3 a;
+  Vec3 b;
+  double c;
+
+  double value(const Vec3& x) const { return x.dot(a.cwiseProduct(x)) + b.dot(x) + c; }
+  Vec3 gradient(const Vec3& x) const { return 2 * a.cwiseProduct(x) + b; }
+
+  Vec3 project(Vec3 x) const {
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 normal = gradient(x);
+      const Vec3 step = value(x) / normal.squaredNorm() * normal;
+      x -= step;
+      if (step.norm() < 1e-16) break;
+    }
+    return x;
+  }
+
+  /// What bends a path of velocity v along the surface: x'' = -(v' H v) / |g|^2 g, with H = 2 A.
+  Vec3 bend(const Vec3& x, const Vec3& v) const {
+    const Vec3 g = gradient(x);
+    return -2 * v.dot(a.cwiseProduct(v)) / g.squaredNorm() * g;
+  }
+
+  Vec3 exp(const Vec3& p, const Vec3& tangent) const {
+    constexpr int kSteps = 100;
+    constexpr double h = 1.0 / kSteps;
+    Vec3 x = p;
+    Vec3 v = tangent;
+    for (int i = 0; i < kSteps; ++i) {
+      const Vec3 v1 = v;
+      const Vec3 a1 = bend(x, v1);
+      const Vec3 v2 = v + h / 2 * a1;
+      const Vec3 a2 = bend(x + h / 2 * v1, v2);
+      const Vec3 v3 = v + h / 2 * a2;
+      const Vec3 a3 = bend(x + h / 2 * v2, v3);
+      const Vec3 v4 = v + h * a3;
+      const Vec3 a4 = bend(x + h * v3, v4);
+      x += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+      v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    }
+    return project(x);
+  }
+
+  Vec3 log(const Vec3& p, const Vec3& q) const {
+    const Vec3 normal = gradient(p).normalized();
+    const Vec3 way = q - p;
+    const Vec3 tangent = way - way.dot(normal) * normal;
+    if (tangent.norm() == 0) return Vec3::Zero();
+    const Vec3 e1 = tangent.normalized();
+    const Vec3 e2 = normal.cross(e1);
+    const auto missed = [&](const Vec2& velocity) {
+      const Vec3 miss = exp(p, velocity.x() * e1 + velocity.y() * e2) - q;
+      return Vec2(miss.dot(e1), miss.dot(e2));
+    };
+    Vec2 x(way.norm(), 0);
+    for (int i = 0; i < 30; ++i) {
+      const Vec2 miss = missed(x);
+      if (miss.norm() < 1e-13) break;
+      constexpr double kDelta = 1e-6;
+      const Vec2 cx = (missed(x + Vec2(kDelta, 0)) - miss) / kDelta;
+      const Vec2 cy = (missed(x + Vec2(0, kDelta)) - miss) / kDelta;
+      x -= Vec2(cross(miss, cy), cross(cx, miss)) / cross(cx, cy);
+    }
+    return x.x() * e1 + x.y() * e2;
+  }
+
+  SmoothSurface surface() const {
+    const Quadric q = *this;
+    return {[q](const Vec3& x) { return q.project(x); },
+            [q](const Vec3& p) { return Vec3(q.gradient(p).normalized()); },
+            [q](const Vec3& p, const Vec3& v) { return q.exp(p, v); },
+            [q](const Vec3& p, const Vec3& to) { return q.log(p, to); }};
+  }
+};
+
 }  // namespace
+
+SmoothSurface smoothEllipsoid(const Vec3& halfAxes) {
+  return Quadric{halfAxes.cwiseProduct(halfAxes).cwiseInverse(), Vec3::Zero(), -1}.surface();
+}
+
+SmoothSurface smoothSaddle(double height) {
+  return Quadric{Vec3(-height, height, 0), Vec3(0, 0, 1), 0}.surface();
+}
 
 SmoothSurface smoothSphere() {
   return {[](const Vec3& x) { return Vec3(x.normalized()); }, [](const Vec3& p) { return p; },

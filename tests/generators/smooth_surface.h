@@ -27,6 +27,14 @@ SmoothSurface smoothSphere();
 /// order 4, the logarithm by Newton's method on it; good to 1e-10 over lengths up to `minor`.
 SmoothSurface smoothTorus(double major, double minor);
 
+/// The ellipsoid about the origin with these half axes, and the saddle z = height (x^2 - y^2):
+/// geodesics by the Runge-Kutta method of order 4, the logarithm by Newton's method on it, good to
+/// 1e-10 over lengths up to 1 of surfaces about as large as those here. `project` goes along the
+/// gradient: for points that are as near as those of a mesh, that is the nearest point but for the
+/// fourth power of the edge.
+SmoothSurface smoothEllipsoid(const Vec3& halfAxes);
+SmoothSurface smoothSaddle(double height);
+
 /// The center of mass of weighted points on a smooth surface, from a start near it: the fixed point
 /// of p <- exp_p(sum_i w_i log_p(p_i)), to a step of 1e-12. Throws std::runtime_error if 200 steps
 /// do not get there.
