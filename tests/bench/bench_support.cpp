@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "generators/gallery.h"
 #include "mesh/mesh_import.h"
 
 namespace karcher {
@@ -35,6 +36,23 @@ BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPat
   }
   result.mesh = std::move(imported.mesh);
   return result;
+}
+
+void forEachMesh(const Array<std::string>& names,
+                 const std::function<void(const std::string& name, const TriangleMesh& mesh,
+                                          bool isFlat)>& visit) {
+  bool isOfFiles = false;
+  for (const std::string& name : names) {
+    if (!name.ends_with(".obj")) continue;
+    isOfFiles = true;
+    visit(name.substr(name.rfind('/') + 1), loadBenchMesh(name, "").mesh, false);
+  }
+  if (isOfFiles) return;
+  const std::string part = names.empty() ? "" : names[0];
+  for (const GalleryMesh& example : gallery()) {
+    if (example.name.find(part) == std::string::npos) continue;
+    visit(example.name, buildMesh(example.soup.positions, example.soup.triangles), example.isFlat);
+  }
 }
 
 Array<Vec3> readPositions(const std::string& json, const std::string& name, size_t& at) {

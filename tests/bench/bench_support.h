@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "generators/random_points.h"
@@ -20,6 +21,13 @@ struct BenchMesh {
   Array<SurfacePoint> points;
 };
 BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPath);
+
+/// The meshes that a study is asked for: of the files among the names, which end with .obj; without
+/// one those of the gallery (generators/gallery.h) whose names contain the first name, if there is
+/// one.
+void forEachMesh(const Array<std::string>& names,
+                 const std::function<void(const std::string& name, const TriangleMesh& mesh,
+                                          bool isFlat)>& visit);
 
 /// The rows of three numbers of the next array of a name in a JSON text from place `at` on, which
 /// then is the array's end. Throws std::runtime_error if there is none or it holds something else.

@@ -211,8 +211,6 @@ void print(const std::string& name, const TriangleMesh& mesh, const Options& opt
   std::fflush(stdout);
 }
 
-bool isFile(const std::string& name) { return name.find(".obj") != std::string::npos; }
-
 }  // namespace
 }  // namespace karcher
 
@@ -240,19 +238,10 @@ int main(int argc, char** argv) {
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
         "|\n");
     karcher::Row total;
-    for (const std::string& name : names) {
-      if (!karcher::isFile(name)) continue;
-      karcher::print(name.substr(name.rfind('/') + 1), karcher::loadBenchMesh(name, "").mesh,
-                     options, total);
-    }
-    const bool onlyFiles = !names.empty() && karcher::isFile(names[0]);
-    for (const karcher::GalleryMesh& example : karcher::gallery()) {
-      if (onlyFiles) break;
-      if (!names.empty() && example.name.find(names[0]) == std::string::npos) continue;
-      karcher::print(example.name,
-                     karcher::buildMesh(example.soup.positions, example.soup.triangles), options,
-                     total);
-    }
+    karcher::forEachMesh(
+        names, [&](const std::string& name, const karcher::TriangleMesh& mesh, bool /*isFlat*/) {
+          karcher::print(name, mesh, options, total);
+        });
     std::printf("\nin all:");
     for (const auto& [status, count] : total.statuses) {
       std::printf(" %d %s,", count, status.c_str());

@@ -135,8 +135,6 @@ void print(const std::string& name, const TriangleMesh& mesh, bool isFlat) {
   std::fflush(stdout);
 }
 
-bool isFile(const std::string& name) { return name.find(".obj") != std::string::npos; }
-
 }  // namespace
 }  // namespace karcher
 
@@ -148,21 +146,7 @@ int main(int argc, char** argv) {
         "| mesh | triangles | found by | worst | mean | > 2 %% | below | rotated | fast: worst | "
         "exact: unreached | both ways | rotated | fast: us | exact: us |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
-    const std::string wanted = argc > 1 ? argv[1] : "";
-    if (karcher::isFile(wanted)) {
-      for (int i = 1; i < argc; ++i) {
-        const std::string path = argv[i];
-        karcher::print(path.substr(path.rfind('/') + 1), karcher::loadBenchMesh(path, "").mesh,
-                       false);
-      }
-      return 0;
-    }
-    for (const karcher::GalleryMesh& example : karcher::gallery()) {
-      if (example.name.find(wanted) == std::string::npos) continue;
-      karcher::print(example.name,
-                     karcher::buildMesh(example.soup.positions, example.soup.triangles),
-                     example.isFlat);
-    }
+    karcher::forEachMesh(karcher::Array<std::string>(argv + 1, argv + argc), karcher::print);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -5,6 +5,20 @@
 namespace karcher {
 namespace {
 
+/// Newton's method on differences.
+template <typename Function>
+Vec2 zeroNear(Vec2 x, const Function& function) {
+  for (int i = 0; i < 30; ++i) {
+    const Vec2 value = function(x);
+    if (value.norm() < 1e-13) break;
+    constexpr double kDelta = 1e-6;
+    const Vec2 cx = (function(x + Vec2(kDelta, 0)) - value) / kDelta;
+    const Vec2 cy = (function(x + Vec2(0, kDelta)) - value) / kDelta;
+    x -= Vec2(cross(value, cy), cross(cx, value)) / cross(cx, cy);
+  }
+  return x;
+}
+
 Vec3 sphereExp(const Vec3& p, const Vec3& v) {
   const double length = v.norm();
   if (length == 0) return p;
@@ -84,15 +98,7 @@ struct Torus {
       const State end = shoot(u, v, velocity.x(), velocity.y());
       return Vec2(major * (end.u - toU), minor * (end.v - toV));
     };
-    for (int i = 0; i < 30; ++i) {
-      const Vec2 miss = missed(x);
-      if (miss.norm() < 1e-13) break;
-      constexpr double kDelta = 1e-6;
-      const Vec2 cx = (missed(x + Vec2(kDelta, 0)) - miss) / kDelta;
-      const Vec2 cy = (missed(x + Vec2(0, kDelta)) - miss) / kDelta;
-      const double determinant = cross(cx, cy);
-      x -= Vec2(cross(miss, cy), cross(cx, miss)) / determinant;
-    }
+    x = zeroNear(x, missed);
     return x.x() * alongU(u) + x.y() * alongV(u, v);
   }
 };
@@ -154,14 +160,7 @@ struct Quadric {
       return Vec2(miss.dot(e1), miss.dot(e2));
     };
     Vec2 x(way.norm(), 0);
-    for (int i = 0; i < 30; ++i) {
-      const Vec2 miss = missed(x);
-      if (miss.norm() < 1e-13) break;
-      constexpr double kDelta = 1e-6;
-      const Vec2 cx = (missed(x + Vec2(kDelta, 0)) - miss) / kDelta;
-      const Vec2 cy = (missed(x + Vec2(0, kDelta)) - miss) / kDelta;
-      x -= Vec2(cross(miss, cy), cross(cx, miss)) / cross(cx, cy);
-    }
+    x = zeroNear(x, missed);
     return x.x() * e1 + x.y() * e2;
   }
 

@@ -1,17 +1,15 @@
 // A comparison of methods: how far each is from the reference, how it follows a hand, why it failed.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
-import { loadPeers, measureDrag, runMethod, standardOptions, traceReference } from 'karcher/peers';
+import { measureDrag, runMethod, standardOptions, traceReference } from 'karcher/peers';
 import { distance, grid, nearestVertex } from './meshes.mjs';
-
-const cells = 12;
-const points = [53, 58, 84, 98, 110].map((vertex) => ({ vertex }));
+import { peersOnPlane, side } from './peers_on_plane.mjs';
 
 let peers;
 let plane;
+let points;
 before(async () => {
-  peers = await loadPeers();
-  plane = peers.karcher.meshFromObj(grid(cells));
+  ({ peers, plane, points } = await peersOnPlane());
 });
 
 describe('a drag', () => {
@@ -94,7 +92,7 @@ describe('a comparison', () => {
 
   test('a path is measured from the exact one', async () => {
     // Over the edge of a roof: there the shortest path bends, unlike what joins its ends in space.
-    const text = grid(cells).replace(
+    const text = grid(side).replace(
       /v (\d+) (\d+) 0/g,
       (_, x, y) => `v ${x} ${y} ${Math.abs(x - 6)}`,
     );

@@ -2,17 +2,15 @@
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { load } from 'karcher';
-import { CurveMeter, comparedMethods, loadPeers } from 'karcher/peers';
+import { CurveMeter, comparedMethods } from 'karcher/peers';
 import { distance, grid, nearestVertex } from './meshes.mjs';
-
-const cells = 12;
-const points = [53, 58, 84, 98, 110].map((vertex) => ({ vertex }));
+import { peersOnPlane, side } from './peers_on_plane.mjs';
 
 let peers;
 let plane;
+let points;
 before(async () => {
-  peers = await loadPeers();
-  plane = peers.karcher.meshFromObj(grid(cells));
+  ({ peers, plane, points } = await peersOnPlane());
 });
 
 const prepared = (method, mesh = plane, options = {}) =>
@@ -103,7 +101,7 @@ describe('every method', () => {
 
   test('joins two points beside another part of the mesh', async () => {
     const other = [170, 171, 172];
-    const text = `${grid(cells)}\nv 99 0 0\nv 99 1 0\nv 98 0 0\nf ${other.join(' ')}\n`;
+    const text = `${grid(side)}\nv 99 0 0\nv 99 1 0\nv 98 0 0\nf ${other.join(' ')}\n`;
     const mesh = peers.karcher.meshFromObj(text);
     assert.equal(mesh.info.components, 2);
     const pair = [{ vertex: 30 }, { vertex: 107 }];

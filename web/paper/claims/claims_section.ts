@@ -1,4 +1,5 @@
 import { make } from '../../panels/elements';
+import { sectionHead } from '../view/section';
 import { judge } from './judge';
 import type { SavedReport } from './saved';
 import type { JudgedClaim, Measured, Verdict } from './types';
@@ -26,11 +27,7 @@ export class ClaimsSection {
 
   constructor(report: SavedReport | null = savedReport) {
     this.#report = report;
-    const head = make('header', '', { className: 'figure-head' });
-    head.append(
-      make('p', 'Section by section', { className: 'figure-name' }),
-      make('h2', 'Do its claims hold?'),
-    );
+    const head = sectionHead('Section by section', 'Do its claims hold?');
     this.element.append(head, this.#caption, this.#card);
     this.show({});
   }

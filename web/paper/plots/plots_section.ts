@@ -5,6 +5,7 @@ import { noises, type RoughnessPoint } from '../claims/roughness';
 import type { SavedPlots } from '../claims/saved';
 import { lineStyles } from '../figures/lines';
 import { type ChartAxis, LineChart } from '../view/line_chart';
+import { sectionHead } from '../view/section';
 import { lineColor } from '../view/theme_colors';
 import { convergencePlot, orderOf, type Plot, roughnessPlot } from './plots';
 
@@ -50,11 +51,7 @@ export class PlotsSection {
     this.#sizes = sizes;
     this.#convergence = report?.convergence ?? [];
     this.#roughness = report?.roughness ?? [];
-    const head = make('header', '', { className: 'figure-head' });
-    head.append(
-      make('p', 'Beyond the paper', { className: 'figure-name' }),
-      make('h2', 'Finer and rougher meshes'),
-    );
+    const head = sectionHead('Beyond the paper', 'Finer and rougher meshes');
     const caption = make(
       'p',
       'B-splines of four points on a sphere and on a torus whose every point is known in closed form, against the edges of the mesh: root mean square distances of the samples from the true curve, lost ones left out. On the sphere logarithms are known; on the torus the points lie on one circle round the tube, which is a geodesic. b/Surf’s curve is another one, so its distance does not go to zero; no number is shown where no sample was found. Last is the residual by exact paths of the gallery’s B-spline on a torus of 5,000 triangles whose vertices were moved by seeded noise of that height.',

@@ -1,5 +1,6 @@
 import { make } from '../../panels/elements';
 import { download } from '../view/download';
+import { sectionHead } from '../view/section';
 import { TableChart } from './chart';
 import { TableClient } from './client';
 import { tableCsv } from './csv';
@@ -165,10 +166,9 @@ export class TableSection {
   }
 
   #head(): HTMLElement {
-    const head = make('header', '', { className: 'figure-head' });
-    head.append(
-      make('p', 'Table 1', { className: 'figure-name' }),
-      make('h2', 'Times on your machine'),
+    const head = sectionHead(
+      'Table 1',
+      'Times on your machine',
       make(
         'p',
         'Two-point paths on two tori, with exact distances for the paper’s method and ours; then B-splines, with graph distances of k = 6 for the paper’s method and fast ones for ours, as in the editor. Control points are at vertices. Preprocessing is what a method does once for the mesh. Tracing includes the fields. An update follows a drag of one point by an edge and keeps what does not depend on that point, such as the fields of the others or log maps. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; a dash marks what was not measured. Below its preparation is the memory that a method holds with its curve, below tracing and updates what the fields take of them. The heat methods keep the log map of each vertex that a search came by; “as used” is what tracing takes where one is computed at each evaluation, as their authors’ library has it, reckoned from how many were asked for. In a line of their own are the residual and the energy by exact paths, as in the figures, up to 60,000 triangles, and the samples that were lost, by our rule and, where it is another number, by that of the method’s own authors. ' +

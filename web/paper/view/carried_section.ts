@@ -9,6 +9,7 @@ import { emptyLine } from '../lab/empty_line';
 import type { PanelContext } from './figure_panel';
 import { formatMilliseconds } from './format';
 import { PanelView } from './panel_view';
+import { sectionHead, whenNear } from './section';
 import { lineColor, surfaceFront } from './theme_colors';
 
 type Side = 'source' | 'target';
@@ -48,11 +49,7 @@ export class CarriedSection {
     const { source, target } = carriedSides;
     this.#specs = { source: smaller(source), target: smaller(target) };
     this.#points = { source: source.points, target: target.points };
-    const head = make('header', '', { className: 'figure-head' });
-    head.append(
-      make('p', 'Section 6', { className: 'figure-name' }),
-      make('h2', 'A drawing carried to another surface'),
-    );
+    const head = sectionHead('Section 6', 'A drawing carried to another surface');
     const caption = make(
       'p',
       'The paper leaves open the inverse problem: weights for which a given point is the center of mass of others. Here each point of the drawing on the left has such weights of the control points, the nearest to equal ones, and on the right lies the center of mass of its weights. Of three control points there are only these weights. Drag the control points of either side: on the left the drawing stays and its weights change, on the right it follows. The paper has no such figure.',
@@ -70,15 +67,7 @@ export class CarriedSection {
     this.#note.setAttribute('role', 'status');
     controls.append(choice, this.#note);
     this.element.append(head, caption, controls, grid);
-    const observer = new IntersectionObserver(
-      ([entry]) => {
-        if (!entry!.isIntersecting) return;
-        observer.disconnect();
-        void this.start();
-      },
-      { rootMargin: '200px' },
-    );
-    observer.observe(this.element);
+    whenNear(this.element, () => this.start());
   }
 
   /** Whether what is shown is of the points as they are. */

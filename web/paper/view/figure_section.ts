@@ -2,6 +2,7 @@ import { make } from '../../panels/elements';
 import { captionOf } from '../figures/captions';
 import type { Figure, LineNumbers, Vector } from '../figures/types';
 import { FigurePanel, type PanelContext } from './figure_panel';
+import { sectionHead, whenNear } from './section';
 
 /** A figure on the page. It is computed when it comes near the window. */
 export class FigureSection {
@@ -17,8 +18,7 @@ export class FigureSection {
     this.#figure = figure;
     this.#points = structuredClone(figure.points);
     this.element = make('section', '', { className: 'figure', id: figure.id });
-    const head = make('header', '', { className: 'figure-head' });
-    head.append(make('p', figure.name, { className: 'figure-name' }), make('h2', figure.title));
+    const head = sectionHead(figure.name, figure.title);
     const grid = make('div', '', { className: 'panels' });
     grid.dataset.count = `${figure.panels.length}`;
     this.#panels = figure.panels.map((panel) => {
@@ -32,15 +32,7 @@ export class FigureSection {
       return made;
     });
     this.element.append(head, make('p', captionOf(figure), { className: 'caption' }), grid);
-    const observer = new IntersectionObserver(
-      ([entry]) => {
-        if (!entry!.isIntersecting) return;
-        observer.disconnect();
-        void this.start();
-      },
-      { rootMargin: '200px' },
-    );
-    observer.observe(this.element);
+    whenNear(this.element, () => this.start());
   }
 
   /** Whether all panels show what they should. */

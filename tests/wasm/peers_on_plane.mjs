@@ -1,0 +1,12 @@
+import { loadPeers } from 'karcher/peers';
+import { grid } from './meshes.mjs';
+
+/** In squares. */
+export const side = 12;
+
+/** The module of the peers with a plane of squares, and five points there that a curve blends. */
+export async function peersOnPlane() {
+  const peers = await loadPeers();
+  const plane = peers.karcher.meshFromObj(grid(side));
+  return { peers, plane, points: [53, 58, 84, 98, 110].map((vertex) => ({ vertex })) };
+}
