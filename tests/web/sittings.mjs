@@ -22,7 +22,7 @@ function scanFile() {
 
 /** A browser in a size and theme, with the page as for a first visit. */
 export async function sitDown(viewport, colorScheme = 'light') {
-  const browser = await openBrowser({ viewport, colorScheme });
+  const browser = await openBrowser({ viewport, colorScheme, pixelRatio: 1 });
   const tab = new Tab(await browser.context.newPage(), browser.address);
   await tab.page.goto(browser.address);
   await tab.settled();
