@@ -6,16 +6,19 @@ import { cores, run } from './shell.mjs';
 
 const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'));
 
-/** The tests' names by the source file that they are in. */
-async function testsByFile(program, report) {
+/** The names of the tests but those of `without`, which must be there, by the source file they are in. */
+async function testsByFile(program, report, without) {
   await run(program, ['--gtest_list_tests', `--gtest_output=json:${report}`], { quiet: true });
   const byFile = new Map();
+  const left = new Set(without);
   for (const suite of readJson(report).testsuites) {
     for (const { name, file } of suite.testsuite) {
       const source = basename(file);
-      byFile.set(source, [...(byFile.get(source) ?? []), `${suite.name}.${name}`]);
+      const test = `${suite.name}.${name}`;
+      if (!left.delete(test)) byFile.set(source, [...(byFile.get(source) ?? []), test]);
     }
   }
+  if (left.size > 0) throw new Error(`there is no test ${[...left].join(', ')}`);
   return byFile;
 }
 
@@ -58,14 +61,15 @@ async function runTests(program, tests, { report, env, minutes }) {
 }
 
 /**
- * Runs all tests of a program, as many files at a time as there are cores, and returns what they
- * counted. `reports` is a folder; how long each file took is kept there for the next run's order.
+ * Runs all tests of a program but those of `without`, as many files at a time as there are cores, and
+ * returns what they counted. `reports` is a folder; how long each file took is kept there for the next
+ * run's order.
  */
-export async function runGoogleTest(program, { reports, env, minutes }) {
+export async function runGoogleTest(program, { reports, env, minutes, without = [] }) {
   mkdirSync(reports, { recursive: true });
   const timesPath = join(reports, 'seconds.json');
   const before = existsSync(timesPath) ? readJson(timesPath) : {};
-  const byFile = await testsByFile(program, join(reports, 'list.json'));
+  const byFile = await testsByFile(program, join(reports, 'list.json'), without);
   const expected = (file) => before[file] ?? Number.POSITIVE_INFINITY;
   const waiting = [...byFile.keys()].sort((a, b) => (expected(a) < expected(b) ? 1 : -1));
   const seconds = {};

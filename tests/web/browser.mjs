@@ -27,7 +27,17 @@ const flags = [
   // Without a graphics card the page itself is drawn faster without OpenGL.
   '--disable-gpu-rasterization',
   '--disable-gpu-compositing',
+  // Of several such lists Chromium takes the last one: so this one says what Playwright's says, too.
+  `--disable-features=${[
+    ...['AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose', 'HttpsUpgrades'],
+    ...['HttpsFirstBalancedModeAutoEnable', 'LensOverlay', 'MediaRouter', 'PaintHolding'],
+    ...['ThirdPartyStoragePartitioning', 'AvoidCorsURLLoaderRestartOnRedirect'],
+    ...['OptimizationHints', 'NetworkTimeServiceQuerying', 'AimEnabled', 'PreconnectToSearch'],
+    // The menus of the address bar, some 400 scripts in each window, take as long to load as the page.
+    ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
+  ]}`,
 ];
+const launching = { executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium', args: flags };
 /** Generous: software graphics on a busy machine start slowly. */
 const patience = 60_000;
 
@@ -68,20 +78,25 @@ export function isComplaint(message) {
 }
 
 /**
- * Serves the page and opens a browser with a profile of its own; without a service worker, which would
- * answer in place of what a test serves.
+ * Serves the page and opens a browser with a storage of its own, in memory, or with `profile` on disk;
+ * without a service worker, which would answer in place of what a test serves. Drawing without a
+ * graphics card takes a third of the time of most tests: who looks at the picture, or measures the time
+ * that it takes, asks for all of its pixels, `pixelRatio: 1`.
  */
-export async function openBrowser(options = {}) {
+export async function openBrowser({ profile = false, pixelRatio = 0.25, ...options } = {}) {
   const server = await servePage();
-  const profile = mkdtempSync(join(tmpdir(), 'karcher-page-'));
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium',
-    args: flags,
-    viewport: { width: 900, height: 640 },
-    serviceWorkers: 'block',
-    ...options,
-  });
+  const settings = { viewport: { width: 900, height: 640 }, serviceWorkers: 'block', ...options };
+  const folder = profile ? mkdtempSync(join(tmpdir(), 'karcher-page-')) : null;
+  const context = folder
+    ? await chromium.launchPersistentContext(folder, { ...launching, ...settings })
+    : await (await chromium.launch(launching)).newContext(settings);
   context.setDefaultTimeout(patience);
+  if (pixelRatio !== 1) {
+    // Only what three.js draws asks for it; the page is laid out as ever.
+    await context.addInitScript((value) => {
+      Object.defineProperty(window, 'devicePixelRatio', { value });
+    }, pixelRatio);
+  }
   const address = `http://127.0.0.1:${server.address().port}/`;
   return {
     context,
@@ -92,9 +107,11 @@ export async function openBrowser(options = {}) {
       server.closeAllConnections();
     },
     async close() {
+      const browser = context.browser();
       await context.close();
+      await browser?.close();
       server.close();
-      rmSync(profile, { recursive: true, force: true });
+      if (folder) rmSync(folder, { recursive: true, force: true });
     },
   };
 }

@@ -89,7 +89,7 @@ describe('a curvature comb', () => {
 describe('the comb on the page', () => {
   let browser;
   before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
   });
   after(() => browser.close());
 

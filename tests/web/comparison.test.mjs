@@ -63,7 +63,7 @@ describe('the distance of two polylines', () => {
 describe('a comparison', () => {
   let browser;
   before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 900 } });
+    browser = await openBrowser({ viewport: { width: 1280, height: 900 }, pixelRatio: 1 });
   });
   after(() => browser.close());
 

@@ -102,7 +102,7 @@ describe('distances on the page', () => {
   const link = 'mesh=sphere:20000&kind=bspline&method=karcher-fast';
   let browser;
   before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
   });
   after(() => browser.close());
 

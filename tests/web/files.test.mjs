@@ -15,7 +15,7 @@ const cone = {
 describe('files of surfaces', () => {
   let browser;
   before(async () => {
-    browser = await openBrowser();
+    browser = await openBrowser({ pixelRatio: 1 });
   });
   after(() => browser.close());
 

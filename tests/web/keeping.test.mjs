@@ -24,7 +24,7 @@ f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n`,
 describe('nothing that was made is lost', () => {
   let browser;
   before(async () => {
-    browser = await openBrowser();
+    browser = await openBrowser({ profile: true, pixelRatio: 1 });
   });
   after(() => browser.close());
 

@@ -20,9 +20,9 @@ function scanFile() {
   return { name: 'scan.obj', mimeType: 'model/obj', buffer: Buffer.from(lines.join('\n')) };
 }
 
-/** A browser in a size and theme, with the page as for a first visit. */
-export async function sitDown(viewport, colorScheme = 'light') {
-  const browser = await openBrowser({ viewport, colorScheme });
+/** A browser of a size, with the page as for a first visit. */
+export async function sitDown(viewport, options = {}) {
+  const browser = await openBrowser({ viewport, ...options });
   const tab = new Tab(await browser.context.newPage(), browser.address);
   await tab.page.goto(browser.address);
   await tab.settled();

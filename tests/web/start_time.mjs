@@ -24,7 +24,11 @@ const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
 const times = { first: [], again: [] };
 for (let i = 0; i < repeats; i++) {
-  const browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  const browser = await openBrowser({
+    viewport: { width: 1280, height: 800 },
+    profile: true,
+    pixelRatio: 1,
+  });
   try {
     times.first.push(await startTime(browser.context, browser.address));
     times.again.push(await startTime(browser.context, browser.address));
