@@ -1,6 +1,6 @@
-// `npm test`: sets up, builds everything and runs every test. With --long, the optimised builds
-// only, and the engine's tests draw the large numbers of random cases that they keep for
-// KARCHER_LONG=1.
+// `npm test`: sets up, builds everything and runs every test. With --long none is left to the draw, and
+// tests take the large numbers of random cases that they keep for KARCHER_LONG=1, but not those of the
+// engine with the sanitizers, which would take hours.
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { part } from '../tests/web/part.mjs';
 import { buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
@@ -14,12 +14,10 @@ const longCases = long ? { KARCHER_LONG: '1' } : {};
 const minutes = long ? 120 : 40;
 const reports = inRoot('build/reports');
 
-const runNative = (preset, without) =>
+const runNative = (preset, more) =>
   runGoogleTest(inRoot(`build/${preset}/karcher_tests`), {
-    reports: `${reports}/${preset}`,
-    env: { UBSAN_OPTIONS: 'print_stacktrace=1', ...longCases },
-    minutes,
-    without,
+    ...{ reports: `${reports}/${preset}`, minutes },
+    ...more,
   });
 
 /** Tests of numbers in many like cases, with the sanitizers two fifths of the time. */
@@ -42,11 +40,11 @@ const longestSanitized = [
 
 /** Of the longest tests the sanitizers watch four, which the commit draws; g++ runs all of them. */
 function runSanitized() {
-  const watched = part(longestSanitized, 4);
-  return runNative(
-    'sanitize',
-    longestSanitized.filter((test) => !watched.includes(test)),
-  );
+  const watched = long ? longestSanitized : part(longestSanitized, 4);
+  return runNative('sanitize', {
+    env: { UBSAN_OPTIONS: 'print_stacktrace=1' },
+    without: longestSanitized.filter((test) => !watched.includes(test)),
+  });
 }
 
 /** Runs the node:test files of a folder and returns what they counted. */
@@ -85,9 +83,6 @@ const build = (what, work, more) => ({
   ...more,
 });
 const tests = (what, work, more) => ({ name: `tests of ${what}`, run: work, ...more });
-// A long run draws many cases: with the sanitizers it would take hours.
-const short = { short: true };
-
 async function buildNativeTests(preset) {
   await writeBunny();
   await buildNative(preset, 'karcher_tests');
@@ -97,15 +92,15 @@ mkdirSync(reports, { recursive: true });
 const stages = [
   { name: 'set-up', run: () => setUp('build', 'test'), isBuild: true },
   build('the engine’s tests, g++', () => buildNativeTests('native')),
-  build('the engine’s tests, clang++ with sanitizers', () => buildNativeTests('sanitize'), short),
+  build('the engine’s tests, clang++ with sanitizers', () => buildNativeTests('sanitize')),
   build('the WebAssembly module', buildWasm),
   build('the facade', buildFacade),
   build('the page', buildPage),
-  tests('the tools', () => runNode('tests/tools'), short),
-  tests('the engine, g++', () => runNative('native')),
-  tests('the engine, clang++ with sanitizers', runSanitized, short),
+  tests('the tools', () => runNode('tests/tools')),
+  tests('the engine, g++', () => runNative('native', { env: longCases })),
+  tests('the engine, clang++ with sanitizers', runSanitized),
   tests('the module and the command line', () => runNode('tests/wasm', longCases)),
   tests('the figures', () => runNode('tests/paper')),
   tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];
-closeWith(await runStages(stages.filter((stage) => !long || !stage.short)));
+closeWith(await runStages(stages));
