@@ -143,6 +143,7 @@ export async function start(): Promise<void> {
     remove,
     goToLost: () => lostPanel.goToNext(),
     shorten: () => shorten(0),
+    stop: () => session.stop(),
   });
   let besideShown: readonly Beside[] = [];
   let surfaceShown: Surface | null = null;
