@@ -17,15 +17,6 @@ describe('a computation without an end', () => {
   });
   after(() => browser.close());
 
-  /** The engine never ends the next call that it begins with. */
-  const holdNext = (tab) =>
-    tab.engines()[0].evaluate(() => {
-      const post = globalThis.postMessage;
-      globalThis.postMessage = (reply, transfer) => {
-        post.call(globalThis, reply, transfer);
-        while (reply.begun);
-      };
-    });
   const open = async () => {
     const tab = await Tab.open(browser, 'mesh=torus:5000&method=karcher-fast');
     await tab.click(...places);
@@ -38,7 +29,7 @@ describe('a computation without an end', () => {
     const { page } = tab;
     const { info, triangles } = await tab.mesh();
     const from = await tab.handle('Control point 2 of 4');
-    await holdNext(tab);
+    await tab.holdEngine();
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
     await page.mouse.move(from.x + 10, from.y + 10);
@@ -68,7 +59,7 @@ describe('a computation without an end', () => {
     const { page } = tab;
     const { polyline } = await tab.view();
     await page.locator('#points button').first().click();
-    await holdNext(tab);
+    await tab.holdEngine();
     await page.keyboard.press('d');
     await page.locator('#distance-legend[aria-busy="true"]').waitFor();
     await page.getByText('computing…', { exact: true }).waitFor();
