@@ -10,6 +10,7 @@ import { MirrorTool } from './editor/mirror_tool';
 import { Session } from './editor/session';
 import { exposeState } from './inspection';
 import { formatLink } from './model/link';
+import { readAs } from './model/meshes';
 import { isMethod } from './model/methods';
 import { onKeeping, recall, recallInTab, remember, rememberInTab } from './model/storage';
 import { workOffline } from './offline';
@@ -143,6 +144,7 @@ export async function start(): Promise<void> {
     remove,
     goToLost: () => lostPanel.goToNext(),
     shorten: () => shorten(0),
+    stop: () => session.stop(),
   });
   let besideShown: readonly Beside[] = [];
   let surfaceShown: Surface | null = null;
@@ -204,7 +206,11 @@ export async function start(): Promise<void> {
     openFile: (file) => opening.file(file),
     reread: (key) => opening.reread(key),
   });
-  const checkUpPanel = new CheckUpPanel(checkedUp, (places) => viewer.showPlaces(places));
+  const checkUpPanel = new CheckUpPanel(
+    checkedUp,
+    (places) => viewer.showPlaces(places),
+    (weld) => void opening.reread(readAs(editor.state.mesh, { weld })),
+  );
   opening.onEnd = () => {
     if (!session.client) return;
     surfacePanel.show(editor.state.mesh, session.client);

@@ -115,18 +115,21 @@ export class Opening {
   }
 
   /**
-   * Shows the file that is shown in another way, which its key says: other parts of it, or with another
-   * axis up, which keeps the curve.
+   * Shows the file that is shown in another way, which its key says: other parts of it, or welded with
+   * another tolerance or with another axis up, which keep the curve.
    */
   async reread(key: string): Promise<void> {
     const turn = ++this.#turns;
     const shown = this.editor.state.mesh;
     const [before, after] = [readingOf(shown), readingOf(key)];
     if (!before || !after || key === shown) return;
-    if (`${before.parts}` === `${after.parts}`) return this.#turn(key, () => turn === this.#turns);
+    const sameParts = `${before.parts}` === `${after.parts}`;
+    if (sameParts && before.weld === after.weld) return this.#turn(key, () => turn === this.#turns);
     const file = keyOfFile(key);
     const content = (await keptFile(file)) ?? (this.#file?.key === file ? this.#file.file : null);
-    if (content) await this.#open(key, fileSource(key, content), () => null);
+    // Points are on the file's own triangles, which stay the same ones.
+    const wanted = () => (sameParts ? this.editor.state.drawing : null);
+    if (content) await this.#open(key, fileSource(key, content), wanted);
     else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
   }
 

@@ -68,6 +68,35 @@ test('what the file has twice, or without area, is passed over', async () => {
   near(found.shortestEdge, 1);
 });
 
+test('the boundary is that of the faces that stayed', async () => {
+  // A square of two triangles.
+  const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n';
+  const edges = async (text) => {
+    const { boundary } = await checkUp(karcher.meshFromObj(text));
+    const places = Array.from({ length: boundary.length / 3 }, (_, i) =>
+      boundary.slice(3 * i, 3 * i + 3).join(),
+    );
+    const ends = (i) => places.slice(2 * i, 2 * i + 2).sort();
+    return Array.from({ length: places.length / 2 }, (_, i) => ends(i).join('-')).sort();
+  };
+  const sides = await edges(square);
+  assert.equal(sides.length, 4);
+  for (const twice of ['f 1 2 3', 'f 3 1 2\nf 2 3 1', 'f 1 3 2', 'f 1 3 2\nf 3 2 1\nf 1 3 4'])
+    assert.deepEqual(await edges(`${square}${twice}\n`), sides, twice);
+  // A fin has two sides of its own, and the one where it stood.
+  const fin = await edges(`${square}v .5 .5 1\nf 1 3 5\n`);
+  assert.deepEqual(
+    fin.filter((edge) => !sides.includes(edge)),
+    ['0,0,0-0.5,0.5,1', '0,0,0-1,1,0', '0.5,0.5,1-1,1,0'],
+  );
+  assert.equal(fin.length, 7);
+  // Two triangles on each other alone are closed.
+  const pillow = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n';
+  assert.deepEqual(await edges(pillow), []);
+  const beside = await edges(`${pillow}v 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\nf 4 5 6\n`);
+  assert.equal(beside.length, 3);
+});
+
 test('boundaries that lie on each other: how many vertices, and the weld that joins them', async () => {
   const gap = 3.3e-4;
   const right = grid(4)

@@ -184,3 +184,66 @@ test(
     karcher.dispose();
   },
 );
+
+test(
+  'all is given up at once; what is being disposed of is made anew for what waits alone',
+  minutes,
+  async () => {
+    /** What each worker was asked for, in that order. */
+    const asked = [];
+    const karcher = await loadInWorker({
+      worker() {
+        const worker = endless();
+        const post = worker.postMessage.bind(worker);
+        const calls = [];
+        asked.push(calls);
+        worker.postMessage = (request) => {
+          if ('call' in request) calls.push(request.call);
+          post(request);
+        };
+        return worker;
+      },
+    });
+    const mesh = await karcher.meshFromObj(grid(12));
+    const onOther = await karcher.meshFromObj(grid(5));
+    const line = (on, from, to) =>
+      on.curve({ kind: 'polyline', points: [{ vertex: from }, { vertex: to }] });
+    const [kept, left, read] = [
+      await line(mesh, 0, 9),
+      await line(mesh, 1, 9),
+      await line(mesh, 2, 9),
+    ];
+    await line(onOther, 0, 9);
+    const before = await read.polyline();
+    const waiting = [];
+    await interrupt(karcher, (work) => {
+      const call = spin(karcher)(work);
+      waiting.push(left.dispose(), read.polyline(), read.dispose(), onOther.dispose());
+      return call;
+    });
+    const [, seen] = await Promise.all(waiting);
+    assert.deepEqual(seen, before);
+    assert.equal((await kept.points()).length, 2);
+    for (const ask of [left.points, read.points, onOther.positions])
+      await assert.rejects(ask(), { code: 'disposed' });
+    const made = asked[1].filter((call) => call === 'curve' || call === 'meshFromObj');
+    assert.deepEqual(
+      made,
+      ['meshFromObj', 'curve', 'curve'],
+      'one mesh, what is kept and what is read',
+    );
+
+    const restarted = new Promise((resolve) => {
+      karcher.client.onRestart = resolve;
+    });
+    const calls = [karcher.client.call('spin', []), kept.points(), mesh.positions()];
+    const gone = kept.dispose();
+    karcher.client.giveUp(reason);
+    await Promise.all(calls.map((call) => assert.rejects(call, reason)));
+    await restarted;
+    await gone;
+    assert.equal((await mesh.positions()).length, 3 * 169);
+    assert.ok(!asked[2].includes('curve'));
+    karcher.dispose();
+  },
+);

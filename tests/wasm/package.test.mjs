@@ -8,6 +8,17 @@ const dist = fileURLToPath(new URL('.', import.meta.resolve('karcher')));
 /** Gzipped, of the module and of the JavaScript around it. */
 const mostBytes = { wasm: 270_000, js: 30_000 };
 
+test('bundlers that do not read its exports find the same file', () => {
+  const { main, exports } = JSON.parse(
+    readFileSync(new URL(import.meta.resolve('karcher/package.json'))),
+  );
+  assert.equal(main, exports['.'].default);
+  assert.equal(
+    new URL(main, import.meta.resolve('karcher/package.json')).href,
+    import.meta.resolve('karcher'),
+  );
+});
+
 test('the module and its JavaScript are small enough to load', () => {
   const files = readdirSync(dist).filter((name) => /\.(wasm|m?js)$/.test(name));
   assert.ok(files.includes('karcher-engine.wasm') && files.includes('load.js'));

@@ -166,6 +166,17 @@ export class Tab {
   /** The workers that run an engine: the page's, and once it was needed the one that refines. */
   engines = () => this.page.workers().filter((worker) => worker.url().includes('engine'));
 
+  /** The first engine never ends the next call that it begins with, and hears nothing any more. */
+  holdEngine() {
+    return this.engines()[0].evaluate(() => {
+      const post = globalThis.postMessage;
+      globalThis.postMessage = (reply, transfer) => {
+        post.call(globalThis, reply, transfer);
+        while (reply.begun);
+      };
+    });
+  }
+
   /** For longer than saving waits, by the page's own clock: what waited there has run. */
   async pastSaving() {
     await this.page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)));

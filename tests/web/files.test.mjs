@@ -148,6 +148,52 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
+  test('boundaries that lie on each other are joined by a click, and the curve stays', async () => {
+    const tab = await Tab.open(browser);
+    const x = [0, 1, 1.00005, 2];
+    const corners = x.flatMap((at) => [0, 1].map((y) => `v ${at} ${y} 0`));
+    const text = `${corners.join('\n')}\nf 1 3 4 2\nf 5 7 8 6\n`;
+    const drop = async () => {
+      await tab.drop('gap.obj', text);
+      await tab.page.waitForFunction(() =>
+        /^file:[^*]*:gap\.obj$/.test(window.karcherPage.state().mesh),
+      );
+      await tab.settled();
+    };
+    const info = async () => (await tab.mesh()).info;
+    await drop();
+    await tab.click([-60, 20], [-30, -20], [30, 20], [60, -20]);
+    assert.equal((await info()).components, 2);
+    const { points } = (await tab.state()).figure;
+    await tab.page.getByText('the points lie on different components', { exact: false }).waitFor();
+    await tab.page.locator('#facts-line').click();
+    await tab.page.getByText('Check-up').click();
+    const weld = tab.page.locator('#checkup-found').getByRole('button', { name: 'Weld' });
+    await weld.click();
+    await opened(tab, '*0.000051:gap.obj');
+    await tab.settled();
+    const joined = async () => {
+      const { components, boundaryLoops, repairs } = await info();
+      assert.deepEqual([components, boundaryLoops], [1, 1]);
+      assert.equal(repairs.find(({ kind }) => kind === 'welded').count, 2);
+      const { curve } = await tab.view();
+      assert.ok(curve.samples.count > 0);
+      assert.deepEqual((await tab.state()).figure.points, points);
+    };
+    await joined();
+    await weld.waitFor({ state: 'hidden' });
+    await tab.pastSaving();
+    await tab.page.reload();
+    await opened(tab, '*0.000051:gap.obj');
+    await tab.settled();
+    await joined();
+    // Opened again it is read as usual.
+    await drop();
+    assert.equal((await info()).components, 2);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   sometimes('names in a file are text', async () => {
     const tab = await Tab.open(browser);
     const nodes = [

@@ -51,6 +51,12 @@ describe('every control is hit where it is clicked', () => {
       await controls.look('distances');
       await controls.click(page.locator('#distance-off'));
       await page.locator('#distance-legend').waitFor({ state: 'hidden' });
+      await tab.holdEngine();
+      await page.keyboard.press('d');
+      await page.locator('#stop').waitFor();
+      await controls.look('while something is computed');
+      await controls.click(page.locator('#stop'));
+      await page.locator('#distance-legend').waitFor({ state: 'hidden' });
       await page.keyboard.press('u');
       await controls.look('the curvature');
       await controls.click(page.locator('#comb-off'));

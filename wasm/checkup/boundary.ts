@@ -1,4 +1,5 @@
 import { batchMask, type Slices } from '../slices.js';
+import { facesOnOthers } from './doubled.js';
 
 /** The edges of one face only. */
 export interface Boundary {
@@ -8,13 +9,19 @@ export interface Boundary {
   vertexAt: Int32Array;
 }
 
-/** `numbers` has that of each corner's vertex: vertices that are one have the same. */
+/**
+ * `numbers` has that of each corner's vertex: vertices that are one have the same. Where an edge has more
+ * than two faces, pairs of them stay together, so that one is alone where they are odd in number. With
+ * `doubled` faces that lie on others are left out as the engine does.
+ */
 export async function boundaryEdges(
   triangles: Int32Array,
   numbers: Int32Array,
+  doubled: boolean,
   slices: Slices,
 ): Promise<Boundary> {
   const count = numbers.reduce((most, number) => Math.max(most, number), 0) + 1;
+  const onOthers = doubled ? await facesOnOthers(triangles, numbers, count, slices) : null;
   const vertexAt = new Int32Array(count);
   // The edges of each vertex to those of larger numbers, one list after the other.
   const starts = new Int32Array(count + 1);
@@ -24,9 +31,10 @@ export async function boundaryEdges(
       if ((corner & batchMask) === 0 && slices.over) {
         await slices.rest(done + (0.08 * corner) / numbers.length);
       }
-      const [i, j] = [numbers[corner]!, numbers[corner % 3 === 2 ? corner - 2 : corner + 1]!];
+      const [i, j] = edgeOf(numbers, corner);
       vertexAt[i] = triangles[corner]!;
-      if (i !== j) visit(Math.min(i, j), Math.max(i, j));
+      if (i === j || onOthers?.same[Math.floor(corner / 3)]) continue;
+      visit(Math.min(i, j), Math.max(i, j));
     }
   };
   await forEachEdge(0.7, (low) => {
@@ -40,17 +48,38 @@ export async function boundaryEdges(
   await forEachEdge(0.78, (low, high) => {
     others[--starts[low]!] = high;
   });
+  for (let i = 0; i < count; i++) {
+    if ((i & batchMask) === 0 && slices.over) await slices.rest(0.86 + (0.02 * i) / count);
+    if (starts[i + 1]! > starts[i]! + 1) others.subarray(starts[i], starts[i + 1]).sort();
+  }
+  const facesAt = (low: number, high: number) => {
+    let faces = 0;
+    for (let at = starts[low]!; at < starts[low + 1]!; at++) faces += others[at] === high ? 1 : 0;
+    return faces;
+  };
+  /** Edges with another number of faces than they have here, odd for even. */
+  const changed = new Set<string>();
+  for (const face of onOthers?.turned ?? []) {
+    const edges = [0, 1, 2].map((k) => edgeOf(numbers, 3 * face + k).sort((i, j) => i - j));
+    // Two faces on each other are a closed surface of their own, unless another one is there.
+    if (!edges.some(([low, high]) => facesAt(low!, high!) > 2)) continue;
+    for (const edge of edges) if (!changed.delete(`${edge}`)) changed.add(`${edge}`);
+  }
   const ends: number[] = [];
   for (let i = 0; i < count; i++) {
-    if ((i & batchMask) === 0 && slices.over) await slices.rest(0.86 + (0.04 * i) / count);
-    const [from, to] = [starts[i]!, starts[i + 1]!];
-    if (to > from + 1) others.subarray(from, to).sort();
-    for (let at = from; at < to; at++) {
-      const other = others[at]!;
-      const isAlone =
-        (at === from || other !== others[at - 1]) && (at + 1 === to || other !== others[at + 1]);
-      if (isAlone) ends.push(i, other);
+    if ((i & batchMask) === 0 && slices.over) await slices.rest(0.88 + (0.02 * i) / count);
+    const to = starts[i + 1]!;
+    for (let from = starts[i]!, at = from; from < to; from = at) {
+      const other = others[from]!;
+      while (at < to && others[at] === other) at++;
+      const isOdd = (at - from) % 2 === 1;
+      if (isOdd !== (changed.size > 0 && changed.has(`${[i, other]}`))) ends.push(i, other);
     }
   }
   return { ends: Int32Array.from(ends), vertexAt };
+}
+
+/** The numbers of an edge's ends, from a corner on. */
+function edgeOf(numbers: Int32Array, corner: number): [number, number] {
+  return [numbers[corner]!, numbers[corner % 3 === 2 ? corner - 2 : corner + 1]!];
 }

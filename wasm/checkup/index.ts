@@ -56,11 +56,12 @@ export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Pr
   const { info } = mesh;
   // Where nothing was welded, vertices at one place are several in the engine too.
   const byPlace = info.repairs.some(({ kind }) => kind === 'welded');
+  const doubled = info.repairs.some(({ kind }) => kind === 'duplicate');
   const { numbers, shortest, ...shapes } = await shapesOf(positions, triangles, byPlace, slices);
   const edges =
     info.boundaryLoops === 0
       ? { ends: new Int32Array(), vertexAt: new Int32Array() }
-      : await boundaryEdges(triangles, numbers, slices);
+      : await boundaryEdges(triangles, numbers, doubled, slices);
   const { diagonal } = info;
   const near = await nearBoundaries({ positions, boundary: edges, shortest, diagonal }, slices);
   const boundary = placesOf(positions, edges);

@@ -41,8 +41,8 @@ const leastPatience = 200;
  * With a function that starts workers, a call that the worker is at can be interrupted: a worker that
  * does not hear that its call is cancelled is ended after a while, and another one takes its place, in
  * which all meshes and curves are made anew and the other calls are made again. It waits for about as
- * long as that takes, so that little is lost where the call was about to end. What else `serve` was
- * given must not hold anything that calls have changed.
+ * long as that takes, so that little is lost where the call was about to end. What is being disposed of
+ * is not made anew. What else `serve` was given must not hold anything that calls have changed.
  */
 export class WorkerClient {
   readonly #start: (() => WorkerLike) | null;
@@ -108,6 +108,7 @@ export class WorkerClient {
     const done = new Promise((resolve, reject) => {
       const origin = of === undefined ? null : this.#origins.get(of);
       if (origin === undefined) throw gone();
+      if (name === 'dispose' && origin) this.#leave(origin);
       const pending: Pending = {
         ...{ resolve, reject, call: name, args: this.#copied(args, signals), of: origin },
         ...{ tells: progress as Pending['tells'], callbacks: [], begun: 0, raw: false },
@@ -121,6 +122,16 @@ export class WorkerClient {
       this.#pending.set(id, pending);
     }).finally(() => settled.abort());
     return progress ? done.then((result) => told(result, progress)) : done;
+  }
+
+  /**
+   * Gives up every call that is under way, as a signal would, but for those that dispose of something:
+   * they reject with the reason.
+   */
+  giveUp(reason: unknown): void {
+    for (const [id, { call, raw }] of this.#pending) {
+      if (call !== 'dispose' && !raw) this.#cancel(id, reason);
+    }
   }
 
   /** Ends the worker, and every call that is under way. Safe to repeat. */
@@ -160,9 +171,39 @@ export class WorkerClient {
   #impatient(cancelled: Cancelled): void {
     if (cancelled.begun) return;
     cancelled.begun = true;
-    let making = leastPatience;
-    for (const { took } of this.#kept) making += took;
-    cancelled.timer = setTimeout(() => void this.#restart(), making);
+    const since = performance.now();
+    const wait = () => {
+      let left = since + leastPatience - performance.now();
+      for (const { took } of this.#wanted()) left += took;
+      if (left > 0) cancelled.timer = setTimeout(wait, left);
+      else void this.#restart();
+    };
+    cancelled.timer = setTimeout(wait, leastPatience);
+  }
+
+  /** It is being disposed of, and with a mesh the curves on it. */
+  #leave(origin: Origin): void {
+    origin.leaving = true;
+    for (const other of this.#kept) {
+      if (other.of === origin && other.call === 'curve') other.leaving = true;
+    }
+  }
+
+  /** What is to be made anew: what is being disposed of only where calls still wait for it. */
+  #wanted(): Origin[] {
+    const asked = new Set<Origin>();
+    const ask = (origin: Origin | null | undefined): void => {
+      for (let one = origin; one; one = one.of) asked.add(one);
+    };
+    for (const { call, of, args } of this.#pending.values()) {
+      if (call === 'dispose') continue;
+      ask(of);
+      replaced(args, (part) => {
+        ask(this.#origins.get(part));
+        return ArrayBuffer.isView(part) || this.#origins.has(part) ? part : undefined;
+      });
+    }
+    return [...this.#kept].filter((origin) => !origin.leaving || asked.has(origin));
   }
 
   #forgetCancelled(): void {
@@ -181,7 +222,7 @@ export class WorkerClient {
       this.#worker = this.#start!();
       before.terminate();
       this.#listen();
-      for (const origin of this.#kept) await this.#make(origin, spare);
+      for (const origin of this.#wanted()) await this.#make(origin, spare);
       for (const of of spare) await this.#ask({ call: 'dispose', args: [], of });
     } catch (error) {
       this.#break(error);
@@ -190,6 +231,14 @@ export class WorkerClient {
     this.#isRestarting = false;
     for (const [id, pending] of this.#pending) {
       pending.begun = 0;
+      const { call, of } = pending;
+      if (call === 'dispose' && of && (of.worker !== this.#worker || spare.includes(of))) {
+        // It went with the worker before.
+        this.#pending.delete(id);
+        this.#forget(of);
+        pending.resolve(undefined);
+        continue;
+      }
       try {
         this.#post(id, pending);
       } catch (error) {
@@ -335,13 +384,14 @@ export class WorkerClient {
     if (sent === 'mesh') {
       const took = performance.now() - begun;
       const kept = this.#start ? withoutWork(args) : [];
-      return { target, worker, of, call, args: kept, edits: [], took };
+      return { target, worker, of, call, args: kept, edits: [], took, leaving: false };
     }
     // A curve that another one makes is of the same mesh.
     const mesh = of?.call === 'curve' ? of.of : of;
     const { value } = more as { value?: CurveOptions };
     const took = performance.now() - begun;
-    return { target, worker, of: mesh, call: 'curve', args: [value], edits: [], took };
+    const made = { of: mesh, call: 'curve', args: [value], edits: [], took, leaving: false };
+    return { target, worker, ...made };
   }
 
   /** What the call made of the mesh or curve that it is of. */
@@ -349,7 +399,11 @@ export class WorkerClient {
     const of = pending?.of;
     if (!of) return;
     if (value) noteEdit(of, { call: pending.call, args: withoutWork(pending.args) }, value);
-    if (pending.call !== 'dispose') return;
+    if (pending.call === 'dispose') this.#forget(of);
+  }
+
+  /** It is there no more, nor are the curves on it. */
+  #forget(of: Origin): void {
     this.#kept.delete(of);
     for (const origin of this.#kept) {
       if (origin.of === of && origin.call === 'curve') this.#kept.delete(origin);

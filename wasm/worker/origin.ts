@@ -21,6 +21,8 @@ export interface Origin {
   edits: Pick<Origin, 'call' | 'args'>[];
   /** Milliseconds that the call took. */
   readonly took: number;
+  /** Whether it is being disposed of. */
+  leaving: boolean;
 }
 
 /** More edits are not made again: then a curve has what its own kind has use for. */

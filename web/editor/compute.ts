@@ -4,7 +4,7 @@ import { type MethodId, type Quality, qualityOf } from '../model/methods';
 import { type DrawnTangents, penOptions } from '../model/pen';
 import { curveOptions, splineOf } from '../model/splines';
 import type { TracedCurve } from '../model/traced';
-import { type EngineClient, KarcherError } from '../worker/client';
+import { type EngineClient, KarcherError, Stopped } from '../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
 import { drawnTangents, missingHandle } from './pen_drawing';
 import { type Shift, shiftBetween } from './shift';
@@ -104,7 +104,7 @@ async function computePen(
     const curve = await client.curve(penOptions(figure, tangents, options), { object, marks });
     return { ...nothing, tangents, curve };
   } catch (error) {
-    if (client.closed) throw error;
+    if (client.closed || error instanceof Stopped) throw error;
     return { ...nothing, tangents, problem: messageOf(error) };
   }
 }
@@ -154,6 +154,7 @@ async function computeCircle(
     const drawn = await drawCircle(client, shape, circle, circleForm, options, draft);
     return { ...nothing, circle, ...drawn };
   } catch (error) {
+    if (error instanceof Stopped) throw error;
     // The handles stay, so that the radius can be taken back.
     return { ...nothing, circle, problem: messageOf(error) };
   }

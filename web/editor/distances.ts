@@ -3,7 +3,7 @@ import { objectOf } from '../model/drawing';
 import { isRound } from '../model/figure';
 import { methodOptions } from '../model/methods';
 import type { TracedDistances } from '../model/traced';
-import type { EngineClient } from '../worker/client';
+import { type EngineClient, Stopped } from '../worker/client';
 import { messageOf } from './compute';
 import type { Editor, State } from './editor';
 import { Newest } from './newest';
@@ -39,6 +39,8 @@ export class Distances {
   #shown: ShownDistances | null = null;
   /** What was asked for last. */
   #asked: Job | null = null;
+  /** Ends the trace that is under way. */
+  #running = new AbortController();
   readonly #newest = new Newest<Job>((job) => this.#trace(job));
 
   /** Called with every change of what is shown; null where nothing is. */
@@ -80,6 +82,7 @@ export class Distances {
     this.#origin = null;
     this.#asked = null;
     this.#newest.drop();
+    this.#running.abort();
     this.#show(null);
   }
 
@@ -112,6 +115,7 @@ export class Distances {
     if (this.#shown?.current) this.#show({ ...this.#shown, current: false });
     if (state.dragging) return;
     this.#asked = { client, origin, from, state };
+    this.#running.abort();
     this.#newest.push(this.#asked);
   }
 
@@ -119,15 +123,17 @@ export class Distances {
     const { client, from, state } = job;
     const { solver, rings } = methodOptions(state.method);
     const options = { ...(solver && { solver }), ...(rings && { rings }) };
+    this.#running = new AbortController();
+    const { signal } = this.#running;
     try {
-      const traced = await client.distances(from, options);
+      const traced = await client.distances(from, options, { signal });
       const asked = this.#asked;
       if (asked?.client !== client || !samePlace(asked.from, from)) return;
       this.#show({ traced, origin: asked.origin, from, current: true });
     } catch (error) {
       if (client.closed || this.#asked !== job) return;
       this.off();
-      this.onProblem(messageOf(error));
+      if (!(error instanceof Stopped)) this.onProblem(messageOf(error));
     }
   }
 

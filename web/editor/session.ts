@@ -11,7 +11,7 @@ import {
 import { methodOptions, type Quality, refinedOptions } from '../model/methods';
 import { curveOptions, splineFrom, splineOf, usesLegs, waypointsOf } from '../model/splines';
 import type { Measured, ShorterLeg, TracedCurve } from '../model/traced';
-import type { EngineClient } from '../worker/client';
+import { type EngineClient, Stopped } from '../worker/client';
 import type { Edit } from '../worker/edits';
 import { type Beside, BesideObjects } from './beside';
 import {
@@ -27,7 +27,6 @@ import {
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
-
 import { Refinement } from './refinement';
 import type { Shift } from './shift';
 
@@ -80,6 +79,9 @@ function moreThanFixed({ settings }: Spline, { samples }: TracedCurve): boolean 
   return settings.tolerance !== null && samples.count > settings.samples * segments;
 }
 
+/** What is said in place of a curve whose computation was stopped. */
+const stoppedHint = 'it was stopped; an edit or another method computes it again';
+
 /** Legs are shown again after so many times as long as it took to show them. */
 const restPart = 5;
 
@@ -122,7 +124,7 @@ export class Session {
 
   /** Called with every change of the view. */
   onView: (view: View) => void = () => {};
-  /** Called when the engine begins with a state, and when it has ended. */
+  /** Called when the engine begins to work, and when it has ended. */
   onBusy: (busy: boolean) => void = () => {};
   /** Called with the legs that a drag drew out: those that meet at its point. */
   onLegs: (
@@ -144,8 +146,13 @@ export class Session {
 
   /** Another surface: what was traced on the one before is dropped. */
   use(client: EngineClient): void {
-    this.#client?.close();
+    if (this.#client) {
+      this.#client.onBusy = () => {};
+      this.#client.close();
+    }
     this.#client = client;
+    this.onBusy(false);
+    client.onBusy = (busy) => this.onBusy(busy);
     this.#refinement.use(client);
     this.#legs.clear();
     this.#others.clear();
@@ -159,6 +166,11 @@ export class Session {
 
   get client(): EngineClient | null {
     return this.#client;
+  }
+
+  /** Gives up what the engine is at. What it was to be is asked for again with another figure or method. */
+  stop(): void {
+    this.#client?.stop();
   }
 
   update(state: State): void {
@@ -257,7 +269,6 @@ export class Session {
     const client = this.#client;
     if (!client || client.closed) return;
     const { method } = state;
-    this.onBusy(true);
     try {
       if (!state.dragging && (await this.#keepLegs(client, state))) return;
       const ids = state.drawing.objects.map(({ id }) => id);
@@ -270,6 +281,7 @@ export class Session {
         return;
       }
       const { figure, coarse } = this.#asTraced(state);
+      let stopped = false;
       this.#coarse = coarse;
       const shown = await compute(client, figure, methodOptions(method), {
         object: state.drawing.active,
@@ -278,12 +290,13 @@ export class Session {
         uniqueness: true,
       }).catch((error) => {
         if (client.closed) throw error;
-        return { ...nothing, problem: messageOf(error) };
+        stopped = error instanceof Stopped;
+        return { ...nothing, problem: stopped ? stoppedHint : messageOf(error) };
       });
       if (!this.#current(client, state)) return;
       const quality = qualityShown(shown, method);
       if (!coarse) this.#took(figure, shown);
-      if (!coarse && !state.dragging) {
+      if (!coarse && !state.dragging && !stopped) {
         this.#others.keep(figure, { method, shown, quality }, state.drawing);
       }
       if (state.dragging) this.#keepLevels(shown);
@@ -294,8 +307,6 @@ export class Session {
       this.#showTraced(state, shown, quality);
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
-    } finally {
-      this.onBusy(false);
     }
   }
 
@@ -348,6 +359,8 @@ export class Session {
     const [client, state] = [this.#client, this.#state];
     const spline = state && splineOf(state.figure);
     if (!client || !spline || state.dragging || this.#compared === state.figure) return false;
+    // Without a curve there are no legs of it.
+    if (this.#view.problem) return false;
     this.#compared = state.figure;
     const options = curveOptions(spline, methodOptions(state.method));
     const found = options.legs

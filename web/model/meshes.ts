@@ -32,6 +32,7 @@ export interface FileSource {
   content: Blob;
   name: string;
   parts: readonly number[] | null;
+  weld: number | null;
 }
 
 /** Where a surface comes from. */
@@ -61,8 +62,9 @@ export const samples: readonly Sample[] = [
  * A surface's key: `bunny:levels`, `shape:triangles`, `plane:tessellation:triangles`,
  * `plane:anisotropic*stretch:triangles`, `simplified:triangles:` and the key of what is simplified, or
  * `file:digest:name`. After the digest come
- * the numbers of the parts that are read, where these are not all, and the axis that points up, where it
- * is not as guessed: `file:digest.0.2~z:name`.
+ * the numbers of the parts that are read, where these are not all, the tolerance of welding, where it is
+ * not the usual one, and the axis that points up, where it is not as guessed:
+ * `file:digest.0.2*0.001~z:name`.
  */
 export const defaultMesh = 'bunny:1';
 
@@ -75,9 +77,13 @@ export type ParsedKey =
   | { made: MadeSource }
   | ({ digest: string; name: string } & Reading);
 
-/** How a file is read: which parts, null for all, and which axis points up, null as guessed. */
+/**
+ * How a file is read: which parts, null for all, how far apart boundaries are welded, null as usual, and
+ * which axis points up, null as guessed.
+ */
 export interface Reading {
   parts: readonly number[] | null;
+  weld: number | null;
   up: UpAxis | null;
 }
 
@@ -190,31 +196,43 @@ export async function fileKey(file: File): Promise<string> {
 }
 
 function parseFileKey(text: string, name: string): ParsedKey {
-  const [, digest, parts, up] = /^([^.~]+)((?:\.\d{1,9})*)(?:~([xyz]))?$/.exec(text) ?? [];
-  if (digest === undefined) return { digest: text, name, parts: null, up: null };
-  const numbers = parts ? parts.slice(1).split('.').map(Number) : null;
-  return { digest, name, parts: numbers, up: (up as UpAxis | undefined) ?? null };
+  const [, digest, parts, weld, up] =
+    /^([^.*~]+)((?:\.\d{1,9})*)(?:\*(\d[\de.-]*))?(?:~([xyz]))?$/.exec(text) ?? [];
+  const asUsual = { parts: null, weld: null, up: null };
+  if (digest === undefined || !Number.isFinite(Number(weld ?? 0))) {
+    return { digest: text, name, ...asUsual };
+  }
+  return {
+    ...{ digest, name },
+    parts: parts ? parts.slice(1).split('.').map(Number) : null,
+    weld: weld === undefined ? null : Number(weld),
+    up: (up as UpAxis | undefined) ?? null,
+  };
 }
 
 /** How the file of a key is read; null where it is none of a file. */
 export function readingOf(key: string): Reading | null {
   const parsed = parseKey(key);
-  return parsed && 'digest' in parsed ? { parts: parsed.parts, up: parsed.up } : null;
+  if (!parsed || !('digest' in parsed)) return null;
+  const { parts, weld, up } = parsed;
+  return { parts, weld, up };
 }
 
 /** The key of the same file, read in another way. */
 export function readAs(key: string, reading: Partial<Reading>): string {
   const parsed = parseKey(key);
   if (!parsed || !('digest' in parsed)) return key;
-  const { digest, name, parts, up } = { ...parsed, ...reading };
+  const { digest, name, parts, weld, up } = { ...parsed, ...reading };
   const numbers = (parts ?? []).map((part) => `.${part}`).join('');
-  return `file:${digest}${numbers}${up ? `~${up}` : ''}:${name}`;
+  const welded = weld === null ? '' : `*${weld}`;
+  return `file:${digest}${numbers}${welded}${up ? `~${up}` : ''}:${name}`;
 }
 
 /** The key of a file itself, however it is read; any other key as it is. */
-export const keyOfFile = (key: string) => readAs(key, { parts: null, up: null });
+export const keyOfFile = (key: string) => readAs(key, { parts: null, weld: null, up: null });
 
 /** A file as its key says that it is read. */
 export function fileSource(key: string, content: Blob): FileSource {
-  return { kind: 'file', content, name: meshLabel(key), parts: readingOf(key)?.parts ?? null };
+  const { parts = null, weld = null } = readingOf(key) ?? {};
+  return { kind: 'file', content, name: meshLabel(key), parts, weld };
 }

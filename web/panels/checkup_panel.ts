@@ -9,6 +9,8 @@ import { showProgress } from './progress';
 export interface CheckedSurface {
   readonly info: Readonly<MeshInfo>;
   readonly arrays: MeshBlobs;
+  /** Null where the surface comes from no file. */
+  readonly file: object | null;
 }
 
 /** The surface's check-up, made when it is asked for; the places that it tells of can be shown. */
@@ -22,11 +24,12 @@ export class CheckUpPanel {
 
   /**
    * `check` looks a surface over; `showPlaces` draws outlines on it, x, y, z each, in place of those
-   * before.
+   * before; `weld` reads its file anew with a tolerance.
    */
   constructor(
     private readonly check: (surface: CheckedSurface, work: LongWorkOptions) => Promise<CheckedUp>,
     private readonly showPlaces: (places: readonly Float32Array[]) => void,
+    private readonly weld: (tolerance: number) => void,
   ) {
     this.#details.addEventListener('toggle', () => {
       if (this.#details.open) void this.#check();
@@ -88,11 +91,20 @@ export class CheckUpPanel {
         'vertices on boundaries that lie on others',
       ),
     ].filter((row) => row !== null);
+    if (near && this.#client?.file) rows.at(-1)!.append(this.#weldButton(near.weld));
     const list = make('ul', '', { className: 'checkup-rows' });
     list.append(...rows);
     const expected = make('ul', '', { className: 'notes' });
     expected.append(...found.expected.map((sentence) => make('li', sentence)));
     this.#found.replaceChildren(facts, ...(rows.length > 0 ? [list] : []), expected);
+  }
+
+  /** A button that joins the boundaries that lie on each other. */
+  #weldButton(tolerance: number): HTMLButtonElement {
+    const button = make('button', 'Weld', { type: 'button', className: 'link' });
+    button.title = `Read the file again and join what is up to ${tolerance} apart`;
+    button.addEventListener('click', () => this.weld(tolerance));
+    return button;
   }
 
   /** So many of something, and a button that shows them; null for none. */

@@ -14,8 +14,8 @@ import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
 
-/** Work this short goes without saying. */
-const patienceMilliseconds = 300;
+/** Work this short goes without saying, and without a button that stops it. */
+const patienceMilliseconds = { saying: 300, stopping: 1000 };
 
 export interface StatusEvents {
   remove(): void;
@@ -23,12 +23,14 @@ export interface StatusEvents {
   goToLost(): void;
   /** Makes the first leg that need not be so long the shortest. */
   shorten(): void;
+  /** Gives up what the engine is at. */
+  stop(): void;
 }
 
 /** The line of figures, the hint, and what can be done with the selection. */
 export class Status {
   readonly #notice = byId('notice');
-  #timer = 0;
+  #timers: number[] = [];
   #measured: Measured | null = null;
   #again = false;
   #aim = '';
@@ -42,6 +44,7 @@ export class Status {
     byId('remove').addEventListener('click', events.remove);
     byId('shorten').addEventListener('click', events.shorten);
     byId('status-lost').addEventListener('click', events.goToLost);
+    byId('stop').addEventListener('click', events.stop);
   }
 
   show(state: State, view: View, info: MeshInfo | null): void {
@@ -62,10 +65,17 @@ export class Status {
 
   /** Says that the engine is at work, once it has been for a while. */
   setBusy(busy: boolean): void {
-    clearTimeout(this.#timer);
-    const element = byId('status-busy');
-    if (busy) this.#timer = window.setTimeout(() => (element.hidden = false), patienceMilliseconds);
-    else element.hidden = true;
+    for (const timer of this.#timers) clearTimeout(timer);
+    const { saying, stopping } = patienceMilliseconds;
+    const shown = [
+      [byId('status-busy'), saying],
+      [byId('stop'), stopping],
+    ] as const;
+    this.#timers = [];
+    for (const [element, patience] of shown) {
+      if (busy) this.#timers.push(window.setTimeout(() => (element.hidden = false), patience));
+      else element.hidden = true;
+    }
   }
 
   /** Says when what is made is not kept, as the browser's storage is full or blocked. */

@@ -53,7 +53,7 @@ export class SurfacePanel {
     });
     this.#part.addEventListener('change', () => {
       const parts = this.#part.value === '' ? null : [Number(this.#part.value)];
-      events.reread(readAs(this.#key, { parts }));
+      events.reread(readAs(this.#key, { parts, weld: null }));
     });
     this.#up.addEventListener('change', () => {
       events.reread(readAs(this.#key, { up: this.#up.value as UpAxis }));

@@ -28,6 +28,26 @@ import { tracedCircle, tracedCurve } from './traced';
 
 export { KarcherError } from 'karcher/own-worker';
 
+/** What was given up because the person wanted it so. */
+export class Stopped extends Error {
+  constructor() {
+    super('it was stopped before it was done');
+  }
+}
+
+/** Tells when it begins to have calls under way, and when there are none any more. */
+class TellingClient extends WorkerClient {
+  onBusy: (busy: boolean) => void = () => {};
+  #calls = 0;
+
+  override call(...call: Parameters<WorkerClient['call']>): Promise<unknown> {
+    if (this.#calls++ === 0) this.onBusy(true);
+    return super.call(...call).finally(() => {
+      if (--this.#calls === 0) this.onBusy(false);
+    });
+  }
+}
+
 interface Loaded {
   mesh: RemoteMesh;
   arrays: MeshBlobs;
@@ -50,12 +70,12 @@ export interface CurveRequest {
 
 /**
  * A surface in a worker of its own, and a curve for each object on it: of a changed one only what
- * changed is computed. `close` ends the worker and every call that is under way; every call fails with
- * a `KarcherError`.
+ * changed is computed. `stop` gives up what is under way. `close` ends the worker and every call; every
+ * call fails with a `KarcherError`.
  */
 export class EngineClient {
-  readonly #worker = new WorkerClient(
-    new Worker(new URL('./engine.ts', import.meta.url), { type: 'module' }),
+  readonly #worker = new TellingClient(
+    () => new Worker(new URL('./engine.ts', import.meta.url), { type: 'module' }),
   );
   #loaded: Loaded | null = null;
   /** The face whose corners were asked for last. */
@@ -79,6 +99,20 @@ export class EngineClient {
       client.close();
       throw error;
     }
+  }
+
+  /** Hears when calls are under way, and when there are none any more. */
+  set onBusy(hear: (busy: boolean) => void) {
+    this.#worker.onBusy = hear;
+  }
+
+  /**
+   * Gives up what is under way, which fails with `Stopped`. Where the worker is at a long call, another one
+   * takes its place, with the surface alone: curves are traced again when they are asked for.
+   */
+  stop(): void {
+    this.keepCurves([]);
+    this.#worker.giveUp(new Stopped());
   }
 
   /** What is asked of the surface itself. */
@@ -219,8 +253,13 @@ export class EngineClient {
   }
 
   /** Distances along the surface from a point to all of it. */
-  async distances(from: PointLike, options: DistanceOptions): Promise<TracedDistances> {
-    return (await this.#worker.call('distances', [this.mesh, from, options])) as TracedDistances;
+  async distances(
+    from: PointLike,
+    options: DistanceOptions,
+    work: LongWorkOptions,
+  ): Promise<TracedDistances> {
+    const args = [this.mesh, from, options];
+    return (await this.#worker.call('distances', args, undefined, work)) as TracedDistances;
   }
 
   /**

@@ -45,10 +45,10 @@ const calls = {
       return { mesh, arrays: blobsOf(takenFrom(mesh)), file: null, up: 'y' };
     }
     const { guessUp, meshFromFile } = await import('karcher/formats');
-    const { content, name, parts } = source;
+    const { content, name, parts, weld } = source;
     const bytes = new Uint8Array(await content.arrayBuffer());
     const { mesh, file } = await meshFromFile(karcher, bytes, {
-      ...{ name, ...(parts && { parts }) },
+      ...{ name, ...(parts && { parts }), ...(weld !== null && { weld }) },
       progress: (done, stage) =>
         progress(0.2 + 0.6 * done, fileStages[stage] ?? 'Reading the file'),
     });

@@ -1,0 +1,66 @@
+import { batchMask, type Slices } from '../slices.js';
+
+/** Faces that lie on one before them. */
+export interface FacesOnOthers {
+  /** Of each face, whether it lies on another one with the same orientation: the engine leaves it out. */
+  same: Uint8Array;
+  /**
+   * Those with the opposite one that no other face hangs on, or that have the same vertices: the engine
+   * leaves them out where they are in the way of others.
+   */
+  turned: number[];
+}
+
+/** By the numbers of the corners, which are less than `count`. */
+export async function facesOnOthers(
+  triangles: Int32Array,
+  numbers: Int32Array,
+  count: number,
+  slices: Slices,
+): Promise<FacesOnOthers> {
+  const faces = numbers.length / 3;
+  const lowest = (face: number) => {
+    const at = 3 * face;
+    return Math.min(numbers[at]!, numbers[at + 1]!, numbers[at + 2]!);
+  };
+  // The faces of each number that is the lowest of theirs, one list after the other.
+  const starts = new Int32Array(count + 1);
+  for (let face = 0; face < faces; face++) starts[lowest(face)]!++;
+  for (let i = 1; i <= count; i++) starts[i]! += starts[i - 1]!;
+  const listed = new Int32Array(faces);
+  for (let face = faces - 1; face >= 0; face--) listed[--starts[lowest(face)]!] = face;
+
+  const cornersOf = (face: number) => triangles.subarray(3 * face, 3 * face + 3);
+  const sameVertices = (face: number, other: number) =>
+    cornersOf(face).every((vertex) => cornersOf(other).includes(vertex));
+  let uses: Uint32Array | null = null;
+  const hangsOnNone = (face: number) => {
+    uses ??= usesOf(triangles);
+    return cornersOf(face).every((vertex) => uses![vertex] === 1);
+  };
+  const found: FacesOnOthers = { same: new Uint8Array(faces), turned: [] };
+  for (let i = 0; i < count; i++) {
+    if ((i & batchMask) === 0 && slices.over) await slices.rest(0.7);
+    if (starts[i + 1]! < starts[i]! + 2) continue;
+    /** By the other two corners, the lower one first. */
+    const first = new Map<string, { face: number; rises: boolean }>();
+    for (const face of listed.subarray(starts[i], starts[i + 1])) {
+      const k = [0, 1, 2].find((corner) => numbers[3 * face + corner] === i)!;
+      const [p, q] = [numbers[3 * face + ((k + 1) % 3)]!, numbers[3 * face + ((k + 2) % 3)]!];
+      if (p === i || q === i || p === q) continue;
+      const key = `${Math.min(p, q)},${Math.max(p, q)}`;
+      const before = first.get(key);
+      if (before === undefined) first.set(key, { face, rises: p < q });
+      else if (before.rises === p < q) found.same[face] = 1;
+      else if (sameVertices(face, before.face) || hangsOnNone(face)) found.turned.push(face);
+    }
+  }
+  return found;
+}
+
+/** How many corners each vertex has. */
+function usesOf(triangles: Int32Array): Uint32Array {
+  const uses = new Uint32Array(triangles.reduce((most, vertex) => Math.max(most, vertex), 0) + 1);
+  for (const vertex of triangles) uses[vertex]!++;
+  return uses;
+}
