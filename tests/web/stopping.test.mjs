@@ -73,4 +73,24 @@ describe('a computation without an end', () => {
     assert.deepEqual(tab.logged, []);
     await page.close();
   });
+
+  test('on a phone shows a button that a finger hits on 44 pixels', async () => {
+    const tab = await open();
+    const { page } = tab;
+    const from = await tab.handle('Control point 2 of 4');
+    await tab.holdEngine();
+    await tab.page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x + 10, from.y + 10);
+    await page.mouse.up();
+    await page.setViewportSize({ width: 390, height: 844 });
+    await stop(tab).waitFor();
+    const rows = await stop(tab).evaluate((button) => {
+      const { left, width, top } = button.getBoundingClientRect();
+      const isHit = (y) => document.elementFromPoint(left + width / 2, y) === button;
+      return Array.from({ length: 80 }, (_, i) => isHit(top - 40 + i)).filter(Boolean).length;
+    });
+    assert.ok(rows >= 44, `${rows} rows of pixels`);
+    await page.close();
+  });
 });
