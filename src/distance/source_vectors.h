@@ -26,13 +26,19 @@ class SourceVectors {
  private:
   enum class State : uint8_t { kUnknown, kAsked, kKnown };
 
-  bool isToBeAsked(int vertex) const { return vertex >= 0 && states_[vertex] == State::kUnknown; }
-  void take(const DistanceSolver& solver, int vertex);
+  /// A vertex that waits for those that its path comes from.
+  struct Asked {
+    int vertex = -1;
+    PathStep step;
+  };
+
+  bool ask(const DistanceSolver& solver, int vertex);
+  void take(const Asked& asked, double distance);
 
   const Geometry& geometry_;
   Array<Vec2> vectors_;
   Array<State> states_;
-  Array<int> asked_;  ///< vertices that wait for those that their paths come from
+  Array<Asked> asked_;
 };
 
 }  // namespace karcher

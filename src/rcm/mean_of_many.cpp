@@ -2,22 +2,30 @@
 
 #include <algorithm>
 
+#include "distance/edge_dijkstra.h"
 #include "intrinsic/straightest.h"
-#include "rcm/exact_minimum.h"
+#include "rcm/energy_ring.h"
 
 namespace karcher {
 namespace {
 
 using Matrix2 = Eigen::Matrix2d;
 
-/// Points at which K is compared first.
+/// Points at which K is compared first, and those of them from which descents begin.
 constexpr int kStarts = 16;
-constexpr int kMostSolves = 24;  ///< of one descent
+constexpr int kDescents = 3;
+constexpr int kMostSolves = 24;        ///< of one descent
 constexpr double kLongestStep = 0.25;  ///< of the bounding box's diagonal
-/// Steps below these parts of a mean edge end a descent, and are the last.
-constexpr double kLastStep = 1e-2;
-/// By the solver's distances, whose error moves the zero by some such part.
-constexpr double kLastRoughStep = 0.1;
+
+/// A step below this part of a mean edge is the last of a descent. The gradient is no better.
+constexpr double kLastStep = 0.1;
+/// A descent that comes so near to where another one ended, in mean edges, would end there too.
+constexpr double kSameDescent = 2;
+
+/// A center is moved where K is lower by this part of a square mean edge, as with few points.
+constexpr double kGain = kLowerBy / 4;
+/// Most centers are moved once; more often where K is all creases.
+constexpr int kMostMoves = 6;
 
 /// Where a descent stands.
 struct Stand {
@@ -44,23 +52,28 @@ void learn(Matrix2& scale, const Vec2& way, const Vec2& change) {
   scale = rest * scale * rest.transpose() + way * way.transpose() / along;
 }
 
-enum class Ended { kThere, kStuck, kBoundary };
+enum class Ended {
+  kThere,
+  kStuck,  ///< K is higher all around, as far as the gradient tells
+  kBoundary,
+  kKnown,  ///< where another descent ended
+};
 
 struct Descent {
   Stand stand;
   Ended ended = Ended::kStuck;
 };
 
-/// Goes down from a place. `energyAt` gives K and the natural step.
+/// Goes down from a place. `energyAt` gives K and the natural step, or none where the descent may
+/// as well end.
 template <class EnergyFunction>
-Descent descend(const Geometry& geometry, Stand stand, double lastStep,
-                const EnergyFunction& energyAt) {
+Descent descend(const Geometry& geometry, Stand stand, const EnergyFunction& energyAt) {
   double most = kLongestStep * geometry.diagonal;
   int crossingsLeft = mostCrossingsOfSearch(*geometry.mesh);
   for (int solve = 0; solve < kMostSolves && crossingsLeft > 0; ++solve) {
     Vec2 step = stand.step();
     const double wanted = step.norm();
-    if (wanted <= lastStep * geometry.meanEdge) return {stand, Ended::kThere};
+    if (wanted <= kLastStep * geometry.meanEdge) return {stand, Ended::kThere};
     step *= std::min(1.0, most / wanted);
     const StraightestPath path =
         traceStraightest(geometry, stand.place, step, {.maxCrossings = crossingsLeft});
@@ -70,21 +83,22 @@ Descent descend(const Geometry& geometry, Stand stand, double lastStep,
       return {stand, Ended::kBoundary};
     }
     const Vec2 before = step / step.norm();
-    const EnergyAt there = energyAt(path.path.end());
+    const std::optional<EnergyAt> there = energyAt(path.path.end());
+    if (!there) return {stand, Ended::kKnown};
     // Both in the frame of the way.
     const Vec2 change =
-        rotateBack(before, stand.here.step) - rotateBack(path.direction, there.step);
+        rotateBack(before, stand.here.step) - rotateBack(path.direction, there->step);
     Matrix2 scale = rotation(before).transpose() * stand.scale * rotation(before);
     learn(scale, Vec2(length, 0), change);
-    if (there.energy < stand.here.energy) {
+    if (there->energy < stand.here.energy) {
       const Matrix2 turn = rotation(path.direction);
-      stand = {path.path.end(), there, turn * scale * turn.transpose()};
+      stand = {path.path.end(), *there, turn * scale * turn.transpose()};
       most = std::min(2 * std::max(most, length), kLongestStep * geometry.diagonal);
     } else {
       stand.scale = rotation(before) * scale * rotation(before).transpose();
       constexpr double kShorter = 0.5;
       most = kShorter * length;
-      if (most <= lastStep * geometry.meanEdge) break;
+      if (most <= kLastStep * geometry.meanEdge) break;
     }
   }
   return {stand, Ended::kStuck};
@@ -105,45 +119,106 @@ Array<SurfacePoint> startsOf(const WeightedPoints& points, int count) {
   return starts;
 }
 
-/// K on the circle that `converged` is told by.
-struct Ring {
-  static constexpr int kCount = 8;
-  Array<SurfacePoint> places;
-  Array<double> values;
-  double cosine = 0;  ///< of the first harmonics
-  double sine = 0;
-  double secondCosine = 0;
-  double secondSine = 0;
-  double mean = 0;
-  int lowest = 0;
-  double least = kInfinity;  ///< of the values and of the harmonics
-};
+/// The vertex of a point's face that is nearest to it.
+int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
+  int corner = 0;
+  point.bary.maxCoeff(&corner);
+  return mesh.corner(point.face, corner);
+}
 
-Ring ringAround(const Geometry& geometry, const SurfacePoint& center,
-                ExactOneSourceEnergy& energy) {
-  Ring ring;
-  ring.places =
-      circleAround(geometry, center, kCheckedRadius * geometry.meanEdge, Ring::kCount);
-  for (int k = 0; k < Ring::kCount; ++k) {
-    const double value = energy.energyAt(ring.places[k]);
-    ring.values.push_back(value);
-    const double angle = 2 * kPi * (k + 0.5) / Ring::kCount;
-    ring.mean += value / Ring::kCount;
-    ring.cosine += 2 * value * std::cos(angle) / Ring::kCount;
-    ring.sine += 2 * value * std::sin(angle) / Ring::kCount;
-    ring.secondCosine += 2 * value * std::cos(2 * angle) / Ring::kCount;
-    ring.secondSine += 2 * value * std::sin(2 * angle) / Ring::kCount;
-    if (value < ring.values[ring.lowest]) ring.lowest = k;
+/// The starts from the lowest K up, by distances along edges: these take a quarter of the time, and
+/// are all too long by much the same part.
+Array<SurfacePoint> orderedStarts(const Geometry& geometry, const WeightedPoints& points) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const Array<SurfacePoint> starts = startsOf(points, kStarts);
+  Array<double> energies;
+  Array<int> order;
+  for (const SurfacePoint& start : starts) {
+    const Array<double> distances = edgeDijkstra(geometry, nearestCorner(mesh, start));
+    double energy = 0;
+    for (int i = 0; i < points.points.count(); ++i) {
+      energy += points.weights[i] * square(distances[nearestCorner(mesh, points.points[i])]);
+    }
+    order.push_back(order.count());
+    energies.push_back(energy);
   }
-  ring.least = ring.values[ring.lowest];
-  constexpr int kBetween = 64;
-  for (int k = 0; k < kBetween; ++k) {
-    const Vec2 one = unitVector(2 * kPi * k / kBetween);
-    const Vec2 two = rotate(one, one);
-    ring.least = std::min(ring.least, ring.mean + ring.cosine * one.x() + ring.sine * one.y() +
-                                          ring.secondCosine * two.x() + ring.secondSine * two.y());
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return energies[a] < energies[b]; });
+  Array<SurfacePoint> ordered;
+  for (const int k : order) ordered.push_back(starts[k]);
+  return ordered;
+}
+
+SurfacePoint walked(const Geometry& geometry, const SurfacePoint& from, const Vec2& way) {
+  return traceStraightest(geometry, from, way,
+                          {.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)})
+      .path.end();
+}
+
+Mean meanAt(const SurfacePoint& place, double energy, int solves) {
+  return {place, Status::kConverged, solves, energy, Uniqueness::kNotLooked, {}};
+}
+
+/// The minimum by the solver's distances; none where descents end at a boundary.
+std::optional<Mean> roughMean(Surface& surface, const WeightedPoints& points,
+                              const MeanOptions& options) {
+  const Geometry& geometry = surface.geometry();
+  const std::unique_ptr<DistanceSolver> solver = makeDistanceSolver(surface, options.field);
+  OneSourceEnergy energy(geometry, points, *solver);
+  const Array<SurfacePoint> starts =
+      options.start ? Array<SurfacePoint>{*options.start} : orderedStarts(geometry, points);
+  Stand best;
+  best.here.energy = kInfinity;
+  Ended ended = Ended::kThere;
+  for (int k = 0; k < std::min(starts.count(), kDescents); ++k) {
+    const Vec3 known = position(surface.mesh(), best.place);
+    const Stand start{starts[k], energy.at(starts[k]), Matrix2::Identity()};
+    const Descent descent = descend(geometry, start, [&](const SurfacePoint& place) {
+      const bool isKnown = k > 0 && (position(surface.mesh(), place) - known).norm() <=
+                                        kSameDescent * geometry.meanEdge;
+      return isKnown ? std::nullopt : std::optional<EnergyAt>(energy.at(place));
+    });
+    if (descent.ended == Ended::kKnown || descent.stand.here.energy >= best.here.energy) continue;
+    best = descent.stand;
+    ended = descent.ended;
   }
-  return ring;
+  if (ended == Ended::kBoundary) return std::nullopt;
+  const Vec2 last = ended == Ended::kThere ? best.step() : Vec2::Zero();
+  return meanAt(walked(geometry, best.place, last), best.here.energy - best.here.step.dot(last),
+                energy.solved());
+}
+
+/// A minimum by exact distances near a rough one.
+Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const Mean& rough) {
+  const double squareEdge = square(geometry.meanEdge);
+  ExactOneSourceEnergy exact(geometry, points);
+  const auto energyAt = [&](const SurfacePoint& place) { return exact.at(place); };
+  SurfacePoint place = rough.point;
+  for (int move = 0;; ++move) {
+    const EnergyRing ring = energyRing(geometry, place, energyAt);
+    const bool isLowest = ring.here - ring.least() <= kLowerBy * squareEdge;
+    Mean mean = meanAt(place, ring.here, rough.iterations + exact.solved());
+    const std::optional<Vec2> way = ring.wayToMinimum(kCheckedRadius * geometry.meanEdge);
+    if (isLowest) {
+      // What the quadratic gains: half the slope times the way.
+      const double gain = way ? -ring.first.dot(*way) / (2 * kCheckedRadius * geometry.meanEdge) : 0;
+      if (gain <= kGain * squareEdge) return mean;
+      // The circle round the quadratic's minimum is higher than it too.
+      const SurfacePoint better = walked(geometry, place, *way);
+      const double energy = exact.at(better);
+      ++mean.iterations;
+      if (energy < mean.energy) {
+        mean.point = better;
+        mean.energy = energy;
+      }
+      return mean;
+    }
+    if (move == kMostMoves) {
+      mean.status = Status::kLowerNearby;
+      return mean;
+    }
+    place = way ? walked(geometry, place, *way) : ring.places[ring.lowest()];
+  }
 }
 
 }  // namespace
@@ -157,62 +232,9 @@ bool isOfMany(const WeightedPoints& points, const MeanOptions& options) {
 
 std::optional<Mean> meanOfMany(Surface& surface, const WeightedPoints& points,
                                const MeanOptions& options) {
-  const Geometry& geometry = surface.geometry();
-  const std::unique_ptr<DistanceSolver> solver = makeDistanceSolver(surface, options.field);
-  OneSourceEnergy energy(geometry, points, *solver);
-  const auto roughly = [&](const SurfacePoint& place) { return energy.at(place); };
-
-  Stand stand;
-  stand.here.energy = kInfinity;
-  const Array<SurfacePoint> starts =
-      options.start ? Array<SurfacePoint>{*options.start} : startsOf(points, kStarts);
-  for (const SurfacePoint& start : starts) {
-    const EnergyAt here = roughly(start);
-    if (here.energy < stand.here.energy) stand = {start, here, Matrix2::Identity()};
-  }
-  Descent descent = descend(geometry, stand, kLastRoughStep, roughly);
-  if (descent.ended == Ended::kBoundary) return std::nullopt;
-  stand = descent.stand;
-  const auto walk = [&](const SurfacePoint& from, const Vec2& step) {
-    return traceStraightest(geometry, from, step,
-                            {.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)})
-        .path.end();
-  };
-  if (getenv("DBG")) printf("rough: %d solves, ended %d, E %.5f step %.5f\n", energy.solved(), (int)descent.ended, stand.here.energy/square(geometry.meanEdge), stand.step().norm()/geometry.meanEdge);
-  if (!options.isChecked) {
-    return Mean{walk(stand.place, stand.step()), Status::kConverged, energy.solved(),
-                stand.here.energy - stand.here.step.dot(stand.step()),
-                Uniqueness::kNotLooked,
-                {}};
-  }
-
-  ExactOneSourceEnergy exact(geometry, points);
-  const auto exactly = [&](const SurfacePoint& place) { return exact.at(place); };
-  constexpr int kMostMoves = 4;
-  for (int move = 0;; ++move) {
-    if (descent.ended == Ended::kThere) stand.place = walk(stand.place, stand.step());
-    stand.here = exactly(stand.place);
-    descent = descend(geometry, stand, kLastStep, exactly);
-    if (descent.ended == Ended::kBoundary) return std::nullopt;
-    stand = descent.stand;
-    const Vec2 last = descent.ended == Ended::kThere ? stand.step() : Vec2::Zero();
-    Mean mean{walk(stand.place, last), Status::kConverged, energy.solved() + exact.solved(),
-              stand.here.energy - stand.here.step.dot(last),
-              Uniqueness::kNotLooked,
-              {}};
-    if (getenv("DBG")) printf("exact: %d solves, ended %d, E %.5f step %.5f\n", exact.solved(), (int)descent.ended, mean.energy/square(geometry.meanEdge), last.norm()/geometry.meanEdge);
-    const Ring ring = ringAround(geometry, mean.point, exact);
-    mean.iterations = energy.solved() + exact.solved();
-    const double lower = mean.energy - ring.least;
-    if (getenv("DBG")) printf("ring: lower by %.5f, first (%.4f %.4f) second (%.4f %.4f) mean %.4f\n", lower/square(geometry.meanEdge), ring.cosine/square(geometry.meanEdge),ring.sine/square(geometry.meanEdge),ring.secondCosine/square(geometry.meanEdge),ring.secondSine/square(geometry.meanEdge),(ring.mean-mean.energy)/square(geometry.meanEdge));
-    if (lower <= kLowerBy * square(geometry.meanEdge)) return mean;
-    if (move == kMostMoves) {
-      mean.status = Status::kLowerNearby;
-      return mean;
-    }
-    stand.place = ring.places[ring.lowest];
-    descent.ended = Ended::kStuck;
-  }
+  const std::optional<Mean> rough = roughMean(surface, points, options);
+  if (!rough || !options.isChecked) return rough;
+  return heldToExact(surface.geometry(), points, *rough);
 }
 
 }  // namespace karcher

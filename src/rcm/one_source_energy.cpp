@@ -111,7 +111,7 @@ EnergyAt OneSourceEnergy::at(const SurfacePoint& place) {
 }
 
 ExactOneSourceEnergy::ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points)
-    : geometry_(geometry), points_(points), solver_(geometry), vectors_(geometry) {
+    : geometry_(geometry), points_(points), solver_(geometry) {
   Array<int> faces;
   for (const SurfacePoint& point : points.points) {
     if (faces.empty() || faces.back() != point.face) faces.push_back(point.face);
@@ -120,35 +120,23 @@ ExactOneSourceEnergy::ExactOneSourceEnergy(const Geometry& geometry, const Weigh
   lengths_.resize(points.points.size());
 }
 
-double ExactOneSourceEnergy::energyAt(const SurfacePoint& place) {
-  solve(place);
-  return energy();
+double ExactOneSourceEnergy::at(const SurfacePoint& place) {
+  grow(place);
+  measure();
+  ++solved_;
+  double sum = 0;
+  for (int i = 0; i < points_.points.count(); ++i) sum += points_.weights[i] * square(lengths_[i]);
+  return sum;
 }
 
-EnergyAt ExactOneSourceEnergy::at(const SurfacePoint& place) {
-  const SurfacePoint source = movedInside(place);
-  solve(source);
-  vectors_.setSource(source);
-  EnergyAt result;
-  result.energy = energy();
-  for (int i = 0; i < points_.points.count(); ++i) {
-    const Vec2 log = logOf(*geometry_.mesh, points_.points[i], solver_, vectors_);
-    const double length = log.norm();
-    if (length > 0) result.step += points_.weights[i] * lengths_[i] / length * log;
-  }
-  return result;
-}
-
-/// Finds the distances of all points.
-void ExactOneSourceEnergy::solve(const SurfacePoint& place) {
+/// Until no point can have another path, all of which come through the point's face.
+void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   const TriangleMesh& mesh = *geometry_.mesh;
   solver_.setSource(place);
-  ++solved_;
   double radius = geometry_.meanEdge;
   for (const SurfacePoint& point : points_.points) {
     radius = std::max(radius, (position(mesh, point) - position(mesh, place)).norm());
   }
-  // Until no point can have another path, which comes through its face.
   for (;;) {
     solver_.grow(radius);
     if (solver_.reached() == kInfinity) break;
@@ -160,6 +148,11 @@ void ExactOneSourceEnergy::solve(const SurfacePoint& place) {
     constexpr double kFurther = 1.25;
     radius = needed < kInfinity ? needed : kFurther * radius;
   }
+}
+
+/// From the images that the points' faces see, and over the faces' corners.
+void ExactOneSourceEnergy::measure() {
+  const TriangleMesh& mesh = *geometry_.mesh;
   for (int i = 0; i < points_.points.count(); ++i) {
     const SurfacePoint& point = points_.points[i];
     const Vec2 inside = pointInFace(geometry_, point);
@@ -179,12 +172,6 @@ void ExactOneSourceEnergy::solve(const SurfacePoint& place) {
           std::min(lengths_[i], lengthFrom(image, pointInFace(geometry_, points_.points[i])));
     }
   }
-}
-
-double ExactOneSourceEnergy::energy() {
-  double sum = 0;
-  for (int i = 0; i < points_.points.count(); ++i) sum += points_.weights[i] * square(lengths_[i]);
-  return sum;
 }
 
 }  // namespace karcher

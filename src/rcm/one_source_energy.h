@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "distance/exact_distance.h"
 #include "distance/source_vectors.h"
 
@@ -46,24 +44,23 @@ class OneSourceEnergy {
   int solved_ = 0;
 };
 
-/// K by exact distances to the points themselves, and the same step as above.
+/// K by exact distances to the points themselves.
 class ExactOneSourceEnergy {
  public:
+  /// As above. Throws what ExactDistance throws.
   ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points);
 
-  double energyAt(const SurfacePoint& place);
-  EnergyAt at(const SurfacePoint& place);
+  double at(const SurfacePoint& place);
 
   int solved() const { return solved_; }
 
  private:
-  void solve(const SurfacePoint& place);
-  double energy();
+  void grow(const SurfacePoint& place);
+  void measure();
 
   const Geometry& geometry_;
   const WeightedPoints& points_;
   ExactDistance solver_;
-  SourceVectors vectors_;
   Array<double> lengths_;  ///< one a point
   int solved_ = 0;
 };
