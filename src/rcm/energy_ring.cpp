@@ -6,41 +6,46 @@
 
 namespace karcher {
 
-double EnergyRing::least() const {
-  double value = values[lowest()];
-  constexpr int kBetween = 64;
-  for (int k = 0; isWhole && k < kBetween; ++k) {
-    const Vec2 one = unitVector(2 * kPi * k / kBetween);
-    value = std::min(value, mean + first.dot(one) + second.dot(rotate(one, one)));
+Vec2 EnergyRing::lowestOfHarmonics() const {
+  constexpr int kDirections = 64;
+  Vec2 lowest(1, 0);
+  for (int k = 1; k < kDirections; ++k) {
+    const Vec2 direction = unitVector(2 * kPi * k / kDirections);
+    if (harmonicsAt(direction) < harmonicsAt(lowest)) lowest = direction;
   }
-  return value;
+  return lowest;
 }
 
-std::optional<Vec2> EnergyRing::wayToMinimum(double radius) const {
-  // here + first . x + (bowl + second.x) x^2 + 2 second.y x y + (bowl - second.x) y^2, where the
-  // circle has radius 1.
-  const double bowl = mean - here;
+// With the circle's radius for 1 the quadratic is here + first . x + (bowl + second.x) x^2
+// + 2 second.y x y + (bowl - second.x) y^2.
+Vec2 EnergyRing::wayToMinimum(double radius, double leastBowl) const {
+  if (!isWhole) return Vec2::Zero();
+  const double bowl = std::max(mean - here, second.norm() + leastBowl);
   const double determinant = square(bowl) - second.squaredNorm();
-  if (!isWhole || !(bowl > 0 && determinant > 0)) return std::nullopt;
-  const Vec2 way(-(bowl - second.x()) * first.x() + second.y() * first.y(),
-                 second.y() * first.x() - (bowl + second.x()) * first.y());
-  const Vec2 scaled = way / (2 * determinant);
-  if (!(scaled.norm() <= 1)) return std::nullopt;
-  return radius * scaled;
+  const Vec2 way = Vec2(second.y() * first.y() - (bowl - second.x()) * first.x(),
+                        second.y() * first.x() - (bowl + second.x()) * first.y()) /
+                   (2 * determinant);
+  constexpr double kLongest = 3;
+  return radius * std::min(1.0, kLongest / way.norm()) * way;
+}
+
+double EnergyRing::gainOf(const Vec2& way) const {
+  const Vec2 squared = rotate(way, way);
+  return -(first.dot(way) + (mean - here) * way.squaredNorm() + second.dot(squared));
 }
 
 int EnergyRing::lowest() const {
   return static_cast<int>(std::min_element(values.begin(), values.end()) - values.begin());
 }
 
-EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center,
+EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center, double here,
                       const std::function<double(const SurfacePoint&)>& energyAt) {
   // Points of a circle that the boundary cuts off lie nearer than those on the steepest cones.
   constexpr double kNearest = 0.5;
   const double radius = kCheckedRadius * geometry.meanEdge;
   EnergyRing ring;
   ring.center = center;
-  ring.here = energyAt(center);
+  ring.here = here;
   ring.places = circleAround(geometry, center, radius, EnergyRing::kCount);
   const Vec3 middle = position(*geometry.mesh, center);
   for (int k = 0; k < EnergyRing::kCount; ++k) {

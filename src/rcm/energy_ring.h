@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "intrinsic/geometry.h"
 #include "rcm/exact_minimum.h"
@@ -14,7 +13,8 @@ namespace karcher {
 ///
 /// The energy of many points has as many small creases, where shortest paths to one of them change
 /// sides. A circle sees what they sum to; the gradient at a point sees none.
-struct EnergyRing {
+class EnergyRing {
+ public:
   /// One more than what determines the harmonics.
   static constexpr int kCount = 6;
 
@@ -28,18 +28,29 @@ struct EnergyRing {
   Vec2 first = Vec2::Zero();   ///< the coefficients of cosine and sine of the angle
   Vec2 second = Vec2::Zero();  ///< and of twice the angle
 
-  /// The lowest on the circle, of values and harmonics.
-  double least() const;
+  /// The direction, a unit vector, in which the harmonics are lowest, and their value there.
+  Vec2 lowestOfHarmonics() const;
+  double leastOfHarmonics() const { return isWhole ? harmonicsAt(lowestOfHarmonics()) : here; }
 
-  /// To the minimum of the quadratic, in the frame of the center's face; none where it has none
-  /// within the circle.
-  std::optional<Vec2> wayToMinimum(double radius) const;
+  /// To the minimum of the quadratic, in the frame of the center's face: 0 where the circle is not
+  /// whole, and no longer than a few radii. Where the quadratic has no minimum or a far one, it is
+  /// taken for one that rises by `leastBowl` at least from its minimum to a circle of this radius.
+  Vec2 wayToMinimum(double radius, double leastBowl) const;
+
+  /// By how much the quadratic is lower at a place, in radii from the center.
+  double gainOf(const Vec2& way) const;
 
   /// The number of the place where the energy is lowest.
   int lowest() const;
+
+ private:
+  double harmonicsAt(const Vec2& direction) const {
+    return mean + first.dot(direction) + second.dot(rotate(direction, direction));
+  }
 };
 
-EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center,
+/// `here` is the energy at the center.
+EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center, double here,
                       const std::function<double(const SurfacePoint&)>& energyAt);
 
 }  // namespace karcher

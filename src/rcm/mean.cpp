@@ -7,6 +7,7 @@
 
 #include "mesh/error.h"
 #include "rcm/exact_minimum.h"
+#include "rcm/mean_of_many.h"
 #include "rcm/summed_field.h"
 
 namespace karcher {
@@ -307,6 +308,10 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   if (only >= 0) {
     kept = std::move(set);
     return {points[only], Status::kConverged, 0, 0, Uniqueness::kCertain, {}};
+  }
+  if (isOfMany(points, weights, options)) {
+    std::optional<Mean> mean = meanOfMany(surface, points, weights, options);
+    if (mean) return withSoundEnergy(std::move(*mean), weights);
   }
   const double values = likelyValues(surface, points, options.looksForOthers);
   if (values > options.mostValues) {

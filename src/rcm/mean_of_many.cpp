@@ -5,6 +5,7 @@
 #include "distance/edge_dijkstra.h"
 #include "intrinsic/straightest.h"
 #include "rcm/energy_ring.h"
+#include "rcm/one_source_energy.h"
 
 namespace karcher {
 namespace {
@@ -24,8 +25,11 @@ constexpr double kSameDescent = 2;
 
 /// A center is moved where K is lower by this part of a square mean edge, as with few points.
 constexpr double kGain = kLowerBy / 4;
+/// Where K is less curved on the circle, by the energy of a point of the circle over that of its
+/// center in square mean edges, a way is as long as if it were curved so. On a plane it is 0.09.
+constexpr double kLeastBowl = 0.04;
 /// Most centers are moved once; more often where K is all creases.
-constexpr int kMostMoves = 6;
+constexpr int kMostMoves = 12;
 
 /// Where a descent stands.
 struct Stand {
@@ -190,51 +194,60 @@ std::optional<Mean> roughMean(Surface& surface, const WeightedPoints& points,
 
 /// A minimum by exact distances near a rough one.
 Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const Mean& rough) {
+  const double radius = kCheckedRadius * geometry.meanEdge;
   const double squareEdge = square(geometry.meanEdge);
   ExactOneSourceEnergy exact(geometry, points);
   const auto energyAt = [&](const SurfacePoint& place) { return exact.at(place); };
+  // The lowest place so far.
   SurfacePoint place = rough.point;
+  double energy = exact.at(place);
   for (int move = 0;; ++move) {
-    const EnergyRing ring = energyRing(geometry, place, energyAt);
-    const bool isLowest = ring.here - ring.least() <= kLowerBy * squareEdge;
-    Mean mean = meanAt(place, ring.here, rough.iterations + exact.solved());
-    const std::optional<Vec2> way = ring.wayToMinimum(kCheckedRadius * geometry.meanEdge);
-    if (isLowest) {
-      // What the quadratic gains: half the slope times the way.
-      const double gain = way ? -ring.first.dot(*way) / (2 * kCheckedRadius * geometry.meanEdge) : 0;
-      if (gain <= kGain * squareEdge) return mean;
-      // The circle round the quadratic's minimum is higher than it too.
-      const SurfacePoint better = walked(geometry, place, *way);
-      const double energy = exact.at(better);
-      ++mean.iterations;
-      if (energy < mean.energy) {
-        mean.point = better;
-        mean.energy = energy;
-      }
-      return mean;
+    const EnergyRing ring = energyRing(geometry, place, energy, energyAt);
+    const double bound = energy - kLowerBy * squareEdge;
+    const bool isLowest = ring.leastOfHarmonics() >= bound && ring.values[ring.lowest()] >= bound;
+    const Vec2 way = ring.wayToMinimum(radius, kLeastBowl * squareEdge);
+    SurfacePoint lower = ring.places[ring.lowest()];
+    double lowerEnergy = ring.values[ring.lowest()];
+    const auto compare = [&](const Vec2& to) {
+      const SurfacePoint there = walked(geometry, place, to);
+      const double thereEnergy = exact.at(there);
+      if (!(thereEnergy < lowerEnergy)) return;
+      lower = there;
+      lowerEnergy = thereEnergy;
+    };
+    // The circle round a minimum of the quadratic within this one is higher than it, too.
+    const bool isNear = way.norm() <= radius;
+    if (!isLowest || (isNear && ring.gainOf(way / radius) > kGain * squareEdge)) compare(way);
+    // What the harmonics promise may not be there.
+    if (!isLowest && lowerEnergy >= bound) compare(radius * ring.lowestOfHarmonics());
+    const bool isDone = isLowest || lowerEnergy >= bound;
+    if (lowerEnergy < energy) {
+      place = lower;
+      energy = lowerEnergy;
     }
-    if (move == kMostMoves) {
-      mean.status = Status::kLowerNearby;
-      return mean;
-    }
-    place = way ? walked(geometry, place, *way) : ring.places[ring.lowest()];
+    Mean mean = meanAt(place, energy, rough.iterations + exact.solved());
+    if (isDone) return mean;
+    if (move < kMostMoves) continue;
+    mean.status = Status::kLowerNearby;
+    return mean;
   }
 }
 
 }  // namespace
 
-bool isOfMany(const WeightedPoints& points, const MeanOptions& options) {
-  return areHeldToExact(options.field) && !options.looksForOthers &&
-         points.points.count() >= kMany &&
-         std::all_of(points.weights.begin(), points.weights.end(),
-                     [](double weight) { return weight > 0; });
+bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
+              const MeanOptions& options) {
+  return points.count() >= kMany && areHeldToExact(options.field) && !options.looksForOthers &&
+         std::all_of(weights.begin(), weights.end(), [](double weight) { return weight >= 0; }) &&
+         mergedPoints(points, weights).points.count() >= kMany;
 }
 
-std::optional<Mean> meanOfMany(Surface& surface, const WeightedPoints& points,
-                               const MeanOptions& options) {
-  const std::optional<Mean> rough = roughMean(surface, points, options);
+std::optional<Mean> meanOfMany(Surface& surface, const Array<SurfacePoint>& points,
+                               const Array<double>& weights, const MeanOptions& options) {
+  const WeightedPoints merged = mergedPoints(points, weights);
+  const std::optional<Mean> rough = roughMean(surface, merged, options);
   if (!rough || !options.isChecked) return rough;
-  return heldToExact(surface.geometry(), points, *rough);
+  return heldToExact(surface.geometry(), merged, *rough);
 }
 
 }  // namespace karcher
