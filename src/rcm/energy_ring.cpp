@@ -38,7 +38,7 @@ int EnergyRing::lowest() const {
   return static_cast<int>(std::min_element(values.begin(), values.end()) - values.begin());
 }
 
-EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center, double here,
+EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center, double here, int count,
                       const std::function<double(const SurfacePoint&)>& energyAt) {
   // Points of a circle that the boundary cuts off lie nearer than those on the steepest cones.
   constexpr double kNearest = 0.5;
@@ -46,19 +46,34 @@ EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center, doub
   EnergyRing ring;
   ring.center = center;
   ring.here = here;
-  ring.places = circleAround(geometry, center, radius, EnergyRing::kCount);
+  ring.places = circleAround(geometry, center, radius, count);
   const Vec3 middle = position(*geometry.mesh, center);
-  for (int k = 0; k < EnergyRing::kCount; ++k) {
+  for (int k = 0; k < count; ++k) {
     const double value = energyAt(ring.places[k]);
-    const Vec2 one = unitVector(2 * kPi * (k + 0.5) / EnergyRing::kCount);
+    const Vec2 one = unitVector(2 * kPi * (k + 0.5) / count);
     ring.values.push_back(value);
-    ring.mean += value / EnergyRing::kCount;
-    ring.first += 2 * value / EnergyRing::kCount * one;
-    ring.second += 2 * value / EnergyRing::kCount * rotate(one, one);
+    ring.mean += value / count;
+    ring.first += 2 * value / count * one;
+    ring.second += 2 * value / count * rotate(one, one);
     const double chord = (position(*geometry.mesh, ring.places[k]) - middle).norm();
     ring.isWhole = ring.isWhole && chord >= kNearest * radius;
   }
   return ring;
+}
+
+void lookBesideLowest(const Geometry& geometry, EnergyRing& ring,
+                      const std::function<double(const SurfacePoint&)>& energyAt) {
+  const int lowest = ring.lowest();
+  const int count = 3 * ring.places.count();
+  const Array<SurfacePoint> places =
+      circleAround(geometry, ring.center, kCheckedRadius * geometry.meanEdge, count);
+  for (const int beside : {-2, -1, 1, 2}) {
+    const SurfacePoint& place = places[(3 * lowest + 1 + beside + count) % count];
+    const double value = energyAt(place);
+    if (!(value < ring.values[lowest])) continue;
+    ring.values[lowest] = value;
+    ring.places[lowest] = place;
+  }
 }
 
 }  // namespace karcher

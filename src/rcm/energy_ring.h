@@ -15,16 +15,13 @@ namespace karcher {
 /// sides. A circle sees what they sum to; the gradient at a point sees none.
 class EnergyRing {
  public:
-  /// One more than what determines the harmonics.
-  static constexpr int kCount = 6;
-
   SurfacePoint center;
   double here = 0;             ///< at the center
-  Array<SurfacePoint> places;  ///< of kCount values on the circle
+  Array<SurfacePoint> places;  ///< of the values on the circle
   Array<double> values;
   /// The circle is round: no boundary cuts it off. Else there are no harmonics.
   bool isWhole = true;
-  double mean = 0;  ///< of the values
+  double mean = 0;             ///< of the values
   Vec2 first = Vec2::Zero();   ///< the coefficients of cosine and sine of the angle
   Vec2 second = Vec2::Zero();  ///< and of twice the angle
 
@@ -49,8 +46,13 @@ class EnergyRing {
   }
 };
 
-/// `here` is the energy at the center.
-EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center, double here,
+/// `here` is the energy at the center. At least 5 places determine the harmonics.
+EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center, double here, int count,
+                      const std::function<double(const SurfacePoint&)>& energyAt);
+
+/// Compares two points on either side of the lowest, in thirds of the way to the next, and puts a
+/// lower one in its place. The harmonics stay.
+void lookBesideLowest(const Geometry& geometry, EnergyRing& ring,
                       const std::function<double(const SurfacePoint&)>& energyAt);
 
 }  // namespace karcher

@@ -25,6 +25,14 @@ constexpr double kSameDescent = 2;
 
 /// A center is moved where K is lower by this part of a square mean edge, as with few points.
 constexpr double kGain = kLowerBy / 4;
+/// So many creases make K smooth: few points on a circle tell what it is like there. One more than
+/// what determines the harmonics.
+constexpr int kSmooth = 500;
+constexpr int kFewOnCircle = 6;
+constexpr int kManyOnCircle = 16;
+/// Where a point of the circle is higher than the center by no more square mean edges, more points
+/// beside it are compared: creases make narrow grooves.
+constexpr double kNearBound = 0.02;
 /// Where K is less curved on the circle, by the energy of a point of the circle over that of its
 /// center in square mean edges, a way is as long as if it were curved so. On a plane it is 0.09.
 constexpr double kLeastBowl = 0.04;
@@ -198,11 +206,16 @@ Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const M
   const double squareEdge = square(geometry.meanEdge);
   ExactOneSourceEnergy exact(geometry, points);
   const auto energyAt = [&](const SurfacePoint& place) { return exact.at(place); };
+  const bool isSmooth = points.points.count() >= kSmooth;
+  const int count = isSmooth ? kFewOnCircle : kManyOnCircle;
   // The lowest place so far.
   SurfacePoint place = rough.point;
   double energy = exact.at(place);
   for (int move = 0;; ++move) {
-    const EnergyRing ring = energyRing(geometry, place, energy, energyAt);
+    EnergyRing ring = energyRing(geometry, place, energy, count, energyAt);
+    if (ring.values[ring.lowest()] < energy + kNearBound * squareEdge) {
+      lookBesideLowest(geometry, ring, energyAt);
+    }
     const double bound = energy - kLowerBy * squareEdge;
     const bool isLowest = ring.leastOfHarmonics() >= bound && ring.values[ring.lowest()] >= bound;
     const Vec2 way = ring.wayToMinimum(radius, kLeastBowl * squareEdge);
@@ -215,19 +228,25 @@ Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const M
       lower = there;
       lowerEnergy = thereEnergy;
     };
-    // The circle round a minimum of the quadratic within this one is higher than it, too.
+    // Where K is smooth the circle round a minimum of the quadratic within this one is higher than
+    // it, too.
     const bool isNear = way.norm() <= radius;
     if (!isLowest || (isNear && ring.gainOf(way / radius) > kGain * squareEdge)) compare(way);
     // What the harmonics promise may not be there.
     if (!isLowest && lowerEnergy >= bound) compare(radius * ring.lowestOfHarmonics());
-    const bool isDone = isLowest || lowerEnergy >= bound;
-    if (lowerEnergy < energy) {
+    const bool isMinimum = isLowest || lowerEnergy >= bound;
+    const bool isLast = move == kMostMoves;
+    const double gain = energy - lowerEnergy;
+    // Where K is not smooth what is moved is compared anew, and a minimum stays in the end.
+    const bool isDone = isMinimum && (isSmooth || isLast || gain <= kGain * squareEdge);
+    const bool isMoved = gain > 0 && (isSmooth || !isDone);
+    if (isMoved) {
       place = lower;
       energy = lowerEnergy;
     }
     Mean mean = meanAt(place, energy, rough.iterations + exact.solved());
     if (isDone) return mean;
-    if (move < kMostMoves) continue;
+    if (!isLast) continue;
     mean.status = Status::kLowerNearby;
     return mean;
   }

@@ -44,8 +44,7 @@ double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
     const int h = 3 * point.face + k;
     const Vec2 toSource = solver.logVector(geometry.mesh->tail(h)) / -2;
     const Vec2 toPoint = place - cornerInFace(geometry, point.face, k);
-    const double squared =
-        (toPoint - rotate(geometry.vertexToFace[h], toSource)).squaredNorm();
+    const double squared = (toPoint - rotate(geometry.vertexToFace[h], toSource)).squaredNorm();
     blended += point.bary[k] * squared;
     least = std::min(least, squared);
     most = std::max(most, squared);
@@ -163,9 +162,9 @@ void ExactOneSourceEnergy::measure() {
     }
   }
   for (const SourceImage& image : solver_.images()) {
-    const auto first = std::lower_bound(
-        points_.points.begin(), points_.points.end(), image.face,
-        [](const SurfacePoint& point, int face) { return point.face < face; });
+    const auto first =
+        std::lower_bound(points_.points.begin(), points_.points.end(), image.face,
+                         [](const SurfacePoint& point, int face) { return point.face < face; });
     for (int i = static_cast<int>(first - points_.points.begin());
          i < points_.points.count() && points_.points[i].face == image.face; ++i) {
       lengths_[i] =
