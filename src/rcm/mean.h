@@ -19,8 +19,8 @@ struct Mean {
   SurfacePoint point;
   Status status = Status::kConverged;
   int iterations = 0;
-  /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy); not
-  /// below 0 where no weight is.
+  /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy), or of
+  /// many points (mean_of_many.h) by exact distances; not below 0 where no weight is.
   double energy = 0;
   /// kNotUnique is also said where nobody was asked to look for other minima, but searches from the
   /// control points ended at some.
@@ -34,7 +34,8 @@ struct Mean {
 struct MeanOptions {
   FieldOptions field;
   /// Where the search starts. By default at the control point of the largest weight with the
-  /// paper's method; at each control point in turn with kKarcher, which returns the lowest energy.
+  /// paper's method; at each control point in turn with kKarcher, which returns the lowest energy;
+  /// at some of many points (mean_of_many.h).
   std::optional<SurfacePoint> start;
   bool normalize = false;  ///< divide the weights by their sum instead of requiring 1
   /// Search from the control points and from 32 places all over the surface, and tell whether the
@@ -54,6 +55,8 @@ struct MeanOptions {
   bool isChecked = true;
 };
 
+/// Many points are taken together (mean_of_many.h); fields are made of few.
+///
 /// Points that are all one, but for those of weight 0, are their own mean, with no energy.
 /// Throws Error: kBadWeights (not one a point, not summing to 1 within 1e-9, or to normalise a sum
 /// that is not positive), kNotFinite, kTooFewPoints (none), kUnreachable (several components).
@@ -62,8 +65,8 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
 
 /// The same with the fields of a set, which is put into `kept` for the next time: where only
 /// weights change no field is made anew, and where points move, only theirs. After an error, and
-/// where the fields are likely to hold more than a quarter of `mostValues`, none is kept. The
-/// answer does not depend on what the sets hold.
+/// where the fields are likely to hold more than a quarter of `mostValues`, none is kept, nor is
+/// one of many points. The answer does not depend on what the sets hold.
 Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept);
 
