@@ -19,8 +19,8 @@ struct Mean {
   SurfacePoint point;
   Status status = Status::kConverged;
   int iterations = 0;
-  /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy), or of
-  /// many points (mean_of_many.h) by exact distances; not below 0 where no weight is.
+  /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy), or
+  /// of many points (mean_of_many.h) by exact distances; not below 0 where no weight is.
   double energy = 0;
   /// kNotUnique is also said where nobody was asked to look for other minima, but searches from the
   /// control points ended at some.
