@@ -32,11 +32,13 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/tangent_maps.cpp
   distance/waypoints.cpp
   intrinsic/geometry.cpp
+  rcm/energy_ring.cpp
   rcm/exact_minimum.cpp
   rcm/field_options.cpp
   rcm/field_set.cpp
   rcm/gradient_operator.cpp
   rcm/mean.cpp
+  rcm/mean_of_many.cpp
   rcm/mean_weights.cpp
   rcm/newton_center.cpp
   rcm/surface.cpp

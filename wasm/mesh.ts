@@ -160,7 +160,10 @@ export class Mesh {
    * The Riemannian center of mass of points with weights, one a point, that sum to 1 within 1e-9 (or
    * are divided by their sum with `normalize`). Some may be negative. Only with the status
    * `converged` the result is a center of mass; see `Status`. The fields of the points are kept until
-   * the next call: other weights need no new ones, and a point that moves only its own.
+   * the next call: other weights need no new ones, and a point that moves only its own. Of 64 different
+   * points or more whose fields would hold over two million values there are none, unless `uniqueness` is
+   * asked for or a weight is negative: the search, from some of the points, takes about as long for
+   * thousands as for hundreds.
    *
    * Throws `KarcherError` badWeights (not one a point, or another sum), tooFewPoints (none),
    * unreachable (the points lie on several components).

@@ -156,7 +156,10 @@ export interface CenterOfMass {
   position: [number, number, number];
   status: Status;
   iterations: number;
-  /** Sum of weight times squared distance, in squared units of the mesh. */
+  /**
+   * Sum of weight times squared distance, in squared units of the mesh; of very many points (see
+   * `centerOfMass`) by exact distances.
+   */
   energy: number;
   /** Whether it is the only one. */
   uniqueness: Uniqueness;

@@ -16,6 +16,14 @@ struct MidpointArrival {
   Vec2 toSource = Vec2(1, 0);  ///< unit, in the half-edge's frame: its direction is the x axis
 };
 
+/// Where the path to a vertex comes from: a point of the line between two of its neighbours, `part`
+/// of the way from `tail` to `head`.
+struct PathStep {
+  int tail = -1;  ///< none at the source
+  int head = -1;
+  double part = 0;  ///< in [0, 1]
+};
+
 /// Geodesic distances from one point of a surface, and the directions of their paths. The work is
 /// bounded and resumable: it ends at a radius or at a vertex and later goes on from there, and
 /// every final value is the same as in one go.
@@ -45,6 +53,9 @@ class DistanceSolver {
   /// -2 log_v(source), the gradient of the squared distance, in the frame of the vertex: of length
   /// 2 d, it points on along the path that arrives. Meaningless where no path has arrived.
   virtual Vec2 logVector(int vertex) const = 0;
+
+  /// The last step of the path to a final vertex; none where the solver cannot tell.
+  virtual PathStep stepTo(int) const { return {}; }
 
   /// From the next `setSource` on keeps to the vertices in a box, or to none. What `isSure` of is
   /// as if there were no box, where shortest paths do not leave it. Returns false if the solver

@@ -146,6 +146,13 @@ void ExactDistance::grow(double radius) {
   if (queue_.empty() && !aim_ && reachedCount_ < mesh_.vertexCount()) reachAlongEdges();
 }
 
+PathStep ExactDistance::stepTo(int vertex) const {
+  const VertexRecord* record = vertices_.find(vertex);
+  if (record == nullptr || record->via < 0) return {};
+  const double part = record->crossing / geometry_.edgeLength[record->via];
+  return {mesh_.tail(record->via), mesh_.head(record->via), std::clamp(part, 0.0, 1.0)};
+}
+
 double ExactDistance::direction(int vertex) const {
   const VertexRecord& record = *vertices_.find(vertex);
   if (record.via < 0) return 0;

@@ -76,6 +76,8 @@ class ExactDistance final : public DistanceSolver {
     return logVectorAlong(geometry_, vertex, distance(vertex), direction(vertex));
   }
 
+  PathStep stepTo(int vertex) const override;
+
   bool keepMidpoints() override { return keepsMidpoints_ = true; }
   MidpointArrival midpointOf(int h) const override {
     return midpoints_.arrival(h, source_, distance(mesh_.tail(h)), distance(mesh_.head(h)));

@@ -460,6 +460,21 @@ double FastDistance::direction(int vertex) const {
   return fans_->angles[record.corner] + inCorner;
 }
 
+PathStep FastDistance::stepTo(int vertex) const {
+  const VertexRecord* record = vertices_.find(vertex);
+  if (record == nullptr || record->distance == 0 || record->distance == kInfinity) return {};
+  const FanEdge& right = fans_->edges[record->corner];
+  if (record->alongEdge || right.cross <= 0) return {right.head, right.head, 0};
+  // The corner in the frame of its first edge: how far the ends of the other two lie from the path.
+  const Vec2 onward = rotateBack(right.vector, record->toSource) / right.length;
+  const Vec2 left = Vec2(right.dot, right.cross) / right.length;
+  const double before = right.length * onward.y();
+  const double behind = karcher::cross(onward, left);
+  const int next = fans_->edges[fans_->after(vertex, record->corner)].head;
+  const double part = before / (before + behind);
+  return {right.head, next, std::isfinite(part) ? std::clamp(part, 0.0, 1.0) : 0};
+}
+
 Vec2 FastDistance::logVector(int vertex) const {
   const VertexRecord& record = *vertices_.find(vertex);
   // The frame's angles are the fan's, scaled: a small turn where the surface bends little.

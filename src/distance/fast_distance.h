@@ -62,6 +62,7 @@ class FastDistance final : public DistanceSolver {
   /// towards the source; 0 at the source itself. Meaningless where nothing arrived.
   double direction(int vertex) const;
   Vec2 logVector(int vertex) const override;
+  PathStep stepTo(int vertex) const override;
 
  private:
   static constexpr int kNotWaiting = -1;

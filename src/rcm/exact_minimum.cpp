@@ -41,9 +41,6 @@ double lengthTo(const Geometry& geometry, const ExactDistance& distance, const S
   return length;
 }
 
-// Circles begin where the shape of the mesh says, so that they have the same points whatever the
-// numbers of its faces are.
-
 /// The direction, in the frame of a face, from a point of it to the farthest corner.
 double farthestCorner(const Geometry& geometry, const SurfacePoint& point) {
   const Vec2 from = pointInFace(geometry, point);
@@ -118,6 +115,12 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     for (int k = 0; k < places.count(); ++k) sums[k] += weight * square(lengths[k]);
   }
   return sums;
+}
+
+double circleStart(const Geometry& geometry, const SurfacePoint& center) {
+  const PointLocation location = locate(*geometry.mesh, center);
+  return location.simplex == Simplex::kVertex ? longestEdge(geometry, location.vertex)
+                                              : farthestCorner(geometry, center);
 }
 
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,

@@ -37,8 +37,14 @@ class ExactEnergy {
   Weights weights_;
 };
 
+/// The direction in which circles round a point begin, in the frame of its face or vertex: one that
+/// the shape of the mesh gives, so that a circle has the same points whatever the numbers of the
+/// faces are.
+double circleStart(const Geometry& geometry, const SurfacePoint& center);
+
 /// `count` points on the circle round a point, by straightest geodesics, in equal parts of the
-/// total angle; nearer ones where the boundary is in the way.
+/// total angle, half a part beside `circleStart` first; nearer ones where the boundary is in the
+/// way.
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
                                  double radius, int count);
 

@@ -7,6 +7,7 @@
 
 #include "mesh/error.h"
 #include "rcm/exact_minimum.h"
+#include "rcm/mean_of_many.h"
 #include "rcm/summed_field.h"
 
 namespace karcher {
@@ -310,6 +311,10 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   }
   const double values = likelyValues(surface, points, options.looksForOthers);
   if (values > options.mostValues) {
+    if (isOfMany(points, weights, options)) {
+      std::optional<Mean> mean = meanOfMany(surface, points, weights, options);
+      if (mean) return withSoundEnergy(std::move(*mean), weights);
+    }
     ControlField sum = sumOfFields(surface, points, weights, options.field);
     FieldBlend field(surface.geometry(), {&sum});
     const Array<double> one{1};

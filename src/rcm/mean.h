@@ -19,8 +19,8 @@ struct Mean {
   SurfacePoint point;
   Status status = Status::kConverged;
   int iterations = 0;
-  /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy); not
-  /// below 0 where no weight is.
+  /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy), or
+  /// of many points (mean_of_many.h) by exact distances; not below 0 where no weight is.
   double energy = 0;
   /// kNotUnique is also said where nobody was asked to look for other minima, but searches from the
   /// control points ended at some.
@@ -34,7 +34,8 @@ struct Mean {
 struct MeanOptions {
   FieldOptions field;
   /// Where the search starts. By default at the control point of the largest weight with the
-  /// paper's method; at each control point in turn with kKarcher, which returns the lowest energy.
+  /// paper's method; at each control point in turn with kKarcher, which returns the lowest energy,
+  /// or at some of many points (mean_of_many.h).
   std::optional<SurfacePoint> start;
   bool normalize = false;  ///< divide the weights by their sum instead of requiring 1
   /// Search from the control points and from 32 places all over the surface, and tell whether the
@@ -44,8 +45,9 @@ struct MeanOptions {
   /// Of the smooth surface that the mesh approximates, where that is known: for the uniqueness.
   std::optional<CurvatureBound> smooth = std::nullopt;
   /// Fields are kept one by one, and only as far as they are read, while they are likely to hold no
-  /// more values than this; else they are summed one after the other (summed_field.h), which takes
-  /// the memory of one over the whole surface. A value takes about 150 bytes.
+  /// more values than this; else none are made of many points (mean_of_many.h), and those of few
+  /// are summed one after the other (summed_field.h), which takes the memory of one over the whole
+  /// surface. A value takes about 150 bytes.
   double mostValues = 2e6;
   /// With kKarcher and fast or exact distances: kConverged only where K by exact distances has a
   /// local minimum (exact_minimum.h), to which the center is moved from a zero near by; else the

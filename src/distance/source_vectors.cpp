@@ -1,0 +1,55 @@
+#include "distance/source_vectors.h"
+
+namespace karcher {
+
+void SourceVectors::setSource(const SurfacePoint& source) {
+  const TriangleMesh& mesh = *geometry_.mesh;
+  const auto count = static_cast<size_t>(mesh.vertexCount());
+  vectors_.resize(count);
+  states_.assign(count, State::kUnknown);
+  const Vec2 place = pointInFace(geometry_, source);
+  for (int k = 0; k < 3; ++k) {
+    const int vertex = mesh.corner(source.face, k);
+    vectors_[vertex] = cornerInFace(geometry_, source.face, k) - place;
+    states_[vertex] = State::kKnown;
+  }
+}
+
+const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
+  // Each vertex is asked once, so that this ends; where a path seems to come from a vertex whose
+  // own comes from it, as rounding may have it, the other end of the edge counts alone.
+  ask(solver, vertex);
+  while (!asked_.empty()) {
+    const Asked last = asked_.back();
+    if (ask(solver, last.step.tail) || ask(solver, last.step.head)) continue;
+    asked_.pop_back();
+    take(last, solver.distance(last.vertex));
+  }
+  return vectors_[vertex];
+}
+
+/// Whether the vertex had to be asked.
+bool SourceVectors::ask(const DistanceSolver& solver, int vertex) {
+  if (vertex < 0 || states_[vertex] != State::kUnknown) return false;
+  states_[vertex] = State::kAsked;
+  asked_.push_back({vertex, solver.stepTo(vertex)});
+  return true;
+}
+
+void SourceVectors::take(const Asked& asked, double distance) {
+  const PathStep& step = asked.step;
+  const auto isKnown = [&](int v) { return v >= 0 && states_[v] == State::kKnown; };
+  Vec2 vector = Vec2::Zero();
+  if (isKnown(step.tail) && isKnown(step.head)) {
+    vector = (1 - step.part) * vectors_[step.tail] + step.part * vectors_[step.head];
+  } else if (isKnown(step.head)) {
+    vector = vectors_[step.head];
+  }
+  // Ends on opposite sides of the source may leave nothing between them.
+  if (!(vector.norm() > 0) && isKnown(step.tail)) vector = vectors_[step.tail];
+  const double length = vector.norm();
+  vectors_[asked.vertex] = length > 0 ? Vec2(distance / length * vector) : Vec2::Zero();
+  states_[asked.vertex] = State::kKnown;
+}
+
+}  // namespace karcher

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "distance/distance_solver.h"
+
+/// The log vectors of vertices at the source of their distances: in which directions the shortest
+/// paths leave it.
+///
+/// A path to a vertex crosses the edge between two others. There the log vector is that of the
+/// edge's ends, interpolated, and only its length changes on the way to the vertex. So directions
+/// are carried outwards from the source (after E. Melvaer, M. Reimers, "Geodesic Polar Coordinates
+/// on Polygonal Meshes", 2012, who interpolate angles). On a plane they are exact.
+namespace karcher {
+
+class SourceVectors {
+ public:
+  /// The geometry must outlive the object.
+  explicit SourceVectors(const Geometry& geometry) : geometry_(geometry) {}
+
+  /// For another source, which must lie inside a face.
+  void setSource(const SurfacePoint& source);
+
+  /// log of a vertex at the source, in the frame of the source's face. The solver must have the
+  /// same source, be one that tells the steps of paths, and have grown to the vertex.
+  const Vec2& at(const DistanceSolver& solver, int vertex);
+
+ private:
+  enum class State : uint8_t { kUnknown, kAsked, kKnown };
+
+  /// A vertex that waits for those that its path comes from.
+  struct Asked {
+    int vertex = -1;
+    PathStep step;
+  };
+
+  bool ask(const DistanceSolver& solver, int vertex);
+  void take(const Asked& asked, double distance);
+
+  const Geometry& geometry_;
+  Array<Vec2> vectors_;
+  Array<State> states_;
+  Array<Asked> asked_;
+};
+
+}  // namespace karcher

@@ -1,0 +1,272 @@
+#include "rcm/mean_of_many.h"
+
+#include <algorithm>
+
+#include "distance/edge_dijkstra.h"
+#include "intrinsic/straightest.h"
+#include "rcm/energy_ring.h"
+#include "rcm/one_source_energy.h"
+
+namespace karcher {
+namespace {
+
+using Matrix2 = Eigen::Matrix2d;
+
+/// Points at which K is compared first, and those of them from which descents begin.
+constexpr int kStarts = 16;
+constexpr int kDescents = 3;
+constexpr int kMostSolves = 24;        ///< of one descent
+constexpr double kLongestStep = 0.25;  ///< of the bounding box's diagonal
+
+/// A step below this part of a mean edge is the last of a descent. The gradient is no better.
+constexpr double kLastStep = 0.1;
+/// A descent that comes so near to where another one ended, in mean edges, would end there too.
+constexpr double kSameDescent = 2;
+
+/// A center is moved where K is lower by this part of a square mean edge, as with few points.
+constexpr double kGain = kLowerBy / 4;
+/// So many creases make K smooth: few points on a circle tell what it is like there. Five determine
+/// the harmonics; with six, grooves on a thin tube were missed.
+constexpr int kSmooth = 500;
+constexpr int kFewOnCircle = 9;
+constexpr int kManyOnCircle = 16;
+/// Where a point of the circle is higher than the center by no more square mean edges, more points
+/// beside it are compared: creases make narrow grooves.
+constexpr double kNearBound = 0.02;
+/// Where K is less curved on the circle, by the energy of a point of the circle over that of its
+/// center in square mean edges, a way is as long as if it were curved so. On a plane it is 0.09.
+constexpr double kLeastBowl = 0.04;
+/// Most centers are moved once; more often where K is all creases.
+constexpr int kMostMoves = 12;
+
+/// Where a descent stands.
+struct Stand {
+  SurfacePoint place;
+  EnergyAt here;
+  /// Of the natural step the matrix makes the Newton step, as far as is known.
+  Matrix2 scale = Matrix2::Identity();
+
+  Vec2 step() const { return scale * here.step; }
+};
+
+Matrix2 rotation(const Vec2& direction) {
+  Matrix2 matrix;
+  matrix << direction.x(), -direction.y(), direction.y(), direction.x();
+  return matrix;
+}
+
+/// BFGS: what the change of the natural step along a way tells.
+void learn(Matrix2& scale, const Vec2& way, const Vec2& change) {
+  const double along = way.dot(change);
+  constexpr double kLeastCurvature = 0.02;
+  if (!(along > kLeastCurvature * way.squaredNorm())) return;
+  const Matrix2 rest = Matrix2::Identity() - way * change.transpose() / along;
+  scale = rest * scale * rest.transpose() + way * way.transpose() / along;
+}
+
+enum class Ended {
+  kThere,
+  kStuck,  ///< K is higher all around, as far as the gradient tells
+  kBoundary,
+  kKnown,  ///< where another descent ended
+};
+
+struct Descent {
+  Stand stand;
+  Ended ended = Ended::kStuck;
+};
+
+/// Goes down from a place. `energyAt` gives K and the natural step, or none where the descent may
+/// as well end.
+template <class EnergyFunction>
+Descent descend(const Geometry& geometry, Stand stand, const EnergyFunction& energyAt) {
+  double most = kLongestStep * geometry.diagonal;
+  int crossingsLeft = mostCrossingsOfSearch(*geometry.mesh);
+  for (int solve = 0; solve < kMostSolves && crossingsLeft > 0; ++solve) {
+    Vec2 step = stand.step();
+    const double wanted = step.norm();
+    if (wanted <= kLastStep * geometry.meanEdge) return {stand, Ended::kThere};
+    step *= std::min(1.0, most / wanted);
+    const StraightestPath path =
+        traceStraightest(geometry, stand.place, step, {.maxCrossings = crossingsLeft});
+    crossingsLeft -= path.path.points.count() / 2;
+    const double length = step.norm() - path.remaining;
+    if (path.stop == TraceStop::kBoundary && length < kLastStep * geometry.meanEdge) {
+      return {stand, Ended::kBoundary};
+    }
+    const Vec2 before = step / step.norm();
+    const std::optional<EnergyAt> there = energyAt(path.path.end());
+    if (!there) return {stand, Ended::kKnown};
+    // Both in the frame of the way.
+    const Vec2 change =
+        rotateBack(before, stand.here.step) - rotateBack(path.direction, there->step);
+    Matrix2 scale = rotation(before).transpose() * stand.scale * rotation(before);
+    learn(scale, Vec2(length, 0), change);
+    if (there->energy < stand.here.energy) {
+      const Matrix2 turn = rotation(path.direction);
+      stand = {path.path.end(), *there, turn * scale * turn.transpose()};
+      most = std::min(2 * std::max(most, length), kLongestStep * geometry.diagonal);
+    } else {
+      stand.scale = rotation(before) * scale * rotation(before).transpose();
+      constexpr double kShorter = 0.5;
+      most = kShorter * length;
+      if (most <= kLastStep * geometry.meanEdge) break;
+    }
+  }
+  return {stand, Ended::kStuck};
+}
+
+/// The points where equal parts of the weight are reached, in the points' order, which is one of
+/// places near each other.
+Array<SurfacePoint> startsOf(const WeightedPoints& points, int count) {
+  Array<SurfacePoint> starts;
+  double sum = 0;
+  int part = 0;
+  for (int i = 0; i < points.points.count() && part < count; ++i) {
+    sum += points.weights[i];
+    bool isReached = false;
+    for (; part < count && sum * count >= part + 0.5; ++part) isReached = true;
+    if (isReached) starts.push_back(points.points[i]);
+  }
+  return starts;
+}
+
+/// The vertex of a point's face that is nearest to it.
+int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
+  int corner = 0;
+  point.bary.maxCoeff(&corner);
+  return mesh.corner(point.face, corner);
+}
+
+/// The starts from the lowest K up, by distances along edges: these take a quarter of the time, and
+/// are all too long by much the same part.
+Array<SurfacePoint> orderedStarts(const Geometry& geometry, const WeightedPoints& points) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const Array<SurfacePoint> starts = startsOf(points, kStarts);
+  Array<double> energies;
+  Array<int> order;
+  for (const SurfacePoint& start : starts) {
+    const Array<double> distances = edgeDijkstra(geometry, nearestCorner(mesh, start));
+    double energy = 0;
+    for (int i = 0; i < points.points.count(); ++i) {
+      energy += points.weights[i] * square(distances[nearestCorner(mesh, points.points[i])]);
+    }
+    order.push_back(order.count());
+    energies.push_back(energy);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return energies[a] < energies[b]; });
+  Array<SurfacePoint> ordered;
+  for (const int k : order) ordered.push_back(starts[k]);
+  return ordered;
+}
+
+SurfacePoint walked(const Geometry& geometry, const SurfacePoint& from, const Vec2& way) {
+  return traceStraightest(geometry, from, way,
+                          {.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)})
+      .path.end();
+}
+
+Mean meanAt(const SurfacePoint& place, double energy, int solves) {
+  return {place, Status::kConverged, solves, energy, Uniqueness::kNotLooked, {}};
+}
+
+/// The minimum by the solver's distances; none where descents end at a boundary.
+std::optional<Mean> roughMean(Surface& surface, const WeightedPoints& points,
+                              const MeanOptions& options) {
+  const Geometry& geometry = surface.geometry();
+  const std::unique_ptr<DistanceSolver> solver = makeDistanceSolver(surface, options.field);
+  OneSourceEnergy energy(geometry, points, *solver);
+  const Array<SurfacePoint> starts =
+      options.start ? Array<SurfacePoint>{*options.start} : orderedStarts(geometry, points);
+  Stand best;
+  best.here.energy = kInfinity;
+  Ended ended = Ended::kThere;
+  for (int k = 0; k < std::min(starts.count(), kDescents); ++k) {
+    const Vec3 known = position(surface.mesh(), best.place);
+    const Stand start{starts[k], energy.at(starts[k]), Matrix2::Identity()};
+    const Descent descent = descend(geometry, start, [&](const SurfacePoint& place) {
+      const bool isKnown = k > 0 && (position(surface.mesh(), place) - known).norm() <=
+                                        kSameDescent * geometry.meanEdge;
+      return isKnown ? std::nullopt : std::optional<EnergyAt>(energy.at(place));
+    });
+    if (descent.ended == Ended::kKnown || descent.stand.here.energy >= best.here.energy) continue;
+    best = descent.stand;
+    ended = descent.ended;
+  }
+  if (ended == Ended::kBoundary) return std::nullopt;
+  const Vec2 last = ended == Ended::kThere ? best.step() : Vec2::Zero();
+  return meanAt(walked(geometry, best.place, last), best.here.energy - best.here.step.dot(last),
+                energy.solved());
+}
+
+/// A minimum by exact distances near a rough one.
+Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const Mean& rough) {
+  const double radius = kCheckedRadius * geometry.meanEdge;
+  const double squareEdge = square(geometry.meanEdge);
+  ExactOneSourceEnergy exact(geometry, points);
+  const auto energyAt = [&](const SurfacePoint& place) { return exact.at(place); };
+  const bool isSmooth = points.points.count() >= kSmooth;
+  const int count = isSmooth ? kFewOnCircle : kManyOnCircle;
+  // The lowest place so far.
+  SurfacePoint place = rough.point;
+  double energy = exact.at(place);
+  for (int move = 0;; ++move) {
+    EnergyRing ring = energyRing(geometry, place, energy, count, energyAt);
+    if (ring.values[ring.lowest()] < energy + kNearBound * squareEdge) {
+      lookBesideLowest(geometry, ring, energyAt);
+    }
+    const double bound = energy - kLowerBy * squareEdge;
+    const bool isLowest = ring.leastOfHarmonics() >= bound && ring.values[ring.lowest()] >= bound;
+    const Vec2 way = ring.wayToMinimum(radius, kLeastBowl * squareEdge);
+    SurfacePoint lower = ring.places[ring.lowest()];
+    double lowerEnergy = ring.values[ring.lowest()];
+    const auto compare = [&](const Vec2& to) {
+      const SurfacePoint there = walked(geometry, place, to);
+      const double thereEnergy = exact.at(there);
+      if (!(thereEnergy < lowerEnergy)) return;
+      lower = there;
+      lowerEnergy = thereEnergy;
+    };
+    // Where K is smooth the circle round a minimum of the quadratic within this one is higher than
+    // it, too.
+    const bool isNear = way.norm() <= radius;
+    if (!isLowest || (isNear && ring.gainOf(way / radius) > kGain * squareEdge)) compare(way);
+    // What the harmonics promise may not be there.
+    if (!isLowest && lowerEnergy >= bound) compare(radius * ring.lowestOfHarmonics());
+    const bool isMinimum = isLowest || lowerEnergy >= bound;
+    const bool isLast = move == kMostMoves;
+    const double gain = energy - lowerEnergy;
+    // Where K is not smooth what is moved is compared anew, and a minimum stays in the end.
+    const bool isDone = isMinimum && (isSmooth || isLast || gain <= kGain * squareEdge);
+    const bool isMoved = gain > 0 && (isSmooth || !isDone);
+    if (isMoved) {
+      place = lower;
+      energy = lowerEnergy;
+    }
+    Mean mean = meanAt(place, energy, rough.iterations + exact.solved());
+    if (isDone) return mean;
+    if (!isLast) continue;
+    mean.status = Status::kLowerNearby;
+    return mean;
+  }
+}
+
+}  // namespace
+
+bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
+              const MeanOptions& options) {
+  return points.count() >= kMany && areHeldToExact(options.field) && !options.looksForOthers &&
+         std::all_of(weights.begin(), weights.end(), [](double weight) { return weight >= 0; }) &&
+         mergedPoints(points, weights).points.count() >= kMany;
+}
+
+std::optional<Mean> meanOfMany(Surface& surface, const Array<SurfacePoint>& points,
+                               const Array<double>& weights, const MeanOptions& options) {
+  const WeightedPoints merged = mergedPoints(points, weights);
+  const std::optional<Mean> rough = roughMean(surface, merged, options);
+  if (!rough || !options.isChecked) return rough;
+  return heldToExact(surface.geometry(), merged, *rough);
+}
+
+}  // namespace karcher

@@ -1,0 +1,176 @@
+#include "rcm/one_source_energy.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace karcher {
+namespace {
+
+bool isBefore(const SurfacePoint& a, const SurfacePoint& b) {
+  if (a.face != b.face) return a.face < b.face;
+  return std::lexicographical_compare(a.bary.data(), a.bary.data() + 3, b.bary.data(),
+                                      b.bary.data() + 3);
+}
+
+/// Log vectors start inside a face. A place on its border is moved by this part of the face.
+constexpr double kInwards = 1e-9;
+
+SurfacePoint movedInside(const SurfacePoint& place) {
+  if (place.bary.minCoeff() > kInwards) return place;
+  return {place.face, (1 - 3 * kInwards) * place.bary + Vec3::Constant(kInwards)};
+}
+
+/// Of a point, by the log vectors of its face's corners: exact where these are those of one plane.
+Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSolver& solver,
+           SourceVectors& vectors) {
+  Vec2 log = Vec2::Zero();
+  for (int k = 0; k < 3; ++k) {
+    if (point.bary[k] == 0) continue;
+    log += point.bary[k] * vectors.at(solver, mesh.corner(point.face, k));
+  }
+  return log;
+}
+
+/// The squared distance of a point, from where the corners of its face see the source. Where they
+/// see it in different places, on both sides of the cut locus, the nearest counts.
+double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
+                         const DistanceSolver& solver) {
+  const Vec2 place = pointInFace(geometry, point);
+  double blended = 0;
+  double least = kInfinity;
+  double most = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (point.bary[k] == 0) continue;
+    const int h = 3 * point.face + k;
+    const Vec2 toSource = solver.logVector(geometry.mesh->tail(h)) / -2;
+    const Vec2 toPoint = place - cornerInFace(geometry, point.face, k);
+    const double squared = (toPoint - rotate(geometry.vertexToFace[h], toSource)).squaredNorm();
+    blended += point.bary[k] * squared;
+    least = std::min(least, squared);
+    most = std::max(most, squared);
+  }
+  constexpr double kApart = 0.5;
+  return std::sqrt(most) - std::sqrt(least) > kApart * geometry.meanEdge ? least : blended;
+}
+
+/// Calls visit(h) for the half-edges that leave the corners of the points' faces.
+template <class Visit>
+void forEachCorner(const WeightedPoints& points, const Visit& visit) {
+  int last = -1;
+  for (const SurfacePoint& point : points.points) {
+    if (point.face == last) continue;
+    last = point.face;
+    for (int h = 3 * last; h < 3 * last + 3; ++h) visit(h);
+  }
+}
+
+}  // namespace
+
+WeightedPoints mergedPoints(const Array<SurfacePoint>& points, const Array<double>& weights) {
+  Array<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    if (isBefore(points[a], points[b])) return true;
+    return !isBefore(points[b], points[a]) && weights[a] < weights[b];
+  });
+  WeightedPoints merged;
+  for (const int i : order) {
+    if (weights[i] == 0) continue;
+    if (!merged.points.empty() && !isBefore(merged.points.back(), points[i])) {
+      merged.weights.back() += weights[i];
+    } else {
+      merged.points.push_back(points[i]);
+      merged.weights.push_back(weights[i]);
+    }
+  }
+  return merged;
+}
+
+OneSourceEnergy::OneSourceEnergy(const Geometry& geometry, const WeightedPoints& points,
+                                 DistanceSolver& solver)
+    : geometry_(geometry), points_(points), solver_(solver), vectors_(geometry) {}
+
+EnergyAt OneSourceEnergy::at(const SurfacePoint& place) {
+  const TriangleMesh& mesh = *geometry_.mesh;
+  const SurfacePoint source = movedInside(place);
+  solver_.setSource(source);
+  forEachCorner(points_, [&](int h) { solver_.growTo(mesh.tail(h)); });
+  vectors_.setSource(source);
+  ++solved_;
+  EnergyAt result;
+  for (int i = 0; i < points_.points.count(); ++i) {
+    const SurfacePoint& point = points_.points[i];
+    const double squared = squaredDistanceOf(geometry_, point, solver_);
+    const Vec2 log = logOf(mesh, point, solver_, vectors_);
+    const double length = log.norm();
+    result.energy += points_.weights[i] * squared;
+    if (length > 0) result.step += points_.weights[i] * std::sqrt(squared) / length * log;
+  }
+  return result;
+}
+
+ExactOneSourceEnergy::ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points)
+    : geometry_(geometry), points_(points), solver_(geometry) {
+  Array<int> faces;
+  for (const SurfacePoint& point : points.points) {
+    if (faces.empty() || faces.back() != point.face) faces.push_back(point.face);
+  }
+  solver_.keepImagesIn(std::move(faces));
+  lengths_.resize(points.points.size());
+}
+
+double ExactOneSourceEnergy::at(const SurfacePoint& place) {
+  grow(place);
+  measure();
+  ++solved_;
+  double sum = 0;
+  for (int i = 0; i < points_.points.count(); ++i) sum += points_.weights[i] * square(lengths_[i]);
+  return sum;
+}
+
+/// Until no point can have another path, all of which come through the point's face.
+void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
+  const TriangleMesh& mesh = *geometry_.mesh;
+  solver_.setSource(place);
+  double radius = geometry_.meanEdge;
+  for (const SurfacePoint& point : points_.points) {
+    radius = std::max(radius, (position(mesh, point) - position(mesh, place)).norm());
+  }
+  for (;;) {
+    solver_.grow(radius);
+    if (solver_.reached() == kInfinity) break;
+    double needed = 0;
+    forEachCorner(points_, [&](int h) {
+      needed = std::max(needed, solver_.distance(mesh.tail(h)) + geometry_.edgeLength[h]);
+    });
+    if (needed <= radius) break;
+    constexpr double kFurther = 1.25;
+    radius = needed < kInfinity ? needed : kFurther * radius;
+  }
+}
+
+/// From the images that the points' faces see, and over the faces' corners.
+void ExactOneSourceEnergy::measure() {
+  const TriangleMesh& mesh = *geometry_.mesh;
+  for (int i = 0; i < points_.points.count(); ++i) {
+    const SurfacePoint& point = points_.points[i];
+    const Vec2 inside = pointInFace(geometry_, point);
+    lengths_[i] = kInfinity;
+    for (int k = 0; k < 3; ++k) {
+      const double leg = (inside - cornerInFace(geometry_, point.face, k)).norm();
+      lengths_[i] = std::min(lengths_[i], solver_.distance(mesh.corner(point.face, k)) + leg);
+    }
+  }
+  for (const SourceImage& image : solver_.images()) {
+    const auto first =
+        std::lower_bound(points_.points.begin(), points_.points.end(), image.face,
+                         [](const SurfacePoint& point, int face) { return point.face < face; });
+    for (int i = static_cast<int>(first - points_.points.begin());
+         i < points_.points.count() && points_.points[i].face == image.face; ++i) {
+      lengths_[i] =
+          std::min(lengths_[i], lengthFrom(image, pointInFace(geometry_, points_.points[i])));
+    }
+  }
+}
+
+}  // namespace karcher

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "distance/exact_distance.h"
+#include "distance/source_vectors.h"
+
+/// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places.
+///
+/// Distances are the same there and back. So those of one source, the place, are all that K takes
+/// there, and their log vectors at it sum to grad K: as much work for thousands of points as for
+/// one.
+namespace karcher {
+
+/// Points with weights that are not 0, sorted by their faces, equal ones put together: K is that of
+/// the points that it is made of, to the last bit in whatever order they come.
+struct WeightedPoints {
+  Array<SurfacePoint> points;
+  Array<double> weights;
+};
+WeightedPoints mergedPoints(const Array<SurfacePoint>& points, const Array<double>& weights);
+
+/// K at a place, and the way of the natural step: sum_i w_i log(p_i), half of grad K turned back.
+struct EnergyAt {
+  double energy = 0;
+  Vec2 step = Vec2::Zero();  ///< in the frame of the place's face
+};
+
+class OneSourceEnergy {
+ public:
+  /// The points must lie on one component. All must outlive the object; the solver must be one that
+  /// tells the steps of paths (DistanceSolver::stepTo).
+  OneSourceEnergy(const Geometry& geometry, const WeightedPoints& points, DistanceSolver& solver);
+
+  /// By the solver's distances, interpolated in the points' faces: exact on a plane.
+  EnergyAt at(const SurfacePoint& place);
+
+  /// How often distances were found.
+  int solved() const { return solved_; }
+
+ private:
+  const Geometry& geometry_;
+  const WeightedPoints& points_;
+  DistanceSolver& solver_;
+  SourceVectors vectors_;
+  int solved_ = 0;
+};
+
+/// K by exact distances to the points themselves.
+class ExactOneSourceEnergy {
+ public:
+  /// As above. Throws what ExactDistance throws.
+  ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points);
+
+  double at(const SurfacePoint& place);
+
+  int solved() const { return solved_; }
+
+ private:
+  void grow(const SurfacePoint& place);
+  void measure();
+
+  const Geometry& geometry_;
+  const WeightedPoints& points_;
+  ExactDistance solver_;
+  Array<double> lengths_;  ///< one a point
+  int solved_ = 0;
+};
+
+}  // namespace karcher
