@@ -32,6 +32,8 @@ const longestSanitized = [
   'Levels.OfEveryTessellationOfThePlaneGiveTheEuclideanCurve',
   'Mean.OfACapOfTheSphereComesNearerTheTruthUnderRefinement',
   'Mean.ThatConvergedIsAMinimumByShortestPaths',
+  'MeanOfMany.IsAsLowAsThatOfFields',
+  'MeanOfMany.ThatConvergedIsAMinimumByShortestPaths',
   'MeanWeights.MakeThePointTheCenterOfMassWhereTheHessianIsPositiveDefinite',
   'PhongProjection.OfAPointOfTheSurfaceIsThePoint',
   'RepairMesh.MendsDefectsInPairs',

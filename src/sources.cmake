@@ -29,6 +29,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/ring_graph.cpp
   distance/shortest_path.cpp
   distance/source_images.cpp
+  distance/source_vectors.cpp
   distance/tangent_maps.cpp
   distance/waypoints.cpp
   intrinsic/geometry.cpp
@@ -41,6 +42,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   rcm/mean_of_many.cpp
   rcm/mean_weights.cpp
   rcm/newton_center.cpp
+  rcm/one_source_energy.cpp
   rcm/surface.cpp
   rcm/summed_field.cpp
   rcm/uniqueness.cpp)

@@ -4,6 +4,7 @@
 #include "curves/isoline.h"
 #include "distance/exact_distance.h"
 #include "mesh/error.h"
+#include "mesh/sorted_numbers.h"
 
 /// In a face the points nearer than the radius are the union of the parts of discs that images
 /// reach. Its border consists of arcs: each circle is cut where it crosses the face's edges and its
@@ -256,9 +257,7 @@ class ArcChains {
       places.push_back(position(*geometry_.mesh, endPoint(end)));
       if (!arcs_[end / 2].isCircle) order.push_back(end);
     }
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-      return std::pair(places[a].x(), a) < std::pair(places[b].x(), b);
-    });
+    sortNumbers(order, [&](int a, int b) { return places[a].x() < places[b].x(); });
     struct Pair {
       double distance;
       int a;
@@ -275,11 +274,14 @@ class ArcChains {
         }
       }
     }
-    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    const auto isBefore = [&](int i, int j) {
+      const Pair& a = pairs[i];
+      const Pair& b = pairs[j];
       return a.distance != b.distance ? a.distance < b.distance
                                       : std::pair(a.a, a.b) < std::pair(b.a, b.b);
-    });
-    for (const Pair& pair : pairs) {
+    };
+    for (const int i : sortedNumbers(pairs.count(), isBefore)) {
+      const Pair& pair = pairs[i];
       if (partner_[pair.a] >= 0 || partner_[pair.b] >= 0) continue;
       partner_[pair.a] = pair.b;
       partner_[pair.b] = pair.a;
@@ -323,9 +325,12 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   distance.keepImages(radius);
   distance.setSource(source);
   distance.grow(radius + geometry.meanEdge);
-  Array<SourceImage> images = distance.images();
-  std::stable_sort(images.begin(), images.end(),
-                   [](const SourceImage& a, const SourceImage& b) { return a.face < b.face; });
+  const Array<SourceImage>& found = distance.images();
+  Array<SourceImage> images;
+  for (const int i :
+       sortedNumbers(found.count(), [&](int a, int b) { return found[a].face < found[b].face; })) {
+    images.push_back(found[i]);
+  }
   Array<Arc> arcs;
   FaceArcs faceArcs(geometry, radius);
   // Whether all of a face is nearer than the radius, by the way over one of its corners.

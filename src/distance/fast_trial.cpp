@@ -4,6 +4,7 @@
 
 #include "distance/exact_distance.h"
 #include "distance/fast_distance.h"
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -57,8 +58,7 @@ Places findPlaces(const Geometry& geometry) {
         std::max_element(score.begin() + place(part), score.begin() + place(part + 1));
     places.worst.push_back(static_cast<int>(worst - score.begin()));
   }
-  std::stable_sort(places.worst.begin(), places.worst.end(),
-                   [&](int v, int w) { return score[v] > score[w]; });
+  sortNumbers(places.worst, [&](int v, int w) { return score[v] > score[w]; });
   return places;
 }
 

@@ -65,10 +65,13 @@ bool Tightening::shortenLeg(int leg) {
     if (leftIsNew) consider(i, true);
     if (rightIsNew) consider(i, false);
   }
-  std::sort(passages.begin(), passages.end(),
-            [](const Passage& a, const Passage& b) { return a.gain > b.gain; });
   for (int i = 0; i < std::min(passages.count(), kPassages); ++i) {
     if (passagesLeft_-- <= 0) return false;
+    // The best of the rest.
+    std::iter_swap(passages.begin() + i, std::max_element(passages.begin() + i, passages.end(),
+                                                          [](const Passage& a, const Passage& b) {
+                                                            return a.gain < b.gain;
+                                                          }));
     if (passOver(passages[i], leg)) return true;
   }
   return false;

@@ -1,5 +1,7 @@
 #include "mesh/near_points.h"
 
+#include "mesh/sorted_numbers.h"
+
 namespace karcher {
 
 NearPoints::NearPoints(const Array<Vec3>& positions, const Array<int>& points, double radius)
@@ -15,10 +17,14 @@ NearPoints::NearPoints(const Array<Vec3>& positions, const Array<int>& points, d
   constexpr double kMostCells = 1 << 20;
   width_ = std::max(radius, (high - low_).maxCoeff() / kMostCells);
   if (!(width_ > 0)) width_ = 1;
-  for (const int p : points) entries_.push_back({keyOf(cellOf(p)), p});
-  std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+  Array<Entry> entries;
+  for (const int p : points) entries.push_back({keyOf(cellOf(p)), p});
+  const auto isBefore = [&](int i, int j) {
+    const Entry& a = entries[i];
+    const Entry& b = entries[j];
     return a.key != b.key ? a.key < b.key : a.point < b.point;
-  });
+  };
+  for (const int i : sortedNumbers(entries.count(), isBefore)) entries_.push_back(entries[i]);
 }
 
 }  // namespace karcher

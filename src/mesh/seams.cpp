@@ -4,6 +4,7 @@
 
 #include "mesh/edges.h"
 #include "mesh/near_points.h"
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -106,11 +107,7 @@ class Seams {
       const int high = places.maxCoeff();
       return std::array<int, 3>{low, high, places.sum() - low - high};
     };
-    std::sort(suspects.begin(), suspects.end(), [&](int f, int g) {
-      const auto a = key(f);
-      const auto b = key(g);
-      return a != b ? a < b : f < g;
-    });
+    sortNumbers(suspects, [&](int f, int g) { return key(f) < key(g); });
     suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
     Array<int> uses;
     Array<uint8_t> gone;

@@ -7,19 +7,20 @@ namespace karcher {
 
 namespace {
 
-/// A row of the operator under construction: columns and their coefficients.
+/// A row of the operator under construction: columns in ascending order and their coefficients.
 struct Row {
   Array<std::pair<int, Vec2>> entries;
   double area = 0;
 
   void add(int column, const Vec2& value) {
-    for (auto& [existing, sum] : entries) {
-      if (existing == column) {
-        sum += value;
-        return;
-      }
+    const auto place =
+        std::lower_bound(entries.begin(), entries.end(), column,
+                         [](const auto& entry, int wanted) { return entry.first < wanted; });
+    if (place != entries.end() && place->first == column) {
+      place->second += value;
+    } else {
+      entries.insert(place, {column, value});
     }
-    entries.emplace_back(column, value);
   }
 };
 
@@ -75,8 +76,6 @@ GradientOperator buildGradientOperator(const Geometry& geometry) {
       addFace(geometry, h, row);
       addOuterFace(geometry, h, row);
     }
-    std::sort(row.entries.begin(), row.entries.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
     for (int component = 0; component < 2; ++component) {
       for (const auto& [column, value] : row.entries) {
         result.insert(2 * v + component, column) = value[component] / row.area;

@@ -10,8 +10,6 @@
 namespace karcher {
 namespace {
 
-using Matrix2 = Eigen::Matrix2d;
-
 /// Points at which K is compared first, and those of them from which descents begin.
 constexpr int kStarts = 16;
 constexpr int kDescents = 3;
@@ -39,30 +37,39 @@ constexpr double kLeastBowl = 0.04;
 /// Most centers are moved once; more often where K is all creases.
 constexpr int kMostMoves = 12;
 
+/// A symmetric matrix: of the natural step it makes the Newton step, as far as is known.
+struct Scale {
+  double xx = 1;
+  double xy = 0;
+  double yy = 1;
+
+  Vec2 operator*(const Vec2& v) const { return {xx * v.x() + xy * v.y(), xy * v.x() + yy * v.y()}; }
+
+  /// The same where the frame's x axis was `direction`.
+  Scale turned(const Vec2& direction) const {
+    const Vec2 x = rotate(direction, *this * rotateBack(direction, Vec2(1, 0)));
+    const Vec2 y = rotate(direction, *this * rotateBack(direction, Vec2(0, 1)));
+    return {x.x(), x.y(), y.y()};
+  }
+
+  /// BFGS: learns from the change of the natural step over a length along the x axis.
+  void learn(double length, const Vec2& change) {
+    constexpr double kLeastCurvature = 0.02;
+    if (!(change.x() > kLeastCurvature * length)) return;
+    const double slope = -change.y() / change.x();
+    xx = yy * square(slope) + length / change.x();
+    xy = yy * slope;
+  }
+};
+
 /// Where a descent stands.
 struct Stand {
   SurfacePoint place;
   EnergyAt here;
-  /// Of the natural step the matrix makes the Newton step, as far as is known.
-  Matrix2 scale = Matrix2::Identity();
+  Scale scale;
 
   Vec2 step() const { return scale * here.step; }
 };
-
-Matrix2 rotation(const Vec2& direction) {
-  Matrix2 matrix;
-  matrix << direction.x(), -direction.y(), direction.y(), direction.x();
-  return matrix;
-}
-
-/// BFGS: what the change of the natural step along a way tells.
-void learn(Matrix2& scale, const Vec2& way, const Vec2& change) {
-  const double along = way.dot(change);
-  constexpr double kLeastCurvature = 0.02;
-  if (!(along > kLeastCurvature * way.squaredNorm())) return;
-  const Matrix2 rest = Matrix2::Identity() - way * change.transpose() / along;
-  scale = rest * scale * rest.transpose() + way * way.transpose() / along;
-}
 
 enum class Ended {
   kThere,
@@ -100,14 +107,13 @@ Descent descend(const Geometry& geometry, Stand stand, const EnergyFunction& ene
     // Both in the frame of the way.
     const Vec2 change =
         rotateBack(before, stand.here.step) - rotateBack(path.direction, there->step);
-    Matrix2 scale = rotation(before).transpose() * stand.scale * rotation(before);
-    learn(scale, Vec2(length, 0), change);
+    Scale scale = stand.scale.turned(Vec2(before.x(), -before.y()));
+    scale.learn(length, change);
     if (there->energy < stand.here.energy) {
-      const Matrix2 turn = rotation(path.direction);
-      stand = {path.path.end(), *there, turn * scale * turn.transpose()};
+      stand = {path.path.end(), *there, scale.turned(path.direction)};
       most = std::min(2 * std::max(most, length), kLongestStep * geometry.diagonal);
     } else {
-      stand.scale = rotation(before) * scale * rotation(before).transpose();
+      stand.scale = scale.turned(before);
       constexpr double kShorter = 0.5;
       most = kShorter * length;
       if (most <= kLastStep * geometry.meanEdge) break;
@@ -138,27 +144,27 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
   return mesh.corner(point.face, corner);
 }
 
-/// The starts from the lowest K up, by distances along edges: these take a quarter of the time, and
-/// are all too long by much the same part.
-Array<SurfacePoint> orderedStarts(const Geometry& geometry, const WeightedPoints& points) {
+/// The starts of the lowest K, by distances along edges: these take a quarter of the time, and are
+/// all too long by much the same part.
+Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);
   Array<double> energies;
-  Array<int> order;
   for (const SurfacePoint& start : starts) {
     const Array<double> distances = edgeDijkstra(geometry, nearestCorner(mesh, start));
     double energy = 0;
     for (int i = 0; i < points.points.count(); ++i) {
       energy += points.weights[i] * square(distances[nearestCorner(mesh, points.points[i])]);
     }
-    order.push_back(order.count());
     energies.push_back(energy);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return energies[a] < energies[b]; });
-  Array<SurfacePoint> ordered;
-  for (const int k : order) ordered.push_back(starts[k]);
-  return ordered;
+  Array<SurfacePoint> lowest;
+  while (lowest.count() < std::min(starts.count(), kDescents)) {
+    const auto least = std::min_element(energies.begin(), energies.end());
+    lowest.push_back(starts[least - energies.begin()]);
+    *least = kInfinity;
+  }
+  return lowest;
 }
 
 SurfacePoint walked(const Geometry& geometry, const SurfacePoint& from, const Vec2& way) {
@@ -178,13 +184,13 @@ std::optional<Mean> roughMean(Surface& surface, const WeightedPoints& points,
   const std::unique_ptr<DistanceSolver> solver = makeDistanceSolver(surface, options.field);
   OneSourceEnergy energy(geometry, points, *solver);
   const Array<SurfacePoint> starts =
-      options.start ? Array<SurfacePoint>{*options.start} : orderedStarts(geometry, points);
+      options.start ? Array<SurfacePoint>{*options.start} : lowestStarts(geometry, points);
   Stand best;
   best.here.energy = kInfinity;
   Ended ended = Ended::kThere;
-  for (int k = 0; k < std::min(starts.count(), kDescents); ++k) {
+  for (int k = 0; k < starts.count(); ++k) {
     const Vec3 known = position(surface.mesh(), best.place);
-    const Stand start{starts[k], energy.at(starts[k]), Matrix2::Identity()};
+    const Stand start{starts[k], energy.at(starts[k]), {}};
     const Descent descent = descend(geometry, start, [&](const SurfacePoint& place) {
       const bool isKnown = k > 0 && (position(surface.mesh(), place) - known).norm() <=
                                         kSameDescent * geometry.meanEdge;

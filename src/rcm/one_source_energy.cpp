@@ -1,7 +1,8 @@
 #include "rcm/one_source_energy.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -67,14 +68,12 @@ void forEachCorner(const WeightedPoints& points, const Visit& visit) {
 }  // namespace
 
 WeightedPoints mergedPoints(const Array<SurfacePoint>& points, const Array<double>& weights) {
-  Array<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
+  WeightedPoints merged;
+  const auto isFirst = [&](int a, int b) {
     if (isBefore(points[a], points[b])) return true;
     return !isBefore(points[b], points[a]) && weights[a] < weights[b];
-  });
-  WeightedPoints merged;
-  for (const int i : order) {
+  };
+  for (const int i : sortedNumbers(points.count(), isFirst)) {
     if (weights[i] == 0) continue;
     if (!merged.points.empty() && !isBefore(merged.points.back(), points[i])) {
       merged.weights.back() += weights[i];

@@ -2,6 +2,7 @@
 
 #include "curves/query/measure.h"
 #include "intrinsic/along_path.h"
+#include "mesh/sorted_numbers.h"
 
 /// The drawn line tells how near a curve comes in each interval between samples. The intervals that
 /// may hold the nearest point are searched, the most promising first, by bisection down to parts
@@ -27,11 +28,13 @@ class NearestSearch {
   }
 
   NearestOnCurve run(const CurveLine& line) {
-    Array<Interval> intervals = intervalsOf(line);
-    std::stable_sort(intervals.begin(), intervals.end(),
-                     [](const Interval& a, const Interval& b) { return a.distance < b.distance; });
-    look(intervals[0].nearest);
-    for (const Interval& interval : intervals) {
+    const Array<Interval> intervals = intervalsOf(line);
+    const Array<int> nearestFirst = sortedNumbers(intervals.count(), [&](int i, int j) {
+      return intervals[i].distance < intervals[j].distance;
+    });
+    look(intervals[nearestFirst[0]].nearest);
+    for (const int i : nearestFirst) {
+      const Interval& interval = intervals[i];
       if (interval.distance - kBend * interval.length > best_.distance) continue;
       search(look(interval.from), look(interval.to), 0);
     }
