@@ -223,7 +223,7 @@ export async function start(): Promise<void> {
       else curvePanel.show(editor.state, session.view);
     },
   });
-  const saveMenu = new SaveMenu(editor, session, viewer);
+  const saveMenu = new SaveMenu(editor, session, viewer, () => opening.fileOf(editor.state.mesh));
   const rail = new ToolRail(drawingTools(editor, edits));
   const toolEvents = {
     saveJson: () => saveMenu.save('json'),

@@ -1,6 +1,6 @@
 import type { Editor } from './editor/editor';
 import type { Session } from './editor/session';
-import { linkOfJson } from './export/curve_file';
+import { readJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
 import { type Example, examples } from './model/examples';
 import type { History } from './model/history';
@@ -91,7 +91,9 @@ export class Opening {
   async file(file: File): Promise<void> {
     try {
       if (/\.json$/i.test(file.name)) {
-        await this.link({ link: linkOfJson(await file.text()), own: true });
+        const { link, file: inside } = await readJson(await file.text());
+        if (inside) await this.#keepInside(inside, link);
+        await this.link({ link, own: true });
         return;
       }
       if (file.size > largestFile) {
@@ -103,15 +105,35 @@ export class Opening {
         ? await this.#openLink(awaited, fileSource(awaited.mesh, file))
         : await this.#open(key, fileSource(key, file), () => null);
       if (!opened) return;
-      this.#file = { key, file };
       if (awaited) this.#await(key, '');
-      if (await keepFile(key, file)) return;
-      showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
+      await this.#keep(key, file);
     } catch (error) {
       this.#complain(`${file.name} could not be read. ${sentenceOf(error)}`);
     } finally {
       await this.#fallBack();
     }
+  }
+
+  /** Has a surface's file here; says where a reload will not. */
+  async #keep(key: string, file: File): Promise<void> {
+    this.#file = { key, file };
+    if (await keepFile(key, file)) return;
+    showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
+  }
+
+  /** The same of one that was inside a drawing's file. */
+  async #keepInside(file: File, { mesh }: Link): Promise<void> {
+    const key = await fileKey(file);
+    if (key !== keyOfFile(mesh)) {
+      throw new Error('the file of the surface that is inside is another one than it was drawn on');
+    }
+    await this.#keep(key, file);
+  }
+
+  /** The file of a surface; null where this browser does not have it, or the page makes the surface. */
+  async fileOf(mesh: string): Promise<Blob | null> {
+    const key = keyOfFile(mesh);
+    return (await keptFile(key)) ?? (this.#file?.key === key ? this.#file.file : null);
   }
 
   /**
@@ -125,8 +147,7 @@ export class Opening {
     if (!before || !after || key === shown) return;
     const sameParts = `${before.parts}` === `${after.parts}`;
     if (sameParts && before.weld === after.weld) return this.#turn(key, () => turn === this.#turns);
-    const file = keyOfFile(key);
-    const content = (await keptFile(file)) ?? (this.#file?.key === file ? this.#file.file : null);
+    const content = await this.fileOf(key);
     // Points are on the file's own triangles, which stay the same ones.
     const wanted = () => (sameParts ? this.editor.state.drawing : null);
     if (content) await this.#open(key, fileSource(key, content), wanted);
@@ -179,7 +200,7 @@ export class Opening {
     }
     const made = madeSource(mesh);
     if (made) return this.#openLink(link, made);
-    const content = await keptFile(keyOfFile(mesh));
+    const content = await this.fileOf(mesh);
     if (content) return this.#openLink(link, fileSource(mesh, content));
     this.#await(
       mesh,

@@ -55,6 +55,61 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
+  test('of a surface goes inside a drawing, which opens where nobody has it', async () => {
+    const tab = await Tab.open(browser);
+    await tab.dropBytes('my cone.ply', everyFile(cone)['little.ply']);
+    await opened(tab, 'my cone.ply');
+    await tab.settled();
+    await tab.page.locator('#tool-curve').click();
+    await tab.click([-60, 20], [-20, -20], [20, 30], [50, -10]);
+    const { mesh, drawing } = await tab.state();
+    assert.equal(drawing.objects[0].figure.points.length, 4);
+    const { name, text } = await tab.save('file inside');
+    const alone = (await tab.save('JSON')).text;
+    assert.equal(JSON.parse(alone).file, undefined);
+    const { file, ...rest } = JSON.parse(text);
+    assert.deepEqual(rest, JSON.parse(alone), 'it is the same drawing');
+    assert.deepEqual(
+      Buffer.from(file.base64, 'base64'),
+      Buffer.from(everyFile(cone)['little.ply']),
+      'with every byte of the file',
+    );
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+
+    const elsewhere = await openBrowser();
+    try {
+      const other = await Tab.open(elsewhere);
+      await other.drop(name, alone);
+      await other.page.getByText('The curve is on my cone.ply. Drop that file').waitFor();
+      const damaged = {
+        ...JSON.parse(text),
+        file: { ...file, base64: `AAAA${file.base64.slice(4)}` },
+      };
+      await other.drop(name, JSON.stringify(damaged));
+      await other.page.getByText('is another one than it was drawn on').waitFor();
+      await other.drop(
+        name,
+        JSON.stringify({ ...damaged, file: { name: 'my cone.ply', base64: '?' } }),
+      );
+      await other.page.getByText('that is inside cannot be read').waitFor();
+      assert.equal((await other.state()).mesh, 'sphere:1500');
+      await other.drop(name, text);
+      await opened(other, 'my cone.ply');
+      await other.settled();
+      const there = await other.state();
+      assert.equal(there.mesh, mesh);
+      assert.deepEqual(there.drawing, drawing);
+      await other.pastSaving();
+      await other.page.reload();
+      await other.settled();
+      assert.deepEqual((await other.state()).drawing, drawing, 'and is kept there');
+      assert.deepEqual(other.logged, []);
+    } finally {
+      await elsewhere.close();
+    }
+  });
+
   test('a scan whose z points up stands, the choice is kept, and keeps the curve', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);

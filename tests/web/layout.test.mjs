@@ -125,6 +125,36 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await page.close();
   });
 
+  test('menus are as wide as the longest of their words', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await tab.settled();
+    const { x, y } = await tab.middle();
+    const openers = {
+      'examples-menu': () => page.locator('#examples').click(),
+      'save-menu': () => page.locator('#save').click(),
+      'context-menu': () => page.mouse.click(x, y, { button: 'right' }),
+    };
+    for (const [id, open] of Object.entries(openers)) {
+      await open();
+      await page.locator(`#${id}`).waitFor();
+      const [width, words] = await page.locator(`#${id}`).evaluate((menu) => {
+        const range = document.createRange();
+        const widths = [...menu.querySelectorAll('[role="menuitem"]')].map((item) => {
+          range.selectNodeContents(item);
+          return range.getBoundingClientRect().width;
+        });
+        return [menu.offsetWidth, Math.max(...widths)];
+      });
+      // Its padding and that of its items is 36 pixels; a short one is as wide as a hand needs.
+      assert.ok(width <= Math.max(words + 40, 170), `${id}: ${width} for ${words}`);
+      await page.keyboard.press('Escape');
+    }
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   for (const kind of ['bspline', 'pen', 'ellipse', 'center']) {
     test(`a finger hits every control, with a ${kind}: each has 44 pixels`, async () => {
       const tab = await Tab.open(browser, `mesh=sphere:1500&kind=${kind}`);

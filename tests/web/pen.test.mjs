@@ -145,6 +145,10 @@ describe('the pen', () => {
     assert.equal(drawing.objects.length, 3, 'Escape ends one');
     assert.equal(figure.kind, 'pen');
     assert.equal(figure.points.length, 1);
+    const hint = page.locator('#hint');
+    assert.equal(await hint.textContent(), '1 more point makes a curve');
+    await page.keyboard.press('Escape');
+    assert.match(await hint.textContent(), /^Click to place a corner/, 'no point goes on with it');
     assert.deepEqual(tab.logged, []);
     await page.close();
   });

@@ -42,6 +42,9 @@ describe('snapping', () => {
     await page.mouse.move(vertex.x + 5, vertex.y + 3);
     await mark(tab).waitFor();
     assert.equal(await mark(tab).getAttribute('data-tag'), 'vertex');
+    const shown = await mark(tab).boundingBox();
+    const off = [shown.x + shown.width / 2 - vertex.x, shown.y + shown.height / 2 - vertex.y];
+    assert.ok(Math.hypot(...off) < 1, `the mark is ${off} from what it marks`);
     const on = await place(vertex.x + 4, vertex.y + 3);
     assert.deepEqual(on.bary.toSorted(), [0, 0, 1]);
     const { positions, triangles } = await tab.mesh();
@@ -57,9 +60,9 @@ describe('snapping', () => {
 
     await page.keyboard.down('Control');
     const third = await seen(tab, [3, 2, 0]);
-    const off = await place(third.x + 4, third.y + 3);
+    const freed = await place(third.x + 4, third.y + 3);
     await page.keyboard.up('Control');
-    assert.ok(off.bary.every((weight) => weight > 0 && weight < 1));
+    assert.ok(freed.bary.every((weight) => weight > 0 && weight < 1));
 
     await page.reload();
     await tab.settled();

@@ -3,6 +3,7 @@ import type { CurvePoints } from 'karcher';
 import type { State } from '../editor/editor';
 import type { View } from '../editor/session';
 import { isRound } from '../model/figure';
+import { gathered } from '../model/gathered';
 import { formatLink, type Link, parseLink } from '../model/link';
 import { readDrawing, savedDrawing } from '../model/saved_drawing';
 import type { TracedCurve } from '../model/traced';
@@ -45,6 +46,18 @@ export function* partsOfObj(
   }
 }
 
+/** A surface's file that is passed on within a drawing's. */
+export interface FileInside {
+  name: string;
+  bytes: Blob;
+}
+
+/** In bytes: of a longer one the page would wait for its text. */
+export const longestInside = 16 * 1024 * 1024;
+/** Of three bytes base64 makes four letters. */
+const encodedAtOnce = 3 * 256 * 1024;
+const decodedAtOnce = 4 * 256 * 1024;
+
 /**
  * Everything about a drawing: all of its objects, a link that opens it again with the place that it is
  * seen from, and of the edited object what the engine made of it.
@@ -73,6 +86,34 @@ export function jsonOf(state: State, view: View, place: ViewPlace | null): strin
       polyline: coordinatesOf(polyline),
     })),
   })}\n`;
+}
+
+/** The same with the file of its surface, as the parts of a text. */
+export async function partsWithFile(json: string, { name, bytes }: FileInside): Promise<string[]> {
+  const parts = [
+    `${json.slice(0, json.lastIndexOf('}'))},"file":{"name":${JSON.stringify(name)},"base64":"`,
+  ];
+  for (let at = 0; at < bytes.size; at += encodedAtOnce) {
+    parts.push(await base64Of(bytes.slice(at, at + encodedAtOnce)));
+  }
+  return [...parts, '"}}\n'];
+}
+
+function base64Of(bytes: Blob): Promise<string> {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.onload = () => resolve((reader.result as string).replace(/^[^,]*,/, ''));
+    reader.onerror = () => reject(reader.error);
+    reader.readAsDataURL(bytes);
+  });
+}
+
+function* bytesOf(base64: string): Generator<Uint8Array<ArrayBuffer>> {
+  for (let at = 0; at < base64.length; at += decodedAtOnce) {
+    yield Uint8Array.from(atob(base64.slice(at, at + decodedAtOnce)), (letter) =>
+      letter.charCodeAt(0),
+    );
+  }
 }
 
 const radiiOf = ({ circle }: View) =>
@@ -106,11 +147,11 @@ function samplesOf({ samples, lost }: TracedCurve) {
   }));
 }
 
-/** What a file made by `jsonOf` opens; throws where it is none. */
-export function linkOfJson(text: string): Link {
+/** What a file made by `jsonOf` opens, and the surface's file where it is inside; throws where it is none. */
+export async function readJson(text: string): Promise<{ link: Link; file: File | null }> {
   const notOurs = 'the file is JSON, but no drawing that this page saved';
   if (text.length > longestFile) throw new Error('the file is too long for a drawing');
-  let content: Partial<Record<'format' | 'version' | 'link' | 'drawing', unknown>> | null;
+  let content: Partial<Record<'format' | 'version' | 'link' | 'drawing' | 'file', unknown>> | null;
   try {
     content = JSON.parse(text);
   } catch {
@@ -120,9 +161,21 @@ export function linkOfJson(text: string): Link {
   const link = parseLink(content.link);
   if (!link) throw new Error(notOurs);
   // Files of the first version say all in their link.
-  if (content.version === 1) return link;
+  if (content.version === 1) return { link, file: null };
   if (content.version !== version) {
     throw new Error(`the file is a drawing in JSON of version ${content.version}, which is newer`);
   }
-  return { ...link, drawing: readDrawing(content.drawing), unread: { points: 0, circles: 0 } };
+  const drawing = readDrawing(content.drawing);
+  const file = content.file === undefined ? null : await fileInside(content.file);
+  return { link: { ...link, drawing, unread: { points: 0, circles: 0 } }, file };
+}
+
+async function fileInside(value: unknown): Promise<File> {
+  const { name, base64 } = (value ?? {}) as Partial<Record<'name' | 'base64', unknown>>;
+  try {
+    if (typeof name !== 'string' || typeof base64 !== 'string') throw new Error();
+    return new File(await gathered(bytesOf(base64)), name);
+  } catch {
+    throw new Error('the file of the surface that is inside cannot be read');
+  }
 }

@@ -2,16 +2,16 @@ import type { SurfacePoint } from 'karcher';
 import { polylinesOf } from '../editor/compute';
 import type { Editor } from '../editor/editor';
 import type { Session, View } from '../editor/session';
-import { jsonOf, partsOfObj } from '../export/curve_file';
+import { jsonOf, longestInside, partsOfObj, partsWithFile } from '../export/curve_file';
 import { type DrawnLine, partsOfSvg, type Drawing as SvgDrawing } from '../export/svg';
 import { type DrawnObject, isBlank, type LineStyle } from '../model/drawing';
 import { isEmpty, isRound } from '../model/figure';
 import { gathered } from '../model/gathered';
-import { meshLabel } from '../model/meshes';
+import { madeSource, meshLabel } from '../model/meshes';
 import type { ViewerColors } from '../viewer/colors';
 import type { Vantage } from '../viewer/vantage';
 import type { Viewer } from '../viewer/viewer';
-import { byId, make } from './elements';
+import { byId, formatBytes, make } from './elements';
 import { Menu } from './menu';
 import { sentenceOf, showError, showNote } from './messages';
 import { showProgress } from './progress';
@@ -39,12 +39,15 @@ export class SaveMenu {
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
+    /** The file of the surface that is shown; null where the page makes it, or has it no more. */
+    private readonly surfaceFile: () => Promise<Blob | null>,
   ) {
     for (const item of this.#items) {
       item.addEventListener('click', () => {
         this.#menu.element.hidePopover();
-        const format = item.dataset.save as Format | 'outline' | 'png' | 'clear';
+        const format = item.dataset.save as Format | 'outline' | 'png' | 'clear' | 'whole';
         if (format === 'outline') void this.#saveOutline();
+        else if (format === 'whole') void this.#saveWhole();
         else if (format === 'png' || format === 'clear') void this.#savePicture(format === 'clear');
         else void this.save(format);
       });
@@ -65,6 +68,28 @@ export class SaveMenu {
       json: () => [jsonOf(state, this.session.view, this.viewer.place)],
     };
     this.#download(title, new Blob(await parts[format](), { type: types[format] }), format);
+  }
+
+  /** Saves the drawing with the file of its surface, to be opened where nobody has that. */
+  async #saveWhole(): Promise<void> {
+    const { state } = this.editor;
+    const title = this.#title;
+    const json = jsonOf(state, this.session.view, this.viewer.place);
+    if (madeSource(state.mesh)) {
+      this.#download(title, new Blob([json], { type: types.json }), 'json');
+      return;
+    }
+    const name = meshLabel(state.mesh);
+    const bytes = await this.surfaceFile();
+    if (!bytes) showError(`This browser does not have ${name} any more. Drop it here again.`);
+    else if (bytes.size > longestInside) {
+      showError(
+        `${name} has ${formatBytes(bytes.size)}; files of up to ${formatBytes(longestInside)} go into a drawing’s. Pass it on beside the drawing.`,
+      );
+    } else {
+      const parts = await partsWithFile(json, { name, bytes });
+      this.#download(title, new Blob(parts, { type: types.json }), 'json');
+    }
   }
 
   /** Saves what is seen, with the surface's outline, as lines. */
@@ -130,7 +155,8 @@ export class SaveMenu {
     byId('save-none').hidden = this.#has('json');
     for (const item of this.#items) {
       const format = item.dataset.save as string;
-      if (isFormat(format)) item.disabled = !this.#has(format);
+      if (format === 'whole') item.disabled = !this.#has('json');
+      else if (isFormat(format)) item.disabled = !this.#has(format);
     }
   }
 

@@ -182,6 +182,8 @@ function hintOf(
   }
   const missing = pointsNeeded(figure) - points.length;
   if (missing <= 0) return shorterHint(view);
+  // It has ended: a click begins another one.
+  if (kind === 'pen' && tool === 'insert' && selection === null) return penWords.begin;
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }
 

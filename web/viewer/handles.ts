@@ -188,7 +188,7 @@ export class Handles {
   #place(): void {
     for (const { button, handle } of this.#buttons.values()) {
       const { x, y, hidden } = this.viewer.project(handle.position);
-      button.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
+      button.style.translate = `${x.toFixed(2)}px ${y.toFixed(2)}px`;
       button.classList.toggle('behind', hidden);
     }
     this.#put(this.#preview, this.#previewPosition);
@@ -200,7 +200,7 @@ export class Handles {
   #put(element: HTMLElement, position: Vector3 | null): void {
     if (!position) return;
     const { x, y, hidden } = this.viewer.project(position);
-    element.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
+    element.style.translate = `${x.toFixed(2)}px ${y.toFixed(2)}px`;
     element.classList.toggle('behind', hidden);
   }
 
