@@ -270,7 +270,7 @@ bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
 std::optional<Mean> meanOfMany(Surface& surface, const Array<SurfacePoint>& points,
                                const Array<double>& weights, const MeanOptions& options) {
   const WeightedPoints merged = mergedPoints(points, weights);
-  const std::optional<Mean> rough = roughMean(surface, merged, options);
+  std::optional<Mean> rough = roughMean(surface, merged, options);
   if (!rough || !options.isChecked) return rough;
   return heldToExact(surface.geometry(), merged, *rough);
 }

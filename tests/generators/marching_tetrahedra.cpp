@@ -13,8 +13,10 @@ class Marching {
  public:
   Marching(const std::function<double(const Vec3&)>& function, int cubes) : side_(cubes + 1) {
     for (int k = 0; k < side_ * side_ * side_; ++k) {
+      const int row = k / side_;
+      const int layer = row / side_;
+      const Vec3 cell(k % side_, row % side_, layer);
       // Not symmetric about the middle: the zero of a symmetric function would go through corners.
-      const Vec3 cell(k % side_, k / side_ % side_, k / (side_ * side_));
       const Vec3 corner = Vec3::Constant(-1) + 2 * (cell + Vec3(0.137, 0.231, 0.319)) / side_;
       corners_.push_back(corner);
       values_.push_back(function(corner));
@@ -35,9 +37,9 @@ class Marching {
   void marchCube(int corner) {
     std::array<int, 3> steps{1, side_, side_ * side_};
     do {
-      std::array<int, 4> tetrahedron{corner, 0, 0, 0};
-      for (int k = 0; k < 3; ++k) tetrahedron[k + 1] = tetrahedron[k] + steps[k];
-      marchTetrahedron(tetrahedron);
+      const auto [first, second, third] = steps;
+      marchTetrahedron(
+          {corner, corner + first, corner + first + second, corner + first + second + third});
     } while (std::next_permutation(steps.begin(), steps.end()));
   }
 
