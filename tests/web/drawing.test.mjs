@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { pageModule } from './page_module.mjs';
 import { long, randoms, seed } from './part.mjs';
+import { fitsDrawing } from './schema.mjs';
 
 const triangles = 5000;
 const kinds = ['bspline', 'pen', 'polyline', 'circle', 'ellipse', 'center', 'points'];
@@ -230,24 +231,31 @@ describe('a drawing', () => {
     whole.objects = whole.objects.slice(0, 7);
     whole.active = whole.objects[0].id;
     let refused = 0;
+    let refusedBySchema = 0;
     for (const path of pathsOf(whole)) {
       for (const value of wrong) {
         const changed = structuredClone(whole);
         const holder = path.slice(0, -1).reduce((one, key) => one[key], changed);
         if (path.length > 0) holder[path.at(-1)] = value;
+        const isTaken = fitsDrawing(JSON.parse(JSON.stringify(changed)));
+        refusedBySchema += isTaken ? 0 : 1;
         try {
           const read = page.readDrawing(path.length > 0 ? changed : value);
           // What is taken is a drawing, which is read again as it is.
           const again = JSON.parse(JSON.stringify(page.savedDrawing(read)));
           assert.deepEqual(page.readDrawing(again), read);
+          assert.ok(isTaken, `${path.join('.')} of ${JSON.stringify(value)} is read`);
         } catch (error) {
+          if (error instanceof assert.AssertionError) throw error;
           assert.ok(!(error instanceof TypeError), `${path.join('.')}: ${error.stack}`);
           assert.ok(error.message.length > 10, error.message);
+          // What holds between several values is no matter of a schema.
+          if (path.length > 0 && isTaken) assert.match(error.message, /sum 1|same id|active|knots/);
           refused++;
         }
       }
     }
-    assert.ok(refused > 1000, `${refused}`);
+    assert.ok(refused > 1000 && refusedBySchema > 1000, `${refused}, ${refusedBySchema}`);
     const many = { ...whole, objects: Array.from({ length: 2001 }, () => whole.objects[0]) };
     assert.throws(() => page.readDrawing(many), /more than 2000/);
     const long = structuredClone(whole);

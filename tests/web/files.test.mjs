@@ -4,6 +4,7 @@ import { after, before, describe, test } from 'node:test';
 import { box, cutBox, everyFile, glbFile, stlFile } from '../wasm/mesh_files.mjs';
 import { openBrowser, Tab } from './browser.mjs';
 import { sometimes } from './part.mjs';
+import { fitsFile } from './schema.mjs';
 
 /** A cone that stands on z = 0, without a sole; its tip is the last vertex. */
 const ring = Array.from({ length: 60 }, (_, i) => (Math.PI * i) / 30);
@@ -68,6 +69,7 @@ describe('files of surfaces', () => {
     const alone = (await tab.save('JSON')).text;
     assert.equal(JSON.parse(alone).file, undefined);
     const { file, ...rest } = JSON.parse(text);
+    for (const one of [alone, text]) assert.ok(fitsFile(JSON.parse(one)), fitsFile.errors);
     assert.deepEqual(rest, JSON.parse(alone), 'it is the same drawing');
     assert.deepEqual(
       Buffer.from(file.base64, 'base64'),

@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { sometimes } from './part.mjs';
+import { fitsFile } from './schema.mjs';
 
 const places = [
   [-110, 40],
@@ -88,6 +89,7 @@ describe('saving', () => {
     const [{ figure: document }, view] = [await tab.state(), await tab.view()];
     const { name, text } = await tab.save('JSON');
     const content = JSON.parse(text);
+    assert.ok(fitsFile(content), JSON.stringify(fitsFile.errors));
     assert.deepEqual(content.points, document.points);
     assert.equal(content.samples.length, 128);
     assert.ok(content.samples.every(({ center }) => center));
