@@ -27,6 +27,12 @@ class InThisThread {
   }
 }
 
+/** The positions and triangles of a built-in shape. */
+export async function arraysOfShape(name, triangles) {
+  const mesh = (await loadEngine()).shape(name, triangles);
+  return { positions: mesh.positions(), triangles: mesh.triangles() };
+}
+
 /**
  * The page's parts on a sphere of so many triangles, or on the surface of arrays, by a method without
  * a second engine.
@@ -46,10 +52,7 @@ export async function openPage(surface) {
   editor.setMethod('karcher-fast');
   const isSphere = typeof surface === 'number';
   editor.open(isSphere ? `sphere:${surface}` : 'arrays', parts.emptyDrawing);
-  const sphere = isSphere && (await loadEngine()).shape('sphere', surface);
-  const arrays = parts.blobsOf(
-    sphere ? { positions: sphere.positions(), triangles: sphere.triangles() } : surface,
-  );
+  const arrays = parts.blobsOf(isSphere ? await arraysOfShape('sphere', surface) : surface);
   session.use(await parts.EngineClient.load({ kind: 'arrays', arrays }));
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;

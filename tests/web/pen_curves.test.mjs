@@ -1,7 +1,7 @@
 // Curves of the pen against cubic Bézier curves of the plane, and their smoothness elsewhere.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
-import { openPage } from './engine_in_node.mjs';
+import { arraysOfShape, openPage } from './engine_in_node.mjs';
 import { randoms, seed } from './part.mjs';
 import {
   bernstein,
@@ -145,8 +145,12 @@ describe('curves of the pen', () => {
     }
   });
 
-  test('are smooth at smooth anchors of a sphere', async (t) => {
-    const page = await openPage(5000);
+  for (const shape of ['sphere', 'torus']) {
+    test(`are smooth at smooth anchors of a ${shape}`, (t) => smoothOn(shape, t));
+  }
+
+  async function smoothOn(shape, t) {
+    const page = await openPage(await arraysOfShape(shape, 5000));
     const { triangles } = page.session.client.info;
     const places = [0.12, 0.2, 0.31].map((part) => ({
       face: Math.floor(part * triangles),
@@ -172,8 +176,9 @@ describe('curves of the pen', () => {
       `angle between the tangents before and after an anchor: ${angle.toFixed(3)} degrees`,
     );
     assert.ok(angle < 0.5, `${angle}`);
-    const along = angleBetween(to.inSpace, view.tangents[1].after.direction);
-    // Facets of this sphere meet at a few degrees.
+    const { vectors } = await session.client.mesh.logMap(places[1], [view.tangents[1].after.point]);
+    const along = angleBetween(to.inSpace, vectors);
+    // Facets of these surfaces meet at a few degrees.
     assert.ok(along < 6, `${along}: the curve leaves along its handle`);
-  });
+  }
 });
