@@ -250,4 +250,39 @@ describe('the pen', () => {
     assert.deepEqual(tab.logged, []);
     await page.close();
   });
+
+  test('draws with a finger: taps are corners, and a drag makes a smooth anchor', async () => {
+    const phone = await openBrowser({
+      viewport: { width: 390, height: 844 },
+      hasTouch: true,
+      isMobile: true,
+    });
+    const tab = await Tab.open(phone);
+    const { page } = tab;
+    await page.locator('#tool-pen').tap();
+    assert.equal((await penOf(tab)).kind, 'pen');
+    const devtools = await page.context().newCDPSession(page);
+    const touch = (type, ...touchPoints) =>
+      devtools.send('Input.dispatchTouchEvent', { type, touchPoints });
+    // The surface is seen above the sheet.
+    const middle = await page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
+    const at = (dx, dy) => ({ x: middle.x + dx, y: middle.y + dy });
+    const anchors = async () => {
+      await tab.settled();
+      return (await penOf(tab)).points.map(({ tangents }) => tangents !== undefined);
+    };
+    await page.touchscreen.tap(middle.x - 70, middle.y + 20);
+    assert.deepEqual(await anchors(), [false]);
+    await touch('touchStart', at(0, -20));
+    for (const step of [1, 2, 3, 4]) await touch('touchMove', at(10 * step, -20 - 2 * step));
+    await touch('touchEnd');
+    assert.deepEqual(await anchors(), [false, true]);
+    await page.touchscreen.tap(middle.x + 70, middle.y + 20);
+    assert.deepEqual(await anchors(), [false, true, false]);
+    const { curve, problem } = await tab.view();
+    assert.equal(problem, null);
+    assert.equal(new Set(Object.values(curve.samples.segment)).size, 2);
+    assert.deepEqual(tab.logged, []);
+    await phone.close();
+  });
 });
