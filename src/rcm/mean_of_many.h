@@ -17,8 +17,8 @@ namespace karcher {
 /// From so many different points on this is faster than fields over the whole surface.
 inline constexpr int kMany = 64;
 
-/// Whether the mean of these points can be found so: there are many, no weight is below 0, distances
-/// are the fast or the exact ones of kKarcher, and nobody looks for other minima.
+/// Whether the mean of these points can be found so: there are many, no weight is below 0,
+/// distances are the fast or the exact ones of kKarcher, and nobody looks for other minima.
 bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
               const MeanOptions& options);
 

@@ -65,8 +65,11 @@ const emptyView: View = {
   polygonOnly: false,
 };
 
-/** Steps of a drag that take longer, in milliseconds, are followed by drafts without fields. */
-const longestDraft = 12;
+/**
+ * Steps of a drag for which the engine takes longer, in milliseconds, are followed by drafts without
+ * fields: of a frame's 16 as much is left for the page.
+ */
+const longestDraft = 8;
 /** So many in a row: the first step also makes what later ones keep. */
 const slowSteps = 2;
 
