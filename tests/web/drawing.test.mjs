@@ -256,6 +256,9 @@ describe('a drawing', () => {
       }
     }
     assert.ok(refused > 1000 && refusedBySchema > 1000, `${refused}, ${refusedBySchema}`);
+    const straight = structuredClone(whole);
+    straight.objects[0].figure.points = [{ face: 1, bary: [0.2, 0.3, 0.5], leg: [] }];
+    assert.equal(page.readDrawing(straight).objects[0].figure.points[0].leg, undefined);
     const many = { ...whole, objects: Array.from({ length: 2001 }, () => whole.objects[0]) };
     assert.throws(() => page.readDrawing(many), /more than 2000/);
     const long = structuredClone(whole);

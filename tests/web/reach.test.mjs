@@ -101,6 +101,7 @@ describe('every control is hit where it is clicked', () => {
       await page.keyboard.press('Escape');
       await controls.click(page.locator('#help'));
       await controls.click(page.locator('#tour-start'));
+      await page.locator('.tour').waitFor();
       assert.ok((await controls.look('the tour')) > 0);
       await controls.click(page.locator('#tour-skip'));
       await tab.drop('bad.obj', 'nothing');

@@ -153,15 +153,15 @@ function readSettings(value: unknown, of: string): CurveSettings {
 function readControlPoint(value: unknown, what: string): ControlPoint {
   const { weight, beta, leg, tangents } = record(value, what);
   const positive = (one: unknown, name: string) => number(one, 1e-12, 1e12, `${name} of ${what}`);
+  const through = (leg === undefined ? [] : list(leg, `the leg of ${what}`, mostLegPoints)).map(
+    (point) => readPoint(point, `a point of the leg of ${what}`),
+  );
   return {
     ...readPoint(value, what),
     ...(weight !== undefined && { weight: positive(weight, 'the weight') }),
     ...(beta !== undefined && { beta: positive(beta, 'the beta') }),
-    ...(leg !== undefined && {
-      leg: list(leg, `the leg of ${what}`, mostLegPoints).map((point) =>
-        readPoint(point, `a point of the leg of ${what}`),
-      ),
-    }),
+    // Through no point a leg is the shortest one.
+    ...(through.length > 0 && { leg: through }),
     ...(tangents !== undefined && { tangents: readTangents(tangents, what) }),
   };
 }
