@@ -116,6 +116,20 @@ export async function openBrowser({ profile = false, pixelRatio = 0.25, ...optio
   };
 }
 
+/** A browser of a phone; `touchOf` sends it fingers. */
+export const openPhone = () =>
+  openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+/** Sends a page touches: their type, and where the fingers are. */
+export async function touchOf(page) {
+  const devtools = await page.context().newCDPSession(page);
+  return (type, ...places) =>
+    devtools.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: places.map(({ x, y }, id) => ({ x, y, id })),
+    });
+}
+
 /** The tools of kinds that are no curve with control points. */
 const toolOf = {
   pen: 'pen',

@@ -1,7 +1,7 @@
 // Freehand strokes with a mouse and a finger.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
 
 const bytesOf = async (tab) => JSON.stringify((await tab.state()).drawing);
 const strokeAt = ({ x, y }) =>
@@ -92,11 +92,7 @@ describe('freehand', () => {
   });
 
   test('draws with one finger, and two turn to the view', async () => {
-    const phone = await openBrowser({
-      viewport: { width: 390, height: 844 },
-      hasTouch: true,
-      isMobile: true,
-    });
+    const phone = await openPhone();
     const tab = await Tab.open(phone);
     const { page } = tab;
     const empty = await bytesOf(tab);
@@ -106,12 +102,7 @@ describe('freehand', () => {
     assert.equal((await tab.state()).tool, 'freehand');
     // The surface is seen above the sheet.
     const center = await page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
-    const devtools = await page.context().newCDPSession(page);
-    const touch = (type, ...places) =>
-      devtools.send('Input.dispatchTouchEvent', {
-        type,
-        touchPoints: places.map(({ x, y }, id) => ({ x, y, id })),
-      });
+    const touch = await touchOf(page);
     const from = center ?? (await tab.middle());
     const at = (i) => ({ x: from.x - 60 + 8 * i, y: from.y + 20 * Math.sin(i / 3) });
     await touch('touchStart', at(0));

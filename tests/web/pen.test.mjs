@@ -1,7 +1,7 @@
 // The pen: anchors and handles drawn and edited with a mouse, a finger and keys.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
 
 const penOf = async (tab) => (await tab.state()).figure;
 const bytesOf = async (tab) => JSON.stringify((await tab.state()).drawing);
@@ -252,18 +252,12 @@ describe('the pen', () => {
   });
 
   test('draws with a finger: taps are corners, and a drag makes a smooth anchor', async () => {
-    const phone = await openBrowser({
-      viewport: { width: 390, height: 844 },
-      hasTouch: true,
-      isMobile: true,
-    });
+    const phone = await openPhone();
     const tab = await Tab.open(phone);
     const { page } = tab;
     await page.locator('#tool-pen').tap();
     assert.equal((await penOf(tab)).kind, 'pen');
-    const devtools = await page.context().newCDPSession(page);
-    const touch = (type, ...touchPoints) =>
-      devtools.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const touch = await touchOf(page);
     // The surface is seen above the sheet.
     const middle = await page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
     const at = (dx, dy) => ({ x: middle.x + dx, y: middle.y + dy });

@@ -135,8 +135,7 @@ export class Status {
     const point = typeof selection === 'number' ? points[selection] : undefined;
     this.#slider.hidden = !name || !point;
     if (name && point) showOnSlider(this.#slider, Number(selection), point, name);
-    const element = byId('hint');
-    write(element, hint);
+    write(byId('hint'), hint);
   }
 }
 
