@@ -26,6 +26,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/fast_trial.cpp
   distance/find_path.cpp
   distance/geodesic_line.cpp
+  distance/page_pool.cpp
   distance/ring_graph.cpp
   distance/shortest_path.cpp
   distance/source_images.cpp

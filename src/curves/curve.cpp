@@ -119,6 +119,27 @@ void Curve::set(CurveValue value) {
   becomeNext();
 }
 
+void Curve::movePoint(int i, const SurfacePoint& point) {
+  CurveValue& value = startNext();
+  placePoint(value, i, point);
+  const auto isShortest = [](const SurfacePath& leg) { return leg.points.empty(); };
+  if (std::all_of(value.legs.begin(), value.legs.end(), isShortest)) value.legs.clear();
+  becomeNext();
+}
+
+void Curve::dragPoint(int i, const SurfacePoint& point) {
+  CurveValue& value = startNext();
+  placePoint(value, i, point);
+  continueLegs(value, i);
+  becomeNext();
+}
+
+/// The next value, which is this curve's as yet.
+CurveValue& Curve::startNext() {
+  next_.value = value_;
+  return next_.value;
+}
+
 /// Becomes the curve of the next value.
 void Curve::becomeNext() {
   check(next_.value);
@@ -311,18 +332,14 @@ void Curve::makeSegments(Next& next) {
       next.polygon.points.push_back(
           {next.value.points[i], next.polygon.weighted ? shape.weights[i] : 1});
     }
-    if (isCentripetal(shape)) {
-      next.polygon.pieces = layOut(shape, count, gapsOf(next));
-    } else {
-      Workspace& known = *workspace_;
-      if (known.layoutPoints != count || !(known.layoutShape == shape)) {
-        known.layoutPoints = 0;
-        known.layout = layOut(shape, count);
-        known.layoutShape = shape;
-        known.layoutPoints = count;
-      }
-      next.polygon.pieces = known.layout;
+    const bool isBezier = shape.kind == CurveKind::kBezier || shape.kind == CurveKind::kRational;
+    Workspace& known = *workspace_;
+    if (!isBezier || known.layoutPoints != count || known.layoutIsClosed != shape.closed) {
+      known.layout = layOut(shape, count, gapsOf(next));
+      known.layoutPoints = isBezier ? count : 0;
+      known.layoutIsClosed = shape.closed;
     }
+    next.polygon.pieces = known.layout;
   }
   const int pieces = 1 << next.levels;
   // Legs that are the curve are not part of what pieces are compared by.
@@ -348,6 +365,7 @@ void Curve::makeSegments(Next& next) {
 /// mean of both, so that the curve is the same from either end.
 Array<double> Curve::gapsOf(const Next& next) {
   Array<double> gaps;
+  if (!isCentripetal(next.value.options.shape)) return gaps;
   const Array<SurfacePoint>& points = next.value.points;
   const auto distance = [&](const SurfacePoint& from, const SurfacePoint& to) {
     const std::shared_ptr<PointField> field = fieldSet_->at(from);

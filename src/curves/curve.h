@@ -72,22 +72,14 @@ class Curve {
   /// leaves the curve as it is.
   template <class Change>
   void edit(const Change& change) {
-    next_.value = value_;
-    change(next_.value);
+    change(startNext());
     becomeNext();
   }
 
   // Edits: `set` to the value after them.
-  void movePoint(int i, const SurfacePoint& point) {
-    edit([&](CurveValue& value) { value = withPointAt(std::move(value), i, point); });
-  }
+  void movePoint(int i, const SurfacePoint& point);
   /// As a hand moves it: with its legs continued.
-  void dragPoint(int i, const SurfacePoint& point) {
-    edit([&](CurveValue& value) {
-      placePoint(value, i, point);
-      continueLegs(value, i);
-    });
-  }
+  void dragPoint(int i, const SurfacePoint& point);
   void insertPoint(int i, const SurfacePoint& point) { set(withPointInserted(value_, i, point)); }
   void removePoint(int i) { set(withPointRemoved(value_, i)); }
   void movePointInOrder(int from, int to) { set(withPointMovedInOrder(value_, from, to)); }
@@ -169,14 +161,15 @@ class Curve {
     BoxWorkspace boxes;
     std::optional<SegmentFields> blend;
     Array<PointField*> fields;
-    /// The last layout of level 0 that depends on the shape and the number of points alone.
+    /// The last layout of a Bezier curve of level 0: of so many points.
     Array<SegmentLayout> layout;
-    CurveShape layoutShape;
     int layoutPoints = 0;
+    bool layoutIsClosed = false;
     JumpWorkspace jumps;
     Array<const TracedPiece*> pieces;
   };
 
+  CurveValue& startNext();
   void becomeNext();
   static bool isOfCenters(const CurveOptions& options);
   void check(const CurveValue& value) const;

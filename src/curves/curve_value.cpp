@@ -70,11 +70,6 @@ void placePoint(CurveValue& value, int i, const SurfacePoint& point) {
   }
 }
 
-CurveValue withPointAt(CurveValue value, int i, const SurfacePoint& point) {
-  checkIndex(value, i);
-  return changed(std::move(value), [&](CurveValue& to) { to.points[i] = point; });
-}
-
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point) {
   checkIndexBelow(value, i, value.points.count() + 1);
   return changed(std::move(value), [&](CurveValue& to) {

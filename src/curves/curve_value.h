@@ -52,7 +52,6 @@ void placePoint(CurveValue& value, int i, const SurfacePoint& point);
 // own knots are kept as far as they can be (knots.h). A leg is kept where both its ends are still
 // neighbours, also in the other direction; others are the shortest. Each throws Error kBadIndex for
 // a point that is not there.
-CurveValue withPointAt(CurveValue value, int i, const SurfacePoint& point);
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point);
 CurveValue withPointRemoved(CurveValue value, int i);
 /// Point `from` becomes the one of number `to`.

@@ -24,7 +24,7 @@ class FastDistance final : public DistanceSolver {
   /// The geometry must outlive the solver. Fans may be shared between solvers of one geometry;
   /// without them the solver builds its own. The pool may be shared, too.
   explicit FastDistance(const Geometry& geometry, std::shared_ptr<const VertexFans> fans = nullptr,
-                        std::shared_ptr<PagePool> pages = std::make_shared<PagePool>());
+                        std::shared_ptr<PagePool> pages = newPagePool());
 
   void setSource(const SurfacePoint& source) override;
   void grow(double radius) override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "mesh/types.h"
 
@@ -16,8 +17,8 @@ class PagePool {
   PagePool(const PagePool&) = delete;
   PagePool& operator=(const PagePool&) = delete;
 
-  /// A page of so many bytes.
-  void* take(size_t bytes);
+  /// A page of so many bytes, whose number is appended to those that an array has.
+  void* take(size_t bytes, int number, Array<int>& numbers);
   void give(void* page, size_t bytes) noexcept;
 
   /// Gives the memory of pages that nobody has back.
@@ -38,7 +39,12 @@ class PagePool {
   Shelf& shelfOf(size_t bytes);
   static void put(Shelf& shelf, void* page) noexcept;
 
-  Array<Shelf> shelves_;
+  /// Arrays that share a pool have pages of so many sizes at most.
+  static constexpr int kSizes = 8;
+
+  Shelf shelves_[kSizes];
 };
+
+std::shared_ptr<PagePool> newPagePool();
 
 }  // namespace karcher

@@ -17,7 +17,7 @@ template <class T, int kPageBits>
 class PagedArray {
  public:
   /// The pages come from the pool, which other arrays may share.
-  explicit PagedArray(int count, std::shared_ptr<PagePool> pool = std::make_shared<PagePool>())
+  explicit PagedArray(int count, std::shared_ptr<PagePool> pool = newPagePool())
       : count_(count),
         pageOf_(static_cast<size_t>(count >> kPageBits) + 1, nullptr),
         pool_(std::move(pool)) {}
@@ -49,7 +49,7 @@ class PagedArray {
   }
 
   /// Forgets every element. Costs what was touched; the pool keeps the memory.
-  void clear() {
+  [[gnu::noinline]] void clear() {
     for (const int page : used_) {
       pool_->give(pageOf_[page], kBytes);
       pageOf_[page] = nullptr;
@@ -63,17 +63,11 @@ class PagedArray {
   static_assert(std::is_trivially_destructible_v<T>);
   static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
-  T* addPage(int index) {
-    // So that a page that was taken is known to be.
-    if (used_.size() == used_.capacity()) used_.reserve(2 * used_.size() + kFirstUsed);
-    T* const page = static_cast<T*>(pool_->take(kBytes));
+  [[gnu::noinline]] T* addPage(int index) {
+    T* const page = static_cast<T*>(pool_->take(kBytes, index, used_));
     std::uninitialized_fill(page, page + kMask + 1, T{});
-    pageOf_[index] = page;
-    used_.push_back(index);
-    return page;
+    return pageOf_[index] = page;
   }
-
-  static constexpr size_t kFirstUsed = 64;
 
   int count_;
   Array<T*> pageOf_;

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 /// The small vocabulary that every room of the engine shares.
@@ -27,11 +28,15 @@ class Array : public std::vector<T> {
   Array(const Array&) = default;
   Array(Array&&) noexcept = default;
   Array& operator=(Array&&) noexcept = default;
-  /// Grows by half and a few at least, so that copies of what grows little by little seldom take
-  /// memory.
-  Array& operator=(const Array& other) {
-    const size_t room = this->capacity();
-    if (other.size() > room && room > 0) this->reserve(std::max(other.size(), room + room / 2 + 8));
+  /// Of numbers and points: grows by half and a few at least, so that copies of what grows slowly
+  /// seldom take memory. Not inline, since modules that are loaded are small.
+  [[gnu::noinline]] Array& operator=(const Array& other) {
+    if constexpr (std::is_trivially_destructible_v<T>) {
+      const size_t room = this->capacity();
+      if (other.size() > room && room > 0) {
+        this->reserve(std::max(other.size(), room + room / 2 + 8));
+      }
+    }
     std::vector<T>::operator=(other);
     return *this;
   }

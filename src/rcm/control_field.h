@@ -28,8 +28,7 @@ class ControlField {
   using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
   /// The pool is where its memory comes from, which other fields may share.
-  explicit ControlField(int vertexCount,
-                        std::shared_ptr<PagePool> pages = std::make_shared<PagePool>())
+  explicit ControlField(int vertexCount, std::shared_ptr<PagePool> pages = newPagePool())
       : entries_(vertexCount, std::move(pages)) {}
 
   /// Forgets all values; from now on `evaluate` computes them. Costs what was touched.

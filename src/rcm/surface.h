@@ -55,7 +55,7 @@ class Surface {
   std::optional<GradientOperator> gradientOperator_;
   std::map<Estimator, StencilTable> stencils_;
   std::shared_ptr<const VertexFans> vertexFans_;
-  std::shared_ptr<PagePool> pages_ = std::make_shared<PagePool>();
+  std::shared_ptr<PagePool> pages_ = newPagePool();
   std::optional<bool> suitsFastSolver_;
 };
 
