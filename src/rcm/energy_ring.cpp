@@ -1,18 +1,17 @@
 #include "rcm/energy_ring.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "distance/window.h"
 
 namespace karcher {
 
 EnergyRing::EnergyRing(const Geometry& geometry, const SurfacePoint& center, double here, int count,
-                       EnergyFunction energyAt)
+                       ExactOneSourceEnergy& energy)
     : geometry_(geometry),
       center_(center),
       here_(here),
-      energyAt_(std::move(energyAt)),
+      energy_(energy),
       radius_(kCheckedRadius * geometry.meanEdge),
       start_(circleStart(geometry, center)) {
   const auto places = static_cast<size_t>(count);
@@ -39,7 +38,7 @@ void EnergyRing::compare(int first, int step) {
   error_ = 0;
   for (int k = first; k < places_.count(); k += step) {
     places_[k] = radii[k].path.end();
-    const EnergyAt there = energyAt_(places_[k]);
+    const EnergyAt there = energy_.at(places_[k]);
     values_[k] = there.energy;
     slopes_[k] = -2 * radius_ * cross(radii[k].direction, there.step);
     error_ = std::max(error_, std::abs(values_[k] - polynomialAt(angleOf(k))));
@@ -90,7 +89,7 @@ void EnergyRing::lookBesideLowest() {
   const Array<SurfacePoint> places = circleAround(geometry_, center_, radius_, count);
   for (const int beside : {-2, -1, 1, 2}) {
     const SurfacePoint& there = places[(3 * place + 1 + beside + count) % count];
-    const double value = energyAt_(there).energy;
+    const double value = energy_.at(there).energy;
     if (!(value < values_[place])) continue;
     values_[place] = value;
     places_[place] = there;

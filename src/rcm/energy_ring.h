@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "rcm/exact_minimum.h"
 #include "rcm/one_source_energy.h"
 
@@ -15,12 +13,10 @@ namespace karcher {
 /// sides. A circle sees what they sum to; the gradient at the center sees none.
 class EnergyRing {
  public:
-  using EnergyFunction = std::function<EnergyAt(const SurfacePoint&)>;
-
   /// Compares every fourth of `count` places, which four divides. `here` is the energy at the
-  /// center.
+  /// center. The geometry and the energy must outlive the object.
   EnergyRing(const Geometry& geometry, const SurfacePoint& center, double here, int count,
-             EnergyFunction energyAt);
+             ExactOneSourceEnergy& energy);
 
   /// Compares the places half-way between those that were compared, too, if any are left.
   void refine();
@@ -59,7 +55,7 @@ class EnergyRing {
   const Geometry& geometry_;
   SurfacePoint center_;
   double here_;
-  EnergyFunction energyAt_;
+  ExactOneSourceEnergy& energy_;
   double radius_;
   double start_;  ///< the direction in which the circle begins
   int step_ = 4;  ///< from a place that was compared to the next

@@ -217,8 +217,7 @@ Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const M
   SurfacePoint place = rough.point;
   double energy = exact.at(place).energy;
   for (int move = 0;; ++move) {
-    EnergyRing ring(geometry, place, energy, count,
-                    [&](const SurfacePoint& there) { return exact.at(there); });
+    EnergyRing ring(geometry, place, energy, count, exact);
     const double bound = energy - kLowerBy * squareEdge;
     const double nearBound = energy + kNearBound * squareEdge;
     SurfacePoint lower;
