@@ -115,17 +115,22 @@ Curve::Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<do
 }
 
 void Curve::set(CurveValue value) {
-  check(value);
-  if (!(value.options.field == fieldSet_->options())) {
+  next_.value = std::move(value);
+  becomeNext();
+}
+
+/// Becomes the curve of the next value.
+void Curve::becomeNext() {
+  check(next_.value);
+  if (!(next_.value.options.field == fieldSet_->options())) {
     // Other fields: nothing of this curve holds, and the ones that it has go before their set.
-    Curve other(fieldSets_, std::move(value), clock_);
+    Curve other(fieldSets_, std::move(next_.value), clock_);
     segments_.clear();
     *this = std::move(other);
     return;
   }
   const int madeBefore = fieldSet_->made();
   const StageTimes timesBefore = std::exchange(times_, {});
-  next_.value = std::move(value);
   try {
     make(next_);
   } catch (...) {
@@ -183,10 +188,10 @@ const Array<SurfacePath>& Curve::usedLegs() const {
   return usesLegs(options()) ? legs_ : kNone;
 }
 
-CurveValue Curve::withLegsContinued(CurveValue value, int i) {
+void Curve::continueLegs(CurveValue& value, int i) {
   const int points = value.points.count();
   checkIndex(value, i);
-  if (!usesLegs(value.options)) return value;
+  if (!usesLegs(value.options)) return;
   const Array<SurfacePath>& before = legs();
   const int count = legCount(value.options.shape, points);
   value.legs.resize(static_cast<size_t>(count));
@@ -200,12 +205,11 @@ CurveValue Curve::withLegsContinued(CurveValue value, int i) {
     const Geometry& geometry = surface().geometry();
     const bool goesOn = isStart ? moveStart(geometry, value.points[i], path, workspace)
                                 : moveEnd(geometry, value.points[i], path, workspace);
-    if (!goesOn) path = {};
+    if (!goesOn) path.points.clear();
   };
   const bool isClosed = value.options.shape.closed;
   if (isClosed || i > 0) drag((i + points - 1) % points, false);
   if (isClosed || i < count) drag(i, true);
-  return value;
 }
 
 Array<PointField*> Curve::fieldsOf(int segment, int k) {
@@ -307,7 +311,18 @@ void Curve::makeSegments(Next& next) {
       next.polygon.points.push_back(
           {next.value.points[i], next.polygon.weighted ? shape.weights[i] : 1});
     }
-    next.polygon.pieces = layOut(shape, count, gapsOf(next));
+    if (isCentripetal(shape)) {
+      next.polygon.pieces = layOut(shape, count, gapsOf(next));
+    } else {
+      Workspace& known = *workspace_;
+      if (known.layoutPoints != count || !(known.layoutShape == shape)) {
+        known.layoutPoints = 0;
+        known.layout = layOut(shape, count);
+        known.layoutShape = shape;
+        known.layoutPoints = count;
+      }
+      next.polygon.pieces = known.layout;
+    }
   }
   const int pieces = 1 << next.levels;
   // Legs that are the curve are not part of what pieces are compared by.
@@ -333,7 +348,6 @@ void Curve::makeSegments(Next& next) {
 /// mean of both, so that the curve is the same from either end.
 Array<double> Curve::gapsOf(const Next& next) {
   Array<double> gaps;
-  if (!isCentripetal(next.value.options.shape)) return gaps;
   const Array<SurfacePoint>& points = next.value.points;
   const auto distance = [&](const SurfacePoint& from, const SurfacePoint& to) {
     const std::shared_ptr<PointField> field = fieldSet_->at(from);

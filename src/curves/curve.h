@@ -67,8 +67,27 @@ class Curve {
   /// caller's throws.
   void set(CurveValue value);
 
+  /// `set` to what a change makes of the curve's value. The value is written where the one before
+  /// the last edit was, so that a step of a drag takes no memory for it. What the change throws
+  /// leaves the curve as it is.
+  template <class Change>
+  void edit(const Change& change) {
+    next_.value = value_;
+    change(next_.value);
+    becomeNext();
+  }
+
   // Edits: `set` to the value after them.
-  void movePoint(int i, const SurfacePoint& point) { set(withPointAt(value_, i, point)); }
+  void movePoint(int i, const SurfacePoint& point) {
+    edit([&](CurveValue& value) { value = withPointAt(std::move(value), i, point); });
+  }
+  /// As a hand moves it: with its legs continued.
+  void dragPoint(int i, const SurfacePoint& point) {
+    edit([&](CurveValue& value) {
+      placePoint(value, i, point);
+      continueLegs(value, i);
+    });
+  }
   void insertPoint(int i, const SurfacePoint& point) { set(withPointInserted(value_, i, point)); }
   void removePoint(int i) { set(withPointRemoved(value_, i)); }
   void movePointInOrder(int from, int to) { set(withPointMovedInOrder(value_, from, to)); }
@@ -81,15 +100,11 @@ class Curve {
   /// Traces all pieces again with the fields as they are: for measurements.
   void retrace();
 
-  /// A value of this curve with control point `i` elsewhere, as a hand drags it: the legs that meet
-  /// there, where the value gives none, are continued from where they lie in this curve, whether or
-  /// not they stay the shortest. A leg whose other end has moved too, or whose end lies so far off
-  /// that it cannot be continued, is the shortest. Throws Error kBadIndex.
-  CurveValue withLegsContinued(CurveValue value, int i);
-  /// The same of this curve's own value with the point elsewhere.
-  CurveValue withPointDragged(int i, const SurfacePoint& point) {
-    return withLegsContinued(withPointAt(value_, i, point), i);
-  }
+  /// For a value of this curve with control point `i` elsewhere, as a hand drags it: the legs that
+  /// meet there, where the value gives none, are continued from where they lie in this curve,
+  /// whether or not they stay the shortest. A leg whose other end has moved too, or whose end lies
+  /// so far off that it cannot be continued, is the shortest. Throws Error kBadIndex.
+  void continueLegs(CurveValue& value, int i);
 
   const CurveValue& value() const { return value_; }
   /// The legs of the control polygon as they lie on the surface.
@@ -154,10 +169,15 @@ class Curve {
     BoxWorkspace boxes;
     std::optional<SegmentFields> blend;
     Array<PointField*> fields;
+    /// The last layout of level 0 that depends on the shape and the number of points alone.
+    Array<SegmentLayout> layout;
+    CurveShape layoutShape;
+    int layoutPoints = 0;
     JumpWorkspace jumps;
     Array<const TracedPiece*> pieces;
   };
 
+  void becomeNext();
   static bool isOfCenters(const CurveOptions& options);
   void check(const CurveValue& value) const;
   void takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const;

@@ -57,6 +57,19 @@ CurveValue changed(CurveValue value, const Change& change) {
 
 void checkIndex(const CurveValue& value, int i) { checkIndexBelow(value, i, value.points.count()); }
 
+void placePoint(CurveValue& value, int i, const SurfacePoint& point) {
+  checkIndex(value, i);
+  if (isSame(value.points[i], point)) return;
+  value.points[i] = point;
+  const int legs = value.legs.count();
+  const int ofPoint[] = {i, i > 0 ? i - 1 : value.points.count() - 1};
+  for (const int leg : ofPoint) {
+    if (leg >= legs) continue;
+    value.legs[leg].points.clear();
+    value.legs[leg].lengths.clear();
+  }
+}
+
 CurveValue withPointAt(CurveValue value, int i, const SurfacePoint& point) {
   checkIndex(value, i);
   return changed(std::move(value), [&](CurveValue& to) { to.points[i] = point; });

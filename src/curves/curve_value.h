@@ -44,6 +44,10 @@ struct CurveValue {
 /// Throws Error kBadIndex for a control point that is not there.
 void checkIndex(const CurveValue& value, int i);
 
+/// Moves a control point of the value itself, in the memory that is there: the legs that meet at it
+/// become the shortest. Throws Error kBadIndex.
+void placePoint(CurveValue& value, int i, const SurfacePoint& point);
+
 // The value after an edit. Weights and betas go with their points, a new point's are 1; a caller's
 // own knots are kept as far as they can be (knots.h). A leg is kept where both its ends are still
 // neighbours, also in the other direction; others are the shortest. Each throws Error kBadIndex for

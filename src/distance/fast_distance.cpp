@@ -32,10 +32,11 @@ Vec2 unitVectorOfSmall(double angle) {
 
 }  // namespace
 
-FastDistance::FastDistance(const Geometry& geometry, std::shared_ptr<const VertexFans> fans)
+FastDistance::FastDistance(const Geometry& geometry, std::shared_ptr<const VertexFans> fans,
+                           std::shared_ptr<PagePool> pages)
     : geometry_(geometry),
       fans_(fans ? std::move(fans) : std::make_shared<const VertexFans>(buildVertexFans(geometry))),
-      vertices_(geometry.mesh->vertexCount()),
+      vertices_(geometry.mesh->vertexCount(), std::move(pages)),
       queue_(geometry.meanEdge / 128) {}
 
 void FastDistance::setSource(const SurfacePoint& source) {

@@ -22,8 +22,9 @@ namespace karcher {
 class FastDistance final : public DistanceSolver {
  public:
   /// The geometry must outlive the solver. Fans may be shared between solvers of one geometry;
-  /// without them the solver builds its own.
-  explicit FastDistance(const Geometry& geometry, std::shared_ptr<const VertexFans> fans = nullptr);
+  /// without them the solver builds its own. The pool may be shared, too.
+  explicit FastDistance(const Geometry& geometry, std::shared_ptr<const VertexFans> fans = nullptr,
+                        std::shared_ptr<PagePool> pages = std::make_shared<PagePool>());
 
   void setSource(const SurfacePoint& source) override;
   void grow(double radius) override;

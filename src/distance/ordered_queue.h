@@ -18,8 +18,11 @@ namespace karcher {
 /// bit for each bucket says whether it holds something.
 class OrderedQueue {
  public:
-  explicit OrderedQueue(double width)
-      : inverseWidth_(1 / width), links_(static_cast<size_t>(kFirstPlace)) {}
+  explicit OrderedQueue(double width) : inverseWidth_(1 / width) {
+    links_.reserve(static_cast<size_t>(kFirstPlace) + kRoom);
+    links_.resize(static_cast<size_t>(kFirstPlace));
+    entries_.reserve(kRoom);
+  }
 
   bool empty() const { return count_ == 0; }
 
@@ -79,6 +82,8 @@ class OrderedQueue {
   static constexpr int kFirstHead = 1;
   static constexpr int kFar = kFirstHead + kBuckets;
   static constexpr int kFirstPlace = kFar + 1;
+  /// For so many items there is room from the start.
+  static constexpr size_t kRoom = 256;
   static constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
   struct Link {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
 
-#include "mesh/types.h"
+#include "distance/page_pool.h"
 
 namespace karcher {
 
@@ -13,8 +16,14 @@ namespace karcher {
 template <class T, int kPageBits>
 class PagedArray {
  public:
-  explicit PagedArray(int count)
-      : count_(count), pageOf_(static_cast<size_t>(count >> kPageBits) + 1, nullptr) {}
+  /// The pages come from the pool, which other arrays may share.
+  explicit PagedArray(int count, std::shared_ptr<PagePool> pool = std::make_shared<PagePool>())
+      : count_(count),
+        pageOf_(static_cast<size_t>(count >> kPageBits) + 1, nullptr),
+        pool_(std::move(pool)) {}
+  PagedArray(PagedArray&&) noexcept = default;
+  PagedArray& operator=(PagedArray&&) = delete;
+  ~PagedArray() { clear(); }
 
   /// The element, made if it does not exist yet.
   T& touch(int i) {
@@ -39,28 +48,37 @@ class PagedArray {
     }
   }
 
-  /// Forgets every element. Costs what was touched; the memory is kept.
+  /// Forgets every element. Costs what was touched; the pool keeps the memory.
   void clear() {
-    for (const int page : used_) pageOf_[page] = nullptr;
+    for (const int page : used_) {
+      pool_->give(pageOf_[page], kBytes);
+      pageOf_[page] = nullptr;
+    }
     used_.clear();
   }
 
  private:
   static constexpr int kMask = (1 << kPageBits) - 1;
+  static constexpr size_t kBytes = sizeof(T) << kPageBits;
+  static_assert(std::is_trivially_destructible_v<T>);
+  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
   T* addPage(int index) {
-    if (used_.size() == pages_.size()) pages_.push_back(std::make_unique<T[]>(kMask + 1));
-    T* page = pages_[used_.size()].get();
-    std::fill(page, page + kMask + 1, T{});
+    // So that a page that was taken is known to be.
+    if (used_.size() == used_.capacity()) used_.reserve(2 * used_.size() + kFirstUsed);
+    T* const page = static_cast<T*>(pool_->take(kBytes));
+    std::uninitialized_fill(page, page + kMask + 1, T{});
     pageOf_[index] = page;
     used_.push_back(index);
     return page;
   }
 
+  static constexpr size_t kFirstUsed = 64;
+
   int count_;
   Array<T*> pageOf_;
   Array<int> used_;
-  Array<std::unique_ptr<T[]>> pages_;
+  std::shared_ptr<PagePool> pool_;
 };
 
 }  // namespace karcher

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -22,6 +23,18 @@ template <class T>
 class Array : public std::vector<T> {
  public:
   using std::vector<T>::vector;
+  Array() = default;
+  Array(const Array&) = default;
+  Array(Array&&) noexcept = default;
+  Array& operator=(Array&&) noexcept = default;
+  /// Grows by half and a few at least, so that copies of what grows little by little seldom take
+  /// memory.
+  Array& operator=(const Array& other) {
+    const size_t room = this->capacity();
+    if (other.size() > room && room > 0) this->reserve(std::max(other.size(), room + room / 2 + 8));
+    std::vector<T>::operator=(other);
+    return *this;
+  }
   T& operator[](std::integral auto i) { return std::vector<T>::operator[](static_cast<size_t>(i)); }
   const T& operator[](std::integral auto i) const {
     return std::vector<T>::operator[](static_cast<size_t>(i));

@@ -27,7 +27,10 @@ class ControlField {
   /// half-edge's frame: its direction is the x axis.
   using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
-  explicit ControlField(int vertexCount) : entries_(vertexCount) {}
+  /// The pool is where its memory comes from, which other fields may share.
+  explicit ControlField(int vertexCount,
+                        std::shared_ptr<PagePool> pages = std::make_shared<PagePool>())
+      : entries_(vertexCount, std::move(pages)) {}
 
   /// Forgets all values; from now on `evaluate` computes them. Costs what was touched.
   /// With `evaluateMidpoint` the field has values at the midpoints of edges as well.

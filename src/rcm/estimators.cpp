@@ -6,12 +6,7 @@
 namespace karcher {
 namespace {
 
-/// A neighbour, placed in the plane of a vertex's frame.
-struct Neighbour {
-  int vertex;
-  Vec2 place;
-  Vec2 rotation;  ///< unit: turns vectors in the neighbour's frame into the vertex's
-};
+using Neighbour = StencilNeighbour;
 
 /// Adds what carrying along one edge gives to the neighbours from number `begin` on; those before
 /// lie in rings that are done. A neighbour's sums stand in `place` and `rotation`.
@@ -34,13 +29,16 @@ void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour&
 
 /// The vertex itself, then its ring by ring neighbours, each carried along all edges from the ring
 /// before: the mean of these ways, so that it does not depend on the numbers of vertices and faces.
-Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
+/// Writes to `ring`.
+void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>& ring,
+               Array<int>& ways) {
   const TriangleMesh& mesh = *geometry.mesh;
-  Array<Neighbour> ring{{vertex, Vec2::Zero(), Vec2(1, 0)}};
+  ring.clear();
+  ring.push_back({vertex, Vec2::Zero(), Vec2(1, 0)});
   int begin = 0;
   for (int r = 0; r < rings; ++r) {
     const int end = ring.count();
-    Array<int> ways;
+    ways.clear();
     for (; begin < end; ++begin) {
       const Neighbour from = ring[begin];
       const double scale = geometry.angleScale[from.vertex];
@@ -64,7 +62,6 @@ Array<Neighbour> ringsAround(const Geometry& geometry, int vertex, int rings) {
       ring[i].rotation.normalize();
     }
   }
-  return ring;
 }
 
 /// How much of an estimate is the vertex's own log vector (Stencil). Vertices of the boundary have
@@ -171,12 +168,11 @@ Stencil StencilTable::at(int vertex) {
   Place& place = places_.touch(vertex);
   if (place.begin < 0) {
     const int64_t begin = static_cast<int64_t>(terms_.size());
-    const Array<Neighbour> ring =
-        ringsAround(geometry_, vertex, estimator_ == Estimator::kLinear1 ? 1 : 2);
+    findRings(geometry_, vertex, estimator_ == Estimator::kLinear1 ? 1 : 2, ring_, ways_);
     const double share = logVectorShareOf(geometry_, vertex);
     const bool quadratic =
-        estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring, share, terms_);
-    if (!quadratic) linearTerms(ring, share, terms_);
+        estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring_, share, terms_);
+    if (!quadratic) linearTerms(ring_, share, terms_);
     place.count = static_cast<int>(static_cast<int64_t>(terms_.size()) - begin);
     place.ofVectors = quadratic ? 1 : place.count;
     place.logVectorShare = share;

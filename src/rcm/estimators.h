@@ -84,6 +84,13 @@ inline double shareOfLogVector(double share, const Vec2& difference, double dist
   return share + (1 - share) / (1 + relative * relative);
 }
 
+/// A neighbour, placed in the plane of a vertex's frame.
+struct StencilNeighbour {
+  int vertex;
+  Vec2 place;
+  Vec2 rotation;  ///< unit: turns vectors in the neighbour's frame into the vertex's
+};
+
 /// The stencils of one estimator, each made when it is first asked for.
 class StencilTable {
  public:
@@ -105,6 +112,8 @@ class StencilTable {
   Estimator estimator_;
   PagedArray<Place, 8> places_;
   Array<StencilTerm> terms_;
+  Array<StencilNeighbour> ring_;  ///< scratch
+  Array<int> ways_;
 };
 
 }  // namespace karcher

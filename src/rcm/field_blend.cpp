@@ -103,7 +103,7 @@ double FieldBlend::zeroAlongEdge(int h, Weights weights) {
   if (!cells_.cut() || (cell % 4 < 3 && cornerOf(h) != 1)) {
     // Of an edge of the mesh, or a half of it.
     const int edge = !cells_.cut() ? h : 3 * (cell / 4) + (cell % 4 + cornerOf(h)) % 3;
-    const EdgeValues values = alongEdge(edge, cornerOf(h) == 2).at(weights);
+    const EdgeValues values = blendAlongEdge(edge, cornerOf(h) == 2, weights);
     alongA = values.tail.x();
     alongB = values.head.x();
   } else {
@@ -119,15 +119,24 @@ double FieldBlend::zeroAlongEdge(int h, Weights weights) {
   return std::clamp(alongA / (alongA - alongB), 0.0, 1.0);
 }
 
+EdgeValues FieldBlend::valuesAlongEdge(ControlField& field, int h, int half) {
+  EdgeValues values = valuesAtEnds(geometry_, field, h);
+  if (cells_.cut()) (half == 0 ? values.head : values.tail) = midpointInEdge(geometry_, field, h);
+  return values;
+}
+
 EdgeField FieldBlend::alongEdge(int h, int half) {
   EdgeField result;
-  for (ControlField* field : fields_) {
-    EdgeValues values = valuesAtEnds(geometry_, *field, h);
-    if (cells_.cut())
-      (half == 0 ? values.head : values.tail) = midpointInEdge(geometry_, *field, h);
-    result.fields.push_back(values);
-  }
+  for (ControlField* field : fields_) result.fields.push_back(valuesAlongEdge(*field, h, half));
   return result;
+}
+
+EdgeValues FieldBlend::blendAlongEdge(int h, int half, Weights weights) {
+  EdgeValues sum;
+  for (int i = 0; i < fields_.count(); ++i) {
+    EdgeField::add(weights.data()[i], valuesAlongEdge(*fields_[i], h, half), sum);
+  }
+  return sum;
 }
 
 FieldBlend::CellJacobian FieldBlend::jacobian(int cell, const TriangleField& field) const {

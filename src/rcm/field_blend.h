@@ -58,11 +58,13 @@ struct EdgeField {
 
   EdgeValues at(Weights weights) const {
     EdgeValues sum;
-    for (int i = 0; i < fields.count(); ++i) {
-      sum.tail += weights.data()[i] * fields[i].tail;
-      sum.head += weights.data()[i] * fields[i].head;
-    }
+    for (int i = 0; i < fields.count(); ++i) add(weights.data()[i], fields[i], sum);
     return sum;
+  }
+
+  static void add(double weight, const EdgeValues& values, EdgeValues& sum) {
+    sum.tail += weight * values.tail;
+    sum.head += weight * values.head;
   }
 };
 
@@ -117,6 +119,8 @@ class FieldBlend {
   /// The fields along half-edge h of a face; where faces are cut, along its first half from the
   /// tail (0) or its second (1).
   EdgeField alongEdge(int h, int half = 0);
+  /// Their weighted sum alone.
+  EdgeValues blendAlongEdge(int h, int half, Weights weights);
 
   /// The rate of change of a blend along the axes of its cell.
   struct CellJacobian {
@@ -142,6 +146,7 @@ class FieldBlend {
   int findSlot(int cell);
   void fillSlot(int slot, int cell);
   CellShape shapeOf(int cell) const;
+  EdgeValues valuesAlongEdge(ControlField& field, int h, int half);
   void fillCut(double* out, int cell);
   /// The transported vectors of all fields in a slot's cell: six numbers a field, x and y at each
   /// corner.

@@ -37,7 +37,7 @@ std::unique_ptr<DistanceSolver> makeDistanceSolver(Surface& surface, const Field
     case Solver::kFast:
       break;
   }
-  return std::make_unique<FastDistance>(geometry, surface.vertexFans());
+  return std::make_unique<FastDistance>(geometry, surface.vertexFans(), surface.pages());
 }
 
 Estimator estimatorOf(Solver solver) {

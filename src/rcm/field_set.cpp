@@ -33,7 +33,7 @@ std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point,
   decltype(placeOf_)::node_type entry;
   if (place < 0) {
     place = fields_.count();
-    fields_.push_back(std::make_shared<PointField>(surface_, options_));
+    fields_.push_back(std::make_shared<PointField>(surface_, options_, spareSolvers_));
   } else {
     entry = placeOf_.extract(keyOf(*fields_[place]));
   }
@@ -87,6 +87,8 @@ void FieldSet::dropSpare(int kept) {
   });
   for (int i = 0; i < fields_.count(); ++i) renumber(i);
   next_ = 0;
+  spareSolvers_->clear();
+  surface_.pages()->trim();
 }
 
 void FieldSet::trim() {

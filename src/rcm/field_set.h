@@ -68,6 +68,8 @@ class FieldSet {
   Surface& surface_;
   FieldOptions options_;
   Array<std::shared_ptr<PointField>> fields_;
+  std::shared_ptr<PointField::SpareSolvers> spareSolvers_ =
+      std::make_shared<PointField::SpareSolvers>();
   std::unordered_map<Key, int, Hash> placeOf_;
   int next_ = 0;  ///< where the search for a spare field goes on
   int made_ = 0;

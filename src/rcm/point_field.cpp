@@ -7,12 +7,14 @@
 
 namespace karcher {
 
-PointField::PointField(Surface& surface, const FieldOptions& options)
+PointField::PointField(Surface& surface, const FieldOptions& options,
+                       std::shared_ptr<SpareSolvers> spare)
     : surface_(surface),
       options_(options),
       estimator_(estimatorOf(solverOn(surface, options.solver))),
-      field_(surface.mesh().vertexCount()),
-      logVectors_(surface.mesh().vertexCount()) {
+      field_(surface.mesh().vertexCount(), surface.pages()),
+      spare_(std::move(spare)),
+      logVectors_(surface.mesh().vertexCount(), surface.pages()) {
   checkFieldOptions(options);
 }
 
@@ -41,7 +43,7 @@ void PointField::makeLogField() {
   ControlField::EvaluateMidpoint midpoint;
   if (solver_->keepMidpoints()) midpoint = [this](int h) { return estimateMidpoint(h); };
   isKept_ = solver_->keepTo(box_) && box_;
-  wholeIsSet_ = false;
+  if (whole_) spare_->push_back(std::move(whole_));
   solver_->setSource(point_);
   field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
 }
@@ -56,9 +58,12 @@ DistanceSolver& PointField::solverFor(int vertex) {
     solver_->growTo(vertex);
     if (solver_->isSure(vertex)) return *solver_;
   }
-  if (!whole_) whole_ = makeDistanceSolver(surface_, options_);
-  if (!wholeIsSet_) whole_->setSource(point_);
-  wholeIsSet_ = true;
+  if (!whole_) {
+    if (spare_->empty()) spare_->push_back(makeDistanceSolver(surface_, options_));
+    spare_->back()->setSource(point_);
+    whole_ = std::move(spare_->back());
+    spare_->pop_back();
+  }
   whole_->growTo(vertex);
   return *whole_;
 }

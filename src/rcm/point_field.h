@@ -14,8 +14,13 @@ namespace karcher {
 /// to the vertices that a search asks for, and no further.
 class PointField {
  public:
-  /// The surface must outlive the field. Throws as `checkFieldOptions` does.
-  PointField(Surface& surface, const FieldOptions& options);
+  /// Solvers that no field needs at the time.
+  using SpareSolvers = Array<std::unique_ptr<DistanceSolver>>;
+
+  /// The surface must outlive the field. Fields of the same surface and options may share spare
+  /// solvers. Throws as `checkFieldOptions` does.
+  PointField(Surface& surface, const FieldOptions& options,
+             std::shared_ptr<SpareSolvers> spare = std::make_shared<SpareSolvers>());
   PointField(const PointField&) = delete;
   PointField& operator=(const PointField&) = delete;
 
@@ -53,9 +58,9 @@ class PointField {
   std::unique_ptr<DistanceSolver> solver_;
   std::optional<OrientedBox> box_;
   bool isKept_ = false;  ///< the solver to the box
-  /// Goes everywhere, for what lies outside the box or depends on that; made when it is needed.
+  /// Goes everywhere, for what lies outside the box or depends on that; taken when it is needed.
   std::unique_ptr<DistanceSolver> whole_;
-  bool wholeIsSet_ = false;
+  std::shared_ptr<SpareSolvers> spare_;
   StencilTable* stencils_ = nullptr;
   PagedArray<LogEntry, 4> logVectors_;
   Array<double> squaredDistances_;

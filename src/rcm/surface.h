@@ -41,6 +41,9 @@ class Surface {
   /// The triangles around each vertex laid flat, for the fast solver; shared by all of them.
   const std::shared_ptr<const VertexFans>& vertexFans();
 
+  /// The memory of the fields on the surface.
+  const std::shared_ptr<PagePool>& pages() { return pages_; }
+
   /// Whether the fast solver was found to work on this mesh (fast_trial.h).
   bool suitsFastSolver();
 
@@ -52,6 +55,7 @@ class Surface {
   std::optional<GradientOperator> gradientOperator_;
   std::map<Estimator, StencilTable> stencils_;
   std::shared_ptr<const VertexFans> vertexFans_;
+  std::shared_ptr<PagePool> pages_ = std::make_shared<PagePool>();
   std::optional<bool> suitsFastSolver_;
 };
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "allocations.h"
 #include "bench_support.h"
 #include "curves/polygon/subdivision.h"
 #include "curves/query/evaluate.h"
 #include "distance/geodesic_line.h"
+#include "measures/allocations.h"
 
 namespace karcher {
 namespace {
@@ -95,11 +95,15 @@ SteadyVariant refined(const std::string& name, int levels) {
         curve->movePoint(i, place);
         return described(*curve, allocationsSoFar() - allocations);
       }
-      CurveValue value;
-      const double continued = processorTimed([&] { value = curve->withPointDragged(i, place); });
-      // As the page does: a drag keeps the most levels that it ever had.
-      if (levels == kAutomaticLevels) value.options.leastLevels = curve->levels();
-      curve->set(std::move(value));
+      double continued = 0;
+      curve->edit([&](CurveValue& value) {
+        continued = processorTimed([&] {
+          placePoint(value, i, place);
+          curve->continueLegs(value, i);
+        });
+        // As the page does: a drag keeps the most levels that it ever had.
+        if (levels == kAutomaticLevels) value.options.leastLevels = curve->levels();
+      });
       TracedCurve traced = described(*curve, allocationsSoFar() - allocations);
       traced.stages[0].ms += continued;
       for (const SurfacePath& leg : curve->legs()) traced.legs.push_back(leg.points);

@@ -212,7 +212,7 @@ TEST(CurveLevels, AfterAnyEditsAreTheCurveTracedAnew) {
           curve.reverse();
           break;
         default:
-          curve.set(curve.withPointDragged(i, near));
+          curve.dragPoint(i, near);
       }
       expectIdentical(curve, Curve(surface, curve.value()));
     }
@@ -277,12 +277,10 @@ TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
     Curve curve(surface, options, {a, b});
     const double shortest = lineOf(curve).path.lengths.back();
     // The long way: drawn out by hand around the tube.
-    CurveValue value = curve.value();
     for (int step = 1; step <= 40; ++step) {
       const double angle = 2.84 + (2 * kPi - 2.84 + 0.3) * step / 40;
       const Vec3 place(std::cos(angle), std::sin(angle), 1);
-      value = curve.withPointDragged(1, nearestPoint(mesh, place));
-      curve.set(value);
+      curve.dragPoint(1, nearestPoint(mesh, place));
     }
     EXPECT_GT(lineOf(curve).path.lengths.back(), 1.5 * shortest) << curveKindName(kind);
     // Until the point is moved, not dragged: then its leg is the shortest.

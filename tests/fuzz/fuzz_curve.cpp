@@ -195,7 +195,7 @@ class CurveCase {
       case 7:
         return curve.setBeta(i, value);
       case 8:
-        return curve.set(curve.withPointDragged(i, point));
+        return curve.dragPoint(i, point);
       case 9: {
         CurveValue next = curve.value();
         next.options = readOptions(bytes_, curve.pointCount());

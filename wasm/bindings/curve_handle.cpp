@@ -15,7 +15,7 @@ CurveHandle::CurveHandle(MeshHandle& mesh, const val& value)
 val CurveHandle::set(const val& value, int dragged, const val& options) {
   CurveValue next = curveValueFromJs(mesh_, value, legs_);
   checkGivenShape(next.options.shape, next.points.count());
-  if (dragged >= 0) next = curve_.withLegsContinued(std::move(next), dragged);
+  if (dragged >= 0) curve_.continueLegs(next, dragged);
   become(std::move(next));
   return view(options);
 }
@@ -44,11 +44,13 @@ val CurveHandle::value() const {
 }
 
 void CurveHandle::movePoint(int i, const val& point) {
-  become(withPointAt(curve_.value(), i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point)));
+  curve_.movePoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+  line_.reset();
 }
 
 void CurveHandle::dragPoint(int i, const val& point) {
-  become(curve_.withPointDragged(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point)));
+  curve_.dragPoint(i, pointFromJs(mesh_.numbering(), mesh_.mesh(), point));
+  line_.reset();
 }
 
 void CurveHandle::insertPoint(int i, const val& point) {

@@ -54,6 +54,8 @@ struct CurveShape {
   Array<double> weights = {};  ///< kBSpline, kRational: positive, one a point; none: all 1
   Array<double> betas = {};    ///< kBarycentric: positive, one a point; none: all 1 (Berrut)
   std::shared_ptr<const OwnBasis> basis = {};  ///< kOwn
+
+  bool operator==(const CurveShape&) const = default;
 };
 
 inline bool takesWeights(CurveKind kind) {

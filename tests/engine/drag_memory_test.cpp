@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "curve_support.h"
+#include "curves/curve.h"
+#include "distance/paged_array.h"
+#include "generators/control_polygons.h"
+#include "measures/allocations.h"
+#include "mesh/shapes.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+constexpr int kDragged = 1;
+
+/// How often each step of a drag takes memory, after the first ones.
+Array<int64_t> allocationsOfDrag(Surface& surface, int levels, double spacing, uint64_t seed) {
+  constexpr int kSteps = 80;
+  constexpr int kWarmUp = 20;
+  const Geometry& geometry = surface.geometry();
+  Random random(seed);
+  Array<SurfacePoint> polygon;
+  Array<SurfacePoint> path;
+  while (path.empty()) {
+    polygon = randomControlPolygon(geometry, random, {.spacing = spacing});
+    path = dragPath(geometry, polygon[kDragged], unitVector(random.uniform(-kPi, kPi)),
+                    0.1 * geometry.meanEdge, kSteps);
+  }
+  CurveOptions options{{CurveKind::kBezier}, 128, kFast};
+  options.levels = levels;
+  Curve curve(surface, options, polygon);
+  Array<int64_t> counts;
+  for (int i = 0; i < path.count(); ++i) {
+    const int64_t before = allocationsSoFar();
+    if (levels == 0) {
+      curve.movePoint(kDragged, path[i]);
+    } else {
+      curve.edit([&](CurveValue& value) {
+        placePoint(value, kDragged, path[i]);
+        curve.continueLegs(value, kDragged);
+        // As the page does: a drag keeps the most levels that it ever had.
+        value.options.leastLevels = curve.levels();
+      });
+    }
+    if (i >= kWarmUp) counts.push_back(allocationsSoFar() - before);
+  }
+  return counts;
+}
+
+void expectMostStepsTakeNone(Surface& surface, int levels, double spacing) {
+  Array<int64_t> counts;
+  for (const uint64_t seed : {1, 2, 3}) {
+    const Array<int64_t> ofDrag = allocationsOfDrag(surface, levels, spacing, seed);
+    counts.insert(counts.end(), ofDrag.begin(), ofDrag.end());
+  }
+  // The others come to ground or to levels where no step of the drag was before.
+  const auto none = std::count(counts.begin(), counts.end(), 0);
+  EXPECT_GT(2 * none, counts.count()) << "spacing " << spacing;
+}
+
+TEST(DragMemory, IsCounted) {
+  const int64_t before = allocationsSoFar();
+  void* const memory = ::operator new(16);
+  EXPECT_EQ(allocationsSoFar() - before, 1);
+  ::operator delete(memory);
+}
+
+TEST(DragMemory, IsThatOfTheStepsBefore) {
+  Surface torus(meshOf(makeShape(Shape::kTorus, 20000)));
+  Surface bunny(bunnyMesh());
+  for (const double spacing : {0.05, 0.1, 0.2, 0.3}) {
+    expectMostStepsTakeNone(torus, kAutomaticLevels, spacing);
+  }
+  for (const double spacing : {0.05, 0.1, 0.2}) {
+    expectMostStepsTakeNone(bunny, kAutomaticLevels, spacing);
+  }
+  expectMostStepsTakeNone(torus, 0, 0.1);
+}
+
+TEST(DragMemory, IsNoPartOfTheCurve) {
+  Surface surface(planeGrid(8, 8));
+  const Array<SurfacePoint> points =
+      pointsNear(surface.mesh(), {{1, 1, 0}, {3, 6, 0}, {5, 2, 0}, {7, 7, 0}});
+  CurveOptions options{{CurveKind::kBezier}, 17, kFast};
+  options.levels = 2;
+  Curve curve(surface, options, points);
+  const SurfacePoint elsewhere = nearestPoint(surface.mesh(), {4, 5, 0});
+  for (int step = 0; step < 3; ++step) {
+    const Array<SurfacePoint> line = curve.path(0).line.points;
+    const auto fail = [&](CurveValue& value) {
+      placePoint(value, kDragged, elsewhere);
+      throw std::runtime_error("in the middle of an edit");
+    };
+    EXPECT_THROW(curve.edit(fail), std::runtime_error);
+    EXPECT_EQ(codeOf([&] { curve.edit([](CurveValue& value) { value.options.samples = 1; }); }),
+              ErrorCode::kBadArgument);
+    const Curve anew(surface, curve.value());
+    ASSERT_EQ(curve.path(0).line.points.count(), line.count());
+    for (int i = 0; i < line.count(); ++i) {
+      EXPECT_EQ(curve.path(0).line.points[i].bary, line[i].bary);
+      EXPECT_EQ(anew.path(0).line.points[i].bary, line[i].bary);
+    }
+    curve.dragPoint(kDragged, nearestPoint(surface.mesh(), {3.0 + 0.3 * step, 6, 0}));
+  }
+}
+
+TEST(DragMemory, OfAPlacedPointAreTheLegsOfOthers) {
+  Surface surface(planeGrid(8, 8));
+  const Array<SurfacePoint> points =
+      pointsNear(surface.mesh(), {{1, 1, 0}, {3, 6, 0}, {5, 2, 0}, {7, 7, 0}});
+  CurveOptions options{{CurveKind::kBezier}, 17, kFast};
+  options.levels = 1;
+  options.shape.closed = true;
+  Curve curve(surface, options, points);
+  CurveValue value{options, points, curve.legs()};
+  placePoint(value, 0, points[0]);
+  for (const SurfacePath& leg : value.legs) EXPECT_FALSE(leg.points.empty());
+  placePoint(value, 0, nearestPoint(surface.mesh(), {1, 2, 0}));
+  ASSERT_EQ(value.legs.count(), 4);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(value.legs[i].points.empty(), i == 0 || i == 3) << i;
+  EXPECT_EQ(codeOf([&] { placePoint(value, 4, points[0]); }), ErrorCode::kBadIndex);
+}
+
+TEST(PagedArray, TakesPagesFromAPoolAsNewOnes) {
+  struct Entry {
+    int number = 7;
+  };
+  const auto pool = std::make_shared<PagePool>();
+  PagedArray<Entry, 4> first(100, pool);
+  PagedArray<Entry, 4> second(100, pool);
+  for (int i = 0; i < 100; ++i) first.touch(i).number = i;
+  const Entry* const page = first.find(50);
+  first.clear();
+  EXPECT_EQ(first.find(50), nullptr);
+  bool isUsedAgain = false;
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(second.touch(i).number, 7);
+    isUsedAgain = isUsedAgain || second.find(i) == page;
+  }
+  EXPECT_TRUE(isUsedAgain);
+  pool->trim();
+  EXPECT_EQ(second.find(3)->number, 7);
+}
+
+}  // namespace
+}  // namespace karcher
