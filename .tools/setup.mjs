@@ -32,19 +32,22 @@ const clangHasFuzzer = () =>
 const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
 const hasHeader = (name) => includeFolders.some((folder) => existsSync(`${folder}/${name}`));
 
+/** Chromium without windows: it opens pages with less work. */
+const headless = 'chromium-headless-shell';
+
 /** The browser that the page's tests drive, or undefined. */
 export function chromiumPath() {
   const named = process.env.CHROMIUM_PATH;
   if (named) return existsSync(named) ? named : undefined;
   const mac = '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome';
   return (
-    ['chromium', 'chromium-browser', 'google-chrome'].map(which).find(Boolean) ??
+    [headless, 'chromium', 'chromium-browser', 'google-chrome'].map(which).find(Boolean) ??
     (existsSync(mac) ? mac : undefined)
   );
 }
 
 // `for`: what it is needed for: `native` are the native library, its benchmarks and studies, `test` all
-// tests. `optional`: CMake downloads it where it is not installed. Ubuntu has Chromium only as a snap.
+// tests. `optional`: what happens where it is not installed. Ubuntu has Chromium only as a snap.
 const needs = [
   {
     what: 'Emscripten (emcc)',
@@ -70,14 +73,14 @@ const needs = [
   {
     what: 'Eigen',
     for: 'build',
-    optional: true,
+    optional: 'CMake downloads it',
     found: () => hasHeader('eigen3/Eigen/Core'),
     apt: ['libeigen3-dev'],
   },
   {
     what: 'tinyobjloader',
     for: 'build',
-    optional: true,
+    optional: 'CMake downloads it',
     found: () => hasHeader('tiny_obj_loader.h'),
     apt: ['libtinyobjloader-dev'],
   },
@@ -113,8 +116,16 @@ const needs = [
     what: 'Chromium',
     for: 'test',
     found: chromiumPath,
-    apt: ['chromium'],
+    apt: [headless],
     how: 'install Chromium or Chrome (Ubuntu: snap install chromium) and set CHROMIUM_PATH to its program',
+    ubuntuHasIt: false,
+  },
+  {
+    what: 'Chromium without windows',
+    for: 'test',
+    optional: 'the tests of the page take longer with another one',
+    found: () => !!process.env.CHROMIUM_PATH || which(headless),
+    apt: [headless],
     ubuntuHasIt: false,
   },
   {
@@ -190,14 +201,19 @@ async function installSystemPackages(purposes, noInstall) {
     (need) => system === 'debian' || (system && need.ubuntuHasIt !== false),
   );
   if (byApt.length > 0) {
-    await installByApt(
-      byApt.flatMap((need) => need.apt),
-      noInstall,
-    );
+    try {
+      await installByApt(
+        byApt.flatMap((need) => need.apt),
+        noInstall,
+      );
+    } catch (error) {
+      if (byApt.some((need) => !need.optional)) throw error;
+      console.error(error.message);
+    }
     missing = missing.filter((need) => !need.found());
   }
   for (const need of missing.filter((need) => need.optional)) {
-    console.log(`${need.what} is not installed: CMake downloads it.`);
+    console.log(`${need.what} is not installed: ${need.optional}.`);
   }
   const required = missing.filter((need) => !need.optional);
   if (required.length === 0) return;

@@ -23,6 +23,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/polyline.cpp
   curves/trace/sample_status.cpp
   curves/trace/sampling.cpp
+  distance/edge_dijkstra.cpp
   distance/fast_trial.cpp
   distance/find_path.cpp
   distance/geodesic_line.cpp

@@ -35,8 +35,8 @@ void SourceImages::addWindows(int h, const Array<Window>& windows, double tailDi
     const Vec2 toEnd = Vec2(window.end, 0) - source;
     const Vec2 toBegin = Vec2(window.begin, 0) - source;
     images_.push_back({faceOf(h), origin + rotate(along, source), window.offset,
-                       rotate(along, toEnd.normalized()), rotate(along, toBegin.normalized()),
-                       false});
+                       window.pseudoSource, rotate(along, toEnd.normalized()),
+                       rotate(along, toBegin.normalized()), false});
   }
 }
 
@@ -45,7 +45,7 @@ void SourceImages::addCorner(int h, double distance, double from, double to) {
   if (isNotAsked(faceOf(h), distance, distance + longest)) return;
   const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
   images_.push_back({faceOf(h), cornerInFace(geometry_, faceOf(h), cornerOf(h)), distance,
-                     rotate(along, unitVector(std::max(from, 0.0))),
+                     geometry_.mesh->tail(h), rotate(along, unitVector(std::max(from, 0.0))),
                      rotate(along, unitVector(std::min(to, geometry_.cornerAngle[h]))), false});
 }
 

@@ -14,7 +14,8 @@ namespace karcher {
 struct SourceImage {
   int face = -1;
   Vec2 source = Vec2::Zero();
-  double offset = 0;  ///< distance of the point that the paths come from
+  double offset = 0;      ///< distance of the point that the paths come from
+  int pseudoSource = -1;  ///< that point, if it is a vertex that paths turn round
   /// The paths lie in a sector, counterclockwise from the unit vector `right` to `left`; in all
   /// directions if the image lies in the face itself.
   Vec2 right = Vec2(1, 0);

@@ -1,58 +1,74 @@
 #pragma once
 
-#include <functional>
-
-#include "intrinsic/geometry.h"
 #include "rcm/exact_minimum.h"
+#include "rcm/one_source_energy.h"
 
 namespace karcher {
 
-/// A smooth energy at a center and on the circle that `converged` is told by (exact_minimum.h), and
-/// what these values tell of it between them: its harmonics up to the second order, and the
-/// quadratic through them.
+/// An energy at a center and on the circle that `converged` is told by (exact_minimum.h), and what
+/// values and slopes at some places of the circle tell of it between them: the trigonometric
+/// polynomial through them, and a quadratic with its first harmonics.
 ///
 /// The energy of many points has as many small creases, where shortest paths to one of them change
-/// sides. A circle sees what they sum to; the gradient at a point sees none.
+/// sides. A circle sees what they sum to; the gradient at the center sees none.
 class EnergyRing {
  public:
-  SurfacePoint center;
-  double here = 0;             ///< at the center
-  Array<SurfacePoint> places;  ///< of the values on the circle
-  Array<double> values;
-  /// The circle is round: no boundary cuts it off. Else there are no harmonics.
-  bool isWhole = true;
-  double mean = 0;             ///< of the values
-  Vec2 first = Vec2::Zero();   ///< the coefficients of cosine and sine of the angle
-  Vec2 second = Vec2::Zero();  ///< and of twice the angle
+  /// Compares every fourth of `count` places, which four divides. `here` is the energy at the
+  /// center. The geometry and the energy must outlive the object.
+  EnergyRing(const Geometry& geometry, const SurfacePoint& center, double here, int count,
+             ExactOneSourceEnergy& energy);
 
-  /// The direction, a unit vector, in which the harmonics are lowest, and their value there.
-  Vec2 lowestOfHarmonics() const;
-  double leastOfHarmonics() const { return isWhole ? harmonicsAt(lowestOfHarmonics()) : here; }
+  /// Compares the places half-way between those that were compared, too, if any are left.
+  void refine();
+  bool isRefined() const { return step_ == 1; }
+  /// How far the polynomial was off at the places that were compared last.
+  double error() const { return error_; }
+
+  /// Compares two points on either side of the lowest place, in thirds of the way to the next, and
+  /// puts a lower one in its place. The polynomial stays.
+  void lookBesideLowest();
+
+  /// The number of the place where the energy is lowest, of those that were compared.
+  int lowest() const;
+  const SurfacePoint& place(int k) const { return places_[k]; }
+  double value(int k) const { return values_[k]; }
+
+  /// The unit vector, in the frame of the center's face, along which the polynomial is lowest, and
+  /// its value there: `here` where the boundary cuts the circle off, of which it tells nothing.
+  const Vec2& lowestDirection() const { return lowestDirection_; }
+  double least() const { return isWhole_ ? least_ : here_; }
 
   /// To the minimum of the quadratic, in the frame of the center's face: 0 where the circle is not
   /// whole, and no longer than a few radii. Where the quadratic has no minimum or a far one, it is
   /// taken for one that rises by `leastBowl` at least from its minimum to a circle of this radius.
-  Vec2 wayToMinimum(double radius, double leastBowl) const;
+  Vec2 wayToMinimum(double leastBowl) const;
 
-  /// By how much the quadratic is lower at a place, in radii from the center.
+  /// By how much the quadratic is lower at the end of a way.
   double gainOf(const Vec2& way) const;
 
-  /// The number of the place where the energy is lowest.
-  int lowest() const;
-
  private:
-  double harmonicsAt(const Vec2& direction) const {
-    return mean + first.dot(direction) + second.dot(rotate(direction, direction));
-  }
+  void compare(int first, int step);
+  void fit();
+  double angleOf(int k) const;
+  double polynomialAt(double angle) const;
+
+  const Geometry& geometry_;
+  SurfacePoint center_;
+  double here_;
+  ExactOneSourceEnergy& energy_;
+  double radius_;
+  double start_;  ///< the direction in which the circle begins
+  int step_ = 4;  ///< from a place that was compared to the next
+  double error_ = kInfinity;
+  Array<SurfacePoint> places_;  ///< of the values, kInfinity where none was compared
+  Array<double> values_;
+  Array<double> slopes_;  ///< over the angle
+  bool isWhole_ = true;
+  Vec2 lowestDirection_ = Vec2::Zero();
+  double least_ = kInfinity;
+  double mean_ = 0;             ///< of the polynomial
+  Vec2 first_ = Vec2::Zero();   ///< its coefficients of cosine and sine of the angle
+  Vec2 second_ = Vec2::Zero();  ///< and of twice the angle
 };
-
-/// `here` is the energy at the center. At least 5 places determine the harmonics.
-EnergyRing energyRing(const Geometry& geometry, const SurfacePoint& center, double here, int count,
-                      const std::function<double(const SurfacePoint&)>& energyAt);
-
-/// Compares two points on either side of the lowest, in thirds of the way to the next, and puts a
-/// lower one in its place. The harmonics stay.
-void lookBesideLowest(const Geometry& geometry, EnergyRing& ring,
-                      const std::function<double(const SurfacePoint&)>& energyAt);
 
 }  // namespace karcher

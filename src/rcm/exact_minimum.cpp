@@ -123,21 +123,28 @@ double circleStart(const Geometry& geometry, const SurfacePoint& center) {
                                               : farthestCorner(geometry, center);
 }
 
-Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
-                                 double radius, int count) {
+Array<StraightestPath> circleRadii(const Geometry& geometry, const SurfacePoint& center,
+                                   double radius, int count) {
   const PointLocation location = locate(*geometry.mesh, center);
   const StraightestOptions options{.maxCrossings = kMostCrossings};
   const bool isVertex = location.simplex == Simplex::kVertex;
   const double all = isVertex ? geometry.totalAngle[location.vertex] : 2 * kPi;
-  const double first =
-      isVertex ? longestEdge(geometry, location.vertex) : farthestCorner(geometry, center);
-  Array<SurfacePoint> points;
+  const double first = circleStart(geometry, center);
+  Array<StraightestPath> radii;
   for (int k = 0; k < count; ++k) {
     const double direction = std::fmod(first + all * (k + 0.5) / count, all);
-    points.push_back(
-        isVertex ? traceFromVertex(geometry, location.vertex, direction, radius, options).path.end()
-                 : traceStraightest(geometry, center, radius * unitVector(direction), options)
-                       .path.end());
+    radii.push_back(
+        isVertex ? traceFromVertex(geometry, location.vertex, direction, radius, options)
+                 : traceStraightest(geometry, center, radius * unitVector(direction), options));
+  }
+  return radii;
+}
+
+Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
+                                 double radius, int count) {
+  Array<SurfacePoint> points;
+  for (const StraightestPath& path : circleRadii(geometry, center, radius, count)) {
+    points.push_back(path.path.end());
   }
   return points;
 }

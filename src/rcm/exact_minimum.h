@@ -1,5 +1,6 @@
 #pragma once
 
+#include "intrinsic/straightest.h"
 #include "rcm/field_blend.h"
 
 /// Whether a center is a minimum of the energy K(p) = sum_i w_i d(p, p_i)^2 by exact distances.
@@ -42,9 +43,12 @@ class ExactEnergy {
 /// faces are.
 double circleStart(const Geometry& geometry, const SurfacePoint& center);
 
-/// `count` points on the circle round a point, by straightest geodesics, in equal parts of the
-/// total angle, half a part beside `circleStart` first; nearer ones where the boundary is in the
+/// The `count` radii of the circle round a point, straightest geodesics, in equal parts of the
+/// total angle, half a part beside `circleStart` first; shorter ones where the boundary is in the
 /// way.
+Array<StraightestPath> circleRadii(const Geometry& geometry, const SurfacePoint& center,
+                                   double radius, int count);
+/// Where they end.
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
                                  double radius, int count);
 

@@ -23,11 +23,11 @@ constexpr double kSameDescent = 2;
 
 /// A center is moved where K is lower by this part of a square mean edge, as with few points.
 constexpr double kGain = kLowerBy / 4;
-/// So many creases make K smooth: few points on a circle tell what it is like there. Five determine
-/// the harmonics; with six, grooves on a thin tube were missed.
+/// So many creases make K smooth: as few places of a circle tell what it is like there as foretell
+/// those between them.
 constexpr int kSmooth = 500;
-constexpr int kFewOnCircle = 9;
-constexpr int kManyOnCircle = 16;
+constexpr int kOnCircle = 12;
+constexpr int kOnRoughCircle = 16;
 /// Where a point of the circle is higher than the center by no more square mean edges, more points
 /// beside it are compared: creases make narrow grooves.
 constexpr double kNearBound = 0.02;
@@ -211,35 +211,48 @@ Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const M
   const double radius = kCheckedRadius * geometry.meanEdge;
   const double squareEdge = square(geometry.meanEdge);
   ExactOneSourceEnergy exact(geometry, points);
-  const auto energyAt = [&](const SurfacePoint& place) { return exact.at(place); };
   const bool isSmooth = points.points.count() >= kSmooth;
-  const int count = isSmooth ? kFewOnCircle : kManyOnCircle;
+  const int count = isSmooth ? kOnCircle : kOnRoughCircle;
   // The lowest place so far.
   SurfacePoint place = rough.point;
-  double energy = exact.at(place);
+  double energy = exact.at(place).energy;
   for (int move = 0;; ++move) {
-    EnergyRing ring = energyRing(geometry, place, energy, count, energyAt);
-    if (ring.values[ring.lowest()] < energy + kNearBound * squareEdge) {
-      lookBesideLowest(geometry, ring, energyAt);
-    }
+    EnergyRing ring(geometry, place, energy, count, exact);
     const double bound = energy - kLowerBy * squareEdge;
-    const bool isLowest = ring.leastOfHarmonics() >= bound && ring.values[ring.lowest()] >= bound;
-    const Vec2 way = ring.wayToMinimum(radius, kLeastBowl * squareEdge);
-    SurfacePoint lower = ring.places[ring.lowest()];
-    double lowerEnergy = ring.values[ring.lowest()];
+    const double nearBound = energy + kNearBound * squareEdge;
+    SurfacePoint lower;
+    double lowerEnergy = kInfinity;
+    bool isLowest = false;
     const auto compare = [&](const Vec2& to) {
       const SurfacePoint there = walked(geometry, place, to);
-      const double thereEnergy = exact.at(there);
+      const double thereEnergy = exact.at(there).energy;
       if (!(thereEnergy < lowerEnergy)) return;
       lower = there;
       lowerEnergy = thereEnergy;
     };
-    // Where K is smooth the circle round a minimum of the quadratic within this one is higher than
-    // it, too.
-    const bool isNear = way.norm() <= radius;
-    if (!isLowest || (isNear && ring.gainOf(way / radius) > kGain * squareEdge)) compare(way);
-    // What the harmonics promise may not be there.
-    if (!isLowest && lowerEnergy >= bound) compare(radius * ring.lowestOfHarmonics());
+    for (;;) {
+      const auto margin = [&] { return std::min(ring.least(), ring.value(ring.lowest())) - bound; };
+      while (!ring.isRefined() && margin() >= 0 && !(isSmooth && ring.error() <= margin())) {
+        ring.refine();
+      }
+      const int lowest = ring.lowest();
+      if (!isSmooth && ring.isRefined() && ring.value(lowest) < nearBound) ring.lookBesideLowest();
+      isLowest = margin() >= 0;
+      if (ring.value(lowest) < lowerEnergy) {
+        lower = ring.place(lowest);
+        lowerEnergy = ring.value(lowest);
+      }
+      // Where K is smooth the circle round a minimum of the quadratic within this one is higher
+      // than it, too.
+      const Vec2 way = ring.wayToMinimum(kLeastBowl * squareEdge);
+      const bool isNear = way.norm() <= radius;
+      if (!isLowest || (isNear && ring.gainOf(way) > kGain * squareEdge)) compare(way);
+      // What the polynomial promises may not be there.
+      if (lowerEnergy >= bound && ring.least() < nearBound)
+        compare(radius * ring.lowestDirection());
+      if (isLowest || ring.isRefined() || lowerEnergy < bound) break;
+      ring.refine();
+    }
     const bool isMinimum = isLowest || lowerEnergy >= bound;
     const bool isLast = move == kMostMoves;
     const double gain = energy - lowerEnergy;

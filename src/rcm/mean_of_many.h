@@ -10,8 +10,8 @@
 ///
 /// K is compared at some of the points, evenly by weight. From the lowest few descents (BFGS) go on
 /// by the distances of the options' solver. Where the best of them ends, K by exact distances is
-/// compared on the circle that `converged` is told by (energy_ring.h), and a quadratic through
-/// these values leads to their minimum.
+/// compared on the circle that `converged` is told by (energy_ring.h), at as few places as foretell
+/// those between them, and a quadratic leads to the minimum.
 namespace karcher {
 
 /// From so many different points on this is faster than fields over the whole surface.

@@ -115,16 +115,51 @@ ExactOneSourceEnergy::ExactOneSourceEnergy(const Geometry& geometry, const Weigh
     if (faces.empty() || faces.back() != point.face) faces.push_back(point.face);
   }
   solver_.keepImagesIn(std::move(faces));
-  lengths_.resize(points.points.size());
+  ways_.resize(points.points.size());
 }
 
-double ExactOneSourceEnergy::at(const SurfacePoint& place) {
-  grow(place);
+EnergyAt ExactOneSourceEnergy::at(const SurfacePoint& place) {
+  grow(movedInside(place));
   measure();
   ++solved_;
-  double sum = 0;
-  for (int i = 0; i < points_.points.count(); ++i) sum += points_.weights[i] * square(lengths_[i]);
-  return sum;
+  directions_.assign(geometry_.mesh->positions.size(), Vec2::Zero());
+  EnergyAt result;
+  for (int i = 0; i < points_.points.count(); ++i) {
+    const Way& way = ways_[i];
+    if (!(way.length > 0)) continue;
+    const Vec2 direction =
+        way.pseudoSource >= 0
+            ? directionTo(way.pseudoSource)
+            : directionBefore(traceStraightest(geometry_, points_.points[i], way.toSource));
+    result.energy += points_.weights[i] * square(way.length);
+    result.step += points_.weights[i] * way.length * direction;
+  }
+  return result;
+}
+
+/// In which the shortest path to a vertex leaves the source.
+Vec2 ExactOneSourceEnergy::directionTo(int vertex) {
+  // Each turn is nearer to the source than the last.
+  while (solver_.arrival(vertex).pseudoSource >= 0) vertex = solver_.arrival(vertex).pseudoSource;
+  Vec2& direction = directions_[vertex];
+  if (direction == Vec2::Zero()) {
+    direction = directionBefore(
+        traceFromVertex(geometry_, vertex, solver_.direction(vertex), solver_.distance(vertex)));
+  }
+  return direction;
+}
+
+/// In which a path that came back to the source has left it.
+Vec2 ExactOneSourceEnergy::directionBefore(const StraightestPath& back) const {
+  const int face = solver_.source().face;
+  const Array<SurfacePoint>& points = back.path.points;
+  if (points.back().face == face) return -back.direction;
+  // By rounding it went past.
+  for (int i = points.count() - 2; i > 0; --i) {
+    if (points[i].face != face || points[i - 1].face != face) continue;
+    return (pointInFace(geometry_, points[i - 1]) - pointInFace(geometry_, points[i])).normalized();
+  }
+  return Vec2::Zero();
 }
 
 /// Until no point can have another path, all of which come through the point's face.
@@ -151,13 +186,17 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
 /// From the images that the points' faces see, and over the faces' corners.
 void ExactOneSourceEnergy::measure() {
   const TriangleMesh& mesh = *geometry_.mesh;
+  const auto take = [&](int i, const Way& way) {
+    if (way.length < ways_[i].length) ways_[i] = way;
+  };
   for (int i = 0; i < points_.points.count(); ++i) {
     const SurfacePoint& point = points_.points[i];
     const Vec2 inside = pointInFace(geometry_, point);
-    lengths_[i] = kInfinity;
+    ways_[i] = {};
     for (int k = 0; k < 3; ++k) {
-      const double leg = (inside - cornerInFace(geometry_, point.face, k)).norm();
-      lengths_[i] = std::min(lengths_[i], solver_.distance(mesh.corner(point.face, k)) + leg);
+      const Vec2 way = cornerInFace(geometry_, point.face, k) - inside;
+      const int corner = mesh.corner(point.face, k);
+      take(i, {solver_.distance(corner) + way.norm(), way, corner});
     }
   }
   for (const SourceImage& image : solver_.images()) {
@@ -166,8 +205,8 @@ void ExactOneSourceEnergy::measure() {
                          [](const SurfacePoint& point, int face) { return point.face < face; });
     for (int i = static_cast<int>(first - points_.points.begin());
          i < points_.points.count() && points_.points[i].face == image.face; ++i) {
-      lengths_[i] =
-          std::min(lengths_[i], lengthFrom(image, pointInFace(geometry_, points_.points[i])));
+      const Vec2 inside = pointInFace(geometry_, points_.points[i]);
+      take(i, {lengthFrom(image, inside), image.source - inside, image.pseudoSource});
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "distance/exact_distance.h"
 #include "distance/source_vectors.h"
+#include "intrinsic/straightest.h"
 
 /// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places.
 ///
@@ -44,24 +45,35 @@ class OneSourceEnergy {
   int solved_ = 0;
 };
 
-/// K by exact distances to the points themselves.
+/// K by exact distances to the points themselves, and the natural step by the directions in which
+/// their paths leave the place: exact, too.
 class ExactOneSourceEnergy {
  public:
   /// As above. Throws what ExactDistance throws.
   ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points);
 
-  double at(const SurfacePoint& place);
+  EnergyAt at(const SurfacePoint& place);
 
   int solved() const { return solved_; }
 
  private:
+  /// The last straight part of a path to a point.
+  struct Way {
+    double length = kInfinity;  ///< of the whole path
+    Vec2 toSource = Vec2::Zero();
+    int pseudoSource = -1;  ///< where the part begins, or -1 at the source itself
+  };
+
   void grow(const SurfacePoint& place);
   void measure();
+  Vec2 directionTo(int vertex);
+  Vec2 directionBefore(const StraightestPath& back) const;
 
   const Geometry& geometry_;
   const WeightedPoints& points_;
   ExactDistance solver_;
-  Array<double> lengths_;  ///< one a point
+  Array<Way> ways_;         ///< one a point
+  Array<Vec2> directions_;  ///< by vertex, of those that were asked for
   int solved_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "distance_meshes.h"
 #include "generators/gallery.h"
 #include "generators/random_points.h"
+#include "intrinsic/straightest.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
 #include "rcm/exact_minimum.h"
@@ -84,7 +85,29 @@ TEST(OneSourceEnergy, IsThatOfShortestPaths) {
   for (int i = 0; i < 5; ++i) {
     const SurfacePoint place = randomPlace(surface.mesh(), random);
     const double truth = exactEnergy(surface.geometry(), cloud, place);
-    EXPECT_NEAR(energy.at(place), truth, 1e-9 * truth);
+    EXPECT_NEAR(energy.at(place).energy, truth, 1e-9 * truth);
+  }
+}
+
+TEST(OneSourceEnergy, FallsAlongTheNaturalStep) {
+  Surface surface(bunnyMesh());
+  const Geometry& geometry = surface.geometry();
+  Random random(10);
+  SCOPED_TRACE("seed 10");
+  const Cloud cloud = randomCloud(surface.mesh(), random, 20);
+  const WeightedPoints points = mergedPoints(cloud.points, cloud.weights);
+  ExactOneSourceEnergy energy(geometry, points);
+  for (int i = 0; i < 8; ++i) {
+    const SurfacePoint place = randomPoint(surface.mesh(), random);
+    const Vec2 step = energy.at(place).step;
+    const double length = 1e-5 * geometry.meanEdge;
+    for (const Vec2& way : {Vec2(length, 0), Vec2(0, length)}) {
+      const double ahead = energy.at(traceStraightest(geometry, place, way).path.end()).energy;
+      const double behind = energy.at(traceStraightest(geometry, place, -way).path.end()).energy;
+      // What is left is the curvature of K, and rounding.
+      EXPECT_NEAR((ahead - behind) / (2 * length), -2 * step.dot(way) / length,
+                  1e-4 * geometry.meanEdge);
+    }
   }
 }
 

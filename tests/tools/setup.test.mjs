@@ -63,6 +63,20 @@ test('each command asks for what it needs, and for no more', () => {
   assert.doesNotMatch(asked('build'), /GoogleTest|Chromium|clang/);
 });
 
+test('goes on without what only makes it faster', (t) => {
+  const programs = 'emcc emcmake python3 cmake ninja c++ g++ clang++ ld env'.split(' ');
+  const found = programs.map((name) => spawnSync('which', [name], { encoding: 'utf8' }).stdout);
+  const path = pathWith('slow', { 'apt-get': 'exit 1', chromium: 'exit 0' });
+  programs.forEach((name, i) => {
+    if (found[i]) symlinkSync(found[i].trim(), join(path, name));
+  });
+  const env = { PATH: path, CHROMIUM_PATH: '', KARCHER_NO_INSTALL: '' };
+  const { status, stdout, stderr } = run([join(root, '.tools/setup.mjs'), 'test'], { env });
+  if (!/^Missing: Chromium without windows\.$/m.test(stdout)) return t.skip('more is missing');
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /Chromium without windows is not installed: the tests .* take longer/);
+});
+
 test('without root and sudo the commands that are told are those of root', {
   skip: !process.getuid,
 }, () => {

@@ -6,6 +6,7 @@ import { extname, join, normalize } from 'node:path';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { chromiumPath } from '../../.tools/setup.mjs';
 
 const built = fileURLToPath(new URL('../../build/page', import.meta.url));
 const types = {
@@ -37,7 +38,7 @@ const flags = [
     ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
   ]}`,
 ];
-const launching = { executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium', args: flags };
+const launching = { executablePath: chromiumPath(), args: flags };
 /** Generous: software graphics on a busy machine start slowly. */
 const patience = 60_000;
 
