@@ -27,6 +27,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/fast_trial.cpp
   distance/find_path.cpp
   distance/geodesic_line.cpp
+  distance/graph_distance.cpp
   distance/page_pool.cpp
   distance/ring_graph.cpp
   distance/shortest_path.cpp
@@ -35,6 +36,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/tangent_maps.cpp
   distance/waypoints.cpp
   intrinsic/geometry.cpp
+  intrinsic/vertex_fans.cpp
   rcm/energy_ring.cpp
   rcm/exact_minimum.cpp
   rcm/field_options.cpp
