@@ -236,7 +236,10 @@ test(
     const restarted = new Promise((resolve) => {
       karcher.client.onRestart = resolve;
     });
-    const calls = [karcher.client.call('spin', []), kept.points(), mesh.positions()];
+    const calls = [];
+    // A worker that hears of it before it begins goes on.
+    await new Promise((begun) => calls.push(spin(karcher)({ progress: begun })));
+    calls.push(kept.points(), mesh.positions());
     const gone = kept.dispose();
     karcher.client.giveUp(reason);
     await Promise.all(calls.map((call) => assert.rejects(call, reason)));
