@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
 import { checkUp } from 'karcher/checkup';
-import { loadInWorker } from 'karcher/worker';
 import { grid, tetrahedron, tube } from './meshes.mjs';
+import { loadForTest } from './workers.mjs';
 
 let karcher;
 before(async () => {
@@ -208,7 +208,7 @@ test('many boundary vertices near each other are looked over in slices', async (
   assert.equal(found.boundary.length / 6, 3 * 4001);
 });
 
-test('in slices, with progress and an end; of a mesh in a worker, too', async () => {
+test('in slices, with progress and an end; of a mesh in a worker, too', async (t) => {
   const mesh = karcher.shape('openSheet', 200_000);
   const told = [];
   await checkUp(mesh, { progress: (done, stage) => told.push([done, stage]) });
@@ -222,8 +222,7 @@ test('in slices, with progress and an end; of a mesh in a worker, too', async ()
   await assert.rejects(checkUp(mesh), { code: 'disposed' });
   await assert.rejects(checkUp(mesh, { signal: 1 }), { code: 'badArgument' });
 
-  const remote = await loadInWorker();
+  const remote = await loadForTest(t);
   const found = await checkUp(await remote.meshFromObj(tetrahedron));
   near(found.largestAngle, 90);
-  remote.dispose();
 });

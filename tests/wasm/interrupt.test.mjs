@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Worker } from 'node:worker_threads';
-import { loadInWorker } from 'karcher/worker';
 import { long, randoms, seed } from '../web/part.mjs';
 import { grid } from './meshes.mjs';
+import { loadForTest } from './workers.mjs';
 
 const endless = () => new Worker(new URL('./endless_worker.mjs', import.meta.url));
 const minutes = { timeout: 600_000 };
@@ -32,8 +32,8 @@ const spin = (karcher) => (work) => karcher.client.call('spin', [], undefined, w
 test(
   'a call without an end is interrupted, and all that was there is as it was',
   minutes,
-  async () => {
-    const karcher = await loadInWorker({ worker: endless });
+  async (t) => {
+    const karcher = await loadForTest(t, { worker: endless });
     const text = grid(12);
     const places = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] };
     const coordinates = Float64Array.from(places.positions);
@@ -88,12 +88,11 @@ test(
     await interrupt(karcher, spin(karcher));
     await assert.rejects(first.points(), { code: 'disposed' });
     assert.deepEqual(await meshes[3].positions(), before.positions[3]);
-    karcher.dispose();
   },
 );
 
-test('calls that wait behind one that is interrupted are made, each once', minutes, async () => {
-  const karcher = await loadInWorker({ worker: endless });
+test('calls that wait behind one that is interrupted are made, each once', minutes, async (t) => {
+  const karcher = await loadForTest(t, { worker: endless });
   const mesh = await karcher.meshFromObj(grid(12));
   const curve = await mesh.curve({ kind: 'polyline', points: [{ vertex: 0 }, { vertex: 9 }] });
   const waiting = [];
@@ -113,8 +112,8 @@ test('calls that wait behind one that is interrupted are made, each once', minut
   await assert.rejects(end, { code: 'disposed' });
 });
 
-test('a curve keeps the numbers of kinds that it was before', minutes, async () => {
-  const karcher = await loadInWorker({ worker: endless });
+test('a curve keeps the numbers of kinds that it was before', minutes, async (t) => {
+  const karcher = await loadForTest(t, { worker: endless });
   const mesh = await karcher.meshFromObj(grid(12));
   const points = [3, 40, 70, 99, 120].map((vertex) => ({ vertex }));
   const curve = await mesh.curve({ kind: 'bspline', degree: 2, points, weights: [1, 2, 3, 4, 5] });
@@ -132,11 +131,10 @@ test('a curve keeps the numbers of kinds that it was before', minutes, async () 
   await curve.setKind('bspline');
   const { degree: plain, weights: none } = await curve.value();
   assert.deepEqual([plain, none], [3, undefined]);
-  karcher.dispose();
 });
 
-test('a worker that hears in time that a call is cancelled goes on', minutes, async () => {
-  const karcher = await loadInWorker();
+test('a worker that hears in time that a call is cancelled goes on', minutes, async (t) => {
+  const karcher = await loadForTest(t);
   let restarts = 0;
   karcher.client.onRestart = () => restarts++;
   const mesh = await karcher.shape('sphere', 20_000);
@@ -147,7 +145,7 @@ test('a worker that hears in time that a call is cancelled goes on', minutes, as
   );
   await assert.rejects(work, reason);
   await mesh.distance({ vertex: 0 });
-  const given = await loadInWorker({ worker: endless() });
+  const given = await loadForTest(t, { worker: endless() });
   const spinning = new AbortController();
   const call = given.client.call('spin', [], undefined, {
     signal: spinning.signal,
@@ -155,16 +153,14 @@ test('a worker that hears in time that a call is cancelled goes on', minutes, as
   });
   await assert.rejects(call, reason);
   assert.equal(restarts, 0);
-  given.dispose();
-  karcher.dispose();
 });
 
 test(
   'exact distances on a large mesh are interrupted, and the next ones are right',
   minutes,
-  async () => {
+  async (t) => {
     const triangles = long ? 1_000_000 : 50_000;
-    const karcher = await loadInWorker();
+    const karcher = await loadForTest(t);
     const mesh = await karcher.shape('sphere', triangles);
     const curve = await mesh.curve({
       kind: 'bspline',
@@ -181,17 +177,16 @@ test(
     const again = await mesh.shortestPath({ vertex: 0 }, { vertex: 300 });
     assert.equal(again.length, path.length);
     assert.equal(mesh.info.triangles, (await mesh.triangles()).length / 3);
-    karcher.dispose();
   },
 );
 
 test(
   'all is given up at once; what is being disposed of is made anew for what waits alone',
   minutes,
-  async () => {
+  async (t) => {
     /** What each worker was asked for, in that order. */
     const asked = [];
-    const karcher = await loadInWorker({
+    const karcher = await loadForTest(t, {
       worker() {
         const worker = endless();
         const post = worker.postMessage.bind(worker);
@@ -247,6 +242,5 @@ test(
     await gone;
     assert.equal((await mesh.positions()).length, 3 * 169);
     assert.ok(!asked[2].includes('curve'));
-    karcher.dispose();
   },
 );
