@@ -52,7 +52,7 @@ Array<int64_t> allocationsOfDrag(Surface& surface, int levels, double spacing, u
 
 void expectMostStepsTakeNone(Surface& surface, int levels, double spacing) {
   Array<int64_t> counts;
-  for (const uint64_t seed : {1, 2, 3}) {
+  for (const uint64_t seed : {1u, 2u, 3u}) {
     const Array<int64_t> ofDrag = allocationsOfDrag(surface, levels, spacing, seed);
     counts.insert(counts.end(), ofDrag.begin(), ofDrag.end());
   }
