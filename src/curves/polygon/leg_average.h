@@ -39,12 +39,12 @@ class Chain {
   Array<SurfacePoint>& points_;
 };
 
-/// The part of a path between two lengths, backwards where from > to.
-inline SurfacePath partOf(const TriangleMesh& mesh, const SurfacePath& path, double from,
-                          double to) {
-  SurfacePath part;
+/// Writes the part of a path between two lengths, backwards where from > to.
+inline void takePart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
+                     SurfacePath& part) {
+  part.points.clear();
+  part.lengths.clear();
   appendPart(mesh, path, from, to, part);
-  return part;
 }
 
 }  // namespace karcher

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "curves/polygon/spline_levels.h"
 #include "intrinsic/tangent.h"
 #include "mesh/error.h"
 
@@ -17,11 +16,10 @@ constexpr double kMostAverages = 1e6;
 
 bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
 
-void takePart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
-              SurfacePath& part) {
-  part.points.clear();
-  part.lengths.clear();
-  appendPart(mesh, path, from, to, part);
+SurfacePath partOf(const TriangleMesh& mesh, const SurfacePath& path, double from, double to) {
+  SurfacePath part;
+  takePart(mesh, path, from, to, part);
+  return part;
 }
 
 /// Finds the averages on the legs of the workspace's row, with the share `share(i)` of the later
@@ -205,7 +203,11 @@ void refinePolygon(const Geometry& geometry, const CurveShape& shape,
     whole.points.push_back({points[i], hasWeights ? shape.weights[i] : 1});
   }
   if (shape.kind == CurveKind::kBSpline) {
-    refined = refinedSpline(geometry, shape, whole.points, legs, levels);
+    SplineWorkspace& spline = workspace.spline;
+    refineSpline(geometry, shape, whole.points, legs, levels, workspace.strip, spline);
+    refined.points = spline.levels.back().points;
+    refined.legs = spline.levels.back().legs;
+    refined.pieces = spline.pieces;
   } else {
     Written written;
     if (isBezier(shape.kind)) {

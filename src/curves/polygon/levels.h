@@ -1,6 +1,7 @@
 #pragma once
 
 #include "curves/polygon/leg_average.h"
+#include "curves/polygon/spline_levels.h"
 #include "curves/spec/curve_layout.h"
 #include "intrinsic/surface_path.h"
 
@@ -33,11 +34,6 @@ struct RefinedPolygon {
   bool weighted = false;  ///< whether the points' weights count
 };
 
-/// How many legs a control polygon has.
-inline int legCount(const CurveShape& shape, int points) {
-  return shape.closed ? points : points - 1;
-}
-
 /// Throws Error kBadArgument for levels that are not from 0 to 8, for a kind that takes none, and
 /// where the work would be out of all proportion (Bezier curves of very many points).
 void checkLevels(const CurveShape& shape, int points, int levels);
@@ -62,6 +58,7 @@ struct AveragingWorkspace {
   SurfacePath inner;
   LeggedPolygon polygon;
   Array<BezierHalves> halves;  ///< by the levels that are left
+  SplineWorkspace spline;
 };
 
 /// Subdivides a control polygon `levels` >= 1 times. `legs`: a path from each point to the next, at

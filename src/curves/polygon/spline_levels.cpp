@@ -42,75 +42,53 @@ Array<double> insertionRow(const Old& old, const Refined& refined, int degree, i
   return row;
 }
 
-/// A B-spline's control polygon with its legs.
-struct SplinePolygon {
-  Array<WeightedPoint> points;
-  Array<SurfacePath> legs;
-  Array<double> knots;
-};
-
-class SplineLevels {
+/// Knots with one in the middle of each span, and the parents of the points that they have.
+class KnotHalving {
  public:
-  SplineLevels(const Geometry& geometry, int degree, bool closed)
-      : geometry_(geometry), mesh_(*geometry.mesh), degree_(degree), closed_(closed) {}
+  KnotHalving(const Array<double>& knots, int points, int degree, bool closed)
+      : old_(knots), count_(points), degree_(degree), closed_(closed) {}
 
-  /// One level: a knot in the middle of each span.
-  SplinePolygon refined(const SplinePolygon& polygon) {
-    old_ = &polygon;
-    count_ = polygon.points.count();
-    const Array<double> knots = closed_ ? refinedClosedKnots() : refinedOpenKnots();
-    const int points = knots.count() - (closed_ ? 1 : degree_ + 1);
-    SplinePolygon result;
-    anchors_.clear();
-    for (int j = 0; j < points; ++j) appendPoint(knots, j, result);
-    for (int j = 0; j + (closed_ ? 0 : 1) < points; ++j) appendLeg((j + 1) % points, j, result);
-    result.knots = knots;
-    return result;
+  Array<double> halved() const { return closed_ ? halvedClosed() : halvedOpen(); }
+
+  /// The parents of point j of the level with these knots.
+  SplineLevel::Parents parents(const Array<double>& knots, int j) const {
+    const auto old = [&](int k) { return oldKnot(k); };
+    const auto refined = [&](int k) {
+      return closed_ ? knotOfSpan(knots, degree_, true, k - degree_) : knots[k];
+    };
+    const int span = spanFor(refined, j);
+    const Array<double> row = insertionRow(old, refined, degree_, span, j);
+    int first = 0;
+    while (row[first] == 0) ++first;
+    int last = degree_;
+    while (row[last] == 0) --last;
+    return {span - degree_ + first, Array<double>(row.begin() + first, row.begin() + last + 1)};
   }
 
  private:
-  /// A path from a new point to an old one that it lies near, to lead its legs by.
-  struct Anchor {
-    SurfacePath path;
-    int parent = 0;  ///< counted on around a closed curve
-  };
-
-  /// A point that averages have brought so far, from one end of the parents.
-  struct Side {
-    WeightedPoint point;
-    int parent = 0;        ///< the last that was averaged
-    SurfacePath toParent;  ///< of no length at first
-  };
-
   double oldKnot(int k) const {
-    return closed_ ? knotOfSpan(old_->knots, degree_, true, k - degree_) : old_->knots[k];
+    return closed_ ? knotOfSpan(old_, degree_, true, k - degree_) : old_[k];
   }
 
-  int wrapped(int i) const { return closed_ ? ((i % count_) + count_) % count_ : i; }
-  const SurfacePath& leg(int i) const { return old_->legs[wrapped(i)]; }
-
-  Array<double> refinedClosedKnots() const {
+  Array<double> halvedClosed() const {
     Array<double> knots;
-    for (int k = 0; k + 1 < old_->knots.count(); ++k) appendHalved(old_->knots, k, knots);
-    knots.push_back(old_->knots.back());
+    for (int k = 0; k + 1 < old_.count(); ++k) appendHalved(k, knots);
+    knots.push_back(old_.back());
     return knots;
   }
 
   /// The outer spans are halved too, so that the first and the last points come near; those that no
   /// span of the curve needs are left out.
-  Array<double> refinedOpenKnots() const {
-    const Array<double>& old = old_->knots;
-    Array<double> all;
-    for (int k = 0; k + 1 < old.count(); ++k) appendHalved(old, k, all);
-    all.push_back(old.back());
-    const auto first = std::upper_bound(all.begin(), all.end(), old[degree_]) - 1 - degree_;
-    const auto last = std::lower_bound(all.begin(), all.end(), old[count_]) + degree_ + 1;
+  Array<double> halvedOpen() const {
+    Array<double> all = halvedClosed();
+    const auto first = std::upper_bound(all.begin(), all.end(), old_[degree_]) - 1 - degree_;
+    const auto last = std::lower_bound(all.begin(), all.end(), old_[count_]) + degree_ + 1;
     return Array<double>(first, last);
   }
 
-  static void appendHalved(const Array<double>& knots, int k, Array<double>& out) {
-    out.push_back(knots[k]);
-    if (knots[k + 1] > knots[k]) out.push_back(knots[k] + (knots[k + 1] - knots[k]) / 2);
+  void appendHalved(int k, Array<double>& out) const {
+    out.push_back(old_[k]);
+    if (old_[k + 1] > old_[k]) out.push_back(old_[k] + (old_[k + 1] - old_[k]) / 2);
   }
 
   /// The old span whose polynomial gives new point j: one that a span of the new point lies in.
@@ -126,67 +104,134 @@ class SplineLevels {
   /// The start of the last span that is not empty.
   double lastStart() const {
     int k = count_;
-    while (old_->knots[k] == old_->knots[count_]) --k;
-    return old_->knots[k];
+    while (old_[k] == old_[count_]) --k;
+    return old_[k];
   }
 
-  void appendPoint(const Array<double>& knots, int j, SplinePolygon& result) {
-    const auto old = [&](int k) { return oldKnot(k); };
-    const auto refined = [&](int k) {
-      return closed_ ? knotOfSpan(knots, degree_, true, k - degree_) : knots[k];
-    };
-    const int span = spanFor(refined, j);
-    const Array<double> row = insertionRow(old, refined, degree_, span, j);
-    int first = 0;
-    while (row[first] == 0) ++first;
-    int last = degree_;
-    while (row[last] == 0) --last;
-    Array<double> weights;
-    for (int k = first; k <= last; ++k) {
-      weights.push_back(row[k] * pointAt(span - degree_ + k).weight);
+  const Array<double>& old_;
+  int count_;
+  int degree_;
+  bool closed_;
+};
+
+int pointsWith(const Array<double>& knots, const CurveShape& shape) {
+  return knots.count() - (shape.closed ? 1 : shape.degree + 1);
+}
+
+void resize(SplineLevel& level, int points, const CurveShape& shape) {
+  level.points.resize(static_cast<size_t>(points));
+  level.legs.resize(static_cast<size_t>(legCount(shape, points)));
+  level.anchors.resize(static_cast<size_t>(points));
+}
+
+bool isKnown(const CurveShape& shape, int points, int levels, const SplineWorkspace& workspace) {
+  const CurveShape& known = workspace.shape;
+  return workspace.points == points && workspace.levels.count() == levels + 1 &&
+         known.closed == shape.closed && known.degree == shape.degree &&
+         known.knotRule == shape.knotRule && known.knots == shape.knots;
+}
+
+/// Makes what depends on the shape and on counts alone, unless it is there from the last time.
+void layOutLevels(const CurveShape& shape, int points, int levels, SplineWorkspace& workspace) {
+  if (isKnown(shape, points, levels, workspace)) return;
+  workspace.points = 0;
+  workspace.levels.resize(static_cast<size_t>(levels) + 1);
+  Array<double> knots = knotsOf(shape, points);
+  resize(workspace.levels[0], points, shape);
+  for (int level = 1; level <= levels; ++level) {
+    const KnotHalving old(knots, pointsWith(knots, shape), shape.degree, shape.closed);
+    Array<double> halved = old.halved();
+    SplineLevel& next = workspace.levels[level];
+    resize(next, pointsWith(halved, shape), shape);
+    next.parents.clear();
+    for (int j = 0; j < next.points.count(); ++j) next.parents.push_back(old.parents(halved, j));
+    knots = std::move(halved);
+  }
+  CurveShape refined{CurveKind::kBSpline, shape.closed, shape.degree, KnotRule::kOwn};
+  refined.knots = std::move(knots);
+  workspace.pieces = layOut(refined, workspace.levels.back().points.count());
+  workspace.shape = shape;
+  workspace.points = points;
+}
+
+/// One level from the one before.
+class SplineLevelStep {
+ public:
+  SplineLevelStep(const Geometry& geometry, const SplineLevel& old, bool closed,
+                  StripWorkspace& strip, SplineWorkspace& workspace)
+      : geometry_(geometry),
+        mesh_(*geometry.mesh),
+        old_(old),
+        count_(old.points.count()),
+        closed_(closed),
+        strip_(strip),
+        path_(workspace.path),
+        near_(workspace.near),
+        far_(workspace.far) {}
+
+  void write(SplineLevel& next) {
+    const int points = next.points.count();
+    for (int j = 0; j < points; ++j) {
+      next.points[j] = averageOf(next.parents[j], next.anchors[j]);
     }
-    result.points.push_back(averageOf(span - degree_ + first, weights));
+    for (int j = 0; j < next.legs.count(); ++j) writeLeg((j + 1) % points, j, next);
   }
 
-  const WeightedPoint& pointAt(int i) const { return old_->points[wrapped(i)]; }
+ private:
+  using Anchor = SplineLevel::Anchor;
+  using Parents = SplineLevel::Parents;
+  using Side = SplineWorkspace::Side;
 
-  /// The repeated average of consecutive old points from number `first` on, from both ends towards
-  /// the middle. Notes its anchor.
-  WeightedPoint averageOf(int first, const Array<double>& weights) {
+  int wrapped(int i) const { return closed_ ? ((i % count_) + count_) % count_ : i; }
+  const SurfacePath& leg(int i) const { return old_.legs[wrapped(i)]; }
+  const WeightedPoint& pointAt(int i) const { return old_.points[wrapped(i)]; }
+
+  /// The repeated average of consecutive old points, from both ends towards the middle, and its
+  /// anchor.
+  WeightedPoint averageOf(const Parents& parents, Anchor& anchor) {
     int left = 0;
-    int right = weights.count() - 1;
+    int right = parents.weights.count() - 1;
+    const auto weight = [&](int k) {
+      return parents.weights[k] * pointAt(parents.first + k).weight;
+    };
     if (left == right) {
-      WeightedPoint point{pointAt(first).point, weights[0]};
-      anchors_.push_back({{{point.point}, {0}}, first});
-      return point;
+      const SurfacePoint& point = pointAt(parents.first).point;
+      begin(point, anchor.path);
+      anchor.parent = parents.first;
+      return {point, weight(0)};
     }
-    Side near = sideAt(first, weights[left]);
-    Side far = sideAt(first + right, weights[right]);
+    begin(parents.first, weight(left), near_);
+    begin(parents.first + right, weight(right), far_);
     while (++left < --right) {
-      advance(near, weights[left], 1);
-      advance(far, weights[right], -1);
+      advance(near_, weight(left), 1);
+      advance(far_, weight(right), -1);
     }
     if (left == right) {
-      advance(near, weights[left] / 2, 1);
-      advance(far, weights[left] / 2, -1);
+      advance(near_, weight(left) / 2, 1);
+      advance(far_, weight(left) / 2, -1);
     }
     Chain chain(mesh_, path_);
-    chain.append(near.toParent);
-    if (near.parent != far.parent) chain.append(leg(near.parent));
-    chain.appendReversed(far.toParent);
-    straighten(geometry_, path_, workspace_);
-    const LegAverage average = averageOn(mesh_, path_, near.point.weight, far.point.weight);
-    Anchor anchor;
-    anchor.parent = near.parent;
-    appendPart(mesh_, path_, average.at, 0, anchor.path);
-    appendPart(mesh_, near.toParent, 0, near.toParent.length(), anchor.path);
-    anchors_.push_back(std::move(anchor));
+    chain.append(near_.toParent);
+    if (near_.parent != far_.parent) chain.append(leg(near_.parent));
+    chain.appendReversed(far_.toParent);
+    straighten(geometry_, path_, strip_);
+    const LegAverage average = averageOn(mesh_, path_, near_.point.weight, far_.point.weight);
+    anchor.parent = near_.parent;
+    takePart(mesh_, path_, average.at, 0, anchor.path);
+    appendPart(mesh_, near_.toParent, 0, near_.toParent.length(), anchor.path);
     return average.point;
   }
 
-  Side sideAt(int parent, double weight) const {
+  static void begin(const SurfacePoint& point, SurfacePath& path) {
+    path.points.assign(1, point);
+    path.lengths.assign(1, 0.0);
+  }
+
+  void begin(int parent, double weight, Side& side) const {
     const SurfacePoint& point = pointAt(parent).point;
-    return {{point, weight}, parent, {{point}, {0}}};
+    side.point = {point, weight};
+    side.parent = parent;
+    begin(point, side.toParent);
   }
 
   /// Averages the next parent in, in direction `step` of the row.
@@ -198,56 +243,51 @@ class SplineLevels {
     } else {
       chain.appendReversed(leg(side.parent - 1));
     }
-    straighten(geometry_, path_, workspace_);
+    straighten(geometry_, path_, strip_);
     const LegAverage average = averageOn(mesh_, path_, side.point.weight, weight);
-    side.toParent = partOf(mesh_, path_, average.at, path_.length());
+    takePart(mesh_, path_, average.at, path_.length(), side.toParent);
     side.parent += step;
     side.point = average.point;
   }
 
-  /// The leg from new point j to new point `next`.
-  void appendLeg(int next, int j, SplinePolygon& result) {
-    const Anchor& from = anchors_[j];
-    const Anchor& to = anchors_[next];
+  /// The leg from new point j to new point `to`.
+  void writeLeg(int to, int j, SplineLevel& next) {
+    const Anchor& start = next.anchors[j];
+    const Anchor& end = next.anchors[to];
     // Around the end of a closed curve the numbers of parents start again.
-    const int parent = to.parent + (next <= j ? count_ : 0);
-    SurfacePath path;
+    const int parent = end.parent + (to <= j ? count_ : 0);
+    SurfacePath& path = next.legs[j];
     Chain chain(mesh_, path);
-    chain.append(from.path);
-    for (int k = from.parent; k < parent; ++k) chain.append(leg(k));
-    for (int k = from.parent; k > parent; --k) chain.appendReversed(leg(k - 1));
-    chain.appendReversed(to.path);
-    straighten(geometry_, path, workspace_);
-    result.legs.push_back(std::move(path));
+    chain.append(start.path);
+    for (int k = start.parent; k < parent; ++k) chain.append(leg(k));
+    for (int k = start.parent; k > parent; --k) chain.appendReversed(leg(k - 1));
+    chain.appendReversed(end.path);
+    straighten(geometry_, path, strip_);
   }
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  int degree_;
+  const SplineLevel& old_;
+  int count_;
   bool closed_;
-  const SplinePolygon* old_ = nullptr;
-  int count_ = 0;
-  Array<Anchor> anchors_;
-  SurfacePath path_;
-  StripWorkspace workspace_;
+  StripWorkspace& strip_;
+  SurfacePath& path_;
+  Side& near_;
+  Side& far_;
 };
 
 }  // namespace
 
-RefinedPolygon refinedSpline(const Geometry& geometry, const CurveShape& shape,
-                             Array<WeightedPoint> points, const Array<SurfacePath>& legs,
-                             int levels) {
-  const Array<double> knots = knotsOf(shape, points.count());
-  SplinePolygon polygon{std::move(points), legs, knots};
-  SplineLevels scheme(geometry, shape.degree, shape.closed);
-  for (int level = 0; level < levels; ++level) polygon = scheme.refined(polygon);
-  CurveShape refined{CurveKind::kBSpline, shape.closed, shape.degree, KnotRule::kOwn};
-  refined.knots = polygon.knots;
-  RefinedPolygon result;
-  result.pieces = layOut(refined, polygon.points.count());
-  result.points = std::move(polygon.points);
-  result.legs = std::move(polygon.legs);
-  return result;
+void refineSpline(const Geometry& geometry, const CurveShape& shape,
+                  const Array<WeightedPoint>& points, const Array<SurfacePath>& legs, int levels,
+                  StripWorkspace& strip, SplineWorkspace& workspace) {
+  layOutLevels(shape, points.count(), levels, workspace);
+  workspace.levels[0].points = points;
+  workspace.levels[0].legs = legs;
+  for (int level = 0; level < levels; ++level) {
+    SplineLevelStep(geometry, workspace.levels[level], shape.closed, strip, workspace)
+        .write(workspace.levels[level + 1]);
+  }
 }
 
 }  // namespace karcher

@@ -22,14 +22,26 @@ void bernsteinBasis(int degree, double t, Array<double>& weights) {
   }
 }
 
-Array<double> uniformCubicBasis(double t) {
+std::array<double, 4> uniformCubicWeights(double t) {
   const double s = 1 - t;
   return {s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
           (-3 * t * t * t + 3 * t * t + 3 * t + 1) / 6, t * t * t / 6};
 }
 
+Array<double> uniformCubicBasis(double t) {
+  const std::array<double, 4> weights = uniformCubicWeights(t);
+  return Array<double>(weights.begin(), weights.end());
+}
+
 Array<double> bsplineBasis(const Array<double>& knots, int degree, int span, double u) {
-  Array<double> weights(static_cast<size_t>(degree) + 1, 0.0);
+  Array<double> weights;
+  bsplineBasis(knots, degree, span, u, weights);
+  return weights;
+}
+
+void bsplineBasis(const Array<double>& knots, int degree, int span, double u,
+                  Array<double>& weights) {
+  weights.assign(static_cast<size_t>(degree) + 1, 0.0);
   weights[0] = 1;
   for (int n = 1; n <= degree; ++n) {
     double carry = 0;
@@ -42,15 +54,17 @@ Array<double> bsplineBasis(const Array<double>& knots, int degree, int span, dou
     }
     weights[n] = carry;
   }
-  return weights;
 }
 
-Array<double> rationalBasis(const Array<double>& basis, const Array<double>& pointWeights) {
-  Array<double> weights(basis);
+Array<double> rationalBasis(Array<double> basis, const Array<double>& pointWeights) {
+  makeRational(pointWeights, basis);
+  return basis;
+}
+
+void makeRational(const Array<double>& pointWeights, Array<double>& basis) {
   double sum = 0;
-  for (int i = 0; i < weights.count(); ++i) sum += weights[i] *= pointWeights[i];
-  for (double& weight : weights) weight /= sum;
-  return weights;
+  for (int i = 0; i < basis.count(); ++i) sum += basis[i] *= pointWeights[i];
+  for (double& weight : basis) weight /= sum;
 }
 
 Array<double> barycentricBasis(const Array<double>& betas, double t) {

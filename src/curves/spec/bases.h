@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "mesh/types.h"
 
 /// Bases of curves: functions from a parameter to weights that sum to 1, one per control point of a
@@ -14,15 +16,21 @@ void bernsteinBasis(int degree, double t, Array<double>& weights);
 
 /// The uniform cubic B-spline on one segment, t in [0, 1]: 4 weights.
 Array<double> uniformCubicBasis(double t);
+std::array<double, 4> uniformCubicWeights(double t);
 
 /// The `degree` + 1 B-splines that do not vanish on the knot span [knots[span], knots[span + 1]],
 /// at u in it, by Cox and de Boor's recurrence. The knots must not decrease, the span must not be
 /// empty, and degree <= span < knots.count() - degree - 1. The weights belong to the control points
 /// span - degree to span.
 Array<double> bsplineBasis(const Array<double>& knots, int degree, int span, double u);
+/// The same, in the memory of `weights`.
+void bsplineBasis(const Array<double>& knots, int degree, int span, double u,
+                  Array<double>& weights);
 
 /// A rational basis: w_i N_i / sum_j w_j N_j, where N is another basis. All w_i are positive.
-Array<double> rationalBasis(const Array<double>& basis, const Array<double>& pointWeights);
+Array<double> rationalBasis(Array<double> basis, const Array<double>& pointWeights);
+/// The same, in place of the other basis.
+void makeRational(const Array<double>& pointWeights, Array<double>& basis);
 
 /// Rational interpolation in barycentric form: proportional to (-1)^i beta_i / (t - i / n) for n +
 /// 1 positive betas, exactly 1 for point i at t = i / n (K. Ramanantoanina, K. Hormann, "New shape

@@ -103,14 +103,15 @@ void checkShape(const CurveShape& shape, int points) {
   if (shape.degree < 1 || shape.degree > kMostSplineDegree) {
     refuse("a B-spline has degree 1 to 5, not " + std::to_string(shape.degree));
   }
-  const std::string name = nameInSentence(shape);
+  // Made where it is needed: a drag checks each step.
+  const auto name = [&] { return nameInSentence(shape); };
   const int fewest = fewestPoints(shape);
   if (points < fewest) {
-    throw Error(ErrorCode::kTooFewPoints, name + " needs at least " + std::to_string(fewest) +
+    throw Error(ErrorCode::kTooFewPoints, name() + " needs at least " + std::to_string(fewest) +
                                               " control points, not " + std::to_string(points));
   }
   if (isOneSegment(shape.kind) && points > kMostPointsASegment) {
-    refuse(name + " takes at most " + std::to_string(kMostPointsASegment) +
+    refuse(name() + " takes at most " + std::to_string(kMostPointsASegment) +
            " control points, not " + std::to_string(points));
   }
   if (shape.kind == CurveKind::kOwn && (shape.closed || !shape.basis)) {

@@ -61,6 +61,11 @@ inline bool takesWeights(CurveKind kind) {
 }
 inline bool takesBetas(CurveKind kind) { return kind == CurveKind::kBarycentric; }
 
+/// How many legs a control polygon has.
+inline int legCount(const CurveShape& shape, int points) {
+  return shape.closed ? points : points - 1;
+}
+
 /// Throws Error if a curve of this shape cannot have that many points, or if one of its numbers is
 /// out of range: kTooFewPoints, kNotFinite, kBadArgument.
 void checkShape(const CurveShape& shape, int points);

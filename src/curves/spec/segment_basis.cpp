@@ -50,12 +50,19 @@ Array<double> weightsAt(const SegmentBasis& basis, double t) {
 
 void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
                Array<double>& weights) {
-  if (basis.form == BasisForm::kBernstein && basis.folds.empty()) {
-    bernsteinBasis(basis.degree, t, weights);
-  } else {
+  if (!basis.folds.empty()) {
     weights = weightsAt(basis, t);
+  } else if (basis.form == BasisForm::kBernstein) {
+    bernsteinBasis(basis.degree, t, weights);
+  } else if (basis.form == BasisForm::kBSpline) {
+    bsplineBasis(basis.numbers, basis.degree, basis.degree, t, weights);
+  } else if (basis.form == BasisForm::kUniformCubic) {
+    const std::array<double, 4> cubic = uniformCubicWeights(t);
+    weights.assign(cubic.begin(), cubic.end());
+  } else {
+    weights = unfolded(basis, t);
   }
-  if (!pointWeights.empty()) weights = rationalBasis(weights, pointWeights);
+  if (!pointWeights.empty()) makeRational(pointWeights, weights);
 }
 
 Array<double> nodesOf(const SegmentBasis& basis) {
