@@ -48,7 +48,7 @@ class KnotHalving {
   KnotHalving(const Array<double>& knots, int points, int degree, bool closed)
       : old_(knots), count_(points), degree_(degree), closed_(closed) {}
 
-  Array<double> halved() const { return closed_ ? halvedClosed() : halvedOpen(); }
+  Array<double> halved() const { return closed_ ? everySpanHalved() : openHalved(); }
 
   /// The parents of point j of the level with these knots.
   SplineLevel::Parents parents(const Array<double>& knots, int j) const {
@@ -70,7 +70,7 @@ class KnotHalving {
     return closed_ ? knotOfSpan(old_, degree_, true, k - degree_) : old_[k];
   }
 
-  Array<double> halvedClosed() const {
+  Array<double> everySpanHalved() const {
     Array<double> knots;
     for (int k = 0; k + 1 < old_.count(); ++k) appendHalved(k, knots);
     knots.push_back(old_.back());
@@ -79,8 +79,8 @@ class KnotHalving {
 
   /// The outer spans are halved too, so that the first and the last points come near; those that no
   /// span of the curve needs are left out.
-  Array<double> halvedOpen() const {
-    Array<double> all = halvedClosed();
+  Array<double> openHalved() const {
+    Array<double> all = everySpanHalved();
     const auto first = std::upper_bound(all.begin(), all.end(), old_[degree_]) - 1 - degree_;
     const auto last = std::lower_bound(all.begin(), all.end(), old_[count_]) + degree_ + 1;
     return Array<double>(first, last);
