@@ -37,7 +37,7 @@ Look lookAt(const Geometry& geometry, const SurfacePath& line, double length,
   rest.points.front() = look.path.end();
   measure(mesh, rest);
   look.along = logAlong(geometry, rest).normalized() * (isOnward ? 1 : -1);
-  const Vec2 back = logAlong(geometry, reversed(look.path));
+  const Vec2 back = logBack(geometry, look.path);
   look.slope = back.norm() > 0 ? -back.normalized().dot(look.along) : 0;
   return look;
 }
@@ -114,7 +114,7 @@ ExpMapped mirrored(const Geometry& geometry, const SurfacePath& line, const Surf
     throw Error(ErrorCode::kBadArgument, "a line to mirror in must have a length");
   }
   const Look foot = footOn(geometry, line, point, workspace);
-  const Vec2 back = logAlong(geometry, reversed(foot.path));
+  const Vec2 back = logBack(geometry, foot.path);
   const auto reflected = [&](const Vec2& vector) -> Vec2 {
     return 2 * vector.dot(foot.along) * foot.along - vector;
   };

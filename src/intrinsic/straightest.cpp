@@ -87,12 +87,18 @@ FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
 
 class Walk {
  public:
-  Walk(const Geometry& geometry, const StraightestOptions& options, double length)
-      : geometry_(geometry), crossingsLeft_(options.maxCrossings) {
+  /// Writes to `path`.
+  Walk(const Geometry& geometry, const StraightestOptions& options, double length,
+       StraightestPath& path)
+      : geometry_(geometry), crossingsLeft_(options.maxCrossings), path_(path) {
+    path_.path.points.clear();
+    path_.path.lengths.clear();
     path_.remaining = length;
+    path_.stop = TraceStop::kComplete;
+    path_.direction = Vec2(1, 0);
   }
 
-  StraightestPath run(const SurfacePoint& start, std::optional<Walker> walker) {
+  void run(const SurfacePoint& start, std::optional<Walker> walker) {
     append(start);
     while (walker && path_.remaining > 0 && crossingsLeft_-- > 0) {
       if (walker->point.face != path_.path.end().face) append(walker->point);
@@ -101,7 +107,6 @@ class Walk {
     }
     if (path_.remaining > 0) path_.stop = walker ? TraceStop::kLimit : TraceStop::kBoundary;
     if (path_.path.points.count() < 2) append(start);
-    return std::move(path_);
   }
 
  private:
@@ -143,7 +148,7 @@ class Walk {
   const Geometry& geometry_;
   int crossingsLeft_;
   double walked_ = 0;
-  StraightestPath path_;
+  StraightestPath& path_;
 };
 
 }  // namespace
@@ -164,23 +169,38 @@ int mostCrossingsOfSearch(const TriangleMesh& mesh) {
   return static_cast<int>(16'000 + 256 * std::sqrt(mesh.faceCount()));
 }
 
-StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
-                                 const Vec2& vector, const StraightestOptions& options) {
+void traceStraightest(const Geometry& geometry, const SurfacePoint& start, const Vec2& vector,
+                      StraightestPath& path, const StraightestOptions& options) {
   if (!vector.allFinite()) {
     throw Error(ErrorCode::kNotFinite, "the direction of a geodesic must be finite");
   }
   const double length = vector.stableNorm();
-  if (length == 0) return Walk(geometry, options, 0).run(start, std::nullopt);
-  return Walk(geometry, options, length).run(start, enterFace(geometry, {start, vector / length}));
+  Walk walk(geometry, options, length, path);
+  if (length == 0) return walk.run(start, std::nullopt);
+  walk.run(start, enterFace(geometry, {start, vector / length}));
+}
+
+StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
+                                 const Vec2& vector, const StraightestOptions& options) {
+  StraightestPath path;
+  traceStraightest(geometry, start, vector, path, options);
+  return path;
+}
+
+void traceFromVertex(const Geometry& geometry, int vertex, double direction, double length,
+                     StraightestPath& path, const StraightestOptions& options) {
+  if (!std::isfinite(direction) || !std::isfinite(length)) {
+    throw Error(ErrorCode::kNotFinite, "the direction and length of a geodesic must be finite");
+  }
+  Walk(geometry, options, length, path)
+      .run(vertexPoint(*geometry.mesh, vertex), leaveVertex(geometry, vertex, direction));
 }
 
 StraightestPath traceFromVertex(const Geometry& geometry, int vertex, double direction,
                                 double length, const StraightestOptions& options) {
-  if (!std::isfinite(direction) || !std::isfinite(length)) {
-    throw Error(ErrorCode::kNotFinite, "the direction and length of a geodesic must be finite");
-  }
-  return Walk(geometry, options, length)
-      .run(vertexPoint(*geometry.mesh, vertex), leaveVertex(geometry, vertex, direction));
+  StraightestPath path;
+  traceFromVertex(geometry, vertex, direction, length, path, options);
+  return path;
 }
 
 }  // namespace karcher

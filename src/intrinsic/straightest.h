@@ -42,9 +42,15 @@ struct StraightestPath {
 StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
                                  const Vec2& vector, const StraightestOptions& options = {});
 
+/// The same, written to a path whose memory is used again.
+void traceStraightest(const Geometry& geometry, const SurfacePoint& start, const Vec2& vector,
+                      StraightestPath& path, const StraightestOptions& options = {});
+
 /// Walks from a vertex in an unscaled direction (see geometry.h). At a boundary vertex a direction
 /// off the surface stops at once.
 StraightestPath traceFromVertex(const Geometry& geometry, int vertex, double direction,
                                 double length, const StraightestOptions& options = {});
+void traceFromVertex(const Geometry& geometry, int vertex, double direction, double length,
+                     StraightestPath& path, const StraightestOptions& options = {});
 
 }  // namespace karcher

@@ -234,14 +234,16 @@ void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, 
   });
 }
 
-SurfacePath reversed(const SurfacePath& path) {
-  SurfacePath back;
-  back.points.assign(path.points.rbegin(), path.points.rend());
-  back.lengths.reserve(path.lengths.size());
-  for (int i = path.lengths.count() - 1; i >= 0; --i) {
-    back.lengths.push_back(path.length() - path.lengths[i]);
-  }
-  return back;
+void reverse(SurfacePath& path) {
+  const double length = path.length();
+  std::reverse(path.points.begin(), path.points.end());
+  std::reverse(path.lengths.begin(), path.lengths.end());
+  for (double& at : path.lengths) at = length - at;
+}
+
+SurfacePath reversed(SurfacePath path) {
+  reverse(path);
+  return path;
 }
 
 void straighten(const Geometry& geometry, SurfacePath& path, StripWorkspace& workspace) {

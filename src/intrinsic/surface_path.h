@@ -39,7 +39,8 @@ void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, 
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 Array<SurfacePoint>& out);
 
-SurfacePath reversed(const SurfacePath& path);
+void reverse(SurfacePath& path);
+SurfacePath reversed(SurfacePath path);
 
 /// Replaces a path by the locally shortest one that it can be shortened to continuously: it is
 /// pulled tight between its ends (strip_path.h). Costs by the faces that it crosses. What bends,

@@ -1,5 +1,7 @@
 #include "intrinsic/tangent.h"
 
+#include <utility>
+
 namespace karcher {
 namespace {
 
@@ -10,18 +12,12 @@ int cornerAt(const TriangleMesh& mesh, int vertex, int face) {
   return h;
 }
 
-/// The vector of the straight line between two points that share a face, at the first.
-Vec2 stepAt(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to) {
-  return logAlong(geometry, pathThrough(*geometry.mesh, {from, to}));
-}
-
-}  // namespace
-
-Vec2 logAlong(const Geometry& geometry, const SurfacePath& path) {
+/// The vector of a path at one of its ends: at point `from`, with the next point `stride` on.
+Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int stride) {
   const TriangleMesh& mesh = *geometry.mesh;
-  const SurfacePoint& start = path.points.front();
-  for (int i = 1; i < path.points.count(); ++i) {
-    if (!(path.lengths[i] > 0)) continue;
+  const SurfacePoint& start = path.points[from];
+  for (int i = from + stride; i >= 0 && i < path.points.count(); i += stride) {
+    if (path.lengths[i] == path.lengths[from]) continue;
     const int face = commonFace(mesh, start, path.points[i]);
     if (face < 0) break;
     const Vec2 step = pointInFace(geometry, inFace(mesh, path.points[i], face)) -
@@ -38,22 +34,48 @@ Vec2 logAlong(const Geometry& geometry, const SurfacePath& path) {
   return Vec2::Zero();
 }
 
-SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector) {
+/// The vector of the straight line between two points that share a face, at the first.
+Vec2 stepAt(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to) {
+  return logAlong(geometry, pathThrough(*geometry.mesh, {from, to}));
+}
+
+}  // namespace
+
+Vec2 logAlong(const Geometry& geometry, const SurfacePath& path) {
+  return logAtEnd(geometry, path, 0, 1);
+}
+
+Vec2 logBack(const Geometry& geometry, const SurfacePath& path) {
+  return logAtEnd(geometry, path, path.points.count() - 1, -1);
+}
+
+void expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
+              SurfacePath& path) {
   const TriangleMesh& mesh = *geometry.mesh;
   const PointLocation at = locate(mesh, point);
+  StraightestPath traced;
+  std::swap(traced.path, path);
   if (at.simplex != Simplex::kVertex || !(vector.norm() > 0)) {
-    return traceStraightest(geometry, point, vector).path;
+    traceStraightest(geometry, point, vector, traced);
+  } else {
+    double angle = angleOf(vector);
+    if (angle < 0) angle += 2 * kPi;
+    const double direction = angle / geometry.angleScale[at.vertex];
+    traceFromVertex(geometry, at.vertex, direction, vector.norm(), traced);
   }
-  double angle = angleOf(vector);
-  if (angle < 0) angle += 2 * kPi;
-  const double direction = angle / geometry.angleScale[at.vertex];
-  return traceFromVertex(geometry, at.vertex, direction, vector.norm()).path;
+  std::swap(traced.path, path);
+}
+
+SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector) {
+  SurfacePath path;
+  expAlong(geometry, point, vector, path);
+  return path;
 }
 
 Vec2 transportAlong(const Geometry& geometry, const SurfacePath& path, const Vec2& vector) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Vec2 leaving = logAlong(geometry, path);
-  const Vec2 arriving = -logAlong(geometry, reversed(path));
+  const Vec2 arriving = -logBack(geometry, path);
   if (!(leaving.norm() > 0) || !(arriving.norm() > 0)) {
     const PointLocation at = locate(mesh, path.start());
     const bool isAcross = at.simplex == Simplex::kEdge && path.start().face != path.end().face;

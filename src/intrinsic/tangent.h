@@ -13,9 +13,16 @@ namespace karcher {
 /// The vector of a path at its start: the direction in which it leaves, as long as the path.
 Vec2 logAlong(const Geometry& geometry, const SurfacePath& path);
 
+/// The same of the reversed path: the vector back along a path at its end.
+Vec2 logBack(const Geometry& geometry, const SurfacePath& path);
+
 /// The straightest geodesic from a point along a vector of its tangent plane. Where it meets the
 /// boundary it ends there.
 SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);
+
+/// The same, written to a path whose memory is used again.
+void expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
+              SurfacePath& path);
 
 /// A vector of the tangent plane at a path's start carried to its end: along a locally shortest
 /// path it keeps its angle with the path, but where the path turns round a vertex, which is

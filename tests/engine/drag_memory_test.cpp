@@ -88,6 +88,10 @@ TEST(DragMemory, IsThatOfTheStepsBefore) {
   spline.degree = 2;
   spline.weights = {1, 2, 3, 1};
   expectMostStepsTakeNone(bunny, spline, 2, 0.1);
+  CurveShape through{CurveKind::kCatmullRom};
+  expectMostStepsTakeNone(torus, through, 2, 0.1);
+  through.closed = true;
+  expectMostStepsTakeNone(bunny, through, 2, 0.1);
 }
 
 TEST(DragMemory, IsNoPartOfTheCurve) {

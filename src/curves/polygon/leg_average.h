@@ -6,6 +6,12 @@
 /// Averages on the legs of a control polygon, and the paths that join them.
 namespace karcher {
 
+/// The points of a piece with the legs between them, to be averaged.
+struct LeggedPolygon {
+  Array<WeightedPoint> points;
+  Array<SurfacePath> legs;  ///< one fewer
+};
+
 /// The average of both ends of a leg, and how far along it lies.
 struct LegAverage {
   WeightedPoint point;

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "intrinsic/tangent.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -15,12 +14,6 @@ namespace {
 constexpr double kMostAverages = 1e6;
 
 bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
-
-SurfacePath partOf(const TriangleMesh& mesh, const SurfacePath& path, double from, double to) {
-  SurfacePath part;
-  takePart(mesh, path, from, to, part);
-  return part;
-}
 
 /// Finds the averages on the legs of the workspace's row, with the share `share(i)` of the later
 /// point on leg i.
@@ -98,75 +91,6 @@ void makeRoom(int curves, int degree, int levels, AveragingWorkspace& workspace,
   if (workspace.halves.count() < levels) workspace.halves.resize(static_cast<size_t>(levels));
 }
 
-// Catmull-Rom curves.
-
-/// The cubic Bezier polygons of a curve through points: with the derivative at a point that Barry
-/// and Goldman's pyramid has there, by log maps along the legs that meet at it.
-class ThroughPoints {
- public:
-  ThroughPoints(const Geometry& geometry, const CurveShape& shape,
-                const Array<SurfacePoint>& points, const Array<SurfacePath>& legs)
-      : geometry_(geometry), mesh_(*geometry.mesh), shape_(shape), points_(points), legs_(legs) {
-    const int count = legs.count();
-    for (const SurfacePath& leg : legs) gaps_.push_back(leg.length());
-    spacings_ = catmullRomSpacings(gaps_, shape.centripetal);
-    for (int j = 0; j < count; ++j) handles_.push_back({handleAfter(j), handleBefore(j)});
-  }
-
-  int segmentCount() const { return legs_.count(); }
-
-  LeggedPolygon polygon(int j, StripWorkspace& workspace) const {
-    const auto& [after, before] = handles_[j];
-    const SurfacePoint& end = points_[(j + 1) % points_.count()];
-    LeggedPolygon result;
-    result.points = {{points_[j], 1}, {after.end(), 1}, {before.end(), 1}, {end, 1}};
-    SurfacePath middle;
-    Chain chain(mesh_, middle);
-    chain.appendReversed(after);
-    chain.append(legs_[j]);
-    chain.append(before);
-    straighten(geometry_, middle, workspace);
-    result.legs = {after, middle, reversed(before)};
-    return result;
-  }
-
- private:
-  /// From the start of segment j a third of the derivative on.
-  SurfacePath handleAfter(int j) const {
-    if (j == 0 && !shape_.closed) return partOf(mesh_, legs_[0], 0, legs_[0].length() / 3);
-    const int before = (j + legs_.count() - 1) % legs_.count();
-    return expAlong(geometry_, points_[j], spacings_[j] / 3 * derivative(before, j));
-  }
-
-  /// From the end of segment j a third of the derivative back.
-  SurfacePath handleBefore(int j) const {
-    const int last = legs_.count() - 1;
-    if (j == last && !shape_.closed) {
-      return partOf(mesh_, legs_[j], legs_[j].length(), legs_[j].length() * 2 / 3);
-    }
-    const int after = (j + 1) % legs_.count();
-    return expAlong(geometry_, points_[(j + 1) % points_.count()],
-                    -spacings_[j] / 3 * derivative(j, after));
-  }
-
-  /// At the point between two legs.
-  Vec2 derivative(int before, int after) const {
-    const Vec2 onward = logAlong(geometry_, legs_[after]) / spacings_[after];
-    const Vec2 back = -logAlong(geometry_, reversed(legs_[before])) / spacings_[before];
-    const double sum = spacings_[before] + spacings_[after];
-    return (spacings_[before] * onward + spacings_[after] * back) / sum;
-  }
-
-  const Geometry& geometry_;
-  const TriangleMesh& mesh_;
-  const CurveShape& shape_;
-  const Array<SurfacePoint>& points_;
-  const Array<SurfacePath>& legs_;
-  Array<double> gaps_;
-  Array<double> spacings_;
-  Array<std::pair<SurfacePath, SurfacePath>> handles_;
-};
-
 }  // namespace
 
 bool takesLevels(CurveKind kind) {
@@ -217,10 +141,10 @@ void refinePolygon(const Geometry& geometry, const CurveShape& shape,
       makeRoom(1, legs.count(), levels, workspace, refined);
       appendPieces(geometry, whole, levels, workspace, refined, written);
     } else {
-      const ThroughPoints through(geometry, shape, points, legs);
-      makeRoom(through.segmentCount(), 3, levels, workspace, refined);
-      for (int j = 0; j < through.segmentCount(); ++j) {
-        whole = through.polygon(j, workspace.strip);
+      findHandles(geometry, shape, points, legs, workspace.handles);
+      makeRoom(legs.count(), 3, levels, workspace, refined);
+      for (int j = 0; j < legs.count(); ++j) {
+        takeBezierPolygon(geometry, points, legs, j, workspace.strip, workspace.handles, whole);
         appendPieces(geometry, whole, levels, workspace, refined, written);
       }
     }

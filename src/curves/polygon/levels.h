@@ -2,6 +2,7 @@
 
 #include "curves/polygon/leg_average.h"
 #include "curves/polygon/spline_levels.h"
+#include "curves/polygon/through_points.h"
 #include "curves/spec/curve_layout.h"
 #include "intrinsic/surface_path.h"
 
@@ -38,12 +39,6 @@ struct RefinedPolygon {
 /// where the work would be out of all proportion (Bezier curves of very many points).
 void checkLevels(const CurveShape& shape, int points, int levels);
 
-/// The points of a piece with the legs between them, to be averaged.
-struct LeggedPolygon {
-  Array<WeightedPoint> points;
-  Array<SurfacePath> legs;  ///< one fewer
-};
-
 /// The two halves of a Bezier polygon, by de Casteljau's algorithm.
 struct BezierHalves {
   LeggedPolygon first;
@@ -59,6 +54,7 @@ struct AveragingWorkspace {
   LeggedPolygon polygon;
   Array<BezierHalves> halves;  ///< by the levels that are left
   SplineWorkspace spline;
+  HandleWorkspace handles;
 };
 
 /// Subdivides a control polygon `levels` >= 1 times. `legs`: a path from each point to the next, at

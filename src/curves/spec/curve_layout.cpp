@@ -62,8 +62,8 @@ Array<SegmentLayout> bsplineSegments(const CurveShape& shape, int points) {
 Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points,
                                         const Array<double>& gaps) {
   const int count = shape.closed ? points : points - 1;
-  const Array<double> spacings = gaps.empty() ? Array<double>(static_cast<size_t>(count), 1.0)
-                                              : catmullRomSpacings(gaps, shape.centripetal);
+  Array<double> spacings(static_cast<size_t>(count), 1.0);
+  if (!gaps.empty()) catmullRomSpacings(gaps, shape.centripetal, spacings);
   const auto spacing = [&](int j) { return spacings[((j % count) + count) % count]; };
   Array<SegmentLayout> segments;
   for (int j = 0; j < count; ++j) {
@@ -104,17 +104,16 @@ Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points,
 
 }  // namespace
 
-Array<double> catmullRomSpacings(const Array<double>& gaps, bool centripetal) {
+void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings) {
   // Coincident points would leave no knots between them, and nearly so cost digits.
   constexpr double kLeastGap = 1e-4;
   double largest = 0;
   for (const double gap : gaps) largest = std::max(largest, gap);
-  Array<double> spacings;
+  spacings.clear();
   for (const double gap : gaps) {
     const bool even = !centripetal || !(largest > 0);
     spacings.push_back(even ? 1 : std::sqrt(std::max(gap / largest, kLeastGap)));
   }
-  return spacings;
 }
 
 Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps) {

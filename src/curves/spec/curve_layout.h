@@ -13,7 +13,7 @@ struct SegmentLayout {
 
 /// The lengths of a Catmull-Rom curve's knot spans, up to a common factor: the square roots of the
 /// distances between consecutive points if the curve is centripetal, otherwise 1.
-Array<double> catmullRomSpacings(const Array<double>& gaps, bool centripetal);
+void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings);
 
 /// The segments of a curve with a shape that `checkShape` passes. A segment runs from t = 0 to 1,
 /// and its end is the start of the next one; spans without length are left out. `gaps`, for

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "curves/polygon/leg_average.h"
+#include "curves/spec/curve_shape.h"
+
+/// A Catmull-Rom curve as cubic Bezier curves from point to point: with the derivative at a point
+/// that Barry and Goldman's pyramid has there, by log maps along the legs that meet at it.
+namespace karcher {
+
+/// The inner control points of a cubic Bezier curve, as ends of straightest geodesics.
+struct BezierHandles {
+  SurfacePath after;   ///< from the curve's start
+  SurfacePath before;  ///< from its end
+};
+
+/// Scratch memory of handles. A workspace that is used again spares the allocations.
+struct HandleWorkspace {
+  Array<double> gaps;
+  Array<double> spacings;
+  Array<BezierHandles> handles;  ///< by the segments of the curve
+};
+
+/// Finds the handles of a curve through points. `legs`: a path from each point to the next, at a
+/// closed curve also from the last to the first.
+void findHandles(const Geometry& geometry, const CurveShape& shape,
+                 const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
+                 HandleWorkspace& workspace);
+
+/// Writes the Bezier polygon of segment j, whose handles are found; its middle leg is straightened
+/// from the handles and the curve's leg.
+void takeBezierPolygon(const Geometry& geometry, const Array<SurfacePoint>& points,
+                       const Array<SurfacePath>& legs, int j, StripWorkspace& strip,
+                       const HandleWorkspace& workspace, LeggedPolygon& polygon);
+
+}  // namespace karcher
