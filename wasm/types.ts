@@ -264,10 +264,10 @@ export interface CurveOptions extends FieldOptions {
    * the near points of each piece are averaged: 0 to 8. More levels make a curve of far points
    * steadier on rough surfaces; on a plane it is the same curve. 0 is the curve of Mancinelli and
    * Puppo, one center of mass of all the points that a segment blends. `auto`: as few as make the
-   * pieces safe centers of mass, 0 on smooth surfaces with near points. `limit`: the subdivision
-   * curve that many levels come near to, which needs no fields. `auto` by default; 0 with the method
-   * `paper`, which takes no others, and for the kinds `barycentric`, `polyline` and `custom`,
-   * whatever is asked for.
+   * pieces safe centers of mass with legs of at most four mean edges, 0 on smooth surfaces with near
+   * points. `limit`: the subdivision curve that many levels come near to, which needs no fields.
+   * `auto` by default; 0 with the method `paper`, which takes no others, and for the kinds
+   * `barycentric`, `polyline` and `custom`, whatever is asked for.
    */
   levels?: CurveLevels;
   /**

@@ -62,7 +62,8 @@ int automaticLevels(const Geometry& geometry, const CurveShape& shape, int point
   }
   const double reach = reachOf(shape, points) / 3.0;
   curvature *= reach * reach;
-  if (curvature <= kSafeCurvature) return 0;
+  const double shortEnough = kSmallLeg * geometry.meanEdge;
+  if (curvature <= kSafeCurvature && longest <= shortEnough) return 0;
   // A Catmull-Rom curve's Bezier polygons have legs of a third.
   const double share = shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
   curvature *= share * share;
@@ -71,7 +72,7 @@ int automaticLevels(const Geometry& geometry, const CurveShape& shape, int point
   for (; levels < kMostLevels && isAllowed(shape, points, levels + 1); ++levels) {
     const double part = std::ldexp(1.0, -levels);
     const bool isSafe = curvature * part * part <= kSafeCurvature;
-    if (isSafe && longest * part <= kSmallLeg * geometry.meanEdge) break;
+    if (isSafe && longest * part <= shortEnough) break;
     if (longest * part <= kShortestLeg * geometry.meanEdge) break;
   }
   return isAllowed(shape, points, levels) ? levels : 0;

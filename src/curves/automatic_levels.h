@@ -11,17 +11,16 @@ namespace karcher {
 /// some shiver at four times as much.
 inline constexpr double kSafeCurvature = 0.5;
 
-/// Mean edges: a curve that is refined at all is refined until its legs are no longer than this.
-/// The fields of a piece's points hold about the square of its legs, and there are twice as many
-/// pieces a level, so each level down to here halves the work; below, pieces cost more than their
-/// fields.
+/// Mean edges: a curve is refined until its legs are no longer than this. The fields of a piece's
+/// points hold about the square of its legs, and there are twice as many pieces a level, so each
+/// level down to here halves the work; below, pieces cost more than their fields. Where pieces are
+/// safe anyway, this moves the curve by a thousandth of its length at most.
 inline constexpr double kSmallLeg = 4;
 
-/// How many levels a curve takes. None if its pieces are safe centers of mass as they are: on
-/// smooth surfaces with near points. Otherwise the fewest at which they are safe and have small
-/// legs. The curvature per area is estimated from the angle defects at the faces that the legs
-/// cross. `legs` are those of the whole control polygon. The result depends on these arguments
-/// alone.
+/// How many levels a curve takes: the fewest at which its pieces are safe centers of mass and have
+/// small legs. None on smooth surfaces with near points. The curvature per area is estimated from
+/// the angle defects at the faces that the legs cross. `legs` are those of the whole control
+/// polygon. The result depends on these arguments alone.
 int automaticLevels(const Geometry& geometry, const CurveShape& shape, int points,
                     const Array<SurfacePath>& legs);
 
