@@ -1,7 +1,7 @@
 // The order of objects by drags and keys, and the menu of what lies at a place of the surface.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, Tab, touchOf, until } from './browser.mjs';
 
 const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
 const other = (faces, name) =>
@@ -75,9 +75,7 @@ describe('the order of objects, and the menu at a place', () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;
     const { x, y } = await tab.middle();
-    const protocol = await page.context().newCDPSession(page);
-    const touch = (type, ...touchPoints) =>
-      protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const { touch } = await touchOf(page);
     const before = JSON.stringify((await tab.state()).drawing);
     await touch('touchStart', { x: x - 30, y: y + 90 });
     await page.locator('#context-menu').waitFor();
@@ -90,14 +88,45 @@ describe('the order of objects, and the menu at a place', () => {
     await page.close();
   });
 
+  test('a finger whose moves a busy page hears of late opens nothing', async () => {
+    const tab = await Tab.open(browser, fragment);
+    const { page } = tab;
+    const { x, y } = await tab.middle();
+    const { touch, together } = await touchOf(page);
+    await touch('touchStart', { x: x - 30, y: y + 90 });
+    // The page is busy for longer than a finger rests, and until the moves have been sent.
+    let answer = null;
+    await page.route('**/moves-sent', (route) => {
+      answer = () => route.fulfill({ body: '' });
+    });
+    const busy = page.evaluate(() => {
+      const rested = performance.now() + 600;
+      const request = new XMLHttpRequest();
+      request.open('GET', 'moves-sent', false);
+      request.send();
+      while (performance.now() < rested);
+    });
+    await until(() => answer, 'the page is busy');
+    const moved = together(
+      ['touchMove', { x: x - 60, y: y + 90 }],
+      ['touchMove', { x: x - 90, y: y + 90 }],
+    );
+    await answer();
+    await moved;
+    await busy;
+    await touch('touchEnd');
+    await tab.still();
+    assert.equal(await page.locator('#context-menu').isVisible(), false);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   test('a finger drags rows by their grips, and scrolls elsewhere', async () => {
     const phone = await openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true });
     try {
       const tab = await Tab.open(phone, fragment);
       const { page } = tab;
-      const protocol = await page.context().newCDPSession(page);
-      const touch = (type, ...touchPoints) =>
-        protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
+      const { together } = await touchOf(page);
       await page.locator('#objects').scrollIntoViewIfNeeded();
       const still = () =>
         page.waitForFunction(() =>
@@ -111,11 +140,12 @@ describe('the order of objects, and the menu at a place', () => {
       const drag = async (part, from, to, ended = 'touchEnd') => {
         await still();
         const [start, end] = [await middle(from, part), await middle(to, part)];
-        await touch('touchStart', start);
-        for (let step = 1; step <= 6; step++) {
-          await touch('touchMove', { x: start.x, y: start.y + ((end.y - start.y) * step) / 6 });
-        }
-        await touch(ended);
+        const at = (part) => ({ x: start.x, y: start.y + (end.y - start.y) * part });
+        await together(
+          ['touchStart', start],
+          ...[1, 2, 3, 4, 5, 6].map((step) => ['touchMove', at(step / 6)]),
+          [ended],
+        );
         await tab.settled();
       };
       await drag('.row-grip', 0, 2);

@@ -121,14 +121,19 @@ export async function openBrowser({ profile = false, pixelRatio = 0.25, ...optio
 export const openPhone = () =>
   openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-/** Sends a page touches: their type, and where the fingers are. */
+/**
+ * Sends a page touches: their type, and where the fingers are, numbered from 0 where they have no `id`.
+ * `together` sends several, one after the other without time between them in which a finger would rest.
+ */
 export async function touchOf(page) {
   const devtools = await page.context().newCDPSession(page);
-  return (type, ...places) =>
+  const touch = (type, ...places) =>
     devtools.send('Input.dispatchTouchEvent', {
       type,
-      touchPoints: places.map(({ x, y }, id) => ({ x, y, id })),
+      touchPoints: places.map(({ x, y, id }, i) => ({ x, y, id: id ?? i })),
     });
+  const together = (...touches) => Promise.all(touches.map((each) => touch(...each)));
+  return { touch, together };
 }
 
 /** The tools of kinds that are no curve with control points. */

@@ -102,12 +102,16 @@ describe('freehand', () => {
     assert.equal((await tab.state()).tool, 'freehand');
     // The surface is seen above the sheet.
     const center = await page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
-    const touch = await touchOf(page);
+    const { touch, together } = await touchOf(page);
     const from = center ?? (await tab.middle());
     const at = (i) => ({ x: from.x - 60 + 8 * i, y: from.y + 20 * Math.sin(i / 3) });
-    await touch('touchStart', at(0));
-    for (let i = 1; i < 8; i++) await touch('touchMove', at(i));
-    await touch('touchStart', at(7), { x: from.x, y: from.y + 60 });
+    const moves = (place, count) =>
+      Array.from({ length: count }, (_, i) => ['touchMove', place(i + 1)]);
+    await together(['touchStart', at(0)], ...moves(at, 7), [
+      'touchStart',
+      at(7),
+      { x: from.x, y: from.y + 60 },
+    ]);
     await touch('touchMove', { x: at(7).x - 10, y: at(7).y }, { x: from.x, y: from.y + 90 });
     await touch('touchEnd');
     await tab.still();
@@ -115,9 +119,7 @@ describe('freehand', () => {
 
     const again = await page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
     const there = (i) => ({ x: again.x - 60 + 8 * i, y: again.y + 20 * Math.sin(i / 3) });
-    await touch('touchStart', there(0));
-    for (let i = 1; i < 16; i++) await touch('touchMove', there(i));
-    await touch('touchEnd');
+    await together(['touchStart', there(0)], ...moves(there, 15), ['touchEnd']);
     await page.waitForFunction(() => window.karcherPage.state().figure.points.length > 0);
     await tab.settled();
     assert.ok((await tab.view()).curve);

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, Tab, touchOf } from './browser.mjs';
 import { part } from './part.mjs';
 
 describe('where the page is shown', () => {
@@ -252,14 +252,11 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.page.touchscreen.tap(x + 40, y + 10);
     await tab.settled();
     const before = (await tab.state()).figure.points;
-    const protocol = await tab.page.context().newCDPSession(tab.page);
-    const touch = (type, ...places) =>
-      protocol.send('Input.dispatchTouchEvent', {
-        type,
-        touchPoints: places.map(([px, py], id) => ({ x: px, y: py, id })),
-      });
-    await touch('touchStart', [x - 40, y]);
-    for (const step of [8, 16, 24]) await touch('touchMove', [x - 40 + step, y - step]);
+    const { touch, together } = await touchOf(tab.page);
+    await together(
+      ['touchStart', { x: x - 40, y }],
+      ...[8, 16, 24].map((step) => ['touchMove', { x: x - 40 + step, y: y - step }]),
+    );
     // Rays are cast once a frame.
     await tab.page.waitForFunction(() => window.karcherPage.state().dragging);
     await touch('touchEnd');
@@ -279,11 +276,15 @@ f 1 2 3 4\nf 5 6 7 8\n`,
       return Math.hypot(a.x - b.x, a.y - b.y);
     };
     const near = await apart();
-    await touch('touchStart', [x - 30, y + 80], [x + 30, y + 80]);
-    for (const step of [10, 20, 30]) {
-      await touch('touchMove', [x - 30 - step, y + 80], [x + 30 + step, y + 80]);
-    }
-    await touch('touchEnd');
+    const two = (apart) => [
+      { x: x - apart, y: y + 80 },
+      { x: x + apart, y: y + 80 },
+    ];
+    await together(
+      ['touchStart', ...two(30)],
+      ...[40, 50, 60].map((apart) => ['touchMove', ...two(apart)]),
+      ['touchEnd'],
+    );
     await tab.still();
     assert.ok((await apart()) > 1.3 * near, 'nearer');
     assert.equal((await tab.state()).figure.points.length, 2, 'and no point is added');

@@ -257,7 +257,7 @@ describe('the pen', () => {
     const { page } = tab;
     await page.locator('#tool-pen').tap();
     assert.equal((await penOf(tab)).kind, 'pen');
-    const touch = await touchOf(page);
+    const { together } = await touchOf(page);
     // The surface is seen above the sheet.
     const middle = await page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
     const at = (dx, dy) => ({ x: middle.x + dx, y: middle.y + dy });
@@ -267,9 +267,11 @@ describe('the pen', () => {
     };
     await page.touchscreen.tap(middle.x - 70, middle.y + 20);
     assert.deepEqual(await anchors(), [false]);
-    await touch('touchStart', at(0, -20));
-    for (const step of [1, 2, 3, 4]) await touch('touchMove', at(10 * step, -20 - 2 * step));
-    await touch('touchEnd');
+    await together(
+      ['touchStart', at(0, -20)],
+      ...[1, 2, 3, 4].map((step) => ['touchMove', at(10 * step, -20 - 2 * step)]),
+      ['touchEnd'],
+    );
     assert.deepEqual(await anchors(), [false, true]);
     await page.touchscreen.tap(middle.x + 70, middle.y + 20);
     assert.deepEqual(await anchors(), [false, true, false]);

@@ -1,7 +1,7 @@
 // What happens to a page, and what it does then: no network, no storage, two fingers.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
 import { sometimes } from './part.mjs';
 
 const places = [
@@ -83,21 +83,11 @@ describe('the page survives', () => {
   describe('two fingers on a phone', () => {
     /** A phone's page with four points, and fingers as its browser hears of them. */
     async function phone(work) {
-      const browser = await openBrowser({
-        viewport: { width: 390, height: 844 },
-        hasTouch: true,
-        isMobile: true,
-      });
+      const browser = await openPhone();
       try {
         const tab = await Tab.open(browser);
         await tab.click(...places);
-        const cdp = await browser.context.newCDPSession(tab.page);
-        const touch = (type, ...points) =>
-          cdp.send('Input.dispatchTouchEvent', {
-            type,
-            touchPoints: points.map(([id, x, y]) => ({ id, x, y })),
-          });
-        await work(tab, touch);
+        await work(tab, await touchOf(tab.page));
         assert.deepEqual(tab.logged, []);
       } finally {
         await browser.close();
@@ -117,26 +107,27 @@ describe('the page survives', () => {
       'the second is on a point': [1, 0],
     })) {
       test(`a pinch zooms where ${what}, and moves no point`, () =>
-        phone(async (tab, touch) => {
+        phone(async (tab, { touch, together }) => {
           const before = await pointsOf(tab);
           const apart = await spread(tab);
           const point = await tab.handle('Control point 2');
           const middle = await tab.middle();
           const free = { x: middle.x - 100, y: middle.y + 110 };
           const [first, second] = order.map((which) => [point, free][which]);
-          await touch('touchStart', [0, first.x, first.y]);
-          await touch('touchMove', [0, first.x + 12, first.y + 6]);
-          await touch('touchMove', [0, first.x + 20, first.y + 10]);
-          await touch('touchStart', [0, first.x + 20, first.y + 10], [1, second.x, second.y]);
-          const [dx, dy] = [first.x + 20 - second.x, first.y + 10 - second.y];
-          for (const part of [0.1, 0.2, 0.3, 0.4]) {
-            await touch(
-              'touchMove',
-              [0, first.x + 20 + part * dx, first.y + 10 + part * dy],
-              [1, second.x - part * dx, second.y - part * dy],
-            );
-          }
-          await touch('touchEnd', [1, second.x - 0.4 * dx, second.y - 0.4 * dy]);
+          const moved = { x: first.x + 20, y: first.y + 10 };
+          const [dx, dy] = [moved.x - second.x, moved.y - second.y];
+          const pinched = (part) => [
+            { x: moved.x + part * dx, y: moved.y + part * dy },
+            { x: second.x - part * dx, y: second.y - part * dy },
+          ];
+          await together(
+            ['touchStart', first],
+            ['touchMove', { x: first.x + 12, y: first.y + 6 }],
+            ['touchMove', moved],
+            ['touchStart', moved, second],
+          );
+          for (const part of [0.1, 0.2, 0.3, 0.4]) await touch('touchMove', ...pinched(part));
+          await touch('touchEnd', { ...pinched(0.4)[1], id: 1 });
           await touch('touchEnd');
           await tab.settled();
           assert.deepEqual(await pointsOf(tab), before, 'no point has moved, and none is new');
@@ -147,20 +138,24 @@ describe('the page survives', () => {
     }
 
     test('one finger still moves a point, once and after a pinch', () =>
-      phone(async (tab, touch) => {
+      phone(async (tab, { together }) => {
         for (const pinched of [false, true]) {
           const before = await pointsOf(tab);
           const { x, y } = await tab.handle('Control point 3');
           if (pinched) {
-            await touch('touchStart', [0, x, y]);
-            await touch('touchStart', [0, x, y], [1, x + 50, y + 50]);
-            await touch('touchEnd', [0, x, y]);
-            await touch('touchEnd');
+            await together(
+              ['touchStart', { x, y }],
+              ['touchStart', { x, y }, { x: x + 50, y: y + 50 }],
+              ['touchEnd', { x, y }],
+              ['touchEnd'],
+            );
             assert.deepEqual(await pointsOf(tab), before);
           }
-          await touch('touchStart', [0, x, y]);
-          for (const step of [5, 10, 15, 20]) await touch('touchMove', [0, x - step, y]);
-          await touch('touchEnd');
+          await together(
+            ['touchStart', { x, y }],
+            ...[5, 10, 15, 20].map((step) => ['touchMove', { x: x - step, y }]),
+            ['touchEnd'],
+          );
           await tab.settled();
           const after = await pointsOf(tab);
           assert.notDeepEqual(after[2], before[2]);

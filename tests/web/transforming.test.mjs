@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { Vector3 } from 'three';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, Tab, touchOf } from './browser.mjs';
 import { flatGrid } from './circle_views.mjs';
 import { openPage } from './engine_in_node.mjs';
 import { sometimes } from './part.mjs';
@@ -293,9 +293,7 @@ describe('the frame round what is selected', () => {
     const { page } = tab;
     const whole = await bytesOf(tab);
     const { x, y } = await tab.handle('Move the selection');
-    const protocol = await page.context().newCDPSession(page);
-    const touch = (type, ...touchPoints) =>
-      protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const { touch } = await touchOf(page);
     await touch('touchStart', { x, y });
     await page.getByRole('menu').waitFor();
     for (const step of [15, 30]) await touch('touchMove', { x: x + step, y: y + step });

@@ -62,13 +62,18 @@ export class ContextMenu {
     const touch = event.pointerType === 'touch';
     if (isSecond || event.button !== (touch ? 0 : 2)) return;
     const { pointerId: pointer, clientX: x, clientY: y } = event;
+    const slop = touch ? clickSlop.touch : clickSlop.mouse;
+    const press = { pointer, x, y, slop, timer: 0 };
+    this.#press = press;
+    if (!touch) return;
     const open = () => {
+      if (this.#press !== press) return;
       this.#forget();
       this.letGo();
       this.#open({ x, y, touch });
     };
-    const timer = touch ? window.setTimeout(open, restMilliseconds) : 0;
-    this.#press = { pointer, x, y, slop: touch ? clickSlop.touch : clickSlop.mouse, timer };
+    // A page that was busy hears of the finger's moves in the next frame, before what waits for it.
+    press.timer = window.setTimeout(() => requestAnimationFrame(open), restMilliseconds);
   }
 
   /** Closes it, unless the press is on it. */
