@@ -113,14 +113,22 @@ class ChainStrip {
   /// side where the surface has less angle between the path's pieces.
   bool turnsLeft(const Array<SurfacePoint>& points, int from, int vertex, const SurfacePoint& to,
                  int target) const {
+    const int here = leaving(mesh_, face_, vertex);
+    const int there = leaving(mesh_, target, vertex);
+    // The faces around a vertex of the boundary are in one order, whatever rounding makes of a path
+    // that turns straight back.
+    if (mesh_.onBoundary[vertex]) {
+      return geometry_.cumulatedAngle[there] > geometry_.cumulatedAngle[here];
+    }
     const double outgoing = direction(vertex, target, to);
     const double total = geometry_.totalAngle[vertex];
     // Where the path begins at the vertex, every way is as good.
-    const double incoming = from >= 0 ? direction(vertex, face_, points[from])
-                                      : geometry_.cumulatedAngle[leaving(mesh_, face_, vertex)];
-    if (mesh_.onBoundary[vertex]) return outgoing > incoming;
+    const double incoming =
+        from >= 0 ? direction(vertex, face_, points[from]) : geometry_.cumulatedAngle[here];
     double left = outgoing - incoming;
     if (left < 0) left += total;
+    // Straight back along an edge, from the face on one side to that on the other.
+    if (std::min(left, total - left) < kSameAngle) return there == mesh_.twin[previous(here)];
     if (std::abs(2 * left - total) > kSameAngle) return 2 * left < total;
     return leastNeighbor(vertex, target, true) < leastNeighbor(vertex, target, false);
   }
