@@ -112,6 +112,38 @@ void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean
   mean.otherMinima = std::move(apart);
 }
 
+/// The corner of a vertex into which K falls. Where it falls off the surface, the one at the nearer
+/// side.
+int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
+  const double total = geometry.totalAngle[vertex];
+  double direction = std::atan2(down.y(), down.x()) / geometry.angleScale[vertex];
+  if (geometry.mesh->onBoundary[vertex]) {
+    if (direction < 0) direction += 2 * kPi;
+    if (direction > total) direction = direction - total < 2 * kPi - direction ? total : 0;
+  }
+  return cornerOfDirection(geometry, vertex, direction).halfedge;
+}
+
+/// A start on an edge or at a vertex in the face into which K falls: the same one whatever numbers
+/// the faces have.
+SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
+  const Geometry& geometry = fields.geometry();
+  const TriangleMesh& mesh = *geometry.mesh;
+  const PointLocation location = locate(mesh, start);
+  if (location.simplex == Simplex::kVertex) {
+    const Vec2 down = -fields.atVertex(location.vertex, weights);
+    return edgePoint(cornerDownhill(geometry, location.vertex, down), 0);
+  }
+  if (location.simplex == Simplex::kEdge) {
+    const int h = location.halfedge;
+    const int twin = mesh.twin[h];
+    const SurfacePoint here = inFace(mesh, start, faceOf(h));
+    const bool fallsOver = cross(halfedgeInFace(geometry, h), fields.at(here, weights)) > 0;
+    return twin >= 0 && fallsOver ? inFace(mesh, start, faceOf(twin)) : here;
+  }
+  return start;
+}
+
 /// One search after another: the first answer is the center, or the best one where `lowest`.
 class MinimumSearch {
  public:
@@ -119,9 +151,7 @@ class MinimumSearch {
       : fields_(fields), weights_(weights), method_(method) {}
 
   void from(const SurfacePoint& start, bool lowest) {
-    const CenterOfMass end = isZero(fields_, weights_, start) ? CenterOfMass{start}
-                             : method_ == Method::kPaper ? newtonCenter(fields_, weights_, start)
-                                                         : walkToCenter(fields_, weights_, start);
+    const CenterOfMass end = isZero(fields_, weights_, start) ? CenterOfMass{start} : search(start);
     Mean found = withEnergy(fields_, weights_, end);
     const bool isFirst = !begun_;
     begun_ = true;
@@ -136,6 +166,11 @@ class MinimumSearch {
   }
 
  private:
+  CenterOfMass search(const SurfacePoint& start) {
+    if (method_ == Method::kPaper) return newtonCenter(fields_, weights_, start);
+    return walkToCenter(fields_, weights_, facedDownhill(fields_, weights_, start));
+  }
+
   FieldBlend& fields_;
   const Array<double>& weights_;
   Method method_;
