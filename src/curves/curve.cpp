@@ -245,9 +245,9 @@ Array<PointField*> Curve::fieldsOf(int segment, int k) {
   return fields;
 }
 
-bool Curve::isOfCenters(const CurveOptions& options) {
-  if (options.shape.kind == CurveKind::kPolyline) return false;
-  return options.levels != kLimitLevels || !mayHaveLevels(options);
+bool Curve::isOfCenters(const CurveOptions& options, int levels) {
+  return options.shape.kind != CurveKind::kPolyline &&
+         (options.levels != kLimitLevels || levels == 0);
 }
 
 void Curve::check(const CurveValue& value) const {
@@ -317,11 +317,14 @@ void Curve::makeSegments(Next& next) {
   const CurveShape& shape = options.shape;
   const int count = next.value.points.count();
   next.boxes.clear();
+  const Geometry& geometry = surface().geometry();
+  // A curve whose handles lie beyond the boundary is the center of all its points.
+  if (next.levels > 0 && !refinePolygon(geometry, shape, next.value.points, next.legs, next.levels,
+                                        workspace_->averaging, next.polygon)) {
+    next.levels = 0;
+  }
   if (next.levels > 0) {
-    const Geometry& geometry = surface().geometry();
-    refinePolygon(geometry, shape, next.value.points, next.legs, next.levels, workspace_->averaging,
-                  next.polygon);
-    if (isOfCenters(options)) {
+    if (isOfCenters(options, next.levels)) {
       boxPieces(geometry, next.polygon, workspace_->boxes, next.boxes);
     }
   } else {
@@ -427,13 +430,14 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     if (!piece.table_ && source->pointWeights_ == piece.pointWeights_)
       piece.table_ = source->table_;
   }
-  makeTables(next.value.options, piece);
+  makeTables(next, piece);
 }
 
-void Curve::makeTables(const CurveOptions& options, Piece& piece) {
+void Curve::makeTables(const Next& next, Piece& piece) {
+  const CurveOptions& options = next.value.options;
   const SegmentBasis& basis = piece.basis_;
   // Adaptive sampling asks for weights as it goes; a caller's basis is checked all the same.
-  const bool isAdaptive = options.tolerance > 0 && options.levels != kLimitLevels;
+  const bool isAdaptive = options.tolerance > 0 && isOfCenters(options, next.levels);
   if (isAdaptive && basis.form != BasisForm::kOwn) return;
   if (!piece.basisTable_) {
     const auto weights = [&](double t) { return weightsAt(basis, t); };

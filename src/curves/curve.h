@@ -103,10 +103,11 @@ class Curve {
   const Array<SurfacePath>& legs();
   /// The same where the curve has a use for them, else none.
   const Array<SurfacePath>& usedLegs() const;
-  /// How many levels there are, also where the options leave it to the curve.
+  /// How many levels there are, also where the options leave it to the curve; none where a
+  /// Catmull-Rom curve's handle would lie beyond the surface's boundary.
   int levels() const { return levels_; }
   /// Whether its points are centers of mass; else they lie on legs or are averages of two points.
-  bool isOfCenters() const { return isOfCenters(options()); }
+  bool isOfCenters() const { return isOfCenters(options(), levels()); }
 
   Surface& surface() const { return fieldSet_->surface(); }
   const CurveOptions& options() const { return value_.options; }
@@ -171,7 +172,7 @@ class Curve {
 
   CurveValue& startNext();
   void becomeNext();
-  static bool isOfCenters(const CurveOptions& options);
+  static bool isOfCenters(const CurveOptions& options, int levels);
   void check(const CurveValue& value) const;
   void takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const;
   void make(Next& next);
@@ -180,7 +181,7 @@ class Curve {
   Array<double> gapsOf(const Next& next);
   void makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                  bool keep);
-  static void makeTables(const CurveOptions& options, Piece& piece);
+  static void makeTables(const Next& next, Piece& piece);
   void makeFields(Next& next);
   void trace(Next& next);
   void findSamples(const Next& next, Piece& piece, int segment);

@@ -8,7 +8,7 @@ namespace karcher {
 /// Gives each piece that is to be traced its fields: those that are there stay, then what the curve
 /// had is spare, and the others are moved from there.
 void Curve::makeFields(Next& next) {
-  if (!isOfCenters(next.value.options)) return;
+  if (!isOfCenters(next.value.options, next.levels)) return;
   const auto forEach = [&](const auto& work) {
     for (Segment& segment : next.segments) {
       for (Piece& piece : segment.pieces) {
@@ -80,7 +80,7 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
     *piece.traced_ = traceLeg(surface().mesh(), next.legs[segment], samples);
     return;
   }
-  if (!isOfCenters(options)) {
+  if (!isOfCenters(options, next.levels)) {
     findAveragedSamples(next, piece, segment);
     return;
   }
@@ -113,7 +113,7 @@ void Curve::findAveragedSamples(const Next& next, Piece& piece, int segment) {
 void Curve::layBridges(const Next& next, Piece& piece) {
   const CurveOptions& options = next.value.options;
   // Paths and averages are whole.
-  if (!isOfCenters(options)) return;
+  if (!isOfCenters(options, next.levels)) return;
   piece.traced_->bridges =
       bridgeSegment(*workspace_->blend, piece.basis_, piece.pointWeights_,
                     options.tolerance == 0 && piece.table_ ? &piece.table_->middles : nullptr,
@@ -126,7 +126,7 @@ void Curve::join(const Next& next, Piece& piece) {
   if (options.shape.kind == CurveKind::kPolyline) return;
   const Basis basis = [&](double t) { return piece.weights(t); };
   std::optional<EdgeCrossings> crossings;
-  if (options.geometry == CurveGeometry::kExact && isOfCenters(options)) {
+  if (options.geometry == CurveGeometry::kExact && isOfCenters(options, next.levels)) {
     crossings.emplace(*workspace_->blend, basis, options.field.method);
   }
   joinSamples(surface(), piece.traced_->samples, piece.traced_->bridges,
@@ -144,7 +144,7 @@ void Curve::merge(Next& next) {
     pieces.clear();
     for (const Piece& piece : segment.pieces) pieces.push_back(piece.traced_.get());
     if (!segment.whole) segment.whole = std::make_shared<TracedSegment>();
-    const bool isEven = options.tolerance == 0 || !isOfCenters(options);
+    const bool isEven = options.tolerance == 0 || !isOfCenters(options, next.levels);
     mergePieces(pieces, isEven ? options.samples : 0, *segment.whole);
   }
 }

@@ -49,7 +49,7 @@ Vec2 logBack(const Geometry& geometry, const SurfacePath& path) {
   return logAtEnd(geometry, path, path.points.count() - 1, -1);
 }
 
-void expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
+bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
               SurfacePath& path) {
   const TriangleMesh& mesh = *geometry.mesh;
   const PointLocation at = locate(mesh, point);
@@ -64,6 +64,7 @@ void expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& v
     traceFromVertex(geometry, at.vertex, direction, vector.norm(), traced);
   }
   std::swap(traced.path, path);
+  return traced.stop == TraceStop::kComplete;
 }
 
 SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector) {

@@ -20,8 +20,9 @@ Vec2 logBack(const Geometry& geometry, const SurfacePath& path);
 /// boundary it ends there.
 SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);
 
-/// The same, written to a path whose memory is used again.
-void expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
+/// The same, written to a path whose memory is used again. Returns whether it has the vector's
+/// length.
+bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
               SurfacePath& path);
 
 /// A vector of the tangent plane at a path's start carried to its end: along a locally shortest

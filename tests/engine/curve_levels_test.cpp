@@ -285,6 +285,59 @@ TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
   }
 }
 
+bool hasAllCenters(const Curve& curve) {
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    for (const CurveSample& sample : curve.samples(j)) {
+      if (sample.status != SampleStatus::kConverged) return false;
+    }
+  }
+  return true;
+}
+
+TEST(CurveLevels, OfACurveThroughPointsBesideTheBoundaryAreTheSameCurve) {
+  // Its handles may lie beyond the boundary, and legs along it lead straight back.
+  Surface surface(planeGrid(8, 8));
+  const Geometry& geometry = surface.geometry();
+  Random random(23);
+  SCOPED_TRACE("seed 23");
+  int refined = 0;
+  for (int i = 0; i < 200; ++i) {
+    Array<SurfacePoint> points;
+    for (int k = 0; k < 5; ++k) {
+      const double x = random.index(3) == 0 ? random.index(9) : 0;
+      points.push_back(nearestPoint(surface.mesh(), Vec3(x, random.index(9), 0)));
+    }
+    CurveShape shape{CurveKind::kCatmullRom};
+    shape.closed = i % 2 == 0;
+    shape.centripetal = i % 4 < 2;
+    for (const int levels : {1, 2, kLimitLevels}) {
+      const CurveOptions options = optionsOf(shape, 9, levels, kFast);
+      const Curve center(surface, optionsOf(shape, 9, 0, kFast), points);
+      // Beyond the boundary no center is.
+      if (!hasAllCenters(center)) continue;
+      const Curve curve(surface, options, points);
+      refined += curve.levels() > 0 ? 1 : 0;
+      EXPECT_LT(largestGap(curve, center), 1e-11 * geometry.diagonal) << "curve " << i;
+    }
+  }
+  EXPECT_GT(refined, 0);
+}
+
+TEST(CurveLevels, ToTheLimitAreNoneWhereTheWorkAllowsNone) {
+  Surface surface(planeGrid(30, 30));
+  Array<SurfacePoint> points;
+  for (int i = 0; i < 502; ++i) {
+    points.push_back({3 * i, Vec3(0.2, 0.3, 0.5)});
+  }
+  for (const CurveKind kind : {CurveKind::kBezier, CurveKind::kRational}) {
+    CurveShape shape{kind};
+    shape.closed = kind == CurveKind::kRational;
+    const Curve limit(surface, optionsOf(shape, 2, kLimitLevels, kFast), points);
+    EXPECT_EQ(limit.levels(), 0);
+    EXPECT_TRUE(limit.isOfCenters());
+  }
+}
+
 TEST(CurveLevels, AreRefusedWhereTheyCannotBe) {
   Surface surface(planeGrid(10, 10));
   const Array<SurfacePoint> points =

@@ -117,7 +117,7 @@ void checkLevels(const CurveShape& shape, int points, int levels) {
   }
 }
 
-void refinePolygon(const Geometry& geometry, const CurveShape& shape,
+bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
                    const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
                    AveragingWorkspace& workspace, RefinedPolygon& refined) {
   LeggedPolygon& whole = workspace.polygon;
@@ -141,7 +141,7 @@ void refinePolygon(const Geometry& geometry, const CurveShape& shape,
       makeRoom(1, legs.count(), levels, workspace, refined);
       appendPieces(geometry, whole, levels, workspace, refined, written);
     } else {
-      findHandles(geometry, shape, points, legs, workspace.handles);
+      if (!findHandles(geometry, shape, points, legs, workspace.handles)) return false;
       makeRoom(legs.count(), 3, levels, workspace, refined);
       for (int j = 0; j < legs.count(); ++j) {
         takeBezierPolygon(geometry, points, legs, j, workspace.strip, workspace.handles, whole);
@@ -150,6 +150,7 @@ void refinePolygon(const Geometry& geometry, const CurveShape& shape,
     }
   }
   refined.weighted = hasWeights;
+  return true;
 }
 
 void halve(const Geometry& geometry, const LeggedPolygon& polygon, AveragingWorkspace& workspace,

@@ -66,8 +66,8 @@ struct AveragingWorkspace {
 ///   algorithm;
 /// - Catmull-Rom curves as cubic Bezier curves, with handles by log and exp maps at the points.
 /// The result of reversed points and legs is the reversed result. Writes to `refined`, whose memory
-/// is used again.
-void refinePolygon(const Geometry& geometry, const CurveShape& shape,
+/// is used again. Returns false where a handle would lie beyond the surface's boundary.
+bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
                    const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
                    AveragingWorkspace& workspace, RefinedPolygon& refined);
 

@@ -17,7 +17,7 @@ Vec2 derivativeAt(const Geometry& geometry, const Array<SurfacePath>& legs,
 
 }  // namespace
 
-void findHandles(const Geometry& geometry, const CurveShape& shape,
+bool findHandles(const Geometry& geometry, const CurveShape& shape,
                  const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
                  HandleWorkspace& workspace) {
   const int count = legs.count();
@@ -26,6 +26,7 @@ void findHandles(const Geometry& geometry, const CurveShape& shape,
   Array<double>& spacings = workspace.spacings;
   catmullRomSpacings(workspace.gaps, shape.centripetal, spacings);
   workspace.handles.resize(legs.size());
+  bool areOnSurface = true;
   for (int j = 0; j < count; ++j) {
     auto& [after, before] = workspace.handles[j];
     const double length = legs[j].length();
@@ -35,16 +36,18 @@ void findHandles(const Geometry& geometry, const CurveShape& shape,
     } else {
       const int last = (j + count - 1) % count;
       const Vec2 derivative = derivativeAt(geometry, legs, spacings, last, j);
-      expAlong(geometry, points[j], spacings[j] / 3 * derivative, after);
+      areOnSurface &= expAlong(geometry, points[j], spacings[j] / 3 * derivative, after);
     }
     // From the end a third of the derivative back.
     if (j == count - 1 && !shape.closed) {
       takePart(*geometry.mesh, legs[j], length, length * 2 / 3, before);
     } else {
       const Vec2 derivative = derivativeAt(geometry, legs, spacings, j, (j + 1) % count);
-      expAlong(geometry, points[(j + 1) % points.count()], -spacings[j] / 3 * derivative, before);
+      const SurfacePoint& end = points[(j + 1) % points.count()];
+      areOnSurface &= expAlong(geometry, end, -spacings[j] / 3 * derivative, before);
     }
   }
+  return areOnSurface;
 }
 
 void takeBezierPolygon(const Geometry& geometry, const Array<SurfacePoint>& points,

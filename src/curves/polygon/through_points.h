@@ -21,8 +21,9 @@ struct HandleWorkspace {
 };
 
 /// Finds the handles of a curve through points. `legs`: a path from each point to the next, at a
-/// closed curve also from the last to the first.
-void findHandles(const Geometry& geometry, const CurveShape& shape,
+/// closed curve also from the last to the first. Returns false where a handle would lie beyond the
+/// surface's boundary.
+bool findHandles(const Geometry& geometry, const CurveShape& shape,
                  const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
                  HandleWorkspace& workspace);
 
