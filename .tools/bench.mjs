@@ -1,14 +1,17 @@
 // `npm run bench`: the same benchmark in native code and in WebAssembly, a JSON object each.
 //
 //   npm run bench -- [MESH.obj --points FILE] [--samples N]     (the bunny of npm without a mesh)
+//   npm run bench -- drag [MESH.obj] [--points FILE …]          (steps of drags: drag_bench.mjs)
 import { writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildNative, buildWasm, writeBunny } from './build.mjs';
+import { benchDrags } from './drag_bench.mjs';
 import { setUp } from './setup.mjs';
 import { inRoot, run } from './shell.mjs';
 
-const usage = 'Usage: npm run bench -- [MESH.obj --points FILE] [--samples N]';
+const usage = `Usage: npm run bench -- [MESH.obj --points FILE] [--samples N]
+       npm run bench -- drag [MESH.obj] [--points FILE …]`;
 
 /** Control points at vertices across the bunny's back, as a file of `face b1 b2` lines. */
 async function writeBunnyPoints() {
@@ -24,26 +27,25 @@ async function writeBunnyPoints() {
 }
 
 function readArguments() {
-  const options = { points: { type: 'string' }, samples: { type: 'string', default: '128' } };
+  const options = {
+    points: { type: 'string', multiple: true, default: [] },
+    samples: { type: 'string', default: '128' },
+  };
   const { values, positionals } = parseArgs({ options, allowPositionals: true });
-  const [mesh, ...more] = positionals;
-  if (more.length > 0 || !mesh !== !values.points) throw new Error(usage);
-  return { mesh, points: values.points, samples: values.samples };
+  const isDrag = positionals[0] === 'drag';
+  const [mesh, ...more] = isDrag ? positionals.slice(1) : positionals;
+  const { points, samples } = values;
+  const isComplete = isDrag ? mesh || points.length === 0 : points.length === (mesh ? 1 : 0);
+  if (more.length > 0 || !isComplete) throw new Error(usage);
+  return { isDrag, mesh, points: points.map((path) => resolve(path)), samples };
 }
 
-try {
-  const named = readArguments();
-  await setUp('build', 'native');
-  await writeBunny();
-  const mesh = named.mesh ? resolve(named.mesh) : inRoot('build/data/bunny.obj');
-  const points = named.points ? resolve(named.points) : await writeBunnyPoints();
-  await buildNative('native', 'karcher_bench');
-  await buildWasm();
-  await buildFacade();
+/** The timings of both programs, and how they compare. */
+async function benchSteps(mesh, points, samples) {
   const cli = [inRoot('dist/cli.js'), 'bench', mesh, '--points', points];
   const programs = {
-    native: [inRoot('build/native/tests/bench/karcher_bench'), [mesh, points, named.samples]],
-    WebAssembly: [process.execPath, [...cli, '--samples', named.samples]],
+    native: [inRoot('build/native/tests/bench/karcher_bench'), [mesh, points, samples]],
+    WebAssembly: [process.execPath, [...cli, '--samples', samples]],
   };
   const times = [];
   for (const [name, [program, args]] of Object.entries(programs)) {
@@ -55,6 +57,18 @@ try {
   console.log(
     `\nWebAssembly against native: field ${ratio('karcher', 'fieldMs')}, sample ${ratio('karcher', 'sampleNs')}, drag ${ratio('karcher', 'dragMs')}, drag of ${times[1].steady.levels} levels ${ratio('steady', 'dragMs')}`,
   );
+}
+
+try {
+  const { isDrag, samples, ...named } = readArguments();
+  await setUp('build', 'native');
+  await writeBunny();
+  const mesh = named.mesh ? resolve(named.mesh) : inRoot('build/data/bunny.obj');
+  await buildNative('native', isDrag ? 'drag_bench' : 'karcher_bench');
+  await buildWasm();
+  await buildFacade();
+  if (isDrag) await benchDrags(mesh, named.points);
+  else await benchSteps(mesh, named.points[0] ?? (await writeBunnyPoints()), samples);
 } catch (error) {
   console.error(error.message);
   process.exit(1);

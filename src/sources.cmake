@@ -9,6 +9,7 @@ set(KARCHER_FAST_ROOMS
 set(KARCHER_SMALL_ROOMS
   mesh curves curves/spec curves/polygon curves/query curves/refine)
 set(KARCHER_FAST_IN_SMALL_ROOMS
+  curves/polygon/piece_boxes.cpp
   curves/spec/bases.cpp
   curves/spec/segment_basis.cpp
   mesh/edges.cpp
@@ -34,8 +35,11 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/source_images.cpp
   distance/source_vectors.cpp
   distance/tangent_maps.cpp
+  distance/visibility.cpp
   distance/waypoints.cpp
   intrinsic/geometry.cpp
+  intrinsic/straightest.cpp
+  intrinsic/tangent.cpp
   intrinsic/vertex_fans.cpp
   rcm/energy_ring.cpp
   rcm/exact_minimum.cpp

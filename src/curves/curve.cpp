@@ -335,12 +335,12 @@ void Curve::makeSegments(Next& next) {
       next.polygon.points.push_back(
           {next.value.points[i], next.polygon.weighted ? shape.weights[i] : 1});
     }
-    const bool isBezier = shape.kind == CurveKind::kBezier || shape.kind == CurveKind::kRational;
     Workspace& known = *workspace_;
-    if (!isBezier || known.layoutPoints != count || known.layoutIsClosed != shape.closed) {
+    if (known.layoutPoints != count || !layAlike(shape, known.layoutShape)) {
+      known.layoutPoints = 0;
       known.layout = layOut(shape, count, gapsOf(next));
-      known.layoutPoints = isBezier ? count : 0;
-      known.layoutIsClosed = shape.closed;
+      known.layoutShape = shape;
+      known.layoutPoints = isCentripetal(shape) ? 0 : count;
     }
     next.polygon.pieces = known.layout;
   }

@@ -162,11 +162,11 @@ class Curve {
     BoxWorkspace boxes;
     std::optional<SegmentFields> blend;
     Array<PointField*> fields;
-    /// The last layout of a Bezier curve of level 0: of so many points.
+    /// The last layout of a curve of level 0, of so many points; with gaps it is none's.
     Array<SegmentLayout> layout;
+    CurveShape layoutShape;
     int layoutPoints = 0;
-    bool layoutIsClosed = false;
-    JumpWorkspace jumps;
+    BridgeWorkspace bridging;
     Array<const TracedPiece*> pieces;
   };
 

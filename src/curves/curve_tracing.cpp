@@ -74,7 +74,6 @@ void Curve::trace(Next& next) {
 
 void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   const CurveOptions& options = next.value.options;
-  piece.traced_->bridges.clear();
   if (options.shape.kind == CurveKind::kPolyline) {
     const int samples = options.tolerance > 0 ? 2 : options.samples;
     *piece.traced_ = traceLeg(surface().mesh(), next.legs[segment], samples);
@@ -112,12 +111,15 @@ void Curve::findAveragedSamples(const Next& next, Piece& piece, int segment) {
 
 void Curve::layBridges(const Next& next, Piece& piece) {
   const CurveOptions& options = next.value.options;
-  // Paths and averages are whole.
-  if (!isOfCenters(options, next.levels)) return;
-  piece.traced_->bridges =
-      bridgeSegment(*workspace_->blend, piece.basis_, piece.pointWeights_,
-                    options.tolerance == 0 && piece.table_ ? &piece.table_->middles : nullptr,
-                    options.field.method, piece.traced_->samples, workspace_->jumps);
+  TracedPiece& traced = *piece.traced_;
+  if (!isOfCenters(options, next.levels)) {
+    // Paths and averages are whole.
+    traced.bridges.clear();
+    return;
+  }
+  bridgeSegment(*workspace_->blend, piece.basis_, piece.pointWeights_,
+                options.tolerance == 0 ? piece.table_.get() : nullptr, options.field.method,
+                traced.samples, workspace_->bridging, traced.bridges);
 }
 
 void Curve::join(const Next& next, Piece& piece) {

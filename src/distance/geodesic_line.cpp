@@ -1,6 +1,7 @@
 #include "distance/geodesic_line.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "distance/shortest_path.h"
 #include "intrinsic/along_path.h"
@@ -10,52 +11,49 @@ namespace karcher {
 
 namespace {
 
-/// The points of the path by a search that begins at `from`, with their lengths; none if it finds
-/// no strip of faces.
-SurfacePath searchedFrom(const Geometry& geometry, const SurfacePoint& from,
-                         const SurfacePoint& to) {
-  SurfacePath line;
-  line.points.push_back(from);
-  StripWorkspace workspace;
+/// Writes the path by a search that begins at `from`; returns false if it finds no strip of faces.
+bool searchFrom(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+                StripWorkspace& workspace, SurfacePath& line) {
+  line.points.assign(1, from);
   const LocalPathOptions everywhere{2 * geometry.mesh->faceCount()};
-  if (!appendLocalPath(geometry, from, to, workspace, line.points, everywhere)) return {};
+  if (!appendLocalPath(geometry, from, to, workspace, line.points, everywhere)) return false;
   measure(*geometry.mesh, line);
-  return line;
+  return true;
 }
 
 }  // namespace
 
-SurfacePath geodesicLine(const Geometry& geometry, const SurfacePoint& from,
-                         const SurfacePoint& to) {
-  SurfacePath line = searchedFrom(geometry, from, to);
-  if (line.points.empty()) {
+void geodesicLine(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+                  GeodesicWorkspace& workspace, SurfacePath& line) {
+  if (!searchFrom(geometry, from, to, workspace.strip, line)) {
     line = shortestPath(geometry, from, to);
     measure(*geometry.mesh, line);
-    return line;
+    return;
   }
-  SurfacePath back = searchedFrom(geometry, to, from);
-  if (back.points.empty() || !(back.length() < line.length())) return line;
-  back = reversed(back);
-  measure(*geometry.mesh, back);
-  return back;
+  SurfacePath& back = workspace.back;
+  if (!searchFrom(geometry, to, from, workspace.strip, back) || !(back.length() < line.length())) {
+    return;
+  }
+  std::swap(line, back);
+  std::reverse(line.points.begin(), line.points.end());
+  measure(*geometry.mesh, line);
 }
 
-LineHalves halvesOf(const TriangleMesh& mesh, const SurfacePath& line) {
+void halve(const TriangleMesh& mesh, const SurfacePath& line, LineHalves& halves) {
   const double half = line.length() / 2;
   const int after = pieceAt(line.lengths, half) + 1;
   const SurfacePoint middle = pointAlong(mesh, line, half);
-  LineHalves halves;
-  halves.first.points.assign(line.points.begin(), line.points.begin() + after);
-  halves.first.lengths.assign(line.lengths.begin(), line.lengths.begin() + after);
-  halves.first.points.push_back(middle);
-  halves.first.lengths.push_back(half);
-  halves.second.points.push_back(middle);
-  halves.second.lengths.push_back(0);
+  auto& [first, second] = halves;
+  first.points.assign(line.points.begin(), line.points.begin() + after);
+  first.lengths.assign(line.lengths.begin(), line.lengths.begin() + after);
+  first.points.push_back(middle);
+  first.lengths.push_back(half);
+  second.points.assign(1, middle);
+  second.lengths.assign(1, 0.0);
   for (int i = after; i < line.points.count(); ++i) {
-    halves.second.points.push_back(line.points[i]);
-    halves.second.lengths.push_back(line.lengths[i] - half);
+    second.points.push_back(line.points[i]);
+    second.lengths.push_back(line.lengths[i] - half);
   }
-  return halves;
 }
 
 SurfacePoint averageOf(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b,

@@ -12,15 +12,18 @@ namespace {
 /// Angles around a vertex that differ by less are taken for equal.
 constexpr double kSameAngle = 1e-9;
 
-/// Whether two points are the same, seen from whatever faces.
-bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+/// Whether two points, at the locations given, are the same, seen from whatever faces.
+bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const PointLocation& atA,
+               const SurfacePoint& b, const PointLocation& atB) {
   if (a.face == b.face) return a.bary == b.bary;
-  const PointLocation atA = locate(mesh, a);
-  const PointLocation atB = locate(mesh, b);
   if (atA.simplex != atB.simplex || atA.simplex == Simplex::kFace) return false;
   if (atA.simplex == Simplex::kVertex) return atA.vertex == atB.vertex;
   return mesh.twin[atA.halfedge] == atB.halfedge &&
          a.bary[cornerOf(atA.halfedge)] == b.bary[cornerOf(next(atB.halfedge))];
+}
+
+bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  return samePlace(mesh, a, locate(mesh, a), b, locate(mesh, b));
 }
 
 /// The half-edge that leaves a vertex in a face that holds it.
@@ -237,8 +240,13 @@ void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, 
 
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 Array<SurfacePoint>& out) {
+  PointLocation last;
+  if (!out.empty()) last = locate(mesh, out.back());
   forEachOfPart(mesh, path, from, to, [&](const SurfacePoint& point) {
-    if (out.empty() || !samePlace(mesh, out.back(), point)) out.push_back(point);
+    const PointLocation at = locate(mesh, point);
+    if (!out.empty() && samePlace(mesh, out.back(), last, point, at)) return;
+    out.push_back(point);
+    last = at;
   });
 }
 

@@ -53,23 +53,15 @@ Vec3 position(const TriangleMesh& mesh, const SurfacePoint& point) {
 PointLocation locate(const TriangleMesh& mesh, const SurfacePoint& point) {
   PointLocation location;
   location.face = point.face;
-  int zeros = 0;
-  int zeroCorner = -1;
-  int oneCorner = -1;
-  for (int k = 0; k < 3; ++k) {
-    if (point.bary[k] == 0) {
-      ++zeros;
-      zeroCorner = k;
-    } else {
-      oneCorner = k;
-    }
-  }
+  const bool isZero[] = {point.bary[0] == 0, point.bary[1] == 0, point.bary[2] == 0};
+  const int zeros = isZero[0] + isZero[1] + isZero[2];
   if (zeros == 1) {
     location.simplex = Simplex::kEdge;
-    location.halfedge = 3 * point.face + (zeroCorner + 1) % 3;
+    // From the corner behind the one of weight 0.
+    location.halfedge = 3 * point.face + (isZero[0] ? 1 : isZero[1] ? 2 : 0);
   } else if (zeros == 2) {
     location.simplex = Simplex::kVertex;
-    location.vertex = mesh.corner(point.face, oneCorner);
+    location.vertex = mesh.corner(point.face, isZero[2] ? (isZero[1] ? 0 : 1) : 2);
   }
   return location;
 }

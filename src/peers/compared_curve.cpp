@@ -227,7 +227,9 @@ CenterOfMass ComparedCurve::centerAgain(int segment, Weights weights, bool isEnd
   const ComparedOptions& options = method_.options();
   if (options.method != ComparedMethod::kFields || options.seeds == Seeds::kAuthors) return found;
   if (found.status == Status::kConverged) return found;
-  for (const int k : restarts(weights, options.field.method, isEnd && !start_)) {
+  Array<int> restarts;
+  findRestarts(weights, options.field.method, isEnd && !start_, restarts);
+  for (const int k : restarts) {
     found = center(segment, weights, plan_.points[plan_.first[segment] + k]);
     if (found.status == Status::kConverged) break;
   }
@@ -275,8 +277,9 @@ SurfacePoint ComparedCurve::startOf(int segment, int sample) const {
   const Weights weights = plan_.table.row(sample);
   if (method_.options().seeds == Seeds::kAuthors) {
     const auto begin = plan_.points.begin() + first;
+    SubdivisionWorkspace workspace;
     return repeatedAverage(method_.surface().geometry(), {begin, begin + plan_.table.points},
-                           {weights.begin(), weights.end()});
+                           {weights.begin(), weights.end()}, workspace);
   }
   return plan_.points[first + heaviest(weights)];
 }

@@ -126,14 +126,16 @@ TracedCurve subdivided(Surface& surface, const Array<SurfacePoint>& points) {
   const Geometry& geometry = surface.geometry();
   ParametricLine line;
   const int64_t allocations = allocationsSoFar();
-  const double ms = processorTimed([&] { appendBezier(geometry, points, 0, 1, line); });
+  SubdivisionWorkspace workspace;
+  const double ms = processorTimed([&] { appendBezier(geometry, points, 0, 1, workspace, line); });
   TracedCurve traced;
   traced.allocations = allocationsSoFar() - allocations;
   traced.stages = {{"subdivision", ms}};
   for (const SurfacePoint& p : line.path.points)
     traced.polyline.push_back(position(surface.mesh(), p));
   for (int i = 1; i < points.count(); ++i) {
-    traced.legs.push_back(geodesicLine(geometry, points[i - 1], points[i]).points);
+    geodesicLine(geometry, points[i - 1], points[i], workspace.geodesics, workspace.line);
+    traced.legs.push_back(workspace.line.points);
   }
   return traced;
 }

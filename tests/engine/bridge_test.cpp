@@ -65,7 +65,8 @@ TEST(Bridge, OnThePlaneTheSchemeIsTheBezierCurve) {
   const Geometry geometry = buildGeometry(mesh);
   const Array<Vec3> corners{{3.2, 3.1, 0}, {6.7, 9.3, 0}, {10.4, 4.6, 0}, {14.1, 9.8, 0}};
   Bridge bridge;
-  appendBezier(geometry, pointsNear(mesh, corners), 0, 1, bridge.line);
+  SubdivisionWorkspace workspace;
+  appendBezier(geometry, pointsNear(mesh, corners), 0, 1, workspace, bridge.line);
   for (int i = 0; i <= 50; ++i) {
     const double t = i / 50.0;
     const Array<double> weights = bernsteinBasis(3, t);
@@ -79,12 +80,14 @@ TEST(Bridge, RepeatedAveragesOnThePlaneAreAverages) {
   const TriangleMesh mesh = planeGrid(20, 14);
   const Geometry geometry = buildGeometry(mesh);
   const Array<Vec3> corners{{3.2, 3.1, 0}, {6.7, 9.3, 0}, {10.4, 4.6, 0}, {14.1, 9.8, 0}};
+  SubdivisionWorkspace workspace;
   for (const Array<double>& weights :
        {Array<double>{1.0 / 6, 4.0 / 6, 1.0 / 6, 0}, Array<double>{0.1, 0.2, 0.3, 0.4},
         Array<double>{-0.1, 0.7, 0.6, -0.2}, Array<double>{0, 1, 0, 0}}) {
     Vec3 expected = Vec3::Zero();
     for (int k = 0; k < 4; ++k) expected += weights[k] * corners[k];
-    const SurfacePoint found = repeatedAverage(geometry, pointsNear(mesh, corners), weights);
+    const SurfacePoint found =
+        repeatedAverage(geometry, pointsNear(mesh, corners), weights, workspace);
     EXPECT_LT((position(mesh, found) - expected).norm(), 1e-12);
   }
 }

@@ -16,9 +16,16 @@ namespace {
 
 constexpr int kDragged = 1;
 
-/// How often each step of a drag takes memory, after the first ones.
+int bridgesOf(const Curve& curve) {
+  int bridges = 0;
+  for (int j = 0; j < curve.segmentCount(); ++j) bridges += curve.bridges(j).count();
+  return bridges;
+}
+
+/// How often each step of a drag takes memory, after the first ones. `bridgedOnly`: of the steps
+/// after which the curve has bridges.
 Array<int64_t> allocationsOfDrag(Surface& surface, const CurveShape& shape, int levels,
-                                 double spacing, uint64_t seed) {
+                                 double spacing, uint64_t seed, bool bridgedOnly = false) {
   constexpr int kSteps = 80;
   constexpr int kWarmUp = 20;
   const Geometry& geometry = surface.geometry();
@@ -46,7 +53,8 @@ Array<int64_t> allocationsOfDrag(Surface& surface, const CurveShape& shape, int 
         value.options.leastLevels = curve.levels();
       });
     }
-    if (i >= kWarmUp) counts.push_back(allocationsSoFar() - before);
+    const int64_t count = allocationsSoFar() - before;
+    if (i >= kWarmUp && (!bridgedOnly || bridgesOf(curve) > 0)) counts.push_back(count);
   }
   return counts;
 }
@@ -92,6 +100,25 @@ TEST(DragMemory, IsThatOfTheStepsBefore) {
   expectMostStepsTakeNone(torus, through, 2, 0.1);
   through.closed = true;
   expectMostStepsTakeNone(bunny, through, 2, 0.1);
+}
+
+TEST(DragMemory, OfBridgesIsThatOfTheStepsBefore) {
+  Surface bunny(bunnyMesh());
+  for (const CurveKind kind : {CurveKind::kBezier, CurveKind::kBSpline}) {
+    Array<int64_t> counts;
+    for (const uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+      for (const double spacing : {0.2, 0.3}) {
+        const Array<int64_t> ofDrag = allocationsOfDrag(bunny, {kind}, 0, spacing, seed, true);
+        counts.insert(counts.end(), ofDrag.begin(), ofDrag.end());
+      }
+    }
+    ASSERT_GT(counts.count(), 50) << curveKindName(kind);
+    std::sort(counts.begin(), counts.end());
+    // Lines of bridges grow and shrink, and some are the longest yet that their memory has held.
+    // Each with memory of its own they would be some 500.
+    EXPECT_LE(counts[counts.count() / 2], 50)
+        << curveKindName(kind) << ", the most " << counts.back();
+  }
 }
 
 TEST(DragMemory, IsNoPartOfTheCurve) {

@@ -50,10 +50,15 @@ TEST(SegmentRestart, ASampleIsLostOnlyIfItIsFromEveryControlPoint) {
 
 TEST(SegmentRestart, BeginsAtTheHeaviestPointThatWasNotTried) {
   const Array<double> weights{0.2, 0.5, 0.3, 0, -1e-3};
-  EXPECT_EQ(restarts(weights, Method::kPaper, false), (Array<int>{1, 2, 0}));
-  EXPECT_EQ(restarts(weights, Method::kPaper, true), (Array<int>{2, 0}));
-  EXPECT_EQ(restarts(weights, Method::kKarcher, false), (Array<int>{1}));
-  EXPECT_EQ(restarts(weights, Method::kKarcher, true), (Array<int>{}));
+  const auto restarts = [&](Method method, bool isEnd) {
+    Array<int> order{7};
+    findRestarts({weights.data(), weights.size()}, method, isEnd, order);
+    return order;
+  };
+  EXPECT_EQ(restarts(Method::kPaper, false), (Array<int>{1, 2, 0}));
+  EXPECT_EQ(restarts(Method::kPaper, true), (Array<int>{2, 0}));
+  EXPECT_EQ(restarts(Method::kKarcher, false), (Array<int>{1}));
+  EXPECT_EQ(restarts(Method::kKarcher, true), (Array<int>{}));
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ class Extent {
 
   void clear() {
     positions_.clear();
+    last_ = nullptr;
     normal_ = Vec3::Zero();
     longest_ = 0;
   }
@@ -41,11 +42,9 @@ class Extent {
       for (int h = 3 * face; h < 3 * face + 3; ++h) {
         longest_ = std::max(longest_, geometry_.edgeLength[h]);
       }
-      if (k == 0) continue;
-      for (const SurfacePoint& p : refined.legs[piece.points[k - 1]].points) {
-        positions_.push_back(position(mesh_, p));
-      }
+      if (k > 0) addLeg(refined, piece.points[k - 1]);
     }
+    last_ = &piece;
   }
 
   /// Along the line from the point to what is farthest of it.
@@ -77,9 +76,20 @@ class Extent {
   }
 
  private:
+  void addLeg(const RefinedPolygon& refined, int leg) {
+    // The pieces of a B-spline share most of their legs.
+    const bool isThere = last_ && std::find(last_->points.begin(), last_->points.end() - 1, leg) !=
+                                      last_->points.end() - 1;
+    if (isThere) return;
+    for (const SurfacePoint& p : refined.legs[leg].points) {
+      positions_.push_back(position(mesh_, p));
+    }
+  }
+
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   Array<Vec3>& positions_;
+  const SegmentLayout* last_ = nullptr;
   Vec3 normal_ = Vec3::Zero();
   double longest_ = 0;
 };

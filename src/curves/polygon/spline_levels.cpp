@@ -125,10 +125,8 @@ void resize(SplineLevel& level, int points, const CurveShape& shape) {
 }
 
 bool isKnown(const CurveShape& shape, int points, int levels, const SplineWorkspace& workspace) {
-  const CurveShape& known = workspace.shape;
   return workspace.points == points && workspace.levels.count() == levels + 1 &&
-         known.closed == shape.closed && known.degree == shape.degree &&
-         known.knotRule == shape.knotRule && known.knots == shape.knots;
+         layAlike(workspace.shape, shape);
 }
 
 /// Makes what depends on the shape and on counts alone, unless it is there from the last time.

@@ -145,4 +145,9 @@ Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<dou
   return {segmentOf({BasisForm::kBernstein, last}, all)};
 }
 
+bool layAlike(const CurveShape& a, const CurveShape& b) {
+  return a.kind == b.kind && a.closed == b.closed && a.degree == b.degree &&
+         a.knotRule == b.knotRule && a.knots == b.knots && a.betas == b.betas && a.basis == b.basis;
+}
+
 }  // namespace karcher

@@ -21,4 +21,7 @@ void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<doubl
 /// last to the first; without them knots are even.
 Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps = {});
 
+/// Whether two shapes give the same segments to as many points without gaps.
+bool layAlike(const CurveShape& a, const CurveShape& b);
+
 }  // namespace karcher

@@ -1,26 +1,19 @@
 #include "curves/trace/branches.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace karcher {
 
-void takeBestBranches(SegmentFields& fields, const Basis& basis, Method method,
-                      Array<CurveSample>& samples) {
-  WeightTable table;
-  for (const CurveSample& sample : samples) append(table, basis, sample.t);
-  WeightTable backwards;
-  for (int i = samples.count() - 1; i >= 0; --i) append(backwards, basis, samples[i].t);
-
-  const Array<CurveSample> forth = traceSegment(fields, table, method);
-  Array<CurveSample> back = traceSegment(fields, backwards, method);
-  std::reverse(back.begin(), back.end());
+void takeBestBranches(SegmentFields& fields, const WeightTable& table, Method method,
+                      Array<CurveSample>& samples, Array<CurveSample>& back) {
+  back = traceSegment(fields, table, method, std::move(back), true);
   for (int i = 0; i < samples.count(); ++i) {
     const auto energy = [&](const CurveSample& sample) {
       return sample.status == SampleStatus::kConverged
                  ? fields.blend.energy(sample.point, table.row(i))
                  : kInfinity;
     };
-    samples[i] = energy(back[i]) < energy(forth[i]) ? back[i] : forth[i];
+    if (energy(back[i]) < energy(samples[i])) samples[i] = back[i];
   }
 }
 

@@ -1,6 +1,7 @@
 #include "curves/trace/bridge.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -22,19 +23,12 @@ constexpr int kMostPieces = 8;
 /// A step in a face that comes nearer to an edge than this part of its length may bend across it.
 constexpr double kEdgeMargin = 0.25;
 
-/// An interval that is to be bridged, by its samples. An end that is not kept is lost itself.
-struct Interval {
-  int first = 0;
-  int last = 0;
-  bool keepsFirst = true;
-  bool keepsLast = true;
-  SampleStatus reason = SampleStatus::kJump;
-};
+using Interval = BridgeWorkspace::Interval;
 
 class JumpSearch {
  public:
   JumpSearch(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,
-             Method method, JumpWorkspace& workspace)
+             Method method, Array<double>& weights)
       : geometry_(fields.geometry()),
         mesh_(*geometry_.mesh),
         fields_(fields),
@@ -42,7 +36,7 @@ class JumpSearch {
         pointWeights_(pointWeights),
         method_(method),
         longest_(kLongestStep * geometry_.meanEdge),
-        weights_(workspace.weights) {}
+        weights_(weights) {}
 
   /// Whether the way from one converged sample to the next breaks in either direction, and how.
   /// `middle`: the weights in the middle of it, or none.
@@ -253,19 +247,16 @@ class JumpSearch {
 
 bool isConverged(const CurveSample& sample) { return sample.status == SampleStatus::kConverged; }
 
-/// The steps between converged samples that break, by their first sample, and how.
-Array<std::pair<int, SampleStatus>> findJumps(JumpSearch& search, const WeightTable* middles,
-                                              const Array<CurveSample>& samples) {
-  Array<std::pair<int, SampleStatus>> jumps;
+/// The steps between converged samples that break.
+void findJumps(JumpSearch& search, const PieceWeights* table, const Array<CurveSample>& samples,
+               Array<std::pair<int, SampleStatus>>& jumps) {
+  jumps.clear();
   for (int i = 0; i + 1 < samples.count(); ++i) {
-    const bool converged = samples[i].status == SampleStatus::kConverged &&
-                           samples[i + 1].status == SampleStatus::kConverged;
-    if (!converged) continue;
+    if (!isConverged(samples[i]) || !isConverged(samples[i + 1])) continue;
     const std::optional<SampleStatus> reason =
-        search.run(samples[i], samples[i + 1], middles ? middles->row(i) : Weights());
+        search.run(samples[i], samples[i + 1], table ? table->middles.row(i) : Weights());
     if (reason) jumps.emplace_back(i, *reason);
   }
-  return jumps;
 }
 
 /// Appends an interval, as one with the last where they meet.
@@ -278,9 +269,9 @@ void addInterval(Array<Interval>& intervals, const Interval& interval) {
   }
 }
 
-Array<Interval> intervalsToBridge(const Array<CurveSample>& samples,
-                                  const Array<std::pair<int, SampleStatus>>& jumps) {
-  Array<Interval> intervals;
+void findIntervals(const Array<CurveSample>& samples,
+                   const Array<std::pair<int, SampleStatus>>& jumps, Array<Interval>& intervals) {
+  intervals.clear();
   const int count = samples.count();
   auto jump = jumps.begin();
   for (int i = 0; i < count; ++i) {
@@ -296,79 +287,88 @@ Array<Interval> intervalsToBridge(const Array<CurveSample>& samples,
       ++jump;
     }
   }
-  return intervals;
-}
-
-/// The weights of the control points of the cubic Bezier curve that interpolates a basis at four
-/// parameters of [t0, t1]: the curve itself where the basis is of degree 3 at most.
-Array<Array<double>> bezierWeights(const Basis& basis, double t0, double t1) {
-  const Array<double> at[] = {basis(t0), basis(t0 + (t1 - t0) / 3), basis(t0 + (t1 - t0) * 2 / 3),
-                              basis(t1)};
-  Array<Array<double>> weights{at[0], at[1], at[2], at[3]};
-  for (int i = 0; i < at[0].count(); ++i) {
-    weights[1][i] = (-5 * at[0][i] + 18 * at[1][i] - 9 * at[2][i] + 2 * at[3][i]) / 6;
-    weights[2][i] = (2 * at[0][i] - 9 * at[1][i] + 18 * at[2][i] - 5 * at[3][i]) / 6;
-  }
-  return weights;
 }
 
 /// Lays bridges over one segment.
 class BridgeBuilder {
  public:
-  BridgeBuilder(const Geometry& geometry, const Array<PointField*>& points, const Basis& basis,
-                const Array<double>& nodes)
-      : geometry_(geometry), basis_(basis), nodes_(nodes) {
+  BridgeBuilder(const Geometry& geometry, const Array<PointField*>& points,
+                const SegmentBasis& basis, const Array<double>& pointWeights,
+                BridgeWorkspace& workspace)
+      : geometry_(geometry),
+        basis_(basis),
+        pointWeights_(pointWeights),
+        nodes_(nodesOf(basis)),
+        workspace_(workspace),
+        averaging_(workspace.subdivision),
+        points_(workspace.points) {
+    points_.clear();
     for (const PointField* point : points) points_.push_back(point->point());
   }
 
   /// Null ends are the scheme's own. Between neighbouring samples the line is straight.
-  ParametricLine build(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to,
-                       bool betweenNeighbours) {
-    ParametricLine line;
+  void build(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to,
+             bool betweenNeighbours, ParametricLine& line) {
     double start = t0;
     for (const double node : nodes_) {
       if (!(node > t0 && node < t1)) continue;
-      const SurfacePoint& passed = points_[heaviest(basis_(node))];
+      weightsAt(basis_, pointWeights_, node, workspace_.weights);
+      const SurfacePoint& passed = points_[heaviest(workspace_.weights)];
       append(start, node, from, &passed, betweenNeighbours, line);
       start = node;
       from = &passed;
     }
     append(start, t1, from, to, betweenNeighbours, line);
-    return line;
   }
 
  private:
   void append(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to,
               bool betweenNeighbours, ParametricLine& line) {
     if (from != nullptr && to != nullptr && (betweenNeighbours || t1 - t0 <= kShortInterval)) {
-      appendBezier(geometry_, {*from, *to}, t0, t1, line);
+      const SurfacePoint ends[] = {*from, *to};
+      appendBezier(geometry_, ends, t0, t1, averaging_, line);
       return;
     }
-    Array<SurfacePoint> polygon = schemePolygon(t0, t1);
+    Array<SurfacePoint>& polygon = workspace_.polygon;
+    makePolygon(t0, t1, polygon);
     pullEnds(polygon, from, to);
     const int pieces = (polygon.count() - 1) / 3;
     for (int j = 0; j < pieces; ++j) {
-      const Array<SurfacePoint> piece(polygon.begin() + 3 * j, polygon.begin() + 3 * j + 4);
-      appendBezier(geometry_, piece, t0 + (t1 - t0) * j / pieces, t0 + (t1 - t0) * (j + 1) / pieces,
+      appendBezier(geometry_, std::span(polygon).subspan(static_cast<size_t>(3 * j), 4),
+                   t0 + (t1 - t0) * j / pieces, t0 + (t1 - t0) * (j + 1) / pieces, averaging_,
                    line);
     }
     line.t.back() = t1;
   }
 
   /// The control points of cubic pieces one after the other, ends shared.
-  Array<SurfacePoint> schemePolygon(double t0, double t1) {
+  void makePolygon(double t0, double t1, Array<SurfacePoint>& polygon) {
     const double wanted = (t1 - t0) * (points_.count() - 1) / 3;
     const int pieces =
         points_.count() <= 4 ? 1 : std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostPieces);
-    Array<SurfacePoint> polygon;
+    polygon.clear();
     for (int j = 0; j < pieces; ++j) {
-      const Array<Array<double>> weights =
-          bezierWeights(basis_, t0 + (t1 - t0) * j / pieces, t0 + (t1 - t0) * (j + 1) / pieces);
-      for (int k = j == 0 ? 0 : 1; k < 4; ++k) {
-        polygon.push_back(repeatedAverage(geometry_, points_, weights[k]));
+      findBezierWeights(t0 + (t1 - t0) * j / pieces, t0 + (t1 - t0) * (j + 1) / pieces);
+      for (size_t k = j == 0 ? 0 : 1; k < 4; ++k) {
+        polygon.push_back(repeatedAverage(geometry_, points_, workspace_.bezier[k], averaging_));
       }
     }
-    return polygon;
+  }
+
+  /// The weights of the control points of the cubic Bezier curve that interpolates the basis at
+  /// four parameters of [t0, t1]: the curve itself where the basis is of degree 3 at most.
+  void findBezierWeights(double t0, double t1) {
+    auto& [first, second, third, last] = workspace_.bezier;
+    weightsAt(basis_, pointWeights_, t0, first);
+    weightsAt(basis_, pointWeights_, t0 + (t1 - t0) / 3, second);
+    weightsAt(basis_, pointWeights_, t0 + (t1 - t0) * 2 / 3, third);
+    weightsAt(basis_, pointWeights_, t1, last);
+    for (int i = 0; i < first.count(); ++i) {
+      const double b = second[i];
+      const double c = third[i];
+      second[i] = (-5 * first[i] + 18 * b - 9 * c + 2 * last[i]) / 6;
+      third[i] = (2 * first[i] - 9 * b + 18 * c - 5 * last[i]) / 6;
+    }
   }
 
   /// Moves the polygon's ends to the given points. The farther these are, as a part of the
@@ -383,25 +383,42 @@ class BridgeBuilder {
     if (!(pull > 0)) return;
     if (from != nullptr) polygon.front() = *from;
     if (to != nullptr) polygon.back() = *to;
-    const SurfacePath chord = geodesicLine(geometry_, polygon.front(), polygon.back());
+    SurfacePath& chord = workspace_.chord;
+    geodesicLine(geometry_, polygon.front(), polygon.back(), averaging_.geodesics, chord);
     const double kept = length / (length + pull);
     const int last = polygon.count() - 1;
     for (int i = 1; i < last; ++i) {
       const SurfacePoint onChord =
           pointAlong(*geometry_.mesh, chord.points, chord.lengths, chord.length() * i / last);
-      polygon[i] = averageAlongGeodesic(geometry_, onChord, polygon[i], kept);
+      polygon[i] = averageAlongGeodesic(geometry_, onChord, polygon[i], kept, averaging_);
     }
   }
 
   double distance(const SurfacePoint& a, const SurfacePoint& b) {
-    return geodesicLine(geometry_, a, b).length();
+    geodesicLine(geometry_, a, b, averaging_.geodesics, averaging_.line);
+    return averaging_.line.length();
   }
 
   const Geometry& geometry_;
-  const Basis& basis_;
-  const Array<double>& nodes_;
-  Array<SurfacePoint> points_;
+  const SegmentBasis& basis_;
+  const Array<double>& pointWeights_;
+  const Array<double> nodes_;
+  BridgeWorkspace& workspace_;
+  SubdivisionWorkspace& averaging_;
+  Array<SurfacePoint>& points_;
 };
+
+/// Appends a bridge without a line, in the memory of one that is spare.
+Bridge& addBridge(Array<Bridge>& spare, Array<Bridge>& bridges) {
+  if (spare.empty()) return bridges.emplace_back();
+  bridges.push_back(std::move(spare.back()));
+  spare.pop_back();
+  ParametricLine& line = bridges.back().line;
+  line.t.clear();
+  line.path.points.clear();
+  line.path.lengths.clear();
+  return bridges.back();
+}
 
 }  // namespace
 
@@ -431,45 +448,43 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t) {
   return nullptr;
 }
 
-Array<Bridge> bridgeSegment(SegmentFields& fields, const SegmentBasis& segmentBasis,
-                            const Array<double>& pointWeights, const WeightTable* middles,
-                            Method method, Array<CurveSample>& samples, JumpWorkspace& workspace) {
-  JumpSearch search(fields.blend, segmentBasis, pointWeights, method, workspace);
-  Array<std::pair<int, SampleStatus>> jumps = findJumps(search, middles, samples);
-  const bool isWhole = jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
-  if (isWhole) return {};
-  const Basis basis = [&](double t) {
-    Array<double> weights;
-    weightsAt(segmentBasis, pointWeights, t, weights);
-    return weights;
-  };
-  const Array<double> nodes = nodesOf(segmentBasis);
+void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
+                   const Array<double>& pointWeights, const PieceWeights* table, Method method,
+                   Array<CurveSample>& samples, BridgeWorkspace& workspace,
+                   Array<Bridge>& bridges) {
+  std::move(bridges.begin(), bridges.end(), std::back_inserter(workspace.spare));
+  bridges.clear();
+  JumpSearch search(fields.blend, basis, pointWeights, method, workspace.weights);
+  findJumps(search, table, samples, workspace.jumps);
+  const bool isWhole =
+      workspace.jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
+  if (isWhole) return;
   // Samples that a tolerance placed are dense enough for the branch that they follow; the paper's
   // method is from start to end.
-  const bool areEven = middles != nullptr;
-  if (areEven && method == Method::kKarcher) {
-    takeBestBranches(fields, basis, method, samples);
-    jumps = findJumps(search, middles, samples);
+  if (table != nullptr && method == Method::kKarcher) {
+    takeBestBranches(fields, table->samples, method, samples, workspace.back);
+    findJumps(search, table, samples, workspace.jumps);
   }
   const Geometry& geometry = fields.blend.geometry();
-  Array<Bridge> bridges;
-  BridgeBuilder builder(geometry, fields.points, basis, nodes);
-  for (const Interval& interval : intervalsToBridge(samples, jumps)) {
+  BridgeBuilder builder(geometry, fields.points, basis, pointWeights, workspace);
+  findIntervals(samples, workspace.jumps, workspace.intervals);
+  for (const Interval& interval : workspace.intervals) {
     CurveSample& first = samples[interval.first];
     CurveSample& last = samples[interval.last];
-    Bridge bridge{first.t, last.t, interval.reason, {}};
-    bridge.line = builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
-                                interval.keepsLast ? &last.point : nullptr,
-                                interval.last - interval.first == 1);
+    Bridge& bridge = addBridge(workspace.spare, bridges);
+    bridge.t0 = first.t;
+    bridge.t1 = last.t;
+    bridge.reason = interval.reason;
+    builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
+                  interval.keepsLast ? &last.point : nullptr, interval.last - interval.first == 1,
+                  bridge.line);
     for (int i = interval.first; i <= interval.last; ++i) {
       if (i == interval.first && interval.keepsFirst) continue;
       if (i == interval.last && interval.keepsLast) continue;
       samples[i].point = pointAt(*geometry.mesh, bridge, samples[i].t);
       samples[i].status = SampleStatus::kBridged;
     }
-    bridges.push_back(std::move(bridge));
   }
-  return bridges;
 }
 
 }  // namespace karcher

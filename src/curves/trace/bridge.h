@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <utility>
+
 #include "curves/polygon/subdivision.h"
 #include "curves/spec/segment_basis.h"
 #include "curves/trace/segment.h"
@@ -28,9 +31,28 @@ struct Bridge {
   ParametricLine line;
 };
 
-/// Scratch memory of the search for jumps.
-struct JumpWorkspace {
+/// Scratch memory; reuse one to spare the allocations.
+struct BridgeWorkspace {
+  /// An interval that is to be bridged, by its samples. An end that is not kept is lost itself.
+  struct Interval {
+    int first = 0;
+    int last = 0;
+    bool keepsFirst = true;
+    bool keepsLast = true;
+    SampleStatus reason = SampleStatus::kJump;
+  };
+
   Array<double> weights;
+  /// The steps that break, by their first sample, and how.
+  Array<std::pair<int, SampleStatus>> jumps;
+  Array<CurveSample> back;
+  Array<Interval> intervals;
+  SubdivisionWorkspace subdivision;
+  Array<SurfacePoint> points;  ///< of the segment
+  Array<SurfacePoint> polygon;
+  std::array<Array<double>, 4> bezier;  ///< weights of a cubic's control points
+  SurfacePath chord;
+  Array<Bridge> spare;  ///< bridges of curves before, whose memory new ones take
 };
 
 /// The bridge's point at t, clamped to [t0, t1].
@@ -43,21 +65,21 @@ void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, dou
 /// The bridge over t, or none.
 const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 
-/// Makes a traced segment whole: finds where its samples (two at least, ascending in t) are not
-/// converged or jump, bridges these intervals, and moves the samples inside onto the bridges with
-/// the status kBridged. Returns the bridges, ascending in t.
+/// Makes a traced segment whole and writes its bridges, ascending in t: finds where its samples
+/// (two at least, ascending in t) are not converged or jump, bridges these intervals, and moves the
+/// samples inside onto the bridges with the status kBridged.
 ///
 /// Between two neighbouring samples a bridge is the geodesic that joins them. Steps well inside a
 /// face, or shorter than half of `kLongestStep`, need no check; others are divided until their
 /// parts are one or the other.
 ///
 /// `basis` and `pointWeights` give the weights (segment_basis.h); where all weight is on one
-/// control point a bridge passes that point. `middles`: the weights at the middles between the
-/// samples' parameters where these are evenly spaced, else none. Evenly spaced samples of a segment
-/// that breaks are traced anew in both directions (branches.h), but for the paper's method; samples
-/// that a tolerance placed stay where they are.
-Array<Bridge> bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
-                            const Array<double>& pointWeights, const WeightTable* middles,
-                            Method method, Array<CurveSample>& samples, JumpWorkspace& workspace);
+/// control point a bridge passes that point. `table`: the weights by which `traceSegment` found the
+/// samples, or none where a tolerance placed them. By a table a segment that breaks is traced
+/// backwards as well (branches.h), but for the paper's method; samples that a tolerance placed stay
+/// where they are.
+void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
+                   const Array<double>& pointWeights, const PieceWeights* table, Method method,
+                   Array<CurveSample>& samples, BridgeWorkspace& workspace, Array<Bridge>& bridges);
 
 }  // namespace karcher

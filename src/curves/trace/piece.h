@@ -10,12 +10,6 @@
 /// others have 2^levels.
 namespace karcher {
 
-/// The weights at a piece's samples and in the middles between them.
-struct PieceWeights {
-  WeightTable samples;
-  WeightTable middles;
-};
-
 /// Which part of a segment a piece is: number `index` of `count` equal parts.
 struct PartOfSegment {
   int index = 0;

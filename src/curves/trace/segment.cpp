@@ -38,9 +38,12 @@ WeightTable tabulateMiddles(const Basis& basis, int count) {
   return table;
 }
 
-Array<int> restarts(Weights weights, Method method, bool isEnd) {
-  if (method == Method::kKarcher) return isEnd ? Array<int>{} : Array<int>{heaviest(weights)};
-  Array<int> order;
+void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order) {
+  order.clear();
+  if (method == Method::kKarcher) {
+    if (!isEnd) order.push_back(heaviest(weights));
+    return;
+  }
   Array<double> left(weights.begin(), weights.end());
   for (size_t k = 0; k < left.size(); ++k) {
     const int next = heaviest({left.data(), left.size()});
@@ -50,7 +53,6 @@ Array<int> restarts(Weights weights, Method method, bool isEnd) {
     left[next] = -kInfinity;
   }
   if (isEnd) order.erase(order.begin());
-  return order;
 }
 
 void SegmentFields::setPoints(const Array<PointField*>& ofPoints) {
@@ -61,21 +63,24 @@ void SegmentFields::setPoints(const Array<PointField*>& ofPoints) {
 }
 
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
-                                Array<CurveSample> samples) {
+                                Array<CurveSample> samples, bool backwards) {
   const Array<PointField*>& points = fields.points;
   samples.assign(table.t.size(), {});
   const SurfacePoint* start = nullptr;
-  for (int i = 0; i < samples.count(); ++i) {
+  const int last = samples.count() - 1;
+  for (int k = 0; k <= last; ++k) {
+    const int i = backwards ? last - k : k;
     CurveSample& sample = samples[i];
     sample.t = table.t[i];
     // The ends are found from their control points alone: as the segments find them that meet
     // there.
-    const bool isEnd = i == 0 || i == samples.count() - 1;
+    const bool isEnd = i == 0 || i == last;
     if (isEnd) start = &points[heaviest(table.row(i))]->point();
     CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
     if (center.status != Status::kConverged) {
-      for (const int k : restarts(table.row(i), method, isEnd)) {
-        center = findCenter(fields.blend, table.row(i), points[k]->point(), method);
+      findRestarts(table.row(i), method, isEnd, fields.restarts);
+      for (const int point : fields.restarts) {
+        center = findCenter(fields.blend, table.row(i), points[point]->point(), method);
         if (center.status == Status::kConverged) break;
       }
     }

@@ -32,6 +32,12 @@ struct WeightTable {
   }
 };
 
+/// The weights at a piece's samples and in the middles between them.
+struct PieceWeights {
+  WeightTable samples;
+  WeightTable middles;
+};
+
 void append(WeightTable& table, const Basis& basis, double t);
 
 /// At `count` >= 2 parameters, evenly spaced from 0 to 1.
@@ -54,22 +60,24 @@ struct SegmentFields {
 
   Array<PointField*> points;
   FieldBlend blend;
-  Array<ControlField*> fields;  ///< scratch
+  // Scratch.
+  Array<ControlField*> fields;
+  Array<int> restarts;
 };
 
 /// Where a search for a center of mass that failed starts again: at control points of positive
 /// weight, the heaviest first; at the ends of a segment that one has been tried. Newton's method,
 /// the paper's, stops where the Hessian is not positive definite, and tries all of them. Our walk
-/// goes on there, and tries the heaviest only.
-Array<int> restarts(Weights weights, Method method, bool isEnd);
+/// goes on there, and tries the heaviest only. Written to `order`.
+void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);
 
 /// One sample per row of the table. The search for the first and the last sample starts at the
 /// control point of largest weight, each other one at the last converged sample; a search that
-/// fails starts again at the control points of `restarts`. So the result depends only on the fields
-/// and the weights, and the end of one segment is the start of the next. The result takes the
-/// memory of `samples`.
+/// fails starts again at the control points of `findRestarts`. So the result depends only on the
+/// fields and the weights, and the end of one segment is the start of the next. The result takes
+/// the memory of `samples`. Backwards, the search goes from the last row to the first.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
-                                Array<CurveSample> samples = {});
+                                Array<CurveSample> samples = {}, bool backwards = false);
 
 /// The center of mass of the blended fields, by the method's search.
 CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
