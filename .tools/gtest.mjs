@@ -1,8 +1,9 @@
 // Runs a program of GoogleTest in parts: the tests of each source file in a process of its own, as they
-// share what is costly to set up, the longest first.
-import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+// share what is costly to set up.
+import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { cores, run } from './shell.mjs';
+import { runLongestFirst } from './longest_first.mjs';
+import { run } from './shell.mjs';
 
 const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'));
 
@@ -61,33 +62,13 @@ async function runTests(program, tests, { report, env, minutes }) {
 }
 
 /**
- * Runs all tests of a program but those of `without`, as many files at a time as there are cores, and
- * returns what they counted. `reports` is a folder; how long each file took is kept there for the next
- * run's order.
+ * Runs all tests of a program but those of `without`, and returns what they counted. `reports` is a folder
+ * for what it writes.
  */
 export async function runGoogleTest(program, { reports, env, minutes, without = [] }) {
   mkdirSync(reports, { recursive: true });
-  const timesPath = join(reports, 'seconds.json');
-  const before = existsSync(timesPath) ? readJson(timesPath) : {};
   const byFile = await testsByFile(program, join(reports, 'list.json'), without);
-  const expected = (file) => before[file] ?? Number.POSITIVE_INFINITY;
-  const waiting = [...byFile.keys()].sort((a, b) => (expected(a) < expected(b) ? 1 : -1));
-  const seconds = {};
-  const sums = { passed: 0, failed: 0 };
-  const worker = async () => {
-    for (let file = waiting.shift(); file; file = waiting.shift()) {
-      const start = performance.now();
-      const report = join(reports, `${file}.json`);
-      const counts = await runTests(program, byFile.get(file), { report, env, minutes });
-      seconds[file] = Math.round(performance.now() - start) / 1000;
-      sums.passed += counts.passed;
-      sums.failed += counts.failed;
-    }
-  };
-  await Promise.all(Array.from({ length: cores }, worker));
-  writeFileSync(timesPath, JSON.stringify(seconds));
-  const longest = Object.entries(seconds).sort(([, a], [, b]) => b - a);
-  const told = longest.slice(0, 5).map(([file, time]) => `${file} ${time.toFixed(1)} s`);
-  console.log(`Longest: ${told.join(', ')}`);
-  return sums;
+  return runLongestFirst([...byFile.keys()], join(reports, 'seconds.json'), (file) =>
+    runTests(program, byFile.get(file), { report: join(reports, `${file}.json`), env, minutes }),
+  );
 }

@@ -1,12 +1,13 @@
 // `npm test`: sets up, builds everything and runs every test. With --long none is left to the draw, and
 // tests take the large numbers of random cases that they keep for KARCHER_LONG=1, but not those of the
 // engine with the sanitizers, which would take hours.
-import { mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { part } from '../tests/web/part.mjs';
 import { buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
 import { runGoogleTest } from './gtest.mjs';
+import { runNodeTests } from './node_test.mjs';
 import { chromiumPath, setUp } from './setup.mjs';
-import { closeWith, cores, filesBelow, inRoot, run, runStages } from './shell.mjs';
+import { closeWith, filesBelow, inRoot, runStages } from './shell.mjs';
 
 const long = process.argv.includes('--long');
 const longCases = long ? { KARCHER_LONG: '1' } : {};
@@ -50,32 +51,14 @@ function runSanitized() {
 }
 
 /** Runs the node:test files of a folder and returns what they counted. */
-async function runNode(folder, env = {}) {
+function runNode(folder, env = {}) {
   const files = filesBelow(folder, /\.test\.m?js$/);
   if (files.length === 0) throw new Error(`there are no tests in ${folder}`);
-  const report = `${reports}/${folder.replaceAll('/', '-')}.tap`;
-  rmSync(report, { force: true });
-  const reporters = ['spec', 'stdout', 'tap', report];
-  const args = reporters.map(
-    (value, i) => `--test-reporter${i % 2 ? '-destination' : ''}=${value}`,
-  );
-  let problem;
-  try {
-    await run(process.execPath, ['--test', `--test-concurrency=${cores}`, ...args, ...files], {
-      env,
-      minutes,
-    });
-  } catch (error) {
-    problem = error;
-  }
-  const tap = readFileSync(report, 'utf8');
-  const count = (key) => Number(new RegExp(`^# ${key} (\\d+)$`, 'm').exec(tap)?.[1] ?? 0);
-  const counts = { passed: count('pass'), failed: count('fail') + count('cancelled') };
-  if (problem && counts.failed === 0) {
-    console.error(problem.message);
-    counts.failed = 1;
-  }
-  return counts;
+  return runNodeTests(files, {
+    reports: `${reports}/${folder.replaceAll('/', '-')}`,
+    env,
+    minutes,
+  });
 }
 
 const build = (what, work, more) => ({

@@ -1,11 +1,12 @@
 // Karcher in the CMake projects of C++ users: as a folder, fetched and installed. The program is the
 // README's. Only against the installed library is it linked and run: the engine is compiled already.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
+import { execFile } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
+import { promisify } from 'node:util';
 import { inRoot } from '../../.tools/shell.mjs';
 
 const program = () =>
@@ -34,28 +35,30 @@ add_executable(app main.cpp)
 target_link_libraries(app PRIVATE karcher::karcher)
 `;
 
-describe('a C++ project', () => {
+// A compiler keeps one core busy.
+describe('a C++ project', { concurrency: true }, () => {
   let folder;
   before(() => {
     folder = mkdtempSync(join(tmpdir(), 'karcher users '));
   });
   after(() => rmSync(folder, { recursive: true, force: true }));
 
-  const run = (name, command, ...args) => {
-    const { status, stdout, stderr } = spawnSync(command, args, {
-      cwd: join(folder, name),
-      encoding: 'utf8',
-    });
-    assert.equal(status, 0, `${command} ${args.join(' ')}\n${stdout}${stderr}`);
-    return stdout;
+  const run = async (name, command, ...args) => {
+    const options = { cwd: join(folder, name), maxBuffer: Number.POSITIVE_INFINITY };
+    try {
+      return (await promisify(execFile)(command, args, options)).stdout;
+    } catch ({ message, stdout }) {
+      // The message has the command and what it said on standard error.
+      throw new Error(`${message}\n${stdout}`);
+    }
   };
 
-  const configure = (name, middle, end = '', ...args) => {
+  const configure = async (name, middle, end = '', ...args) => {
     mkdirSync(join(folder, name), { recursive: true });
     writeFileSync(join(folder, name, 'CMakeLists.txt'), head + middle + tail + end);
     writeFileSync(join(folder, name, 'main.cpp'), program());
     const options = ['-DCMAKE_EXPORT_COMPILE_COMMANDS=ON', '-DCMAKE_CXX_FLAGS=-Wall -Werror'];
-    run(name, 'cmake', '-S', '.', '-B', 'build', '-G', 'Ninja', ...options, ...args);
+    await run(name, 'cmake', '-S', '.', '-B', 'build', '-G', 'Ninja', ...options, ...args);
   };
 
   /** How a file is compiled. */
@@ -65,7 +68,7 @@ describe('a C++ project', () => {
     )?.command;
 
   /** Of a project that compiles the engine: how, that nothing else is built, and that the program compiles. */
-  const checkWithEngine = (name) => {
+  const checkWithEngine = async (name) => {
     const engine = commandOf(name, '/src/curves/curve.cpp');
     assert.match(engine, / -fPIC .*-std=c\+\+20 /);
     assert.doesNotMatch(engine, / -(Wextra|Wconversion|Wshadow|O3|DNDEBUG) /);
@@ -75,35 +78,35 @@ describe('a C++ project', () => {
     assert.doesNotMatch(own, / -(Wextra|Wconversion|Wshadow|O3|DNDEBUG|fPIC) /);
     assert.equal(commandOf(name, '/tests/engine/mesh_test.cpp'), undefined);
     assert.equal(commandOf(name, '/tests/bench/karcher_bench.cpp'), undefined);
-    run(name, 'ninja', '-C', 'build', 'CMakeFiles/app.dir/main.cpp.o');
-    const commands = run(name, 'ninja', '-C', 'build', '-t', 'commands', 'all');
+    await run(name, 'ninja', '-C', 'build', 'CMakeFiles/app.dir/main.cpp.o');
+    const commands = await run(name, 'ninja', '-C', 'build', '-t', 'commands', 'all');
     assert.match(commands, /libkarcher\.a/);
     assert.doesNotMatch(commands, /src\/peers/);
   };
 
-  test('takes it as a folder', () => {
+  test('takes it as a folder', async () => {
     const source = inRoot('.').replace(/\/\.$/, '');
-    configure('folder', `add_subdirectory("${source}" karcher)\n`);
-    checkWithEngine('folder');
-    const compiled = run('folder', 'ninja', '-C', 'build', '-t', 'targets', 'all');
+    await configure('folder', `add_subdirectory("${source}" karcher)\n`);
+    await checkWithEngine('folder');
+    const compiled = await run('folder', 'ninja', '-C', 'build', '-t', 'targets', 'all');
     const object = /^(\S*src\/mesh\/error\.cpp\.o):/m.exec(compiled)[1];
-    run('folder', 'ninja', '-C', 'build', object);
+    await run('folder', 'ninja', '-C', 'build', object);
   });
 
-  test('fetches it', () => {
-    configure(
+  test('fetches it', async () => {
+    await configure(
       'fetched',
       `include(FetchContent)
 FetchContent_Declare(karcher SOURCE_DIR "${inRoot('.')}")
 FetchContent_MakeAvailable(karcher)
 `,
     );
-    checkWithEngine('fetched');
+    await checkWithEngine('fetched');
   });
 
-  test('finds it where it is installed, beside a tinyobjloader of its own', () => {
+  test('finds it where it is installed, beside a tinyobjloader of its own', async () => {
     const prefix = join(folder, 'prefix');
-    run(
+    await run(
       '.',
       'cmake',
       '--install',
@@ -123,7 +126,7 @@ FetchContent_MakeAvailable(karcher)
       '#define TINYOBJLOADER_IMPLEMENTATION\n#include "tiny_obj_loader.h"\n',
     );
     // The plug-in is a shared library: the engine's code can lie anywhere in memory.
-    configure(
+    await configure(
       'found',
       'find_package(karcher 0.1 REQUIRED)\n',
       `target_sources(app PRIVATE reader.cpp)
@@ -132,8 +135,12 @@ target_link_libraries(plugin PRIVATE karcher::karcher)
 `,
       `-DCMAKE_PREFIX_PATH=${prefix}`,
     );
-    run('found', 'ninja', '-C', 'build');
-    const said = run('found', join(folder, 'found/build/app'), inRoot('build/data/bunny.obj'));
+    await run('found', 'ninja', '-C', 'build');
+    const said = await run(
+      'found',
+      join(folder, 'found/build/app'),
+      inRoot('build/data/bunny.obj'),
+    );
     assert.match(said, /^the center of mass: (-?\d+\.\d+ ?){3}\na curve of length \d+\.\d+\n$/);
   });
 });

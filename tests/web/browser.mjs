@@ -78,11 +78,23 @@ export function isComplaint(message) {
   return !(/GL Driver Message .*GPU stall due to ReadPixels/.test(text) || text.includes(blocked));
 }
 
+/** Put into a page before its scripts: what three.js draws has few pixels, and of lines one piece. */
+function drawLess(pixelRatio) {
+  // Only three.js asks for it; the page is laid out as ever.
+  Object.defineProperty(window, 'devicePixelRatio', { value: pixelRatio });
+  // The pieces of a line are instances, and without a graphics card each instance is a draw of its own.
+  const { prototype } = WebGL2RenderingContext;
+  const { drawElementsInstanced } = prototype;
+  prototype.drawElementsInstanced = function (mode, count, type, offset, instances) {
+    drawElementsInstanced.call(this, mode, count, type, offset, Math.min(instances, 1));
+  };
+}
+
 /**
  * Serves the page and opens a browser with a storage of its own, in memory, or with `profile` on disk;
  * without a service worker, which would answer in place of what a test serves. Drawing without a
- * graphics card takes a third of the time of most tests: who looks at the picture, or measures the time
- * that it takes, asks for all of its pixels, `pixelRatio: 1`.
+ * graphics card takes a third of the time of most tests, and more where lines are long: who looks at the
+ * picture, or measures the time that it takes, asks for all of it, `pixelRatio: 1`.
  */
 export async function openBrowser({ profile = false, pixelRatio = 0.25, ...options } = {}) {
   const server = await servePage();
@@ -92,12 +104,7 @@ export async function openBrowser({ profile = false, pixelRatio = 0.25, ...optio
     ? await chromium.launchPersistentContext(folder, { ...launching, ...settings })
     : await (await chromium.launch(launching)).newContext(settings);
   context.setDefaultTimeout(patience);
-  if (pixelRatio !== 1) {
-    // Only what three.js draws asks for it; the page is laid out as ever.
-    await context.addInitScript((value) => {
-      Object.defineProperty(window, 'devicePixelRatio', { value });
-    }, pixelRatio);
-  }
+  if (pixelRatio !== 1) await context.addInitScript(drawLess, pixelRatio);
   const address = `http://127.0.0.1:${server.address().port}/`;
   return {
     context,

@@ -18,7 +18,7 @@ f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n`;
 describe('saving', () => {
   let browser;
   before(async () => {
-    browser = await openBrowser();
+    browser = await openBrowser({ pixelRatio: 1 });
   });
   after(() => browser.close());
 

@@ -1,0 +1,76 @@
+// How files of tests are run and counted: a file that ends without having told what it counts has failed.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { runLongestFirst } from '../../.tools/longest_first.mjs';
+import { runNodeTests } from '../../.tools/node_test.mjs';
+
+let folder;
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'karcher-node-test-'));
+});
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+describe('a file of node:test', () => {
+  const imports = "import { describe, test } from 'node:test';\n";
+  const failing = 'test("fails", () => { throw new Error(); });';
+  const cases = {
+    'that passes': ['test("a", () => {}); test("b", () => {});', { passed: 2, failed: 0 }],
+    'with a suite': [
+      `describe("s", () => { test("a", () => {}); ${failing} });`,
+      { passed: 1, failed: 1 },
+    ],
+    'with a test that is skipped': [
+      'test("a", () => {}); test("b", { skip: true }, () => {});',
+      { passed: 1, failed: 0 },
+    ],
+    'that prints what reports tell': [
+      `test("a", (t) => t.diagnostic("fail 0")); ${failing}`,
+      { passed: 1, failed: 1 },
+    ],
+    'whose tests never end': [
+      'test("a", () => new Promise(() => {})); test("b", () => {});',
+      { passed: 0, failed: 2 },
+    ],
+    'that fails after its tests': [
+      'test("a", () => {}); setTimeout(() => { throw new Error(); });',
+      { passed: 1, failed: 1 },
+    ],
+    'without a test': ['', { passed: 0, failed: 1 }],
+    'that cannot be read': ['{', { passed: 0, failed: 1 }],
+  };
+  const countsOf = (text) => {
+    const file = join(folder, 'case.test.mjs');
+    writeFileSync(file, imports + text);
+    // This file itself may run below `node --test`.
+    const env = { NODE_TEST_CONTEXT: undefined };
+    return runNodeTests([file], { reports: folder, env, minutes: 5 });
+  };
+
+  for (const [name, [text, counts]] of Object.entries(cases)) {
+    test(name, async () => assert.deepEqual(await countsOf(text), counts));
+  }
+
+  test('that ends in a test', async () => {
+    const { passed, failed } = await countsOf('test("a", () => process.exit(0));');
+    assert.equal(passed, 0);
+    assert.ok(failed > 0);
+  });
+});
+
+test('what took long before, and what is new, is begun first', async () => {
+  const times = join(folder, 'times.json');
+  writeFileSync(times, JSON.stringify({ short: 1, long: 9, middle: 5, gone: 20 }));
+  const begun = [];
+  const counts = await runLongestFirst(['short', 'middle', 'new', 'long'], times, async (name) => {
+    begun.push(name);
+    return { passed: 2, failed: name === 'new' ? 1 : 0 };
+  });
+  assert.deepEqual(begun, ['new', 'long', 'middle', 'short']);
+  assert.deepEqual(counts, { passed: 8, failed: 1 });
+  assert.deepEqual(Object.keys(JSON.parse(readFileSync(times, 'utf8'))).sort(), [
+    ...['long', 'middle', 'new', 'short'],
+  ]);
+});
