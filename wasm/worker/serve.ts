@@ -102,7 +102,7 @@ class Server {
     this.#post({ id, cancelled: true });
   }
 
-  async #answer({ id, target, call, args, tells, keeps }: Call): Promise<void> {
+  async #answer({ id, target, call, args, tells, keeps, asks }: Call): Promise<void> {
     const controller = new AbortController();
     this.#running.set(id, controller);
     try {
@@ -118,7 +118,7 @@ class Server {
       if (call === 'dispose') this.#objects.delete(target);
       const transfer = new Set<Transferable>();
       const sent = this.#sent(result, transfer, keeps);
-      const value = keeps && owner instanceof Curve && isEdit(call) && { value: owner.value() };
+      const value = asks && owner instanceof Curve && isEdit(call) && { value: owner.value() };
       this.#post({ id, result: sent, ...value }, [...transfer]);
     } catch (error) {
       this.#post({ id, failure: failureOf(error) });
