@@ -8,6 +8,7 @@ import { grid, partsOf } from './meshes.mjs';
 
 const points = [16, 40, 97, 120].map((vertex) => ({ vertex }));
 const text = grid(12);
+const gone = { name: 'KarcherError', code: 'disposed' };
 let karcherHere;
 let here;
 let remote;
@@ -46,6 +47,44 @@ test('a mesh in a worker answers as one here', async () => {
   await assert.rejects(finer.positions(), { name: 'KarcherError', code: 'disposed' });
 });
 
+/** The names of what is read of an object of a class, its own and the class's. */
+function propertiesOf(object) {
+  const prototype = Object.getPrototypeOf(object);
+  const getters = Object.entries(Object.getOwnPropertyDescriptors(prototype)).filter(
+    ([, { get }]) => get !== undefined,
+  );
+  return [...Object.keys(object), ...getters.map(([name]) => name)];
+}
+
+test('a mesh and a curve in a worker have all that those here have', async () => {
+  const [curve, expected] = [
+    await mesh.curve({ kind: 'bspline', points }),
+    here.curve({ kind: 'bspline', points }),
+  ];
+  // What is internal, or of the engine itself.
+  const own = ['constructor', 'retrace', 'benchmark', 'engine', 'handle'];
+  for (const [remotely, local] of [
+    [curve, expected],
+    [mesh, here],
+    [remote, karcherHere],
+  ]) {
+    for (const name of Reflect.ownKeys(Object.getPrototypeOf(local))) {
+      if (!own.includes(name)) assert.ok(name in remotely, `there is no ${String(name)}`);
+    }
+  }
+  assert.equal(propertiesOf(expected).length, 8);
+  curve[Symbol.dispose]();
+  expected.dispose();
+  for (const name of ['points', 'polyline']) await assert.rejects(curve[name](), gone);
+  await assert.rejects(curve.length, gone);
+  const other = await loadInWorker();
+  const sphere = await other.shape('sphere', 500);
+  other[Symbol.dispose]();
+  // What went with its worker is not told.
+  sphere[Symbol.dispose]();
+  await assert.rejects(sphere.positions(), gone);
+});
+
 test('a curve in a worker is edited as one here', async () => {
   const options = { kind: 'bspline', points, samples: 9 };
   const [curve, expected] = [await mesh.curve(options), here.curve(options)];
@@ -54,6 +93,7 @@ test('a curve in a worker is edited as one here', async () => {
     assert.deepEqual(await curve.samples(), expected.samples());
     assert.deepEqual(await curve.polyline(), expected.polyline());
     assert.deepEqual(await curve.polyline({ bits: 64 }), expected.polyline({ bits: 64 }));
+    for (const name of propertiesOf(expected)) assert.equal(await curve[name], expected[name]);
   };
   await same();
   const place = { face: 30, bary: [0.2, 0.3, 0.5] };

@@ -29,8 +29,9 @@ export interface WorkerOptions {
 }
 
 /**
- * Loads the engine in a worker of its own. All names are those of `load`'s engine, and return
- * promises; what they return is the caller's, large arrays are transferred.
+ * Loads the engine in a worker of its own. All names are those of `load`'s engine; methods return
+ * promises, and a curve's properties are promises. What they return is the caller's, large arrays are
+ * transferred.
  *
  * Every method takes `{ progress, signal }` behind its other arguments. A signal rejects the call at once
  * with its reason: a call that waits is not begun; files, graphs and check-ups stop. A call that the

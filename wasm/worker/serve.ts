@@ -27,8 +27,8 @@ function ownScope(): Scope {
 }
 
 /**
- * Answers the calls of a client from within its worker: methods of `root`, and of the meshes and
- * curves that these return, which stay here. Functions among a call's arguments may be called while it
+ * Answers the calls of a client from within its worker: methods of `root`, and methods and properties of the
+ * meshes and curves that these return, which stay here. Functions among a call's arguments may be called while it
  * is under way and return nothing; a signal among them is aborted by the client. The arrays of results
  * are transferred: what is returned is not to be kept.
  */
@@ -111,10 +111,10 @@ class Server {
       controller.signal.throwIfAborted();
       if (keeps) this.#post({ id, begun: true });
       if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
-      const method: unknown = (owner as Record<string, unknown>)[call];
-      if (typeof method !== 'function') throw new Error(`there is no call '${call}'`);
+      const asked: unknown = (owner as Record<string, unknown>)[call];
+      if (asked === undefined) throw new Error(`there is no call '${call}'`);
       const given = args.map((arg) => this.#received(arg, id, controller.signal));
-      const result = await method.apply(owner, given);
+      const result = typeof asked === 'function' ? await asked.apply(owner, given) : asked;
       if (call === 'dispose') this.#objects.delete(target);
       const transfer = new Set<Transferable>();
       const sent = this.#sent(result, transfer, keeps);
