@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { KarcherError, load } from 'karcher';
+import { CurveView, KarcherError, load, Path } from 'karcher';
 import { WorkerClient } from 'karcher/own-worker';
-import { loadInWorker } from 'karcher/worker';
+import { loadInWorker, CurveView as ViewOfWorker } from 'karcher/worker';
 import { noted } from './engine_calls.mjs';
 import { grid, partsOf } from './meshes.mjs';
 
@@ -83,6 +83,16 @@ test('a mesh and a curve in a worker have all that those here have', async () =>
   // What went with its worker is not told.
   sphere[Symbol.dispose]();
   await assert.rejects(sphere.positions(), gone);
+});
+
+test('what a worker gives is of the classes that its entry exports', async () => {
+  const curve = await mesh.curve({ kind: 'bspline', points });
+  const error = await curve.pointAt(99).catch((reason) => reason);
+  assert.ok(error instanceof KarcherError);
+  assert.ok((await curve.path()) instanceof Path);
+  assert.ok((await curve.view()) instanceof CurveView);
+  assert.equal(ViewOfWorker, CurveView);
+  await curve.dispose();
 });
 
 test('a curve in a worker is edited as one here', async () => {

@@ -2,8 +2,10 @@ import { WorkerClient, type WorkerLike } from './client.js';
 import { type RemoteKarcher, remoteKarcher } from './remote.js';
 
 export { KarcherError } from '../errors.js';
+export type { LogMap, MappedPoints } from '../maps.js';
 export { Path } from '../path.js';
 export type * from '../types.js';
+export { CurveView } from '../view.js';
 export type { WorkerClient, WorkerLike } from './client.js';
 export type { RemoteCurve, RemoteKarcher, RemoteMesh } from './remote.js';
 
