@@ -15,6 +15,7 @@ import { disposable, type Engine, Handle, Made } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
 import { carriedVectors, type LogMap, type MappedPoints, toMapped, toVectors } from './maps.js';
+import { frozenInfo } from './mesh_info.js';
 import {
   centerOptionNames,
   checkLongWork,
@@ -80,7 +81,7 @@ export class Mesh {
   constructor(engine: Engine, target: EngineMesh) {
     this.#engine = engine;
     this.#handle = new Handle(engine, 'the mesh', target);
-    this.info = Object.freeze(this.#handle.call((mesh) => mesh.info()));
+    this.info = frozenInfo(this.#handle.call((mesh) => mesh.info()));
   }
 
   /** @internal The engine that made the mesh. */

@@ -4,6 +4,7 @@ import { KarcherError } from '../errors.js';
 import type { FileInfo, FileOptions } from '../formats/index.js';
 import type { Karcher } from '../karcher.js';
 import type { Mesh } from '../mesh.js';
+import { frozenInfo } from '../mesh_info.js';
 import { checkLongWork, namesOf } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
 import type { WorkerClient } from './client.js';
@@ -213,7 +214,7 @@ export function remoteCurve(client: WorkerClient): RemoteCurve {
 }
 
 export function remoteMesh(client: WorkerClient, info: Readonly<MeshInfo>): RemoteMesh {
-  const mesh = { info };
+  const mesh = { info: frozenInfo(info) };
   const calls = calling(client, meshMethods, mesh);
   const curve = withoutBasis(calls.curve!);
   return withDispose(Object.assign(mesh, calls, { curve }) as unknown as RemoteMesh);
