@@ -52,6 +52,7 @@ import type {
   StraightestPath,
   SurfacePoint,
   VectorLike,
+  VectorsLike,
   WeightsOptions,
 } from './types.js';
 import { CurveView } from './view.js';
@@ -367,13 +368,13 @@ export class Mesh {
   /**
    * The log map: points as vectors of the tangent plane at `from`, which is that of its face, each in
    * the direction in which the path to the point leaves and as long as it. The paths are locally
-   * shortest, and seldom longer than the shortest by a thousandth. `directions` (x, y, z each, in the
+   * shortest, and seldom longer than the shortest by a thousandth. `directions` (one a point, in the
    * planes of the points' faces; 0, 0, 0 for none) are carried along the paths by parallel transport.
    *
    * Throws `KarcherError` unreachable where no path leads, and badArgument for directions that are
    * not one a point.
    */
-  logMap(from: PointLike, points: readonly PointLike[], directions?: ArrayLike<number>): LogMap {
+  logMap(from: PointLike, points: readonly PointLike[], directions?: VectorsLike): LogMap {
     const wire = wirePoint(from);
     const places = wirePoints(points);
     const ways = carriedVectors(directions, points.length);
@@ -382,23 +383,19 @@ export class Mesh {
 
   /**
    * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent
-   * plane (x, y, z each; what is perpendicular to it is dropped), with directions at `from` carried
+   * plane (what is perpendicular to it is dropped), with directions at `from` carried
    * along. It is the inverse of `logMap` where these geodesics are the paths that are found to their
    * ends. Throws as `logMap` does.
    */
-  expMap(
-    from: PointLike,
-    vectors: ArrayLike<number>,
-    directions?: ArrayLike<number>,
-  ): MappedPoints {
+  expMap(from: PointLike, vectors: VectorsLike, directions?: VectorsLike): MappedPoints {
     const wire = wirePoint(from);
     const ways = toVectors(vectors, 'the vectors');
     const carried = carriedVectors(directions, ways.length / 3);
     return toMapped(this.#handle.call((mesh) => mesh.expMap(wire, ways, carried)));
   }
 
-  /** Vectors of the tangent plane at `from`, x, y, z each, carried along the log map's path to `to`. */
-  transport(from: PointLike, to: PointLike, vectors: ArrayLike<number>): Float64Array {
+  /** Vectors of the tangent plane at `from`, carried along the log map's path to `to`: x, y, z each. */
+  transport(from: PointLike, to: PointLike, vectors: VectorsLike): Float64Array {
     const wireFrom = wirePoint(from, 'the first point');
     const wireTo = wirePoint(to, 'the second point');
     const ways = toVectors(vectors, 'the vectors');
@@ -415,7 +412,7 @@ export class Mesh {
   mirror(
     line: readonly PointLike[],
     points: readonly PointLike[],
-    directions?: ArrayLike<number>,
+    directions?: VectorsLike,
   ): MappedPoints {
     const wireLine = wirePoints(line, 'the line');
     if (line.length < 2) throw new KarcherError('badArgument', 'a line has at least two points');
