@@ -323,6 +323,13 @@ export class Mesh {
     const wire = wirePoint(center, 'the center');
     const radius = checkNumber(options.radius, 'the radius');
     const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
+    for (const name of ['solver', 'rings'] as const) {
+      if (type === 'linear' || options[name] === undefined) continue;
+      throw new KarcherError(
+        'badArgument',
+        `isolines of the type 'exact' take no ${name}; those of the type 'linear' do`,
+      );
+    }
     const { solver = 'exact', rings } = options;
     const field = engineFieldOptions({ solver, ...(rings !== undefined && { rings }) });
     return this.#handle

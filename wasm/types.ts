@@ -399,7 +399,7 @@ export interface EllipseOptions extends ArcOptions {
   direction: VectorLike;
 }
 
-/** The solver is that of `linear` isolines. */
+/** Isolines of the type `linear` alone take a solver and its rings. */
 export interface IsolineOptions extends DistanceOptions {
   radius: number;
   /**
