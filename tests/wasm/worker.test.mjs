@@ -133,6 +133,7 @@ test('a curve in a worker is edited as one here', async () => {
   await assert.rejects(curve.removePoint(99), { name: 'KarcherError', code: 'badIndex' });
   await same();
   await curve.dispose();
+  await curve.dispose();
   await assert.rejects(curve.samples(), { code: 'disposed' });
 });
 

@@ -116,7 +116,11 @@ export class WorkerClient {
     const done = new Promise((resolve, reject) => {
       const origin = of === undefined ? null : this.#origins.get(of);
       if (origin === undefined) throw gone();
-      if (name === 'dispose' && origin) this.#leave(origin);
+      if (name === 'dispose' && origin) {
+        // What was not made anew has been disposed of.
+        if (origin.worker !== this.#worker && !this.#isRestarting) return resolve(undefined);
+        this.#leave(origin);
+      }
       const pending: Pending = {
         ...{ resolve, reject, call: name, args: this.#copied(args, signals), of: origin },
         ...{ tells: progress as Pending['tells'], callbacks: [], begun: 0, raw: false },

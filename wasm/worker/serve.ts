@@ -106,6 +106,11 @@ class Server {
     const controller = new AbortController();
     this.#running.set(id, controller);
     try {
+      // It is safe to repeat.
+      if (call === 'dispose' && target !== 0 && !this.#objects.has(target)) {
+        this.#post({ id, result: undefined });
+        return;
+      }
       const owner = target === 0 ? await this.#root : this.#object(target);
       // It may have been cancelled while the root loaded.
       controller.signal.throwIfAborted();
