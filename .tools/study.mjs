@@ -1,4 +1,5 @@
-// `npm run study`: builds and runs one of the native studies of tests/bench, which measure accuracy.
+// `npm run study`: builds and runs one of the native studies of tests/bench, which measure accuracy, or
+// times.
 //
 //   npm run study -- NAME [ARGUMENTS]      (the names without arguments)
 import { existsSync } from 'node:fs';

@@ -1,4 +1,4 @@
-import { checkLength, checkNumber, toFloat64 } from './check.js';
+import { checkLength, checkNumber, toFloat64, toVector } from './check.js';
 import { KarcherError } from './errors.js';
 import type { EngineMapped } from './karcher-engine.mjs';
 import { toSurfacePoints } from './points.js';
@@ -21,8 +21,16 @@ export interface MappedPoints {
   remaining: Float64Array;
 }
 
-/** Vectors one after the other, three finite numbers each. */
+/** Vectors of a caller's (`VectorsLike`) one after the other, three finite numbers each. */
 export function toVectors(value: unknown, what: string): Float64Array {
+  if (Array.isArray(value) && isObject(value[0])) {
+    const all = new Float64Array(3 * value.length);
+    for (let i = 0; i < value.length; i++) {
+      all.set(toVector(value[i], `entry ${i} of ${what}`), 3 * i);
+    }
+    return all;
+  }
+  if (isObject(value) && !('length' in value)) return toVector(value, what);
   const numbers = toFloat64(value, what);
   checkLength(numbers, 3, what);
   numbers.forEach((number, i) => {
@@ -30,6 +38,8 @@ export function toVectors(value: unknown, what: string): Float64Array {
   });
   return numbers;
 }
+
+const isObject = (value: unknown): value is object => typeof value === 'object' && value !== null;
 
 /** The directions at so many points; without any, of length 0. */
 export function carriedVectors(directions: unknown, count: number): Float64Array {

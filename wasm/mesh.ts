@@ -15,6 +15,7 @@ import { disposable, type Engine, Handle, Made } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
 import { carriedVectors, type LogMap, type MappedPoints, toMapped, toVectors } from './maps.js';
+import { frozenInfo } from './mesh_info.js';
 import {
   centerOptionNames,
   checkLongWork,
@@ -51,6 +52,7 @@ import type {
   StraightestPath,
   SurfacePoint,
   VectorLike,
+  VectorsLike,
   WeightsOptions,
 } from './types.js';
 import { CurveView } from './view.js';
@@ -80,7 +82,7 @@ export class Mesh {
   constructor(engine: Engine, target: EngineMesh) {
     this.#engine = engine;
     this.#handle = new Handle(engine, 'the mesh', target);
-    this.info = Object.freeze(this.#handle.call((mesh) => mesh.info()));
+    this.info = frozenInfo(this.#handle.call((mesh) => mesh.info()));
   }
 
   /** @internal The engine that made the mesh. */
@@ -321,6 +323,13 @@ export class Mesh {
     const wire = wirePoint(center, 'the center');
     const radius = checkNumber(options.radius, 'the radius');
     const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
+    for (const name of ['solver', 'rings'] as const) {
+      if (type === 'linear' || options[name] === undefined) continue;
+      throw new KarcherError(
+        'badArgument',
+        `isolines of the type 'exact' take no ${name}; those of the type 'linear' do`,
+      );
+    }
     const { solver = 'exact', rings } = options;
     const field = engineFieldOptions({ solver, ...(rings !== undefined && { rings }) });
     return this.#handle
@@ -366,13 +375,13 @@ export class Mesh {
   /**
    * The log map: points as vectors of the tangent plane at `from`, which is that of its face, each in
    * the direction in which the path to the point leaves and as long as it. The paths are locally
-   * shortest, and seldom longer than the shortest by a thousandth. `directions` (x, y, z each, in the
+   * shortest, and seldom longer than the shortest by a thousandth. `directions` (one a point, in the
    * planes of the points' faces; 0, 0, 0 for none) are carried along the paths by parallel transport.
    *
    * Throws `KarcherError` unreachable where no path leads, and badArgument for directions that are
    * not one a point.
    */
-  logMap(from: PointLike, points: readonly PointLike[], directions?: ArrayLike<number>): LogMap {
+  logMap(from: PointLike, points: readonly PointLike[], directions?: VectorsLike): LogMap {
     const wire = wirePoint(from);
     const places = wirePoints(points);
     const ways = carriedVectors(directions, points.length);
@@ -381,23 +390,19 @@ export class Mesh {
 
   /**
    * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent
-   * plane (x, y, z each; what is perpendicular to it is dropped), with directions at `from` carried
+   * plane (what is perpendicular to it is dropped), with directions at `from` carried
    * along. It is the inverse of `logMap` where these geodesics are the paths that are found to their
    * ends. Throws as `logMap` does.
    */
-  expMap(
-    from: PointLike,
-    vectors: ArrayLike<number>,
-    directions?: ArrayLike<number>,
-  ): MappedPoints {
+  expMap(from: PointLike, vectors: VectorsLike, directions?: VectorsLike): MappedPoints {
     const wire = wirePoint(from);
     const ways = toVectors(vectors, 'the vectors');
     const carried = carriedVectors(directions, ways.length / 3);
     return toMapped(this.#handle.call((mesh) => mesh.expMap(wire, ways, carried)));
   }
 
-  /** Vectors of the tangent plane at `from`, x, y, z each, carried along the log map's path to `to`. */
-  transport(from: PointLike, to: PointLike, vectors: ArrayLike<number>): Float64Array {
+  /** Vectors of the tangent plane at `from`, carried along the log map's path to `to`: x, y, z each. */
+  transport(from: PointLike, to: PointLike, vectors: VectorsLike): Float64Array {
     const wireFrom = wirePoint(from, 'the first point');
     const wireTo = wirePoint(to, 'the second point');
     const ways = toVectors(vectors, 'the vectors');
@@ -414,7 +419,7 @@ export class Mesh {
   mirror(
     line: readonly PointLike[],
     points: readonly PointLike[],
-    directions?: ArrayLike<number>,
+    directions?: VectorsLike,
   ): MappedPoints {
     const wireLine = wirePoints(line, 'the line');
     if (line.length < 2) throw new KarcherError('badArgument', 'a line has at least two points');

@@ -70,7 +70,7 @@ export interface MeshInfo {
    * corners of thin triangles, and with stretched tubes or needles.
    */
   fastSolver: 'fast' | 'exact';
-  repairs: Repair[];
+  repairs: readonly Readonly<Repair>[];
 }
 
 /** A built-in shape; sizes are about 1. */

@@ -24,6 +24,12 @@ export type PointLike = SurfacePoint | { vertex: number };
 /** A place or a direction in space as an argument: three numbers, or an object with x, y and z. */
 export type VectorLike = ArrayLike<number> | { x: number; y: number; z: number };
 
+/**
+ * Vectors as an argument: numbers one after the other, three each, or a list of `VectorLike`; one alone may
+ * be an object with x, y and z.
+ */
+export type VectorsLike = VectorLike | readonly VectorLike[];
+
 /** The format of the coordinates x, y, z of a line's vertices. */
 export interface PolylineOptions {
   /** 32 bits a number, as graphics take them (the default), or 64. */
@@ -393,7 +399,7 @@ export interface EllipseOptions extends ArcOptions {
   direction: VectorLike;
 }
 
-/** The solver is that of `linear` isolines. */
+/** Isolines of the type `linear` alone take a solver and its rings. */
 export interface IsolineOptions extends DistanceOptions {
   radius: number;
   /**

@@ -78,6 +78,7 @@ test(
       assert.deepEqual(await all(), before);
       await assert.rejects(coarse.positions(), { code: 'disposed' });
       await assert.rejects(gone.points(), { code: 'disposed' });
+      await gone.dispose();
     }
     // They go on being what they are: on a mesh of its own the same edit makes the same curve.
     await first.movePoint(0, { vertex: 40 });
@@ -131,6 +132,58 @@ test('a curve keeps the numbers of kinds that it was before', minutes, async (t)
   await curve.setKind('bspline');
   const { degree: plain, weights: none } = await curve.value();
   assert.deepEqual([plain, none], [3, undefined]);
+});
+
+test('a curve that is being dragged goes on as it was, its legs too', minutes, async (t) => {
+  const karcher = await loadForTest(t, { worker: endless });
+  const mesh = await karcher.shape('torus', 2000);
+  const points = [0, 40, 90].map((vertex) => ({ vertex }));
+  const curve = await mesh.curve({ kind: 'polyline', points });
+  const seen = async () => [await curve.value(), await curve.polyline({ bits: 64 })];
+  // Around the tube.
+  const steps = [];
+  for (let i = 1; i <= 45; i++) {
+    steps.push((await mesh.straightest(points[1], [0, 0, 1], 0.05 * i)).end);
+  }
+  const step = (place) =>
+    curve.set({ kind: 'polyline', points: points.with(1, place) }, { dragged: 1 });
+  for (const place of steps.slice(0, 5)) await step(place);
+  const few = await seen();
+  await interrupt(karcher, spin(karcher));
+  assert.deepEqual(await seen(), few);
+  // So many at once that none of them is known to be one too many.
+  await Promise.all(steps.slice(5, 30).map(step));
+  for (const place of steps.slice(30)) await step(place);
+  const many = await seen();
+  assert.ok(
+    many[0].legs.some((leg) => leg?.length > 0),
+    'the legs are not the shortest',
+  );
+  await interrupt(karcher, spin(karcher));
+  assert.deepEqual(await seen(), many);
+  await curve.set({ kind: 'polyline', points });
+  const shortest = await seen();
+  await interrupt(karcher, spin(karcher));
+  assert.deepEqual(await seen(), shortest);
+});
+
+test('what a caller changes after a call is no part of it', minutes, async (t) => {
+  const karcher = await loadForTest(t, { worker: endless });
+  const mesh = await karcher.meshFromObj(grid(12));
+  class Weights {
+    constructor(x, y, z) {
+      Object.assign(this, { x, y, z });
+    }
+  }
+  const bary = new Weights(0.2, 0.3, 0.5);
+  const options = { kind: 'polyline', points: [{ vertex: 0 }, { face: 30, bary }] };
+  const curve = await mesh.curve(options);
+  await curve.set(options);
+  const before = await curve.polyline();
+  bary.x = 0.5;
+  bary.z = 0.2;
+  await interrupt(karcher, spin(karcher));
+  assert.deepEqual(await curve.polyline(), before);
 });
 
 test('a worker that hears in time that a call is cancelled goes on', minutes, async (t) => {

@@ -49,6 +49,46 @@ test('on a plane the maps are differences and sums, and nothing turns', () => {
   assert.ok(back.remaining.every((left) => left < 1e-12));
 });
 
+test('vectors are numbers in a row, triples, or what has x, y and z', () => {
+  const mesh = karcher.shape('torus', 500);
+  const [from, to, third] = [3, 40, 77].map((vertex) => ({ vertex }));
+  const flat = [0.1, 0.2, 0.3, -0.2, 0.1, 0];
+  const inTriples = triples(flat);
+  const named = inTriples.map(([x, y, z]) => ({ x, y, z }));
+  const typed = inTriples.map((triple) => Float64Array.from(triple));
+  for (const given of [Float64Array.from(flat), inTriples, named, typed]) {
+    assert.deepEqual(mesh.expMap(from, given, given), mesh.expMap(from, flat, flat));
+    assert.deepEqual(mesh.transport(from, to, given), mesh.transport(from, to, flat));
+    assert.deepEqual(mesh.logMap(from, [to, third], given), mesh.logMap(from, [to, third], flat));
+    const line = mesh.shortestPath(from, to).points();
+    assert.deepEqual(
+      mesh.mirror(line, line.slice(1, 3), given),
+      mesh.mirror(line, line.slice(1, 3), flat),
+    );
+  }
+  assert.deepEqual(mesh.expMap(from, named[0]), mesh.expMap(from, inTriples[0]));
+  const bad = { code: 'badArgument' };
+  for (const [wrong, message] of [
+    [
+      [
+        [1, 2, 3],
+        [1, 2],
+      ],
+      /entry 1 of the vectors must be 3 numbers, not 2/,
+    ],
+    [[{ x: 1, y: 2 }], /must be a number, not undefined/],
+    [[{ x: 1, y: 2, z: 3 }, 4], /entry 1 of the vectors must be an array of numbers, not 4/],
+    [[1, 2, { x: 1, y: 2, z: 3 }], /entry 2 of the vectors must be a number/],
+    [{}, /the vectors must be an array/],
+    [null, /the vectors must be an array/],
+    ['abc', /the vectors must be an array/],
+  ]) {
+    assert.throws(() => mesh.expMap(from, wrong), { ...bad, message });
+  }
+  const infinite = [[0, 0, 0], { x: 0, y: Infinity, z: 0 }];
+  assert.throws(() => mesh.expMap(from, infinite), { code: 'notFinite', message: /entry 1/ });
+});
+
 test('where a geodesic meets the boundary the rest of its length is told', () => {
   const mesh = karcher.meshFromObj(grid(4));
   const from = { face: 0, bary: [0.5, 0.25, 0.25] };

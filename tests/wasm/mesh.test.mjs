@@ -301,6 +301,8 @@ test('an option of another name is refused', () => {
     [() => mesh.circle(points[0], { radius: 1, arc: 3 }), /no option 'arc'/],
     [() => mesh.ellipse(points[0], { radius: 1 }), /no option 'radius'.*radii/],
     [() => mesh.isolines(points[0], { radius: 1, kind: 'exact' }), /no option 'kind'/],
+    [() => mesh.isolines(points[0], { radius: 1, solver: 'graph', rings: 2 }), /take no solver/],
+    [() => mesh.isolines(points[0], { radius: 1, type: 'exact', rings: 2 }), /take no rings/],
     [() => mesh.distance(points[0], { solver: 'graph', ring: 3 }), /no option 'ring'/],
   ];
   for (const [use, message] of wrong) assert.throws(use, { code: 'badArgument', message });

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
 import { badFiles, grid } from './meshes.mjs';
+import { loadForTest } from './workers.mjs';
 
 let karcher;
 before(async () => {
@@ -183,4 +184,21 @@ test('a surface with one side is refused with the reason', () => {
       message: /one side only/,
     },
   );
+});
+
+test('what is told of a mesh cannot be changed, in a worker as here', async (t) => {
+  const { positions, triangles } = torus();
+  defects.duplicate({ positions, triangles });
+  const remote = await loadForTest(t);
+  for (const mesh of [
+    karcher.meshFromArrays(positions, triangles),
+    await remote.meshFromArrays(positions, triangles),
+  ]) {
+    const before = structuredClone(mesh.info);
+    const { info } = mesh;
+    assert.throws(() => info.repairs.push({}), TypeError);
+    assert.throws(() => Object.assign(info.repairs[0], { count: 7 }), TypeError);
+    assert.throws(() => Object.assign(info, { genus: 7 }), TypeError);
+    assert.deepEqual(mesh.info, before);
+  }
 });

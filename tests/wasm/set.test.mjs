@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
+import { noted } from './engine_calls.mjs';
 import { fields, partsOf } from './meshes.mjs';
 
 const karcher = await load();
@@ -142,41 +143,14 @@ test('a view is all that is seen of a curve, in one buffer', () => {
 });
 
 test('a step of a drag is one call into the module, and one copy out of it', () => {
-  const counted = [];
-  let returned;
-  const engineMesh = mesh.handle.call((target) => target);
   const curve = mesh.curve(plain);
-  const engineCurve = (() => {
-    const { curve: make } = engineMesh;
-    let made;
-    engineMesh.curve = (...args) => {
-      made = make.apply(engineMesh, args);
-      return made;
-    };
-    mesh.curve(plain).dispose();
-    delete engineMesh.curve;
-    return made;
-  })();
-  const kept = [];
-  for (const prototype of [engineMesh, engineCurve].map(Object.getPrototypeOf)) {
-    for (const [name, method] of Object.entries(prototype)) {
-      if (typeof method !== 'function' || name === 'constructor') continue;
-      kept.push(() => {
-        prototype[name] = method;
-      });
-      prototype[name] = function (...args) {
-        counted.push(name);
-        returned = method.apply(this, args);
-        return returned;
-      };
-    }
-  }
-  try {
-    const view = curve.set({ ...plain, points: points.with(2, added) });
-    assert.deepEqual(counted, ['set']);
-    assert.equal(view.polyline.buffer, returned.buffer);
-    assert.equal(view.polyline.length, 3 * view.unconverged.length);
-  } finally {
-    for (const restore of kept) restore();
-  }
+  const { value: view, calls } = noted(mesh, () =>
+    curve.set({ ...plain, points: points.with(2, added) }),
+  );
+  assert.deepEqual(
+    calls.map(({ name }) => name),
+    ['set'],
+  );
+  assert.equal(view.polyline.buffer, calls[0].returned.buffer);
+  assert.equal(view.polyline.length, 3 * view.unconverged.length);
 });

@@ -1,17 +1,21 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { KarcherError, load } from 'karcher';
+import { CurveView, KarcherError, load, Path } from 'karcher';
 import { WorkerClient } from 'karcher/own-worker';
-import { loadInWorker } from 'karcher/worker';
+import { loadInWorker, CurveView as ViewOfWorker } from 'karcher/worker';
+import { noted } from './engine_calls.mjs';
 import { grid, partsOf } from './meshes.mjs';
 
 const points = [16, 40, 97, 120].map((vertex) => ({ vertex }));
 const text = grid(12);
+const gone = { name: 'KarcherError', code: 'disposed' };
+let karcherHere;
 let here;
 let remote;
 let mesh;
 before(async () => {
-  [here, remote] = [(await load()).meshFromObj(text), await loadInWorker()];
+  [karcherHere, remote] = [await load(), await loadInWorker()];
+  here = karcherHere.meshFromObj(text);
   mesh = await remote.meshFromObj(text);
 });
 after(() => remote.dispose());
@@ -43,6 +47,54 @@ test('a mesh in a worker answers as one here', async () => {
   await assert.rejects(finer.positions(), { name: 'KarcherError', code: 'disposed' });
 });
 
+/** The names of what is read of an object of a class, its own and the class's. */
+function propertiesOf(object) {
+  const prototype = Object.getPrototypeOf(object);
+  const getters = Object.entries(Object.getOwnPropertyDescriptors(prototype)).filter(
+    ([, { get }]) => get !== undefined,
+  );
+  return [...Object.keys(object), ...getters.map(([name]) => name)];
+}
+
+test('a mesh and a curve in a worker have all that those here have', async () => {
+  const [curve, expected] = [
+    await mesh.curve({ kind: 'bspline', points }),
+    here.curve({ kind: 'bspline', points }),
+  ];
+  // What is internal, or of the engine itself.
+  const own = ['constructor', 'retrace', 'benchmark', 'engine', 'handle'];
+  for (const [remotely, local] of [
+    [curve, expected],
+    [mesh, here],
+    [remote, karcherHere],
+  ]) {
+    for (const name of Reflect.ownKeys(Object.getPrototypeOf(local))) {
+      if (!own.includes(name)) assert.ok(name in remotely, `there is no ${String(name)}`);
+    }
+  }
+  assert.equal(propertiesOf(expected).length, 8);
+  curve[Symbol.dispose]();
+  expected.dispose();
+  for (const name of ['points', 'polyline']) await assert.rejects(curve[name](), gone);
+  await assert.rejects(curve.length, gone);
+  const other = await loadInWorker();
+  const sphere = await other.shape('sphere', 500);
+  other[Symbol.dispose]();
+  // What went with its worker is not told.
+  sphere[Symbol.dispose]();
+  await assert.rejects(sphere.positions(), gone);
+});
+
+test('what a worker gives is of the classes that its entry exports', async () => {
+  const curve = await mesh.curve({ kind: 'bspline', points });
+  const error = await curve.pointAt(99).catch((reason) => reason);
+  assert.ok(error instanceof KarcherError);
+  assert.ok((await curve.path()) instanceof Path);
+  assert.ok((await curve.view()) instanceof CurveView);
+  assert.equal(ViewOfWorker, CurveView);
+  await curve.dispose();
+});
+
 test('a curve in a worker is edited as one here', async () => {
   const options = { kind: 'bspline', points, samples: 9 };
   const [curve, expected] = [await mesh.curve(options), here.curve(options)];
@@ -51,6 +103,7 @@ test('a curve in a worker is edited as one here', async () => {
     assert.deepEqual(await curve.samples(), expected.samples());
     assert.deepEqual(await curve.polyline(), expected.polyline());
     assert.deepEqual(await curve.polyline({ bits: 64 }), expected.polyline({ bits: 64 }));
+    for (const name of propertiesOf(expected)) assert.equal(await curve[name], expected[name]);
   };
   await same();
   const place = { face: 30, bary: [0.2, 0.3, 0.5] };
@@ -79,6 +132,7 @@ test('a curve in a worker is edited as one here', async () => {
   assert.deepEqual(await whole.samples(), first.join(second).samples());
   await assert.rejects(curve.removePoint(99), { name: 'KarcherError', code: 'badIndex' });
   await same();
+  await curve.dispose();
   await curve.dispose();
   await assert.rejects(curve.samples(), { code: 'disposed' });
 });
@@ -244,39 +298,75 @@ test('a signal is listened to no longer than its call goes on', async () => {
   client.dispose();
 });
 
-test('a call that is cancelled while the engine loads is not made', async () => {
-  // The worker's own end, in this thread; what it serves comes late.
+/** The worker's own end in this thread: hears requests, and what it posts goes to `hear`. */
+async function servedHere(root, hear) {
   const { serve } = await import('karcher/own-worker');
-  const posted = [];
-  let hear;
-  const before = globalThis.addEventListener;
-  const post = globalThis.postMessage;
+  const { addEventListener, postMessage } = globalThis;
+  let served;
   globalThis.addEventListener = (_, listener) => {
-    hear = listener;
+    served = listener;
   };
-  globalThis.postMessage = (message) => posted.push(message);
+  globalThis.postMessage = hear;
+  serve(root);
+  const end = () => Object.assign(globalThis, { addEventListener, postMessage });
+  return { request: (data) => served({ data }), end };
+}
+
+test('a call that is cancelled while the engine loads is not made', async () => {
+  const posted = [];
   let arrive;
   const made = [];
+  const root = new Promise((resolve) => {
+    arrive = resolve;
+  });
+  const { request, end } = await servedHere(root, (reply) => posted.push(reply));
   try {
-    serve(
-      new Promise((resolve) => {
-        arrive = resolve;
-      }),
-    );
     const call = (id) => ({ id, target: 0, call: 'make', args: [id], tells: true });
-    hear({ data: call(1) });
-    hear({ data: call(2) });
+    request(call(1));
+    request(call(2));
     await new Promise((resolve) => setTimeout(resolve));
-    hear({ data: { cancel: 1 } });
+    request({ cancel: 1 });
     arrive({ make: (i) => made.push(i) });
     while (!posted.some((reply) => 'result' in reply)) {
       await new Promise((resolve) => setImmediate(resolve));
     }
   } finally {
-    globalThis.addEventListener = before;
-    globalThis.postMessage = post;
+    end();
   }
   assert.deepEqual(made, [2]);
   const told = posted.filter((reply) => 'callback' in reply).map(({ id }) => id);
   assert.deepEqual(told, [2], 'it never began');
+});
+
+test('a step of a drag is one call into the module, also where calls can be interrupted', async () => {
+  const heard = {};
+  const root = { mesh: () => karcherHere.meshFromObj(text) };
+  const post = (reply, transfer) => heard.message(structuredClone(reply, { transfer }));
+  const { request, end } = await servedHere(root, post);
+  try {
+    const client = new WorkerClient(() => ({
+      on(type, hear) {
+        heard[type] = hear;
+      },
+      postMessage: (message) => request(structuredClone(message)),
+      terminate() {},
+    }));
+    const remoteMesh = await client.call('mesh', []);
+    const value = { kind: 'bspline', points };
+    const curve = await remoteMesh.curve(value);
+    const callsOf = async (options) => {
+      const { calls } = await noted(here, async () => {
+        for (let vertex = 41; vertex < 75; vertex++) {
+          await curve.set({ ...value, points: points.with(1, { vertex }) }, options);
+        }
+      });
+      return calls.map(({ name }) => name);
+    };
+    assert.deepEqual(await callsOf({}), Array(34).fill('set'));
+    // The legs that the engine continues are asked for now and then, so that they can be made anew.
+    const seventeen = [...Array(17).fill('set'), 'value'];
+    assert.deepEqual(await callsOf({ dragged: 1 }), [...seventeen, ...seventeen]);
+  } finally {
+    end();
+  }
 });

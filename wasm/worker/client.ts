@@ -2,8 +2,16 @@ import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
 import type { CurveOptions, LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
-import { copyOf, noteEdit, type Origin, targetIn, withoutWork } from './origin.js';
-import { errorOf, isSent, type Reply, type Request, replaced, type Sent } from './protocol.js';
+import { copyOf, isTold, noteEdit, type Origin, targetIn, withoutWork } from './origin.js';
+import {
+  errorOf,
+  isPlain,
+  isSent,
+  type Reply,
+  type Request,
+  replaced,
+  type Sent,
+} from './protocol.js';
 import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './remote.js';
 
 /** A page's worker, or one of Node's. */
@@ -108,7 +116,11 @@ export class WorkerClient {
     const done = new Promise((resolve, reject) => {
       const origin = of === undefined ? null : this.#origins.get(of);
       if (origin === undefined) throw gone();
-      if (name === 'dispose' && origin) this.#leave(origin);
+      if (name === 'dispose' && origin) {
+        // What was not made anew has been disposed of.
+        if (origin.worker !== this.#worker && !this.#isRestarting) return resolve(undefined);
+        this.#leave(origin);
+      }
       const pending: Pending = {
         ...{ resolve, reject, call: name, args: this.#copied(args, signals), of: origin },
         ...{ tells: progress as Pending['tells'], callbacks: [], begun: 0, raw: false },
@@ -145,13 +157,9 @@ export class WorkerClient {
     if (of && of.worker !== this.#worker) throw gone();
     const args = pending.args.map((arg) => this.#sent(arg, pending.callbacks));
     const request = { id, target: of?.target ?? 0, call, args, tells: tells !== undefined };
-    try {
-      const keeps = this.#start !== null;
-      this.#worker.postMessage({ ...request, keeps } satisfies Request);
-    } catch (cause) {
-      const why = cause instanceof Error ? cause.message : `${cause}`;
-      throw new KarcherError('badArgument', `it cannot be sent to a worker: ${why}`, { cause });
-    }
+    const keeps = this.#start !== null;
+    const asks = keeps && !pending.raw && of !== null && !isTold(of, pending);
+    sending(() => this.#worker.postMessage({ ...request, keeps, asks } satisfies Request));
   }
 
   #cancel(id: number, reason: unknown): void {
@@ -334,7 +342,9 @@ export class WorkerClient {
         if (part instanceof AbortSignal) signals.push(part);
         if (ArrayBuffer.isView(part)) return this.#start ? copyOf(part) : part;
         const isAsItIs = part instanceof AbortSignal || typeof part === 'function';
-        return isAsItIs || this.#origins.has(part) ? part : undefined;
+        if (isAsItIs || this.#origins.has(part)) return part;
+        if (!this.#start || Array.isArray(part) || isPlain(part)) return undefined;
+        return sending(() => structuredClone(part));
       }),
     );
   }
@@ -398,7 +408,8 @@ export class WorkerClient {
   #keep({ value }: { value?: CurveOptions }, pending: Pending | undefined): void {
     const of = pending?.of;
     if (!of) return;
-    if (value) noteEdit(of, { call: pending.call, args: withoutWork(pending.args) }, value);
+    const edit = { call: pending.call, args: withoutWork(pending.args) };
+    noteEdit(of, edit, value);
     if (pending.call === 'dispose') this.#forget(of);
   }
 
@@ -412,6 +423,16 @@ export class WorkerClient {
 }
 
 const gone = () => new KarcherError('disposed', 'the mesh or curve has been disposed of');
+
+/** Throws `KarcherError` for what `clone` cannot make a structured clone of. */
+function sending<Result>(clone: () => Result): Result {
+  try {
+    return clone();
+  } catch (cause) {
+    const why = cause instanceof Error ? cause.message : `${cause}`;
+    throw new KarcherError('badArgument', `it cannot be sent to a worker: ${why}`, { cause });
+  }
+}
 
 /** Tells the progress that a call is done, whose own failure is the call's. */
 function told(result: unknown, progress: NonNullable<LongWorkOptions['progress']>): unknown {

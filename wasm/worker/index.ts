@@ -2,8 +2,10 @@ import { WorkerClient, type WorkerLike } from './client.js';
 import { type RemoteKarcher, remoteKarcher } from './remote.js';
 
 export { KarcherError } from '../errors.js';
+export type { LogMap, MappedPoints } from '../maps.js';
 export { Path } from '../path.js';
 export type * from '../types.js';
+export { CurveView } from '../view.js';
 export type { WorkerClient, WorkerLike } from './client.js';
 export type { RemoteCurve, RemoteKarcher, RemoteMesh } from './remote.js';
 
@@ -29,8 +31,9 @@ export interface WorkerOptions {
 }
 
 /**
- * Loads the engine in a worker of its own. All names are those of `load`'s engine, and return
- * promises; what they return is the caller's, large arrays are transferred.
+ * Loads the engine in a worker of its own. All names are those of `load`'s engine; methods return
+ * promises, and a curve's properties are promises. What they return is the caller's, large arrays are
+ * transferred.
  *
  * Every method takes `{ progress, signal }` behind its other arguments. A signal rejects the call at once
  * with its reason: a call that waits is not begun; files, graphs and check-ups stop. A call that the

@@ -1,5 +1,6 @@
+import type { CurveOptions, SetOptions } from '../types.js';
 import type { WorkerLike } from './client.js';
-import { isSent, replaced } from './protocol.js';
+import { isPlain, isSent, replaced } from './protocol.js';
 
 /**
  * A mesh or curve of the worker's, and how another worker makes it anew: a mesh by the call that made
@@ -15,8 +16,9 @@ export interface Origin {
   /** Nobody else changes them. */
   args: readonly unknown[];
   /**
-   * Of a curve the edits since its kind changed: it keeps numbers that another kind has use for, which
-   * its value does not tell.
+   * Of a curve the edits since it was what `args` say: steps of a drag, which continue legs from where they
+   * lie; and those since its kind changed, as it keeps numbers that another kind has use for, which its
+   * value does not tell.
    */
   edits: Pick<Origin, 'call' | 'args'>[];
   /** Milliseconds that the call took. */
@@ -28,13 +30,33 @@ export interface Origin {
 /** More edits are not made again: then a curve has what its own kind has use for. */
 const mostEdits = 200;
 
-/** Notes what an edit made of a curve. */
-export function noteEdit(origin: Origin, edit: Origin['edits'][number], value: unknown): void {
-  const changesKind = edit.call === 'setKind' || origin.edits.length > 0;
-  if (changesKind && edit.call !== 'set' && origin.edits.length < mostEdits) {
-    origin.edits.push(edit);
+/** More steps of a drag are not, as each takes its time: what a curve has become is asked for then. */
+const mostSteps = 16;
+
+type Edit = Origin['edits'][number];
+
+const isSet = ({ call }: Edit) => call === 'set';
+const isStep = ({ args: [, options] }: Edit) =>
+  (options as SetOptions | undefined)?.dragged !== undefined;
+
+/** Whether the curve after an edit is known without its value. */
+export const isTold = (origin: Origin, edit: Edit): boolean =>
+  isSet(edit) && (!isStep(edit) || origin.edits.length < mostSteps);
+
+/** Notes what an edit made of a curve: its value, where that was asked for. Other calls change nothing. */
+export function noteEdit(origin: Origin, edit: Edit, value: CurveOptions | undefined): void {
+  if (isSet(edit)) {
+    if (isStep(edit) && !value) origin.edits.push(edit);
+    else becomes(origin, value ?? edit.args[0]);
     return;
   }
+  if (!value) return;
+  const changesKind = edit.call === 'setKind' || origin.edits.length > 0;
+  if (changesKind && origin.edits.length < mostEdits) origin.edits.push(edit);
+  else becomes(origin, value);
+}
+
+function becomes(origin: Origin, value: unknown): void {
   origin.args = [value];
   origin.edits = [];
 }
@@ -47,7 +69,7 @@ export const copyOf = (view: ArrayBufferView): unknown =>
 export const withoutWork = (args: readonly unknown[]): unknown[] =>
   args.map((arg) => {
     if (typeof arg !== 'object' || arg === null) return arg;
-    if (Object.getPrototypeOf(arg) !== Object.prototype) return arg;
+    if (!isPlain(arg)) return arg;
     const entries = Object.entries(arg);
     return Object.fromEntries(
       entries.filter(([, part]) => typeof part !== 'function' && !(part instanceof AbortSignal)),

@@ -5,7 +5,8 @@ import type { ViewData } from '../view.js';
 
 /**
  * With `tells` the first function among the arguments hears when the worker begins with the call. With
- * `keeps` the client hears that too, and what curves are that the call makes or edits.
+ * `keeps` the client hears that too, and what curves are that the call makes; with `asks` what the curve is
+ * that it edits, which costs another call into the engine.
  */
 export interface Call {
   id: number;
@@ -14,6 +15,7 @@ export interface Call {
   args: unknown[];
   tells: boolean;
   keeps: boolean;
+  asks: boolean;
 }
 
 /**
@@ -24,7 +26,7 @@ export interface Call {
 export type Request = Call | { cancel: number };
 
 export type Reply =
-  /** With what the curve is that the call edited. */
+  /** With what the curve is that the call edited, where that was asked. */
   | { id: number; result: unknown; value?: CurveOptions }
   | { id: number; begun: true }
   /** The worker has heard that the call is cancelled. */
@@ -54,14 +56,19 @@ export type Sent =
 
 export const isSent = (value: object): value is Sent => 'sent' in value;
 
+/** Whether it is an object of no class. */
+export function isPlain(value: object): boolean {
+  const prototype = Object.getPrototypeOf(value);
+  return prototype === Object.prototype || prototype === null;
+}
+
 /** A value in which what `replace` knows has been replaced; undefined is what it does not know. */
 export function replaced(value: unknown, replace: (part: object) => unknown): unknown {
   if ((typeof value !== 'object' || value === null) && typeof value !== 'function') return value;
   const other = replace(value);
   if (other !== undefined) return other;
   if (Array.isArray(value)) return Array.from(value, (entry) => replaced(entry, replace));
-  const prototype = Object.getPrototypeOf(value);
-  if (prototype !== Object.prototype && prototype !== null) return value;
+  if (!isPlain(value)) return value;
   return Object.fromEntries(
     Object.entries(value).map(([name, entry]) => [name, replaced(entry, replace)]),
   );

@@ -1,8 +1,10 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import type { Curve } from '../curve.js';
 import { KarcherError } from '../errors.js';
 import type { FileInfo, FileOptions } from '../formats/index.js';
 import type { Karcher } from '../karcher.js';
 import type { Mesh } from '../mesh.js';
+import { frozenInfo } from '../mesh_info.js';
 import { checkLongWork, namesOf } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
 import type { WorkerClient } from './client.js';
@@ -32,6 +34,11 @@ type MethodsOf<Class> = {
   [Name in keyof Class]: Class[Name] extends (...args: never[]) => unknown ? Name : never;
 }[keyof Class & string];
 
+/** The properties of a class, as promises. */
+type RemoteFacts<Class, Name extends keyof Class> = {
+  readonly [Fact in Name]: Promise<Class[Fact]>;
+};
+
 interface Polyline {
   polyline(options?: { bits?: 32 }): Promise<Float32Array>;
   polyline(options: { bits: 64 }): Promise<Float64Array>;
@@ -39,24 +46,30 @@ interface Polyline {
 }
 
 type CurveMethod = Exclude<MethodsOf<Curve>, 'retrace'>;
+type CurveFact = Exclude<keyof Curve & string, MethodsOf<Curve>>;
 type MeshMethod = Exclude<MethodsOf<Mesh>, 'benchmark'>;
 
-/** A curve in a worker: the methods of `Curve`. */
-export type RemoteCurve = Remotely<Curve, Exclude<CurveMethod, 'polyline'>> & Polyline;
+/** A curve in a worker: the methods of `Curve`, and its properties as promises. */
+export type RemoteCurve = Remotely<Curve, Exclude<CurveMethod, 'polyline'>> &
+  RemoteFacts<Curve, CurveFact> &
+  Polyline &
+  Disposable;
 
 /** A mesh in a worker: the methods of `Mesh`. */
-export type RemoteMesh = Remotely<Mesh, MeshMethod> & { readonly info: Readonly<MeshInfo> };
+export type RemoteMesh = Remotely<Mesh, MeshMethod> &
+  Disposable & { readonly info: Readonly<MeshInfo> };
 
 /** An engine in a worker: the methods of `Karcher`. `dispose` ends the worker. */
-export type RemoteKarcher = Remotely<Karcher, MethodsOf<Karcher>> & {
-  /** As `meshFromFile` of `karcher/formats`, read in the worker, with progress and a signal. */
-  meshFromFile(
-    bytes: Uint8Array,
-    options?: FileOptions,
-  ): Promise<{ mesh: RemoteMesh; file: FileInfo }>;
-  readonly client: WorkerClient;
-  dispose(): void;
-};
+export type RemoteKarcher = Remotely<Karcher, MethodsOf<Karcher>> &
+  Disposable & {
+    /** As `meshFromFile` of `karcher/formats`, read in the worker, with progress and a signal. */
+    meshFromFile(
+      bytes: Uint8Array,
+      options?: FileOptions,
+    ): Promise<{ mesh: RemoteMesh; file: FileInfo }>;
+    readonly client: WorkerClient;
+    dispose(): void;
+  };
 
 const curveMethods = namesOf<Record<CurveMethod, true>>({
   value: true,
@@ -97,6 +110,17 @@ const curveMethods = namesOf<Record<CurveMethod, true>>({
   pointAtLength: true,
   equallySpaced: true,
   dispose: true,
+});
+
+const curveFacts = namesOf<Record<CurveFact, true>>({
+  length: true,
+  kind: true,
+  closed: true,
+  degree: true,
+  parametrization: true,
+  segmentCount: true,
+  levels: true,
+  fieldsComputed: true,
 });
 
 const meshMethods = namesOf<Record<MeshMethod, true>>({
@@ -168,21 +192,35 @@ const withoutBasis =
     return Promise.reject(new KarcherError('badArgument', sentence));
   };
 
+/** Lets it be disposed of by `using`, where the language has it. */
+function withDispose<Item extends { dispose(): void | Promise<void> }>(item: Item): Item {
+  if (typeof Symbol.dispose !== 'symbol') return item;
+  const value = () => {
+    // Where the worker has ended, nothing is left to give back.
+    Promise.resolve(item.dispose()).catch(() => {});
+  };
+  return Object.defineProperty(item, Symbol.dispose, { value });
+}
+
 export function remoteCurve(client: WorkerClient): RemoteCurve {
   const curve = {};
   const calls = calling(client, curveMethods, curve);
   const set = withoutBasis(calls.set!);
-  return Object.assign(curve, calls, { set }) as unknown as RemoteCurve;
+  // Not enumerable: who copies or prints a curve asks nothing of the worker.
+  for (const name of curveFacts) {
+    Object.defineProperty(curve, name, { get: () => client.call(name, [], curve) });
+  }
+  return withDispose(Object.assign(curve, calls, { set }) as unknown as RemoteCurve);
 }
 
 export function remoteMesh(client: WorkerClient, info: Readonly<MeshInfo>): RemoteMesh {
-  const mesh = { info };
+  const mesh = { info: frozenInfo(info) };
   const calls = calling(client, meshMethods, mesh);
   const curve = withoutBasis(calls.curve!);
-  return Object.assign(mesh, calls, { curve }) as unknown as RemoteMesh;
+  return withDispose(Object.assign(mesh, calls, { curve }) as unknown as RemoteMesh);
 }
 
 export function remoteKarcher(client: WorkerClient): RemoteKarcher {
   const own = { client, dispose: () => client.dispose() };
-  return { ...calling(client, karcherMethods), ...own } as unknown as RemoteKarcher;
+  return withDispose({ ...calling(client, karcherMethods), ...own } as unknown as RemoteKarcher);
 }

@@ -27,8 +27,8 @@ function ownScope(): Scope {
 }
 
 /**
- * Answers the calls of a client from within its worker: methods of `root`, and of the meshes and
- * curves that these return, which stay here. Functions among a call's arguments may be called while it
+ * Answers the calls of a client from within its worker: methods of `root`, and methods and properties of the
+ * meshes and curves that these return, which stay here. Functions among a call's arguments may be called while it
  * is under way and return nothing; a signal among them is aborted by the client. The arrays of results
  * are transferred: what is returned is not to be kept.
  */
@@ -102,23 +102,28 @@ class Server {
     this.#post({ id, cancelled: true });
   }
 
-  async #answer({ id, target, call, args, tells, keeps }: Call): Promise<void> {
+  async #answer({ id, target, call, args, tells, keeps, asks }: Call): Promise<void> {
     const controller = new AbortController();
     this.#running.set(id, controller);
     try {
+      // It is safe to repeat.
+      if (call === 'dispose' && target !== 0 && !this.#objects.has(target)) {
+        this.#post({ id, result: undefined });
+        return;
+      }
       const owner = target === 0 ? await this.#root : this.#object(target);
       // It may have been cancelled while the root loaded.
       controller.signal.throwIfAborted();
       if (keeps) this.#post({ id, begun: true });
       if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
-      const method: unknown = (owner as Record<string, unknown>)[call];
-      if (typeof method !== 'function') throw new Error(`there is no call '${call}'`);
+      const asked: unknown = (owner as Record<string, unknown>)[call];
+      if (asked === undefined) throw new Error(`there is no call '${call}'`);
       const given = args.map((arg) => this.#received(arg, id, controller.signal));
-      const result = await method.apply(owner, given);
+      const result = typeof asked === 'function' ? await asked.apply(owner, given) : asked;
       if (call === 'dispose') this.#objects.delete(target);
       const transfer = new Set<Transferable>();
       const sent = this.#sent(result, transfer, keeps);
-      const value = keeps && owner instanceof Curve && isEdit(call) && { value: owner.value() };
+      const value = asks && owner instanceof Curve && isEdit(call) && { value: owner.value() };
       this.#post({ id, result: sent, ...value }, [...transfer]);
     } catch (error) {
       this.#post({ id, failure: failureOf(error) });

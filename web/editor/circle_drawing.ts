@@ -97,10 +97,10 @@ export async function drawCircle(
   if (type === 'arcs') return { curve: await client.circle(center, { ...options, radius, arcs }) };
   const { solver, rings } = options;
   const exact = type === 'exact' && !draft;
-  const isolines = await client.isolines(center, {
-    ...{ radius, solver, rings },
-    type: exact ? 'exact' : 'linear',
-  });
+  const isolines = await client.isolines(
+    center,
+    exact ? { radius, type: 'exact' } : { radius, type: 'linear', solver, rings },
+  );
   if (isolines.lines.length === 0) {
     throw new Error(`no point of the surface lies ${radius.toPrecision(4)} from the center`);
   }

@@ -9,7 +9,7 @@
 /// How long a center of mass of many random points takes, cold, on meshes of files or on a torus of
 /// so many triangles: a row for each number of points, the processor's milliseconds.
 ///
-///   means_bench [--points N]... [MESH.obj | TRIANGLES]...     (1000 and 5000 points by default)
+///   means_study [--points N]... [MESH.obj | TRIANGLES]...     (1000 and 5000 points by default)
 namespace karcher {
 namespace {
 

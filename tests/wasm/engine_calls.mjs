@@ -1,0 +1,54 @@
+// The calls into the module, as a mesh and its curves make them.
+
+/**
+ * What `work` returns, or resolves to, and the calls that meshes and curves of the mesh's module make
+ * meanwhile: the name of each, and what it returned.
+ */
+export function noted(mesh, work) {
+  const calls = [];
+  const restores = prototypesOf(mesh).map((prototype) => note(prototype, calls));
+  const restore = () => {
+    for (const one of restores) one();
+  };
+  let value;
+  try {
+    value = work();
+  } catch (error) {
+    restore();
+    throw error;
+  }
+  if (!(value instanceof Promise)) {
+    restore();
+    return { value, calls };
+  }
+  return value.then((result) => ({ value: result, calls })).finally(restore);
+}
+
+/** Of the module's own meshes and curves. */
+function prototypesOf(mesh) {
+  const engineMesh = mesh.handle.call((target) => target);
+  const { curve: make } = engineMesh;
+  let engineCurve;
+  engineMesh.curve = (...args) => {
+    engineCurve = make.apply(engineMesh, args);
+    return engineCurve;
+  };
+  mesh.curve({ kind: 'polyline', points: [0, 1].map((vertex) => ({ vertex })) }).dispose();
+  delete engineMesh.curve;
+  return [engineMesh, engineCurve].map(Object.getPrototypeOf);
+}
+
+/** Notes the calls of a prototype's methods, until what is returned is called. */
+function note(prototype, calls) {
+  const kept = Object.entries(prototype).filter(
+    ([name, method]) => typeof method === 'function' && name !== 'constructor',
+  );
+  for (const [name, method] of kept) {
+    prototype[name] = function (...args) {
+      const returned = method.apply(this, args);
+      calls.push({ name, returned });
+      return returned;
+    };
+  }
+  return () => Object.assign(prototype, Object.fromEntries(kept));
+}
