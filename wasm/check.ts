@@ -119,9 +119,7 @@ export function checkArray(value: unknown, what: string): unknown[] {
 
 export function checkLength(array: ArrayLike<unknown>, multipleOf: number, what: string): void {
   if (array.length % multipleOf === 0) return;
-  throw badArgument(
-    `${what} must hold ${multipleOf} numbers each; ${array.length} is not a multiple of it`,
-  );
+  throw badArgument(`${what} must have a multiple of ${multipleOf} numbers, not ${array.length}`);
 }
 
 /** The three numbers of an array, or of an object with x, y and z, NaN and infinity among them. */

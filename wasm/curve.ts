@@ -1,5 +1,5 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import { checkBoolean, checkInteger, checkNumber, checkOptions, toVector } from './check.js';
+import { checkBoolean, checkInteger, checkNumber, checkOptions, shown, toVector } from './check.js';
 import { checkKind, engineValue, givenNumbers, OwnBasis, optionsOfParts } from './curve_options.js';
 import { disposable, type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
@@ -318,7 +318,11 @@ export class Curve {
    */
   join(other: Curve): Curve {
     if (!(other instanceof Curve) || other.#mesh !== this.#mesh) {
-      throw new KarcherError('badArgument', 'a curve can be joined to a curve of the same mesh');
+      const given = other instanceof Curve ? 'one of another mesh' : shown(other);
+      throw new KarcherError(
+        'badArgument',
+        `the other curve must be a curve of the same mesh, not ${given}`,
+      );
     }
     const second = other.#handle.call((target) => target);
     return this.#alike(this.#call((curve) => curve.joined(second)));

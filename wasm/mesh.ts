@@ -168,7 +168,8 @@ export class Mesh {
    * thousands as for hundreds.
    *
    * Throws `KarcherError` badWeights (not one a point, or another sum), tooFewPoints (none),
-   * unreachable (the points lie on several components).
+   * unreachable (the points lie on several components), badArgument (the limits of exact distances;
+   * see `distance`).
    */
   centerOfMass(
     points: readonly PointLike[],
@@ -256,7 +257,7 @@ export class Mesh {
    *
    * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components),
    * badArgument or notFinite (degree, knots, weights, betas), badWeights (a basis whose weights do
-   * not sum to 1).
+   * not sum to 1), and badArgument for the limits of exact distances (see `distance`).
    */
   curve(options: CurveOptions): Curve {
     checkOptions(options, curveOptionNames);
@@ -340,6 +341,10 @@ export class Mesh {
   /**
    * Geodesic distances from a point to the vertices, in the caller's order: NaN at a dropped vertex
    * and where no path leads. By default exact.
+   *
+   * Exact distances have two limits: the longest edge is at most 1e12 times the shortest, and a field
+   * takes at most 10,000 windows a face, where 10 to 100 are usual. Throws `KarcherError` badArgument
+   * beyond them. The solver `graph` has neither.
    */
   distance(from: PointLike, options: DistanceOptions = {}): Float64Array {
     checkOptions(options, distanceOptionNames);

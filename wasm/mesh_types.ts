@@ -20,7 +20,8 @@ export interface MeshOptions {
  * What was repaired while a mesh was read, in this order; `count` counts what is in brackets.
  *
  * - `triangulated`: polygons were cut into triangles (polygons);
- * - `contracted`: edges of at most 1e-14 of the diagonal were contracted to a point (vertices);
+ * - `contracted`: edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge, were
+ *   contracted to a point (vertices);
  * - `welded`: vertices at one place became one where their faces share an edge (vertices);
  * - `keptApart`: vertices at one place stayed apart because the parts only touch there (vertices);
  * - `repeatedCorner`: faces with one vertex at two corners were dropped (faces);

@@ -13,18 +13,19 @@ namespace {
 constexpr int kFewestArcs = 3;
 constexpr int kMostArcs = 64;
 
-void checkRadiusIsPositive(double radius, const std::string& shape) {
+void checkRadiusIsPositive(double radius) {
   if (radius > 0 && std::isfinite(radius)) return;
-  throw Error(ErrorCode::kBadArgument, shape + "'s radius must be a positive number");
+  throw Error(ErrorCode::kBadArgument,
+              "the radius must be a positive number, not " + inSentence(radius));
 }
 
 void checkOptions(const CircleOptions& options) {
   if (options.arcs < kFewestArcs || options.arcs > kMostArcs) {
     throw Error(ErrorCode::kBadArgument,
-                "a circle takes 3 to 64 arcs, not " + std::to_string(options.arcs));
+                "there can be 3 to 64 arcs, not " + std::to_string(options.arcs));
   }
   if (options.samples < 2 || options.samples > kMostSamples) {
-    throw Error(ErrorCode::kBadArgument, "an arc takes 2 to " + std::to_string(kMostSamples) +
+    throw Error(ErrorCode::kBadArgument, "an arc can have 2 to " + std::to_string(kMostSamples) +
                                              " samples, not " + std::to_string(options.samples));
   }
   checkFieldOptions(options.field);
@@ -169,7 +170,7 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
 
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
                            const CircleOptions& options) {
-  checkRadiusIsPositive(radius, "a circle");
+  checkRadiusIsPositive(radius);
   checkOptions(options);
   const Center from(surface.geometry(), center);
   from.checkIsInside();
@@ -189,8 +190,8 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
 
 GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double along,
                             double across, const Vec2& direction, const CircleOptions& options) {
-  checkRadiusIsPositive(along, "an ellipse");
-  checkRadiusIsPositive(across, "an ellipse");
+  checkRadiusIsPositive(along);
+  checkRadiusIsPositive(across);
   checkOptions(options);
   if (!direction.allFinite() || !(direction.norm() > 0)) {
     throw Error(ErrorCode::kBadArgument, "an ellipse's direction must be a vector that is not 0");

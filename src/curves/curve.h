@@ -60,8 +60,8 @@ class Curve {
   /// A curve that shares its fields with all that takes them from these sets.
   Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<double()> clock = {});
 
-  /// Makes the curve that of a value: the one that the value gives anew. Keeps the fields of points
-  /// that stay and what was traced of pieces that are as they were; else changes nothing but throws
+  /// Makes it the curve of a value, the same as one made anew from it. Keeps the fields of points
+  /// that stay, and what was traced of pieces that stay. On failure the curve is unchanged. Throws
   /// Error: kUnreachable (points on several components), kBadArgument (samples, tolerance, levels,
   /// legs that do not join the points), what `checkGivenShape` throws, and what a basis of the
   /// caller's throws.

@@ -27,8 +27,8 @@ struct CurveOptions {
   /// 8, kAutomaticLevels or kLimitLevels. 0 is the curve of Mancinelli and Puppo, one center of
   /// mass of all the points of a segment.
   int levels = 0;
-  /// The fewest that kAutomaticLevels takes, 0 to 8. So levels that a drag once had do not go again
-  /// while it lasts.
+  /// The fewest levels that kAutomaticLevels takes, 0 to 8. With it a drag does not lose levels
+  /// that it once had.
   int leastLevels = 0;
 };
 

@@ -265,9 +265,10 @@ void ExactDistance::takeWaiting(int h) {
   waiting = {};
   windowsLeft_ -= batch_.count();
   if (windowsLeft_ < 0) {
-    throw Error(ErrorCode::kBadArgument, "exact distances on this mesh take more than " +
-                                             std::to_string(kMostWindowsPerFace) +
-                                             " windows a face");
+    throw Error(ErrorCode::kBadArgument,
+                "exact distances need more than " + std::to_string(kMostWindowsPerFace) +
+                    " windows a face on this mesh (10 to 100 are usual); the solver 'graph' needs "
+                    "none");
   }
 }
 

@@ -35,8 +35,8 @@ namespace karcher {
 
 class ExactDistance final : public DistanceSolver {
  public:
-  /// The geometry must outlive the solver. Throws Error kBadArgument where edge lengths have too
-  /// wide a range: more than kWidestRange.
+  /// The geometry must outlive the solver. Throws Error kBadArgument if the longest edge is more
+  /// than kWidestRange times the shortest.
   explicit ExactDistance(const Geometry& geometry);
 
   void setSource(const SurfacePoint& source) override;
@@ -44,8 +44,8 @@ class ExactDistance final : public DistanceSolver {
 
   /// Carries windows on. Steps are taken in one fixed order, and none changes a vertex nearer than
   /// its least key.
-  /// Throws Error kBadArgument if that takes more than kMostWindowsPerFace windows a face, which
-  /// only a surface whose shape is rounding noise comes near (ordinary meshes take 10 to 100).
+  /// Throws Error kBadArgument if that takes more than kMostWindowsPerFace windows a face. Ordinary
+  /// meshes take 10 to 100; only a surface whose shape is rounding noise comes near the limit.
   void grow(double radius) override;
   static constexpr int kMostWindowsPerFace = 10'000;
   static constexpr double kWidestRange = 1e12;

@@ -7,9 +7,9 @@
 
 namespace karcher {
 
-/// Memory for the pages of paged arrays. What one array gives back the next one takes, so that
-/// fields that move over a surface take new memory only where all of them together need more than
-/// they ever did.
+/// Memory for the pages of paged arrays. A page that one array gives back serves the next one. So
+/// fields that move over a surface take new memory only when all of them together need more than
+/// ever before.
 class PagePool {
  public:
   PagePool() = default;
@@ -17,29 +17,29 @@ class PagePool {
   PagePool(const PagePool&) = delete;
   PagePool& operator=(const PagePool&) = delete;
 
-  /// A page of so many bytes, whose number is appended to those that an array has.
+  /// Takes a page of `bytes` for an array, and appends the page's number to the array's `numbers`.
   void* take(size_t bytes, int number, Array<int>& numbers);
   void give(void* page, size_t bytes) noexcept;
 
-  /// Gives the memory of pages that nobody has back.
+  /// Frees the pages that no array holds.
   void trim() noexcept;
 
  private:
-  /// What stands in a page that nobody has.
+  /// What a page holds while no array holds it.
   struct Spare {
     Spare* next;
   };
   /// The pages of one size.
   struct Shelf {
     size_t bytes = 0;
-    int pages = 0;  ///< spare ones and others
+    int pages = 0;  ///< spare or in use
     Spare* spare = nullptr;
   };
 
   Shelf& shelfOf(size_t bytes);
   static void put(Shelf& shelf, void* page) noexcept;
 
-  /// Arrays that share a pool have pages of so many sizes at most.
+  /// The most sizes of pages that arrays of one pool may have.
   static constexpr int kSizes = 8;
 
   Shelf shelves_[kSizes];

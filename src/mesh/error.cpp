@@ -44,7 +44,7 @@ const char* errorCodeName(ErrorCode code) {
 void refuse(const std::string& sentence) { throw Error(ErrorCode::kBadArgument, sentence); }
 
 std::string inSentence(double value, int digits) {
-  // Not by a stream, which would bring locales into the module that pages load.
+  // A stream would bring in the code of locales, which is large.
   char text[40];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;

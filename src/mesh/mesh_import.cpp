@@ -19,8 +19,11 @@ struct Words {
 /// By their kind.
 constexpr std::array<Words, 11> kWords = {{
     {"triangulated", "polygon was cut into triangles", "polygons were cut into triangles"},
-    {"contracted", "vertex became one with another at the end of an edge without length",
-     "vertices became one with another at the end of an edge without length"},
+    {"contracted",
+     "vertex was merged with a neighbour: the edge between them was at most 1e-14 of the diagonal, "
+     "or 1e-12 of its face's longest edge",
+     "vertices were merged with a neighbour: the edge between them was at most 1e-14 of the "
+     "diagonal, or 1e-12 of its face's longest edge"},
     {"welded", "vertex was welded to another at the same position",
      "vertices were welded to another at the same position"},
     {"keptApart", "vertex at the position of another stayed apart, where no edge joins their faces",

@@ -13,10 +13,10 @@ namespace karcher {
 
 struct Repair {
   enum class Kind {
-    kTriangulated,    ///< polygons were cut into triangles
-    kContracted,      ///< vertices became one with another at the end of an edge without length
-    kWelded,          ///< vertices at the same place became one
-    kKeptApart,       ///< vertices at the same place stayed several: parts only touch there
+    kTriangulated,  ///< polygons were cut into triangles
+    kContracted,    ///< vertices were merged with a neighbour, so near that the edge has no length
+    kWelded,        ///< vertices at the same place became one
+    kKeptApart,     ///< vertices at the same place stayed several: parts only touch there
     kRepeatedCorner,  ///< faces with one vertex at two corners were left out
     kDuplicate,       ///< faces at the place of another were left out
     kNoArea,          ///< faces whose corners lie on a line were flipped away
@@ -51,8 +51,8 @@ struct ImportedMesh {
 };
 
 /// Repairs, in this order, each told with its count in `repairs`:
-/// - edges of at most 1e-14 of the diagonal, or 1e-12 of another edge of their face, are
-/// contracted;
+/// - edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge, are
+///   contracted;
 /// - vertices on boundaries are welded where two faces lie along each other (`closeSeams`), which
 ///   closes the seams of unwelded files; parts that only touch stay apart;
 /// - faces with a repeated corner and duplicates are left out;

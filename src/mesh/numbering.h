@@ -4,13 +4,13 @@
 
 #include "mesh/surface_point.h"
 
-/// From the caller's (input) numbers to the engine's and back: points keep their place.
+/// Turns the caller's (input) numbers into the engine's and back. A point keeps its place.
 namespace karcher {
 
 /// A part of an input triangle that became a face of the engine.
 struct FacePiece {
   int face = 0;
-  /// Per corner of the engine's face its weights in the input triangle.
+  /// For each corner of the engine's face, its weights in the input triangle.
   std::array<Vec3, 3> corners;
 };
 
@@ -23,16 +23,16 @@ struct FaceImage {
 };
 
 struct Numbering {
-  /// Per input vertex; welded ones share a number, dropped ones have -1, of one that was split it
-  /// is the first.
+  /// Per input vertex the engine's; -1 if it was dropped. Vertices that were welded share one. Of a
+  /// vertex that was split it is the first part.
   Array<int> engineVertex;
   Array<int> inputVertex;  ///< per engine vertex, the first input vertex that became it
-  /// Per input triangle the face that it is as a whole, its corners in their order; or -1 - i where
-  /// images[i] tells what became of it.
+  /// Per input triangle the engine's face that is all of it, with the same order of corners; or
+  /// -1 - i, where images[i] says what became of it.
   Array<int> engineFace;
   Array<int> inputFace;  ///< per engine face the input triangle that it is, or is a part of
-  /// Per input triangle 1 where its face was turned over, so that the corners 1 and 2 have changed
-  /// places; empty where none was.
+  /// Per input triangle 1 if its face was turned over, so that corners 1 and 2 changed places;
+  /// empty if none was.
   Array<uint8_t> turnedOver;
   Array<FaceImage> images;
 
@@ -42,10 +42,10 @@ struct Numbering {
   Triangle inputCorners(const TriangleMesh& mesh, int inputFace) const;
 };
 
-/// A caller's point, checked as by `checkedPoint`. Where the input triangle was cut it is the point
-/// of the part that holds it; where it was left out, the nearest point beside.
-/// Throws as `checkedPoint`, and Error kBadIndex for a triangle that was left out and lies apart
-/// from all others.
+/// A caller's point as the engine's, checked by `checkedPoint`. If the input triangle was cut, it
+/// is in the piece that holds the point; if it was left out, it is the nearest point of the faces
+/// beside. Throws what `checkedPoint` throws, and Error kBadIndex for a triangle that was left out
+/// and lies apart from all others.
 SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int inputFace,
                       const Vec3& bary);
 

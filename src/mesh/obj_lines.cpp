@@ -182,7 +182,8 @@ class LineCheck {
     fail(ErrorCode::kBadIndex, place() + "the face uses vertex " + index + ", but " +
                                    (index[0] == '-' ? "so far the file has " : "the file has ") +
                                    std::to_string(found_.vertices) +
-                                   " vertices (OBJ numbers them from 1)");
+                                   (found_.vertices == 1 ? " vertex" : " vertices") +
+                                   " (OBJ numbers them from 1)");
   }
 
   [[noreturn]] static void fail(ErrorCode code, const std::string& sentence) {

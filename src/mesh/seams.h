@@ -20,24 +20,24 @@ struct SeamOptions {
 struct DuplicateFace {
   int source;      ///< the input triangle
   int keptSource;  ///< the one that stays
-  /// Per corner of the one the corner of the other at its place.
+  /// Per corner of the kept face, the corner of the other at the same place.
   std::array<int, 3> corner;
 };
 
 struct SeamRepairs {
-  int welded = 0;     ///< vertices that became another one
-  int keptApart = 0;  ///< vertices at the place of another that stayed
+  int welded = 0;     ///< vertices that were replaced by another
+  int keptApart = 0;  ///< vertices at the place of another that were kept
   Array<DuplicateFace> duplicates;
 };
 
-/// Welds vertices where two faces lie along each other with an edge: those at the same place (0 and
-/// -0 are the same), and on boundaries those within the tolerance. Parts that only touch stay
-/// apart, and the corners of one face. Where the two edges run in the same direction, one side is
-/// turned over (`connectRepaired`) unless that would leave the surface with one side. Faces that
-/// are at the place of an earlier one are left out: with the same orientation always, with the
-/// opposite one if an edge has more than two faces, and the face hangs on no other. `order` lists
-/// the vertices of the faces, equal positions one after another (`mortonOrder`). `target` is per
-/// vertex the one that stands for it before, and after.
+/// Welds vertices where two faces have an edge at the same place: vertices at the same position (0
+/// and -0 are the same), and on boundaries those within the tolerance. Parts that only touch stay
+/// apart, and so do the corners of one face. If the two edges run in the same direction, one side
+/// is turned over (`connectRepaired`), unless that would make the surface one-sided. A face at the
+/// place of an earlier one is left out: always if it has the same orientation; with the opposite
+/// one if an edge has more than two faces and the face is attached to no other. `order` lists the
+/// vertices of the faces, equal positions next to each other (`mortonOrder`). `target` gives the
+/// vertex that stands for each one, and is updated.
 SeamRepairs closeSeams(const Array<Vec3>& positions, const Array<int>& order, WorkFaces& faces,
                        const SeamOptions& options, DisjointSets& target);
 

@@ -4,14 +4,14 @@
 
 #include "mesh/types.h"
 
-/// One sort for all that is not sorted often: each caller's own takes three kilobytes of a page's
-/// module.
+/// One sort for whatever is sorted seldom. A sort compiled for each caller would take three
+/// kilobytes of code each.
 namespace karcher {
 
-/// Sorts numbers by a comparison, those of which neither is before the other from the lowest up.
+/// Sorts numbers by a comparison. Numbers that it holds equal are put in ascending order.
 void sortNumbers(Array<int>& numbers, const std::function<bool(int, int)>& isBefore);
 
-/// 0, ..., count - 1, sorted so.
+/// The numbers from 0 to count - 1, sorted in the same way.
 Array<int> sortedNumbers(int count, const std::function<bool(int, int)>& isBefore);
 
 }  // namespace karcher

@@ -96,9 +96,9 @@ void checkArea(const Array<Vec3>& positions, const Triangle& face, int f) {
   }
   if (isDegenerate(positions[face[0]], positions[face[1]], positions[face[2]])) {
     throw Error(ErrorCode::kDegenerateFace,
-                "face " + std::to_string(f) + " has no area: its corners " +
+                "face " + std::to_string(f) + " is too thin: the height of its triangle " +
                     std::to_string(face[0]) + ", " + std::to_string(face[1]) + ", " +
-                    std::to_string(face[2]) + " lie on a line");
+                    std::to_string(face[2]) + " is at most 1e-12 of its longest edge");
   }
 }
 

@@ -5,27 +5,27 @@
 
 namespace karcher {
 
-/// An energy at a center and on the circle that `converged` is told by (exact_minimum.h), and what
-/// values and slopes at some places of the circle tell of it between them: the trigonometric
-/// polynomial through them, and a quadratic with its first harmonics.
+/// An energy at a center and on the circle that decides whether it is `converged`
+/// (exact_minimum.h). The energy's values and slopes at some places of the circle are interpolated
+/// by a trigonometric polynomial. The polynomial's first harmonics give a quadratic.
 ///
-/// The energy of many points has as many small creases, where shortest paths to one of them change
-/// sides. A circle sees what they sum to; the gradient at the center sees none.
+/// The energy of many points has as many small creases: along each the shortest path to one point
+/// changes sides. The circle shows what the creases sum to; the gradient at the center does not.
 class EnergyRing {
  public:
-  /// Compares every fourth of `count` places, which four divides. `here` is the energy at the
-  /// center. The geometry and the energy must outlive the object.
+  /// Compares every fourth of `count` places; `count` is a multiple of 4. `here` is the energy at
+  /// the center. The geometry and the energy must outlive the object.
   EnergyRing(const Geometry& geometry, const SurfacePoint& center, double here, int count,
              ExactOneSourceEnergy& energy);
 
-  /// Compares the places half-way between those that were compared, too, if any are left.
+  /// Compares the places half-way between those compared so far, if any are left.
   void refine();
   bool isRefined() const { return step_ == 1; }
-  /// How far the polynomial was off at the places that were compared last.
+  /// The polynomial's error at the places that were compared last.
   double error() const { return error_; }
 
-  /// Compares two points on either side of the lowest place, in thirds of the way to the next, and
-  /// puts a lower one in its place. The polynomial stays.
+  /// Compares two points on either side of the lowest place, a third and two thirds of the way to
+  /// the next one. A lower one replaces the lowest place. The polynomial stays.
   void lookBesideLowest();
 
   /// The number of the place where the energy is lowest, of those that were compared.

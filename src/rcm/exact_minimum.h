@@ -5,31 +5,31 @@
 
 /// Whether a center is a minimum of the energy K(p) = sum_i w_i d(p, p_i)^2 by exact distances.
 ///
-/// A zero of blended fields is a minimum of K where the surface is smooth. Where it is rough or
-/// creased K has many shallow minima, which estimates at vertices smooth away, and a zero may lie
-/// beside all of them. So K is compared on circles round the zero, and where a point of them is
-/// lower the search goes on from there.
+/// On a smooth surface a zero of blended fields is a minimum of K. On a rough or creased one K has
+/// many shallow minima. Estimates at vertices smooth them away, and a zero may lie beside all of
+/// them. So K is compared on circles about the zero. If a point of a circle is lower, the search
+/// goes on from there.
 ///
-/// Exact distances from a point are found for a few faces only, and only by windows that can still
-/// get there (ExactDistance::aimAt): far fewer than those of a whole field.
+/// Exact distances are needed in a few faces only. They are found by the windows that can still
+/// reach these faces (ExactDistance::aimAt), far fewer than those of a whole field.
 namespace karcher {
 
-/// The radius of the circle that `converged` is told by, in mean edges, and by how much of a square
-/// mean edge K may be lower there.
+/// A center is `converged` if K is nowhere lower by more than kLowerBy squared mean edges on the
+/// circle about it whose radius is kCheckedRadius mean edges.
 inline constexpr double kCheckedRadius = 0.3;
 inline constexpr double kLowerBy = 1e-3;
 
-/// K by exact distances, of points that are all on one component. Values of weight 0 are not read.
+/// K by exact distances, of points on one component. Points of weight 0 are left out.
 class ExactEnergy {
  public:
   /// All must outlive the object.
   ExactEnergy(const Geometry& geometry, const Array<SurfacePoint>& points, Weights weights);
 
-  /// K at places that lie within `radius` of `center`, along the surface. `guesses`, one a point,
-  /// are distances of the center by some other way: the nearer to the truth, the faster.
+  /// K at places that lie within `radius` of `center`, along the surface. It starts from `guesses`:
+  /// the better they are, the faster it is.
   Array<double> at(const SurfacePoint& center, double radius, const Array<SurfacePoint>& places);
 
-  /// Distances of the last center, or what a caller takes for them; one a point.
+  /// Per point its distance from the last center, or a caller's estimate of it.
   Array<double> guesses;
 
  private:

@@ -164,7 +164,7 @@ class FieldBlend {
   int lastSlot_ = 0;
 };
 
-// Here, so that it is compiled into the searches: engines of WebAssembly inline no calls.
+// Defined here, so that the compiler inlines it into the searches.
 inline bool FieldBlend::findZero(int cell, Weights weights, CellZero& zero) {
   const int slot = slotOf(cell);
   const double* v = vectorsOf(slot);

@@ -30,9 +30,9 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
   }
   if (normalize) {
     if (!(sum > 0) || !std::isfinite(sum)) {
-      throw Error(ErrorCode::kBadWeights,
-                  "the weights cannot be normalised: their sum must be "
-                  "positive");
+      throw Error(ErrorCode::kBadWeights, "the weights sum to " + inSentence(sum) +
+                                              "; only a positive " + (sum > 0 ? "finite " : "") +
+                                              "sum can be normalized");
     }
     for (double& weight : weights) weight /= sum;
     return;

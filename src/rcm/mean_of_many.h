@@ -4,27 +4,26 @@
 
 #include "rcm/mean.h"
 
-/// The center of mass of many points without a field of each: K and its gradient are found at the
-/// places where the search stands (one_source_energy.h), so that the work hardly grows with the
-/// points.
+/// The center of mass of many points without a field for each. K and its gradient are found only
+/// where the search is (one_source_energy.h), so the work hardly grows with the number of points.
 ///
-/// K is compared at some of the points, evenly by weight. From the lowest few descents (BFGS) go on
-/// by the distances of the options' solver. Where the best of them ends, K by exact distances is
-/// compared on the circle that `converged` is told by (energy_ring.h), at as few places as foretell
-/// those between them, and a quadratic leads to the minimum.
+/// K is compared at some of the points, spread evenly by weight. Descents (BFGS) start at the
+/// lowest few; their distances are those of the options' solver. About the end of the best descent
+/// K by exact distances is compared on the circle that decides `converged` (energy_ring.h). Only as
+/// many places are compared as predict those between them. A quadratic leads to the minimum.
 namespace karcher {
 
-/// From so many different points on this is faster than fields over the whole surface.
+/// With this many different points it becomes faster than fields over the whole surface.
 inline constexpr int kMany = 64;
 
-/// Whether the mean of these points can be found so: there are many, no weight is below 0,
-/// distances are the fast or the exact ones of kKarcher, and nobody looks for other minima.
+/// Whether the mean can be found in this way: there are kMany points, no weight is negative, the
+/// method is kKarcher with fast or exact distances, and other minima are not asked for.
 bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
               const MeanOptions& options);
 
-/// The center of points on one component with weights that sum to 1, held to exact distances where
-/// `isChecked`; its energy is that of exact distances then. None where the search ends at a
-/// boundary, of which fields tell more. The order of the points makes no difference.
+/// The center of points on one component with weights that sum to 1. With `isChecked` it is checked
+/// by exact distances, which also give its energy. None if the search ends at a boundary, where
+/// fields do better. The order of the points makes no difference.
 std::optional<Mean> meanOfMany(Surface& surface, const Array<SurfacePoint>& points,
                                const Array<double>& weights, const MeanOptions& options);
 

@@ -34,8 +34,8 @@ class Balance {
     project(free, weights);
     if (!(missedBy(weights) <= kMet)) {
       throw Error(ErrorCode::kBadArgument,
-                  "there are no such weights: from the point all the others are seen in lines to "
-                  "one side, or along one line that it does not lie on");
+                  "no weights make this point the center: seen from it, the others lie on one line "
+                  "that misses it");
     }
     return weights;
   }

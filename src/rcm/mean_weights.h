@@ -27,8 +27,8 @@ struct MeanWeights {
 /// answer, for more the one nearest to the given weights. Time: as many fields as points, and
 /// O(points) a step of the active set. Throws Error: kTooFewPoints (none), kUnreachable (several
 /// components), kBadWeights (given ones that are not one a point, not finite, or of a sum that is
-/// not positive), kBadArgument where there are no such weights: x lies off the line of points that
-/// are all seen in one line, or, not negative, outside of the convex hull of the log vectors.
+/// not positive), kBadArgument where there are no such weights: seen from x, the points lie on one
+/// line that misses x; or, for weights of at least 0, x is outside the log vectors' convex hull.
 MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfacePoint>& points,
                       const MeanWeightsOptions& options);
 

@@ -9,12 +9,12 @@
 
 namespace karcher {
 
-/// A control point with its solver and its field. The field's values depend on the surface, the
-/// options and the point alone. With log vectors they are made as they are read: the solver grows
-/// to the vertices that a search asks for, and no further.
+/// A control point with its solver and its field. The field's values depend only on the surface,
+/// the options and the point. With log vectors a value is made when it is first read: the solver
+/// grows to the vertices that a search asks for, and no further.
 class PointField {
  public:
-  /// Solvers that no field needs at the time.
+  /// Solvers that no field uses at present.
   using SpareSolvers = Array<std::unique_ptr<DistanceSolver>>;
 
   /// The surface must outlive the field. Fields of the same surface and options may share spare
@@ -24,15 +24,15 @@ class PointField {
   PointField(const PointField&) = delete;
   PointField& operator=(const PointField&) = delete;
 
-  /// With a box, within which it will be read, the field is that of a near point: of paths in the
-  /// box, where these are as good as all, and of log vectors as they are, since so near they need
-  /// no fit (estimators.h). A vertex's value depends on the box too, but not on what was read
-  /// before. Solvers that cannot keep to a box make the field as without one.
+  /// A box means that the point is near, and that the field is read only in the box. The solver
+  /// then keeps to paths in the box wherever those outside change nothing. Log vectors are taken as
+  /// they are: so near they need no fit (estimators.h). A vertex's value then depends on the box,
+  /// too, but not on what was read before. A solver that cannot keep to a box ignores it.
   void setPoint(const SurfacePoint& point, const std::optional<OrientedBox>& box = std::nullopt);
   const SurfacePoint& point() const { return point_; }
   const std::optional<OrientedBox>& box() const { return box_; }
 
-  /// A value that is read on another component than the point's throws Error kUnreachable.
+  /// Reading a value on another component than the point's throws Error kUnreachable.
   ControlField& field() { return field_; }
 
  private:

@@ -5,7 +5,7 @@
 #include "mesh/shapes.h"
 #include "rcm/surface.h"
 
-/// When is the center of mass of points the only one?
+/// Whether a center of mass is the only one.
 ///
 /// H. Karcher, "Riemannian Center of Mass and Mollifier Smoothing" (1977): where the points lie in
 /// a ball that is small beside the curvature and the injectivity radius, the energy is convex
@@ -18,10 +18,10 @@ namespace karcher {
 
 /// What is known of other minima of the energy.
 enum class Uniqueness {
-  kNotLooked,  ///< nobody searched beyond the control points, or from them
-  kCertain,    ///< it is proved that there is no lower one, and no other near the points
-  kLikely,     ///< all searches ended here
-  kNotUnique,  ///< searches ended elsewhere, too
+  kNotLooked,  ///< no search was made beyond those from the control points, if any
+  kCertain,    ///< proved: no other is lower, and none is near the points
+  kLikely,     ///< all searches ended at this one
+  kNotUnique,  ///< some searches ended at others
 };
 
 /// The name of a state in reports: "notLooked".

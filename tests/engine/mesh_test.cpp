@@ -86,8 +86,10 @@ TEST(BuildMesh, RefusesWhatIsNoSurface) {
   EXPECT_EQ(errorOf({{0, 0, 0}, {1, kInfinity, 0}, {0, 1, 0}}, {{0, 1, 2}}),
             "notFinite: vertex 1 has a coordinate that is not a finite number");
   EXPECT_EQ(errorOf(kSquare, {{0, 1, 3}, {2, 3, 3}}), "degenerateFace: face 1 uses vertex 3 twice");
-  EXPECT_EQ(errorOf({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}, {{0, 1, 2}}),
-            "degenerateFace: face 0 has no area: its corners 0, 1, 2 lie on a line");
+  EXPECT_EQ(
+      errorOf({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}, {{0, 1, 2}}),
+      "degenerateFace: face 0 is too thin: the height of its triangle 0, 1, 2 is at most 1e-12 "
+      "of its longest edge");
 }
 
 TEST(BuildMesh, NamesItsLimitsOfSize) {

@@ -164,7 +164,7 @@ TEST(ReadObj, NamesTheLineOfABadFace) {
   EXPECT_EQ(errorOf(kThree + "f 0 1 2\n").substr(0, 41),
             "badIndex: line 4: the face uses vertex 0,");
   EXPECT_EQ(errorOf("v 0 0 0\nf -1 -2 -3\n"),
-            "badIndex: line 2: the face uses vertex -2, but so far the file has 1 vertices (OBJ "
+            "badIndex: line 2: the face uses vertex -2, but so far the file has 1 vertex (OBJ "
             "numbers them from 1)");
   EXPECT_EQ(errorOf(kThree + "f 1 2 99999999999999999999\n").substr(0, 9), "badIndex:");
   EXPECT_EQ(errorOf(kThree + "f 1 2 2147483649\n").substr(0, 9), "badIndex:");

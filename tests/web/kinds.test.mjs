@@ -285,7 +285,7 @@ describe('kinds of curves', () => {
     const problem = page.locator('#knots-problem');
     for (const [text, sentence] of [
       ['0 0 0 0 1 2 2 2', /^A B-spline of 5 points and degree 3 takes 9 knots, not 8\.$/],
-      ['0 0 0 0 1 0.5 2 2 2', /^Knot 5 is less than the one before it\.$/],
+      ['0 0 0 0 1 0.5 2 2 2', /^Knot 5 is 0\.5, less than knot 4, which is 1\.$/],
       ['0 0 0 0 1 2 2 2 wide', /^'wide' is not a number\.$/],
     ]) {
       await knots.fill(text);

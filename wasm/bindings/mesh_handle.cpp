@@ -95,16 +95,21 @@ Vec2 MeshHandle::directionInFace(int face, const val& direction) const {
   const Vec2 vector = toFace(surface_.geometry(), face, {space[0], space[1], space[2]});
   constexpr double kPerpendicular = 1e-12;
   const double norm = vector.norm();
-  if (!(norm > kPerpendicular * std::hypot(space[0], space[1], space[2]))) {
+  const double length = std::hypot(space[0], space[1], space[2]);
+  if (length == 0) throw Error(ErrorCode::kBadArgument, "the direction has length 0");
+  if (!(norm > kPerpendicular * length)) {
     throw Error(ErrorCode::kBadArgument,
-                "the direction of a geodesic must not be perpendicular to its first face");
+                "the direction is perpendicular to the face that it starts in");
   }
   return vector / norm;
 }
 
 val MeshHandle::straightest(const val& from, const val& direction, double length) const {
   const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
-  if (!(length >= 0)) throw Error(ErrorCode::kBadArgument, "a length must be at least 0");
+  if (!(length >= 0)) {
+    throw Error(ErrorCode::kBadArgument,
+                "the length must be at least 0, not " + inSentence(length));
+  }
   const Vec2 unit = directionInFace(start.face, direction);
   const StraightestPath path = traceStraightest(surface_.geometry(), start, length * unit);
   val result = val::object();

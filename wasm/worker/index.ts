@@ -35,15 +35,15 @@ export interface WorkerOptions {
  * promises, and a curve's properties are promises. What they return is the caller's, large arrays are
  * transferred.
  *
- * Every method takes `{ progress, signal }` behind its other arguments. A signal rejects the call at once
- * with its reason: a call that waits is not begun; files, graphs and check-ups stop. A call that the
- * worker is at and that does not hear of it is interrupted, once that is no longer than making anew what
- * is there: another worker takes the place of this one, all meshes and curves are made in it as they
- * were, and the calls that were not aborted are made there. For that, copies of what meshes were made of
- * are kept, a small part of what they take in the engine.
+ * Every method takes `{ progress, signal }` after its other arguments. A signal rejects the call at once
+ * with its reason. A call that waits is not begun; files, graphs and check-ups stop. Any other call under
+ * way may go on for about as long as it takes to make all meshes and curves anew. Then it is interrupted:
+ * a new worker takes the place of this one, all meshes and curves are made in it as they were, and the
+ * calls that were not aborted are made there. For this, copies of what meshes were made of are kept, a
+ * small part of what meshes take in the engine.
  *
- * Every call rejects with the engine's `KarcherError`; once the worker ended by itself, all with
- * `internal`, after `dispose` with `disposed`.
+ * Every call rejects with the engine's `KarcherError`: with `internal` if the worker ended by itself,
+ * with `disposed` after `dispose`.
  */
 export async function loadInWorker({
   worker = startWorker,

@@ -242,7 +242,8 @@ Array<CurveParts> splitAt(Curve& curve, double parameter) {
   const bool onePiece = isBezier(shape.kind) || shape.kind == CurveKind::kBarycentric;
   // A closed curve of one segment is only continuous where it starts.
   if ((!shape.closed || onePiece) && (atStart || atEnd)) {
-    refuse("a curve is split between its ends, not at one");
+    refuse("the curve cannot be split at " + inSentence(parameter) +
+           ", its end; it runs from 0 to " + std::to_string(curve.segmentCount()));
   }
   if (shape.kind == CurveKind::kBSpline) {
     const ControlPolygon polygon = polygonOf(curve);

@@ -49,9 +49,9 @@ void checkRepeats(const Array<double>& knots, int degree, bool closed) {
     const bool atEnd = !closed && (knots[k] == knots[first] || knots[k] == knots[last]);
     const int most = atEnd ? degree + 1 : degree;
     if (repeats > most) {
-      refuse("knot " + std::to_string(k) + " repeats " + std::to_string(repeats) +
-             " times; in degree " + std::to_string(degree) + " at most " + std::to_string(most) +
-             " may be equal there");
+      refuse("knot " + std::to_string(k) + " occurs " + std::to_string(repeats) +
+             " times; degree " + std::to_string(degree) + " allows " + std::to_string(most) +
+             (atEnd ? " at the ends" : ""));
     }
   }
 }
@@ -88,11 +88,12 @@ void checkKnots(const Array<double>& knots, int points, int degree, bool closed)
     }
     if (k == 0) continue;
     if (knots[k] < knots[k - 1]) {
-      refuse("knot " + std::to_string(k) + " is less than the one before it");
+      refuse("knot " + std::to_string(k) + " is " + inFull(knots[k]) + ", less than knot " +
+             std::to_string(k - 1) + ", which is " + inFull(knots[k - 1]));
     }
     if (knots[k] > knots[k - 1] && knots[k] - knots[k - 1] < kLeastSpan) {
       refuse("knot " + std::to_string(k) + " lies " + inSentence(knots[k] - knots[k - 1]) +
-             " after the one before it; knots are equal or at least 1e-100 apart");
+             " after knot " + std::to_string(k - 1) + "; knots are equal or at least 1e-100 apart");
     }
   }
   const int spans = spanCount(knots, degree, closed);
