@@ -100,4 +100,26 @@ describe('legs that are drawn out', () => {
       isNear(length(), 2.45);
     });
   });
+
+  for (const knots of [null, [0, 0, 0, 0, 1, 2.5, 3, 3, 3, 3]]) {
+    test(`go with the point they lead to, of ${knots ? 'own' : 'clamped'} knots`, async () => {
+      const { editor, edits, settled } = page;
+      editor.setKind('bspline');
+      for (const at of [0, 0.1, 0.2, 0.3, 0.4, 0.5]) await edits.append(along(at));
+      if (knots) assert.equal(await edits.setKnots(knots), null);
+      else editor.setSettings({ clamped: true });
+      await settled();
+      await drag(5, places(0.5, 2.8));
+      await release();
+      assert.ok(legs()[4] > 0);
+      editor.select(5);
+      await edits.removeSelected();
+      assert.deepEqual(legs(), [0, 0, 0, 0, 0]);
+      await edits.append(along(0.5));
+      await settled();
+      assert.deepEqual(legs(), [0, 0, 0, 0, 0, 0]);
+      assert.ok(length() < 0.6, `${length()} long`);
+      assert.equal(figure().settings.knots?.length, knots?.length);
+    });
+  }
 });
