@@ -78,7 +78,7 @@ const slowSteps = 2;
 const leastGain = 0.02;
 
 /** Whether a curve by tolerance has more samples than it would have by their number. */
-function moreThanFixed({ settings }: Spline, { samples }: TracedCurve): boolean {
+function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean {
   const segments = (samples.segment.at(-1) ?? 0) + 1;
   return settings.tolerance !== null && samples.count > settings.samples * segments;
 }
@@ -331,7 +331,7 @@ export class Session {
       const slow = state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft;
       this.#slow = slow ? this.#slow + 1 : 0;
       // A draft of averages alone needs no fields.
-      if (this.#slow >= slowSteps) this.#levels = 'limit';
+      if (this.#slow >= slowSteps && !isRound(figure.kind)) this.#levels = 'limit';
       this.#showTraced(state, shown, quality);
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
@@ -340,10 +340,8 @@ export class Session {
 
   /** What a drag of the figure keeps to. */
   #took(figure: Figure, { curve }: Shown): void {
-    const spline = splineOf(figure);
-    if (!spline || !curve) return;
-    this.#manySamples = moreThanFixed(spline, curve);
-    this.#levels = curve.levels;
+    this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
+    this.#levels = curve?.levels ?? 0;
   }
 
   /** Levels that a drag needed stay while it lasts. */
@@ -421,7 +419,9 @@ export class Session {
   #asTraced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;
     const fewer = dragging && this.#manySamples && settings.tolerance !== null;
-    const keeps = dragging && this.#levels !== 0 && settings.levels === 'auto';
+    // Circles have no choice of levels.
+    const isAutomatic = settings.levels === 'auto' || isRound(figure.kind);
+    const keeps = dragging && this.#levels !== 0 && isAutomatic;
     if (!fewer && !keeps) return { figure, coarse: false };
     const levels =
       this.#levels === 'limit' ? { levels: this.#levels } : { leastLevels: this.#levels };
