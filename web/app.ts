@@ -9,6 +9,7 @@ import { Measure } from './editor/measure';
 import { MirrorTool } from './editor/mirror_tool';
 import { Session } from './editor/session';
 import { exposeState } from './inspection';
+import { isEmpty } from './model/figure';
 import { formatLink } from './model/link';
 import { readAs } from './model/meshes';
 import { isMethod } from './model/methods';
@@ -287,7 +288,12 @@ export async function start(): Promise<void> {
   objectPanel.show(editor.state);
   transformPanel.show(editor.state);
   const sheet = new Sheet();
-  const tour = new Tour(() => sheet.show());
+  const tour = new Tour(
+    () => sheet.show(),
+    () => editor.state.drawing.objects.some(({ figure }) => !isEmpty(figure)),
+  );
+  // An example is drawn once its surface is shown.
+  editor.subscribe(() => queueMicrotask(() => tour.update()));
   const viewChanged = saveChanges(editor, () => viewer.place);
   viewer.onFrame(viewChanged);
   onKeeping((kept) => status.setKept(kept));

@@ -325,6 +325,8 @@ test('bad points, weights and radii: a sentence and status 1', async () => {
     [trace(three, '--kind', 'line'), /--kind must be one of bspline, bezier, .*, not 'line'/],
     [trace(three, '--kind', 'bezier', '--samples', '1'), /2 to 100000 samples/],
     [trace(three, '--samples', 'many'), /--samples must be a number/],
+    [trace(three, '--levels', 'foo'), /--levels must be a whole number, auto or limit, not 'foo'/],
+    [trace(three, '--levels', '1.5'), /--levels must be a whole number, auto or limit, not '1.5'/],
     [trace(three, '--samples', '9', '--tolerance', '1e-3'), /--samples or --tolerance, not both/],
     [trace(three, '--tolerance', '0'), /tolerance must be positive/],
     [trace(three, '--clamped', '--knots', '0,1'), /--knots or --clamped, not both/],

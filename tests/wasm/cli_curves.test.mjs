@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { load } from 'karcher';
 import { grid, tube } from './meshes.mjs';
-import { failure, printed, temporaryFolder } from './run_cli.mjs';
+import { failure, karcher, printed, temporaryFolder } from './run_cli.mjs';
 
 const folder = temporaryFolder();
 after(() => folder.remove());
@@ -128,6 +128,8 @@ test('legs are read from a curve, and printed with it', async () => {
   assert.ok(long.length > 4 * short.length, `${long.length}, ${short.length}`);
   const [again] = (await printed('edit', cylinder, '--curve', fileOf(around), '--reverse')).curves;
   assert.equal(again.legs.length, 1);
+  const { stdout: help } = await karcher('edit', '--help');
+  for (const name of Object.keys(again)) assert.match(help, new RegExp(`\\b${name}\\b`));
   const back = await printed('trace', cylinder, '--curve', fileOf(again));
   assert.ok(Math.abs(back.length - long.length) < 1e-9);
 });

@@ -138,6 +138,29 @@ describe('the tour and the examples', () => {
     await page.close();
   });
 
+  test('the tour goes on from dragging to drawing where a file leaves nothing to drag', async () => {
+    const tab = await visit(browser);
+    const { page } = tab;
+    const step = () => page.locator('#tour-count').textContent();
+    const begin = async () => {
+      await page.locator('#help').click();
+      await page.locator('#tour-start').click();
+    };
+    await begin();
+    assert.equal(await step(), '1 of 5');
+    await tab.drop('own.obj', 'v 0 0 0\nv 4 0 0\nv 4 6 0\nv 0 6 0\nf 1 2 3\nf 1 3 4\n');
+    await page.waitForFunction(() => window.karcherPage.triangles === 2);
+    await tab.settled();
+    assert.equal(await page.locator('#tour').isVisible(), true);
+    assert.equal(await step(), '2 of 5');
+    assert.equal(await page.locator('#tool-rail.toured').count(), 1);
+    await page.locator('#tour-skip').click();
+    await begin();
+    assert.equal(await step(), '2 of 5', 'nor does it begin with that');
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
+
   sometimes(
     'each example opens whole, and undo brings back what it took the place of',
     async () => {

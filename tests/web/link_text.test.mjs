@@ -167,6 +167,14 @@ describe('links', () => {
       leg(many).points.map((point) => point.leg?.length),
       [1, undefined],
     );
+    const legsOf = (points, legs) =>
+      figureOf(`#mesh=torus:9&closed=1&points=${points}&legs=${legs}`).points.map(({ leg }) => leg);
+    assert.deepEqual(
+      legsOf('1,0,0;oops;3,0,0;4,0,0', '0:7,0,0;1:7,0,0;2:8,0,0;3:8,0,0'),
+      [undefined, [point(8, 0, 0)], [point(8, 0, 0)]],
+      'a leg goes with the point that it leads to',
+    );
+    assert.deepEqual(legsOf('oops;3,0,0;4,0,0', '2:8,0,0'), [undefined, undefined]);
     for (const across of ['', ';', ';-1', ';0', ';wide', ';1,2']) {
       const text = `#mesh=torus:9&kind=circle&circle=5,0.25,0.5;0.5,0,0,1${across}`;
       assert.deepEqual(figureOf(text).circle, circle, across);

@@ -16,7 +16,7 @@ import type {
 } from '../types.js';
 import type { Command, Option } from './command.js';
 import { fileError, UsageError } from './errors.js';
-import { parseNumber, parsePoint, parsePoints } from './syntax.js';
+import { decimalOf, parseNumber, parsePoint, parsePoints } from './syntax.js';
 
 /** The arguments of one command, checked: known options, once each, with a value where one belongs. */
 export class Arguments {
@@ -139,7 +139,10 @@ export class Arguments {
   /** How many levels a curve has. */
   levels(): CurveLevels {
     const text = this.text('levels');
-    return text === 'auto' || text === 'limit' ? text : this.integer('levels');
+    if (text === 'auto' || text === 'limit') return text;
+    const levels = decimalOf(text);
+    if (Number.isInteger(levels)) return levels;
+    throw new UsageError(`--levels must be a whole number, auto or limit, not '${text}'`);
   }
 
   /** How the mesh is read. */

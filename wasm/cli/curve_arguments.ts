@@ -146,7 +146,7 @@ function curveOf(curves: readonly unknown[], number: number, path: string): Curv
   return curve as CurveRecord;
 }
 
-/** A curve as data that makes it again: weights and betas unless all are 1. */
+/** A curve as data that makes it again: weights and betas unless all are 1, legs unless all are shortest. */
 export function recordOf(curve: Curve): CurveRecord {
   const { kind, closed } = curve;
   const { legs } = curve.value();

@@ -104,7 +104,7 @@ export const edit: Command = {
   name: 'edit',
   summary: "an edit of a curve's control points: what the curve then is",
   output:
-    "{curves: [{kind, closed, degree, knots, weights, betas, parametrization, points: [{face, bary: [b0, b1, b2]}, …]}, …], point: the new point's number with --insert-at}; a curve has what its kind has a use for, weights and betas unless all are 1. A file of it is what --curve reads, here and in trace",
+    "{curves: [{kind, closed, degree, knots, weights, betas, parametrization, points: [{face, bary: [b0, b1, b2]}, …], legs: [[{face, bary}, …], null, …]}, …], point: the new point's number with --insert-at}; a curve has what its kind has a use for, weights and betas unless all are 1, legs unless all are shortest paths: those that are not by points on their way. A file of it is what --curve reads, here and in trace",
   options: [...edits.map(({ apply: _, ...option }) => option), ...curveOptions, ...fieldOptions],
   async run(args) {
     const [chosen, second] = edits.filter(({ name }) => args.given(name));

@@ -6,8 +6,11 @@ import { UsageError } from './errors.js';
 const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const whole = /^\d+$/;
 
+/** NaN where a text is none. */
+export const decimalOf = (text: string) => (decimal.test(text.trim()) ? Number(text) : Number.NaN);
+
 export function parseNumber(text: string, what: string): number {
-  const value = decimal.test(text.trim()) ? Number(text) : Number.NaN;
+  const value = decimalOf(text);
   if (Number.isFinite(value)) return value;
   throw new UsageError(`${what} must be a number, not '${text}'`);
 }

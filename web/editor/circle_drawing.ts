@@ -88,13 +88,21 @@ export async function drawCircle(
   { radius, direction, across }: ShownCircle,
   { type, arcs }: CircleForm,
   options: FieldOptions,
-  draft: boolean,
+  { draft, leastLevels = 0 }: { draft: boolean; leastLevels?: number | undefined },
 ): Promise<{ curve: TracedCurve } | { isolines: ShownIsolines }> {
   if (across) {
     const radii = [radius, across.radius] as const;
-    return { curve: await client.ellipse(center, { ...options, radii, direction, arcs }) };
+    const ellipse = { ...options, radii, direction, arcs };
+    return {
+      curve: await atLeast(leastLevels, (part) => client.ellipse(center, { ...ellipse, ...part })),
+    };
   }
-  if (type === 'arcs') return { curve: await client.circle(center, { ...options, radius, arcs }) };
+  if (type === 'arcs') {
+    const circle = { ...options, radius, arcs };
+    return {
+      curve: await atLeast(leastLevels, (part) => client.circle(center, { ...circle, ...part })),
+    };
+  }
   const { solver, rings } = options;
   const exact = type === 'exact' && !draft;
   const isolines = await client.isolines(
@@ -105,6 +113,15 @@ export async function drawCircle(
     throw new Error(`no point of the surface lies ${radius.toPrecision(4)} from the center`);
   }
   return { isolines: { ...isolines, exact } };
+}
+
+/** With the levels that the engine gives, or else with this many. */
+async function atLeast(
+  levels: number,
+  trace: (part: { levels?: number }) => Promise<TracedCurve>,
+): Promise<TracedCurve> {
+  const traced = await trace({});
+  return traced.levels < levels ? trace({ levels }) : traced;
 }
 
 /** The first step of a polyline that is no repeated point; any direction when all are. */

@@ -144,14 +144,16 @@ export function withUniqueness(
 
 async function computeCircle(
   client: EngineClient,
-  { kind, circle: shape, circleForm }: Figure,
+  { kind, circle: shape, circleForm, settings }: Figure,
   options: FieldOptions,
   draft: boolean,
 ): Promise<Shown> {
   if (!shape) return nothing;
   const circle = await resolveCircle(client, shape, kind === 'ellipse');
   try {
-    const drawn = await drawCircle(client, shape, circle, circleForm, options, draft);
+    const { leastLevels } = settings;
+    const detail = { draft, ...(options.method !== 'paper' && { leastLevels }) };
+    const drawn = await drawCircle(client, shape, circle, circleForm, options, detail);
     return { ...nothing, circle, ...drawn };
   } catch (error) {
     if (error instanceof Stopped) throw error;

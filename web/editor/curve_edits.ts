@@ -11,6 +11,7 @@ import {
   type Vector,
 } from '../model/figure';
 import { applyToFigure, type FigureCommand } from '../model/figure_commands';
+import { withFittingLegs } from '../model/legs';
 import { withAnchorAt } from '../model/pen';
 import { splineOf, withSpline } from '../model/splines';
 import type { Edit } from '../worker/edits';
@@ -229,7 +230,7 @@ export class CurveEdits {
         const { figure, revision } = this.editor.state;
         const step = stepOn(figure);
         if (!step || this.editor.state.mesh !== mesh) return;
-        const to = applyToFigure(figure, step.command);
+        const to = withFittingLegs(applyToFigure(figure, step.command), figure);
         const [before, after] = [splineOf(figure), splineOf(to)];
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
         const edit = asks && editOf(step.command);

@@ -56,6 +56,8 @@ export interface State {
   readonly drawing: Drawing;
   /** Of the object that is edited. */
   readonly figure: Figure;
+  /** The same without the drag that is going on. */
+  readonly base: Figure;
   /** Whether this surface stands in for one that could not be opened, and nothing was done on it. */
   readonly standIn: boolean;
   /** What is selected of the edited object. */
@@ -86,6 +88,7 @@ export class Editor {
     mesh: '',
     drawing: emptyDrawing,
     figure: activeObject(emptyDrawing).figure,
+    base: activeObject(emptyDrawing).figure,
     standIn: false,
     selection: null,
     chosen: [],
@@ -478,7 +481,7 @@ export class Editor {
     this.#change({ drawing, selection, chosen }, true);
   }
 
-  #change(part: Partial<Omit<State, 'figure'>>, newEpoch: boolean): void {
+  #change(part: Partial<Omit<State, 'figure' | 'base'>>, newEpoch: boolean): void {
     const before = this.#state;
     const state = { ...before, ...part };
     const traced =
@@ -488,6 +491,7 @@ export class Editor {
     this.#state = {
       ...state,
       figure: activeObject(state.drawing).figure,
+      base: activeObject(this.#drag?.base ?? state.drawing).figure,
       standIn: part.standIn ?? (before.standIn && !traced),
       revision: before.revision + (traced ? 1 : 0),
       epoch: before.epoch + (newEpoch ? 1 : 0),

@@ -1,4 +1,4 @@
-import type { SurfacePoint } from 'karcher';
+import type { CurveOptions, SurfacePoint } from 'karcher';
 import { activeObject } from '../model/drawing';
 import {
   type Figure,
@@ -12,7 +12,7 @@ import { methodOptions, type Quality, refinedOptions } from '../model/methods';
 import { curveOptions, splineFrom, splineOf, usesLegs, waypointsOf } from '../model/splines';
 import type { Measured, ShorterLeg, TracedCurve } from '../model/traced';
 import { type EngineClient, Stopped } from '../worker/client';
-import type { Edit } from '../worker/edits';
+import type { Edit, Edited } from '../worker/edits';
 import { type Beside, BesideObjects } from './beside';
 import {
   compute,
@@ -24,6 +24,7 @@ import {
   shiftOf,
   withUniqueness,
 } from './compute';
+import { type Drag, Drags } from './drags';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
@@ -77,7 +78,7 @@ const slowSteps = 2;
 const leastGain = 0.02;
 
 /** Whether a curve by tolerance has more samples than it would have by their number. */
-function moreThanFixed({ settings }: Spline, { samples }: TracedCurve): boolean {
+function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean {
   const segments = (samples.segment.at(-1) ?? 0) + 1;
   return settings.tolerance !== null && samples.count > settings.samples * segments;
 }
@@ -104,8 +105,7 @@ export class Session {
   #levels: number | 'limit' = 0;
   /** How many steps of the drag, one after the other, were slow. */
   #slow = 0;
-  /** The control point of a drag whose legs the figure does not tell yet. */
-  #held: number | null = null;
+  readonly #drags = new Drags();
   /** The figure whose legs were compared with the shortest ones. */
   #compared: Figure | null = null;
   /** Whether what is shown has other samples or levels for the time of a drag. */
@@ -161,7 +161,7 @@ export class Session {
     this.#others.clear();
     this.#state = null;
     this.#asked = null;
-    this.#held = null;
+    this.#drags.clear();
     this.#compared = null;
     this.#newest.drop();
     this.#show(emptyView);
@@ -173,6 +173,7 @@ export class Session {
 
   /** Gives up what the engine is at. What it was to be is asked for again with another figure or method. */
   stop(): void {
+    this.#drags.unfollow();
     this.#client?.stop();
   }
 
@@ -181,17 +182,19 @@ export class Session {
     if (state.drawing.active !== this.#state?.drawing.active) {
       this.#manySamples = false;
       this.#levels = 0;
+      this.#drags.made = null;
     }
+    const goesOn = this.#state?.dragging ?? false;
     this.#state = state;
-    if (state.dragged !== null && usesLegs(state.figure.kind)) this.#held = state.dragged;
-    // What was dragged was taken back, or something else was done.
-    else if (state.epoch !== epoch) this.#held = null;
+    if (state.dragged !== null && usesLegs(state.figure.kind)) this.#drags.hold(state, goesOn);
+    else if (state.epoch !== epoch) this.#drags.drop();
     if (!this.#client) return;
     if (state.revision !== this.#asked?.revision) {
       this.#asked = state;
       this.#refinement.drop();
       this.#newest.push(state);
-    } else if ((this.#coarse || this.#held !== null) && !state.dragging) this.#newest.push(state);
+    } else if ((this.#coarse || this.#drags.held !== null) && !state.dragging)
+      this.#newest.push(state);
     else if (!this.#newest.busy) {
       // A drag has ended: what it left is already traced.
       this.#refine();
@@ -208,6 +211,7 @@ export class Session {
     const options = refined ?? methodOptions(state.method);
     const value = client && (await curveValueOf(client, state.figure, options).catch(() => null));
     if (!value) return null;
+    if (client === this.#client) this.#drags.made = state.figure;
     const measured = await client.measure(state.drawing.active, value, near).catch(() => null);
     return this.#state?.revision === state.revision ? (measured ?? null) : null;
   }
@@ -235,12 +239,10 @@ export class Session {
     if (!client || !spline) return null;
     const options = (one: Spline) => curveOptions(one, methodOptions(state.method));
     const wanted = edit.type === 'join' ? { ...edit, other: options(edit.other) } : edit;
-    const made = await client
-      .edited(state.drawing.active, options(spline), wanted)
-      .catch((error) => {
-        if (!client.closed) this.onFailure(error);
-        return null;
-      });
+    const made = await this.#edited(client, state, options(spline), wanted).catch((error) => {
+      if (!client.closed) this.onFailure(error);
+      return null;
+    });
     if (this.#state?.revision !== state.revision || client !== this.#client) return null;
     return made && { ...made, splines: made.curves.map((curve) => splineFrom(curve, spline)) };
   }
@@ -253,9 +255,23 @@ export class Session {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state) return null;
     const options = curveOptions(spline, methodOptions(state.method));
-    const made = await client.edited(state.drawing.active, options, edit).catch(() => null);
+    const made = await this.#edited(client, state, options, edit).catch(() => null);
     const knots = made?.curves[0]?.knots;
     return knots === undefined || typeof knots === 'string' ? null : Array.from(knots);
+  }
+
+  async #edited(
+    client: EngineClient,
+    { drawing }: State,
+    value: CurveOptions,
+    edit: Parameters<EngineClient['edited']>[2],
+  ): Promise<Edited> {
+    this.#drags.unfollow();
+    try {
+      return await client.edited(drawing.active, value, edit);
+    } finally {
+      this.#drags.unfollow();
+    }
   }
 
   #show(part: Partial<View>): void {
@@ -273,7 +289,10 @@ export class Session {
     if (!client || client.closed) return;
     const { method } = state;
     try {
-      if (!state.dragging && (await this.#keepLegs(client, state))) return;
+      const drag = state.dragged === null ? null : this.#drags.held;
+      for (const ended of this.#drags.takeEnded(state)) {
+        if (await this.#keepLegs(client, state, ended)) return;
+      }
       const ids = state.drawing.objects.map(({ id }) => id);
       for (const one of [client, this.#refinement.client]) one?.keepCurves(ids);
       const known = state.dragging ? null : this.#others.known(state.figure, method);
@@ -286,13 +305,19 @@ export class Session {
       const { figure, coarse } = this.#asTraced(state);
       let stopped = false;
       this.#coarse = coarse;
-      const shown = await compute(client, figure, methodOptions(method), {
-        object: state.drawing.active,
-        draft: refinedOptions(method) !== null,
-        dragged: state.dragged ?? undefined,
-        uniqueness: true,
-      }).catch((error) => {
+      const computed = async () => {
+        if (drag) await this.#follow(client, state, drag);
+        this.#drags.made = state.figure;
+        return compute(client, figure, methodOptions(method), {
+          object: state.drawing.active,
+          draft: refinedOptions(method) !== null,
+          dragged: state.dragged ?? undefined,
+          uniqueness: true,
+        });
+      };
+      const shown = await computed().catch((error) => {
         if (client.closed) throw error;
+        this.#drags.made = null;
         stopped = error instanceof Stopped;
         return { ...nothing, problem: stopped ? stoppedHint : messageOf(error) };
       });
@@ -306,7 +331,7 @@ export class Session {
       const slow = state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft;
       this.#slow = slow ? this.#slow + 1 : 0;
       // A draft of averages alone needs no fields.
-      if (this.#slow >= slowSteps) this.#levels = 'limit';
+      if (this.#slow >= slowSteps && !isRound(figure.kind)) this.#levels = 'limit';
       this.#showTraced(state, shown, quality);
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
@@ -315,10 +340,8 @@ export class Session {
 
   /** What a drag of the figure keeps to. */
   #took(figure: Figure, { curve }: Shown): void {
-    const spline = splineOf(figure);
-    if (!spline || !curve) return;
-    this.#manySamples = moreThanFixed(spline, curve);
-    this.#levels = curve.levels;
+    this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
+    this.#levels = curve?.levels ?? 0;
   }
 
   /** Levels that a drag needed stay while it lasts. */
@@ -340,20 +363,33 @@ export class Session {
     this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
   }
 
+  /** The engine continues the legs of the curve that it has: before a drag's first step its base. */
+  async #follow(client: EngineClient, state: State, drag: Drag): Promise<void> {
+    if (!this.#drags.begins(drag)) return;
+    const { figure } = this.#asTraced({ ...state, figure: drag.base, dragging: true });
+    const value = await curveValueOf(client, figure, methodOptions(state.method));
+    if (!value) return;
+    await client.curve(value, { object: state.drawing.active }).catch((error) => {
+      // What is no curve has no legs to go on from.
+      if (error instanceof Stopped) throw error;
+    });
+  }
+
   /** Asks for the legs that a drag drew out, once it has ended; whether they change the figure. */
-  async #keepLegs(client: EngineClient, state: State): Promise<boolean> {
-    const dragged = this.#held;
-    const { figure } = this.#asTraced({ ...state, dragging: true });
+  async #keepLegs(client: EngineClient, state: State, drag: Drag): Promise<boolean> {
+    const { point, to } = drag;
+    const { figure } = this.#asTraced({ ...state, figure: to, dragging: true });
     const spline = splineOf(figure);
-    this.#held = null;
-    if (dragged === null || !spline) return false;
-    const legs = await client
-      .drawnLegs(state.drawing.active, curveOptions(spline, methodOptions(state.method)), dragged)
-      .catch(() => []);
-    const drawn = legs.map(waypointsOf);
-    const before = (dragged + spline.points.length - 1) % spline.points.length;
-    if (!drawn[dragged] && !drawn[before]) return false;
-    this.onLegs(state.figure, dragged, drawn);
+    if (!spline) return false;
+    const value = curveOptions(spline, methodOptions(state.method));
+    const legs = await this.#follow(client, state, drag)
+      .then(() => client.drawnLegs(state.drawing.active, value, point))
+      .catch(() => null);
+    this.#drags.made = legs && to;
+    const drawn = legs?.map(waypointsOf) ?? [];
+    const before = (point + spline.points.length - 1) % spline.points.length;
+    if (!drawn[point] && !drawn[before]) return false;
+    this.onLegs(to, point, drawn);
     return this.#state?.revision !== state.revision;
   }
 
@@ -366,6 +402,7 @@ export class Session {
     if (this.#view.problem) return false;
     this.#compared = state.figure;
     const options = curveOptions(spline, methodOptions(state.method));
+    if (options.legs) this.#drags.made = state.figure;
     const found = options.legs
       ? await client.shorterLegs(state.drawing.active, options).catch(() => [])
       : [];
@@ -382,7 +419,9 @@ export class Session {
   #asTraced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;
     const fewer = dragging && this.#manySamples && settings.tolerance !== null;
-    const keeps = dragging && this.#levels !== 0 && settings.levels === 'auto';
+    // Circles have no choice of levels.
+    const isAutomatic = settings.levels === 'auto' || isRound(figure.kind);
+    const keeps = dragging && this.#levels !== 0 && isAutomatic;
     if (!fewer && !keeps) return { figure, coarse: false };
     const levels =
       this.#levels === 'limit' ? { levels: this.#levels } : { leastLevels: this.#levels };

@@ -279,9 +279,11 @@ function parseFigure(fragment: string): Figure {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const legs = parseLegs(fields.get('legs') ?? '');
   const tangents = parseTangents(fields.get('tangents') ?? '');
-  const points = pointTexts(fragment).map((text, i) => {
-    const point = parseControlPoint(text);
-    return point && withTangents(withLeg(point, legs.get(i)), tangents.get(`${i}`));
+  const read = pointTexts(fragment).map(parseControlPoint);
+  const points = read.map((point, i) => {
+    const next = i + 1 < read.length ? read[i + 1] : read[0];
+    const leg = next ? legs.get(i) : null;
+    return point && withTangents(withLeg(point, leg), tangents.get(`${i}`));
   });
   return withFittingKnots({
     kind: kinds.find((one) => one === fields.get('kind')) ?? 'bspline',

@@ -13,7 +13,7 @@ export interface TracedCurve {
   knots: Float64Array;
   /** Points with the same length of curve between them, as many as were asked for. */
   marks: CurvePoints | null;
-  /** How many levels the curve has; 0 for circles. */
+  /** How many levels the curve has, or the arcs of a circle. */
   levels: number;
   /** The legs of its control polygon, where it has a use for them. */
   legs: readonly Float32Array[];

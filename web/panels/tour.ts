@@ -6,6 +6,8 @@ interface Step {
   about: string;
   title: string;
   text: string;
+  /** Only said where something is drawn. */
+  isOfDrawing?: boolean;
 }
 
 const steps: readonly Step[] = [
@@ -13,6 +15,7 @@ const steps: readonly Step[] = [
     about: '#stage',
     title: 'It all lies on the surface',
     text: 'Drag a line to move it, a point to shape it, and the rest to turn the view. Undo takes everything back.',
+    isOfDrawing: true,
   },
   {
     about: '#tool-rail',
@@ -45,8 +48,11 @@ export class Tour {
   readonly #next = byId<HTMLButtonElement>('tour-next');
   #at = 0;
 
-  /** `reveal` shows the panel where it is drawn down. */
-  constructor(private readonly reveal: () => void) {
+  /** `reveal` shows the panel where it is drawn down; `isDrawn` tells whether anything is drawn. */
+  constructor(
+    private readonly reveal: () => void,
+    private readonly isDrawn: () => boolean,
+  ) {
     this.#next.addEventListener('click', () => this.#show(this.#at + 1));
     byId('tour-skip').addEventListener('click', () => this.#end());
     // While the help is open nothing else takes the focus.
@@ -72,7 +78,17 @@ export class Tour {
     if (recall('tour') === null) this.#show(0);
   }
 
-  #show(at: number): void {
+  /** Goes on where the step that is shown does not fit any more. */
+  update(): void {
+    if (!this.#card.hidden && !this.#fits(this.#at)) this.#show(this.#at + 1);
+  }
+
+  #fits(at: number): boolean {
+    return !steps[at]?.isOfDrawing || this.isDrawn();
+  }
+
+  #show(next: number): void {
+    const at = this.#fits(next) ? next : next + 1;
     const step = steps[at];
     if (!step) {
       this.#end();

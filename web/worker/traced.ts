@@ -21,14 +21,14 @@ export function tracedCurve(view: CurveView, marks: CurvePoints | null): TracedC
 }
 
 export function tracedCircle(circle: Circle, milliseconds: () => number): TracedCurve {
-  const { path, unconverged, samples, bridged, notShortest } = circle;
+  const { path, unconverged, samples, bridged, levels, notShortest } = circle;
   return {
     polyline: path.polyline(),
     polylineStatus: unconverged,
     samples,
     lost: lostIntervals(samples, bridged),
     knots: new Float64Array(),
-    levels: 0,
+    levels,
     legs: [],
     marks: null,
     arcsNotShortest: notShortest.length,

@@ -1,0 +1,125 @@
+// Legs that a drag draws out: by the page's parts, in Node.
+import assert from 'node:assert/strict';
+import { beforeEach, describe, test } from 'node:test';
+import { load } from 'karcher';
+import { arraysOfShape, openPage } from './engine_in_node.mjs';
+
+/** Along a geodesic around the tube of a torus, whose first part is a shortest path. */
+const mesh = (await load()).shape('torus', 2000);
+const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
+const along = (length) => mesh.straightest(start, [0, 0, 1], length).end;
+const places = (from, to) =>
+  Array.from({ length: Math.round((to - from) / 0.05) }, (_, i) => along(from + 0.05 * (i + 1)));
+
+describe('legs that are drawn out', () => {
+  let page;
+  let figure;
+  let length;
+  const legs = () => figure().points.map(({ leg }) => leg?.length ?? 0);
+  beforeEach(async () => {
+    page = await openPage(await arraysOfShape('torus', 2000));
+    page.session.onLegs = (...drawn) => page.editor.keepLegs(...drawn);
+    figure = () => page.editor.state.figure;
+    length = () => page.session.view.curve.length;
+  });
+
+  async function drag(index, ways) {
+    for (const place of ways) {
+      const from = page.editor.base.points[index];
+      page.editor.preview({ type: 'change', index, from, to: { ...from, ...place } });
+      await page.settled();
+    }
+  }
+
+  async function release() {
+    page.editor.commitDrag();
+    await page.settled();
+  }
+
+  describe('of a line whose end was dragged around the tube', () => {
+    beforeEach(async () => {
+      page.editor.setKind('polyline');
+      for (const at of [0, 0.3]) await page.edits.append(along(at));
+      await page.settled();
+      await drag(1, places(0.3, 2.45));
+    });
+
+    /** To rounding of a path's points. */
+    const isNear = (a, b) => assert.ok(Math.abs(a - b) < 1e-3, `${a}, not ${b}`);
+
+    async function goesOnFromTheShortest() {
+      isNear(length(), 0.3);
+      await drag(1, [along(0.301)]);
+      isNear(length(), 0.301);
+      await release();
+      isNear(length(), 0.301);
+      assert.deepEqual(legs(), [0, 0]);
+    }
+
+    test('after Escape the next drag begins with what is shown', async () => {
+      page.editor.cancelDrag();
+      await page.settled();
+      await goesOnFromTheShortest();
+    });
+
+    test('the next drag does so where nothing was traced since Escape', async () => {
+      page.editor.cancelDrag();
+      await drag(1, [along(0.301)]);
+      isNear(length(), 0.301);
+    });
+
+    test('and where a drag ends before its first step is traced', async () => {
+      page.editor.cancelDrag();
+      const from = page.editor.base.points[1];
+      page.editor.preview({ type: 'change', index: 1, from, to: { ...from, ...along(0.301) } });
+      await release();
+      isNear(length(), 0.301);
+      assert.deepEqual(legs(), [0, 0]);
+    });
+
+    test('after undo, redo and undo the next drag begins with what is shown', async () => {
+      await release();
+      assert.ok(legs()[0] > 0);
+      for (const step of ['undo', 'redo', 'undo']) {
+        page.editor[step]();
+        await page.settled();
+      }
+      await goesOnFromTheShortest();
+    });
+
+    test('a drag that begins at once goes on from what the last one drew', async () => {
+      page.editor.commitDrag();
+      await drag(1, [along(2.46)]);
+      isNear(length(), 2.46);
+      await drag(1, [along(2.5)]);
+      isNear(length(), 2.5);
+      await release();
+      isNear(length(), 2.5);
+      page.editor.undo();
+      await page.settled();
+      isNear(length(), 2.45);
+    });
+  });
+
+  for (const knots of [null, [0, 0, 0, 0, 1, 2.5, 3, 3, 3, 3]]) {
+    test(`go with the point they lead to, of ${knots ? 'own' : 'clamped'} knots`, async () => {
+      const { editor, edits, settled } = page;
+      editor.setKind('bspline');
+      for (const at of [0, 0.1, 0.2, 0.3, 0.4, 0.5]) await edits.append(along(at));
+      if (knots) assert.equal(await edits.setKnots(knots), null);
+      else editor.setSettings({ clamped: true });
+      await settled();
+      await drag(5, places(0.5, 2.8));
+      await release();
+      assert.ok(legs()[4] > 0);
+      editor.select(5);
+      await edits.removeSelected();
+      assert.deepEqual(legs(), [0, 0, 0, 0, 0]);
+      await edits.append(along(0.5));
+      await settled();
+      assert.deepEqual(legs(), [0, 0, 0, 0, 0, 0]);
+      assert.ok(length() < 0.6, `${length()} long`);
+      assert.equal(figure().settings.knots?.length, knots?.length);
+    });
+  }
+});
