@@ -123,7 +123,7 @@ export function checkLength(array: ArrayLike<unknown>, multipleOf: number, what:
 }
 
 /** The three numbers of an array, or of an object with x, y and z, NaN and infinity among them. */
-export function toTriple(value: unknown, what: string): Float64Array {
+function toTriple(value: unknown, what: string): Float64Array {
   const { x, y, z } = (value ?? {}) as Partial<Record<'x' | 'y' | 'z', unknown>>;
   const named = typeof value === 'object' && [x, y, z].some((entry) => entry !== undefined);
   const numbers = toFloat64(named ? [x, y, z] : value, what);

@@ -80,7 +80,7 @@ export const isolineOptionNames = namesOf<IsolineOptions>({
 
 /** The names that callers may give; the first method is the default. */
 export const methods: readonly Method[] = ['karcher', 'paper'];
-export const solvers: readonly Solver[] = ['fast', 'exact', 'graph'];
+const solvers: readonly Solver[] = ['fast', 'exact', 'graph'];
 const defaultRings = 6;
 
 /** Field options with every default filled in, as the engine takes them. */

@@ -17,29 +17,29 @@ constexpr int kMostSteps = 80;
 constexpr double kPrecision = 1e-15;
 
 /// A point of a line, and the path to it from the point that is mirrored.
-struct Look {
+struct LinePoint {
   double length = 0;  ///< from the line's start
   SurfacePath path;
   Vec2 along = Vec2::Zero();  ///< the line's unit tangent, at the end of the path
   double slope = 0;           ///< of the path's length along the line
 };
 
-Look lookAt(const Geometry& geometry, const SurfacePath& line, double length,
-            const SurfacePoint& point, FindPathWorkspace& workspace) {
+LinePoint linePointAt(const Geometry& geometry, const SurfacePath& line, double length,
+                      const SurfacePoint& point, FindPathWorkspace& workspace) {
   const TriangleMesh& mesh = *geometry.mesh;
-  Look look;
-  look.length = length;
+  LinePoint result;
+  result.length = length;
   const SurfacePoint at = pointAlong(mesh, line, length);
-  look.path = pathBetween(geometry, point, at, workspace);
+  result.path = pathBetween(geometry, point, at, workspace);
   SurfacePath rest;
   const bool isOnward = length < line.length() / 2;
   appendPart(mesh, line, length, isOnward ? line.length() : 0, rest);
-  rest.points.front() = look.path.end();
+  rest.points.front() = result.path.end();
   measure(mesh, rest);
-  look.along = logAlong(geometry, rest).normalized() * (isOnward ? 1 : -1);
-  const Vec2 back = logBack(geometry, look.path);
-  look.slope = back.norm() > 0 ? -back.normalized().dot(look.along) : 0;
-  return look;
+  result.along = logAlong(geometry, rest).normalized() * (isOnward ? 1 : -1);
+  const Vec2 back = logBack(geometry, result.path);
+  result.slope = back.norm() > 0 ? -back.normalized().dot(result.along) : 0;
+  return result;
 }
 
 [[noreturn]] void throwNoFoot() {
@@ -50,14 +50,16 @@ Look lookAt(const Geometry& geometry, const SurfacePath& line, double length,
 }
 
 /// The nearest point of a line, between neighbors of the nearest of a dozen.
-Look footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
-            FindPathWorkspace& workspace) {
+LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
+                 FindPathWorkspace& workspace) {
   const double whole = line.length();
-  const auto at = [&](double length) { return lookAt(geometry, line, length, point, workspace); };
-  Look best = at(0);
+  const auto at = [&](double length) {
+    return linePointAt(geometry, line, length, point, workspace);
+  };
+  LinePoint best = at(0);
   for (int i = 1; i <= kParts; ++i) {
-    Look look = at(whole * i / kParts);
-    if (look.path.length() < best.path.length()) best = std::move(look);
+    LinePoint candidate = at(whole * i / kParts);
+    if (candidate.path.length() < best.path.length()) best = std::move(candidate);
   }
   // The sign of the slope changes between these two; secants, halved where one end stays
   // (Illinois).
@@ -73,11 +75,11 @@ Look footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoin
     if (brackets && step % 3 != 2) {
       middle = (low * highSlope - high * lowSlope) / (highSlope - lowSlope);
     }
-    Look look = at(middle);
-    const double slope = look.slope;
+    LinePoint candidate = at(middle);
+    const double slope = candidate.slope;
     // Near the foot lengths differ by rounding alone.
-    const bool isNearer = look.path.length() < (1 - 1e-12) * best.path.length();
-    if (isNearer || std::abs(slope) < std::abs(best.slope)) best = std::move(look);
+    const bool isNearer = candidate.path.length() < (1 - 1e-12) * best.path.length();
+    if (isNearer || std::abs(slope) < std::abs(best.slope)) best = std::move(candidate);
     if (slope == 0) break;
     (slope < 0 ? low : high) = middle;
     (slope < 0 ? lowSlope : highSlope) = slope;
@@ -113,7 +115,7 @@ ExpMapped mirrored(const Geometry& geometry, const SurfacePath& line, const Surf
   if (!(line.length() > 0)) {
     throw Error(ErrorCode::kBadArgument, "a line to mirror in must have a length");
   }
-  const Look foot = footOn(geometry, line, point, workspace);
+  const LinePoint foot = footOn(geometry, line, point, workspace);
   const Vec2 back = logBack(geometry, foot.path);
   const auto reflected = [&](const Vec2& vector) -> Vec2 {
     return 2 * vector.dot(foot.along) * foot.along - vector;

@@ -14,17 +14,6 @@ SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const
   return clampedPoint(face, from + s * (inFace(mesh, b, face).bary - from));
 }
 
-Array<double> lengthsAlong(const TriangleMesh& mesh, const Array<SurfacePoint>& path) {
-  Array<double> lengths{0};
-  Vec3 last = position(mesh, path.front());
-  for (int i = 1; i < path.count(); ++i) {
-    const Vec3 here = position(mesh, path[i]);
-    lengths.push_back(lengths.back() + (here - last).norm());
-    last = here;
-  }
-  return lengths;
-}
-
 int pieceAt(const Array<double>& lengths, double length) {
   const auto beyond = std::upper_bound(lengths.begin(), lengths.end(), length);
   return std::clamp(static_cast<int>(beyond - lengths.begin()) - 1, 0, lengths.count() - 2);

@@ -9,9 +9,6 @@ namespace karcher {
 SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
                           double s);
 
-/// The lengths of a path from its first point to each of its points.
-Array<double> lengthsAlong(const TriangleMesh& mesh, const Array<SurfacePoint>& path);
-
 /// The number of the path's piece (between points k and k + 1) at a length from its start, which is
 /// clamped to the path.
 int pieceAt(const Array<double>& lengths, double length);

@@ -102,9 +102,4 @@ struct CornerDirection {
 };
 CornerDirection cornerOfDirection(const Geometry& geometry, int vertex, double direction);
 
-/// Saddle vertices (more than 2 pi of angle) and boundary vertices: shortest paths may turn there.
-inline bool maySpreadPaths(const Geometry& geometry, int vertex) {
-  return geometry.mesh->onBoundary[vertex] != 0 || geometry.totalAngle[vertex] > 2 * kPi + 1e-9;
-}
-
 }  // namespace karcher

@@ -72,27 +72,6 @@ LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex) {
   return logs;
 }
 
-Array<Vec2> vectorHeatTransport(const HeatOperators& operators,
-                                const Array<VertexVector>& sources) {
-  if (sources.empty()) throw Error(ErrorCode::kTooFewPoints, "there is no vector to transport");
-  const int count = operators.vertexCount();
-  Columns<Complex, 1> vectors = Columns<Complex, 1>::Zero(count);
-  Columns<double, 2> sizes = Columns<double, 2>::Zero(count, 2);
-  for (const VertexVector& source : sources) {
-    vectors[source.vertex] += toComplex(source.vector);
-    sizes(source.vertex, 0) += source.vector.norm();
-    sizes(source.vertex, 1) += 1;
-  }
-  vectors = operators.vectorHeat().solve<1>(vectors);
-  sizes = operators.scalarHeat().solve<2>(sizes);
-  Array<Vec2> result;
-  for (int v = 0; v < count; ++v) {
-    const double size = std::abs(sizes(v, 1)) < kLeastHeat ? 0 : sizes(v, 0) / sizes(v, 1);
-    result.push_back(size * heatDirection(vectors[v]));
-  }
-  return result;
-}
-
 Vec2 cornerRotation(const Geometry& geometry, const SurfacePoint& point, int k) {
   const int h = 3 * point.face + k;
   const PointLocation location = locate(*geometry.mesh, point);
@@ -105,24 +84,6 @@ Vec2 cornerRotation(const Geometry& geometry, const SurfacePoint& point, int k) 
   }
   const double scale = geometry.angleScale[geometry.mesh->tail(h)];
   return rotateBack(unitVector(scale * direction), inFace);
-}
-
-LogMap logMapFromPoint(const Geometry& geometry, const LogMapFromVertex& fromVertex,
-                       const SurfacePoint& source) {
-  LogMap logs(geometry.mesh->positions.size(), Vec2::Zero());
-  for (int k = 0; k < 3; ++k) {
-    if (source.bary[k] == 0) continue;
-    const Vec2 rotation = source.bary[k] * cornerRotation(geometry, source, k);
-    const LogMap fromCorner = fromVertex(geometry.mesh->corner(source.face, k));
-    for (int v = 0; v < logs.count(); ++v) {
-      if (!fromCorner[v].allFinite() || !logs[v].allFinite()) {
-        logs[v] = noLogarithm();
-      } else {
-        logs[v] += rotate(rotation, fromCorner[v]);
-      }
-    }
-  }
-  return logs;
 }
 
 }  // namespace karcher

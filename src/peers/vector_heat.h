@@ -25,17 +25,6 @@ inline Vec2 noLogarithm() { return {kInfinity, 0}; }
 /// radial field as in its appendix A). Two solves with vectors and one with functions.
 LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex);
 
-/// A tangent vector at a vertex, in its frame.
-struct VertexVector {
-  int vertex = 0;
-  Vec2 vector = Vec2::Zero();
-};
-
-/// Parallel transport of vectors to all vertices, each along the shortest path from the nearest
-/// source (Algorithm 1 of the paper). Where no heat arrives the result is zero.
-/// Throws Error kTooFewPoints without sources.
-Array<Vec2> vectorHeatTransport(const HeatOperators& operators, const Array<VertexVector>& sources);
-
 /// A log map from each vertex, such as vectorHeatLogMap of some operators.
 using LogMapFromVertex = std::function<LogMap(int vertex)>;
 
@@ -44,11 +33,5 @@ using LogMapFromVertex = std::function<LogMap(int vertex)>;
 /// point on an edge that of the edge, so that both faces at the edge agree. Since a vertex's frame
 /// is rescaled, other directions turn by a little more or less.
 Vec2 cornerRotation(const Geometry& geometry, const SurfacePoint& point, int k);
-
-/// The log map from any point, in the frame of its face: those from the face's corners, turned by
-/// cornerRotation and interpolated by the point's barycentric weights (as the authors' library
-/// does; the paper does not treat such sources). Corners of weight 0 cost nothing.
-LogMap logMapFromPoint(const Geometry& geometry, const LogMapFromVertex& fromVertex,
-                       const SurfacePoint& source);
 
 }  // namespace karcher

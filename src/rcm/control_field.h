@@ -36,17 +36,13 @@ class ControlField {
   void reset(Evaluate evaluate, EvaluateMidpoint evaluateMidpoint = {}) {
     entries_.clear();
     corrections_.clear();
-    knownCount_ = 0;
     evaluate_ = std::move(evaluate);
     evaluateMidpoint_ = std::move(evaluateMidpoint);
   }
 
   const FieldValue& at(int vertex) {
     FieldValue& value = entries_.touch(vertex).value;
-    if (std::isnan(value.squaredDistance)) {
-      value = evaluate_(vertex);
-      ++knownCount_;
-    }
+    if (std::isnan(value.squaredDistance)) value = evaluate_(vertex);
     return value;
   }
 
@@ -70,9 +66,6 @@ class ControlField {
   /// The same without keeping it, for a caller who reads each once.
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
-  /// How many vertices were asked for since the last reset.
-  int knownCount() const { return knownCount_; }
-
  private:
   /// A value that is not known yet is not a number, which takes no memory of its own.
   struct Entry {
@@ -84,7 +77,6 @@ class ControlField {
   EvaluateMidpoint evaluateMidpoint_;
   PagedArray<Entry, 4> entries_;
   std::unordered_map<int, Vec2> corrections_;
-  int knownCount_ = 0;
 };
 
 }  // namespace karcher

@@ -43,7 +43,8 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
   }
 }
 
-int heaviest(const Array<double>& weights) {
+/// The number of the largest weight; of several that are equal, the first.
+int firstLargest(const Array<double>& weights) {
   return static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
 }
 
@@ -354,7 +355,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
     FieldBlend field(surface.geometry(), {&sum});
     const Array<double> one{1};
     const Array<ControlField*> summed;
-    Mean mean = search(surface, field, one, points, heaviest(weights), options);
+    Mean mean = search(surface, field, one, points, firstLargest(weights), options);
     if (isToBeChecked(mean, options)) {
       mean = checkedMean(mean, {field, one, summed, points, weights}, !options.start);
     }
@@ -364,7 +365,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   Array<ControlField*> pointers;
   for (const auto& field : fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), pointers);
-  Mean mean = search(surface, blend, weights, points, heaviest(weights), options);
+  Mean mean = search(surface, blend, weights, points, firstLargest(weights), options);
   if (isToBeChecked(mean, options)) {
     mean = checkedMean(mean, {blend, weights, pointers, points, weights}, !options.start);
   }
@@ -392,7 +393,7 @@ Mean centerOfMassOfDistances(Surface& surface, const Array<Array<double>>& dista
   if (options.start) {
     start = *options.start;
   } else {
-    const Array<double>& nearest = distances[heaviest(weights)];
+    const Array<double>& nearest = distances[firstLargest(weights)];
     start = vertexPoint(
         surface.mesh(),
         static_cast<int>(std::min_element(nearest.begin(), nearest.end()) - nearest.begin()));

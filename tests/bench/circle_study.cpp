@@ -32,7 +32,7 @@ struct Deviation {
 
   void add(const Geometry& geometry, const SurfacePoint& center, double radius,
            const Array<SurfacePoint>& line) {
-    const Array<double> lengths = lengthsAlong(*geometry.mesh, line);
+    const Array<double> lengths = pathThrough(*geometry.mesh, line).lengths;
     for (int i = 0; i < kPointsAlong; ++i) {
       const double length = lengths.back() * (i + 0.5) / kPointsAlong;
       const SurfacePoint point = pointAlong(*geometry.mesh, line, lengths, length);

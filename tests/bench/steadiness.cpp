@@ -4,7 +4,7 @@
 
 #include "bench_support.h"
 #include "curves/polygon/levels.h"
-#include "intrinsic/along_path.h"
+#include "intrinsic/surface_path.h"
 
 namespace karcher {
 namespace {
@@ -53,7 +53,7 @@ double allowedLeap(const Geometry& geometry, const TracedCurve& before, const Tr
   double sum = 0;
   for (int i = 0; i < std::min(before.legs.count(), after.legs.count()); ++i) {
     const Array<SurfacePoint>& leg = before.legs[i];
-    const double length = lengthsAlong(*geometry.mesh, leg).back();
+    const double length = pathThrough(*geometry.mesh, leg).length();
     sum += allowedByPassing(geometry, length, leg, after.legs[i]);
   }
   return sum;

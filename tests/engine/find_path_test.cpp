@@ -6,7 +6,6 @@
 #include "distance_meshes.h"
 #include "generators/plane.h"
 #include "generators/rough.h"
-#include "intrinsic/along_path.h"
 #include "support.h"
 
 namespace karcher {
@@ -42,7 +41,7 @@ void expectShort(const TriangleMesh& mesh, int pairs, uint64_t seed, double most
     ASSERT_TRUE(findPath(geometry, to, from, workspace, back));
     expectEnds(path, from, to);
     expectSamePath(reversed(back), path);
-    EXPECT_EQ(path.lengths, lengthsAlong(mesh, path.points));
+    EXPECT_EQ(path.lengths, pathThrough(mesh, path.points).lengths);
     for (int k = 1; k < path.points.count(); ++k) {
       EXPECT_TRUE(haveCommonFace(mesh, path.points[k - 1], path.points[k]));
     }

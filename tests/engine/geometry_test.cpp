@@ -12,10 +12,6 @@
 namespace karcher {
 namespace {
 
-TriangleMesh irregularPlane() {
-  return meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 400, 1));
-}
-
 TEST(Geometry, MeasuresARightTriangle) {
   // 2 (0, 3)
   // | .
@@ -192,22 +188,6 @@ TEST(CornerOfDirection, FindsTheCornerThatADirectionWasTakenFrom) {
       EXPECT_EQ(cornerOfDirection(geometry, v, geometry.totalAngle[v] + 0.1).halfedge, -1);
     }
   }
-}
-
-TEST(MaySpreadPaths, AtSaddlesAndOnTheBoundary) {
-  const TriangleMesh plane = irregularPlane();
-  const Geometry flat = buildGeometry(plane);
-  for (int v = 0; v < plane.vertexCount(); ++v) {
-    EXPECT_EQ(maySpreadPaths(flat, v), plane.onBoundary[v] != 0);
-  }
-  const TriangleMesh genus3 = meshOf(makeShape(Shape::kGenus3, 500));
-  const Geometry curved = buildGeometry(genus3);
-  int saddles = 0;
-  for (int v = 0; v < genus3.vertexCount(); ++v) {
-    EXPECT_EQ(maySpreadPaths(curved, v), curved.totalAngle[v] > 2 * kPi + 1e-9);
-    saddles += maySpreadPaths(curved, v);
-  }
-  EXPECT_GT(saddles, 0);
 }
 
 }  // namespace

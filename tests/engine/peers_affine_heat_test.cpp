@@ -2,6 +2,7 @@
 
 #include "generators/plane.h"
 #include "generators/sphere.h"
+#include "log_maps.h"
 #include "peers/affine_heat.h"
 #include "support.h"
 

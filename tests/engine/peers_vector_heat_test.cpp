@@ -3,8 +3,7 @@
 #include <sstream>
 
 #include "generators/plane.h"
-#include "generators/sphere.h"
-#include "peers/vector_heat.h"
+#include "log_maps.h"
 #include "support.h"
 
 namespace karcher {
@@ -45,84 +44,6 @@ TEST(VectorHeat, LogMapsAgreeWithAnIndependentLibrary) {
     }
   }
   EXPECT_EQ(sources, 6);
-}
-
-TEST(VectorHeat, TransportOnThePlaneKeepsVectors) {
-  // Where the mesh is not Delaunay, heat may turn negative, and directions turn round with it.
-  const auto isDelaunayAnyway = [](PlaneTessellation tessellation) {
-    return tessellation == PlaneTessellation::kRandomDelaunay ||
-           tessellation == PlaneTessellation::kJitteredDelaunay ||
-           tessellation == PlaneTessellation::kRegularGrid;
-  };
-  for (const bool delaunay : {false, true}) {
-    for (const PlaneTessellation tessellation : kPlaneTessellations) {
-      if (!delaunay && !isDelaunayAnyway(tessellation)) continue;
-      SCOPED_TRACE(std::string(tessellationName(tessellation)) + (delaunay ? ", Delaunay" : ""));
-      const TriangleMesh mesh = meshOf(tessellatedPlane(tessellation, 500, 3));
-      const Geometry geometry = buildGeometry(mesh);
-      HeatOptions options;
-      options.delaunay = delaunay;
-      const HeatOperators operators(geometry, options);
-      const Vec3 vector(0.3, -1.7, 0);
-      const int source = mesh.vertexCount() / 2;
-      const Array<Vec2> field =
-          vectorHeatTransport(operators, {{source, inVertexFrame(geometry, source, vector)}});
-      for (int v = 0; v < mesh.vertexCount(); ++v) {
-        EXPECT_LT((field[v] - inVertexFrame(geometry, v, vector)).norm(), 1e-9);
-      }
-    }
-  }
-}
-
-/// A vector at a vertex as a vector in space: the mean of what it is in the faces around.
-Vec3 inSpace(const Geometry& geometry, int vertex, const Vec2& vector) {
-  Vec3 sum = Vec3::Zero();
-  for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
-    sum += toSpace(geometry, faceOf(h), rotate(geometry.vertexToFace[h], vector));
-  }
-  return vector.norm() * sum.normalized();
-}
-
-int vertexNear(const TriangleMesh& mesh, const Vec3& p) {
-  int best = 0;
-  for (int v = 1; v < mesh.vertexCount(); ++v) {
-    if ((mesh.positions[v] - p).norm() < (mesh.positions[best] - p).norm()) best = v;
-  }
-  return best;
-}
-
-TEST(VectorHeat, TransportOnTheSphereFollowsGreatCircles) {
-  const TriangleMesh mesh = meshOf(relaxedSphere(8000, 2));
-  const Geometry geometry = buildGeometry(mesh);
-  const HeatOperators operators(geometry);
-  const int source = vertexNear(mesh, Vec3(0, 0, 1));
-  const Vec2 vector(1.2, -0.4);
-  const Array<Vec2> field = vectorHeatTransport(operators, {{source, vector}});
-  const Vec3& from = mesh.positions[source];
-  const Vec3 start = inSpace(geometry, source, vector);
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    EXPECT_NEAR(field[v].norm(), vector.norm(), 1e-12);
-    if (mesh.positions[v].dot(from) < -0.5) continue;  // towards the cut locus
-    const Vec3 expected =
-        Eigen::Quaterniond::FromTwoVectors(from, mesh.positions[v]).toRotationMatrix() * start;
-    EXPECT_LT((inSpace(geometry, v, field[v]) - expected).norm(), geometry.meanEdge);
-  }
-}
-
-TEST(VectorHeat, TransportTakesLengthsFromTheNearestSource) {
-  const TriangleMesh mesh = meshOf(relaxedSphere(2000, 2));
-  const Geometry geometry = buildGeometry(mesh);
-  const HeatOperators operators(geometry);
-  const int north = vertexNear(mesh, Vec3(0, 0, 1));
-  const int south = vertexNear(mesh, Vec3(0, 0, -1));
-  const Array<Vec2> field =
-      vectorHeatTransport(operators, {{north, Vec2(3, 0)}, {south, Vec2(0, 1)}});
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    // Heat falls by a factor of e an edge: ten edges beyond the equator nothing of it is left.
-    const double height = mesh.positions[v].z();
-    if (std::abs(height) < 5 * geometry.meanEdge) continue;
-    EXPECT_NEAR(field[v].norm(), height > 0 ? 3 : 1, 1e-3);
-  }
 }
 
 TEST(VectorHeat, LogMapsScaleWithTheMesh) {

@@ -34,7 +34,7 @@ Outcome measure(Surface& surface, const Array<PointPair>& pairs, const FieldOpti
   Array<double> errors;
   for (const PointPair& pair : pairs) {
     const SurfacePath path = shortestPath(geometry, pair.from, pair.to);
-    const Array<double> lengths = lengthsAlong(mesh, path.points);
+    const Array<double>& lengths = path.lengths;
     from.setPoint(pair.from);
     to.setPoint(pair.to);
     SegmentFields fields(surface, {&from, &to});

@@ -258,7 +258,10 @@ test('curves that cannot be say why', () => {
   assert.throws(() => curve.movePointInOrder(0, 5), { code: 'badIndex' });
   curve.setKind('rational');
   assert.throws(() => curve.setWeight(5, 2), { code: 'badIndex' });
-  assert.throws(() => curve.setWeight(0, 0), { code: 'badArgument', message: /from 1e-12 to 1e12/ });
+  assert.throws(() => curve.setWeight(0, 0), {
+    code: 'badArgument',
+    message: /from 1e-12 to 1e12/,
+  });
 });
 
 test('adaptive samples keep their tolerance', () => {

@@ -7,7 +7,7 @@ import type { CurvePlan } from './types.js';
 import { add, at, cross, dot, length, scaled, subtract, type Vector } from './vectors.js';
 
 /** At so many samples of a curve, evenly spaced from its first to its last, its error is measured. */
-export const rulerSamples = 33;
+const rulerSamples = 33;
 
 /** Nearer to a side of its face than this, a point counts as lying on it. */
 const onSide = 1e-6;

@@ -11,7 +11,7 @@ export interface History {
 }
 
 /** How many steps can be taken back. */
-export const longestHistory = 1000;
+const longestHistory = 1000;
 
 export const historyOf = (): History => ({ done: [], undone: [], activated: [] });
 

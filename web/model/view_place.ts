@@ -5,7 +5,7 @@ import type { Vector } from './figure';
 export const viewNames = ['front', 'back', 'left', 'right', 'top', 'bottom'] as const;
 export type ViewName = (typeof viewNames)[number];
 
-export const isViewName = (name: string | null): name is ViewName =>
+const isViewName = (name: string | null): name is ViewName =>
   (viewNames as readonly (string | null)[]).includes(name);
 
 /** A view that was turned, zoomed or moved, in the scene, where a surface's diagonal is 2. */

@@ -4,7 +4,7 @@ import { Color } from 'three';
  * From near to far, at even steps: ever darker, so that the order is seen without telling the hues
  * apart, and light enough for curves to be seen on it.
  */
-export const rampColors = ['#fff3c9', '#fcd08a', '#f29e7c', '#d47a9b', '#a274b8'] as const;
+const rampColors = ['#fff3c9', '#fcd08a', '#f29e7c', '#d47a9b', '#a274b8'] as const;
 
 /** Of isolines, which are seen on all of the ramp. */
 export const isolineColor = '#42253f';

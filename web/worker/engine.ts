@@ -71,8 +71,6 @@ const calls = {
   },
 };
 
-export type Calls = typeof calls;
-
 serve(calls);
 
 async function meshOf(

@@ -32,11 +32,11 @@ class NearestSearch {
     const Array<int> nearestFirst = sortedNumbers(intervals.count(), [&](int i, int j) {
       return intervals[i].distance < intervals[j].distance;
     });
-    look(intervals[nearestFirst[0]].nearest);
+    evaluate(intervals[nearestFirst[0]].nearest);
     for (const int i : nearestFirst) {
       const Interval& interval = intervals[i];
       if (interval.distance - kBend * interval.length > best_.distance) continue;
-      search(look(interval.from), look(interval.to), 0);
+      search(evaluate(interval.from), evaluate(interval.to), 0);
     }
     return best_;
   }
@@ -50,7 +50,8 @@ class NearestSearch {
     double distance = kInfinity;
     double length = 0;
   };
-  struct Look {
+  /// Of a point of the curve, its distance from the place.
+  struct Evaluation {
     double parameter = 0;
     double distance = 0;
     int face = -1;
@@ -83,23 +84,23 @@ class NearestSearch {
     return intervals;
   }
 
-  Look look(double parameter) {
+  Evaluation evaluate(double parameter) {
     const CurvePoint point = pointAt(curve_, parameter);
     const Vec3 here = position(curve_.surface().mesh(), point.point);
     const double distance = (here - place_).norm();
     if (distance < best_.distance) best_ = {point, distance};
-    ++looks_;
+    ++evaluations_;
     return {parameter, distance, point.point.face, here};
   }
 
-  /// The part between two looks.
-  void search(const Look& from, const Look& to, int cuts) {
+  /// The part between two evaluations.
+  void search(const Evaluation& from, const Evaluation& to, int cuts) {
     const double width = to.parameter - from.parameter;
     const double chord = (to.position - from.position).norm();
     const double least = (from.distance + to.distance - kBend * chord) / 2;
-    if (width <= kPrecision * (1 + to.parameter) || looks_ >= kMostEvaluations) return;
+    if (width <= kPrecision * (1 + to.parameter) || evaluations_ >= kMostEvaluations) return;
     if (cuts >= kFewestCuts && least >= best_.distance) return;
-    const Look middle = look((from.parameter + to.parameter) / 2);
+    const Evaluation middle = evaluate((from.parameter + to.parameter) / 2);
     const bool inOneFace = from.face == to.face && from.face == middle.face;
     if (cuts >= kFewestCuts && inOneFace) {
       goldenSections(from.parameter, to.parameter);
@@ -115,21 +116,21 @@ class NearestSearch {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double left = to - golden * (to - from);
     double right = from + golden * (to - from);
-    double atLeft = look(left).distance;
-    double atRight = look(right).distance;
+    double atLeft = evaluate(left).distance;
+    double atRight = evaluate(right).distance;
     while (to - from > kPrecision * (1 + to)) {
       if (atLeft < atRight) {
         to = right;
         right = left;
         atRight = atLeft;
         left = to - golden * (to - from);
-        atLeft = look(left).distance;
+        atLeft = evaluate(left).distance;
       } else {
         from = left;
         left = right;
         atLeft = atRight;
         right = from + golden * (to - from);
-        atRight = look(right).distance;
+        atRight = evaluate(right).distance;
       }
     }
   }
@@ -137,7 +138,7 @@ class NearestSearch {
   Curve& curve_;
   Vec3 place_;
   NearestOnCurve best_;
-  int looks_ = 0;
+  int evaluations_ = 0;
 };
 
 }  // namespace

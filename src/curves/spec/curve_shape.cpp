@@ -53,12 +53,13 @@ void checkPositive(const Array<double>& values, const std::string& what, int poi
            std::to_string(values.count()) + " " + what + "s");
   }
   for (int i = 0; i < points; ++i) {
-    const std::string entry = "the " + what + " of point " + std::to_string(i);
+    // Made for a failure alone: a drag allocates nothing.
+    const auto entry = [&] { return "the " + what + " of point " + std::to_string(i); };
     if (!std::isfinite(values[i])) {
-      throw Error(ErrorCode::kNotFinite, entry + " is not a finite number");
+      throw Error(ErrorCode::kNotFinite, entry() + " is not a finite number");
     }
     if (!(values[i] >= kLeastWeight && values[i] <= 1 / kLeastWeight)) {
-      refuse(entry + " must be from 1e-12 to 1e12, not " + inSentence(values[i]));
+      refuse(entry() + " must be from 1e-12 to 1e12, not " + inSentence(values[i]));
     }
   }
 }
