@@ -1,0 +1,52 @@
+// The legs of a control polygon stay as they are seen, whatever is done to the curve.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from 'karcher';
+
+const karcher = await load();
+const torus = karcher.shape('torus', 2000);
+const start = torus.surfacePoint(5, [0.2, 0.3, 0.5]);
+const along = (length) => torus.straightest(start, [0, 0, 1], length).end;
+
+test('a leg stays that of its two points', () => {
+  const [a, b] = [start, along(1)];
+  const through = [0.25, 0.5, 0.75].map((part) => along(part * 2.4995));
+  const end = along(2.4995);
+  const line = () =>
+    torus.curve({ kind: 'polyline', points: [start, end, start], legs: [through, null] });
+  const there = line()
+    .legs()
+    .map(({ path }) => path.length);
+  assert.ok(there[1] < 0.5 * there[0]);
+  const isAs = (curve, expected) => {
+    const lengths = curve.legs().map(({ path }) => path.length);
+    assert.deepEqual(
+      lengths.map((length) => length.toFixed(6)),
+      expected.map((length) => length.toFixed(6)),
+    );
+  };
+  const longer = line();
+  longer.addPoint(b);
+  isAs(longer, [...there, torus.shortestPath(a, b).length]);
+  const turned = line();
+  turned.reverse();
+  isAs(turned, there.toReversed());
+  turned.reverse();
+  isAs(turned, there);
+  // Closed: the leg to the first point comes and goes with it.
+  const ring = torus.curve({
+    kind: 'polyline',
+    closed: true,
+    points: [end, b, start],
+    legs: [null, null, through],
+  });
+  const [first, second, last] = ring.legs().map(({ path }) => path.length);
+  assert.equal(last.toFixed(6), there[0].toFixed(6));
+  ring.reverse();
+  isAs(ring, [last, second, first]);
+  ring.movePointInOrder(0, 2);
+  assert.ok(ring.legs().some(({ path }) => path.length.toFixed(6) === last.toFixed(6)));
+  ring.setClosed(false);
+  ring.setClosed(true);
+  assert.ok(ring.length > last);
+});
