@@ -39,7 +39,9 @@ val CurveHandle::view(const val& options) const {
 
 val CurveHandle::value() const {
   val result = toJs(mesh_.numbering(), {curve_.shape(), curve_.points()});
-  result.set("legs", legsToJs(mesh_, curve_.value().legs));
+  // A polyline's shortest legs are exact ones.
+  const bool isPolyline = curve_.shape().kind == CurveKind::kPolyline;
+  result.set("legs", legsToJs(mesh_, curve_.value().legs, {.certified = isPolyline}));
   return result;
 }
 
