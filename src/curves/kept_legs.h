@@ -12,4 +12,8 @@ namespace karcher {
 Array<SurfacePath> keptLegs(const Array<SurfacePath>& legs, int points, const Array<int>& order,
                             const CurveShape& shape);
 
+/// The value with other control points. A leg is kept where both its ends stay: as many points stay
+/// by their numbers, of more or fewer those from the first on and from the last back.
+CurveValue withPoints(CurveValue value, Array<SurfacePoint> points);
+
 }  // namespace karcher
