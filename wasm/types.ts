@@ -240,7 +240,10 @@ export type CurveGeometry = 'geodesic' | 'exact';
 
 export type CurveLevels = number | 'auto' | 'limit';
 
-/** The points that a leg of a control polygon goes through; null for the shortest path. */
+/**
+ * The points that a leg of a control polygon goes through; null for the shortest path. Points that all
+ * lie on edges, each in one face with the next one, also with the leg's ends, are the leg as it is.
+ */
 export type LegPoints = readonly PointLike[] | null;
 
 export interface CurveOptions extends FieldOptions {

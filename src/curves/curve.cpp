@@ -54,15 +54,20 @@ void checkOptions(const CurveOptions& options) {
   }
 }
 
+/// Throws where legs are given, but not one from each point to the next.
+void checkLegCount(const CurveValue& value) {
+  const int wanted = legCount(value.options.shape, value.points.count());
+  if (value.legs.empty() || value.legs.count() == wanted) return;
+  throw Error(ErrorCode::kBadArgument, "the control polygon has " + std::to_string(wanted) +
+                                           " legs, not " + std::to_string(value.legs.count()));
+}
+
 /// Throws where legs are given that do not join the points.
 void checkLegs(const TriangleMesh& mesh, const CurveValue& value) {
+  checkLegCount(value);
   if (value.legs.empty()) return;
   const int points = value.points.count();
   const int wanted = legCount(value.options.shape, points);
-  if (value.legs.count() != wanted) {
-    throw Error(ErrorCode::kBadArgument, "the control polygon has " + std::to_string(wanted) +
-                                             " legs, not " + std::to_string(value.legs.count()));
-  }
   for (int i = 0; i < wanted; ++i) {
     const SurfacePath& leg = value.legs[i];
     if (leg.points.empty()) continue;
@@ -212,6 +217,7 @@ const Array<SurfacePath>& Curve::usedLegs() const {
 void Curve::continueLegs(CurveValue& value, int i) {
   const int points = value.points.count();
   checkIndex(value, i);
+  checkLegCount(value);
   if (!usesLegs(value.options)) return;
   const Array<SurfacePath>& before = legs();
   const int count = legCount(value.options.shape, points);

@@ -95,7 +95,7 @@ class Curve {
   /// For a value of this curve with control point `i` elsewhere, as a hand drags it: the legs that
   /// meet there, where the value gives none, are continued from where they lie in this curve,
   /// whether or not they stay the shortest. A leg whose other end has moved too, or whose end lies
-  /// so far off that it cannot be continued, is the shortest. Throws Error kBadIndex.
+  /// so far off that it cannot be continued, is the shortest. Throws kBadIndex, kBadArgument.
   void continueLegs(CurveValue& value, int i);
 
   const CurveValue& value() const { return value_; }

@@ -1,8 +1,10 @@
 #include "curves/curve_value.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
+#include "curves/kept_legs.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -19,37 +21,22 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.bary == b.bary;
 }
 
-/// The legs of `before` that the value's points still have.
-void keepLegs(CurveValue& value, const Array<SurfacePath>& before) {
-  value.legs.clear();
-  const int points = value.points.count();
-  bool any = false;
-  for (int i = 0; i < legCount(value.options.shape, points); ++i) {
-    const SurfacePoint& from = value.points[i];
-    const SurfacePoint& to = value.points[(i + 1) % points];
-    SurfacePath leg;
-    for (const SurfacePath& known : before) {
-      if (known.points.empty()) continue;
-      if (isSame(known.start(), from) && isSame(known.end(), to)) {
-        leg = known;
-      } else if (isSame(known.start(), to) && isSame(known.end(), from)) {
-        leg = karcher::reversed(known);
-      }
-      if (!leg.points.empty()) break;
-    }
-    any = any || !leg.points.empty();
-    value.legs.push_back(std::move(leg));
-  }
-  if (!any) value.legs.clear();
+/// The numbers from 0.
+Array<int> numbersOf(const Array<SurfacePoint>& points) {
+  Array<int> numbers;
+  for (int i = 0; i < points.count(); ++i) numbers.push_back(i);
+  return numbers;
 }
 
-/// The value with a change of its points and its shape.
+/// The value with a change of its points and its shape, after which the points are those of these
+/// numbers, -1 of new ones.
 template <class Change>
-CurveValue changed(CurveValue value, const Change& change) {
-  const Array<SurfacePath> before = std::move(value.legs);
+CurveValue changed(CurveValue value, const Array<int>& order, const Change& change) {
+  const Array<SurfacePath> legs = std::move(value.legs);
+  const int points = value.points.count();
   value.legs.clear();
   change(value);
-  if (!before.empty()) keepLegs(value, before);
+  if (!legs.empty()) value.legs = keptLegs(legs, points, order, value.options.shape);
   return value;
 }
 
@@ -72,7 +59,9 @@ void placePoint(CurveValue& value, int i, const SurfacePoint& point) {
 
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point) {
   checkIndexBelow(value, i, value.points.count() + 1);
-  return changed(std::move(value), [&](CurveValue& to) {
+  Array<int> order = numbersOf(value.points);
+  order.insert(order.begin() + i, -1);
+  return changed(std::move(value), order, [&](CurveValue& to) {
     to.options.shape = withPoint(std::move(to.options.shape), i);
     to.points.insert(to.points.begin() + i, point);
   });
@@ -80,7 +69,9 @@ CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point)
 
 CurveValue withPointRemoved(CurveValue value, int i) {
   checkIndex(value, i);
-  return changed(std::move(value), [&](CurveValue& to) {
+  Array<int> order = numbersOf(value.points);
+  order.erase(order.begin() + i);
+  return changed(std::move(value), order, [&](CurveValue& to) {
     to.options.shape = withoutPoint(std::move(to.options.shape), to.points.count(), i);
     to.points.erase(to.points.begin() + i);
   });
@@ -89,17 +80,22 @@ CurveValue withPointRemoved(CurveValue value, int i) {
 CurveValue withPointMovedInOrder(CurveValue value, int from, int to) {
   checkIndex(value, from);
   checkIndex(value, to);
-  return changed(std::move(value), [&](CurveValue& moved) {
+  Array<int> order = numbersOf(value.points);
+  moveEntry(order, from, to);
+  return changed(std::move(value), order, [&](CurveValue& moved) {
     moved.options.shape = withPointMoved(std::move(moved.options.shape), from, to);
     moveEntry(moved.points, from, to);
   });
 }
 
 CurveValue reversed(CurveValue value) {
-  return changed(std::move(value), [](CurveValue& to) {
-    reverseEntries(to.points, to.options.shape.closed);
-    to.options.shape = reversed(std::move(to.options.shape));
-  });
+  reverseEntries(value.points, value.options.shape.closed);
+  value.options.shape = reversed(std::move(value.options.shape));
+  std::reverse(value.legs.begin(), value.legs.end());
+  for (SurfacePath& leg : value.legs) {
+    if (!leg.points.empty()) reverse(leg);
+  }
+  return value;
 }
 
 CurveValue withKind(CurveValue value, CurveKind kind) {
@@ -108,7 +104,8 @@ CurveValue withKind(CurveValue value, CurveKind kind) {
 }
 
 CurveValue withClosed(CurveValue value, bool closed) {
-  return changed(std::move(value), [&](CurveValue& to) {
+  const Array<int> order = numbersOf(value.points);
+  return changed(std::move(value), order, [&](CurveValue& to) {
     to.options.shape = withClosed(std::move(to.options.shape), closed);
   });
 }

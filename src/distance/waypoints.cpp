@@ -5,8 +5,6 @@
 namespace karcher {
 namespace {
 
-constexpr int kMostWaypoints = 31;
-
 /// Where two paths are compared: at so many parts of their lengths.
 constexpr int kComparedParts = 32;
 
@@ -25,11 +23,30 @@ bool areAlike(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath&
   return true;
 }
 
+/// Whether the waypoints are a path across the faces from edge to edge.
+bool areCrossings(const TriangleMesh& mesh, const SurfacePoint& from,
+                  const Array<SurfacePoint>& waypoints, const SurfacePoint& to) {
+  const SurfacePoint* last = &from;
+  for (const SurfacePoint& point : waypoints) {
+    if (locate(mesh, point).simplex == Simplex::kFace) return false;
+    if (!haveCommonFace(mesh, *last, point)) return false;
+    last = &point;
+  }
+  return !waypoints.empty() && haveCommonFace(mesh, *last, to);
+}
+
 }  // namespace
 
 bool findPathBy(const Geometry& geometry, const SurfacePoint& from,
                 const Array<SurfacePoint>& waypoints, const SurfacePoint& to,
                 FindPathWorkspace& workspace, SurfacePath& path) {
+  if (areCrossings(*geometry.mesh, from, waypoints, to)) {
+    path.points.assign(1, from);
+    path.points.insert(path.points.end(), waypoints.begin(), waypoints.end());
+    path.points.push_back(to);
+    measure(*geometry.mesh, path);
+    return true;
+  }
   SurfacePath whole;
   for (int i = 0; i <= waypoints.count(); ++i) {
     const SurfacePoint& start = i == 0 ? from : waypoints[i - 1];
@@ -48,20 +65,29 @@ bool findPathBy(const Geometry& geometry, const SurfacePoint& from,
 }
 
 Array<SurfacePoint> waypointsOf(const Geometry& geometry, const SurfacePath& path,
-                                FindPathWorkspace& workspace) {
+                                FindPathWorkspace& workspace, const FindPathOptions& options) {
   const TriangleMesh& mesh = *geometry.mesh;
   Array<SurfacePoint> waypoints;
   SurfacePath found;
-  for (int count = 0; count <= kMostWaypoints; count = 2 * count + 1) {
+  const auto isFound = [&] {
+    return findPathBy(geometry, path.start(), waypoints, path.end(), workspace, found) &&
+           areAlike(mesh, path, found);
+  };
+  // Of more points than the path has, none would be pulled past a vertex.
+  for (int count = 0; count == 0 || count < path.points.count() - 2; count = 2 * count + 1) {
     waypoints.clear();
     for (int i = 1; i <= count; ++i) {
       waypoints.push_back(pointAlong(mesh, path, i * path.length() / (count + 1)));
     }
-    if (findPathBy(geometry, path.start(), waypoints, path.end(), workspace, found) &&
+    if (!isFound()) continue;
+    if (count > 0 || !options.certified) return waypoints;
+    if (findPath(geometry, path.start(), path.end(), workspace, found, options) &&
         areAlike(mesh, path, found)) {
-      break;
+      return waypoints;
     }
   }
+  waypoints.clear();
+  for (int i = 1; i + 1 < path.points.count(); ++i) waypoints.push_back(path.points[i]);
   return waypoints;
 }
 

@@ -102,6 +102,34 @@ TEST(Waypoints, FindDrawnPathsAgainOnCurvedSurfaces) {
   EXPECT_GT(drawn, 5);
 }
 
+TEST(Waypoints, OnEdgesFromFaceToFaceAreThePathItself) {
+  const FlatCylinder tube = flatCylinder(24, 3, 5);
+  const TriangleMesh mesh = meshOf(tube.soup);
+  const Geometry geometry = buildGeometry(mesh);
+  FindPathWorkspace workspace;
+  SurfacePath path;
+  ASSERT_TRUE(findPath(geometry, onTube(mesh, 0.1, 0.5), onTube(mesh, 1.9, 0.6), workspace, path));
+  // Bent at every other edge, as no path is that is pulled tight.
+  Array<SurfacePoint> bent(path.points.begin() + 1, path.points.end() - 1);
+  ASSERT_GT(bent.count(), 4);
+  for (int i = 0; i < bent.count(); i += 2) {
+    const PointLocation location = locate(mesh, bent[i]);
+    ASSERT_EQ(location.simplex, Simplex::kEdge);
+    bent[i] = edgePoint(location.halfedge, 0.5 * bent[i].bary[cornerOf(location.halfedge)]);
+  }
+  SurfacePath found;
+  ASSERT_TRUE(findPathBy(geometry, path.start(), bent, path.end(), workspace, found));
+  ASSERT_EQ(found.points.count(), bent.count() + 2);
+  EXPECT_GT(found.length(), path.length() * (1 + 1e-3));
+  for (int i = 0; i < bent.count(); ++i) EXPECT_EQ(found.points[i + 1].bary, bent[i].bary);
+  // It is told by itself, as it is found by nothing less.
+  EXPECT_EQ(waypointsOf(geometry, found, workspace).count(), bent.count());
+  // One point off the edges, and the path is pulled tight.
+  bent[3] = SurfacePoint{bent[3].face, Vec3(0.4, 0.3, 0.3)};
+  ASSERT_TRUE(findPathBy(geometry, path.start(), bent, path.end(), workspace, found));
+  EXPECT_LT(found.length(), path.length() * (1 + 1e-9));
+}
+
 TEST(Waypoints, OnAnotherComponentLeadNowhere) {
   TriangleSoup soup = flatCylinder(12, 1, 5).soup;
   const int vertices = soup.positions.count();

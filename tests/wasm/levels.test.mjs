@@ -154,6 +154,13 @@ test('legs that cannot be: a sentence, and the curve stays', () => {
   for (const legs of [[null], [[place], null, null, null], 5, [5, null, null], [[5], null, null]]) {
     assert.throws(() => curve.set({ ...value, legs }), badArgument, JSON.stringify(legs));
   }
+  // As many legs as there are, whether or not some are to be continued.
+  for (const count of [1, 2, 4, 5]) {
+    const legs = Array(count).fill(null);
+    const message = `the control polygon has 3 legs, not ${count}`;
+    assert.throws(() => curve.set({ ...value, legs }), { ...badArgument, message });
+    assert.throws(() => curve.set({ ...value, legs }, { dragged: 3 }), { ...badArgument, message });
+  }
   const nowhere = [[{ face: 1e6, bary: [1, 0, 0] }], null, null];
   assert.throws(() => curve.set({ ...value, legs: nowhere }), { code: 'badIndex' });
   for (const dragged of [-1, 4, 99]) {

@@ -14,6 +14,19 @@ namespace {
 /// Paths whose lengths differ by less than this part are equally short.
 constexpr double kSameLength = 1e-9;
 
+/// A weight this small is the rounding of one that was computed from two others, as of a link.
+constexpr double kNoWeight = 1e-15;
+
+/// Points of which those on an edge but for rounding lie on it.
+Array<SurfacePoint> onEdges(Array<SurfacePoint> points) {
+  for (SurfacePoint& point : points) {
+    for (int k = 0; k < 3; ++k) {
+      if (point.bary[k] < kNoWeight) point.bary[k] = 0;
+    }
+  }
+  return points;
+}
+
 bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.bary == b.bary;
 }
@@ -33,7 +46,7 @@ Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const val& legs,
     if (i >= points.count()) continue;
     Leg leg{points[i],
             points[(i + 1) % points.count()],
-            pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i]),
+            onEdges(pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i])),
             {}};
     if (leg.waypoints.empty()) continue;
     const auto isIt = [&](const Leg& other) {
@@ -56,13 +69,14 @@ Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const val& legs,
   return paths;
 }
 
-val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs) {
+val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
+             const FindPathOptions& shortest) {
   val list = val::array();
   FindPathWorkspace workspace;
   for (int i = 0; i < legs.count(); ++i) {
     Array<SurfacePoint> waypoints;
     if (!legs[i].points.empty()) {
-      waypoints = waypointsOf(mesh.geometry(), legs[i], workspace);
+      waypoints = waypointsOf(mesh.geometry(), legs[i], workspace, shortest);
     }
     list.set(i, toJs(mesh.numbering(), waypoints));
   }

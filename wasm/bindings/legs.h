@@ -2,6 +2,7 @@
 
 #include "bindings/mesh_handle.h"
 #include "curves/curve.h"
+#include "distance/find_path.h"
 
 namespace karcher::bindings {
 
@@ -26,8 +27,9 @@ class Legs {
   Array<Leg> known_;
 };
 
-/// The legs of a curve's value.
-val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs);
+/// The legs of a curve's value, whose shortest ones are found with these options.
+val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
+             const FindPathOptions& shortest);
 
 /// A list with {path, shorter} for each of a curve's legs: a path (path.h), and the path between
 /// its ends that is shorter, if it is known to be another one.

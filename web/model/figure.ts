@@ -113,8 +113,8 @@ export const toleranceRange = { least: 1e-6, most: 0.1 };
 /** One alone would be no even spacing. */
 export const marksRange = { least: 2, most: 1000 };
 export const mostLevels = 8;
-/** The engine tells a leg by 31 at most. */
-export const mostLegPoints = 64;
+/** The engine tells a leg by few, or by one at each edge that it crosses: on a large surface thousands. */
+export const mostLegPoints = 20_000;
 
 export const fewestArcs = 3;
 export const mostArcs = 24;
