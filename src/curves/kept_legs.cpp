@@ -3,26 +3,38 @@
 #include <utility>
 
 namespace karcher {
-Array<SurfacePath> keptLegs(const Array<SurfacePath>& legs, int points, const Array<int>& order,
-                            const CurveShape& shape) {
-  const int count = order.count();
-  Array<SurfacePath> kept(static_cast<size_t>(legCount(shape, count)));
-  Array<uint8_t> isTaken(legs.size(), 0);
+namespace {
+
+/// The number before the change of point i after it, or -1.
+int numberBefore(const PointChange& change, int i) {
+  if (i == change.to) return change.from;
+  const int others = change.to >= 0 && i > change.to ? i - 1 : i;
+  return change.from >= 0 && others >= change.from ? others + 1 : others;
+}
+
+}  // namespace
+
+void keepLegs(CurveValue& value, int points, const PointChange& change) {
+  if (value.legs.empty()) return;
+  const int count = value.points.count();
+  Array<SurfacePath> kept(static_cast<size_t>(legCount(value.options.shape, count)));
   bool any = false;
   for (const bool turned : {false, true}) {
     for (int i = 0; i < kept.count(); ++i) {
-      int from = order[i];
-      int to = order[(i + 1) % count];
+      int from = numberBefore(change, i);
+      int to = numberBefore(change, (i + 1) % count);
       if (turned) std::swap(from, to);
-      if (from < 0 || to != (from + 1) % points || from >= legs.count()) continue;
-      if (isTaken[from] || !kept[i].points.empty() || legs[from].points.empty()) continue;
-      isTaken[from] = 1;
-      kept[i] = turned ? karcher::reversed(legs[from]) : legs[from];
+      if (from < 0 || to != (from + 1) % points || from >= value.legs.count()) continue;
+      // One that was taken is empty.
+      if (value.legs[from].points.empty()) continue;
+      kept[i].points.swap(value.legs[from].points);
+      kept[i].lengths.swap(value.legs[from].lengths);
+      if (turned) reverse(kept[i]);
       any = true;
     }
   }
-  if (!any) kept.clear();
-  return kept;
+  value.legs.swap(kept);
+  if (!any) value.legs.clear();
 }
 
 }  // namespace karcher
