@@ -15,8 +15,9 @@ int numberBefore(const PointChange& change, int i) {
 }  // namespace
 
 void keepLegs(CurveValue& value, int points, const PointChange& change) {
-  if (value.legs.empty()) return;
   const int count = value.points.count();
+  if (count == 0) value.legs.clear();
+  if (value.legs.empty()) return;
   Array<SurfacePath> kept(static_cast<size_t>(legCount(value.options.shape, count)));
   bool any = false;
   for (const bool turned : {false, true}) {
@@ -35,6 +36,24 @@ void keepLegs(CurveValue& value, int points, const PointChange& change) {
   }
   value.legs.swap(kept);
   if (!any) value.legs.clear();
+}
+
+CurveValue withPoints(CurveValue value, Array<SurfacePoint> points) {
+  const int before = value.points.count();
+  value.points = std::move(points);
+  keepLegs(value, before, {});
+  const int count = value.points.count();
+  const auto isAt = [](const SurfacePoint& end, const SurfacePoint& point) {
+    return end.face == point.face && end.bary == point.bary;
+  };
+  for (int i = 0; i < value.legs.count(); ++i) {
+    SurfacePath& leg = value.legs[i];
+    if (leg.points.empty()) continue;
+    if (!isAt(leg.start(), value.points[i]) || !isAt(leg.end(), value.points[(i + 1) % count])) {
+      leg = {};
+    }
+  }
+  return value;
 }
 
 }  // namespace karcher

@@ -18,4 +18,7 @@ struct PointChange {
 /// all are.
 void keepLegs(CurveValue& value, int points, const PointChange& change);
 
+/// The value with other control points. A leg is kept where both its ends stay, by their numbers.
+CurveValue withPoints(CurveValue value, Array<SurfacePoint> points);
+
 }  // namespace karcher

@@ -8,10 +8,86 @@ const karcher = await load();
 const torus = karcher.shape('torus', 2000);
 const start = torus.surfacePoint(5, [0.2, 0.3, 0.5]);
 const along = (length) => torus.straightest(start, [0, 0, 1], length).end;
+const far = [1, 2].map((i) => torus.surfacePoint(5 + 40 * i, [0.2, 0.3, 0.5]));
 
 function isNear(actual, expected, part, what = '') {
   assert.ok(Math.abs(actual - expected) < part * expected, `${what} ${actual}, not ${expected}`);
 }
+
+/** A curve of four points whose last one was dragged so far round the tube that its leg is long. */
+function drawnOut(options) {
+  const curve = torus.curve({ points: [...far, start, start], samples: 17, ...options });
+  for (let step = 1; step <= 50; step++) curve.dragPoint(3, along(step * 0.05));
+  return curve;
+}
+
+/** The same with two points: `length` once round the tube and more. */
+function around(length) {
+  const line = torus.curve({ kind: 'polyline', points: [start, start], samples: 9 });
+  for (let step = 1; step <= 50; step++) line.dragPoint(1, along((step * length) / 50));
+  return line;
+}
+
+const lengthOf = (curves) => curves.reduce((sum, curve) => sum + curve.length, 0);
+const sameAnew = (curve) =>
+  isNear(torus.curve(curve.value()).length, curve.length, 2e-4, 'traced anew');
+
+test('a point put in on a curve leaves its legs where they lie', () => {
+  // How far curves of levels may move: their points are averages of other averages then.
+  for (const [options, part] of [
+    [{ kind: 'polyline' }, 1e-4],
+    [{ kind: 'bezier', levels: 3 }, 3e-3],
+    [{ kind: 'rational', levels: 3, weights: [1, 2, 0.5, 1] }, 3e-3],
+    [{ kind: 'bspline', levels: 3 }, 3e-3],
+    [{ kind: 'bspline', levels: 3, degree: 2, knots: 'clamped' }, 3e-3],
+    [{ kind: 'bspline', levels: 3, closed: true, weights: [1, 2, 0.5, 1] }, 3e-3],
+    [{ kind: 'catmullrom', levels: 3 }, 3e-3],
+    [{ kind: 'catmullrom', levels: 3, closed: true }, 3e-3],
+  ]) {
+    const curve = drawnOut(options);
+    const { length, segmentCount } = curve;
+    for (const t of [0.3, 0.9]) {
+      const more = drawnOut(options);
+      more.insertOnCurve(t * segmentCount);
+      isNear(more.length, length, part, `${JSON.stringify(options)} at ${t}:`);
+      sameAnew(more);
+      const parts = curve.split(t * segmentCount);
+      isNear(lengthOf(parts), length, part, `${JSON.stringify(options)} cut at ${t}:`);
+      for (const cut of parts) sameAnew(cut);
+      if (parts.length === 2) {
+        const [first, second] = parts;
+        isNear(first.join(second).length, length, part, `${JSON.stringify(options)} joined:`);
+      }
+    }
+  }
+});
+
+test('joined curves have the legs of both', () => {
+  const line = around(2.5);
+  isNear(line.length, 2.5, 1e-6);
+  const [a, b] = far;
+  const other = torus.curve({ kind: 'polyline', points: [a, b] });
+  const gap = torus.shortestPath(line.points()[1], a).length;
+  isNear(line.join(other).length, 2.5 + gap + other.length, 1e-4);
+  const back = torus.shortestPath(b, start).length;
+  isNear(other.join(line).length, other.length + back + 2.5, 1e-4);
+  const on = torus.curve({ kind: 'polyline', points: [line.points()[1], a] });
+  isNear(line.join(on).length, 2.5 + gap, 1e-4);
+});
+
+test('points that stay keep their legs', () => {
+  const line = around(2.5);
+  line.setPoints(line.points());
+  isNear(line.length, 2.5, 1e-6);
+  const [a, b] = line.points();
+  line.setPoints([a, b, far[0]]);
+  isNear(line.length, 2.5 + torus.shortestPath(b, far[0]).length, 1e-6);
+  line.setPoints([far[1], a, b, far[0]]);
+  line.setPoints([far[0], a, b]);
+  line.setPoints([a, b]);
+  const shortest = torus.shortestPath(a, b).length;
+  isNear(line.length, shortest, 1e-6, 'points that are elsewhere in between:');
+});
 
 test('a leg stays that of its two points', () => {
   const [a, b] = [start, along(1)];

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "curves/kept_legs.h"
 #include "curves/spec/knots.h"
 
 namespace karcher::bindings {
@@ -38,11 +39,7 @@ val CurveHandle::view(const val& options) const {
 }
 
 val CurveHandle::value() const {
-  val result = toJs(mesh_.numbering(), {curve_.shape(), curve_.points()});
-  // A polyline's shortest legs are exact ones.
-  const bool isPolyline = curve_.shape().kind == CurveKind::kPolyline;
-  result.set("legs", legsToJs(mesh_, curve_.value().legs, {.certified = isPolyline}));
-  return result;
+  return toJs(mesh_, {curve_.shape(), curve_.points(), curve_.value().legs});
 }
 
 void CurveHandle::movePoint(int i, const val& point) {
@@ -60,10 +57,7 @@ void CurveHandle::insertPoint(int i, const val& point) {
 }
 
 void CurveHandle::setPoints(const val& points) {
-  CurveValue value = curve_.value();
-  value.points = pointsFromJs(mesh_.numbering(), mesh_.mesh(), points);
-  value.legs.clear();
-  become(std::move(value));
+  become(withPoints(curve_.value(), pointsFromJs(mesh_.numbering(), mesh_.mesh(), points)));
 }
 
 void CurveHandle::setWeights(const val& weights) {
@@ -84,7 +78,7 @@ int CurveHandle::insertOnCurve(double parameter) {
   CurveValue value = curve_.value();
   value.options.shape = std::move(refined.curve.shape);
   value.points = std::move(refined.curve.points);
-  value.legs.clear();
+  value.legs = std::move(refined.curve.legs);
   become(std::move(value));
   return refined.point;
 }
@@ -97,12 +91,12 @@ void CurveHandle::retrace() {
 val CurveHandle::splitAt(double parameter) {
   const Array<CurveParts> parts = karcher::splitAt(curve_, parameter);
   val list = val::array();
-  for (int i = 0; i < parts.count(); ++i) list.set(i, toJs(mesh_.numbering(), parts[i]));
+  for (int i = 0; i < parts.count(); ++i) list.set(i, toJs(mesh_, parts[i]));
   return list;
 }
 
 val CurveHandle::joined(const CurveHandle& other) {
-  return toJs(mesh_.numbering(), karcher::joined(curve_, other.curve_));
+  return toJs(mesh_, karcher::joined(curve_, other.curve_));
 }
 
 val CurveHandle::pointAt(double parameter) {

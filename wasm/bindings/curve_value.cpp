@@ -64,9 +64,12 @@ CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs
   return {std::move(options), std::move(points), std::move(paths)};
 }
 
-val toJs(const Numbering& numbering, const CurveParts& parts) {
+val toJs(const MeshHandle& mesh, const CurveParts& parts) {
   val result = plain(parts.shape);
-  result.set("points", toJs(numbering, parts.points));
+  result.set("points", toJs(mesh.numbering(), parts.points));
+  // A polyline's shortest legs are exact ones.
+  const bool isPolyline = parts.shape.kind == CurveKind::kPolyline;
+  result.set("legs", legsToJs(mesh, parts.legs, {.certified = isPolyline}));
   return result;
 }
 

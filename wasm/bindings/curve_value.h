@@ -16,6 +16,6 @@ CurveKind curveKind(const std::string& name);
 CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs);
 
 /// {points} with the shape's properties, but for the basis.
-val toJs(const Numbering& numbering, const CurveParts& parts);
+val toJs(const MeshHandle& mesh, const CurveParts& parts);
 
 }  // namespace karcher::bindings

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "curves/polygon/knot_insertion.h"
 #include "curves/query/evaluate.h"
+#include "curves/refine/along_legs.h"
 #include "curves/spec/knots.h"
 #include "mesh/error.h"
 
@@ -35,13 +35,29 @@ void setPoints(CurveParts& parts, const Array<WeightedPoint>& points) {
   if (!weighted) parts.shape.weights.clear();
 }
 
-ControlPolygon polygonOf(const Curve& curve) {
-  const CurveShape& shape = curve.shape();
-  return {weightedPoints(curve), knotsOf(shape, curve.pointCount()), shape.degree, shape.closed};
+/// Whether the curve follows legs that were given.
+bool followsLegs(const Curve& curve) {
+  const auto isGiven = [](const SurfacePath& leg) { return !leg.points.empty(); };
+  const Array<SurfacePath>& given = curve.value().legs;
+  return !curve.usedLegs().empty() && std::any_of(given.begin(), given.end(), isGiven);
 }
 
-CurveParts partsOf(const ControlPolygon& polygon) {
-  CurveParts parts{{CurveKind::kBSpline, polygon.closed, polygon.degree, KnotRule::kOwn}, {}};
+/// All legs, if the curve follows some that were given.
+Array<SurfacePath> followedLegs(const Curve& curve) {
+  return followsLegs(curve) ? curve.usedLegs() : Array<SurfacePath>();
+}
+
+PolygonWithLegs polygonOf(const Curve& curve) {
+  const CurveShape& shape = curve.shape();
+  return {{weightedPoints(curve), knotsOf(shape, curve.pointCount()), shape.degree, shape.closed},
+          followedLegs(curve)};
+}
+
+CurveParts partsOf(PolygonWithLegs whole) {
+  const ControlPolygon& polygon = whole.polygon;
+  CurveParts parts{{CurveKind::kBSpline, polygon.closed, polygon.degree, KnotRule::kOwn},
+                   {},
+                   std::move(whole.legs)};
   parts.shape.knots = polygon.knots;
   setPoints(parts, polygon.points);
   return parts;
@@ -59,11 +75,18 @@ double knotAtParameter(const ControlPolygon& polygon, const SegmentParameter& at
   return knot(span) + at.t * (knot(span + 1) - knot(span));
 }
 
-/// The control points of a curve of one segment: a closed one ends at its first point.
-Array<WeightedPoint> bezierPoints(const Curve& curve) {
-  Array<WeightedPoint> points = weightedPoints(curve);
-  if (curve.shape().closed) points.push_back(WeightedPoint(points[0]));
-  return points;
+/// The polygon of a Bezier curve, which ends at its first point if it is closed.
+LeggedPolygon bezierPolygon(const Curve& curve) {
+  LeggedPolygon bezier{weightedPoints(curve), followedLegs(curve)};
+  if (curve.shape().closed) bezier.points.push_back(WeightedPoint(bezier.points[0]));
+  return bezier;
+}
+
+/// The same as a clamped B-spline of one segment.
+PolygonWithLegs splineOf(LeggedPolygon bezier) {
+  const int points = bezier.points.count();
+  return {{std::move(bezier.points), clampedKnots(points, points - 1), points - 1, false},
+          std::move(bezier.legs)};
 }
 
 /// Betas from their logarithms: a common factor changes no curve. The largest is 1, or where that
@@ -127,40 +150,90 @@ CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   refuse("a curve with its own basis can be neither refined, split nor joined");
 }
 
-/// Points through which a curve runs, from number `from` to `to`; beyond the last around.
-Array<SurfacePoint> pointsFrom(const Curve& curve, int from, int to) {
-  Array<SurfacePoint> points;
-  for (int i = from; i <= to; ++i) points.push_back(curve.point(i % curve.pointCount()));
-  return points;
+/// A point of a Catmull-Rom curve or polyline, and the legs that it makes of the one that it cuts:
+/// the shortest where that was.
+struct CutThroughPoints {
+  SurfacePoint point;
+  SurfacePath before;
+  SurfacePath after;
+};
+
+CutThroughPoints cutThroughPoints(Curve& curve, const SegmentParameter& at) {
+  CutThroughPoints cut{pointAt(curve, at).point, {}, {}};
+  if (!followsLegs(curve)) return cut;
+  const SurfacePath& leg = curve.value().legs[at.segment];
+  if (leg.points.empty()) return cut;
+  // A polyline's points are the leg's.
+  const bool isOnLeg = curve.shape().kind == CurveKind::kPolyline;
+  const SurfacePoint point = cut.point;
+  cutLeg(curve.surface().geometry(), leg, at.t, isOnLeg ? nullptr : &point, cut.before, cut.after);
+  if (isOnLeg) cut.point = cut.before.end();
+  return cut;
+}
+
+/// The part of a curve through points from point `from` to `to`; beyond the last around.
+CurveParts partThrough(const Curve& curve, int from, int to) {
+  CurveParts part{{curve.shape().kind}, {}};
+  part.shape.centripetal = curve.shape().centripetal;
+  const bool hasLegs = followsLegs(curve);
+  for (int i = from; i <= to; ++i) part.points.push_back(curve.point(i % curve.pointCount()));
+  for (int i = from; hasLegs && i < to; ++i) {
+    part.legs.push_back(curve.value().legs[i % curve.pointCount()]);
+  }
+  return part;
+}
+
+void lengthen(const Curve& curve, CurveParts& part, bool atStart, const SurfacePoint& point,
+              const SurfacePath& leg) {
+  part.points.insert(atStart ? part.points.begin() : part.points.end(), point);
+  if (followsLegs(curve)) part.legs.insert(atStart ? part.legs.begin() : part.legs.end(), leg);
 }
 
 /// The parts of a Catmull-Rom curve or polyline.
 Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
-  CurveShape shape{curve.shape().kind};
-  shape.centripetal = curve.shape().centripetal;
-  const SurfacePoint cut = pointAt(curve, at).point;
   const int before = at.segment + (at.t == 1 ? 1 : 0);
   const bool atPoint = at.t == 0 || at.t == 1;
+  const int last = curve.pointCount() - 1;
+  CutThroughPoints cut;
+  if (!atPoint) cut = cutThroughPoints(curve, at);
+  Array<CurveParts> parts;
   if (curve.shape().closed) {
     // Once around, from the cut to the cut.
-    const int first = atPoint ? before : before + 1;
-    CurveParts open{shape, pointsFrom(curve, first, before + curve.pointCount())};
-    if (!atPoint) {
-      open.points.insert(open.points.begin(), cut);
-      open.points.push_back(cut);
-    }
-    return {open};
+    parts.push_back(partThrough(curve, atPoint ? before : before + 1, before + last + 1));
+  } else {
+    parts.push_back(partThrough(curve, 0, before));
+    parts.push_back(partThrough(curve, atPoint ? before : before + 1, last));
   }
-  Array<CurveParts> parts{{shape, pointsFrom(curve, 0, before)},
-                          {shape, pointsFrom(curve, before + 1, curve.pointCount() - 1)}};
-  if (!atPoint) parts[0].points.push_back(cut);
-  parts[1].points.insert(parts[1].points.begin(), cut);
+  if (!atPoint) {
+    lengthen(curve, parts.front(), false, cut.point, cut.before);
+    lengthen(curve, parts.back(), true, cut.point, cut.after);
+  }
   return parts;
 }
 
+/// The legs of two curves one after the other, of which the first ends at `end`, with `between`
+/// shortest ones in between; without such the curves meet there. None where neither has any.
+Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first, int firstCount,
+                              Array<SurfacePath> second, int secondCount, int between,
+                              const SurfacePoint& end) {
+  if (first.empty() && second.empty()) return {};
+  first.resize(static_cast<size_t>(firstCount + between));
+  second.resize(static_cast<size_t>(secondCount));
+  SurfacePath& next = second.front();
+  if (between == 0 && !next.points.empty() &&
+      position(*geometry.mesh, next.start()) != position(*geometry.mesh, end)) {
+    StripWorkspace strip;
+    if (!moveStart(geometry, end, next, strip)) next = {};
+  }
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
 /// Two clamped B-splines of one degree as one. Where they do not meet a geodesic joins them.
-ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& first,
-                              const ControlPolygon& second) {
+PolygonWithLegs joinedPolygons(const Geometry& geometry, const PolygonWithLegs& firstWhole,
+                               const PolygonWithLegs& secondWhole) {
+  const ControlPolygon& first = firstWhole.polygon;
+  const ControlPolygon& second = secondWhole.polygon;
   const int p = first.degree;
   ControlPolygon result = first;
   Array<WeightedPoint> points = second.points;
@@ -186,7 +259,9 @@ ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& fi
   for (int k = p + 1; k < second.knots.count(); ++k) {
     result.knots.push_back(start + second.knots[k] - second.knots[p]);
   }
-  return result;
+  return {std::move(result),
+          joinedLegs(geometry, firstWhole.legs, first.points.count() - 1, secondWhole.legs,
+                     points.count() - 1, meet ? 0 : p, from.point)};
 }
 
 }  // namespace
@@ -197,22 +272,25 @@ RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
   const Geometry& geometry = curve.surface().geometry();
   if (shape.kind == CurveKind::kOwn) refuseOwnBasis();
   if (shape.kind == CurveKind::kBSpline) {
-    ControlPolygon polygon = polygonOf(curve);
-    const double knot = knotAtParameter(polygon, at);
-    const int repeats = multiplicity(polygon, knot);
+    PolygonWithLegs polygon = polygonOf(curve);
+    const double knot = knotAtParameter(polygon.polygon, at);
+    const int repeats = multiplicity(polygon.polygon, knot);
     if (repeats >= shape.degree) {
       refuse("the curve has a knot there that is repeated " + std::to_string(repeats) +
              " times; in degree " + std::to_string(shape.degree) + " it takes no more");
     }
     const int first = insertKnot(geometry, polygon, knot);
-    return {partsOf(polygon), (first + (shape.degree - repeats - 1) / 2) % polygon.points.count()};
+    const int points = polygon.polygon.points.count();
+    return {partsOf(std::move(polygon)), (first + (shape.degree - repeats - 1) / 2) % points};
   }
   if (isBezier(shape.kind) || shape.kind == CurveKind::kBarycentric) {
     RefinedCurve refined;
-    const int points = bezierPoints(curve).count() + 1;
+    const int points = curve.pointCount() + (shape.closed ? 1 : 0) + 1;
     if (isBezier(shape.kind)) {
+      LeggedPolygon more = elevated(geometry, bezierPolygon(curve));
       refined.curve.shape = {shape.kind, shape.closed};
-      setPoints(refined.curve, elevated(geometry, bezierPoints(curve)));
+      setPoints(refined.curve, more.points);
+      refined.curve.legs = std::move(more.legs);
     } else {
       refined.curve = barycentricPart(curve, 0, 1, points);
       refined.curve.shape.closed = shape.closed;
@@ -226,9 +304,16 @@ RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
     return refined;
   }
   if (at.t == 0 || at.t == 1) refuse("the curve has a control point there");
+  CutThroughPoints cut = cutThroughPoints(curve, at);
   RefinedCurve refined{{withPoint(shape, at.segment + 1), curve.points()}, at.segment + 1};
-  refined.curve.points.insert(refined.curve.points.begin() + refined.point,
-                              pointAt(curve, at).point);
+  Array<SurfacePoint>& points = refined.curve.points;
+  points.insert(points.begin() + refined.point, cut.point);
+  if (followsLegs(curve)) {
+    Array<SurfacePath>& legs = refined.curve.legs;
+    legs = curve.value().legs;
+    legs[at.segment] = std::move(cut.before);
+    legs.insert(legs.begin() + refined.point, std::move(cut.after));
+  }
   return refined;
 }
 
@@ -245,17 +330,28 @@ Array<CurveParts> splitAt(Curve& curve, double parameter) {
     refuse("a curve is split between its ends, not at one");
   }
   if (shape.kind == CurveKind::kBSpline) {
-    const ControlPolygon polygon = polygonOf(curve);
-    const double knot = knotAtParameter(polygon, at);
+    const PolygonWithLegs polygon = polygonOf(curve);
+    const double knot = knotAtParameter(polygon.polygon, at);
     if (shape.closed) return {partsOf(cutOpen(geometry, polygon, knot))};
     return {partsOf(partBefore(geometry, polygon, knot)),
             partsOf(partAfter(geometry, polygon, knot))};
   }
   if (isBezier(shape.kind)) {
-    const BezierParts halves = divided(geometry, bezierPoints(curve), at.t);
+    const LeggedPolygon bezier = bezierPolygon(curve);
     Array<CurveParts> parts(2, {{shape.kind}, {}});
-    setPoints(parts[0], halves.before);
-    setPoints(parts[1], halves.after);
+    if (bezier.legs.empty()) {
+      const BezierParts halves = divided(geometry, bezier.points, at.t);
+      setPoints(parts[0], halves.before);
+      setPoints(parts[1], halves.after);
+      return parts;
+    }
+    // De Casteljau's algorithm inserts a knot until the curve passes a point there.
+    PolygonWithLegs halves[] = {partBefore(geometry, splineOf(bezier), at.t),
+                                partAfter(geometry, splineOf(bezier), at.t)};
+    for (int k = 0; k < 2; ++k) {
+      setPoints(parts[k], halves[k].polygon.points);
+      parts[k].legs = std::move(halves[k].legs);
+    }
     return parts;
   }
   if (shape.kind == CurveKind::kBarycentric) {
@@ -280,31 +376,36 @@ CurveParts joined(const Curve& first, const Curve& second) {
       refuse("B-splines of different degrees cannot be joined: " + std::to_string(shape.degree) +
              " and " + std::to_string(second.shape().degree));
     }
-    const ControlPolygon a = polygonOf(first);
-    const ControlPolygon b = polygonOf(second);
-    return partsOf(joinedPolygons(geometry, partBefore(geometry, a, a.knots[a.points.count()]),
-                                  partAfter(geometry, b, b.knots[b.degree])));
+    const PolygonWithLegs a = polygonOf(first);
+    const PolygonWithLegs b = polygonOf(second);
+    const double end = a.polygon.knots[a.polygon.points.count()];
+    const double start = b.polygon.knots[b.polygon.degree];
+    return partsOf(
+        joinedPolygons(geometry, partBefore(geometry, a, end), partAfter(geometry, b, start)));
   }
   if (isBezier(shape.kind)) {
-    Array<WeightedPoint> ends[2] = {weightedPoints(first), weightedPoints(second)};
-    const int points = std::max(ends[0].count(), ends[1].count());
+    LeggedPolygon ends[2] = {bezierPolygon(first), bezierPolygon(second)};
+    const int points = std::max(first.pointCount(), second.pointCount());
     if (points > kMostSplineDegree + 1) {
       refuse("Bezier curves can be joined up to degree 5, as a B-spline, not of degree " +
              std::to_string(points - 1));
     }
-    ControlPolygon polygons[2];
-    for (int k = 0; k < 2; ++k) {
-      while (ends[k].count() < points) ends[k] = elevated(geometry, ends[k]);
-      polygons[k] = {ends[k], clampedKnots(points, points - 1), points - 1, false};
+    for (LeggedPolygon& bezier : ends) {
+      while (bezier.points.count() < points) bezier = elevated(geometry, bezier);
     }
-    return partsOf(joinedPolygons(geometry, polygons[0], polygons[1]));
+    return partsOf(joinedPolygons(geometry, splineOf(ends[0]), splineOf(ends[1])));
   }
   CurveParts parts{shape, first.points()};
-  const Array<SurfacePoint> more = second.points();
+  const Array<SurfacePoint>& more = second.points();
   const double gap =
       (position(*geometry.mesh, parts.points.back()) - position(*geometry.mesh, more.front()))
           .norm();
   const int from = gap <= 1e-9 * geometry.diagonal ? 1 : 0;
+  const auto given = [](const Curve& curve) {
+    return followsLegs(curve) ? curve.value().legs : Array<SurfacePath>();
+  };
+  parts.legs = joinedLegs(geometry, given(first), first.pointCount() - 1, given(second),
+                          second.pointCount() - 1, from == 1 ? 0 : 1, first.points().back());
   parts.points.insert(parts.points.end(), more.begin() + from, more.end());
   parts.shape.weights.clear();
   parts.shape.betas.clear();

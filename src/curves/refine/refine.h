@@ -6,10 +6,12 @@
 /// on the plane unchanged wherever there is a construction that does (knot_insertion.h).
 namespace karcher {
 
-/// A curve's shape and control points.
+/// A curve's shape, control points and legs (curve_value.h). Where the curve that they come of is
+/// given legs and follows them, the new ones lie along those (along_legs.h).
 struct CurveParts {
   CurveShape shape;
   Array<SurfacePoint> points;
+  Array<SurfacePath> legs = {};
 };
 
 struct RefinedCurve {
