@@ -21,25 +21,6 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.bary == b.bary;
 }
 
-/// The numbers from 0.
-Array<int> numbersOf(const Array<SurfacePoint>& points) {
-  Array<int> numbers;
-  for (int i = 0; i < points.count(); ++i) numbers.push_back(i);
-  return numbers;
-}
-
-/// The value with a change of its points and its shape, after which the points are those of these
-/// numbers, -1 of new ones.
-template <class Change>
-CurveValue changed(CurveValue value, const Array<int>& order, const Change& change) {
-  const Array<SurfacePath> legs = std::move(value.legs);
-  const int points = value.points.count();
-  value.legs.clear();
-  change(value);
-  if (!legs.empty()) value.legs = keptLegs(legs, points, order, value.options.shape);
-  return value;
-}
-
 }  // namespace
 
 void checkIndex(const CurveValue& value, int i) { checkIndexBelow(value, i, value.points.count()); }
@@ -59,33 +40,29 @@ void placePoint(CurveValue& value, int i, const SurfacePoint& point) {
 
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point) {
   checkIndexBelow(value, i, value.points.count() + 1);
-  Array<int> order = numbersOf(value.points);
-  order.insert(order.begin() + i, -1);
-  return changed(std::move(value), order, [&](CurveValue& to) {
-    to.options.shape = withPoint(std::move(to.options.shape), i);
-    to.points.insert(to.points.begin() + i, point);
-  });
+  const int points = value.points.count();
+  value.options.shape = withPoint(std::move(value.options.shape), i);
+  value.points.insert(value.points.begin() + i, point);
+  keepLegs(value, points, {.from = -1, .to = i});
+  return value;
 }
 
 CurveValue withPointRemoved(CurveValue value, int i) {
   checkIndex(value, i);
-  Array<int> order = numbersOf(value.points);
-  order.erase(order.begin() + i);
-  return changed(std::move(value), order, [&](CurveValue& to) {
-    to.options.shape = withoutPoint(std::move(to.options.shape), to.points.count(), i);
-    to.points.erase(to.points.begin() + i);
-  });
+  const int points = value.points.count();
+  value.options.shape = withoutPoint(std::move(value.options.shape), points, i);
+  value.points.erase(value.points.begin() + i);
+  keepLegs(value, points, {.from = i, .to = -1});
+  return value;
 }
 
 CurveValue withPointMovedInOrder(CurveValue value, int from, int to) {
   checkIndex(value, from);
   checkIndex(value, to);
-  Array<int> order = numbersOf(value.points);
-  moveEntry(order, from, to);
-  return changed(std::move(value), order, [&](CurveValue& moved) {
-    moved.options.shape = withPointMoved(std::move(moved.options.shape), from, to);
-    moveEntry(moved.points, from, to);
-  });
+  value.options.shape = withPointMoved(std::move(value.options.shape), from, to);
+  moveEntry(value.points, from, to);
+  keepLegs(value, value.points.count(), {from, to});
+  return value;
 }
 
 CurveValue reversed(CurveValue value) {
@@ -104,10 +81,9 @@ CurveValue withKind(CurveValue value, CurveKind kind) {
 }
 
 CurveValue withClosed(CurveValue value, bool closed) {
-  const Array<int> order = numbersOf(value.points);
-  return changed(std::move(value), order, [&](CurveValue& to) {
-    to.options.shape = withClosed(std::move(to.options.shape), closed);
-  });
+  value.options.shape = withClosed(std::move(value.options.shape), closed);
+  keepLegs(value, value.points.count(), {});
+  return value;
 }
 
 CurveValue withWeight(CurveValue value, int i, double weight) {

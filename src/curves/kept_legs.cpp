@@ -1,58 +1,58 @@
 #include "curves/kept_legs.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace karcher {
 namespace {
 
-bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
-  return a.face == b.face && a.bary == b.bary;
+/// The number before the change of point i after it, or -1.
+int numberBefore(const PointChange& change, int i) {
+  if (i == change.to) return change.from;
+  const int others = change.to >= 0 && i > change.to ? i - 1 : i;
+  return change.from >= 0 && others >= change.from ? others + 1 : others;
 }
 
 }  // namespace
 
-Array<SurfacePath> keptLegs(const Array<SurfacePath>& legs, int points, const Array<int>& order,
-                            const CurveShape& shape) {
-  const int count = order.count();
-  Array<SurfacePath> kept(static_cast<size_t>(legCount(shape, count)));
-  Array<uint8_t> isTaken(legs.size(), 0);
+void keepLegs(CurveValue& value, int points, const PointChange& change) {
+  const int count = value.points.count();
+  if (count == 0) value.legs.clear();
+  if (value.legs.empty()) return;
+  Array<SurfacePath> kept(static_cast<size_t>(legCount(value.options.shape, count)));
   bool any = false;
   for (const bool turned : {false, true}) {
     for (int i = 0; i < kept.count(); ++i) {
-      int from = order[i];
-      int to = order[(i + 1) % count];
+      int from = numberBefore(change, i);
+      int to = numberBefore(change, (i + 1) % count);
       if (turned) std::swap(from, to);
-      if (from < 0 || to != (from + 1) % points || from >= legs.count()) continue;
-      if (isTaken[from] || !kept[i].points.empty() || legs[from].points.empty()) continue;
-      isTaken[from] = 1;
-      kept[i] = turned ? karcher::reversed(legs[from]) : legs[from];
+      if (from < 0 || to != (from + 1) % points || from >= value.legs.count()) continue;
+      // One that was taken is empty.
+      if (value.legs[from].points.empty()) continue;
+      kept[i].points.swap(value.legs[from].points);
+      kept[i].lengths.swap(value.legs[from].lengths);
+      if (turned) reverse(kept[i]);
       any = true;
     }
   }
-  if (!any) kept.clear();
-  return kept;
+  value.legs.swap(kept);
+  if (!any) value.legs.clear();
 }
 
 CurveValue withPoints(CurveValue value, Array<SurfacePoint> points) {
   const int before = value.points.count();
-  const int after = points.count();
-  Array<int> order(static_cast<size_t>(after), -1);
-  const auto stays = [&](int from, int to) {
-    if (!isSame(value.points[from], points[to])) return false;
-    order[to] = from;
-    return true;
-  };
-  const int fewer = std::min(before, after);
-  if (before == after) {
-    for (int i = 0; i < after; ++i) stays(i, i);
-  } else {
-    int first = 0;
-    while (first < fewer && stays(first, first)) ++first;
-    for (int k = 1; k <= fewer - first && stays(before - k, after - k);) ++k;
-  }
   value.points = std::move(points);
-  if (!value.legs.empty()) value.legs = keptLegs(value.legs, before, order, value.options.shape);
+  keepLegs(value, before, {});
+  const int count = value.points.count();
+  const auto isAt = [](const SurfacePoint& end, const SurfacePoint& point) {
+    return end.face == point.face && end.bary == point.bary;
+  };
+  for (int i = 0; i < value.legs.count(); ++i) {
+    SurfacePath& leg = value.legs[i];
+    if (leg.points.empty()) continue;
+    if (!isAt(leg.start(), value.points[i]) || !isAt(leg.end(), value.points[(i + 1) % count])) {
+      leg = {};
+    }
+  }
   return value;
 }
 
