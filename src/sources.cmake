@@ -14,8 +14,7 @@ set(KARCHER_FAST_IN_SMALL_ROOMS
   curves/spec/segment_basis.cpp
   mesh/edges.cpp
   mesh/obj_lines.cpp
-  mesh/surface_point.cpp
-  mesh/triangle_mesh.cpp)
+  mesh/surface_point.cpp)
 set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/branches.cpp
   curves/trace/edge_crossings.cpp
@@ -25,6 +24,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/sample_status.cpp
   curves/trace/sampling.cpp
   distance/edge_dijkstra.cpp
+  distance/edge_midpoints.cpp
   distance/fast_trial.cpp
   distance/find_path.cpp
   distance/geodesic_line.cpp
@@ -36,8 +36,10 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   distance/source_vectors.cpp
   distance/tangent_maps.cpp
   distance/visibility.cpp
+  distance/watched_target.cpp
   distance/waypoints.cpp
   intrinsic/geometry.cpp
+  intrinsic/local_path.cpp
   intrinsic/straightest.cpp
   intrinsic/tangent.cpp
   intrinsic/vertex_fans.cpp
