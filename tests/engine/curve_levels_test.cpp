@@ -359,7 +359,7 @@ TEST(CurveLevels, AreRefusedWhereTheyCannotBe) {
   wrong.legs = curve.legs();
   std::swap(wrong.legs[0], wrong.legs[1]);
   EXPECT_EQ(codeOf([&] { curve.set(wrong); }), ErrorCode::kBadArgument);
-  for (const size_t count : {1, 2, 4, 5}) {
+  for (const size_t count : {1u, 2u, 4u, 5u}) {
     wrong.legs.assign(count, {});
     EXPECT_EQ(codeOf([&] { curve.set(wrong); }), ErrorCode::kBadArgument) << count;
     EXPECT_EQ(codeOf([&] { curve.continueLegs(wrong, 3); }), ErrorCode::kBadArgument) << count;
