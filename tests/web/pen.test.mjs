@@ -190,6 +190,9 @@ describe('the pen', () => {
     await page.keyboard.press('Control+z');
     assert.equal(await bytesOf(tab), whole);
 
+    const last = await tab.handle('Anchor 3 of 3');
+    await page.mouse.click(last.x, last.y);
+    await page.waitForFunction(() => window.karcherPage.state().selection === 2);
     const own = await tab.onCurve(0.15);
     await page.mouse.click(own.x, own.y);
     await page.waitForFunction(() => window.karcherPage.state().selection === 0);

@@ -149,9 +149,11 @@ export class PenGestures {
   /** Selects the nearer anchor of the segment that goes through a place of the scene. */
   async selectNear(position: Vector3): Promise<void> {
     const near = this.viewer.surface!.fromScene(position);
-    const { figure } = this.editor.state;
+    const { figure, selection } = this.editor.state;
     const measured = await this.session.measured(near);
-    if (!measured || this.editor.state.figure !== figure) return;
+    // Whoever has gone on has selected something else.
+    const { state } = this.editor;
+    if (!measured || state.figure !== figure || state.selection !== selection) return;
     const { from, to, t } = segmentAt(figure, measured.parameter);
     this.editor.select(t < 0.5 ? from : to);
   }
