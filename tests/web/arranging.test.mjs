@@ -1,7 +1,7 @@
 // The order of objects by drags and keys, and the menu of what lies at a place of the surface.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab, touchOf, until } from './browser.mjs';
+import { openBrowser, Tab, touchOf } from './browser.mjs';
 
 const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
 const other = (faces, name) =>
@@ -84,39 +84,6 @@ describe('the order of objects, and the menu at a place', () => {
     assert.equal(JSON.stringify((await tab.state()).drawing), before);
     await page.locator('#context-menu').getByRole('menuitem', { name: 'Select all' }).click();
     assert.deepEqual((await tab.state()).chosen.toSorted(), [1, 2, 3]);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
-  });
-
-  test('a finger whose moves a busy page hears of late opens nothing', async () => {
-    const tab = await Tab.open(browser, fragment);
-    const { page } = tab;
-    const { x, y } = await tab.middle();
-    const { touch, together } = await touchOf(page);
-    await touch('touchStart', { x: x - 30, y: y + 90 });
-    // The page is busy for longer than a finger rests, and until the moves have been sent.
-    let answer = null;
-    await page.route('**/moves-sent', (route) => {
-      answer = () => route.fulfill({ body: '' });
-    });
-    const busy = page.evaluate(() => {
-      const rested = performance.now() + 600;
-      const request = new XMLHttpRequest();
-      request.open('GET', 'moves-sent', false);
-      request.send();
-      while (performance.now() < rested);
-    });
-    await until(() => answer, 'the page is busy');
-    const moved = together(
-      ['touchMove', { x: x - 60, y: y + 90 }],
-      ['touchMove', { x: x - 90, y: y + 90 }],
-    );
-    await answer();
-    await moved;
-    await busy;
-    await touch('touchEnd');
-    await tab.still();
-    assert.equal(await page.locator('#context-menu').isVisible(), false);
     assert.deepEqual(tab.logged, []);
     await page.close();
   });
