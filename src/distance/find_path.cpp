@@ -1,6 +1,7 @@
 #include "distance/find_path.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "distance/shortest_path.h"
 #include "intrinsic/along_path.h"
@@ -20,9 +21,25 @@ constexpr double kPiece = 24;
 /// Paths that differ by less than this part of their length are the same but for rounding.
 constexpr double kSameLength = 1e-12;
 
-/// The same order for both directions of a path.
-bool isBefore(const Vec3& a, const Vec3& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+/// Weights and angles that differ by less are the same but for rounding.
+constexpr double kSame = 1e-9;
+
+/// The same order for both directions of a path and wherever the surface lies in space: by the
+/// weights of the points, then by the angles at their nearest vertices. Points that are alike in
+/// both go by the mesh's numbers.
+bool isBefore(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
+  const auto told = [&](const SurfacePoint& point) {
+    int corner = 0;
+    const double most = point.bary.maxCoeff(&corner);
+    const int vertex = geometry.mesh->corner(point.face, corner);
+    return std::pair(vertex, Vec3(most, point.bary.minCoeff(), geometry.totalAngle[vertex]));
+  };
+  const auto [vertexOfA, ofA] = told(a);
+  const auto [vertexOfB, ofB] = told(b);
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(ofA[k] - ofB[k]) > kSame) return ofA[k] < ofB[k];
+  }
+  return std::pair(vertexOfA, a.face) < std::pair(vertexOfB, b.face);
 }
 
 class PathFinder {
@@ -124,7 +141,7 @@ bool findPath(const Geometry& geometry, const SurfacePoint& from, const SurfaceP
     return true;
   }
   // Always from the same end, so that both directions find the same path.
-  const bool backwards = isBefore(position(mesh, to), position(mesh, from));
+  const bool backwards = isBefore(geometry, to, from);
   const SurfacePoint first = backwards ? to : from;
   const SurfacePoint last = backwards ? from : to;
   if (!PathFinder(geometry, workspace, out).run(first, last)) return false;

@@ -87,6 +87,31 @@ TEST(CurveLevels, OfThePlaneAreTheSameCurve) {
   std::printf("largest gap between levels on the plane: %.1e of the bounding box\n", worst);
 }
 
+/// New points between knots that nearly coincide are averages as of any others.
+TEST(CurveLevels, OfKnotsThatNearlyCoincideAreTheSameCurve) {
+  Surface surface(meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 500, 9)));
+  const Array<SurfacePoint> points = pointsNear(surface.mesh(), kPlaces);
+  ASSERT_GE(points.count(), 6);
+  const Array<SurfacePoint> six(points.begin(), points.begin() + 6);
+  for (const double apart : {1e-3, 1e-6, 1e-8, 1e-10}) {
+    SCOPED_TRACE(apart);
+    for (const bool closed : {false, true}) {
+      CurveShape shape{CurveKind::kBSpline, closed, 3, KnotRule::kOwn};
+      if (closed) {
+        shape.knots = {0, 0.5, 1, 1 + apart, 1.5, 1.7, 2};
+      } else {
+        shape.knots = {0, 0, 0, 0, 1, 1 + apart, 2, 2, 2, 2};
+      }
+      Curve center(surface, optionsOf(shape, 17, 0, kExact), six);
+      for (const int levels : {1, 3, 5}) {
+        SCOPED_TRACE("levels " + std::to_string(levels));
+        Curve curve(surface, optionsOf(shape, 17, levels, kExact), six);
+        EXPECT_LE(largestGap(center, curve), 1e-11 * surface.geometry().diagonal);
+      }
+    }
+  }
+}
+
 TEST(CurveLevels, OfThePlaneKeepTolerancesAndCrossEdgesExactly) {
   Surface surface(meshOf(tessellatedPlane(PlaneTessellation::kStretchedRandom, 2000, 8)));
   const Array<SurfacePoint> points = pointsNear(surface.mesh(), kPlaces);

@@ -71,6 +71,29 @@ TEST(FindPath, isTheStraightLineInThePlane) {
   }
 }
 
+TEST(FindPath, isTheSameWhereverTheSurfaceLies) {
+  const MeasuredMesh bunny(roughened(bunnyMesh(), 3, 6));
+  TriangleMesh moved = bunny.mesh;
+  for (Vec3& at : moved.positions) at = Vec3(-at.x(), -at.y(), at.z()) + Vec3(3, -2, 5);
+  const Geometry geometry = buildGeometry(moved);
+  Random random(7);
+  FindPathWorkspace workspace;
+  SurfacePath path;
+  SurfacePath again;
+  for (int i = 0; i < 200; ++i) {
+    // Half of them between vertices, which have the same weights.
+    const auto place = [&] {
+      return i % 2 == 0 ? randomPlace(bunny.mesh, random)
+                        : vertexPoint(bunny.mesh, random.index(bunny.mesh.vertexCount()));
+    };
+    const SurfacePoint from = place();
+    const SurfacePoint to = place();
+    ASSERT_TRUE(findPath(bunny.geometry, from, to, workspace, path));
+    ASSERT_TRUE(findPath(geometry, from, to, workspace, again));
+    EXPECT_NEAR(again.length(), path.length(), 1e-12 * geometry.diagonal) << "pair " << i;
+  }
+}
+
 // At most a fiftieth longer than the shortest is what the search is to keep.
 TEST(FindPath, isShortOnTheBunny) { expectShort(bunnyMesh(), 100, 1, 0.02); }
 

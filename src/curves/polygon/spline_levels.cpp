@@ -91,13 +91,21 @@ class KnotHalving {
     if (old_[k + 1] > old_[k]) out.push_back(old_[k] + (old_[k + 1] - old_[k]) / 2);
   }
 
-  /// The old span whose polynomial gives new point j: one that a span of the new point lies in.
+  /// The old span whose polynomial gives new point j: the first that the new point has a part in,
+  /// or a later one that is far wider. From a narrow one beside wide ones the weights would be
+  /// extrapolated so far that rounding is all that is left of them.
   template <class Refined>
   int spanFor(const Refined& refined, int j) const {
+    constexpr double kFarWider = 2;
     int span = degree_;
     const double at = closed_ ? refined(j) : std::clamp(refined(j), oldKnot(degree_), lastStart());
     while (oldKnot(span + 1) <= at) ++span;
     while (closed_ && oldKnot(span) > at) --span;
+    const auto width = [&](int k) { return oldKnot(k + 1) - oldKnot(k); };
+    const double end = refined(j + degree_ + 1);
+    for (int k = span + 1; (closed_ || k < count_) && oldKnot(k) < end; ++k) {
+      if (width(k) > kFarWider * width(span)) span = k;
+    }
     return span;
   }
 
