@@ -23,8 +23,8 @@ struct FastTrial {
 
 /// Tries the fast solver on a mesh: from some vertices anywhere and from those where thin faces
 /// meet most curvature, which is what it takes worst, to the nearest few hundred vertices. The
-/// sources depend on the mesh alone. Takes some 30 ms on any mesh, less on a small one and on one
-/// whose faces alone tell.
+/// sources depend on the shape alone, not on its place or its numbers. Takes some 30 ms on any
+/// mesh, less on a small one and on one whose faces alone tell.
 FastTrial tryFastDistance(const Geometry& geometry, const std::shared_ptr<const VertexFans>& fans);
 
 }  // namespace karcher

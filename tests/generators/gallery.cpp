@@ -1,6 +1,7 @@
 #include "generators/gallery.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <stdexcept>
@@ -245,6 +246,27 @@ void addSmooth(Array<GalleryMesh>& meshes) {
 }
 
 }  // namespace
+
+GalleryMesh randomSheet(uint64_t seed) {
+  constexpr int kTriangles = 3000;
+  constexpr PlaneTessellation kKinds[] = {PlaneTessellation::kJitteredDelaunay,
+                                          PlaneTessellation::kRandomDelaunay,
+                                          PlaneTessellation::kStretchedRandom};
+  Random random(seed);
+  const PlaneTessellation kind = kKinds[random.index(3)];
+  const double noise = random.uniform(0.05, 0.6);
+  const double stretch = std::pow(30, random.uniform());
+  const double shear = random.uniform(0, 4);
+  // The last kind has cells of 20:1 in the unit square.
+  const double cell = kind == PlaneTessellation::kStretchedRandom ? 20 : 1;
+  const double edge = std::sqrt(2 / (kTriangles * cell));
+  TriangleSoup soup = tessellatedPlane(kind, kTriangles, seed);
+  for (Vec3& p : soup.positions) p.z() = random.uniform(-noise, noise) * edge;
+  const std::string name = std::string(tessellationName(kind)) + ", noise " + decimal(noise) +
+                           ", stretched " + decimal(stretch) + ":1, sheared " + decimal(shear);
+  return {name, sheared(moved(std::move(soup), Vec3(stretch / cell, 1, 1), Vec3::Zero()), shear),
+          false};
+}
 
 TriangleSoup fanSquares(int side, int q, double jitter, uint64_t seed) {
   TriangleSoup soup;

@@ -19,6 +19,10 @@ struct GalleryMesh {
 
 Array<GalleryMesh> gallery();
 
+/// A sheet of some 3,000 triangles whose kind, noise (.05 to .6 of an edge), stretch (1 to 30) and
+/// shear (0 to 4) are random.
+GalleryMesh randomSheet(uint64_t seed);
+
 /// The mesh of that name. Throws std::runtime_error if there is none.
 TriangleMesh galleryMesh(const std::string& name);
 
