@@ -20,7 +20,7 @@ constexpr double kThinnest = 1e-6;
 
 constexpr double kBad = 3;
 
-/// Places lie at least this part of the diagonal apart.
+/// The worst places lie at least this part of the mesh's extent apart.
 constexpr double kApart = 0.1;
 
 struct Badness {
@@ -66,7 +66,7 @@ Array<int> findSources(const Geometry& geometry, const Badness& badness) {
     int worst = -1;
     for (int v = 0; v < count; ++v) {
       if (worst >= 0 && badness.ofVertex[v] <= badness.ofVertex[worst]) continue;
-      const auto isNear = [&](int s) { return distance(v, s) < kApart * geometry.diagonal; };
+      const auto isNear = [&](int s) { return distance(v, s) < kApart * geometry.extent; };
       if (std::none_of(sources.begin(), sources.end(), isNear)) worst = v;
     }
     if (worst >= 0) sources.push_back(worst);
@@ -104,10 +104,12 @@ bool FastTrial::isPassed() const {
   // What the meshes of the gallery (tests/generators) on which the fast solver is off by more than
   // kWrong go beyond, and scans and models do not.
   constexpr double kMostBad = 4e-3;
+  if (thinnest < kThinnest || bad > kMostBad) return false;
+  // Where no pair is off by more all is well; elsewhere a few may be, if most are nearly exact.
+  constexpr double kSure = 0.01;
   constexpr double kMostMean = 1e-3;
   constexpr double kMostWrong = 1e-3;
-  return thinnest >= kThinnest && bad <= kMostBad && meanError <= kMostMean &&
-         wrong <= kMostWrong * pairs;
+  return worstError <= kSure || (meanError <= kMostMean && wrong <= kMostWrong * pairs);
 }
 
 FastTrial tryFastDistance(const Geometry& geometry, const std::shared_ptr<const VertexFans>& fans) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/positions.h"
+
 namespace karcher {
 namespace {
 
@@ -88,6 +90,7 @@ Geometry buildGeometry(const TriangleMesh& mesh) {
   geometry.longestEdge = *longest;
   geometry.meanEdge = meanEdgeLength(mesh);
   geometry.diagonal = boundingBoxDiagonal(mesh);
+  geometry.extent = extentOf(mesh.positions);
   return geometry;
 }
 

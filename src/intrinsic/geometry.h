@@ -33,6 +33,10 @@ struct Geometry {
   double shortestEdge = 0;
   double longestEdge = 0;
   double diagonal = 0;  ///< of the bounding box
+  /// Twice the largest distance of a vertex from the middle of all. Unlike the diagonal it stays
+  /// the same where the mesh is turned: what a search decides by the size of the mesh, it decides
+  /// by this.
+  double extent = 0;
 };
 
 /// The mesh must outlive the result.

@@ -1,5 +1,6 @@
 #include "mesh/positions.h"
 
+#include <algorithm>
 #include <string>
 
 #include "mesh/error.h"
@@ -53,6 +54,14 @@ double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices) 
     check.vertex(v, positions[v]);
   }
   return count == 0 ? 0 : check.diagonal();
+}
+
+double extentOf(const Array<Vec3>& positions) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : positions) middle += p / static_cast<double>(positions.count());
+  double farthest = 0;
+  for (const Vec3& p : positions) farthest = std::max(farthest, (p - middle).norm());
+  return 2 * farthest;
 }
 
 }  // namespace karcher

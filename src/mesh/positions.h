@@ -10,4 +10,7 @@ namespace karcher {
 /// kBadArgument.
 double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices = nullptr);
 
+/// Twice the largest distance of a position from the middle of all; 0 without any.
+double extentOf(const Array<Vec3>& positions);
+
 }  // namespace karcher

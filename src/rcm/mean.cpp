@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "mesh/positions.h"
 #include "rcm/exact_minimum.h"
 #include "rcm/mean_of_many.h"
 #include "rcm/summed_field.h"
@@ -251,13 +252,9 @@ Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
 double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, bool everywhere) {
   const double all = static_cast<double>(points.count()) * surface.mesh().vertexCount();
   if (everywhere) return all;
-  Vec3 low = position(surface.mesh(), points[0]);
-  Vec3 high = low;
-  for (const SurfacePoint& point : points) {
-    low = low.cwiseMin(position(surface.mesh(), point));
-    high = high.cwiseMax(position(surface.mesh(), point));
-  }
-  const double spread = 2 * (high - low).norm() / surface.geometry().diagonal;
+  Array<Vec3> places;
+  for (const SurfacePoint& point : points) places.push_back(position(surface.mesh(), point));
+  const double spread = 2 * extentOf(places) / surface.geometry().extent;
   return all * std::min(spread * spread, 1.0);
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int kStarts = 16;
 constexpr int kDescents = 3;
 constexpr int kMostSolves = 24;        ///< of one descent
-constexpr double kLongestStep = 0.25;  ///< of the bounding box's diagonal
+constexpr double kLongestStep = 0.25;  ///< of the mesh's extent
 
 /// A step below this part of a mean edge is the last of a descent. The gradient is no better.
 constexpr double kLastStep = 0.1;
@@ -87,7 +87,7 @@ struct Descent {
 /// as well end.
 template <class EnergyFunction>
 Descent descend(const Geometry& geometry, Stand stand, const EnergyFunction& energyAt) {
-  double most = kLongestStep * geometry.diagonal;
+  double most = kLongestStep * geometry.extent;
   int crossingsLeft = mostCrossingsOfSearch(*geometry.mesh);
   for (int solve = 0; solve < kMostSolves && crossingsLeft > 0; ++solve) {
     Vec2 step = stand.step();
@@ -111,7 +111,7 @@ Descent descend(const Geometry& geometry, Stand stand, const EnergyFunction& ene
     scale.learn(length, change);
     if (there->energy < stand.here.energy) {
       stand = {path.path.end(), *there, scale.turned(path.direction)};
-      most = std::min(2 * std::max(most, length), kLongestStep * geometry.diagonal);
+      most = std::min(2 * std::max(most, length), kLongestStep * geometry.extent);
     } else {
       stand.scale = scale.turned(before);
       constexpr double kShorter = 0.5;

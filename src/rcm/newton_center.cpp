@@ -58,7 +58,7 @@ class NewtonSearch {
     Vec2 step(-(h.yy * gradient.x() - h.xy * gradient.y()) / determinant,
               -(h.xx * gradient.y() - h.xy * gradient.x()) / determinant);
     const double length = step.norm();
-    if (length > geometry_.diagonal) step *= geometry_.diagonal / length;
+    if (length > geometry_.extent) step *= geometry_.extent / length;
     return step;
   }
 

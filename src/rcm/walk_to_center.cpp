@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kMaxFaces = 400;
 constexpr int kMostDescents = 60;
-constexpr double kLongestDescent = 0.5;  ///< of the bounding box's diagonal
+constexpr double kLongestDescent = 0.5;  ///< of the mesh's extent
 /// A zero whose weights in a face go below this is far away: descend instead of walking there.
 constexpr double kFarWeight = -6;
 
@@ -111,8 +111,7 @@ class ZeroWalk {
       ++descents_;
       // Weights far from 0 and 1 ask for steps that would wind round the surface again and again.
       const Vec2 wanted = -fields_.at(point, weights_) / 2;
-      const Vec2 step =
-          wanted * std::min(1.0, kLongestDescent * geometry_.diagonal / wanted.norm());
+      const Vec2 step = wanted * std::min(1.0, kLongestDescent * geometry_.extent / wanted.norm());
       const SurfacePath path =
           traceStraightest(geometry_, point, step, {.maxCrossings = crossingsLeft}).path;
       crossingsLeft -= path.points.count() / 2;

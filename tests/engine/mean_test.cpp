@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <functional>
 #include <utility>
 
 #include "curve_support.h"
+#include "generators/gallery.h"
 #include "generators/random.h"
 #include "generators/smooth_surface.h"
 #include "mesh/error.h"
@@ -63,6 +65,43 @@ TEST(Mean, OfACapOfTheSphereComesNearerTheTruthUnderRefinement) {
       coarser = error;
     }
     EXPECT_LT(error / meanEdge, bound);
+  }
+}
+
+/// Long ways are walked in steps that the size of the mesh bounds, which is not that of the box
+/// around it: a box changes when the mesh is turned.
+TEST(Mean, IsTheSameWhereverTheSurfaceLies) {
+  struct Case {
+    const char* mesh;
+    Array<std::pair<int, int>> corners;  ///< the face and corner of each point
+    Array<double> weights;
+  };
+  const Case cases[] = {{"crumpled sheet, 6 folds",
+                         {{1429, 1}, {1773, 1}, {2762, 2}, {7, 2}},
+                         {0.28724, 0.312429, 0.242658, 0.157673}},
+                        {"very rough sheet",
+                         {{230, 2}, {581, 2}, {852, 0}, {2712, 1}},
+                         {0.542458, 0.0730141, 0.274081, 0.110447}}};
+  const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
+  MeanOptions options;
+  options.normalize = true;
+  for (const Case& given : cases) {
+    SCOPED_TRACE(given.mesh);
+    Surface surface(galleryMesh(given.mesh));
+    Array<SurfacePoint> points;
+    for (const auto& [face, corner] : given.corners) {
+      points.push_back(vertexPoint(surface.mesh(), surface.mesh().corner(face, corner)));
+    }
+    Array<Vec3> positions = surface.mesh().positions;
+    for (Vec3& p : positions) p = turn * p;
+    Surface turned(buildMesh(positions, surface.mesh().faces));
+    const Mean center = centerOfMass(surface, points, given.weights, options);
+    const Mean there = centerOfMass(turned, points, given.weights, options);
+    EXPECT_EQ(center.status, Status::kConverged);
+    EXPECT_EQ(there.status, Status::kConverged);
+    EXPECT_LE(
+        (position(surface.mesh(), there.point) - position(surface.mesh(), center.point)).norm(),
+        1e-9 * surface.geometry().diagonal);
   }
 }
 
