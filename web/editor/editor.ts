@@ -30,9 +30,9 @@ import {
   isEmpty,
   isRound,
   type Kind,
-  withFittingKnots,
+  withLeg,
 } from '../model/figure';
-import { applyToFigure, type FigureCommand } from '../model/figure_commands';
+import { applyToFigure, type FigureCommand, fitted } from '../model/figure_commands';
 import {
   type History,
   historyOf,
@@ -43,7 +43,6 @@ import {
   stepBack,
   stepForth,
 } from '../model/history';
-import { withFittingLegs, withLeg } from '../model/legs';
 import { defaultMethod, type MethodId } from '../model/methods';
 import { type CurveTool, isResting, type RestingTool } from './tool';
 
@@ -75,11 +74,6 @@ export interface State {
   readonly revision: number;
   /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
   readonly epoch: number;
-}
-
-/** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
-function fitted(to: Figure, from: Figure, edit: FigureCommand): Figure {
-  return withFittingKnots(edit.type === 'replace' ? to : withFittingLegs(to, from));
 }
 
 /** The page's one state, and the only way to change it. */
