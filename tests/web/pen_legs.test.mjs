@@ -19,6 +19,14 @@ const smooth = (at) => ({
   tangents: { after: along(at + 0.1), before: { length: null } },
 });
 
+const lengthOf = (line) => {
+  let length = 0;
+  for (let i = 3; i < line.length; i += 3) {
+    length += Math.hypot(...[0, 1, 2].map((k) => line[i + k] - line[i - 3 + k]));
+  }
+  return length;
+};
+
 const isNear = (a, b, off = 2e-3) => assert.ok(Math.abs(a - b) < off, `${a}, not ${b}`);
 
 describe('legs of the pen', () => {
@@ -115,14 +123,30 @@ describe('legs of the pen', () => {
     assert.deepEqual(page.session.view.curve.polyline, curve.polyline);
   });
 
+  test('are continued while an anchor is drawn out, which is one step', async () => {
+    await draw([along(0)]);
+    const anchor = along(1.1);
+    const place = async (point) => {
+      page.editor.preview({ type: 'insert', index: 1, point });
+      await page.settled();
+    };
+    await place(anchor);
+    // The handle before it goes on around the tube.
+    for (const at of places(0, 0.8)) {
+      await place({ ...anchor, tangents: { after: along(1.1 - at), before: { length: null } } });
+      isNear(lengthOf(page.session.view.curve.legs[1]), 1.1 + at);
+    }
+    await release();
+    assert.deepEqual(legs(), [true, false]);
+    isNear(lengthOf(page.session.view.curve.legs[1]), 1.9);
+    page.editor.undo();
+    assert.deepEqual(figure().points, [along(0)]);
+    page.editor.redo();
+    assert.deepEqual(legs(), [true, false]);
+  });
+
   test('to a handle are the geodesic that it ends', async () => {
     const handle = (length) => ({ direction: [0, 0, 1], length });
-    const lengthOf = (line) => {
-      const lengths = line.map((_, i) =>
-        i < 3 || i % 3 ? 0 : Math.hypot(...[0, 1, 2].map((k) => line[i + k] - line[i - 3 + k])),
-      );
-      return lengths.reduce((sum, one) => sum + one, 0);
-    };
     // More than half around the tube, and on a face alone.
     for (const size of [2, 1e-3]) {
       const tangents = { after: handle(size), before: { length: null } };
@@ -140,6 +164,16 @@ describe('legs of the pen', () => {
     isNear(length(), drawn);
     page.editor.setSettings({ closed: false });
     assert.deepEqual(legs(), [true, false, false]);
+  });
+
+  test('that are told after an anchor began to be removed do not hinder it', async () => {
+    await drawnOut([along(-0.3)]);
+    page.editor.commitDrag();
+    await page.edits.removeAnchor(1);
+    await page.settled();
+    assert.deepEqual(legs(), [false, false]);
+    page.editor.undo();
+    assert.deepEqual(legs(), [true, true, false]);
   });
 
   test('go where an end of theirs goes, and stay where it only is told otherwise', async () => {

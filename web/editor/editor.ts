@@ -66,7 +66,7 @@ export interface State {
   readonly method: MethodId;
   /** Whether the drawing is a drag's, which may go on. */
   readonly dragging: boolean;
-  /** The number of the control point that is dragged. */
+  /** The number of the control point that is dragged, or of the anchor that is drawn out. */
   readonly dragged: number | null;
   /** What a click does; `split` and `join` are for one click. */
   readonly tool: CurveTool;
@@ -158,7 +158,7 @@ export class Editor {
     const { base } = this.#drag;
     this.#drag.command = this.#commandOf(edit);
     const drawing = apply(base, this.#drag.command);
-    const dragged = edit.type === 'change' ? edit.index : null;
+    const dragged = edit.type === 'change' || edit.type === 'insert' ? edit.index : null;
     this.#change({ drawing, dragging: true, dragged }, false);
   }
 
