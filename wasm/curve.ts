@@ -1,5 +1,13 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import { checkBoolean, checkInteger, checkNumber, checkOptions, shown, toVector } from './check.js';
+import {
+  checkBoolean,
+  checkInteger,
+  checkNumber,
+  checkOptions,
+  shown,
+  toInt32,
+  toVector,
+} from './check.js';
 import { checkKind, engineValue, givenNumbers, OwnBasis, optionsOfParts } from './curve_options.js';
 import { disposable, type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
@@ -42,15 +50,17 @@ export interface CurveOwner {
 
 const setOptionNames = namesOf<SetOptions>({ bits: true, dragged: true });
 
-/** To the engine: no point is dragged. */
-const noPoint = -1;
-
-function checkPointNumber(i: number): number {
-  const index = checkInteger(i, 'the number of the dragged point');
-  if (index >= 0) return index;
+/** The points whose legs are continued, as the engine takes them. */
+function checkDragged(dragged: SetOptions['dragged']): Int32Array {
+  const isList = typeof dragged === 'object' && dragged !== null;
+  const numbers = isList
+    ? toInt32(dragged, 'the numbers of the dragged points')
+    : Int32Array.of(checkInteger(dragged, 'the number of the dragged point'));
+  const wrong = numbers.find((i) => i < 0);
+  if (wrong === undefined) return numbers;
   throw new KarcherError(
     'badIndex',
-    `there is no control point ${index}: they are numbered from 0`,
+    `there is no control point ${wrong}: they are numbered from 0`,
   );
 }
 
@@ -115,8 +125,8 @@ export class Curve {
   set(value: CurveOptions, options: SetOptions = {}): CurveView {
     checkOptions(value, curveOptionNames);
     checkOptions(options, setOptionNames);
-    const { dragged, ...polyline } = options;
-    const point = dragged === undefined ? noPoint : checkPointNumber(dragged);
+    const { dragged = [], ...polyline } = options;
+    const points = checkDragged(dragged);
     const basis =
       value.basis === undefined || value.basis === this.#options.basis
         ? this.#basis
@@ -124,7 +134,7 @@ export class Curve {
     const next = engineValue(value, value.basis && basis);
     const wanted = { inDouble: inDouble(polyline), withPoints: false };
     const copy = { ...value };
-    const set = () => this.#handle.call((curve) => curve.set(next, point, wanted));
+    const set = () => this.#handle.call((curve) => curve.set(next, points, wanted));
     const bytes = basis ? basis.guard(set) : set();
     this.#options = copy;
     if (value.basis !== undefined) this.#basis = basis;

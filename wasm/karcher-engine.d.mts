@@ -217,7 +217,7 @@ export interface EngineMinimum {
 export interface EngineCurve {
   delete(): void;
   /** Makes it the curve of a value: its view (view.ts). The legs of point `dragged` are continued. */
-  set(value: EngineCurveValue, dragged: number, options: EngineViewOptions): Uint8Array;
+  set(value: EngineCurveValue, dragged: Int32Array, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;
   /** What it is; arrays are empty where there are none. */
   value(): EngineCurveParts;

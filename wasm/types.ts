@@ -326,10 +326,11 @@ export interface CurveLeg {
 
 export interface SetOptions extends PolylineOptions {
   /**
-   * The number of the control point that is being dragged. Legs at it that the value does not give
-   * are continued from where they lie now, whether or not they stay the shortest.
+   * The number of the control point that is being dragged, or the numbers of several that go together.
+   * Legs at them that the value does not give are continued from where they lie now, whether or not
+   * they stay the shortest.
    */
-  dragged?: number;
+  dragged?: number | ArrayLike<number>;
 }
 
 /** A place on a curve. */

@@ -214,29 +214,30 @@ const Array<SurfacePath>& Curve::usedLegs() const {
   return usesLegs(options()) ? legs_ : kNone;
 }
 
-void Curve::continueLegs(CurveValue& value, int i) {
-  const int points = value.points.count();
-  checkIndex(value, i);
+void Curve::continueLegs(CurveValue& value, std::span<const int> dragged) {
+  for (const int i : dragged) checkIndex(value, i);
   checkLegCount(value);
   if (!usesLegs(value.options)) return;
+  const Geometry& geometry = surface().geometry();
   const Array<SurfacePath>& before = legs();
-  const int count = legCount(value.options.shape, points);
-  value.legs.resize(static_cast<size_t>(count));
-  StripWorkspace& workspace = workspace_->averaging.strip;
-  const auto drag = [&](int leg, bool isStart) {
-    SurfacePath& path = value.legs[leg];
-    if (!path.points.empty() || leg >= before.count()) return;
-    const SurfacePoint& other = value.points[isStart ? (i + 1) % points : leg];
-    if (!isSame(isStart ? before[leg].end() : before[leg].start(), other)) return;
-    path = before[leg];
-    const Geometry& geometry = surface().geometry();
-    const bool goesOn = isStart ? moveStart(geometry, value.points[i], path, workspace)
-                                : moveEnd(geometry, value.points[i], path, workspace);
-    if (!goesOn) path.points.clear();
+  const int points = value.points.count();
+  value.legs.resize(static_cast<size_t>(legCount(value.options.shape, points)));
+  const auto isDragged = [&](int i) {
+    return std::find(dragged.begin(), dragged.end(), i) != dragged.end();
   };
-  const bool isClosed = value.options.shape.closed;
-  if (isClosed || i > 0) drag((i + points - 1) % points, false);
-  if (isClosed || i < count) drag(i, true);
+  for (int i = 0; i < std::min(value.legs.count(), before.count()); ++i) {
+    SurfacePath& leg = value.legs[i];
+    const int next = (i + 1) % points;
+    if (!leg.points.empty() || !(isDragged(i) || isDragged(next))) continue;
+    const bool startStays = isSame(before[i].start(), value.points[i]);
+    const bool endStays = isSame(before[i].end(), value.points[next]);
+    if (!(startStays || isDragged(i)) || !(endStays || isDragged(next))) continue;
+    leg = before[i];
+    StripWorkspace& workspace = workspace_->averaging.strip;
+    const bool goesOn = (endStays || moveEnd(geometry, value.points[next], leg, workspace)) &&
+                        (startStays || moveStart(geometry, value.points[i], leg, workspace));
+    if (!goesOn) leg.points.clear();
+  }
 }
 
 Array<PointField*> Curve::fieldsOf(int segment, int k) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "curves/curve_value.h"
@@ -92,11 +93,13 @@ class Curve {
   /// Traces all pieces again with the fields as they are: for measurements.
   void retrace();
 
-  /// For a value of this curve with control point `i` elsewhere, as a hand drags it: the legs that
-  /// meet there, where the value gives none, are continued from where they lie in this curve,
-  /// whether or not they stay the shortest. A leg whose other end has moved too, or whose end lies
-  /// so far off that it cannot be continued, is the shortest. Throws kBadIndex, kBadArgument.
-  void continueLegs(CurveValue& value, int i);
+  /// For a value of this curve with some control points elsewhere, as a hand drags them: the legs
+  /// that meet there, where the value gives none, are continued from where they lie in this curve,
+  /// whether or not they stay the shortest. Of a leg with both ends dragged, its end is moved
+  /// first. A leg of which another end has moved too, or whose end lies so far off that it cannot
+  /// be continued, is the shortest. Throws kBadIndex, kBadArgument.
+  void continueLegs(CurveValue& value, std::span<const int> dragged);
+  void continueLegs(CurveValue& value, int dragged) { continueLegs(value, {&dragged, 1}); }
 
   const CurveValue& value() const { return value_; }
   /// The legs of the control polygon as they lie on the surface.

@@ -99,6 +99,42 @@ test('a dragged point takes its legs along, a moved one has the shortest', () =>
   mesh.dispose();
 });
 
+test('several points that are dragged together take their legs along', () => {
+  // An anchor of the pen with its handles, halfway around the tube and on.
+  const mesh = karcher.shape('torus', 2000);
+  const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
+  const along = (length) =>
+    mesh.straightest(start, [0, 0, Math.sign(length) || 1], Math.abs(length)).end;
+  const pointsAt = (to) => [0, 0.05, to - 0.1, to, to + 0.1, -0.3, -0.4].map(along);
+  const value = {
+    kind: 'bspline',
+    knots: [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2],
+    samples: 9,
+    levels: 2,
+  };
+  const curve = mesh.curve({ ...value, points: pointsAt(0.3) });
+  const lengths = () => curve.legs().map(({ path }) => path.length);
+  for (let to = 0.35; to < 1.87; to += 0.05) {
+    const dragged = to < 1 ? [2, 3, 4] : Int32Array.of(4, 2, 3);
+    curve.set({ ...value, points: pointsAt(to) }, { dragged });
+    const legs = [0.05, to - 0.15, 0.1, 0.1, to + 0.4, 0.1];
+    for (const [i, length] of lengths().entries()) {
+      assert.ok(Math.abs(length - legs[i]) < 1e-6, `leg ${i} to ${to}: ${length}, not ${legs[i]}`);
+    }
+  }
+  const { legs } = curve.value();
+  assert.deepEqual(
+    legs.map((leg) => leg !== null),
+    [false, true, false, false, true, false],
+  );
+  const drawn = lengths();
+  curve.set({ ...value, points: pointsAt(1.85), legs });
+  for (const [i, length] of lengths().entries()) assert.ok(Math.abs(length - drawn[i]) < 1e-6);
+  curve.set({ ...value, points: pointsAt(1.85) }, { dragged: [] });
+  assert.ok(lengths()[1] < drawn[1] - 0.3, 'none is dragged');
+  mesh.dispose();
+});
+
 /** A curve whose last point was dragged so far round the torus that its leg is not the shortest. */
 function drawnOut(mesh, options) {
   const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
@@ -163,10 +199,15 @@ test('legs that cannot be: a sentence, and the curve stays', () => {
   }
   const nowhere = [[{ face: 1e6, bary: [1, 0, 0] }], null, null];
   assert.throws(() => curve.set({ ...value, legs: nowhere }), { code: 'badIndex' });
-  for (const dragged of [-1, 4, 99]) {
+  for (const dragged of [-1, 4, 99, [0, -1], [0, 4]]) {
     assert.throws(() => curve.set(value, { dragged }), { code: 'badIndex' }, `${dragged}`);
   }
-  assert.throws(() => curve.set(value, { dragged: 0.5 }), badArgument);
+  for (const dragged of [0.5, '1', null, [0.5], ['1'], { points: 1 }]) {
+    assert.throws(() => curve.set(value, { dragged }), badArgument, `${dragged}`);
+  }
+  assert.throws(() => curve.set(value, { dragged: [0, 1.5] }), {
+    message: 'entry 1 of the numbers of the dragged points must be a whole number, not 1.5',
+  });
   assert.throws(() => curve.set(value, { drags: 1 }), badArgument);
   assert.deepEqual(curve.polyline(), before);
   mesh.dispose();

@@ -11,12 +11,19 @@ export { copiedText, pastedObjects } from '../../web/model/copied';
 export { cornersOf, cubicAt, fittedCubics } from '../../web/model/cubic_fit';
 export { activeObject, emptyDrawing, othersOf } from '../../web/model/drawing';
 export { isEmpty, isSpline, knotsFit, pointsNeeded } from '../../web/model/figure';
+export { applyToFigure, fitted } from '../../web/model/figure_commands';
 export { gapBetween } from '../../web/model/gap';
 export { historyOf } from '../../web/model/history';
 export { fitting, formatLink, parseLink } from '../../web/model/link';
 export { blobsOf } from '../../web/model/mesh_blobs';
 export { methodOptions } from '../../web/model/methods';
-export { asJoint, jointOf, withHandleAt } from '../../web/model/pen';
+export {
+  asJoint,
+  controlPointsOf,
+  jointOf,
+  penOptions,
+  withHandleAt,
+} from '../../web/model/pen';
 export { penActionAt, penWords } from '../../web/model/pen_hints';
 export { readDrawing, savedDrawing } from '../../web/model/saved_drawing';
 export { readWork, sameDrawing, savedWork } from '../../web/model/saved_work';

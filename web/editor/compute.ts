@@ -1,10 +1,10 @@
 import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions } from 'karcher';
 import { type Figure, isRound, pointsNeeded } from '../model/figure';
 import { type MethodId, type Quality, qualityOf } from '../model/methods';
-import { type DrawnTangents, penOptions } from '../model/pen';
+import { controlPointsOf, type DrawnTangents, penOptions } from '../model/pen';
 import { curveOptions, splineOf } from '../model/splines';
 import type { TracedCurve } from '../model/traced';
-import { type EngineClient, KarcherError, Stopped } from '../worker/client';
+import { type CurveRequest, type EngineClient, KarcherError, Stopped } from '../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
 import { drawnTangents, missingHandle } from './pen_drawing';
 import { type Shift, shiftBetween } from './shift';
@@ -46,7 +46,7 @@ export interface Computation {
   object: number;
   /** Whether a better answer is to follow, by other options. */
   draft?: boolean;
-  /** Of a drag, the number of its point. */
+  /** Of a drag, the number of its point, or of its anchor. */
   dragged?: number | undefined;
   /** Whether to look for other minima than a center of mass, where that is quickly done. */
   uniqueness?: boolean;
@@ -59,10 +59,11 @@ export function compute(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { object, draft = false, dragged, uniqueness = false }: Computation,
+  { object, draft = false, dragged: point, uniqueness = false }: Computation,
 ): Promise<Shown> {
   if (isRound(figure.kind)) return computeCircle(client, figure, options, draft);
-  if (figure.kind === 'pen') return computePen(client, figure, options, object);
+  const dragged = point === undefined ? undefined : movedBy(figure, point);
+  if (figure.kind === 'pen') return computePen(client, figure, options, { object, dragged });
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
   const spline = splineOf(figure);
@@ -72,6 +73,10 @@ export function compute(
     .curve(curveOptions(spline, options), { object, marks, dragged })
     .then((curve) => ({ ...nothing, curve }));
 }
+
+/** The numbers of the control points that a drag of a figure's point moves. */
+export const movedBy = (figure: Figure, point: number): number | number[] =>
+  figure.kind === 'pen' ? controlPointsOf(figure, point) : point;
 
 /** The value that a figure's curve is traced of; null where it is none. */
 export async function curveValueOf(
@@ -92,7 +97,7 @@ async function computePen(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  object: number,
+  request: Pick<CurveRequest, 'object' | 'dragged'>,
 ): Promise<Shown> {
   const tangents = await drawnTangents(client, figure);
   const problem = missingHandle(figure, tangents);
@@ -101,7 +106,8 @@ async function computePen(
   if (few || problem) return { ...nothing, tangents, problem };
   try {
     const { marks } = figure.settings;
-    const curve = await client.curve(penOptions(figure, tangents, options), { object, marks });
+    const value = penOptions(figure, tangents, options);
+    const curve = await client.curve(value, { ...request, marks });
     return { ...nothing, tangents, curve };
   } catch (error) {
     if (client.closed || error instanceof Stopped) throw error;

@@ -86,13 +86,22 @@ export class CurveEdits {
   /** Removes an anchor of the pen; the curve stays as near to what it was as it can. */
   removeAnchor(index: number): Promise<void> {
     return this.#inOrder(async () => {
-      const { figure } = this.editor.state;
+      const { drawing, figure } = this.editor.state;
       const { client } = this.session;
       if (!client || !figure.points[index] || this.editor.refuses()) return;
-      const to = await withoutAnchor(client, figure, index);
-      if (this.editor.state.figure !== figure) return;
-      const left = to.points.length;
-      this.editor.replace(to, left === 0 ? null : Math.min(index, left - 1));
+      for (let attempt = 0, from = figure; attempt < mostAttempts; attempt++) {
+        const to = await withoutAnchor(client, from, index);
+        const { state } = this.editor;
+        if (state.figure === from) {
+          const left = to.points.length;
+          this.editor.replace(to, left === 0 ? null : Math.min(index, left - 1));
+          return;
+        }
+        // The legs that a drag drew may have come; where it is another curve, the anchor is, too.
+        from = state.figure;
+        const isSame = from.points.length === figure.points.length;
+        if (!isSame || state.drawing.active !== drawing.active) return;
+      }
     });
   }
 

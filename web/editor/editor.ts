@@ -30,9 +30,9 @@ import {
   isEmpty,
   isRound,
   type Kind,
-  withFittingKnots,
+  withLeg,
 } from '../model/figure';
-import { applyToFigure, type FigureCommand } from '../model/figure_commands';
+import { applyToFigure, type FigureCommand, fitted } from '../model/figure_commands';
 import {
   type History,
   historyOf,
@@ -43,7 +43,6 @@ import {
   stepBack,
   stepForth,
 } from '../model/history';
-import { withFittingLegs, withLeg } from '../model/legs';
 import { defaultMethod, type MethodId } from '../model/methods';
 import { type CurveTool, isResting, type RestingTool } from './tool';
 
@@ -67,7 +66,7 @@ export interface State {
   readonly method: MethodId;
   /** Whether the drawing is a drag's, which may go on. */
   readonly dragging: boolean;
-  /** The number of the control point that is dragged. */
+  /** The number of the control point that is dragged, or of the anchor that is drawn out. */
   readonly dragged: number | null;
   /** What a click does; `split` and `join` are for one click. */
   readonly tool: CurveTool;
@@ -75,11 +74,6 @@ export interface State {
   readonly revision: number;
   /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
   readonly epoch: number;
-}
-
-/** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
-function fitted(to: Figure, from: Figure, edit: FigureCommand): Figure {
-  return withFittingKnots(edit.type === 'replace' ? to : withFittingLegs(to, from));
 }
 
 /** The page's one state, and the only way to change it. */
@@ -164,7 +158,7 @@ export class Editor {
     const { base } = this.#drag;
     this.#drag.command = this.#commandOf(edit);
     const drawing = apply(base, this.#drag.command);
-    const dragged = edit.type === 'change' ? edit.index : null;
+    const dragged = edit.type === 'change' || edit.type === 'insert' ? edit.index : null;
     this.#change({ drawing, dragging: true, dragged }, false);
   }
 

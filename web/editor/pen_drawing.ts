@@ -9,6 +9,7 @@ import {
   type Side,
   type Tangent,
 } from '../model/pen';
+import { throughOf } from '../model/pen_legs';
 import type { EngineClient } from '../worker/client';
 import { directionOf } from './circle_drawing';
 
@@ -78,12 +79,12 @@ async function foundTangent(
   const at = { face: anchor.face, bary: anchor.bary };
   if ('face' in tangent) {
     const path = await client.mesh.shortestPath(at, tangent);
-    const polyline = path.polyline();
     return {
       point: tangent,
       direction: directionOf(path.polyline({ bits: 64 })),
       length: path.length,
-      path: polyline,
+      path: path.polyline(),
+      through: throughOf(path.points()),
     };
   }
   return 'direction' in tangent ? along(client, at, tangent.direction, tangent.length) : undefined;
@@ -110,5 +111,6 @@ async function along(
   length: number,
 ): Promise<DrawnTangent> {
   const { end, path } = await client.mesh.straightest(anchor, direction, length);
-  return { point: end, direction, length, path: path.polyline() };
+  const through = throughOf(path.points());
+  return { point: end, direction, length, path: path.polyline(), through };
 }

@@ -1,7 +1,7 @@
 /** Anchors of the pen taken out: one segment comes in the place of two, as near to them as one can be. */
 import type { SurfacePoint } from 'karcher';
 import type { Cubic, Planar } from '../model/cubic_fit';
-import type { ControlPoint, Figure, Vector } from '../model/figure';
+import { type ControlPoint, type Figure, type Vector, withLeg } from '../model/figure';
 import { type DrawnTangents, type Side, withHandleAt, withHandleLength } from '../model/pen';
 import { mergedCubic } from '../model/pen_shape';
 import type { EngineClient } from '../worker/client';
@@ -63,14 +63,15 @@ export async function withoutAnchor(
 ): Promise<Figure> {
   const { points, settings } = figure;
   const count = points.length;
+  const [before, after] = [(index + count - 1) % count, (index + 1) % count];
+  // The leg that led to it goes, too.
   const without = (changed: readonly ControlPoint[]): Figure => ({
     ...figure,
-    points: changed.toSpliced(index, 1),
+    points: changed.with(before, withLeg(changed[before]!, null)).toSpliced(index, 1),
   });
   const closed = settings.closed && count > 2;
   const isEnd = !closed && (index === 0 || index === count - 1);
   const drawn = await drawnTangents(client, figure);
-  const [before, after] = [(index + count - 1) % count, (index + 1) % count];
   const handles = [
     drawn[before]?.after,
     drawn[index]?.before,

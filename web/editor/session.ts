@@ -9,7 +9,7 @@ import {
   type Vector,
 } from '../model/figure';
 import { methodOptions, type Quality, refinedOptions } from '../model/methods';
-import { curveOptions, splineFrom, splineOf, usesLegs, waypointsOf } from '../model/splines';
+import { curveOptions, splineFrom, splineOf, usesLegs } from '../model/splines';
 import type { Measured, ShorterLeg, TracedCurve } from '../model/traced';
 import { type EngineClient, Stopped } from '../worker/client';
 import type { Edit, Edited } from '../worker/edits';
@@ -25,6 +25,7 @@ import {
   withUniqueness,
 } from './compute';
 import { type Drag, Drags } from './drags';
+import { drawnLegs, shorterLegs } from './drawn_legs';
 import type { State } from './editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
@@ -379,16 +380,13 @@ export class Session {
   async #keepLegs(client: EngineClient, state: State, drag: Drag): Promise<boolean> {
     const { point, to } = drag;
     const { figure } = this.#asTraced({ ...state, figure: to, dragging: true });
-    const spline = splineOf(figure);
-    if (!spline) return false;
-    const value = curveOptions(spline, methodOptions(state.method));
-    const legs = await this.#follow(client, state, drag)
-      .then(() => client.drawnLegs(state.drawing.active, value, point))
+    const { active } = state.drawing;
+    const drawn = await this.#follow(client, state, drag)
+      .then(() => drawnLegs(client, active, figure, methodOptions(state.method), point))
       .catch(() => null);
-    this.#drags.made = legs && to;
-    const drawn = legs?.map(waypointsOf) ?? [];
-    const before = (point + spline.points.length - 1) % spline.points.length;
-    if (!drawn[point] && !drawn[before]) return false;
+    this.#drags.made = drawn && to;
+    const before = (point + to.points.length - 1) % to.points.length;
+    if (!drawn?.[point] && !drawn?.[before]) return false;
     this.onLegs(to, point, drawn);
     return this.#state?.revision !== state.revision;
   }
@@ -396,18 +394,17 @@ export class Session {
   /** Looks for shorter ways than the legs of the newest figure. */
   async #compareLegs(): Promise<boolean> {
     const [client, state] = [this.#client, this.#state];
-    const spline = state && splineOf(state.figure);
-    if (!client || !spline || state.dragging || this.#compared === state.figure) return false;
+    if (!client || !state || state.dragging || this.#compared === state.figure) return false;
+    if (!isCurve(state.figure.kind)) return false;
     // Without a curve there are no legs of it.
     if (this.#view.problem) return false;
-    this.#compared = state.figure;
-    const options = curveOptions(spline, methodOptions(state.method));
-    if (options.legs) this.#drags.made = state.figure;
-    const found = options.legs
-      ? await client.shorterLegs(state.drawing.active, options).catch(() => [])
-      : [];
-    if (this.#state?.figure !== state.figure || client !== this.#client) return false;
-    const shorter = found.filter(({ part }) => part < 1 - leastGain);
+    const { figure, method, drawing } = state;
+    this.#compared = figure;
+    const options = methodOptions(method);
+    const found = await shorterLegs(client, drawing.active, figure, options).catch(() => null);
+    if (found) this.#drags.made = figure;
+    if (this.#state?.figure !== figure || client !== this.#client) return false;
+    const shorter = found?.filter(({ part }) => part < 1 - leastGain) ?? [];
     if (shorter.length > 0 || this.#view.shorter.length > 0) this.#show({ shorter });
     return true;
   }

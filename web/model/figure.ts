@@ -24,7 +24,10 @@ export type ParameterName = 'weight' | 'beta';
 
 /** A point that the user placed; what is not given is 1. */
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number } & {
-  /** Points that the way to the next point goes through, where it is not the shortest. */
+  /**
+   * Points that the way to the next point goes through, where it is not the shortest; of an anchor of the pen
+   * the way from the handle after it to the one before the next anchor.
+   */
   readonly leg?: readonly SurfacePoint[];
   /** Of an anchor of the pen. */
   readonly tangents?: Tangents;
@@ -182,6 +185,16 @@ export function withParameter(
   if ((point[name] ?? 1) === value) return point;
   const { [name]: _, ...rest } = point;
   return value === 1 ? rest : { ...rest, [name]: value };
+}
+
+/** Another way to the next point; the shortest where none is given. */
+export function withLeg(
+  point: ControlPoint,
+  leg: readonly SurfacePoint[] | null | undefined,
+): ControlPoint {
+  if ((leg ?? undefined) === point.leg) return point;
+  const { leg: _, ...rest } = point;
+  return leg ? { ...rest, leg } : rest;
 }
 
 /** The point of a face with these weights of its corners 1 and 2, of a sum of at most 1. */

@@ -2,7 +2,16 @@
  * The edits of a figure: `applyToFigure` gives the figure after one, and `invertFigureCommand` the
  * command that takes it back.
  */
-import type { CircleForm, CircleShape, ControlPoint, CurveSettings, Figure, Kind } from './figure';
+import {
+  type CircleForm,
+  type CircleShape,
+  type ControlPoint,
+  type CurveSettings,
+  type Figure,
+  type Kind,
+  withFittingKnots,
+} from './figure';
+import { withFittingLegs } from './legs';
 
 export type FigureCommand =
   | { type: 'insert'; index: number; point: ControlPoint }
@@ -41,6 +50,11 @@ export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
     case 'replace':
       return command.to;
   }
+}
+
+/** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
+export function fitted(to: Figure, from: Figure, command: FigureCommand): Figure {
+  return withFittingKnots(command.type === 'replace' ? to : withFittingLegs(to, from));
 }
 
 export function invertFigureCommand(command: FigureCommand): FigureCommand {

@@ -2,39 +2,36 @@
  * The legs of a control polygon: each is the shortest path to the next point, unless its point says
  * otherwise.
  */
-import type { CurveOptions, SurfacePoint } from 'karcher';
-import type { ControlPoint, Spline } from './figure';
+import type { CurveOptions } from 'karcher';
+import { type ControlPoint, type Spline, withLeg } from './figure';
+import { isOpposite, otherSide, type Side } from './pen';
 
 type Polygon = Pick<Spline, 'settings' | 'points'>;
 
-const samePlace = (a: SurfacePoint | undefined, b: SurfacePoint | undefined) =>
-  a?.face === b?.face && (a?.bary.every((weight, i) => weight === b?.bary[i]) ?? true);
+/** What tells the handle on one side of an anchor of the pen; nothing where the anchor itself is the end. */
+function handleOf({ tangents }: ControlPoint, side: Side) {
+  const told = tangents?.[side];
+  return isOpposite(told) ? [told, tangents?.[otherSide(side)]] : told;
+}
 
-function endsOf({ settings, points }: Polygon, i: number): (ControlPoint | undefined)[] {
+/** What tells where the leg from a point to the next one starts and ends. */
+function endsOf({ settings, points }: Polygon, i: number): string {
   const next = i + 1 < points.length || !settings.closed ? i + 1 : 0;
-  return [points[i], points[next]];
+  const ends = [points[i], points[next]].map(
+    (point, end) =>
+      point && [point.face, point.bary, handleOf(point, end === 0 ? 'after' : 'before')],
+  );
+  return JSON.stringify(ends);
 }
 
-/** Another way to the next point; the shortest where none is given. */
-export function withLeg(
-  point: ControlPoint,
-  leg: readonly SurfacePoint[] | null | undefined,
-): ControlPoint {
-  if ((leg ?? undefined) === point.leg) return point;
-  const { leg: _, ...rest } = point;
-  return leg ? { ...rest, leg } : rest;
-}
-
-/** Without those legs of `before` that do not join the same two places any more. */
+/** Without those legs of `before` that do not join the same two places any more, points or handles. */
 export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon): Of {
   if (polygon.points === before.points && polygon.settings.closed === before.settings.closed) {
     return polygon;
   }
   const fits = ({ leg }: ControlPoint, i: number) => {
     const old = leg ? before.points.findIndex((point) => point.leg === leg) : -1;
-    if (old < 0) return true;
-    const ends = endsOf(before, old);
-    return endsOf(polygon, i).every((end, side) => samePlace(end, ends[side]));
+    return old < 0 || endsOf(polygon, i) === endsOf(before, old);
   };
   if (polygon.points.every(fits)) return polygon;
   const points = polygon.points.map((point, i) => (fits(point, i) ? point : withLeg(point, null)));

@@ -4,11 +4,12 @@
  * `&legs=0:face,b1,b2:face,b1,b2;3:…&tangents=0:before:after;…&samples=64&tolerance=0.001&marks=9&levels=2`
  * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`
  * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&group=…&place=2`. Legs are told by a
- * point's number and the points that its way to the next one goes through, its place by how many
- * objects lie below it. `view=azimuth,elevation,reach,x,y,z` or `view=top` is from where the surface is
- * looked at (view_place.ts), by default the front. Then the others from the lowest to the topmost, each with the same fields in a
- * field `other`. Weights and betas of 1, shortest legs and other defaults go without saying. Ids are
- * not told: objects are numbered anew in their order.
+ * point's number and the points that its way to the next one goes through (of the pen's anchors: from
+ * handle to handle), its place by how many objects lie below it. `view=azimuth,elevation,reach,x,y,z` or
+ * `view=top` is from where the surface is looked at (view_place.ts), by default the front. Then the others
+ * from the lowest to the topmost, each with the same fields in a field `other`. Weights and betas of 1,
+ * shortest legs and other defaults go without saying. Ids are not told: objects are numbered anew in their
+ * order.
  */
 import type { CurveLevels, SurfacePoint } from 'karcher';
 import {
@@ -47,9 +48,9 @@ import {
   toleranceRange,
   type Vector,
   withFittingKnots,
+  withLeg,
   withParameter,
 } from './figure';
-import { withLeg } from './legs';
 import { linkProblems } from './link_problems';
 import { isMethod, type MethodId } from './methods';
 import { longestName, shortened } from './names';

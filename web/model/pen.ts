@@ -4,7 +4,8 @@
  * as the opposite of the other the curve is smooth there, whatever is done to either.
  */
 import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
-import { askedLevels, type ControlPoint, type Figure, type Vector } from './figure';
+import { askedLevels, type ControlPoint, type Figure, type Vector, withLeg } from './figure';
+import { penLegs } from './pen_legs';
 
 export type Side = 'before' | 'after';
 
@@ -30,6 +31,8 @@ export interface DrawnTangent {
   length: number;
   /** The geodesic from the anchor. */
   path: Float32Array;
+  /** A few points that it goes through, in order. */
+  through: readonly SurfacePoint[];
 }
 
 export type DrawnTangents = { readonly [Which in Side]?: DrawnTangent };
@@ -148,9 +151,20 @@ export function penOptions(
     degree: 3,
     points: control,
     knots,
+    ...penLegs(points, drawn, count),
     ...(tolerance === null ? { samples } : { tolerance }),
     ...(options.method !== 'paper' && askedLevels(settings)),
   };
+}
+
+/**
+ * The numbers of the control points that an anchor is made of: its own and its handles', where the curve
+ * closes at both of its ends.
+ */
+export function controlPointsOf(figure: Figure, anchor: number): number[] {
+  const last = 3 * segmentsOf(figure);
+  const around = [3 * anchor - 1, 3 * anchor, 3 * anchor + 1].filter((i) => i >= 0 && i <= last);
+  return anchor === 0 && isClosed(figure) ? [...around, last - 1, last] : around;
 }
 
 const placeOf = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
@@ -198,7 +212,8 @@ export function withAnchorAt(
     before: { length: (t * speed) / 3 },
   });
   const changed = points
-    .with(segment, shortened(segment, 'after', t))
+    // The new anchor's handles hold the curve where its segment's leg led.
+    .with(segment, withLeg(shortened(segment, 'after', t), null))
     .with(next, shortened(next, 'before', 1 - t));
   return { points: changed.toSpliced(segment + 1, 0, put), index: segment + 1 };
 }

@@ -10,9 +10,10 @@ import {
   parameterOf,
   type Spline,
   surfacePoint,
+  withLeg,
   withParameter,
 } from './figure';
-import { legsOf, withLeg } from './legs';
+import { legsOf } from './legs';
 
 /** A figure as a spline; null where it is none, or has no points. */
 export function splineOf({ kind, settings, points }: Figure): Spline | null {
@@ -30,8 +31,7 @@ export const mayHaveLevels = (kind: Kind) =>
   ['bspline', 'bezier', 'rational', 'catmullrom', 'pen'].includes(kind);
 
 /** Kinds that follow the legs of their control polygon, or are made of them. */
-export const usesLegs = (kind: Kind) =>
-  kind === 'polyline' || (isSpline(kind) && mayHaveLevels(kind));
+export const usesLegs = (kind: Kind) => kind === 'polyline' || mayHaveLevels(kind);
 
 /** A spline as the engine takes it: with what its kind has a use for. */
 export function curveOptions(spline: Spline, options: FieldOptions): CurveOptions {

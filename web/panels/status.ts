@@ -3,7 +3,14 @@ import type { ShownCenter } from '../editor/compute';
 import type { Editor, Selection, State } from '../editor/editor';
 import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
-import { isEmpty, isRound, type Kind, parameterOf, pointsNeeded } from '../model/figure';
+import {
+  type Figure,
+  isEmpty,
+  isRound,
+  type Kind,
+  parameterOf,
+  pointsNeeded,
+} from '../model/figure';
 import type { LostReason } from '../model/lost';
 import type { Quality } from '../model/methods';
 import { penWords } from '../model/pen_hints';
@@ -128,7 +135,7 @@ export class Status {
     const hint = hintOf(state, view, this.#measured, this.#again) || this.#aim;
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
-    byId('shorten').hidden = hint === '' || hint !== shorterHint(view);
+    byId('shorten').hidden = hint === '' || hint !== shorterHint(state.figure, view);
     const { kind, points } = state.figure;
     write(byId('selected'), nameOf(kind, selection));
     const name = parameterOf(kind);
@@ -180,7 +187,7 @@ function hintOf(
     return `Click the surface to place a ${kind === 'center' || kind === 'points' ? '' : 'control '}point`;
   }
   const missing = pointsNeeded(figure) - points.length;
-  if (missing <= 0) return shorterHint(view);
+  if (missing <= 0) return shorterHint(figure, view);
   // It has ended: a click begins another one.
   if (kind === 'pen' && tool === 'insert' && selection === null) return penWords.begin;
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
@@ -190,13 +197,14 @@ const dragHint = 'Drag a line or a point, or pick a tool';
 const drawHint = 'Choose a tool to draw';
 
 /** Of legs that were drawn out by a drag. */
-function shorterHint({ shorter }: View): string {
+function shorterHint({ kind }: Figure, { shorter }: View): string {
   const [first] = shorter;
   if (!first) return '';
   const longer = `${formatInteger(Math.round(100 * (1 / first.part - 1)))} %`;
   const others = shorter.length - 1;
   const more = others > 0 ? `; ${formatCount(others, 'more is', 'more are')} longer, too` : '';
-  return `The way on from point ${first.index + 1} is ${longer} longer than the shortest${more}`;
+  const from = kind === 'pen' ? 'anchor' : 'point';
+  return `The way on from ${from} ${first.index + 1} is ${longer} longer than the shortest${more}`;
 }
 
 function qualityText(

@@ -10,6 +10,7 @@ import type {
   MappedPoints,
   MeshInfo,
   PointLike,
+  SetOptions,
 } from 'karcher';
 import type { FileInfo } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
@@ -64,8 +65,8 @@ export interface CurveRequest {
   object?: number;
   /** How many points are marked along it. */
   marks?: number;
-  /** The number of a point that is dragged: the legs that meet there are continued. */
-  dragged?: number | undefined;
+  /** The numbers of points that are dragged: the legs that meet there are continued. */
+  dragged?: SetOptions['dragged'];
 }
 
 /**
@@ -178,13 +179,13 @@ export class EngineClient {
   }
 
   /**
-   * The legs of an object's curve with a dragged point where the value has it, by the points that they
+   * The legs of an object's curve with dragged points where the value has them, by the points that they
    * go through; the shortest are null.
    */
   async drawnLegs(
     object: number,
     value: CurveOptions,
-    dragged: number,
+    dragged: SetOptions['dragged'],
   ): Promise<NonNullable<CurveOptions['legs']>> {
     const curve = await this.#curves.get(object);
     if (!curve) return [];

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "curve_support.h"
+#include "curves/curve.h"
+#include "generators/flat.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+/// A curve of four points around a tube of radius 1: each is told by its angle and its height.
+class ContinuedLegs : public testing::Test {
+ protected:
+  SurfacePoint at(double angle, double height) const {
+    return nearestPoint(surface_.mesh(), Vec3(std::cos(angle), std::sin(angle), height));
+  }
+
+  Curve curveOf(const Array<SurfacePoint>& points) {
+    CurveOptions options{{CurveKind::kBezier}, 9, kFast};
+    options.levels = 2;
+    return Curve(surface_, options, points);
+  }
+
+  /// Makes it the curve with points elsewhere, as a hand drags them.
+  static void drag(Curve& curve, const Array<int>& dragged, const Array<SurfacePoint>& places) {
+    curve.edit([&](CurveValue& value) {
+      for (int k = 0; k < dragged.count(); ++k) placePoint(value, dragged[k], places[k]);
+      curve.continueLegs(value, dragged);
+    });
+  }
+
+  /// The curve whose last point went nearly once around: its last leg is the long way.
+  Curve drawnOut() {
+    Curve curve = curveOf({at(0, 1.2), at(0.1, 1), at(0.2, 0.9), at(0.3, 0.9)});
+    for (double angle = 0.4; angle < 5; angle += 0.1) curve.dragPoint(3, at(angle, 0.9));
+    return curve;
+  }
+
+  Surface surface_{meshOf(flatCylinder(24, 2, 5).soup)};
+};
+
+TEST_F(ContinuedLegs, OfWhichBothEndsMoveKeepTheirSide) {
+  Curve curve = drawnOut();
+  const double before = curve.legs()[2].length();
+  // On a polygon of 24 sides, a little shorter than the arc.
+  EXPECT_NEAR(before, 4.75, 0.1);
+  for (int step = 1; step <= 40; ++step) {
+    drag(curve, {2, 3}, {at(0.2 + 0.1 * step, 0.9), at(4.95 + 0.1 * step, 0.9)});
+    // Faces are flat: an arc's length depends on where it begins by up to a side's bulge.
+    ASSERT_NEAR(curve.legs()[2].length(), before, 0.05) << "step " << step;
+    // Half around from where it started there is a shorter way back.
+    ASSERT_NEAR(curve.legs()[1].length(), 0.1 + 0.1 * step, 0.1) << "step " << step;
+  }
+  // They are part of the value, and stay.
+  const Curve again(surface_, curve.value());
+  EXPECT_EQ(again.usedLegs()[1].length(), curve.legs()[1].length());
+  EXPECT_EQ(again.usedLegs()[2].length(), curve.legs()[2].length());
+}
+
+TEST_F(ContinuedLegs, AreThoseOfOnePointWhereOnlyThatMoves) {
+  Curve one = drawnOut();
+  Curve several = drawnOut();
+  for (int step = 1; step <= 40; ++step) {
+    const SurfacePoint place = at(0.2 + 0.1 * step, 0.9);
+    drag(one, {2}, {place});
+    drag(several, {1, 2, 3}, {several.point(1), place, several.point(3)});
+    for (int i = 0; i < 3; ++i) {
+      const SurfacePath& a = one.legs()[i];
+      const SurfacePath& b = several.legs()[i];
+      ASSERT_EQ(a.points.count(), b.points.count()) << "step " << step << ", leg " << i;
+      ASSERT_EQ(a.length(), b.length()) << "step " << step << ", leg " << i;
+    }
+  }
+}
+
+TEST_F(ContinuedLegs, AreTheShortestWhereAnotherEndMovedToo) {
+  Curve curve = drawnOut();
+  CurveValue value = curve.value();
+  placePoint(value, 2, at(0.3, 0.9));
+  placePoint(value, 3, at(5, 0.9));
+  curve.continueLegs(value, 3);
+  curve.set(value);
+  EXPECT_LT(curve.legs()[2].length(), 1.7);
+}
+
+TEST_F(ContinuedLegs, OfPointsThatAreNotThereAreRefused) {
+  Curve curve = drawnOut();
+  CurveValue value = curve.value();
+  const int wrong[] = {2, 4};
+  EXPECT_EQ(codeOf([&] { curve.continueLegs(value, wrong); }), ErrorCode::kBadIndex);
+}
+
+}  // namespace
+}  // namespace karcher

@@ -1,0 +1,336 @@
+// The pen's segments, whose legs follow the hand: by the page's parts in Node, and dragged on the page.
+import assert from 'node:assert/strict';
+import { after, before, beforeEach, describe, test } from 'node:test';
+import { load } from 'karcher';
+import { openBrowser, Tab } from './browser.mjs';
+import { arraysOfShape, openPage } from './engine_in_node.mjs';
+
+/** Along a geodesic around the tube of a torus; half of it is 1.25 long. */
+const mesh = (await load()).shape('torus', 2000);
+const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
+const along = (length) => {
+  const { end } = mesh.straightest(start, [0, 0, Math.sign(length) || 1], Math.abs(length));
+  const [, u, v] = end.bary;
+  // As links tell them.
+  return { face: end.face, bary: [Math.max(0, 1 - u - v), u, v] };
+};
+const smooth = (at) => ({
+  ...along(at),
+  tangents: { after: along(at + 0.1), before: { length: null } },
+});
+
+const lengthOf = (line) => {
+  let length = 0;
+  for (let i = 3; i < line.length; i += 3) {
+    length += Math.hypot(...[0, 1, 2].map((k) => line[i + k] - line[i - 3 + k]));
+  }
+  return length;
+};
+
+const isNear = (a, b, off = 2e-3) => assert.ok(Math.abs(a - b) < off, `${a}, not ${b}`);
+
+describe('legs of the pen', () => {
+  let page;
+  let figure;
+  const length = () => page.session.view.curve.length;
+  const legs = () => figure().points.map(({ leg }) => leg !== undefined);
+
+  beforeEach(async () => {
+    page = await openPage(await arraysOfShape('torus', 2000));
+    page.session.onLegs = (...drawn) => page.editor.keepLegs(...drawn);
+    figure = () => page.editor.state.figure;
+    page.editor.setKind('pen');
+  });
+
+  async function draw(points, settings = {}) {
+    page.editor.replace({ ...figure(), points, settings: { ...figure().settings, ...settings } });
+    await page.settled();
+  }
+
+  async function drag(index, anchors) {
+    for (const to of anchors) {
+      const from = page.editor.base.points[index];
+      page.editor.preview({ type: 'change', index, from, to: { leg: from.leg, ...to } });
+      await page.settled();
+    }
+  }
+
+  async function release() {
+    page.editor.commitDrag();
+    await page.settled();
+  }
+
+  const places = (from, to) =>
+    Array.from({ length: Math.round((to - from) / 0.05) }, (_, i) => from + 0.05 * (i + 1));
+
+  /** A corner and a smooth anchor that is dragged on around the tube. */
+  async function drawnOut(more = []) {
+    await draw([along(0), smooth(0.3), ...more]);
+    for (const at of places(0.3, 1.9)) {
+      await drag(1, [smooth(at)]);
+      if (more.length === 0) isNear(length(), at);
+    }
+  }
+
+  test('are continued while an anchor is dragged, and stay as they are drawn', async () => {
+    await drawnOut();
+    await release();
+    assert.deepEqual(legs(), [true, false]);
+    isNear(length(), 1.9);
+    const [{ index, part }, ...others] = page.session.view.shorter;
+    assert.deepEqual([index, others], [0, []]);
+    assert.ok(part < 0.9, `${part}`);
+    // It is one step, with its legs.
+    const drawn = figure();
+    page.editor.undo();
+    await page.settled();
+    isNear(length(), 0.3);
+    assert.deepEqual(legs(), [false, false]);
+    page.editor.redo();
+    await page.settled();
+    assert.deepEqual(figure(), drawn);
+    isNear(length(), 1.9);
+    page.editor.takeShortest(0);
+    await page.settled();
+    assert.ok(length() < 1.3, `${length()} long`);
+    assert.deepEqual(page.session.view.shorter, []);
+  });
+
+  test('are continued while a handle is dragged, and those at the other handle, too', async () => {
+    const points = [along(0.9), smooth(0), along(-0.9)];
+    await draw(points);
+    const whole = length();
+    // Opposite to each other the handles turn around the tube; longer and longer.
+    const led = (at) => ({
+      ...points[1],
+      tangents: { after: along(at), before: { length: null } },
+    });
+    await drag(1, places(0.1, 1).map(led));
+    await release();
+    const { shorter, curve } = page.session.view;
+    assert.ok(length() > whole, 'the segments go back over their anchor');
+    assert.deepEqual(legs(), [true, true, false]);
+    assert.equal(shorter.length, 2);
+    // As they are saved they are drawn again.
+    const { drawing, method } = page.editor.state;
+    const { drawing: read } = page.parseLink(page.formatLink('torus:2000', method, drawing));
+    assert.deepEqual(read.objects[0].figure, figure());
+    assert.deepEqual(page.readDrawing(page.savedDrawing(drawing)), drawing);
+    page.editor.clear();
+    await page.settled();
+    page.editor.draw(read);
+    await page.settled();
+    assert.deepEqual(page.session.view.curve.polyline, curve.polyline);
+  });
+
+  test('are continued while an anchor is drawn out, which is one step', async () => {
+    await draw([along(0)]);
+    const anchor = along(1.1);
+    const place = async (point) => {
+      page.editor.preview({ type: 'insert', index: 1, point });
+      await page.settled();
+    };
+    await place(anchor);
+    // The handle before it goes on around the tube.
+    for (const at of places(0, 0.8)) {
+      await place({ ...anchor, tangents: { after: along(1.1 - at), before: { length: null } } });
+      isNear(lengthOf(page.session.view.curve.legs[1]), 1.1 + at);
+    }
+    await release();
+    assert.deepEqual(legs(), [true, false]);
+    isNear(lengthOf(page.session.view.curve.legs[1]), 1.9);
+    page.editor.undo();
+    assert.deepEqual(figure().points, [along(0)]);
+    page.editor.redo();
+    assert.deepEqual(legs(), [true, false]);
+  });
+
+  test('to a handle are the geodesic that it ends', async () => {
+    const handle = (length) => ({ direction: [0, 0, 1], length });
+    // More than half around the tube, and on a face alone.
+    for (const size of [2, 1e-3]) {
+      const tangents = { after: handle(size), before: { length: null } };
+      await draw([{ ...along(0), tangents }, along(0.5)]);
+      isNear(lengthOf(page.session.view.curve.legs[0]), size, 1e-5);
+    }
+  });
+
+  test('of a closed curve go around its first anchor', async () => {
+    await draw([smooth(0), along(-0.6), along(-0.7)], { closed: true });
+    for (const at of places(0, 1.5)) await drag(0, [smooth(at)]);
+    const drawn = length();
+    await release();
+    assert.deepEqual(legs(), [true, false, true]);
+    isNear(length(), drawn);
+    page.editor.setSettings({ closed: false });
+    assert.deepEqual(legs(), [true, false, false]);
+  });
+
+  test('that are told after an anchor began to be removed do not hinder it', async () => {
+    await drawnOut([along(-0.3)]);
+    page.editor.commitDrag();
+    await page.edits.removeAnchor(1);
+    await page.settled();
+    assert.deepEqual(legs(), [false, false]);
+    page.editor.undo();
+    assert.deepEqual(legs(), [true, true, false]);
+  });
+
+  test('go where an end of theirs goes, and stay where it only is told otherwise', async () => {
+    await drawnOut([along(-0.3)]);
+    await release();
+    assert.deepEqual(legs(), [true, true, false]);
+    const { points } = figure();
+    // Anchors put in, and taken out.
+    const middle = page.session.view.curve.samples;
+    const at = 3 * Math.floor(middle.count / 4);
+    const before = length();
+    await page.edits.atCurve('insert', Array.from(middle.position.subarray(at, at + 3)));
+    await page.settled();
+    assert.deepEqual(legs(), [false, false, true, false]);
+    isNear(length(), before, 0.03);
+    page.editor.undo();
+    assert.deepEqual(figure().points, points);
+    await page.edits.removeAnchor(0);
+    assert.deepEqual(legs(), [true, false]);
+    page.editor.undo();
+    await page.edits.removeAnchor(1);
+    assert.deepEqual(legs(), [false, false]);
+    page.editor.undo();
+    await page.edits.removeAnchor(2);
+    assert.deepEqual(legs(), [true, false]);
+    page.editor.undo();
+    await page.edits.append(along(2.5));
+    assert.deepEqual(legs(), [true, true, false, false]);
+    page.editor.undo();
+    // Without handles the anchor itself is an end of both.
+    const { tangents: _, ...corner } = points[1];
+    page.editor.run({ type: 'change', index: 1, from: points[1], to: corner });
+    assert.deepEqual(legs(), [false, false, false]);
+  });
+
+  test('are the middle ones of the engine’s, by the numbers of anchors', () => {
+    const { penOptions, controlPointsOf, fitted } = page;
+    const leg = [along(0.5)];
+    const points = [along(0), { ...along(0.2), leg }, along(0.9)];
+    const open = { ...figure(), points };
+    const closed = { ...open, settings: { ...open.settings, closed: true } };
+    const legsOf = (one, drawn = [{}, {}, {}]) => penOptions(one, drawn, {}).legs;
+    assert.deepEqual(legsOf(open), [null, null, null, null, leg, null]);
+    assert.deepEqual(legsOf(closed), [null, null, null, null, leg, null, null, null, null]);
+    assert.equal(legsOf({ ...open, points: points.slice(0, 2) }), undefined);
+    const through = [along(0.25), along(0.3)];
+    const handles = { before: { point: along(0.1), through }, after: { point: 0, through: [] } };
+    assert.deepEqual(legsOf(open, [{}, handles, {}]), [
+      ...[null, null, through.toReversed()],
+      ...[null, leg, null],
+    ]);
+    const around = (one) => points.map((_, i) => controlPointsOf(one, i));
+    assert.deepEqual(around(open), [
+      [0, 1],
+      [2, 3, 4],
+      [5, 6],
+    ]);
+    assert.deepEqual(around(closed), [
+      [0, 1, 8, 9],
+      [2, 3, 4],
+      [5, 6, 7],
+    ]);
+    // A handle that its leg does not end at may go.
+    const fits = (index, to) => {
+      const command = { type: 'change', index, from: points[index], to };
+      const { points: after } = fitted(page.applyToFigure(open, command), open, command);
+      return after[1].leg === leg;
+    };
+    const handle = { direction: [1, 0, 0], length: 0.1 };
+    assert.ok(fits(0, along(0.1)));
+    assert.ok(fits(1, { ...points[1], tangents: { before: handle } }));
+    assert.ok(!fits(1, { ...points[1], tangents: { after: handle } }));
+    assert.ok(!fits(1, { ...points[1], tangents: { before: handle, after: { length: 1 } } }));
+    assert.ok(fits(2, { ...points[2], tangents: { after: handle } }));
+    assert.ok(!fits(2, { ...points[2], tangents: { before: handle } }));
+    assert.ok(!fits(2, along(1)));
+  });
+});
+
+describe('a segment of the pen on the page', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  /** On the upper side of the torus, around its axis. */
+  const onRing = (angle) => [Math.cos(angle), Math.sin(angle), 0.4];
+
+  /** The least and the largest of a line's angles around the axis. */
+  function anglesOf(polyline) {
+    const angles = [];
+    for (let i = 0; i < polyline.length; i += 3) {
+      const angle = Math.atan2(polyline[i + 1], polyline[i]);
+      angles.push(angle < 0 ? angle + 2 * Math.PI : angle);
+    }
+    return [Math.min(...angles), Math.max(...angles)];
+  }
+
+  test('stays on its side of the hole while a handle is dragged, and afterwards', async () => {
+    const tab = await Tab.open(browser, 'mesh=torus:2000');
+    const { page } = tab;
+    const { mouse } = page;
+    const goTo = async (angle) => {
+      const place = await page.evaluate((at) => window.karcherPage.seen(at), onRing(angle));
+      assert.ok(place, `the ring is seen at ${angle}`);
+      await mouse.move(place.x, place.y);
+    };
+    await page.keyboard.press('p');
+    for (const [from, to] of [
+      [0.2, 0.2],
+      [2.1, 2.4],
+    ]) {
+      await goTo(from);
+      await mouse.down();
+      await goTo(to);
+      await mouse.up();
+      await tab.settled();
+    }
+    const staysOnItsSide = async (what) => {
+      const { curve, polyline } = await tab.view();
+      const [least, most] = anglesOf(polyline);
+      assert.ok(least > 0.1 && most < 4.1, `${what} from ${least} to ${most}`);
+      return curve.length;
+    };
+    await staysOnItsSide('at first');
+    const { x, y } = await tab.handle('Handle before anchor 2');
+    await mouse.move(x, y);
+    await mouse.down();
+    for (let angle = 1.9; angle < 4.05; angle += 0.1) {
+      await goTo(angle);
+      await staysOnItsSide(`with the handle at ${angle}`);
+    }
+    const dragged = await staysOnItsSide('at last');
+    await mouse.up();
+    const released = await staysOnItsSide('released');
+    assert.ok(Math.abs(released / dragged - 1) < 0.01, `${released}, not ${dragged}`);
+    const { figure } = await tab.state();
+    assert.ok(figure.points[0].leg.length > 0);
+    const view = await tab.view();
+    assert.deepEqual(
+      view.shorter.map(({ index }) => index),
+      [0],
+    );
+    assert.match(await page.locator('#hint').textContent(), /anchor 1 is [\d,]+ % longer/);
+
+    await tab.pastSaving();
+    await page.evaluate(() => sessionStorage.clear());
+    const other = await Tab.open(browser, page.url().split('#')[1]);
+    assert.deepEqual((await other.state()).figure, figure);
+    assert.deepEqual((await other.view()).polyline, view.polyline, 'the link alone tells it');
+    await other.page.getByRole('button', { name: 'Shorten' }).click();
+    const short = await other.view();
+    assert.deepEqual(short.shorter, []);
+    assert.ok(anglesOf(short.polyline)[1] > 4.5, 'the shortest leg goes on the other side');
+    assert.deepEqual([...tab.logged, ...other.logged], []);
+    await other.page.close();
+    await page.close();
+  });
+});

@@ -1,0 +1,47 @@
+/**
+ * The legs of a curve of the pen. Each segment has three: from its anchor to the handle after it, from there
+ * to the handle before the next anchor, and to that anchor. The middle one is told with the anchor, where it
+ * is not the shortest path; the others are the geodesics that the handles end.
+ */
+import type { CurveOptions, SurfacePoint } from 'karcher';
+import type { ControlPoint } from './figure';
+import type { DrawnTangent, DrawnTangents } from './pen';
+
+const legsOfSegment = 3;
+const middle = 1;
+
+/** The anchor that a leg is told with; null of a handle's. */
+export const anchorOfLeg = (leg: number): number | null =>
+  leg % legsOfSegment === middle ? (leg - middle) / legsOfSegment : null;
+
+/** Of the legs of the whole control polygon those that are told with anchors, by their numbers. */
+export const legsOfAnchors = <Leg>(legs: readonly Leg[]): Leg[] =>
+  legs.filter((_, i) => anchorOfLeg(i) !== null);
+
+/** The legs of so many segments as the engine takes them. */
+export function penLegs(
+  anchors: readonly ControlPoint[],
+  drawn: readonly DrawnTangents[],
+  segments: number,
+): Pick<CurveOptions, 'legs'> {
+  const legs = anchors.slice(0, segments).flatMap(({ leg = null }, i) => {
+    const next = (i + 1) % anchors.length;
+    return [wayOf(drawn[i]?.after), leg, wayOf(drawn[next]?.before)?.toReversed() ?? null];
+  });
+  return legs.some((leg) => leg !== null) ? { legs } : {};
+}
+
+/** What a handle's geodesic goes through; null where that is a face alone. */
+const wayOf = (handle: DrawnTangent | undefined): readonly SurfacePoint[] | null =>
+  handle?.through.length ? handle.through : null;
+
+/** How many points tell a handle's geodesic: parts so short are the shortest paths on rough surfaces, too. */
+const mostThrough = 3;
+
+/** A few of a geodesic's inner points, evenly spread, from its start. */
+export function throughOf(points: readonly SurfacePoint[]): SurfacePoint[] {
+  const inner = points.slice(1, -1);
+  if (inner.length <= mostThrough) return inner;
+  const parts = Array.from({ length: mostThrough }, (_, i) => (i + 1) / (mostThrough + 1));
+  return parts.map((part) => inner[Math.round(part * (inner.length - 1))]!);
+}
