@@ -129,7 +129,8 @@ int pointsWith(const Array<double>& knots, const CurveShape& shape) {
 void resize(SplineLevel& level, int points, const CurveShape& shape) {
   level.points.resize(static_cast<size_t>(points));
   level.legs.resize(static_cast<size_t>(legCount(shape, points)));
-  level.anchors.resize(static_cast<size_t>(points));
+  level.arriving.resize(static_cast<size_t>(points));
+  level.leaving.resize(static_cast<size_t>(points));
 }
 
 bool isKnown(const CurveShape& shape, int points, int levels, const SplineWorkspace& workspace) {
@@ -178,7 +179,7 @@ class SplineLevelStep {
   void write(SplineLevel& next) {
     const int points = next.points.count();
     for (int j = 0; j < points; ++j) {
-      next.points[j] = averageOf(next.parents[j], next.anchors[j]);
+      next.points[j] = averageOf(next.parents[j], next.arriving[j], next.leaving[j]);
     }
     for (int j = 0; j < next.legs.count(); ++j) writeLeg((j + 1) % points, j, next);
   }
@@ -193,8 +194,8 @@ class SplineLevelStep {
   const WeightedPoint& pointAt(int i) const { return old_.points[wrapped(i)]; }
 
   /// The repeated average of consecutive old points, from both ends towards the middle, and its
-  /// anchor.
-  WeightedPoint averageOf(const Parents& parents, Anchor& anchor) {
+  /// anchors.
+  WeightedPoint averageOf(const Parents& parents, Anchor& arriving, Anchor& leaving) {
     int left = 0;
     int right = parents.weights.count() - 1;
     const auto weight = [&](int k) {
@@ -202,8 +203,10 @@ class SplineLevelStep {
     };
     if (left == right) {
       const SurfacePoint& point = pointAt(parents.first).point;
-      begin(point, anchor.path);
-      anchor.parent = parents.first;
+      for (Anchor* anchor : {&arriving, &leaving}) {
+        begin(point, anchor->path);
+        anchor->parent = parents.first;
+      }
       return {point, weight(0)};
     }
     begin(parents.first, weight(left), near_);
@@ -222,10 +225,16 @@ class SplineLevelStep {
     chain.appendReversed(far_.toParent);
     straighten(geometry_, path_, strip_);
     const LegAverage average = averageOn(mesh_, path_, near_.point.weight, far_.point.weight);
-    anchor.parent = near_.parent;
-    takePart(mesh_, path_, average.at, 0, anchor.path);
-    appendPart(mesh_, near_.toParent, 0, near_.toParent.length(), anchor.path);
+    lead(average.at, 0, near_, arriving);
+    lead(average.at, path_.length(), far_, leaving);
     return average.point;
+  }
+
+  /// Writes the anchor that leads from a length of the path to the side at its end `to`.
+  void lead(double from, double to, const Side& side, Anchor& anchor) const {
+    takePart(mesh_, path_, from, to, anchor.path);
+    appendPart(mesh_, side.toParent, 0, side.toParent.length(), anchor.path);
+    anchor.parent = side.parent;
   }
 
   static void begin(const SurfacePoint& point, SurfacePath& path) {
@@ -258,8 +267,8 @@ class SplineLevelStep {
 
   /// The leg from new point j to new point `to`.
   void writeLeg(int to, int j, SplineLevel& next) {
-    const Anchor& start = next.anchors[j];
-    const Anchor& end = next.anchors[to];
+    const Anchor& start = next.leaving[j];
+    const Anchor& end = next.arriving[to];
     // Around the end of a closed curve the numbers of parents start again.
     const int parent = end.parent + (to <= j ? count_ : 0);
     SurfacePath& path = next.legs[j];

@@ -13,7 +13,7 @@ struct SplineLevel {
     int first = 0;  ///< of a closed curve counted on around it, or negative
     Array<double> weights;
   };
-  /// A path from a point to one of its parents, to lead its legs by.
+  /// A path from a point to one of its parents, to lead a leg by.
   struct Anchor {
     SurfacePath path;
     int parent = 0;  ///< counted as `Parents::first`
@@ -22,7 +22,10 @@ struct SplineLevel {
   Array<WeightedPoint> points;
   Array<SurfacePath> legs;
   Array<Parents> parents;
-  Array<Anchor> anchors;
+  /// By which the leg leads that arrives at a point, and the one that leaves it: to the parents
+  /// that its averages came to from either end of their row.
+  Array<Anchor> arriving;
+  Array<Anchor> leaving;
 };
 
 /// Scratch memory of a B-spline's levels. Knots and weights are kept for the next curve of the same
