@@ -91,13 +91,15 @@ SteadyVariant refined(const std::string& name, int levels) {
       for (const SurfacePath& leg : curve->legs()) traced.legs.push_back(leg.points);
       return traced;
     };
-    held.release = [curve, levels] {
+    const auto release = [curve](int to) {
       CurveValue value = curve->value();
-      value.options.levels = levels;
+      value.options.levels = to;
       value.options.leastLevels = 0;
       curve->set(value);
       return described(*curve);
     };
+    held.release = [release, levels] { return release(levels); };
+    held.releaseToAutomatic = [release] { return release(kAutomaticLevels); };
     return held;
   };
   return variant;
