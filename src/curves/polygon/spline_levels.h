@@ -22,10 +22,9 @@ struct SplineLevel {
   Array<WeightedPoint> points;
   Array<SurfacePath> legs;
   Array<Parents> parents;
-  /// By which the leg leads that arrives at a point, and the one that leaves it: to the parents
-  /// that its averages came to from either end of their row.
-  Array<Anchor> arriving;
-  Array<Anchor> leaving;
+  /// Two a point, to the parents that its averages came to from either end of their row: for the
+  /// leg that arrives at it, and for the one that leaves it.
+  Array<Anchor> anchors;
 };
 
 /// Scratch memory of a B-spline's levels. Knots and weights are kept for the next curve of the same
