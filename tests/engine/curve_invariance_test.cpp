@@ -272,7 +272,7 @@ void expectRefinedCurvesAreTheSameElsewhere(const char* name, const TriangleMesh
                 name, change, c.curves, c.refined, c.bridged, c.bridgedMoved, c.largest);
     EXPECT_GT(c.refined, c.curves / 2);
     EXPECT_LE(c.bridged, c.curves / 10);
-    EXPECT_LE(c.bridgedMoved, c.curves / 50);
+    EXPECT_LE(c.bridgedMoved, c.curves / 200);
   }
 }
 
