@@ -4,8 +4,9 @@
 #include "bench_support.h"
 #include "curves/curve.h"
 
-/// Samples whose search did not converge, on uniform cubic B-splines of 256 samples a segment: with
-/// the control points where the file has them, and snapped to the nearest corner of their faces.
+/// Samples whose search did not converge, on uniform cubic B-splines of 256 samples a segment, of
+/// level 0 and of automatic levels: with the control points where the file has them, and snapped to
+/// the nearest corner of their faces.
 ///
 ///   lost_study MESH.obj POINTS.txt [MESH.obj POINTS.txt ...]
 namespace karcher {
@@ -21,8 +22,10 @@ SurfacePoint snapped(const SurfacePoint& p) {
   return edgePoint(3 * p.face + corner, 0);
 }
 
-int lost(Surface& surface, const Array<SurfacePoint>& points, Solver solver) {
-  Curve curve(surface, {{CurveKind::kBSpline}, kSamples, {Method::kKarcher, solver, 6}}, points);
+int lost(Surface& surface, const Array<SurfacePoint>& points, Solver solver, int levels) {
+  CurveOptions options{{CurveKind::kBSpline}, kSamples, {Method::kKarcher, solver, 6}};
+  options.levels = levels;
+  Curve curve(surface, options, points);
   int count = 0;
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
@@ -38,10 +41,15 @@ void study(const std::string& meshPath, const std::string& pointsPath) {
   Array<SurfacePoint> atVertices;
   for (const SurfacePoint& p : input.points) atVertices.push_back(snapped(p));
   const int total = (input.points.count() - 3) * kSamples;
-  std::printf("| %s | %d | %d | %d | %d | %d |\n", meshPath.c_str(), total,
-              lost(surface, input.points, Solver::kFast), lost(surface, atVertices, Solver::kFast),
-              lost(surface, input.points, Solver::kExact),
-              lost(surface, atVertices, Solver::kExact));
+  for (const int levels : {0, kAutomaticLevels}) {
+    std::printf("| %s | %s | %d |", meshPath.c_str(), levels == 0 ? "0" : "auto", total);
+    for (const Solver solver : {Solver::kFast, Solver::kExact}) {
+      for (const Array<SurfacePoint>& points : {input.points, atVertices}) {
+        std::printf(" %d |", lost(surface, points, solver, levels));
+      }
+    }
+    std::printf("\n");
+  }
 }
 
 }  // namespace
@@ -53,8 +61,9 @@ int main(int argc, char** argv) {
     return 1;
   }
   try {
-    std::printf("| mesh | samples | lost, fast | at vertices | lost, exact | at vertices |\n");
-    std::printf("| --- | --- | --- | --- | --- | --- |\n");
+    std::printf(
+        "| mesh | levels | samples | lost, fast | at vertices | lost, exact | at vertices |\n");
+    std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
     for (int i = 1; i + 1 < argc; i += 2) karcher::study(argv[i], argv[i + 1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -9,8 +9,10 @@
 /// Random control polygons over the meshes in turn, each as curves of all kinds: faults, and the
 /// share of marked intervals by the points' spacing.
 ///
-///   polygon_fuzz_study [--count N] [--seed S] [--spacing K] MESH.obj [MESH.obj ...]
+///   polygon_fuzz_study [--count N] [--seed S] [--spacing K] [--levels 0]
+///                      MESH.obj [MESH.obj ...]
 ///
+/// Levels are 0 to 8 or auto; with levels the kinds that take them alone.
 /// Spacings take turns, unless one is given by its place in kSpacings: with the seed that a fault
 /// names and a count of 1 it shows that fault again.
 namespace karcher {
@@ -20,6 +22,7 @@ struct Arguments {
   int count = 100;
   uint64_t seed = 1;
   int spacing = -1;
+  int levels = 0;
   Array<std::string> meshes;
 };
 
@@ -33,6 +36,9 @@ Arguments parse(int argc, char** argv) {
       result.seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (argument == "--spacing" && i + 1 < argc) {
       result.spacing = std::clamp(std::atoi(argv[++i]), 0, kSpacingCount - 1);
+    } else if (argument == "--levels" && i + 1 < argc) {
+      const std::string levels = argv[++i];
+      result.levels = levels == "auto" ? kAutomaticLevels : std::atoi(levels.c_str());
     } else {
       result.meshes.push_back(argument);
     }
@@ -52,8 +58,9 @@ int study(const Arguments& arguments) {
     for (int i = m; i < arguments.count; i += meshes, ++number) {
       const int spacing = arguments.spacing >= 0 ? arguments.spacing : number % kSpacingCount;
       const int known = tally.faults.count();
-      const double took = timed(
-          [&] { fuzzPolygon(surface, spacing, arguments.seed + static_cast<uint64_t>(i), tally); });
+      const uint64_t seed = arguments.seed + static_cast<uint64_t>(i);
+      const double took =
+          timed([&] { fuzzPolygon(surface, spacing, seed, tally, arguments.levels); });
       slowest = std::max(slowest, took);
       // A run takes long: faults are told as they are found.
       for (int k = known; k < tally.faults.count(); ++k) {
@@ -89,7 +96,7 @@ int main(int argc, char** argv) {
   const karcher::Arguments arguments = karcher::parse(argc, argv);
   if (arguments.meshes.empty()) {
     std::fprintf(stderr,
-                 "usage: polygon_fuzz_study [--count N] [--seed S] [--spacing K] "
+                 "usage: polygon_fuzz_study [--count N] [--seed S] [--spacing K] [--levels 0] "
                  "MESH.obj ...\n");
     return 1;
   }

@@ -199,6 +199,9 @@ HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const A
       lineBefore = std::move(lineAfter);
     }
     figures.released.push_back(partMoved(before.polyline, curve.release().polyline));
+    if (!curve.releaseToAutomatic) continue;
+    const TracedCurve automatic = curve.releaseToAutomatic();
+    figures.releasedToAutomatic.push_back(partMoved(before.polyline, automatic.polyline));
   }
   std::sort(figures.leaps.begin(), figures.leaps.end(),
             [](const Leap& a, const Leap& b) { return a.motion > b.motion; });

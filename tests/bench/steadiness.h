@@ -77,6 +77,9 @@ struct HandFigures {
   int lost = 0;
   /// How far release moves the curve, as a part of its length; a drag.
   Array<double> released;
+  /// The same where the dragged curve was a draft of the one of automatic levels; none where it
+  /// cannot be.
+  Array<double> releasedToAutomatic;
 };
 
 HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const Array<Drag>& drags);

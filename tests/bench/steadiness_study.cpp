@@ -124,13 +124,23 @@ void printCurves(Surface& surface, const TurningMeasure& measure, const Options&
   }
 }
 
+/// How far release to automatic levels moves a draft: median and largest.
+std::string toAutomatic(const HandFigures& figures) {
+  const Array<double>& parts = figures.releasedToAutomatic;
+  if (parts.empty()) return "-";
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f / %.2f %%", 100 * median(parts), 100 * quantile(parts, 1));
+  return text;
+}
+
 void printDrags(Surface& surface, const Options& options, Plots& plots) {
   std::printf(
       "\n| spacing | levels | shiver | largest leap | left out | their leap | beyond | passing "
-      "averages | their leap | other shiver | its largest leap | bridged | lost | release | step | "
-      "90 %% of them | beside the last | allocations | its stages |\n"
+      "averages | their leap | other shiver | its largest leap | bridged | lost | release | to "
+      "auto "
+      "on release | step | 90 %% of them | beside the last | allocations | its stages |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | "
-      "--- | --- | --- | --- |\n");
+      "--- | --- | --- | --- | --- |\n");
   for (const double spacing : options.spacings) {
     Random random(static_cast<uint64_t>(options.seed));
     Array<Drag> drags;
@@ -145,13 +155,13 @@ void printDrags(Surface& surface, const Options& options, Plots& plots) {
       const HandFigures& f = figures[i];
       std::printf(
           "| %g | %s | %.2f %% | %.1f | %.2f %% | %.2f | %.2f %% | %.2f %% | %.2f | %.2f %% | %.1f "
-          "| %.2f %% | %d | %.2f %% | %.2f ms | %.2f ms | %.2f | %.0f |",
+          "| %.2f %% | %d | %.2f %% | %s | %.2f ms | %.2f ms | %.2f | %.0f |",
           spacing, options.variants[i].name.c_str(), 100 * f.motion.shiverShare(),
           f.motion.largestLeap, 100 * f.motion.passingShare(), f.motion.largestPassing,
           100 * f.motion.beyondShare(), 100.0 * f.averages.passing / std::max(1, f.motion.steps),
           f.averages.largestPassing, 100.0 * f.averages.unexplained / std::max(1, f.motion.steps),
           f.averages.largestLeap, 100 * f.bridged / f.ms.count(), f.lost,
-          100 * quantile(f.released, 1), median(f.ms), quantile(f.ms, 0.9),
+          100 * quantile(f.released, 1), toAutomatic(f).c_str(), median(f.ms), quantile(f.ms, 0.9),
           median(f.ms) / median(figures.back().ms), median(f.allocations));
       for (const std::string& stage : f.stages) {
         std::printf(" %s %.2f", stage.c_str(), median(f.stageMs.at(stage)));
@@ -334,6 +344,8 @@ int main(int argc, char** argv) {
         "averages' paths too; 'beyond', those that leap farther. "
         "'Passing averages': of the steps that count, those that shiver where the paths of "
         "averages passed vertices that allow it. "
+        "'To auto on release': how far the curve moves where the drag showed a draft of the one of "
+        "automatic levels, median and largest of the drags. "
         "Times are of the processor. Distances between curves ('from level 0', 'release') are "
         "parts "
         "of their lengths.\n",

@@ -5,9 +5,9 @@
 
 #include "bench_support.h"
 #include "curves/polygon/subdivision.h"
-#include "curves/query/evaluate.h"
 #include "distance/geodesic_line.h"
 #include "measures/allocations.h"
+#include "measures/corner.h"
 
 namespace karcher {
 namespace {
@@ -18,24 +18,6 @@ CurveOptions cubicBezier(int levels) {
   CurveOptions options{{CurveKind::kBezier}, kSamples, {}};
   options.levels = levels;
   return options;
-}
-
-/// The angle between the directions of a curve just before and behind a parameter, degrees.
-double cornerAt(Curve& curve, double parameter) {
-  constexpr double kBeside = 1e-7;
-  const CurveTangent before = tangentAt(curve, parameter - kBeside);
-  const CurveTangent after = tangentAt(curve, parameter + kBeside);
-  const Geometry& geometry = curve.surface().geometry();
-  Vec2 in = before.inFace;
-  // On an edge both lie in faces of their own.
-  if (before.at.point.face != after.at.point.face) {
-    int h = 3 * before.at.point.face;
-    const int last = h + 2;
-    while (h < last && geometry.mesh->twin[h] / 3 != after.at.point.face) ++h;
-    if (geometry.mesh->twin[h] < 0 || geometry.mesh->twin[h] / 3 != after.at.point.face) return 0;
-    in = acrossEdge(geometry, h, in);
-  }
-  return std::abs(std::atan2(cross(in, after.inFace), in.dot(after.inFace))) * 180 / kPi;
 }
 
 TracedCurve described(Curve& curve, int64_t allocations = 0) {
@@ -109,13 +91,15 @@ SteadyVariant refined(const std::string& name, int levels) {
       for (const SurfacePath& leg : curve->legs()) traced.legs.push_back(leg.points);
       return traced;
     };
-    held.release = [curve, levels] {
+    const auto release = [curve](int to) {
       CurveValue value = curve->value();
-      value.options.levels = levels;
+      value.options.levels = to;
       value.options.leastLevels = 0;
       curve->set(value);
       return described(*curve);
     };
+    held.release = [release, levels] { return release(levels); };
+    held.releaseToAutomatic = [release] { return release(kAutomaticLevels); };
     return held;
   };
   return variant;

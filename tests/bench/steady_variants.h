@@ -31,6 +31,9 @@ struct HeldCurve {
   std::function<TracedCurve(int point, const SurfacePoint& place)> drag;
   /// Lets go: what the curve is from then on.
   std::function<TracedCurve()> release;
+  /// The same where it was a draft: the curve of automatic levels, with the legs as they are. None
+  /// where the curve is not the engine's.
+  std::function<TracedCurve()> releaseToAutomatic;
 };
 
 struct SteadyVariant {

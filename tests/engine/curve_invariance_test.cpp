@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "curve_support.h"
 #include "curves/curve.h"
+#include "generators/control_polygons.h"
 #include "generators/random_points.h"
 #include "generators/renumbered.h"
 #include "intrinsic/straightest.h"
@@ -15,6 +17,17 @@
 
 namespace karcher {
 namespace {
+
+/// Of curves that are centers of mass throughout, refined by their own choice, or a fixed number of
+/// times.
+constexpr int kLevels[] = {0, kAutomaticLevels, 3};
+
+/// 17 samples a segment.
+CurveOptions optionsOf(const CurveShape& shape, Solver solver, int levels) {
+  CurveOptions options{shape, 17, {Method::kKarcher, solver, 6}};
+  options.levels = levels;
+  return options;
+}
 
 /// A mesh with control points, and what maps positions back to those of the first one.
 struct Scene {
@@ -36,9 +49,9 @@ Scene renumbered(const Scene& scene, uint64_t seed) {
   return result;
 }
 
-Array<Vec3> samplePositions(const Scene& scene, const CurveShape& shape, Solver solver) {
+Array<Vec3> samplePositions(const Scene& scene, const CurveOptions& options) {
   Surface surface{TriangleMesh(scene.mesh)};
-  Curve curve(surface, {shape, 17, {Method::kKarcher, solver, 6}}, scene.points);
+  Curve curve(surface, options, scene.points);
   Array<Vec3> places;
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
@@ -75,7 +88,7 @@ struct Changes {
   double reversal = 0;
 };
 
-Changes changesOf(const Scene& scene, Solver solver) {
+Changes changesOf(const Scene& scene, Solver solver, int levels = 0) {
   const double diagonal = Surface(TriangleMesh(scene.mesh)).geometry().diagonal;
   Eigen::Affine3d rigid =
       Eigen::Translation3d(3, -2, 0.7) * Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized());
@@ -84,10 +97,12 @@ Changes changesOf(const Scene& scene, Solver solver) {
   const Scene shuffled = renumbered(scene, 5);
   Changes worst;
   for (const CurveShape& shape : everyShape(scene.points.count())) {
-    SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
-    const Array<Vec3> places = samplePositions(scene, shape, solver);
+    if (levels != 0 && !takesLevels(shape.kind)) continue;
+    SCOPED_TRACE(describe(shape));
+    const CurveOptions options = optionsOf(shape, solver, levels);
+    const Array<Vec3> places = samplePositions(scene, options);
     const auto compare = [&](const Scene& other, double& change) {
-      const double moving = largestDistance(places, samplePositions(other, shape, solver));
+      const double moving = largestDistance(places, samplePositions(other, options));
       change = std::max(change, moving / diagonal);
     };
     compare(turned, worst.motion);
@@ -96,7 +111,7 @@ Changes changesOf(const Scene& scene, Solver solver) {
 
     Scene backwards = scene;
     reverseEntries(backwards.points, shape.closed);
-    Array<Vec3> reverse = samplePositions(backwards, reversed(shape), solver);
+    Array<Vec3> reverse = samplePositions(backwards, optionsOf(reversed(shape), solver, levels));
     std::reverse(reverse.begin(), reverse.end());
     // A closed B-spline of degree p starts p - 1 segments later.
     if (shape.closed && shape.kind == CurveKind::kBSpline) {
@@ -104,36 +119,57 @@ Changes changesOf(const Scene& scene, Solver solver) {
     }
     worst.reversal = std::max(worst.reversal, largestDistance(places, reverse) / diagonal);
   }
-  std::printf("largest change: rigid motion %.1e, scale %.1e, renumbering %.1e, reversal %.1e\n",
-              worst.motion, worst.scale, worst.renumbering, worst.reversal);
+  std::printf(
+      "levels %d, largest change: rigid motion %.1e, scale %.1e, renumbering %.1e, reversal %.1e\n",
+      levels, worst.motion, worst.scale, worst.renumbering, worst.reversal);
   return worst;
 }
 
 TEST(CurveInvariance, WithExactDistancesToRounding) {
   Scene bunny{bunnyMesh(), {}};
   bunny.points = ring(bunny.mesh, Vec3(-3, 7.5, 4), 1.1);
-  const Changes changes = changesOf(bunny, Solver::kExact);
-  EXPECT_LE(changes.motion, 1e-9);
-  EXPECT_LE(changes.scale, 1e-9);
-  EXPECT_LE(changes.renumbering, 1e-9);
-  EXPECT_LE(changes.reversal, 1e-9);
+  for (const int levels : kLevels) {
+    const Changes changes = changesOf(bunny, Solver::kExact, levels);
+    EXPECT_LE(changes.motion, 1e-9);
+    EXPECT_LE(changes.scale, 1e-9);
+    EXPECT_LE(changes.renumbering, 1e-9);
+    EXPECT_LE(changes.reversal, 1e-9);
+  }
 }
 
-/// A curve's samples in the order of its control points reversed or not, and whether it has
-/// bridges.
+/// A curve's samples, where `back` takes them, and whether it has bridges.
 struct Traced {
   Array<Vec3> places;
+  int levels = 0;
   bool bridged = false;
 };
 
-Traced tracedOn(Surface& surface, const CurveShape& shape, const Array<SurfacePoint>& points) {
-  Curve curve(surface, {shape, 17, kExact}, points);
+Traced tracedOn(Surface& surface, const CurveOptions& options, const Array<SurfacePoint>& points,
+                const Eigen::Affine3d& back = Eigen::Affine3d::Identity()) {
+  const Curve curve(surface, options, points);
   Traced traced;
+  traced.levels = curve.levels();
   for (int j = 0; j < curve.segmentCount(); ++j) {
     traced.bridged = traced.bridged || !curve.bridges(j).empty();
     for (const CurveSample& sample : curve.samples(j)) {
-      traced.places.push_back(position(surface.mesh(), sample.point));
+      traced.places.push_back(back * position(surface.mesh(), sample.point));
     }
+  }
+  return traced;
+}
+
+/// Of the curve of reversed points, in the order of those before.
+Traced tracedBackwards(Surface& surface, const CurveOptions& options, Array<SurfacePoint> points) {
+  const CurveShape& shape = options.shape;
+  reverseEntries(points, shape.closed);
+  CurveOptions backwards = options;
+  backwards.shape = reversed(shape);
+  Traced traced = tracedOn(surface, backwards, points);
+  std::reverse(traced.places.begin(), traced.places.end());
+  // A closed B-spline of degree p starts p - 1 segments later.
+  if (shape.closed && shape.kind == CurveKind::kBSpline) {
+    const auto first = traced.places.begin() + options.samples * (shape.degree - 1);
+    std::rotate(traced.places.begin(), first, traced.places.end());
   }
   return traced;
 }
@@ -155,13 +191,11 @@ TEST(CurveInvariance, ReversedControlPointsGiveTheSameCurve) {
         const Vec2 step = spacing * unitVector(random.uniform(0, 2 * kPi));
         points.push_back(traceStraightest(geometry, points.back(), step).path.end());
       }
-      Array<SurfacePoint> back = points;
-      std::reverse(back.begin(), back.end());
       for (const CurveShape& shape : everyShape(points.count())) {
         if (shape.closed) continue;
-        const Traced forth = tracedOn(surface, shape, points);
-        Traced reverse = tracedOn(surface, reversed(shape), back);
-        std::reverse(reverse.places.begin(), reverse.places.end());
+        const CurveOptions options = optionsOf(shape, Solver::kExact, 0);
+        const Traced forth = tracedOn(surface, options, points);
+        const Traced reverse = tracedBackwards(surface, options, points);
         const double moved = largestDistance(forth.places, reverse.places) / geometry.diagonal;
         if (forth.bridged || reverse.bridged) {
           ++bridged;
@@ -176,17 +210,93 @@ TEST(CurveInvariance, ReversedControlPointsGiveTheSameCurve) {
   EXPECT_LE(bridgedMoved, 1 + bridged / 20);
 }
 
+/// Curves beside themselves elsewhere.
+struct Comparison {
+  int curves = 0;
+  int refined = 0;       ///< with levels
+  int bridged = 0;       ///< which may differ: bridges come and go by rounding
+  int bridgedMoved = 0;  ///< and of them, those that do
+  double largest = 0;    ///< change of the others, as a part of the diagonal
+
+  void add(const Traced& here, const Traced& there, double diagonal) {
+    ++curves;
+    if (here.levels > 0) ++refined;
+    EXPECT_EQ(here.levels, there.levels);
+    const double change = largestDistance(here.places, there.places) / diagonal;
+    if (here.bridged || there.bridged) {
+      ++bridged;
+      if (change > 1e-9) ++bridgedMoved;
+      return;
+    }
+    EXPECT_LE(change, 1e-9);
+    largest = std::max(largest, change);
+  }
+};
+
+void expectRefinedCurvesAreTheSameElsewhere(const char* name, const TriangleMesh& mesh,
+                                            uint64_t seed, int polygons) {
+  SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
+  const Eigen::Affine3d rigid =
+      Eigen::Translation3d(-1, 4, 0.3) * Eigen::AngleAxisd(0.7, Vec3(0.8, 0.1, -0.6).normalized());
+  const Eigen::Affine3d scaling(Eigen::Scaling(0x1p7));
+  Surface surface{TriangleMesh(mesh)};
+  Surface turned(moved({mesh, {}}, rigid).mesh);
+  Surface scaled(moved({mesh, {}}, scaling).mesh);
+  const double diagonal = surface.geometry().diagonal;
+  Comparison motion;
+  Comparison scale;
+  Comparison reversal;
+  Random random(seed);
+  for (int i = 0; i < polygons; ++i) {
+    const double spacing = random.uniform(0.02, 0.2);
+    const Array<SurfacePoint> points =
+        randomControlPolygon(surface.geometry(), random, {.points = 6, .spacing = spacing});
+    const Solver solver = i % 2 == 0 ? Solver::kFast : Solver::kExact;
+    for (const CurveShape& shape : everyShape(points.count())) {
+      if (!takesLevels(shape.kind)) continue;
+      for (const int levels : {kAutomaticLevels, 3}) {
+        SCOPED_TRACE("polygon " + std::to_string(i) + ", " + describe(shape) + ", levels " +
+                     std::to_string(levels));
+        const CurveOptions options = optionsOf(shape, solver, levels);
+        const Traced here = tracedOn(surface, options, points);
+        motion.add(here, tracedOn(turned, options, points, rigid.inverse()), diagonal);
+        scale.add(here, tracedOn(scaled, options, points, scaling.inverse()), diagonal);
+        reversal.add(here, tracedBackwards(surface, options, points), diagonal);
+      }
+    }
+  }
+  for (const auto& [change, c] :
+       {std::pair("motion", motion), std::pair("scale", scale), std::pair("reversal", reversal)}) {
+    SCOPED_TRACE(change);
+    std::printf("%s, %s: %d curves, %d refined, %d bridged of which %d moved, others by %.1e\n",
+                name, change, c.curves, c.refined, c.bridged, c.bridgedMoved, c.largest);
+    EXPECT_GT(c.refined, c.curves / 2);
+    EXPECT_LE(c.bridged, c.curves / 10);
+    EXPECT_LE(c.bridgedMoved, c.curves / 200);
+  }
+}
+
+TEST(CurveInvariance, OfRefinedCurvesToRounding) {
+  const int polygons = longRun() ? 40 : 2;
+  expectRefinedCurvesAreTheSameElsewhere("bunny", bunnyMesh(), 81, polygons);
+  expectRefinedCurvesAreTheSameElsewhere("knot", importMesh(makeShape(Shape::kKnot, 3000)).mesh, 82,
+                                         polygons);
+  expectRefinedCurvesAreTheSameElsewhere("icosphere", importMesh(icosphere(12)).mesh, 83, polygons);
+}
+
 TEST(CurveInvariance, WithTheFastSolverAndTiesWithinAPartOfAnEdge) {
   // An icosphere is full of equal edges, and paths that tie.
   Scene sphere{importMesh(icosphere(12)).mesh, {}};
   sphere.points = ring(sphere.mesh, Vec3(0.1, 0.05, 0.9), 0.3);
   const Geometry geometry = buildGeometry(sphere.mesh);
   const double most = 0.05 * geometry.meanEdge / geometry.diagonal;
-  const Changes changes = changesOf(sphere, Solver::kFast);
-  EXPECT_LE(changes.motion, most);
-  EXPECT_LE(changes.scale, most);
-  EXPECT_LE(changes.renumbering, most);
-  EXPECT_LE(changes.reversal, most);
+  for (const int levels : kLevels) {
+    const Changes changes = changesOf(sphere, Solver::kFast, levels);
+    EXPECT_LE(changes.motion, most);
+    EXPECT_LE(changes.scale, most);
+    EXPECT_LE(changes.renumbering, most);
+    EXPECT_LE(changes.reversal, most);
+  }
 }
 
 TEST(CurveInvariance, AtTheLargestAndSmallestSizes) {
@@ -196,9 +306,12 @@ TEST(CurveInvariance, AtTheLargestAndSmallestSizes) {
   for (const double scale : {0x1p95, 0x1p-95}) {
     const Scene scaled = moved(bunny, Eigen::Affine3d(Eigen::Scaling(scale)));
     for (const Solver solver : {Solver::kFast, Solver::kExact}) {
-      const Array<Vec3> places = samplePositions(bunny, {CurveKind::kBSpline}, solver);
-      const Array<Vec3> others = samplePositions(scaled, {CurveKind::kBSpline}, solver);
-      EXPECT_LE(largestDistance(places, others), 1e-9) << scale;
+      for (const int levels : kLevels) {
+        const CurveOptions options = optionsOf({CurveKind::kBSpline}, solver, levels);
+        const Array<Vec3> places = samplePositions(bunny, options);
+        EXPECT_LE(largestDistance(places, samplePositions(scaled, options)), 1e-9)
+            << scale << ", levels " << levels;
+      }
     }
   }
 }

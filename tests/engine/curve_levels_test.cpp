@@ -9,7 +9,7 @@
 #include "curves/query/measure.h"
 #include "generators/flat.h"
 #include "generators/plane.h"
-#include "generators/random.h"
+#include "generators/random_points.h"
 #include "generators/sphere.h"
 #include "intrinsic/straightest.h"
 #include "mesh/shapes.h"
@@ -199,6 +199,31 @@ TEST(CurveLevels, RunBackwardsGiveTheSameCurve) {
   }
   EXPECT_GE(compared, 10);
   std::printf("largest change by reversal: %.1e of the bounding box\n", worst);
+}
+
+TEST(CurveLevels, OfClosedCurvesMeetAtTheirEnds) {
+  // A field that is fitted has its zero beside its point, so both ends are to have the same field.
+  Surface surface(meshOf(randomSphere(20000, 4)));
+  const TriangleMesh& mesh = surface.mesh();
+  Random dice(5);
+  SCOPED_TRACE("seed 5");
+  for (int i = 0; i < (longRun() ? 20 : 5); ++i) {
+    Array<SurfacePoint> points;
+    while (points.count() < 5) points.push_back(randomPoint(mesh, dice));
+    for (const CurveShape& shape : everyShape(points.count())) {
+      if (!shape.closed || !takesLevels(shape.kind)) continue;
+      for (const int levels : {kAutomaticLevels, 1, 2, 3}) {
+        const Curve curve(surface, optionsOf(shape, 9, levels, kFast), points);
+        for (int j = 0; j < curve.segmentCount(); ++j) {
+          const SurfacePoint& end = curve.samples(j).back().point;
+          const SurfacePoint& start = curve.samples((j + 1) % curve.segmentCount()).front().point;
+          EXPECT_LE((position(mesh, end) - position(mesh, start)).norm(),
+                    1e-12 * surface.geometry().diagonal)
+              << describe(shape) << ", polygon " << i << ", segment " << j << ", levels " << levels;
+        }
+      }
+    }
+  }
 }
 
 TEST(CurveLevels, AfterAnyEditsAreTheCurveTracedAnew) {

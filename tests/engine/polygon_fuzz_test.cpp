@@ -13,12 +13,12 @@ namespace {
 
 /// Polygons of the spacings in turn, from one of them on.
 void expectNoFaults(const std::string& name, TriangleMesh mesh, uint64_t firstSeed, int polygons,
-                    int firstSpacing = 0) {
+                    int firstSpacing = 0, int levels = 0) {
   Surface surface(std::move(mesh));
   FuzzTally tally;
   for (int i = 0; i < polygons; ++i) {
     fuzzPolygon(surface, (firstSpacing + i) % kSpacingCount, firstSeed + static_cast<uint64_t>(i),
-                tally);
+                tally, levels);
   }
   std::printf("%s, %d polygons from seed %llu: largest jump without a mark %.3f mean edges\n",
               name.c_str(), polygons, static_cast<unsigned long long>(firstSeed),
@@ -42,6 +42,15 @@ TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheShapes) {
 
 TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheBunny) {
   expectNoFaults("bunny", bunnyMesh(), 100'000, longRun() ? 250 : 5);
+}
+
+TEST(PolygonFuzz, CurvesOfAutomaticLevelsHoldTogether) {
+  const int polygons = longRun() ? 200 : 5;
+  expectNoFaults("bunny", bunnyMesh(), 200'000, polygons, 0, kAutomaticLevels);
+  for (const Shape shape : {Shape::kTorus, Shape::kKnot}) {
+    expectNoFaults(shapeName(shape), importMesh(makeShape(shape, 2000)).mesh, 210'000, polygons, 0,
+                   kAutomaticLevels);
+  }
 }
 
 TEST(PolygonFuzz, AJumpWhereTheZeroComesToAnEdgeIsMarked) {

@@ -33,14 +33,15 @@ SurfacePoint near(const Geometry& geometry, const SurfacePoint& point, double di
 
 class Fuzz {
  public:
-  Fuzz(Surface& surface, int spacing, uint64_t seed, FuzzTally& tally)
+  Fuzz(Surface& surface, int spacing, uint64_t seed, FuzzTally& tally, int levels)
       : surface_(surface),
         geometry_(surface.geometry()),
         mesh_(surface.mesh()),
         spacing_(spacing),
         seed_(seed),
         dice_(seed),
-        tally_(tally) {}
+        tally_(tally),
+        levels_(levels) {}
 
   void run() {
     ++tally_.spacings[spacing_].polygons;
@@ -48,7 +49,7 @@ class Fuzz {
     const int count = 4 + dice_.index(4);
     while (points.count() < count) points.push_back(another(points));
     for (const CurveKind kind : kCurveKinds) {
-      if (kind == CurveKind::kOwn) continue;
+      if (kind == CurveKind::kOwn || (levels_ != 0 && !takesLevels(kind))) continue;
       for (const bool closed : {false, true}) {
         CurveShape shape;
         shape.kind = kind;
@@ -101,9 +102,10 @@ class Fuzz {
   void check(const CurveShape& shape, const Array<SurfacePoint>& points) {
     // Every fourth with exact fields, which are cut finer than faces and cost more.
     const Solver solver = seed_ % 4 == 3 ? Solver::kExact : Solver::kFast;
-    const FieldOptions field{Method::kKarcher, solver, 6};
+    CurveOptions options{shape, kSamples, {Method::kKarcher, solver, 6}};
+    options.levels = levels_;
     try {
-      Curve curve(surface_, {shape, kSamples, field}, points);
+      Curve curve(surface_, options, points);
       checkCurve(curve);
       checkEdits(curve);
     } catch (const std::exception& error) {
@@ -122,7 +124,7 @@ class Fuzz {
           fault("a bridge turns back");
       }
       checkPath(curve.path(j).line.points);
-      checkSamples(curve, j);
+      for (int k = 0; k < curve.piecesPerSegment(); ++k) checkSamples(curve, j, k);
       const int next = j + 1 < curve.segmentCount() ? j + 1 : curve.shape().closed ? 0 : -1;
       if (next >= 0) checkJoin(curve.samples(j).back(), curve.samples(next).front());
     }
@@ -144,9 +146,10 @@ class Fuzz {
     if (gap > kSame * geometry_.diagonal) fault("two segments do not meet");
   }
 
-  void checkSamples(Curve& curve, int j) {
-    const Array<CurveSample>& samples = curve.samples(j);
-    const Array<Bridge>& bridges = curve.bridges(j);
+  void checkSamples(Curve& curve, int j, int k) {
+    const Curve::Piece& piece = curve.piece(j, k);
+    const Array<CurveSample>& samples = piece.samples();
+    const Array<Bridge>& bridges = piece.bridges();
     for (const CurveSample& sample : samples) {
       const bool marked = bridgeOver(bridges, sample.t) != nullptr;
       if (sample.status != SampleStatus::kConverged &&
@@ -155,18 +158,20 @@ class Fuzz {
       }
     }
     if (curve.shape().kind == CurveKind::kPolyline) return;  // shortest paths, by construction
-    FieldBlend blend(geometry_, controlFields(curve.fieldsOf(j)));
+    FieldBlend blend(geometry_, controlFields(curve.fieldsOf(j, k)));
     for (int i = 1; i < samples.count(); ++i) {
       const double middle = (samples[i - 1].t + samples[i].t) / 2;
       if (bridgeOver(bridges, middle) != nullptr) continue;
       ++tally_.steps;
-      checkStep(curve, j, blend, samples[i - 1], samples[i]);
+      std::ostringstream where;
+      where << "segment " << j << ", piece " << k;
+      checkStep(where.str(), piece, blend, samples[i - 1], samples[i]);
     }
   }
 
   /// Divides a step wherever it is long, all the way down.
-  void checkStep(const Curve& curve, int j, FieldBlend& blend, const CurveSample& from,
-                 const CurveSample& to) {
+  void checkStep(const std::string& where, const Curve::Piece& piece, FieldBlend& blend,
+                 const CurveSample& from, const CurveSample& to) {
     Array<std::pair<CurveSample, CurveSample>> stack;
     stack.emplace_back(from, to);
     for (int divisions = 0; !stack.empty(); ++divisions) {
@@ -178,13 +183,13 @@ class Fuzz {
         const double jump = length / geometry_.meanEdge;
         tally_.largestJump = std::max(tally_.largestJump, jump);
         std::ostringstream what;
-        what << "a jump of " << jump << " mean edges in segment " << j << " at t = " << a.t
+        what << "a jump of " << jump << " mean edges in " << where << " at t = " << a.t
              << " is not marked, between samples at " << from.t << " and " << to.t;
         if (jump > kLongestStep) return fault(what.str());
         continue;
       }
       const double t = (a.t + b.t) / 2;
-      const Array<double> weights = curve.weights(j, t);
+      const Array<double> weights = piece.weights(t);
       const CenterOfMass center = findCenter(blend, weights, a.point, Method::kKarcher);
       if (center.status != Status::kConverged) {
         ++tally_.lostBetween;
@@ -212,7 +217,7 @@ class Fuzz {
       }
     }
     checkCurve(curve);
-    Curve anew(surface_, curve.options(), curve.points());
+    Curve anew(surface_, curve.value());
     if (anew.segmentCount() != curve.segmentCount()) return fault("edits change the segments");
     for (int j = 0; j < curve.segmentCount(); ++j) {
       const Array<CurveSample>& a = curve.samples(j);
@@ -235,13 +240,14 @@ class Fuzz {
   uint64_t seed_;
   Random dice_;
   FuzzTally& tally_;
+  int levels_;
   std::string name_;
 };
 
 }  // namespace
 
-void fuzzPolygon(Surface& surface, int spacing, uint64_t seed, FuzzTally& tally) {
-  Fuzz(surface, spacing, seed, tally).run();
+void fuzzPolygon(Surface& surface, int spacing, uint64_t seed, FuzzTally& tally, int levels) {
+  Fuzz(surface, spacing, seed, tally, levels).run();
 }
 
 }  // namespace karcher

@@ -31,7 +31,7 @@ struct FuzzTally {
 /// Checks one random polygon as curves of all kinds, open and closed: that the marks and the points
 /// on the surface are sound, that no step outside a mark stays longer than kLongestStep however
 /// finely t is divided, that segments meet, and that edits give what tracing anew gives. Everything
-/// depends on the seed alone.
-void fuzzPolygon(Surface& surface, int spacing, uint64_t seed, FuzzTally& tally);
+/// depends on the seed alone. With levels, or kAutomaticLevels, the kinds that take them alone.
+void fuzzPolygon(Surface& surface, int spacing, uint64_t seed, FuzzTally& tally, int levels = 0);
 
 }  // namespace karcher

@@ -148,6 +148,11 @@ bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
         appendPieces(geometry, whole, levels, workspace, refined, written);
       }
     }
+    if (shape.closed) {
+      // Its ends are one point, and meet where that point's field has its zero.
+      refined.pieces.back().points.back() = 0;
+      refined.points.pop_back();
+    }
   }
   refined.weighted = hasWeights;
   return true;

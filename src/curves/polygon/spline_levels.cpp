@@ -129,7 +129,7 @@ int pointsWith(const Array<double>& knots, const CurveShape& shape) {
 void resize(SplineLevel& level, int points, const CurveShape& shape) {
   level.points.resize(static_cast<size_t>(points));
   level.legs.resize(static_cast<size_t>(legCount(shape, points)));
-  level.anchors.resize(static_cast<size_t>(points));
+  level.anchors.resize(2 * static_cast<size_t>(points));
 }
 
 bool isKnown(const CurveShape& shape, int points, int levels, const SplineWorkspace& workspace) {
@@ -178,7 +178,7 @@ class SplineLevelStep {
   void write(SplineLevel& next) {
     const int points = next.points.count();
     for (int j = 0; j < points; ++j) {
-      next.points[j] = averageOf(next.parents[j], next.anchors[j]);
+      next.points[j] = averageOf(next.parents[j], &next.anchors[2 * j]);
     }
     for (int j = 0; j < next.legs.count(); ++j) writeLeg((j + 1) % points, j, next);
   }
@@ -192,29 +192,21 @@ class SplineLevelStep {
   const SurfacePath& leg(int i) const { return old_.legs[wrapped(i)]; }
   const WeightedPoint& pointAt(int i) const { return old_.points[wrapped(i)]; }
 
-  /// The repeated average of consecutive old points, from both ends towards the middle, and its
-  /// anchor.
-  WeightedPoint averageOf(const Parents& parents, Anchor& anchor) {
+  /// The repeated average of consecutive old points, from both ends towards the middle, and its two
+  /// anchors.
+  WeightedPoint averageOf(const Parents& parents, Anchor* anchors) {
     int left = 0;
     int right = parents.weights.count() - 1;
     const auto weight = [&](int k) {
-      return parents.weights[k] * pointAt(parents.first + k).weight;
+      // The one in the middle is halved between the two sides.
+      const double share = left == right ? 0.5 : 1;
+      return share * parents.weights[k] * pointAt(parents.first + k).weight;
     };
-    if (left == right) {
-      const SurfacePoint& point = pointAt(parents.first).point;
-      begin(point, anchor.path);
-      anchor.parent = parents.first;
-      return {point, weight(0)};
-    }
     begin(parents.first, weight(left), near_);
     begin(parents.first + right, weight(right), far_);
-    while (++left < --right) {
+    while (++left <= --right) {
       advance(near_, weight(left), 1);
       advance(far_, weight(right), -1);
-    }
-    if (left == right) {
-      advance(near_, weight(left) / 2, 1);
-      advance(far_, weight(left) / 2, -1);
     }
     Chain chain(mesh_, path_);
     chain.append(near_.toParent);
@@ -222,22 +214,24 @@ class SplineLevelStep {
     chain.appendReversed(far_.toParent);
     straighten(geometry_, path_, strip_);
     const LegAverage average = averageOn(mesh_, path_, near_.point.weight, far_.point.weight);
-    anchor.parent = near_.parent;
-    takePart(mesh_, path_, average.at, 0, anchor.path);
-    appendPart(mesh_, near_.toParent, 0, near_.toParent.length(), anchor.path);
+    lead(average.at, 0, near_, anchors[0]);
+    lead(average.at, path_.length(), far_, anchors[1]);
     return average.point;
   }
 
-  static void begin(const SurfacePoint& point, SurfacePath& path) {
-    path.points.assign(1, point);
-    path.lengths.assign(1, 0.0);
+  /// Writes the anchor that leads from a length of the path to the side at its end `to`.
+  void lead(double from, double to, const Side& side, Anchor& anchor) const {
+    takePart(mesh_, path_, from, to, anchor.path);
+    appendPart(mesh_, side.toParent, 0, side.toParent.length(), anchor.path);
+    anchor.parent = side.parent;
   }
 
   void begin(int parent, double weight, Side& side) const {
     const SurfacePoint& point = pointAt(parent).point;
     side.point = {point, weight};
     side.parent = parent;
-    begin(point, side.toParent);
+    side.toParent.points.assign(1, point);
+    side.toParent.lengths.assign(1, 0.0);
   }
 
   /// Averages the next parent in, in direction `step` of the row.
@@ -258,8 +252,8 @@ class SplineLevelStep {
 
   /// The leg from new point j to new point `to`.
   void writeLeg(int to, int j, SplineLevel& next) {
-    const Anchor& start = next.anchors[j];
-    const Anchor& end = next.anchors[to];
+    const Anchor& start = next.anchors[2 * j + 1];
+    const Anchor& end = next.anchors[2 * to];
     // Around the end of a closed curve the numbers of parents start again.
     const int parent = end.parent + (to <= j ? count_ : 0);
     SurfacePath& path = next.legs[j];

@@ -13,7 +13,7 @@ struct SplineLevel {
     int first = 0;  ///< of a closed curve counted on around it, or negative
     Array<double> weights;
   };
-  /// A path from a point to one of its parents, to lead its legs by.
+  /// A path from a point to one of its parents, to lead a leg by.
   struct Anchor {
     SurfacePath path;
     int parent = 0;  ///< counted as `Parents::first`
@@ -22,6 +22,8 @@ struct SplineLevel {
   Array<WeightedPoint> points;
   Array<SurfacePath> legs;
   Array<Parents> parents;
+  /// Two a point, to the parents that its averages came to from either end of their row: for the
+  /// leg that arrives at it, and for the one that leaves it.
   Array<Anchor> anchors;
 };
 
