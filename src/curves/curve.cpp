@@ -379,9 +379,9 @@ Array<double> Curve::gapsOf(const Next& next) {
   const Array<SurfacePoint>& points = next.value.points;
   const auto distance = [&](const SurfacePoint& from, const SurfacePoint& to) {
     const std::shared_ptr<PointField> field = fieldSet_->at(from);
-    FieldBlend blend(surface().geometry(), {&field->field()});
+    workspace_->fields.assign(1, field.get());
     constexpr double kOne[] = {1};
-    return std::sqrt(std::max(blend.energy(to, kOne), 0.0));
+    return std::sqrt(std::max(blendFields().blend.energy(to, kOne), 0.0));
   };
   for (int i = 0; i < legCount(next.value.options.shape, points.count()); ++i) {
     const SurfacePoint& from = points[i];
@@ -399,8 +399,8 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
   piece.part_ = part;
   piece.basis_ = layout.basis;
   piece.isTraced_ = false;
-  piece.basisTable_.reset();
   piece.table_.reset();
+  std::shared_ptr<PieceWeights> spare = std::move(piece.basisTable_);
   piece.points_.clear();
   piece.boxes_.clear();
   piece.pointWeights_.clear();
@@ -437,19 +437,20 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     if (!piece.table_ && source->pointWeights_ == piece.pointWeights_)
       piece.table_ = source->table_;
   }
-  makeTables(next, piece);
+  makeTables(next, piece, std::move(spare));
 }
 
-void Curve::makeTables(const Next& next, Piece& piece) {
+/// `spare`: a table whose memory may be used again where no other piece has it, or none.
+void Curve::makeTables(const Next& next, Piece& piece, std::shared_ptr<PieceWeights> spare) {
   const CurveOptions& options = next.value.options;
   const SegmentBasis& basis = piece.basis_;
   // Adaptive sampling asks for weights as it goes; a caller's basis is checked all the same.
   const bool isAdaptive = options.tolerance > 0 && isOfCenters(options, next.levels);
   if (isAdaptive && basis.form != BasisForm::kOwn) return;
   if (!piece.basisTable_) {
-    const auto weights = [&](double t) { return weightsAt(basis, t); };
-    piece.basisTable_ =
-        std::make_shared<PieceWeights>(tabulatePiece(weights, options.samples, piece.part_));
+    if (spare.use_count() != 1) spare = std::make_shared<PieceWeights>();
+    tabulatePiece(basis, options.samples, piece.part_, workspace_->bridging.weights, *spare);
+    piece.basisTable_ = std::move(spare);
   }
   if (piece.table_) return;
   piece.table_ =

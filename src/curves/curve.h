@@ -46,7 +46,7 @@ class Curve {
     SegmentBasis basis_;
     PartOfSegment part_;
     /// Of the basis alone, and with the points' weights; pieces share them.
-    std::shared_ptr<const PieceWeights> basisTable_;
+    std::shared_ptr<PieceWeights> basisTable_;
     std::shared_ptr<const PieceWeights> table_;
     std::shared_ptr<TracedPiece> traced_;
     bool isTraced_ = false;
@@ -184,7 +184,7 @@ class Curve {
   Array<double> gapsOf(const Next& next);
   void makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                  bool keep);
-  static void makeTables(const Next& next, Piece& piece);
+  void makeTables(const Next& next, Piece& piece, std::shared_ptr<PieceWeights> spare);
   void makeFields(Next& next);
   void trace(Next& next);
   void findSamples(const Next& next, Piece& piece, int segment);
@@ -192,7 +192,7 @@ class Curve {
   void layBridges(const Next& next, Piece& piece);
   void join(const Next& next, Piece& piece);
   void merge(Next& next);
-  SegmentFields& blendOf(const Piece& piece);
+  SegmentFields& blendFields();
   static void releaseFields(Array<Segment>& segments);
 
   std::shared_ptr<FieldSets> fieldSets_;

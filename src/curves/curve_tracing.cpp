@@ -31,11 +31,9 @@ void Curve::makeFields(Next& next) {
   });
 }
 
-/// The fields of a piece that is being traced.
-SegmentFields& Curve::blendOf(const Piece& piece) {
-  Array<PointField*>& fields = workspace_->fields;
-  fields.clear();
-  for (const auto& field : piece.fields_) fields.push_back(field.get());
+/// Blends the fields that the workspace has.
+SegmentFields& Curve::blendFields() {
+  const Array<PointField*>& fields = workspace_->fields;
   std::optional<SegmentFields>& blend = workspace_->blend;
   if (blend) {
     blend->setPoints(fields);
@@ -83,7 +81,9 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
     findAveragedSamples(next, piece, segment);
     return;
   }
-  SegmentFields& fields = blendOf(piece);
+  workspace_->fields.clear();
+  for (const auto& field : piece.fields_) workspace_->fields.push_back(field.get());
+  SegmentFields& fields = blendFields();
   Array<CurveSample>& samples = piece.traced_->samples;
   const Method method = options.field.method;
   if (options.tolerance > 0) {

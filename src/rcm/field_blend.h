@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "intrinsic/geometry.h"
+#include "intrinsic/straightest.h"
 #include "mesh/sparse_index.h"
 #include "rcm/cells.h"
 #include "rcm/control_field.h"
@@ -94,6 +94,9 @@ class FieldBlend {
   const Geometry& geometry() const { return geometry_; }
   const Cells& cells() const { return cells_; }
 
+  /// Scratch memory of a search: the geodesic along which it takes a step.
+  StraightestPath& step() { return step_; }
+
   /// The weighted sum of the fields in a cell, in its frame.
   TriangleField blend(int cell, Weights weights);
 
@@ -156,6 +159,7 @@ class FieldBlend {
   const Geometry& geometry_;
   Array<ControlField*> fields_;
   Cells cells_;
+  StraightestPath step_;
   int width_;              ///< numbers a slot in vectors_
   Array<double> vectors_;  ///< by slot, with room for some more
   Array<CellShape> shapes_;

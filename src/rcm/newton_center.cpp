@@ -66,8 +66,8 @@ class NewtonSearch {
   /// smallest gradient.
   Candidate bestAlongStep(const Vec2& step) {
     Candidate best;
-    const SurfacePath path =
-        traceStraightest(geometry_, point_, step, {.maxCrossings = crossingsLeft_}).path;
+    traceStraightest(geometry_, point_, step, fields_.step(), {.maxCrossings = crossingsLeft_});
+    const SurfacePath& path = fields_.step().path;
     crossingsLeft_ -= path.points.count() / 2;
     for (int i = 1; i < path.points.count(); ++i) {
       const SurfacePoint& p = path.points[i];

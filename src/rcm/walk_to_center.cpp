@@ -112,10 +112,10 @@ class ZeroWalk {
       // Weights far from 0 and 1 ask for steps that would wind round the surface again and again.
       const Vec2 wanted = -fields_.at(point, weights_) / 2;
       const Vec2 step = wanted * std::min(1.0, kLongestDescent * geometry_.extent / wanted.norm());
-      const SurfacePath path =
-          traceStraightest(geometry_, point, step, {.maxCrossings = crossingsLeft}).path;
-      crossingsLeft -= path.points.count() / 2;
-      point = path.end();
+      StraightestPath& way = fields_.step();
+      traceStraightest(geometry_, point, step, way, {.maxCrossings = crossingsLeft});
+      crossingsLeft -= way.path.points.count() / 2;
+      point = way.path.end();
       const std::optional<CellZero> zero = zeroOfCell(fields_, weights_, cells_.at(point).cell);
       if (zero && zero->depth() > kFarWeight) break;
       if (step.norm() < 1e-3 * geometry_.meanEdge) break;

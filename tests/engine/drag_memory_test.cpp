@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "curve_support.h"
 #include "curves/curve.h"
@@ -59,6 +60,14 @@ Array<int64_t> allocationsOfDrag(Surface& surface, const CurveShape& shape, int 
   return counts;
 }
 
+/// Half of the steps take memory `half` times at most, nine of ten `nine` times. The others come to
+/// ground, to levels or to bridges as no step of the drag had before.
+void expectFew(Array<int64_t> counts, int64_t half, int64_t nine, const std::string& name) {
+  std::sort(counts.begin(), counts.end());
+  EXPECT_LE(counts[counts.count() / 2], half) << name << ", the most " << counts.back();
+  EXPECT_LE(counts[counts.count() * 9 / 10], nine) << name << ", the most " << counts.back();
+}
+
 void expectMostStepsTakeNone(Surface& surface, const CurveShape& shape, int levels,
                              double spacing) {
   Array<int64_t> counts;
@@ -66,10 +75,8 @@ void expectMostStepsTakeNone(Surface& surface, const CurveShape& shape, int leve
     const Array<int64_t> ofDrag = allocationsOfDrag(surface, shape, levels, spacing, seed);
     counts.insert(counts.end(), ofDrag.begin(), ofDrag.end());
   }
-  // The others come to ground or to levels where no step of the drag was before.
-  std::sort(counts.begin(), counts.end());
-  EXPECT_EQ(counts[counts.count() / 2], 0)
-      << curveKindName(shape.kind) << ", spacing " << spacing << ", the most " << counts.back();
+  expectFew(counts, 0, 8,
+            curveKindName(shape.kind) + std::string(", spacing ") + std::to_string(spacing));
 }
 
 TEST(DragMemory, IsCounted) {
@@ -104,20 +111,24 @@ TEST(DragMemory, IsThatOfTheStepsBefore) {
 
 TEST(DragMemory, OfBridgesIsThatOfTheStepsBefore) {
   Surface bunny(bunnyMesh());
-  for (const CurveKind kind : {CurveKind::kBezier, CurveKind::kBSpline}) {
+  CurveShape closed{CurveKind::kBSpline};
+  closed.closed = true;
+  closed.weights = {1, 2, 3, 1};
+  for (const CurveShape& shape : {CurveShape{CurveKind::kBezier}, CurveShape{CurveKind::kBSpline},
+                                  closed, CurveShape{CurveKind::kCatmullRom}}) {
     Array<int64_t> counts;
     for (const uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
       for (const double spacing : {0.2, 0.3}) {
-        const Array<int64_t> ofDrag = allocationsOfDrag(bunny, {kind}, 0, spacing, seed, true);
+        const Array<int64_t> ofDrag = allocationsOfDrag(bunny, shape, 0, spacing, seed, true);
         counts.insert(counts.end(), ofDrag.begin(), ofDrag.end());
       }
     }
-    ASSERT_GT(counts.count(), 50) << curveKindName(kind);
-    std::sort(counts.begin(), counts.end());
-    // Lines of bridges grow and shrink, and some are the longest yet that their memory has held.
-    // Each with memory of its own they would be some 500.
-    EXPECT_LE(counts[counts.count() / 2], 50)
-        << curveKindName(kind) << ", the most " << counts.back();
+    // Of so many steps with bridges.
+    ASSERT_GT(counts.count(), 100) << curveKindName(shape.kind);
+    // Knots that follow the points are laid out anew at each step. Without memory that is kept a
+    // step would take some 500, with such knots some 30,000.
+    const bool isLaidOut = shape.kind == CurveKind::kCatmullRom;
+    expectFew(counts, isLaidOut ? 33 : 0, isLaidOut ? 60 : 35, curveKindName(shape.kind));
   }
 }
 

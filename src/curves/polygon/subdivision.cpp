@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "intrinsic/straightest.h"
 #include "intrinsic/strip_path.h"
 
 namespace karcher {
@@ -126,7 +125,8 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
     const Vec2 piece =
         pointInFace(geometry, end) - pointInFace(geometry, inFace(mesh, line.points[i], face));
     const Vec2 vector = (s - 1) * line.length() * piece.normalized();
-    return traceStraightest(geometry, end, vector).path.end();
+    traceStraightest(geometry, end, vector, workspace.beyond);
+    return workspace.beyond.path.end();
   }
   return b;
 }

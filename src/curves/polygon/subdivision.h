@@ -5,6 +5,7 @@
 
 #include "curves/polygon/knot_insertion.h"
 #include "distance/geodesic_line.h"
+#include "intrinsic/straightest.h"
 
 /// Curves by repeated geodesic averages of two points, which are continuous wherever their control
 /// points lie: C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier
@@ -22,6 +23,7 @@ struct SubdivisionWorkspace {
 
   GeodesicWorkspace geodesics;
   SurfacePath line;
+  StraightestPath beyond;  ///< the end of the line
   Array<WeightedPoint> positive;
   Array<WeightedPoint> negative;
   Array<SurfacePath> polygon;

@@ -68,8 +68,14 @@ void makeRational(const Array<double>& pointWeights, Array<double>& basis) {
 }
 
 Array<double> barycentricBasis(const Array<double>& betas, double t) {
+  Array<double> weights;
+  barycentricBasis(betas, t, weights);
+  return weights;
+}
+
+void barycentricBasis(const Array<double>& betas, double t, Array<double>& weights) {
   const int n = betas.count() - 1;
-  Array<double> weights(betas.size(), 0.0);
+  weights.assign(betas.size(), 0.0);
   double sum = 0;
   for (int i = 0; i <= n; ++i) {
     const double gap = n == 0 ? 0 : t - static_cast<double>(i) / n;
@@ -77,20 +83,24 @@ Array<double> barycentricBasis(const Array<double>& betas, double t) {
     if (std::abs(gap) < 1e-300) {
       weights.assign(betas.size(), 0.0);
       weights[i] = 1;
-      return weights;
+      return;
     }
     weights[i] = (i % 2 == 0 ? betas[i] : -betas[i]) / gap;
     sum += weights[i];
   }
   for (double& weight : weights) weight /= sum;
-  return weights;
 }
 
 Array<double> catmullRomBasis(const Array<double>& knots, double u) {
+  Array<double> weights;
+  catmullRomBasis(knots, u, weights);
+  return weights;
+}
+
+void catmullRomBasis(const Array<double>& knots, double u, Array<double>& weights) {
   // Row i holds the weights of the pyramid's i-th point; each level averages neighbours, over the
   // knots that the two together span.
-  Array<Array<double>> rows(4, Array<double>(4, 0.0));
-  for (int i = 0; i < 4; ++i) rows[i][i] = 1;
+  double rows[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
   const auto average = [&](int i, double from, double to) {
     const double s = (u - from) / (to - from);
     for (int k = 0; k < 4; ++k) rows[i][k] = (1 - s) * rows[i][k] + s * rows[i + 1][k];
@@ -98,7 +108,7 @@ Array<double> catmullRomBasis(const Array<double>& knots, double u) {
   for (int i = 0; i < 3; ++i) average(i, knots[i], knots[i + 1]);
   for (int i = 0; i < 2; ++i) average(i, knots[i], knots[i + 2]);
   average(0, knots[1], knots[2]);
-  return rows[0];
+  weights.assign(rows[0], rows[0] + 4);
 }
 
 }  // namespace karcher

@@ -37,10 +37,14 @@ void makeRational(const Array<double>& pointWeights, Array<double>& basis);
 /// control tools for rational Bezier curve design", 2021). Equal betas give Berrut's interpolant,
 /// binomial coefficients the interpolating polynomial.
 Array<double> barycentricBasis(const Array<double>& betas, double t);
+/// The same, in the memory of `weights`.
+void barycentricBasis(const Array<double>& betas, double t, Array<double>& weights);
 
 /// Catmull-Rom: the curve through four points between the second and the third, with knots
 /// (ascending) at the points and u between the middle two, as Barry and Goldman's pyramid of affine
 /// averages: 4 weights, of which the outer ones may be negative.
 Array<double> catmullRomBasis(const Array<double>& knots, double u);
+/// The same, in the memory of `weights`.
+void catmullRomBasis(const Array<double>& knots, double u, Array<double>& weights);
 
 }  // namespace karcher

@@ -18,50 +18,49 @@ Array<double> ownWeights(const SegmentBasis& basis, double t) {
                                           std::to_string(basis.points) + ", of sum 1 within 1e-9");
 }
 
-Array<double> unfolded(const SegmentBasis& basis, double t) {
+void findUnfolded(const SegmentBasis& basis, double t, Array<double>& weights) {
   switch (basis.form) {
-    case BasisForm::kUniformCubic:
-      return uniformCubicBasis(t);
+    case BasisForm::kUniformCubic: {
+      const std::array<double, 4> cubic = uniformCubicWeights(t);
+      weights.assign(cubic.begin(), cubic.end());
+      return;
+    }
     case BasisForm::kBSpline:
-      return bsplineBasis(basis.numbers, basis.degree, basis.degree, t);
+      return bsplineBasis(basis.numbers, basis.degree, basis.degree, t, weights);
     case BasisForm::kBarycentric:
-      return barycentricBasis(basis.numbers, t);
+      return barycentricBasis(basis.numbers, t, weights);
     case BasisForm::kCatmullRom:
-      return catmullRomBasis(basis.numbers, t);
+      return catmullRomBasis(basis.numbers, t, weights);
     case BasisForm::kOwn:
-      return ownWeights(basis, t);
+      weights = ownWeights(basis, t);
+      return;
     case BasisForm::kBernstein:
-      break;
+      return bernsteinBasis(basis.degree, t, weights);
   }
-  return bernsteinBasis(basis.degree, t);
+}
+
+/// In the memory of the weights: behind them, and then to their place.
+void fold(const SegmentBasis& basis, Array<double>& weights) {
+  const int count = weights.count();
+  weights.resize(weights.size() + static_cast<size_t>(basis.points), 0.0);
+  for (const SegmentBasis::Fold& fold : basis.folds) {
+    weights[count + fold.to] += fold.factor * weights[fold.from];
+  }
+  weights.erase(weights.begin(), weights.begin() + count);
 }
 
 }  // namespace
 
 Array<double> weightsAt(const SegmentBasis& basis, double t) {
-  Array<double> raw = unfolded(basis, t);
-  if (basis.folds.empty()) return raw;
-  Array<double> weights(static_cast<size_t>(basis.points), 0.0);
-  for (const SegmentBasis::Fold& fold : basis.folds) {
-    weights[fold.to] += fold.factor * raw[fold.from];
-  }
+  Array<double> weights;
+  weightsAt(basis, {}, t, weights);
   return weights;
 }
 
 void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
                Array<double>& weights) {
-  if (!basis.folds.empty()) {
-    weights = weightsAt(basis, t);
-  } else if (basis.form == BasisForm::kBernstein) {
-    bernsteinBasis(basis.degree, t, weights);
-  } else if (basis.form == BasisForm::kBSpline) {
-    bsplineBasis(basis.numbers, basis.degree, basis.degree, t, weights);
-  } else if (basis.form == BasisForm::kUniformCubic) {
-    const std::array<double, 4> cubic = uniformCubicWeights(t);
-    weights.assign(cubic.begin(), cubic.end());
-  } else {
-    weights = unfolded(basis, t);
-  }
+  findUnfolded(basis, t, weights);
+  if (!basis.folds.empty()) fold(basis, weights);
   if (!pointWeights.empty()) makeRational(pointWeights, weights);
 }
 

@@ -306,9 +306,14 @@ class BridgeBuilder {
     for (const PointField* point : points) points_.push_back(point->point());
   }
 
-  /// Null ends are the scheme's own. Between neighbouring samples the line is straight.
-  void build(double t0, double t1, const SurfacePoint* from, const SurfacePoint* to,
-             bool betweenNeighbours, ParametricLine& line) {
+  /// The line between the ends; null ones are the scheme's own. Between neighbouring samples it is
+  /// straight.
+  const ParametricLine& build(double t0, double t1, const SurfacePoint* from,
+                              const SurfacePoint* to, bool betweenNeighbours) {
+    ParametricLine& line = workspace_.line;
+    line.t.clear();
+    line.path.points.clear();
+    line.path.lengths.clear();
     double start = t0;
     for (const double node : nodes_) {
       if (!(node > t0 && node < t1)) continue;
@@ -319,6 +324,7 @@ class BridgeBuilder {
       from = &passed;
     }
     append(start, t1, from, to, betweenNeighbours, line);
+    return line;
   }
 
  private:
@@ -408,15 +414,11 @@ class BridgeBuilder {
   Array<SurfacePoint>& points_;
 };
 
-/// Appends a bridge without a line, in the memory of one that is spare.
+/// Appends a bridge, in the memory of one that is spare.
 Bridge& addBridge(Array<Bridge>& spare, Array<Bridge>& bridges) {
   if (spare.empty()) return bridges.emplace_back();
   bridges.push_back(std::move(spare.back()));
   spare.pop_back();
-  ParametricLine& line = bridges.back().line;
-  line.t.clear();
-  line.path.points.clear();
-  line.path.lengths.clear();
   return bridges.back();
 }
 
@@ -475,9 +477,12 @@ void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
     bridge.t0 = first.t;
     bridge.t1 = last.t;
     bridge.reason = interval.reason;
-    builder.build(bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
-                  interval.keepsLast ? &last.point : nullptr, interval.last - interval.first == 1,
-                  bridge.line);
+    const ParametricLine& line = builder.build(
+        bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
+        interval.keepsLast ? &last.point : nullptr, interval.last - interval.first == 1);
+    makeRoom(line.t.size(), bridge.line.path);
+    bridge.line.t.reserve(bridge.line.path.points.capacity());
+    bridge.line = line;
     for (int i = interval.first; i <= interval.last; ++i) {
       if (i == interval.first && interval.keepsFirst) continue;
       if (i == interval.last && interval.keepsLast) continue;

@@ -52,6 +52,7 @@ struct BridgeWorkspace {
   Array<SurfacePoint> polygon;
   std::array<Array<double>, 4> bezier;  ///< weights of a cubic's control points
   SurfacePath chord;
+  ParametricLine line;  ///< of the bridge that is being laid
   Array<Bridge> spare;  ///< bridges of curves before, whose memory new ones take
 };
 

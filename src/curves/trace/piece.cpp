@@ -26,20 +26,33 @@ void scale(WeightTable& table, const Array<double>& pointWeights) {
 
 }  // namespace
 
-PieceWeights tabulatePiece(const Basis& basis, int samples, const PartOfSegment& part) {
-  if (part.count == 1) return {tabulate(basis, samples), tabulateMiddles(basis, samples)};
-  PieceWeights result;
-  append(result.samples, basis, 0);
+void tabulatePiece(const SegmentBasis& basis, int samples, const PartOfSegment& part,
+                   Array<double>& row, PieceWeights& table) {
+  for (WeightTable* rows : {&table.samples, &table.middles}) {
+    rows->t.clear();
+    rows->weights.clear();
+  }
+  const auto appendTo = [&](WeightTable& rows, double t) {
+    weightsAt(basis, {}, t, row);
+    append(rows, t, row);
+  };
+  if (part.count == 1) {
+    for (int i = 0; i < samples; ++i) {
+      appendTo(table.samples, static_cast<double>(i) / (samples - 1));
+      if (i + 1 < samples) appendTo(table.middles, (i + 0.5) / (samples - 1));
+    }
+    return;
+  }
+  appendTo(table.samples, 0);
   for (int i = firstBehind(samples, part.index, part.count);
        i < samples && sideOf(i, samples, part.index + 1, part.count) < 0; ++i) {
-    append(result.samples, basis,
-           (static_cast<double>(i) * part.count - static_cast<double>(part.index) * (samples - 1)) /
-               (samples - 1));
+    appendTo(table.samples, (static_cast<double>(i) * part.count -
+                             static_cast<double>(part.index) * (samples - 1)) /
+                                (samples - 1));
   }
-  append(result.samples, basis, 1);
-  const Array<double>& t = result.samples.t;
-  for (int i = 0; i + 1 < t.count(); ++i) append(result.middles, basis, (t[i] + t[i + 1]) / 2);
-  return result;
+  appendTo(table.samples, 1);
+  const Array<double>& t = table.samples.t;
+  for (int i = 0; i + 1 < t.count(); ++i) appendTo(table.middles, (t[i] + t[i + 1]) / 2);
 }
 
 PieceWeights weighted(const PieceWeights& weights, const Array<double>& pointWeights) {

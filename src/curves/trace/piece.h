@@ -19,7 +19,9 @@ struct PartOfSegment {
 
 /// The piece's parameters for evenly spaced samples of the segment: those that lie in the piece,
 /// and both its ends. Table rows are at t in [0, 1] of the piece.
-PieceWeights tabulatePiece(const Basis& basis, int samples, const PartOfSegment& part);
+/// Written to `table`, whose memory is used again; `row` is scratch.
+void tabulatePiece(const SegmentBasis& basis, int samples, const PartOfSegment& part,
+                   Array<double>& row, PieceWeights& table);
 
 /// The rows of a table times the points' weights, each divided by its sum.
 PieceWeights weighted(const PieceWeights& weights, const Array<double>& pointWeights);

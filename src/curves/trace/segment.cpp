@@ -19,8 +19,7 @@ int heaviest(Weights weights) {
   return i;
 }
 
-void append(WeightTable& table, const Basis& basis, double t) {
-  const Array<double> weights = basis(t);
+void append(WeightTable& table, double t, const Array<double>& weights) {
   table.t.push_back(t);
   table.points = weights.count();
   table.weights.insert(table.weights.end(), weights.begin(), weights.end());
@@ -28,13 +27,10 @@ void append(WeightTable& table, const Basis& basis, double t) {
 
 WeightTable tabulate(const Basis& basis, int count) {
   WeightTable table;
-  for (int i = 0; i < count; ++i) append(table, basis, static_cast<double>(i) / (count - 1));
-  return table;
-}
-
-WeightTable tabulateMiddles(const Basis& basis, int count) {
-  WeightTable table;
-  for (int i = 0; i + 1 < count; ++i) append(table, basis, (i + 0.5) / (count - 1));
+  for (int i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / (count - 1);
+    append(table, t, basis(t));
+  }
   return table;
 }
 

@@ -38,13 +38,10 @@ struct PieceWeights {
   WeightTable middles;
 };
 
-void append(WeightTable& table, const Basis& basis, double t);
+void append(WeightTable& table, double t, const Array<double>& weights);
 
 /// At `count` >= 2 parameters, evenly spaced from 0 to 1.
 WeightTable tabulate(const Basis& basis, int count);
-
-/// At the middles between the `count` parameters.
-WeightTable tabulateMiddles(const Basis& basis, int count);
 
 /// The number of the largest weight; of several, the first.
 int heaviest(Weights weights);
