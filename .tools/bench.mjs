@@ -2,6 +2,7 @@
 //
 //   npm run bench -- [MESH.obj --points FILE] [--samples N]     (the bunny of npm without a mesh)
 //   npm run bench -- drag [MESH.obj] [--points FILE …]          (steps of drags: drag_bench.mjs)
+//   npm run bench -- large [MESH.obj] [--refinements N]         (edits on a mesh refined by subdivision, native)
 import { writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -11,7 +12,8 @@ import { setUp } from './setup.mjs';
 import { inRoot, run } from './shell.mjs';
 
 const usage = `Usage: npm run bench -- [MESH.obj --points FILE] [--samples N]
-       npm run bench -- drag [MESH.obj] [--points FILE …]`;
+       npm run bench -- drag [MESH.obj] [--points FILE …]
+       npm run bench -- large [MESH.obj] [--refinements N]      N from 3 to 6, 4 by default`;
 
 /** Control points at vertices across the bunny's back, as a file of `face b1 b2` lines. */
 async function writeBunnyPoints() {
@@ -30,14 +32,19 @@ function readArguments() {
   const options = {
     points: { type: 'string', multiple: true, default: [] },
     samples: { type: 'string', default: '128' },
+    refinements: { type: 'string', default: '4' },
   };
   const { values, positionals } = parseArgs({ options, allowPositionals: true });
-  const isDrag = positionals[0] === 'drag';
-  const [mesh, ...more] = isDrag ? positionals.slice(1) : positionals;
-  const { points, samples } = values;
-  const isComplete = isDrag ? mesh || points.length === 0 : points.length === (mesh ? 1 : 0);
-  if (more.length > 0 || !isComplete) throw new Error(usage);
-  return { isDrag, mesh, points: points.map((path) => resolve(path)), samples };
+  const kind = ['drag', 'large'].find((name) => name === positionals[0]) ?? 'both';
+  const [mesh, ...more] = kind === 'both' ? positionals : positionals.slice(1);
+  const { points, ...rest } = values;
+  const fits = {
+    both: points.length === (mesh ? 1 : 0),
+    drag: mesh || points.length === 0,
+    large: points.length === 0,
+  };
+  if (more.length > 0 || !fits[kind]) throw new Error(usage);
+  return { kind, mesh, points: points.map((path) => resolve(path)), ...rest };
 }
 
 /** The timings of both programs, and how they compare. */
@@ -59,16 +66,22 @@ async function benchSteps(mesh, points, samples) {
   );
 }
 
+const programOf = { both: 'karcher_bench', drag: 'drag_bench', large: 'large_bench' };
+
 try {
-  const { isDrag, samples, ...named } = readArguments();
+  const { kind, samples, refinements, ...named } = readArguments();
   await setUp('build', 'native');
   await writeBunny();
   const mesh = named.mesh ? resolve(named.mesh) : inRoot('build/data/bunny.obj');
-  await buildNative('native', isDrag ? 'drag_bench' : 'karcher_bench');
-  await buildWasm();
-  await buildFacade();
-  if (isDrag) await benchDrags(mesh, named.points);
-  else await benchSteps(mesh, named.points[0] ?? (await writeBunnyPoints()), samples);
+  await buildNative('native', programOf[kind]);
+  if (kind === 'large') {
+    await run(inRoot('build/native/tests/bench/large_bench'), [mesh, refinements]);
+  } else {
+    await buildWasm();
+    await buildFacade();
+    if (kind === 'drag') await benchDrags(mesh, named.points);
+    else await benchSteps(mesh, named.points[0] ?? (await writeBunnyPoints()), samples);
+  }
 } catch (error) {
   console.error(error.message);
   process.exit(1);

@@ -148,7 +148,7 @@ void tryRandomSheets(int count) {
   double worst = 0;
   double mostWrong = 0;
   for (int i = 0; i < count; ++i) {
-    const GalleryMesh sheet = randomSheet(kSeed + i);
+    const GalleryMesh sheet = randomSheet(kSeed + static_cast<uint64_t>(i));
     const Row row = measure(buildMesh(sheet.soup.positions, sheet.soup.triangles), false);
     if (row.solver != Solver::kFast) {
       tooCareful += row.fastWorst <= kWrong ? 1 : 0;

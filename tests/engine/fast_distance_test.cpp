@@ -194,7 +194,7 @@ TEST(FastTrial, IsOfTheShapeAlone) {
   const uint64_t seed = 31;
   SCOPED_TRACE("seed " + std::to_string(seed));
   const Eigen::AngleAxisd turn(0.8, Vec3(2, -1, 0.6).normalized());
-  for (int i = 0; i < 12; ++i) {
+  for (uint64_t i = 0; i < 12; ++i) {
     const GalleryMesh sheet = randomSheet(seed + i);
     SCOPED_TRACE(sheet.name);
     const TriangleMesh mesh = meshOf(sheet.soup);
