@@ -216,7 +216,7 @@ export interface EngineMinimum {
 /** Each edit makes it another curve, whole, or fails and changes nothing. */
 export interface EngineCurve {
   delete(): void;
-  /** Makes it the curve of a value: its view (view.ts). The legs of point `dragged` are continued. */
+  /** Makes it the curve of a value: its view (view.ts). The legs of the points `dragged` are continued. */
   set(value: EngineCurveValue, dragged: Int32Array, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;
   /** What it is; arrays are empty where there are none. */

@@ -96,8 +96,8 @@ class Curve {
   /// For a value of this curve with some control points elsewhere, as a hand drags them: the legs
   /// that meet there, where the value gives none, are continued from where they lie in this curve,
   /// whether or not they stay the shortest. Of a leg with both ends dragged, its end is moved
-  /// first. A leg of which another end has moved too, or whose end lies so far off that it cannot
-  /// be continued, is the shortest. Throws kBadIndex, kBadArgument.
+  /// first. A leg of which another end has moved too, or that no strip of faces continues, is the
+  /// shortest. Throws kBadIndex, kBadArgument.
   void continueLegs(CurveValue& value, std::span<const int> dragged);
   void continueLegs(CurveValue& value, int dragged) { continueLegs(value, {&dragged, 1}); }
 

@@ -4,6 +4,7 @@
 
 #include "distance/exact_distance.h"
 #include "distance/fast_distance.h"
+#include "mesh/positions.h"
 
 namespace karcher {
 namespace {
@@ -54,7 +55,9 @@ Badness findBadness(const Geometry& geometry) {
 }
 
 /// The sources: the worst vertices that lie apart, and others at even distances in space from the
-/// worst one. So they depend on the shape alone, not on how it lies or is numbered.
+/// worst one. So they depend on the shape alone, not on how it lies or is numbered; of vertices
+/// that are equally bad they are those that lie farthest from the middle, and only of these the
+/// first.
 Array<int> findSources(const Geometry& geometry, const Badness& badness) {
   const Array<Vec3>& positions = geometry.mesh->positions;
   const int count = positions.count();
@@ -62,10 +65,19 @@ Array<int> findSources(const Geometry& geometry, const Badness& badness) {
   const auto distance = [&](int v, int source) {
     return (positions[v] - positions[source]).norm();
   };
+  const Vec3 middle = middleOf(positions);
+  const auto isWorse = [&](int v, int w) {
+    // By more than rounding.
+    constexpr double kMore = 1 + 1e-9;
+    const double a = badness.ofVertex[v];
+    const double b = badness.ofVertex[w];
+    if (a > kMore * b || b > kMore * a) return a > b;
+    return (positions[v] - middle).norm() > kMore * (positions[w] - middle).norm();
+  };
   for (int i = 0; i < kWorstPlaces; ++i) {
     int worst = -1;
     for (int v = 0; v < count; ++v) {
-      if (worst >= 0 && badness.ofVertex[v] <= badness.ofVertex[worst]) continue;
+      if (worst >= 0 && !isWorse(v, worst)) continue;
       const auto isNear = [&](int s) { return distance(v, s) < kApart * geometry.extent; };
       if (std::none_of(sources.begin(), sources.end(), isNear)) worst = v;
     }

@@ -25,8 +25,8 @@ constexpr double kSameLength = 1e-12;
 constexpr double kSame = 1e-9;
 
 /// The same order for both directions of a path and wherever the surface lies in space: by the
-/// weights of the points, then by the angles at their nearest vertices. Points that are alike in
-/// both go by the mesh's numbers.
+/// weights of the points, then by the angles at the first of their nearest vertices. Points that
+/// are alike in both go by the mesh's numbers.
 bool isBefore(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const auto told = [&](const SurfacePoint& point) {
     int corner = 0;

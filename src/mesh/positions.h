@@ -10,6 +10,9 @@ namespace karcher {
 /// kBadArgument.
 double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices = nullptr);
 
+/// The middle of all; 0 without any.
+Vec3 middleOf(const Array<Vec3>& positions);
+
 /// Twice the largest distance of a position from the middle of all; 0 without any.
 double extentOf(const Array<Vec3>& positions);
 

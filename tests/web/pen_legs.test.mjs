@@ -182,14 +182,17 @@ describe('legs of the pen', () => {
     assert.deepEqual(legs(), [true, true, false]);
     const { points } = figure();
     // Anchors put in, and taken out.
-    const middle = page.session.view.curve.samples;
-    const at = 3 * Math.floor(middle.count / 4);
+    const { samples } = page.session.view.curve;
     const before = length();
-    await page.edits.atCurve('insert', Array.from(middle.position.subarray(at, at + 3)));
-    await page.settled();
-    assert.deepEqual(legs(), [false, false, true, false]);
-    isNear(length(), before, 0.03);
-    page.editor.undo();
+    for (const part of [0.06, 0.25, 0.44]) {
+      const at = 3 * Math.floor(part * samples.count);
+      await page.edits.atCurve('insert', Array.from(samples.position.subarray(at, at + 3)));
+      await page.settled();
+      assert.deepEqual(legs(), [true, true, true, false]);
+      isNear(length(), before, 0.03);
+      page.editor.undo();
+      await page.settled();
+    }
     assert.deepEqual(figure().points, points);
     await page.edits.removeAnchor(0);
     assert.deepEqual(legs(), [true, false]);
@@ -207,6 +210,37 @@ describe('legs of the pen', () => {
     const { tangents: _, ...corner } = points[1];
     page.editor.run({ type: 'change', index: 1, from: points[1], to: corner });
     assert.deepEqual(legs(), [false, false, false]);
+  });
+
+  test('of an anchor that is drawn out are those of no curve before', async () => {
+    const press = async (index, point) => {
+      page.editor.preview({ type: 'insert', index, point });
+      await page.settled();
+    };
+    await draw([along(0), along(2.2)]);
+    const shortest = length();
+    await draw([along(0)]);
+    for (const takeBack of ['cancelDrag', 'undo']) {
+      await press(1, along(1.1));
+      for (const at of places(1.1, 1.9)) await press(1, along(at));
+      isNear(length(), 1.9);
+      if (takeBack === 'undo') await release();
+      page.editor[takeBack]();
+      await page.settled();
+      await press(1, along(2.2));
+      isNear(length(), shortest);
+      await release();
+      assert.deepEqual(legs(), [false, false]);
+      page.editor.undo();
+      await page.settled();
+    }
+    await draw([along(0.9), smooth(1.1)]);
+    page.editor.clear();
+    await press(0, along(0.05));
+    await release();
+    await press(1, along(0.25));
+    isNear(length(), 0.2);
+    page.editor.cancelDrag();
   });
 
   test('are the middle ones of the engine’s, by the numbers of anchors', () => {

@@ -163,11 +163,18 @@ export class CurveEdits {
   /** Puts an anchor in where the curve of the pen is nearest to a place. */
   async #putAnchor(near: Vector): Promise<void> {
     const { figure } = this.editor.state;
-    const { tangents } = this.session.view;
+    const { tangents, curve } = this.session.view;
     const measured = await this.session.measured(near);
-    if (!measured || !tangents || this.editor.state.figure !== figure) return;
+    if (!measured || !tangents || !curve || this.editor.state.figure !== figure) return;
     const { parameter, point, tangent } = measured;
-    const { points, index } = withAnchorAt(figure, tangents, parameter, point, tangent);
+    const { points, index } = withAnchorAt(
+      figure,
+      tangents,
+      parameter,
+      point,
+      tangent,
+      curve.samples,
+    );
     this.editor.replace({ ...figure, points }, index);
   }
 

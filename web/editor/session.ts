@@ -309,12 +309,16 @@ export class Session {
       const computed = async () => {
         if (drag) await this.#follow(client, state, drag);
         this.#drags.made = state.figure;
-        return compute(client, figure, methodOptions(method), {
-          object: state.drawing.active,
+        const { active: object } = state.drawing;
+        const answer = await compute(client, figure, methodOptions(method), {
+          object,
           draft: refinedOptions(method) !== null,
           dragged: state.dragged ?? undefined,
           uniqueness: true,
         });
+        // Of too few points for a curve: the next one has no legs to go on from.
+        if (!answer.curve && !answer.problem) client.forget(object);
+        return answer;
       };
       const shown = await computed().catch((error) => {
         if (client.closed) throw error;
@@ -369,10 +373,12 @@ export class Session {
     if (!this.#drags.begins(drag)) return;
     const { figure } = this.#asTraced({ ...state, figure: drag.base, dragging: true });
     const value = await curveValueOf(client, figure, methodOptions(state.method));
-    if (!value) return;
-    await client.curve(value, { object: state.drawing.active }).catch((error) => {
-      // What is no curve has no legs to go on from.
+    const { active: object } = state.drawing;
+    // What is no curve has no legs to go on from.
+    if (!value) return client.forget(object);
+    await client.curve(value, { object }).catch((error) => {
       if (error instanceof Stopped) throw error;
+      client.forget(object);
     });
   }
 

@@ -421,12 +421,16 @@ function parseCircleForm(fields: URLSearchParams): CircleForm {
 /** Points of such a surface, with the legs of such points between points that stay neighbours. */
 function fittingPoints(points: readonly ControlPoint[], triangles: number): ControlPoint[] {
   const fits = ({ face }: SurfacePoint) => face < triangles;
-  const holds = (i: number) =>
-    points[i]!.leg?.every(fits) && fits(points[i + 1] ?? points[0]!) ? points[i]!.leg : null;
   const fitting = ({ tangents }: ControlPoint) => {
     const all = [tangents?.before, tangents?.after];
     return all.every((tangent) => !tangent || !('face' in tangent) || fits(tangent));
   };
+  // With its handles a point of the pen loses the ends of its legs.
+  const stays = (point: ControlPoint) => fits(point) && fitting(point);
+  const holds = (i: number) =>
+    points[i]!.leg?.every(fits) && stays(points[i]!) && stays(points[i + 1] ?? points[0]!)
+      ? points[i]!.leg
+      : null;
   return points
     .map((point, i) => withLeg(point, holds(i)))
     .map((point) => (fitting(point) ? point : withTangents(point, undefined)))

@@ -3,9 +3,9 @@
  * or none. A handle lies at the end of a straightest geodesic from its anchor. Where one handle is told
  * as the opposite of the other the curve is smooth there, whatever is done to either.
  */
-import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
+import type { CurveOptions, CurveSamples, FieldOptions, SurfacePoint } from 'karcher';
 import { askedLevels, type ControlPoint, type Figure, type Vector, withLeg } from './figure';
-import { penLegs } from './pen_legs';
+import { penLegs, waysAlong } from './pen_legs';
 
 export type Side = 'before' | 'after';
 
@@ -188,7 +188,8 @@ export function withHandleLength(
 
 /**
  * The anchors with one put in where the curve goes through a place at a parameter: by de Casteljau's
- * algorithm, so that on a plane the curve is the same. `derivative` is the curve's there.
+ * algorithm, so that on a plane the curve is the same. `derivative` is the curve's there, `samples` are its
+ * own: the legs of the two parts of a segment that has one lie along them.
  */
 export function withAnchorAt(
   { points }: Figure,
@@ -196,6 +197,7 @@ export function withAnchorAt(
   parameter: number,
   place: SurfacePoint,
   derivative: Vector,
+  samples: Omit<CurveSamples, 'status'>,
 ): { points: ControlPoint[]; index: number } {
   const segment = Math.min(Math.floor(parameter), points.length - 1);
   const t = parameter - segment;
@@ -211,9 +213,10 @@ export function withAnchorAt(
     after: { direction, length: ((1 - t) * speed) / 3 },
     before: { length: (t * speed) / 3 },
   });
+  const ways = points[segment]!.leg ? waysAlong(samples, segment, t) : [null, null];
   const changed = points
-    // The new anchor's handles hold the curve where its segment's leg led.
-    .with(segment, withLeg(shortened(segment, 'after', t), null))
+    .with(segment, withLeg(shortened(segment, 'after', t), ways[0]))
     .with(next, shortened(next, 'before', 1 - t));
-  return { points: changed.toSpliced(segment + 1, 0, put), index: segment + 1 };
+  const anchor = withLeg(put, ways[1]);
+  return { points: changed.toSpliced(segment + 1, 0, anchor), index: segment + 1 };
 }

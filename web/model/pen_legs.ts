@@ -3,7 +3,7 @@
  * to the handle before the next anchor, and to that anchor. The middle one is told with the anchor, where it
  * is not the shortest path; the others are the geodesics that the handles end.
  */
-import type { CurveOptions, SurfacePoint } from 'karcher';
+import type { CurveOptions, CurveSamples, SurfacePoint } from 'karcher';
 import type { ControlPoint } from './figure';
 import type { DrawnTangent, DrawnTangents } from './pen';
 
@@ -35,10 +35,27 @@ export function penLegs(
 const wayOf = (handle: DrawnTangent | undefined): readonly SurfacePoint[] | null =>
   handle?.through.length ? handle.through : null;
 
-/** How many points tell a handle's geodesic: parts so short are the shortest paths on rough surfaces, too. */
+/** What the two parts of a segment go through that is cut at t. */
+export function waysAlong(
+  samples: Omit<CurveSamples, 'status'>,
+  segment: number,
+  t: number,
+): SurfacePoint[][] {
+  const before: SurfacePoint[] = [];
+  const after: SurfacePoint[] = [];
+  for (let i = 0; i < samples.count; i++) {
+    if (samples.segment[i] !== segment || samples.t[i] === t) continue;
+    const [b0, b1, b2] = samples.bary.subarray(3 * i, 3 * i + 3);
+    const part = samples.t[i]! < t ? before : after;
+    part.push({ face: samples.face[i]!, bary: [b0!, b1!, b2!] });
+  }
+  return [before, after].map(throughOf);
+}
+
+/** How many points tell a way: parts so short are the shortest paths on rough surfaces, too. */
 const mostThrough = 3;
 
-/** A few of a geodesic's inner points, evenly spread, from its start. */
+/** A few inner points of a way, evenly spread, from its start. */
 export function throughOf(points: readonly SurfacePoint[]): SurfacePoint[] {
   const inner = points.slice(1, -1);
   if (inner.length <= mostThrough) return inner;

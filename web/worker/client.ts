@@ -170,12 +170,17 @@ export class EngineClient {
 
   /** Gives back the curves of all objects but these. */
   keepCurves(objects: readonly number[]): void {
-    for (const [object, curve] of this.#curves) {
-      if (objects.includes(object)) continue;
-      this.#curves.delete(object);
-      // Where the worker has ended, nothing is left to give back.
-      void curve.then((one) => one?.dispose()).catch(() => {});
+    for (const object of [...this.#curves.keys()]) {
+      if (!objects.includes(object)) this.forget(object);
     }
+  }
+
+  /** Gives back the curve of an object: its next one has nothing of it. */
+  forget(object: number): void {
+    const curve = this.#curves.get(object);
+    this.#curves.delete(object);
+    // Where the worker has ended, nothing is left to give back.
+    void curve?.then((one) => one?.dispose()).catch(() => {});
   }
 
   /**

@@ -91,12 +91,6 @@ void barycentricBasis(const Array<double>& betas, double t, Array<double>& weigh
   for (double& weight : weights) weight /= sum;
 }
 
-Array<double> catmullRomBasis(const Array<double>& knots, double u) {
-  Array<double> weights;
-  catmullRomBasis(knots, u, weights);
-  return weights;
-}
-
 void catmullRomBasis(const Array<double>& knots, double u, Array<double>& weights) {
   // Row i holds the weights of the pyramid's i-th point; each level averages neighbours, over the
   // knots that the two together span.

@@ -42,9 +42,7 @@ void barycentricBasis(const Array<double>& betas, double t, Array<double>& weigh
 
 /// Catmull-Rom: the curve through four points between the second and the third, with knots
 /// (ascending) at the points and u between the middle two, as Barry and Goldman's pyramid of affine
-/// averages: 4 weights, of which the outer ones may be negative.
-Array<double> catmullRomBasis(const Array<double>& knots, double u);
-/// The same, in the memory of `weights`.
+/// averages: 4 weights, of which the outer ones may be negative, in the memory of `weights`.
 void catmullRomBasis(const Array<double>& knots, double u, Array<double>& weights);
 
 }  // namespace karcher
