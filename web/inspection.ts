@@ -1,7 +1,8 @@
 import type { MeshInfo } from 'karcher';
 import type { Distances, ShownDistances } from './editor/distances';
 import type { Editor, State } from './editor/editor';
-import type { Session, View } from './editor/session';
+import type { Session } from './editor/session';
+import type { View } from './editor/view';
 import type { Vector } from './model/figure';
 import { arraysOf, type MeshArrays } from './model/mesh_blobs';
 import type { Viewer } from './viewer/viewer';

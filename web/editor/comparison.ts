@@ -5,7 +5,8 @@ import type { EngineClient } from '../worker/client';
 import { compute, messageOf, nothing, type Shown } from './compute';
 import type { State } from './editor';
 import { Refinement } from './refinement';
-import type { Session, View } from './session';
+import type { Session } from './session';
+import type { View } from './view';
 
 /** The edited curve by a second method, beside the one that is shown. */
 export interface Compared {

@@ -1,5 +1,5 @@
 import type { Editor, State } from '../editor/editor';
-import type { View } from '../editor/session';
+import type { View } from '../editor/view';
 import { handleNames, withRadius } from '../model/circle';
 import { type CircleType, isRound } from '../model/figure';
 import { byId, make, write } from './elements';

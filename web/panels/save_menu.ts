@@ -1,7 +1,8 @@
 import type { SurfacePoint } from 'karcher';
 import { polylinesOf } from '../editor/compute';
 import type { Editor } from '../editor/editor';
-import type { Session, View } from '../editor/session';
+import type { Session } from '../editor/session';
+import type { View } from '../editor/view';
 import { jsonOf, longestInside, partsOfObj, partsWithFile } from '../export/curve_file';
 import { type DrawnLine, partsOfSvg, type Drawing as SvgDrawing } from '../export/svg';
 import { type DrawnObject, isBlank, type LineStyle } from '../model/drawing';

@@ -1,8 +1,8 @@
 import type { MeshInfo, Uniqueness } from 'karcher';
 import type { ShownCenter } from '../editor/compute';
 import type { Editor, Selection, State } from '../editor/editor';
-import type { View } from '../editor/session';
 import { type Shift, unseenShift } from '../editor/shift';
+import type { View } from '../editor/view';
 import {
   type Figure,
   isEmpty,
