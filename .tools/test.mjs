@@ -24,12 +24,17 @@ const runNative = (preset, more) =>
 /** Tests of numbers in many like cases, with the sanitizers two fifths of the time. */
 const longestSanitized = [
   'Bridge.OverAPointThatTheCurveInterpolatesPassesIt',
+  'CurveInvariance.OfRefinedCurvesToRounding',
   'CurveInvariance.WithTheFastSolverAndTiesWithinAPartOfAnEdge',
+  'CurveJoints.OfAutomaticLevelsAreSmoothOnASphere',
+  'CurveJoints.OfAutomaticLevelsAreSmoothOnATorus',
+  'CurveLevels.OfClosedCurvesMeetAtTheirEnds',
   'CurveLevels.OfThePlaneAreTheSameCurve',
   'CurveMeasure.TangentsAreContinuousUpToTheMesh',
   'CurveNearest.NoOtherPointOfTheCurveIsNearer',
   'CurveNearest.OfAPlaceOnTheCurveIsThatPlace',
   'CurveTolerance.TheCurveKeepsToTheLineThatIsDrawnForIt',
+  'FindPath.isTheSameWhereverTheSurfaceLies',
   'Levels.OfEveryTessellationOfThePlaneGiveTheEuclideanCurve',
   'Mean.OfACapOfTheSphereComesNearerTheTruthUnderRefinement',
   'Mean.ThatConvergedIsAMinimumByShortestPaths',
@@ -37,6 +42,7 @@ const longestSanitized = [
   'MeanOfMany.ThatConvergedIsAMinimumByShortestPaths',
   'MeanWeights.MakeThePointTheCenterOfMassWhereTheHessianIsPositiveDefinite',
   'PhongProjection.OfAPointOfTheSurfaceIsThePoint',
+  'PolygonFuzz.CurvesOfAutomaticLevelsHoldTogether',
   'RepairMesh.MendsDefectsInPairs',
   'Uniqueness.WhatIsCertainHoldsForAThousandStarts',
 ];

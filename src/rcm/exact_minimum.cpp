@@ -107,9 +107,9 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
       if (longest <= most || most == kInfinity) break;
       constexpr double kFurther = 1.5;
       constexpr double kRounding = 1 + 1e-9;
-      most = longest < kInfinity              ? kRounding * longest
-             : most < 10 * geometry_.diagonal ? kFurther * most
-                                              : kInfinity;
+      most = longest < kInfinity            ? kRounding * longest
+             : most < 10 * geometry_.extent ? kFurther * most
+                                            : kInfinity;
     }
     guesses[i] = lengths[0];
     for (int k = 0; k < places.count(); ++k) sums[k] += weight * square(lengths[k]);
