@@ -166,12 +166,20 @@ describe('the shape of curves of the pen', () => {
     const off = (line, from) => Math.max(...from.map((place) => within(line, place)));
     const old = segmentsOf(arrays, points, false);
     const through = [...places(old[0]), ...places(old[1])];
-    const plain = [points[0], ...points.slice(2)];
-    const without = (await drawPen(page, plain)).curve.polyline;
-    assert.ok(
-      off(view.curve.polyline, through) < 0.8 * off(without, through),
-      'nearer than with the handles that are left',
+    const found = off(view.curve.polyline, through);
+    // The same directions, with handles of every tenth of the side.
+    const [from, to] = [old[0][0], old[1][3]];
+    const [onward, back] = [drawn[0].after.direction, drawn[2].before.direction];
+    const lengths = Array.from({ length: 8 }, (_, i) => (i + 1) / 10);
+    const tried = lengths.flatMap((first) =>
+      lengths.map((second) => [from, add(from, onward, first), add(to, back, second), to]),
     );
+    const lines = tried.map((control) => Float32Array.from(places(control).flat()));
+    const least = Math.min(...lines.map((line) => off(line, through)));
+    assert.ok(found < 1.5 * least, `${found} off, where one cubic is ${least}`);
+    const plain = [points[0], ...points.slice(2)];
+    const without = off((await drawPen(page, plain)).curve.polyline, through);
+    assert.ok(found < without, 'nearer than with the handles that are left');
     assert.ok(curve.length > 0);
     const corners = await Promise.all(spots.map((spot) => pointAt(page, arrays, ...spot)));
     await drawPen(page, corners);
