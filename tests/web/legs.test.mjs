@@ -91,7 +91,9 @@ describe('legs of the control polygon', () => {
     await tab.page.mouse.move(handle.x, handle.y);
     await tab.page.mouse.down();
     await tab.page.mouse.move(handle.x + 12, handle.y + 12, { steps: 3 });
-    assert.equal((await tab.state()).figure.points[0].leg, undefined);
+    await tab.page.waitForFunction(
+      () => window.karcherPage.state().figure.points[0].leg === undefined,
+    );
     await tab.page.keyboard.press('Escape');
     await tab.page.mouse.up();
     await tab.settled();
