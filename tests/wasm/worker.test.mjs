@@ -363,7 +363,8 @@ test('a step of a drag is one call into the module, also where calls can be inte
       return calls.map(({ name }) => name);
     };
     assert.deepEqual(await callsOf({}), Array(34).fill('set'));
-    // The legs that the engine continues are asked for now and then, so that they can be made anew.
+    // The legs that the engine continues are asked for now and then, after a step's answer, so that they
+    // can be made anew.
     const seventeen = [...Array(17).fill('set'), 'value'];
     for (const dragged of [1, [0, 1]]) {
       assert.deepEqual(await callsOf({ dragged }), [...seventeen, ...seventeen]);

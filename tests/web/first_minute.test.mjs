@@ -131,9 +131,10 @@ describe('the tour and the examples', () => {
     assert.deepEqual([tool, drawing.objects.length], ['select', examples.bunny]);
     await page.locator('#help').click();
     await page.locator('#tour-start').click();
-    assert.equal(await card.isVisible(), true, 'but where it is asked for');
+    // But where it is asked for.
+    await card.waitFor();
     await page.keyboard.press('Escape');
-    assert.equal(await card.isVisible(), false);
+    await card.waitFor({ state: 'hidden' });
     assert.deepEqual(tab.logged, []);
     await page.close();
   });

@@ -2,7 +2,7 @@ import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
 import type { CurveOptions, LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
-import { copyOf, isTold, noteEdit, type Origin, targetIn, withoutWork } from './origin.js';
+import { becomes, copyOf, isTold, noteEdit, type Origin, targetIn, withoutWork } from './origin.js';
 import {
   errorOf,
   isPlain,
@@ -57,6 +57,8 @@ export class WorkerClient {
   #worker: WorkerLike;
   readonly #pending = new Map<number, Pending>();
   readonly #cancelled = new Map<number, Cancelled>();
+  /** The curves of steps of drags after which it is told what they are. */
+  readonly #asked = new Map<number, Origin>();
   /** Of meshes and curves in the worker. */
   readonly #origins = new WeakMap<object, Origin>();
   /** Those that are to be made anew, in the order in which they were made. */
@@ -158,14 +160,22 @@ export class WorkerClient {
     const args = pending.args.map((arg) => this.#sent(arg, pending.callbacks));
     const request = { id, target: of?.target ?? 0, call, args, tells: tells !== undefined };
     const keeps = this.#start !== null;
-    const asks = keeps && !pending.raw && of !== null && !isTold(of, pending);
+    const asks =
+      keeps && !pending.raw && of !== null && !isTold(of, pending) && !this.#isAsked(of, call);
+    if (asks && call === 'set') this.#asked.set(id, of);
     sending(() => this.#worker.postMessage({ ...request, keeps, asks } satisfies Request));
+  }
+
+  /** Whether a step of a drag was asked already: those until it is answered are made again. */
+  #isAsked(of: Origin, call: string): boolean {
+    return call === 'set' && [...this.#asked.values()].includes(of);
   }
 
   #cancel(id: number, reason: unknown): void {
     const pending = this.#pending.get(id);
     if (!pending) return;
     this.#pending.delete(id);
+    this.#asked.delete(id);
     pending.reject(reason);
     if (this.#isRestarting) return;
     this.#worker.postMessage({ cancel: id } satisfies Request);
@@ -222,6 +232,7 @@ export class WorkerClient {
   /** Puts another worker in the place of this one, and makes all anew that was there. */
   async #restart(): Promise<void> {
     this.#forgetCancelled();
+    this.#asked.clear();
     this.#isRestarting = true;
     const before = this.#worker;
     // What is not made anew is there no more.
@@ -323,6 +334,12 @@ export class WorkerClient {
     clearTimeout(this.#cancelled.get(reply.id)?.timer);
     this.#cancelled.delete(reply.id);
     if ('cancelled' in reply) return;
+    if ('value' in reply && !('result' in reply)) {
+      const of = this.#asked.get(reply.id);
+      if (of) becomes(of, reply.value);
+      this.#asked.delete(reply.id);
+      return;
+    }
     this.#pending.delete(reply.id);
     if ('result' in reply) {
       const result = pending?.raw ? reply.result : this.#received(reply.result, pending);
@@ -331,6 +348,7 @@ export class WorkerClient {
       pending?.resolve(result);
       return;
     }
+    this.#asked.delete(reply.id);
     pending?.reject(errorOf(reply.failure));
     if (reply.failure.fatal) this.#break(errorOf(reply.failure));
   }

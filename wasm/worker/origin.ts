@@ -43,11 +43,11 @@ const isStep = ({ args: [, options] }: Edit) =>
 export const isTold = (origin: Origin, edit: Edit): boolean =>
   isSet(edit) && (!isStep(edit) || origin.edits.length < mostSteps);
 
-/** Notes what an edit made of a curve: its value, where that was asked for. Other calls change nothing. */
+/** Notes what an edit made of a curve: its value, where that was told. Other calls change nothing. */
 export function noteEdit(origin: Origin, edit: Edit, value: CurveOptions | undefined): void {
   if (isSet(edit)) {
-    if (isStep(edit) && !value) origin.edits.push(edit);
-    else becomes(origin, value ?? edit.args[0]);
+    if (isStep(edit)) origin.edits.push(edit);
+    else becomes(origin, edit.args[0]);
     return;
   }
   if (!value) return;
@@ -56,7 +56,8 @@ export function noteEdit(origin: Origin, edit: Edit, value: CurveOptions | undef
   else becomes(origin, value);
 }
 
-function becomes(origin: Origin, value: unknown): void {
+/** Notes what a curve is: nothing of its edits has to be made again. */
+export function becomes(origin: Origin, value: unknown): void {
   origin.args = [value];
   origin.edits = [];
 }

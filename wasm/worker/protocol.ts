@@ -26,8 +26,9 @@ export interface Call {
 export type Request = Call | { cancel: number };
 
 export type Reply =
-  /** With what the curve is that the call edited, where that was asked. */
+  /** With what the curve is that the call edited, where that was asked; of `set` that comes after it. */
   | { id: number; result: unknown; value?: CurveOptions }
+  | { id: number; value: CurveOptions }
   | { id: number; begun: true }
   /** The worker has heard that the call is cancelled. */
   | { id: number; cancelled: true }

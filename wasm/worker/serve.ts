@@ -123,8 +123,12 @@ class Server {
       if (call === 'dispose') this.#objects.delete(target);
       const transfer = new Set<Transferable>();
       const sent = this.#sent(result, transfer, keeps);
-      const value = asks && owner instanceof Curve && isEdit(call) && { value: owner.value() };
+      const isAsked = asks && owner instanceof Curve && isEdit(call);
+      // A page that drags waits for the answer: what the step made of the curve is told after it.
+      const isStep = isAsked && call === 'set';
+      const value = isAsked && !isStep && { value: owner.value() };
       this.#post({ id, result: sent, ...value }, [...transfer]);
+      if (isStep) this.#post({ id, value: owner.value() });
     } catch (error) {
       this.#post({ id, failure: failureOf(error) });
     } finally {
