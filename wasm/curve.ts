@@ -429,14 +429,6 @@ export class Curve {
     return this.#call((curve) => curve.equallySpaced(count));
   }
 
-  /**
-   * Traces all segments again with the fields as they are.
-   * @internal
-   */
-  retrace(): void {
-    this.#edit((curve) => curve.retrace());
-  }
-
   /** Gives the memory back. Safe to repeat. */
   dispose(): void {
     this.#handle.dispose();

@@ -240,7 +240,6 @@ export interface EngineCurve {
   insertOnCurve(parameter: number): number;
   splitAt(parameter: number): EngineCurveParts[];
   joined(other: EngineCurve): EngineCurveParts;
-  retrace(): void;
   pointCount(): number;
   fieldsComputed(): number;
   pointAt(parameter: number): EngineCurvePoint;

@@ -190,20 +190,6 @@ void Curve::make(Next& next) {
   trace(next);
 }
 
-void Curve::retrace() {
-  Array<Segment> before = segments_;
-  for (Segment& segment : segments_) {
-    segment.whole.reset();
-    for (Piece& piece : segment.pieces) piece.isTraced_ = false;
-  }
-  try {
-    set(value_);
-  } catch (...) {
-    segments_ = std::move(before);
-    throw;
-  }
-}
-
 const Array<SurfacePath>& Curve::legs() {
   if (legs_.empty()) takeLegs(value_, legs_);
   return legs_;

@@ -90,9 +90,6 @@ class Curve {
   void setWeight(int i, double weight) { set(withWeight(value_, i, weight)); }
   void setBeta(int i, double beta) { set(withBeta(value_, i, beta)); }
 
-  /// Traces all pieces again with the fields as they are: for measurements.
-  void retrace();
-
   /// For a value of this curve with some control points elsewhere, as a hand drags them: the legs
   /// that meet there, where the value gives none, are continued from where they lie in this curve,
   /// whether or not they stay the shortest. Of a leg with both ends dragged, its end is moved

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "distance/shortest_path.h"
-#include "intrinsic/along_path.h"
 #include "intrinsic/local_path.h"
+#include "intrinsic/surface_path.h"
 
 namespace karcher {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "intrinsic/along_path.h"
+#include "intrinsic/surface_path.h"
 #include "mesh/error.h"
 
 namespace karcher {

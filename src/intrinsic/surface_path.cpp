@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "intrinsic/along_path.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -221,9 +220,28 @@ SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points) {
   return path;
 }
 
+SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
+                          double s) {
+  const int face = commonFace(mesh, a, b);
+  if (face < 0) return s < 0.5 ? a : b;
+  const Vec3 from = inFace(mesh, a, face).bary;
+  return clampedPoint(face, from + s * (inFace(mesh, b, face).bary - from));
+}
+
+int pieceAt(const Array<double>& lengths, double length) {
+  const auto beyond = std::upper_bound(lengths.begin(), lengths.end(), length);
+  return std::clamp(static_cast<int>(beyond - lengths.begin()) - 1, 0, lengths.count() - 2);
+}
+
 SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, double length) {
-  if (path.points.count() == 1) return path.points.front();
-  return pointAlong(mesh, path.points, path.lengths, length);
+  const auto& [points, lengths] = path;
+  if (points.count() == 1) return points.front();
+  const int k = pieceAt(lengths, length);
+  const double piece = lengths[k + 1] - lengths[k];
+  const double s = piece > 0 ? std::clamp((length - lengths[k]) / piece, 0.0, 1.0) : 0;
+  if (s == 0) return points[k];
+  if (s == 1) return points[k + 1];
+  return pointBetween(mesh, points[k], points[k + 1], s);
 }
 
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,

@@ -27,6 +27,14 @@ void appendPoint(const TriangleMesh& mesh, const SurfacePoint& point, SurfacePat
 /// The path through points of which consecutive ones share a face.
 SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points);
 
+/// The point at the part s of the straight line from a to b, in a face that holds both.
+SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
+                          double s);
+
+/// The number of a path's piece (between points k and k + 1) at a length from its start, which is
+/// clamped to the path; by the path's lengths, of two points at least.
+int pieceAt(const Array<double>& lengths, double length);
+
 /// The point at a length from the start, which is clamped to the path.
 SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, double length);
 

@@ -6,7 +6,7 @@
 #include "curves/curve_value.h"
 #include "curves/isoline.h"
 #include "distance/shortest_path.h"
-#include "intrinsic/along_path.h"
+#include "intrinsic/surface_path.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -32,10 +32,10 @@ struct Deviation {
 
   void add(const Geometry& geometry, const SurfacePoint& center, double radius,
            const Array<SurfacePoint>& line) {
-    const Array<double> lengths = pathThrough(*geometry.mesh, line).lengths;
+    const SurfacePath path = pathThrough(*geometry.mesh, line);
     for (int i = 0; i < kPointsAlong; ++i) {
-      const double length = lengths.back() * (i + 0.5) / kPointsAlong;
-      const SurfacePoint point = pointAlong(*geometry.mesh, line, lengths, length);
+      const double length = path.length() * (i + 0.5) / kPointsAlong;
+      const SurfacePoint point = pointAlong(*geometry.mesh, path, length);
       const double off = std::abs(shortestPath(geometry, center, point).length() - radius) / radius;
       largest = std::max(largest, off);
       sum += off;

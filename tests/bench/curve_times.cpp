@@ -38,8 +38,10 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   for (int i = 0; i < (field.method == Method::kPaper ? kRuns : kQuickRuns); ++i) {
     curve.movePoint(moved, places[i % 2]);
     drags.push_back(untilBridged());
-    // Once more with all fields known: the searches alone.
-    curve.retrace();
+    // Once more with all fields known: the searches alone. Equal weights change nothing else.
+    CurveValue again = curve.value();
+    again.options.shape.weights.assign(points.size(), i % 2 == 0 ? 2 : 1);
+    curve.set(std::move(again));
     traces.push_back(curve.times().samples);
     bridges.push_back(curve.times().bridges);
     joins.push_back(curve.times().joins);

@@ -6,7 +6,6 @@
 #include "generators/flat.h"
 #include "generators/plane.h"
 #include "generators/rough.h"
-#include "intrinsic/along_path.h"
 #include "intrinsic/local_path.h"
 #include "intrinsic/straightest.h"
 #include "support.h"

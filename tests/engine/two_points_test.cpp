@@ -6,7 +6,7 @@
 #include "curve_support.h"
 #include "distance/shortest_path.h"
 #include "generators/random_points.h"
-#include "intrinsic/along_path.h"
+#include "intrinsic/surface_path.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
 #include "support.h"
@@ -34,7 +34,6 @@ Outcome measure(Surface& surface, const Array<PointPair>& pairs, const FieldOpti
   Array<double> errors;
   for (const PointPair& pair : pairs) {
     const SurfacePath path = shortestPath(geometry, pair.from, pair.to);
-    const Array<double>& lengths = path.lengths;
     from.setPoint(pair.from);
     to.setPoint(pair.to);
     SegmentFields fields(surface, {&from, &to});
@@ -46,7 +45,7 @@ Outcome measure(Surface& surface, const Array<PointPair>& pairs, const FieldOpti
       EXPECT_NEAR(point.bary.sum(), 1, 1e-12);
       if (sample.status != SampleStatus::kConverged) continue;
       ++outcome.converged;
-      const SurfacePoint truth = pointAlong(mesh, path.points, lengths, sample.t * path.length());
+      const SurfacePoint truth = pointAlong(mesh, path, sample.t * path.length());
       errors.push_back((position(mesh, point) - position(mesh, truth)).norm());
     }
   }

@@ -146,6 +146,7 @@ describe('the tour and the examples', () => {
     const begin = async () => {
       await page.locator('#help').click();
       await page.locator('#tour-start').click();
+      await page.locator('#tour').waitFor();
     };
     await begin();
     assert.equal(await step(), '1 of 5');

@@ -84,11 +84,6 @@ int CurveHandle::insertOnCurve(double parameter) {
   return refined.point;
 }
 
-void CurveHandle::retrace() {
-  line_.reset();
-  curve_.retrace();
-}
-
 val CurveHandle::splitAt(double parameter) {
   const Array<CurveParts> parts = karcher::splitAt(curve_, parameter);
   val list = val::array();

@@ -45,7 +45,6 @@ class CurveHandle {
   /// A list of values.
   val splitAt(double parameter);
   val joined(const CurveHandle& other);
-  void retrace();
 
   int pointCount() const { return curve_.pointCount(); }
   int fieldsComputed() const { return curve_.fieldsMade(); }

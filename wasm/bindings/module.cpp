@@ -94,7 +94,6 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("setPoints", &Guarded<&CurveHandle::setPoints>::call)
       .function("setWeights", &Guarded<&CurveHandle::setWeights>::call)
       .function("setBetas", &Guarded<&CurveHandle::setBetas>::call)
-      .function("retrace", &Guarded<&CurveHandle::retrace>::call)
       .function("fieldsComputed", &Guarded<&CurveHandle::fieldsComputed>::call)
       .function("pointAt", &Guarded<&CurveHandle::pointAt>::call)
       .function("tangentAt", &Guarded<&CurveHandle::tangentAt>::call)

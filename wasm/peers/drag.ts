@@ -4,7 +4,7 @@ import type { CurvePlan, MethodCurve } from './types.js';
 import { at, length, subtract, type Vector } from './vectors.js';
 
 /** Where a curve moves so many times as far as the hand in a step, it leaps. */
-const leap = 5;
+const leapRatio = 5;
 
 /** A drag goes so many mean edges, or as far as the next control point where that is nearer. */
 const dragEdges = 2;
@@ -46,7 +46,7 @@ export async function measureDrag(
     before = after;
     if (moved === null) continue;
     const ratio = moved / (far / steps);
-    if (ratio > leap) result.leaps++;
+    if (ratio > leapRatio) result.leaps++;
     result.most = Math.max(result.most ?? 0, ratio);
   }
   return result;

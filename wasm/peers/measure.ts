@@ -61,7 +61,7 @@ export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSam
 }
 
 /** So many times longer than its neighbours, a step between samples is a leap. */
-const leap = 5;
+const leapRatio = 5;
 
 /** Measures curves on one mesh. */
 export class CurveMeter {
@@ -131,7 +131,7 @@ export class CurveMeter {
         // A step without a neighbour is measured against none.
         const beside = [steps[k - 1], steps[k + 1]].filter((one) => typeof one === 'number');
         if (step === null || beside.length === 0) return;
-        if (step > this.#meanEdge && beside.every((one) => step > leap * one)) breaks++;
+        if (step > this.#meanEdge && beside.every((one) => step > leapRatio * one)) breaks++;
       });
     }
     return breaks;

@@ -45,7 +45,7 @@ interface Polyline {
   polyline(options?: PolylineOptions): Promise<Float32Array | Float64Array>;
 }
 
-type CurveMethod = Exclude<MethodsOf<Curve>, 'retrace'>;
+type CurveMethod = MethodsOf<Curve>;
 type CurveFact = Exclude<keyof Curve & string, MethodsOf<Curve>>;
 type MeshMethod = Exclude<MethodsOf<Mesh>, 'benchmark'>;
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "curves/trace/bridge.h"
-#include "intrinsic/along_path.h"
 #include "intrinsic/strip_path.h"
+#include "intrinsic/surface_path.h"
 #include "mesh/error.h"
 
 namespace karcher {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "intrinsic/along_path.h"
+#include "intrinsic/surface_path.h"
 #include "mesh/error.h"
 
 namespace karcher {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "curves/query/measure.h"
-#include "intrinsic/along_path.h"
+#include "intrinsic/surface_path.h"
 #include "mesh/sorted_numbers.h"
 
 /// The drawn line tells how near a curve comes in each interval between samples. The intervals that

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "curves/trace/branches.h"
-#include "intrinsic/along_path.h"
+#include "intrinsic/surface_path.h"
 #include "rcm/deepest_zero.h"
 
 namespace karcher {
@@ -394,8 +394,7 @@ class BridgeBuilder {
     const double kept = length / (length + pull);
     const int last = polygon.count() - 1;
     for (int i = 1; i < last; ++i) {
-      const SurfacePoint onChord =
-          pointAlong(*geometry_.mesh, chord.points, chord.lengths, chord.length() * i / last);
+      const SurfacePoint onChord = pointAlong(*geometry_.mesh, chord, chord.length() * i / last);
       polygon[i] = averageAlongGeodesic(geometry_, onChord, polygon[i], kept, averaging_);
     }
   }
