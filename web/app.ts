@@ -197,7 +197,7 @@ export async function start(): Promise<void> {
     gestures.showMeasured(measured?.position ?? null);
     status.showMeasured(measured, editor.state, session.view);
   };
-  session.onLegs = (figure, dragged, legs) => editor.keepLegs(figure, dragged, legs);
+  session.onLegs = (told) => editor.keepLegs(told);
   editor.onRefusal = showNote;
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);

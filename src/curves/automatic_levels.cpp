@@ -1,8 +1,8 @@
 #include "curves/automatic_levels.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "curves/polygon/levels.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -63,7 +63,7 @@ int automaticLevels(const Geometry& geometry, const CurveShape& shape, int point
   const double reach = reachOf(shape, points) / 3.0;
   curvature *= reach * reach;
   const double shortEnough = kSmallLeg * geometry.meanEdge;
-  if (curvature <= kSafeCurvature && longest <= shortEnough) return 0;
+  if (curvature <= kSafeShare && longest <= shortEnough) return 0;
   // A Catmull-Rom curve's Bezier polygons have legs of a third.
   const double share = shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
   curvature *= share * share;
@@ -76,6 +76,18 @@ int automaticLevels(const Geometry& geometry, const CurveShape& shape, int point
     if (longest * part <= kShortestLeg * geometry.meanEdge) break;
   }
   return isAllowed(shape, points, levels) ? levels : 0;
+}
+
+bool takesMoreLevels(const Geometry& geometry, const CurveShape& shape, int points,
+                     const RefinedPolygon& refined, int levels) {
+  if (!isAllowed(shape, points, levels + 1)) return false;
+  // A Catmull-Rom curve's pieces are cubic Bezier curves.
+  const double reach = reachOf(shape, points) / 3.0;
+  const double safe = std::ldexp(kSafeShare, levels);
+  return std::any_of(refined.legs.begin(), refined.legs.end(), [&](const SurfacePath& leg) {
+    return leg.length() > kShortestLeg * geometry.meanEdge &&
+           curvatureAlong(geometry, leg) * reach * reach > safe;
+  });
 }
 
 int levelsToLimit(const Geometry& geometry, const CurveShape& shape, int points,

@@ -311,10 +311,17 @@ void Curve::makeSegments(Next& next) {
   const int count = next.value.points.count();
   next.boxes.clear();
   const Geometry& geometry = surface().geometry();
-  // A curve whose handles lie beyond the boundary is the center of all its points.
-  if (next.levels > 0 && !refinePolygon(geometry, shape, next.value.points, next.legs, next.levels,
-                                        workspace_->averaging, next.polygon)) {
-    next.levels = 0;
+  while (next.levels > 0) {
+    if (!refinePolygon(geometry, shape, next.value.points, next.legs, next.levels,
+                       workspace_->averaging, next.polygon)) {
+      // A curve whose handles lie beyond the boundary is the center of all its points.
+      next.levels = 0;
+    } else if (options.levels == kAutomaticLevels &&
+               takesMoreLevels(geometry, shape, count, next.polygon, next.levels)) {
+      ++next.levels;
+    } else {
+      break;
+    }
   }
   if (next.levels > 0) {
     if (isOfCenters(options, next.levels)) {

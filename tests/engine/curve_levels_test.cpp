@@ -7,11 +7,13 @@
 #include "curves/curve.h"
 #include "curves/query/evaluate.h"
 #include "curves/query/measure.h"
+#include "generators/control_polygons.h"
 #include "generators/flat.h"
 #include "generators/plane.h"
 #include "generators/random_points.h"
 #include "generators/sphere.h"
 #include "intrinsic/straightest.h"
+#include "measures/polyline_distance.h"
 #include "mesh/shapes.h"
 #include "support.h"
 
@@ -284,10 +286,43 @@ TEST(CurveLevels, OfTheirOwnEndAtSmallLegs) {
       const CurveOptions options = optionsOf({CurveKind::kBezier}, 9, kAutomaticLevels, kFast);
       const int levels = Curve(surface, options, points).levels();
       // The first level makes each of these safe; the others make legs small.
-      const double safe = leg * leg <= 0.5 ? 0 : 1;
+      const double safe = leg * leg <= 0.2 ? 0 : 1;
       EXPECT_EQ(levels, std::max(safe, std::ceil(std::log2(leg / (4 * edge)))));
     }
   }
+}
+
+Array<Vec3> positionsOf(const Curve& curve) {
+  Array<Vec3> positions;
+  for (const SurfacePoint& p : curve.path(0).line.points) {
+    positions.push_back(position(curve.surface().mesh(), p));
+  }
+  return positions;
+}
+
+TEST(CurveLevels, OfTheirOwnAreEnoughAroundTheRimOfAnEar) {
+  // A flat ellipsoid: legs that lie on its sides tell nothing of the rim that the curve goes over.
+  TriangleSoup ear = icosphere(10);
+  for (Vec3& p : ear.positions) p = p.cwiseProduct(Vec3(1, 0.6, 0.15));
+  Surface surface(meshOf(ear));
+  const Geometry& geometry = surface.geometry();
+  Random random(1);
+  int atRims = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Array<SurfacePoint> points = randomControlPolygon(
+        geometry, random, {.spacing = 4 * geometry.meanEdge / geometry.diagonal});
+    const Curve curve(surface, optionsOf({CurveKind::kBezier}, 65, kAutomaticLevels, kFast),
+                      points);
+    const Curve limit(surface, optionsOf({CurveKind::kBezier}, 65, kLimitLevels, kFast), points);
+    const double length = limit.path(0).line.length();
+    const double moved = hausdorffDistance(MeasuredPolyline(positionsOf(curve)),
+                                           MeasuredPolyline(positionsOf(limit)), 1e-4 * length);
+    EXPECT_LE(moved, 0.005 * length) << "polygon " << i << ", " << curve.levels() << " levels";
+    const auto isAtRim = [](const Vec3& p) { return std::abs(p.z()) < 0.05; };
+    const Array<Vec3> line = positionsOf(limit);
+    atRims += static_cast<int>(std::any_of(line.begin(), line.end(), isAtRim));
+  }
+  EXPECT_GT(atRims, 20);
 }
 
 TEST(CurveLevels, AreAtLeastAsManyAsTheyAreToBe) {

@@ -18,15 +18,19 @@ describe('legs that are drawn out', () => {
   const legs = () => figure().points.map(({ leg }) => leg?.length ?? 0);
   beforeEach(async () => {
     page = await openPage(await arraysOfShape('torus', 2000));
-    page.session.onLegs = (...drawn) => page.editor.keepLegs(...drawn);
+    page.session.onLegs = (told) => page.editor.keepLegs(told);
     figure = () => page.editor.state.figure;
     length = () => page.session.view.curve.length;
   });
 
+  function step(index, place) {
+    const from = page.editor.base.points[index];
+    page.editor.preview({ type: 'change', index, from, to: { ...from, ...place } });
+  }
+
   async function drag(index, ways) {
     for (const place of ways) {
-      const from = page.editor.base.points[index];
-      page.editor.preview({ type: 'change', index, from, to: { ...from, ...place } });
+      step(index, place);
       await page.settled();
     }
   }
@@ -70,8 +74,7 @@ describe('legs that are drawn out', () => {
 
     test('and where a drag ends before its first step is traced', async () => {
       page.editor.cancelDrag();
-      const from = page.editor.base.points[1];
-      page.editor.preview({ type: 'change', index: 1, from, to: { ...from, ...along(0.301) } });
+      step(1, along(0.301));
       await release();
       isNear(length(), 0.301);
       assert.deepEqual(legs(), [0, 0]);
@@ -84,6 +87,77 @@ describe('legs that are drawn out', () => {
         page.editor[step]();
         await page.settled();
       }
+      await goesOnFromTheShortest();
+    });
+
+    const late = {
+      'other settings': () => page.editor.setSettings({ samples: 50 }),
+      'another name of the object': () =>
+        page.editor.setProperties([page.editor.active.id], { name: 'Around' }),
+      'one more point': () => page.edits.append(along(2.6)),
+      'a weight of the dragged point': () => {
+        const from = figure().points[1];
+        page.editor.run({ type: 'change', index: 1, from, to: { ...from, weight: 2 } });
+      },
+    };
+    const lateCases = Object.entries(late).flatMap(([name, edit]) => [
+      [`${name} came before they were told`, edit, false],
+      [`${name} came before the drag’s last step was traced`, edit, true],
+    ]);
+    for (const [name, edit, untraced] of lateCases) {
+      test(`they stay where ${name}`, async () => {
+        if (untraced) step(1, along(2.45));
+        page.editor.commitDrag();
+        await edit();
+        assert.deepEqual(legs().slice(0, 2), [0, 0]);
+        const added = figure().points.length > 2 ? 0.15 : 0;
+        await page.settled();
+        assert.ok(legs()[0] > 0);
+        isNear(length(), 2.45 + added);
+        const drawing = JSON.stringify(page.editor.state.drawing);
+        page.editor.undo();
+        await page.settled();
+        assert.ok(legs()[0] > 0);
+        isNear(length(), 2.45);
+        page.editor.undo();
+        await page.settled();
+        assert.deepEqual(legs(), [0, 0]);
+        isNear(length(), 0.3);
+        for (let i = 0; i < 2; i++) page.editor.redo();
+        assert.equal(JSON.stringify(page.editor.state.drawing), drawing);
+        await page.settled();
+        isNear(length(), 2.45 + added);
+        assert.deepEqual(page.failures, []);
+      });
+    }
+
+    test('they stay where another object was begun before they were told', async () => {
+      const { id } = page.editor.active;
+      page.editor.commitDrag();
+      page.editor.begin('polyline');
+      await page.settled();
+      page.editor.activate(id);
+      await page.settled();
+      assert.ok(legs()[0] > 0);
+      isNear(length(), 2.45);
+    });
+
+    test('a leg whose end was moved before it was told is the shortest', async () => {
+      page.editor.commitDrag();
+      const from = figure().points[0];
+      page.editor.run({ type: 'change', index: 0, from, to: { ...from, ...along(0.02) } });
+      await page.settled();
+      assert.deepEqual(legs(), [0, 0]);
+      page.editor.undo();
+      await page.settled();
+      assert.ok(legs()[0] > 0);
+      isNear(length(), 2.45);
+    });
+
+    test('they are no part of what was taken back before they were told', async () => {
+      page.editor.commitDrag();
+      page.editor.undo();
+      await page.settled();
       await goesOnFromTheShortest();
     });
 

@@ -37,7 +37,7 @@ describe('legs of the pen', () => {
 
   beforeEach(async () => {
     page = await openPage(await arraysOfShape('torus', 2000));
-    page.session.onLegs = (...drawn) => page.editor.keepLegs(...drawn);
+    page.session.onLegs = (told) => page.editor.keepLegs(told);
     figure = () => page.editor.state.figure;
     page.editor.setKind('pen');
   });

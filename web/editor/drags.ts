@@ -3,6 +3,8 @@ import type { State } from './editor';
 
 /** A drag of a control point, whose legs the figure that it led to does not tell yet. */
 export interface Drag {
+  /** The id of its object. */
+  object: number;
   point: number;
   base: Figure;
   to: Figure;
@@ -15,9 +17,9 @@ export interface Drag {
  * those that the engine continues.
  */
 export class Drags {
-  /** The newest drag, and the one before it if that has ended and its legs were not asked for. */
+  /** The newest drag, and those before it that have ended and whose legs were not asked for. */
   #held: Drag | null = null;
-  #heldBefore: Drag | null = null;
+  #ended: Drag[] = [];
   /** The figure that the engine's curve was last made; null where that is not known. */
   made: Figure | null = null;
 
@@ -27,33 +29,39 @@ export class Drags {
   }
 
   /** The state is a step of a drag, which goes on if the one before it was one of the same. */
-  hold({ dragged, base, figure }: State, goesOn: boolean): void {
+  hold({ dragged, base, figure, drawing }: State, goesOn: boolean): void {
     const before = this.#held;
     if (goesOn && before?.base === base && before.point === dragged) {
       before.to = figure;
       return;
     }
-    if (before?.to === base) this.#heldBefore = before;
-    this.#held = { point: dragged!, base, to: figure, followed: false };
+    if (before?.to === base) this.#ended.push(before);
+    this.#held = { object: drawing.active, point: dragged!, base, to: figure, followed: false };
   }
 
-  /** What was dragged was taken back, or something else was done. */
+  /** What is dragged is taken back. */
   drop(): void {
+    this.#held = null;
+  }
+
+  /** Something else is done, after a drag whose legs are asked for yet. */
+  end(): void {
+    if (this.#held) this.#ended.push(this.#held);
     this.#held = null;
   }
 
   clear(): void {
     this.#held = null;
-    this.#heldBefore = null;
+    this.#ended = [];
     this.made = null;
   }
 
   /** Takes the drags that ended before a state, in order. */
   takeEnded({ dragging }: State): Drag[] {
-    const ended = [this.#heldBefore, dragging ? null : this.#held];
-    this.#heldBefore = null;
-    if (!dragging) this.#held = null;
-    return ended.filter((drag) => drag !== null);
+    if (!dragging) this.end();
+    const ended = this.#ended;
+    this.#ended = [];
+    return ended;
   }
 
   /** Whether the engine's curve has to be made the drag's base before its next step. */

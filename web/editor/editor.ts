@@ -1,4 +1,3 @@
-import type { SurfacePoint } from 'karcher';
 import {
   activation,
   addition,
@@ -12,7 +11,7 @@ import {
   withGroups,
 } from '../model/arranging';
 import type { CircleHandle } from '../model/circle';
-import { apply, type Command, invert, onlyEditOf } from '../model/commands';
+import { apply, type Command, onlyEditOf } from '../model/commands';
 import {
   activeObject,
   type Drawing,
@@ -36,14 +35,13 @@ import { applyToFigure, type FigureCommand, fitted } from '../model/figure_comma
 import {
   type History,
   historyOf,
-  lastOfNewest,
   record,
   recordActivation,
-  replaceLastOfNewest,
   stepBack,
   stepForth,
 } from '../model/history';
 import { defaultMethod, type MethodId } from '../model/methods';
+import { type ToldLegs, tellLegs } from '../model/told_legs';
 import { type CurveTool, isResting, type RestingTool } from './tool';
 
 /** A control point by its number, or one of a circle's or ellipse's handles. */
@@ -197,29 +195,10 @@ export class Editor {
     if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: null }, true);
   }
 
-  /**
-   * Makes the legs that the last drag drew out part of it: those that meet at point `dragged` of the
-   * figure that it led to. Does nothing where that is not the newest step any more.
-   */
-  keepLegs(
-    figure: Figure,
-    dragged: number,
-    legs: readonly (readonly SurfacePoint[] | null)[],
-  ): void {
-    const last = lastOfNewest(this.#history);
-    const { base } = this;
-    if (last?.type !== 'figure' || base.points !== figure.points) return;
-    const before = (dragged + base.points.length - 1) % base.points.length;
-    const points = base.points.map((point, i) =>
-      i === dragged || i === before ? withLeg(point, legs[i]) : point,
-    );
-    const to = { ...base, points };
-    const drawing = this.#drag?.base ?? this.#state.drawing;
-    const undone = apply(drawing, invert(last));
-    const from = objectOf(undone, last.id)!.figure;
-    const command: Command = { ...last, edit: { type: 'replace', from, to } };
-    replaceLastOfNewest(this.#history, command);
-    const kept = apply(undone, command);
+  /** Makes the legs that one of the last drags drew out part of it, and of what was done since. */
+  keepLegs(told: ToldLegs): void {
+    const kept = tellLegs(this.#history, this.#drag?.base ?? this.#state.drawing, told);
+    if (!kept) return;
     if (!this.#drag) this.#change({ drawing: kept }, false);
     else this.#drag.base = kept;
   }

@@ -1,4 +1,4 @@
-import type { CurveOptions, SurfacePoint } from 'karcher';
+import type { CurveOptions } from 'karcher';
 import { activeObject } from '../model/drawing';
 import {
   type Figure,
@@ -10,6 +10,7 @@ import {
 } from '../model/figure';
 import { methodOptions, type Quality, refinedOptions } from '../model/methods';
 import { curveOptions, splineFrom, splineOf, usesLegs } from '../model/splines';
+import type { ToldLegs } from '../model/told_legs';
 import type { Measured, TracedCurve } from '../model/traced';
 import { type EngineClient, Stopped } from '../worker/client';
 import type { Edit, Edited } from '../worker/edits';
@@ -96,11 +97,7 @@ export class Session {
   /** Called when the engine begins to work, and when it has ended. */
   onBusy: (busy: boolean) => void = () => {};
   /** Called with the legs that a drag drew out: those that meet at its point. */
-  onLegs: (
-    figure: Figure,
-    dragged: number,
-    legs: readonly (readonly SurfacePoint[] | null)[],
-  ) => void = () => {};
+  onLegs: (told: ToldLegs) => void = () => {};
   /** Called when an edit that was asked for can't be made. */
   onFailure: (error: unknown) => void = () => {};
 
@@ -153,7 +150,8 @@ export class Session {
     const goesOn = this.#state?.dragging ?? false;
     this.#state = state;
     if (state.dragged !== null && usesLegs(state.figure.kind)) this.#drags.hold(state, goesOn);
-    else if (state.epoch !== epoch) this.#drags.drop();
+    else if (state.epoch !== epoch && goesOn) this.#drags.drop();
+    else if (state.epoch !== epoch) this.#drags.end();
     if (!this.#client) return;
     if (state.revision !== this.#asked?.revision) {
       this.#asked = state;
@@ -338,7 +336,7 @@ export class Session {
     if (!this.#drags.begins(drag)) return;
     const { figure } = this.#asTraced({ ...state, figure: drag.base, dragging: true });
     const value = await curveValueOf(client, figure, methodOptions(state.method));
-    const { active: object } = state.drawing;
+    const { object } = drag;
     // What is no curve has no legs to go on from.
     if (!value) return client.forget(object);
     await client.curve(value, { object }).catch((error) => {
@@ -349,16 +347,15 @@ export class Session {
 
   /** Asks for the legs that a drag drew out, once it has ended; whether they change the figure. */
   async #keepLegs(client: EngineClient, state: State, drag: Drag): Promise<boolean> {
-    const { point, to } = drag;
+    const { object, point, to } = drag;
     const { figure } = this.#asTraced({ ...state, figure: to, dragging: true });
-    const { active } = state.drawing;
     const drawn = await this.#follow(client, state, drag)
-      .then(() => drawnLegs(client, active, figure, methodOptions(state.method), point))
+      .then(() => drawnLegs(client, object, figure, methodOptions(state.method), point))
       .catch(() => null);
-    this.#drags.made = drawn && to;
+    this.#drags.made = drawn && object === this.#state?.drawing.active ? to : null;
     const before = (point + to.points.length - 1) % to.points.length;
     if (!drawn?.[point] && !drawn?.[before]) return false;
-    this.onLegs(to, point, drawn);
+    this.onLegs({ figure: to, dragged: point, legs: drawn });
     return this.#state?.revision !== state.revision;
   }
 

@@ -1,5 +1,5 @@
 /** What was done to a drawing. Selecting is no step of it: it goes with the step that follows. */
-import { type Command, invert, joined, stepsOf } from './commands';
+import { type Command, invert, joined } from './commands';
 
 export interface History {
   /** The newest last. */
@@ -53,16 +53,4 @@ export function stepForth(history: History): Command | null {
   history.activated = [];
   history.done.push(command);
   return joined([...back, command]);
-}
-
-/** The last of what the newest step does; null where there is none, or something was selected since. */
-export function lastOfNewest({ done, activated }: History): Command | null {
-  const newest = done.at(-1);
-  return newest && activated.length === 0 ? (stepsOf(newest).at(-1) ?? null) : null;
-}
-
-/** Does something else at the end of the newest step. */
-export function replaceLastOfNewest({ done }: History, command: Command): void {
-  const newest = done.pop();
-  if (newest) done.push(joined([...stepsOf(newest).slice(0, -1), command]));
 }

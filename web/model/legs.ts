@@ -15,7 +15,7 @@ function handleOf({ tangents }: ControlPoint, side: Side) {
 }
 
 /** What tells where the leg from a point to the next one starts and ends. */
-function endsOf({ settings, points }: Polygon, i: number): string {
+export function endsOf({ settings, points }: Polygon, i: number): string {
   const next = i + 1 < points.length || !settings.closed ? i + 1 : 0;
   const ends = [points[i], points[next]].map(
     (point, end) =>
