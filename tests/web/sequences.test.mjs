@@ -9,7 +9,7 @@ const kinds = ['bspline', 'bezier', 'catmullrom', 'rational', 'barycentric', 'po
 const mostPoints = 9;
 /** Sentences of edits that there is no way to make. */
 const refusals =
-  /can(not)? be joined|has no end to join|at least \d control points|not at one|control point there|takes no more|has a knot there/;
+  /can(not)? be joined|cannot be split at \d+, its end|has no end to join|at least \d control points|not at one|control point there|takes no more|has a knot there/;
 
 /** What a link says of objects, which are numbered anew; the first of three weights follows from the others. */
 const plain = ({ objects, active }) => ({
