@@ -53,6 +53,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   rcm/mean_weights.cpp
   rcm/newton_center.cpp
   rcm/one_source_energy.cpp
+  rcm/point_field.cpp
   rcm/surface.cpp
   rcm/summed_field.cpp
   rcm/uniqueness.cpp)

@@ -170,7 +170,10 @@ void Curve::becomeNext() {
   legs_.swap(next_.legs);
   segments_.swap(next_.segments);
   releaseFields(next_.segments);
-  if (segments_.count() * piecesPerSegment() < piecesBefore) fieldSet_->trim();
+  if (segments_.count() * piecesPerSegment() < piecesBefore) {
+    fieldSet_->trim();
+    workspace_->spare.clear();
+  }
   fieldsMade_ += fieldSet_->made() - madeBefore;
 }
 
@@ -419,6 +422,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
       if (part.index < pieces.count() && isAlike(pieces[part.index])) alike = &pieces[part.index];
     }
     if (alike) {
+      if (piece.traced_.use_count() == 1) workspace_->spare.push_back(std::move(piece.traced_));
       piece = *alike;
       return;
     }

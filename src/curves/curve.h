@@ -167,6 +167,8 @@ class Curve {
     CurveShape layoutShape;
     int layoutPoints = 0;
     BridgeWorkspace bridging;
+    /// Of pieces that took the place of others, whose memory the next ones that are traced take.
+    Array<std::shared_ptr<TracedPiece>> spare;
     Array<const TracedPiece*> pieces;
   };
 
@@ -190,6 +192,7 @@ class Curve {
   void join(const Next& next, Piece& piece);
   void merge(Next& next);
   SegmentFields& blendFields();
+  std::shared_ptr<TracedPiece> spareTraced();
   static void releaseFields(Array<Segment>& segments);
 
   std::shared_ptr<FieldSets> fieldSets_;

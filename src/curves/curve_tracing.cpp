@@ -43,6 +43,14 @@ SegmentFields& Curve::blendFields() {
   return *blend;
 }
 
+std::shared_ptr<TracedPiece> Curve::spareTraced() {
+  Array<std::shared_ptr<TracedPiece>>& spare = workspace_->spare;
+  if (spare.empty()) return std::make_shared<TracedPiece>();
+  std::shared_ptr<TracedPiece> traced = std::move(spare.back());
+  spare.pop_back();
+  return traced;
+}
+
 /// Traces the pieces that are not, and puts the segments together.
 void Curve::trace(Next& next) {
   double last = clock_ ? clock_() : 0;
@@ -56,7 +64,7 @@ void Curve::trace(Next& next) {
     for (Piece& piece : next.segments[j].pieces) {
       if (piece.isTraced_) continue;
       // Curves share what is traced once; only what nobody else has is written anew.
-      if (piece.traced_.use_count() != 1) piece.traced_ = std::make_shared<TracedPiece>();
+      if (piece.traced_.use_count() != 1) piece.traced_ = spareTraced();
       findSamples(next, piece, j);
       timed(times_.samples);
       layBridges(next, piece);

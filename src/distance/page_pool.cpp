@@ -1,11 +1,14 @@
 #include "distance/page_pool.h"
 
+#include <algorithm>
+#include <functional>
 #include <new>
+#include <utility>
 
 namespace karcher {
 namespace {
 
-/// Where there is no spare page, this part of all pages is made at once.
+/// Where there is no spare page, this part of all pages is made at once, in one block.
 constexpr int kGrowth = 8;
 
 /// For so many numbers there is room from the start.
@@ -29,12 +32,7 @@ void* PagePool::take(size_t bytes, int number, Array<int>& numbers) {
   // First, so that a page that was taken is known to be.
   if (numbers.size() == numbers.capacity()) numbers.reserve(2 * numbers.size() + kFirstNumbers);
   Shelf& shelf = shelfOf(bytes);
-  if (shelf.spare == nullptr) {
-    for (int more = 1 + shelf.pages / kGrowth; more > 0; --more) {
-      put(shelf, ::operator new(bytes));
-      ++shelf.pages;
-    }
-  }
+  if (shelf.spare == nullptr) grow(shelf);
   Spare* const page = shelf.spare;
   shelf.spare = page->next;
   numbers.push_back(number);
@@ -43,15 +41,48 @@ void* PagePool::take(size_t bytes, int number, Array<int>& numbers) {
 
 void PagePool::give(void* page, size_t bytes) noexcept { put(shelfOf(bytes), page); }
 
+void PagePool::grow(Shelf& shelf) {
+  const int more = 1 + shelf.pages / kGrowth;
+  // First, so that nothing is lost where there is no room for it.
+  if (shelf.blocks.size() == shelf.blocks.capacity())
+    shelf.blocks.reserve(2 * shelf.blocks.size() + 8);
+  auto* const memory =
+      static_cast<std::byte*>(::operator new(static_cast<size_t>(more) * shelf.bytes));
+  const auto place = std::upper_bound(
+      shelf.blocks.begin(), shelf.blocks.end(), memory,
+      [](const std::byte* m, const Block& block) { return std::less<>()(m, block.memory); });
+  shelf.blocks.insert(place, {memory, more, 0});
+  for (int i = more - 1; i >= 0; --i) put(shelf, memory + static_cast<size_t>(i) * shelf.bytes);
+  shelf.pages += more;
+}
+
 void PagePool::trim() noexcept {
-  for (Shelf& shelf : shelves_) {
-    while (shelf.spare != nullptr) {
-      Spare* const page = shelf.spare;
-      shelf.spare = page->next;
-      ::operator delete(page);
-      --shelf.pages;
-    }
+  for (Shelf& shelf : shelves_) trim(shelf);
+}
+
+void PagePool::trim(Shelf& shelf) noexcept {
+  const auto blockOf = [&](const Spare* page) -> Block& {
+    const auto behind = std::upper_bound(shelf.blocks.begin(), shelf.blocks.end(), page,
+                                         [](const Spare* p, const Block& block) {
+                                           return std::less<const void*>()(p, block.memory);
+                                         });
+    return *(behind - 1);
+  };
+  for (Block& block : shelf.blocks) block.spare = 0;
+  for (const Spare* page = shelf.spare; page; page = page->next) ++blockOf(page).spare;
+  Spare* page = std::exchange(shelf.spare, nullptr);
+  while (page != nullptr) {
+    Spare* const next = page->next;
+    const Block& block = blockOf(page);
+    if (block.spare < block.pages) put(shelf, page);
+    page = next;
   }
+  std::erase_if(shelf.blocks, [&](const Block& block) {
+    if (block.spare < block.pages) return false;
+    shelf.pages -= block.pages;
+    ::operator delete(block.memory);
+    return true;
+  });
 }
 
 std::shared_ptr<PagePool> newPagePool() { return std::make_shared<PagePool>(); }

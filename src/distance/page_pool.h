@@ -21,7 +21,7 @@ class PagePool {
   void* take(size_t bytes, int number, Array<int>& numbers);
   void give(void* page, size_t bytes) noexcept;
 
-  /// Frees the pages that no array holds.
+  /// Frees the pages that no array holds, but for those that were made together with held ones.
   void trim() noexcept;
 
  private:
@@ -29,14 +29,23 @@ class PagePool {
   struct Spare {
     Spare* next;
   };
+  /// Pages that were made together, side by side.
+  struct Block {
+    std::byte* memory;
+    int pages;
+    int spare;  ///< of them, while the pool is trimmed
+  };
   /// The pages of one size.
   struct Shelf {
     size_t bytes = 0;
-    int pages = 0;  ///< spare or in use
+    int pages = 0;        ///< spare or in use
+    Array<Block> blocks;  ///< by their place in memory
     Spare* spare = nullptr;
   };
 
   Shelf& shelfOf(size_t bytes);
+  static void grow(Shelf& shelf);
+  static void trim(Shelf& shelf) noexcept;
   static void put(Shelf& shelf, void* page) noexcept;
 
   /// The most sizes of pages that arrays of one pool may have.

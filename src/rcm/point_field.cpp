@@ -1,11 +1,29 @@
 #include "rcm/point_field.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "mesh/error.h"
 
 namespace karcher {
+
+namespace {
+
+/// Wider on all sides by half the lesser of its length and width, which is about an edge or two.
+OrientedBox widened(const OrientedBox& box) {
+  OrientedBox wide = box;
+  wide.halfSize += Vec3::Constant(std::min(box.halfSize[0], box.halfSize[1]));
+  return wide;
+}
+
+double reachable(double distance) {
+  if (distance != kInfinity) return distance;
+  throw Error(ErrorCode::kUnreachable,
+              "a field was read on another component than its control point's");
+}
+
+}  // namespace
 
 PointField::PointField(Surface& surface, const FieldOptions& options,
                        std::shared_ptr<SpareSolvers> spare)
@@ -43,7 +61,9 @@ void PointField::makeLogField() {
   ControlField::EvaluateMidpoint midpoint;
   if (solver_->keepMidpoints()) midpoint = [this](int h) { return estimateMidpoint(h); };
   isKept_ = solver_->keepTo(box_) && box_;
-  if (whole_) spare_->push_back(std::move(whole_));
+  for (auto* solver : {&wide_, &whole_}) {
+    if (*solver) spare_->push_back(std::move(*solver));
+  }
   solver_->setSource(point_);
   field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
 }
@@ -54,26 +74,37 @@ DistanceSolver& PointField::solverFor(int vertex) {
     solver_->growTo(vertex);
     return *solver_;
   }
-  if (box_->contains(surface_.mesh().positions[vertex])) {
-    solver_->growTo(vertex);
-    if (solver_->isSure(vertex)) return *solver_;
-  }
-  if (!whole_) {
-    if (spare_->empty()) spare_->push_back(makeDistanceSolver(surface_, options_));
-    spare_->back()->setSource(point_);
-    whole_ = std::move(spare_->back());
-    spare_->pop_back();
-  }
-  whole_->growTo(vertex);
-  return *whole_;
+  if (knows(*solver_, *box_, vertex)) return *solver_;
+  const OrientedBox wider = widened(*box_);
+  DistanceSolver& wide = made(wide_, wider);
+  if (knows(wide, wider, vertex)) return wide;
+  DistanceSolver& whole = made(whole_, std::nullopt);
+  whole.growTo(vertex);
+  return whole;
 }
 
-double PointField::distanceAt(int vertex) {
-  const double distance = solverFor(vertex).distance(vertex);
-  if (distance != kInfinity) return distance;
-  throw Error(ErrorCode::kUnreachable,
-              "a field was read on another component than its control point's");
+/// Whether a solver that is kept to a box knows a vertex as one that goes everywhere; grows it
+/// there.
+bool PointField::knows(DistanceSolver& solver, const OrientedBox& box, int vertex) const {
+  if (!box.contains(surface_.mesh().positions[vertex])) return false;
+  solver.growTo(vertex);
+  return solver.isSure(vertex);
 }
+
+/// The solver, which is made and kept to the box where it is not there yet.
+DistanceSolver& PointField::made(std::unique_ptr<DistanceSolver>& solver,
+                                 const std::optional<OrientedBox>& box) {
+  if (!solver) {
+    if (spare_->empty()) spare_->push_back(makeDistanceSolver(surface_, options_));
+    spare_->back()->keepTo(box);
+    spare_->back()->setSource(point_);
+    solver = std::move(spare_->back());
+    spare_->pop_back();
+  }
+  return *solver;
+}
+
+double PointField::distanceAt(int vertex) { return reachable(solverFor(vertex).distance(vertex)); }
 
 const Vec2& PointField::logVectorAt(int vertex) {
   Vec2& vector = logVectors_.touch(vertex).vector;
@@ -86,8 +117,9 @@ const Vec2& PointField::logVectorAt(int vertex) {
 
 FieldValue PointField::estimate(int vertex) {
   if (isKept_) {
-    const double distance = distanceAt(vertex);
-    return {solverFor(vertex).logVector(vertex), distance * distance};
+    const DistanceSolver& solver = solverFor(vertex);
+    const double distance = reachable(solver.distance(vertex));
+    return {solver.logVector(vertex), distance * distance};
   }
   const Stencil stencil = stencils_->at(vertex);
   const auto squaredDistanceAt = [&](int v) {

@@ -46,6 +46,9 @@ class PointField {
   FieldValue estimate(int vertex);
   Vec2 estimateMidpoint(int halfedge);
   DistanceSolver& solverFor(int vertex);
+  bool knows(DistanceSolver& solver, const OrientedBox& box, int vertex) const;
+  DistanceSolver& made(std::unique_ptr<DistanceSolver>& solver,
+                       const std::optional<OrientedBox>& box);
   double distanceAt(int vertex);
   const Vec2& logVectorAt(int vertex);
 
@@ -58,7 +61,9 @@ class PointField {
   std::unique_ptr<DistanceSolver> solver_;
   std::optional<OrientedBox> box_;
   bool isKept_ = false;  ///< the solver to the box
-  /// Goes everywhere, for what lies outside the box or depends on that; taken when it is needed.
+  /// For what lies outside the box or depends on that, kept to a wider one, and for what lies
+  /// outside that or depends on that, going everywhere; taken when they are needed.
+  std::unique_ptr<DistanceSolver> wide_;
   std::unique_ptr<DistanceSolver> whole_;
   std::shared_ptr<SpareSolvers> spare_;
   StencilTable* stencils_ = nullptr;

@@ -197,5 +197,35 @@ TEST(PagedArray, TakesPagesFromAPoolAsNewOnes) {
   EXPECT_EQ(second.find(3)->number, 7);
 }
 
+TEST(PagedArray, GivesBackWhatNoArrayHolds) {
+  constexpr int kCount = 4000;
+  const auto pool = std::make_shared<PagePool>();
+  PagedArray<double, 4> held(kCount, pool);
+  PagedArray<double, 4> other(kCount, pool);
+  const auto fill = [](PagedArray<double, 4>& array, int step) {
+    const int64_t before = allocationsSoFar();
+    for (int i = 0; i < kCount; i += step) array.touch(i) = i;
+    return allocationsSoFar() - before;
+  };
+  // Many pages are made in few blocks.
+  const int64_t made = fill(other, 1);
+  EXPECT_GT(made, 0);
+  EXPECT_LT(made, kCount / 16 / 4);
+  other.clear();
+  EXPECT_EQ(fill(other, 1), 0);
+  other.clear();
+  // Some pages of several blocks stay.
+  EXPECT_EQ(fill(held, 160), 1) << "the numbers of its pages";
+  pool->trim();
+  for (int i = 0; i < kCount; i += 160) EXPECT_EQ(held.find(i) ? *held.find(i) : -1, i);
+  EXPECT_GT(fill(other, 1), 0);
+  for (int i = 0; i < kCount; ++i) ASSERT_EQ(*other.find(i), i);
+  held.clear();
+  other.clear();
+  pool->trim();
+  EXPECT_GT(fill(held, 1), 0);
+  for (int i = 0; i < kCount; ++i) ASSERT_EQ(*held.find(i), i);
+}
+
 }  // namespace
 }  // namespace karcher

@@ -5,10 +5,10 @@
 namespace karcher {
 namespace {
 
-/// Room around the pieces, in the longest edges of the faces at their points: a sample's face may
-/// reach out so far. With less, fields are read outside their boxes more often, which costs more
-/// than smaller boxes spare.
-constexpr double kRoom = 1.25;
+/// Room around the faces of the pieces' legs, in the longest edges of the faces at their points: a
+/// sample's face may reach out so far. With less, fields are read outside their boxes more often,
+/// which costs more than smaller boxes spare.
+constexpr double kRoom = 0.05;
 /// In a box that is longer than twice this, in mean edges, fields are worth a fit.
 constexpr double kLongest = 16;
 /// Away from the surface, as a part of the longest side: there is nothing else to keep out, and the
@@ -38,6 +38,7 @@ class Extent {
   void add(const RefinedPolygon& refined, const SegmentLayout& piece) {
     for (int k = 0; k < piece.points.count(); ++k) {
       const int face = refined.points[piece.points[k]].point.face;
+      addFace(face);
       normal_ += normalOf(mesh_, face).normalized();
       for (int h = 3 * face; h < 3 * face + 3; ++h) {
         longest_ = std::max(longest_, geometry_.edgeLength[h]);
@@ -81,9 +82,11 @@ class Extent {
     const bool isThere = last_ && std::find(last_->points.begin(), last_->points.end() - 1, leg) !=
                                       last_->points.end() - 1;
     if (isThere) return;
-    for (const SurfacePoint& p : refined.legs[leg].points) {
-      positions_.push_back(position(mesh_, p));
-    }
+    for (const SurfacePoint& p : refined.legs[leg].points) addFace(p.face);
+  }
+
+  void addFace(int face) {
+    for (int k = 0; k < 3; ++k) positions_.push_back(mesh_.positions[mesh_.corner(face, k)]);
   }
 
   const Geometry& geometry_;
