@@ -21,10 +21,6 @@ bool areSame(const Array<SurfacePoint>& a, const Array<SurfacePoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
 }
 
-bool isCentripetal(const CurveShape& shape) {
-  return shape.kind == CurveKind::kCatmullRom && shape.centripetal;
-}
-
 /// Whether what was traced with one still holds with the other.
 bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
   return a.samples == b.samples && a.tolerance == b.tolerance && a.geometry == b.geometry &&
@@ -341,10 +337,11 @@ void Curve::makeSegments(Next& next) {
     Workspace& known = *workspace_;
     if (known.layoutPoints != count || !layAlike(shape, known.layoutShape)) {
       known.layoutPoints = 0;
-      known.layout = layOut(shape, count, gapsOf(next));
+      known.layout = layOut(shape, count);
       known.layoutShape = shape;
-      known.layoutPoints = isCentripetal(shape) ? 0 : count;
+      known.layoutPoints = count;
     }
+    if (shape.kind == CurveKind::kCatmullRom) layKnots(next);
     next.polygon.pieces = known.layout;
   }
   const int pieces = 1 << next.levels;
@@ -367,24 +364,28 @@ void Curve::makeSegments(Next& next) {
   }
 }
 
-/// Of centripetal curves of level 0: the distances between consecutive points by their fields, the
-/// mean of both, so that the curve is the same from either end.
-Array<double> Curve::gapsOf(const Next& next) {
-  Array<double> gaps;
-  if (!isCentripetal(next.value.options.shape)) return gaps;
+/// Spaces the knots of a Catmull-Rom curve of level 0. Centripetal ones follow the distances
+/// between consecutive points by their fields, the mean of both, so that the curve is the same from
+/// either end.
+void Curve::layKnots(const Next& next) {
+  const CurveShape& shape = next.value.options.shape;
   const Array<SurfacePoint>& points = next.value.points;
+  const int spans = legCount(shape, points.count());
+  Array<double>& gaps = workspace_->gaps;
+  gaps.assign(static_cast<size_t>(spans), 1);
   const auto distance = [&](const SurfacePoint& from, const SurfacePoint& to) {
     const std::shared_ptr<PointField> field = fieldSet_->at(from);
     workspace_->fields.assign(1, field.get());
     constexpr double kOne[] = {1};
     return std::sqrt(std::max(blendFields().blend.energy(to, kOne), 0.0));
   };
-  for (int i = 0; i < legCount(next.value.options.shape, points.count()); ++i) {
+  for (int i = 0; shape.centripetal && i < spans; ++i) {
     const SurfacePoint& from = points[i];
     const SurfacePoint& to = points[(i + 1) % points.count()];
-    gaps.push_back((distance(from, to) + distance(to, from)) / 2);
+    gaps[i] = (distance(from, to) + distance(to, from)) / 2;
   }
-  return gaps;
+  catmullRomSpacings(gaps, shape.centripetal, workspace_->spacings);
+  spaceKnots(workspace_->spacings, shape.closed, workspace_->layout);
 }
 
 /// Makes piece `part` of segment j: one of this curve's that is alike, or one to be traced.

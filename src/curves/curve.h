@@ -162,10 +162,12 @@ class Curve {
     BoxWorkspace boxes;
     std::optional<SegmentFields> blend;
     Array<PointField*> fields;
-    /// The last layout of a curve of level 0, of so many points; with gaps it is none's.
+    /// The last layout of a curve of level 0, of so many points, but for the knots between them.
     Array<SegmentLayout> layout;
     CurveShape layoutShape;
     int layoutPoints = 0;
+    Array<double> gaps;
+    Array<double> spacings;
     BridgeWorkspace bridging;
     /// Of pieces that took the place of others, whose memory the next ones that are traced take.
     Array<std::shared_ptr<TracedPiece>> spare;
@@ -180,7 +182,7 @@ class Curve {
   void make(Next& next);
   void makeLegs(Next& next) const;
   void makeSegments(Next& next);
-  Array<double> gapsOf(const Next& next);
+  void layKnots(const Next& next);
   void makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                  bool keep);
   void makeTables(const Next& next, Piece& piece, std::shared_ptr<PieceWeights> spare);

@@ -125,10 +125,9 @@ TEST(DragMemory, OfBridgesIsThatOfTheStepsBefore) {
     }
     // Of so many steps with bridges.
     ASSERT_GT(counts.count(), 100) << curveKindName(shape.kind);
-    // Knots that follow the points are laid out anew at each step. Without memory that is kept a
-    // step would take some 500, with such knots some 30,000.
-    const bool isLaidOut = shape.kind == CurveKind::kCatmullRom;
-    expectFew(counts, isLaidOut ? 33 : 0, isLaidOut ? 60 : 35, curveKindName(shape.kind));
+    // Without memory that is kept a step would take some 500, with knots that follow the points
+    // some 30,000.
+    expectFew(counts, 0, 35, curveKindName(shape.kind));
   }
 }
 

@@ -59,20 +59,13 @@ Array<SegmentLayout> bsplineSegments(const CurveShape& shape, int points) {
   return segments;
 }
 
-Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points,
-                                        const Array<double>& gaps) {
-  const int count = shape.closed ? points : points - 1;
-  Array<double> spacings(static_cast<size_t>(count), 1.0);
-  if (!gaps.empty()) catmullRomSpacings(gaps, shape.centripetal, spacings);
-  const auto spacing = [&](int j) { return spacings[((j % count) + count) % count]; };
+Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points) {
+  const int count = legCount(shape, points);
   Array<SegmentLayout> segments;
   for (int j = 0; j < count; ++j) {
     const bool first = !shape.closed && j == 0;
     const bool last = !shape.closed && j == count - 1;
-    const double own = spacing(j);
-    const double before = first ? own : spacing(j - 1);
-    const double after = last ? own : spacing(j + 1);
-    SegmentBasis basis{BasisForm::kCatmullRom, 3, {-before / own, 0, 1, 1 + after / own}};
+    SegmentBasis basis{BasisForm::kCatmullRom, 3, {-1, 0, 1, 2}};
     if (!first && !last) {
       segments.push_back(segmentOf(std::move(basis), consecutive(j + points - 1, 4, points)));
       continue;
@@ -116,7 +109,18 @@ void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<doubl
   }
 }
 
-Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps) {
+void spaceKnots(const Array<double>& spacings, bool closed, Array<SegmentLayout>& segments) {
+  const int count = segments.count();
+  for (int j = 0; j < count; ++j) {
+    // Beyond an end the curve goes on with the span at it.
+    const int before = j > 0 ? j - 1 : closed ? count - 1 : 0;
+    const int after = j + 1 < count ? j + 1 : closed ? 0 : count - 1;
+    segments[j].basis.numbers.assign(
+        {-spacings[before] / spacings[j], 0, 1, 1 + spacings[after] / spacings[j]});
+  }
+}
+
+Array<SegmentLayout> layOut(const CurveShape& shape, int points) {
   // A closed curve of one segment ends at its first point.
   const Array<int> all = consecutive(0, shape.closed ? points + 1 : points, points);
   const int last = all.count() - 1;
@@ -124,7 +128,7 @@ Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<dou
     case CurveKind::kBSpline:
       return bsplineSegments(shape, points);
     case CurveKind::kCatmullRom:
-      return catmullRomSegments(shape, points, gaps);
+      return catmullRomSegments(shape, points);
     case CurveKind::kPolyline: {
       Array<SegmentLayout> segments;
       for (int j = 0; j < last; ++j) segments.push_back(segmentOf({}, {all[j], all[j + 1]}));

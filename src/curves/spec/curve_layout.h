@@ -16,12 +16,15 @@ struct SegmentLayout {
 void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings);
 
 /// The segments of a curve with a shape that `checkShape` passes. A segment runs from t = 0 to 1,
-/// and its end is the start of the next one; spans without length are left out. `gaps`, for
-/// centripetal curves: the distance from each point to the next, at a closed curve also from the
-/// last to the first; without them knots are even.
-Array<SegmentLayout> layOut(const CurveShape& shape, int points, const Array<double>& gaps = {});
+/// and its end is the start of the next one; spans without length are left out. A Catmull-Rom
+/// curve's knots are even.
+Array<SegmentLayout> layOut(const CurveShape& shape, int points);
 
-/// Whether two shapes give the same segments to as many points without gaps.
+/// Spaces the knots of a Catmull-Rom curve's segments by the lengths of its spans, one a segment,
+/// without taking memory.
+void spaceKnots(const Array<double>& spacings, bool closed, Array<SegmentLayout>& segments);
+
+/// Whether two shapes give the same segments to as many points, before knots are spaced.
 bool layAlike(const CurveShape& a, const CurveShape& b);
 
 }  // namespace karcher
