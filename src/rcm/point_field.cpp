@@ -64,7 +64,12 @@ void PointField::makeLogField() {
   for (auto* solver : {&wide_, &whole_}) {
     if (*solver) spare_->push_back(std::move(*solver));
   }
-  solver_->setSource(point_);
+  isGrowing_ = !isKept_;
+  if (isKept_) {
+    sights_ = sightSource(surface_.geometry(), point_);
+  } else {
+    solver_->setSource(point_);
+  }
   field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
 }
 
@@ -74,6 +79,8 @@ DistanceSolver& PointField::solverFor(int vertex) {
     solver_->growTo(vertex);
     return *solver_;
   }
+  if (!isGrowing_) solver_->setSource(point_);
+  isGrowing_ = true;
   if (knows(*solver_, *box_, vertex)) return *solver_;
   const OrientedBox wider = widened(*box_);
   DistanceSolver& wide = made(wide_, wider);
@@ -117,6 +124,9 @@ const Vec2& PointField::logVectorAt(int vertex) {
 
 FieldValue PointField::estimate(int vertex) {
   if (isKept_) {
+    if (const auto sight = sightFrom(surface_.geometry(), sights_, vertex)) {
+      return {sight->logVector, sight->distance * sight->distance};
+    }
     const DistanceSolver& solver = solverFor(vertex);
     const double distance = reachable(solver.distance(vertex));
     return {solver.logVector(vertex), distance * distance};

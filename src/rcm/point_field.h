@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "distance/paged_array.h"
+#include "distance/sight.h"
 #include "rcm/control_field.h"
 #include "rcm/field_options.h"
 
@@ -24,10 +25,12 @@ class PointField {
   PointField(const PointField&) = delete;
   PointField& operator=(const PointField&) = delete;
 
-  /// A box means that the point is near, and that the field is read only in the box. The solver
-  /// then keeps to paths in the box wherever those outside change nothing. Log vectors are taken as
-  /// they are: so near they need no fit (estimators.h). A vertex's value then depends on the box,
-  /// too, but not on what was read before. A solver that cannot keep to a box ignores it.
+  /// A box means that the point is near, and that the field is read only in the box. Values are
+  /// then those of straight paths to the vertices (sight.h), each found on its own. Where none is
+  /// found, the solver grows, and keeps to paths in the box wherever those outside change nothing.
+  /// Log vectors are taken as they are: so near they need no fit (estimators.h). A vertex's value
+  /// then depends on the box, too, but not on what was read before. A solver that cannot keep to a
+  /// box ignores it.
   void setPoint(const SurfacePoint& point, const std::optional<OrientedBox>& box = std::nullopt);
   const SurfacePoint& point() const { return point_; }
   const std::optional<OrientedBox>& box() const { return box_; }
@@ -60,7 +63,9 @@ class PointField {
   /// Kept for log vectors, which are made as they are read.
   std::unique_ptr<DistanceSolver> solver_;
   std::optional<OrientedBox> box_;
-  bool isKept_ = false;  ///< the solver to the box
+  bool isKept_ = false;     ///< the solver to the box
+  bool isGrowing_ = false;  ///< the solver from the point
+  SightSource sights_;      ///< the point, where the solver is kept
   /// For what lies outside the box or depends on that, kept to a wider one, and for what lies
   /// outside that or depends on that, going everywhere; taken when they are needed.
   std::unique_ptr<DistanceSolver> wide_;

@@ -31,6 +31,7 @@ class Extent {
   void clear() {
     positions_.clear();
     last_ = nullptr;
+    lastFace_ = -1;
     normal_ = Vec3::Zero();
     longest_ = 0;
   }
@@ -85,14 +86,28 @@ class Extent {
     for (const SurfacePoint& p : refined.legs[leg].points) addFace(p.face);
   }
 
+  /// Faces along a leg have two corners in common.
   void addFace(int face) {
-    for (int k = 0; k < 3; ++k) positions_.push_back(mesh_.positions[mesh_.corner(face, k)]);
+    if (face == lastFace_) return;
+    for (int k = 0; k < 3; ++k) {
+      const int corner = mesh_.corner(face, k);
+      if (lastFace_ < 0 || !isCornerOf(lastFace_, corner)) {
+        positions_.push_back(mesh_.positions[corner]);
+      }
+    }
+    lastFace_ = face;
+  }
+
+  bool isCornerOf(int face, int vertex) const {
+    return mesh_.corner(face, 0) == vertex || mesh_.corner(face, 1) == vertex ||
+           mesh_.corner(face, 2) == vertex;
   }
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   Array<Vec3>& positions_;
   const SegmentLayout* last_ = nullptr;
+  int lastFace_ = -1;
   Vec3 normal_ = Vec3::Zero();
   double longest_ = 0;
 };

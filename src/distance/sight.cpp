@@ -1,0 +1,267 @@
+#include "distance/sight.h"
+
+#include <algorithm>
+
+#include "distance/window.h"
+
+namespace karcher {
+namespace {
+
+/// Paths across more faces, and those that bend more often, are left to solvers.
+constexpr int kMostFaces = 64;
+constexpr int kMostBends = 8;
+constexpr int kMostWalks = 6;
+/// Over a ridge, or round a limb, several paths are straight. One that is longer than the line in
+/// space by this part is compared with what is found so many radians to either side. One that is
+/// longer by still more, or passes a vertex of more curvature, may not be the shortest all the same.
+constexpr double kSmallDetour = 1.1;
+constexpr double kAside = 0.7;
+constexpr double kMostDetour = 1.4;
+constexpr double kSharp = 0.25;
+/// A source is at a vertex if its other weights are no larger.
+constexpr double kAtVertex = 1e-9;
+
+/// The strip of faces between a source and a vertex, laid flat in the frame of the source's face
+/// with the source at the origin, and the path in it.
+class SightLine {
+ public:
+  SightLine(const Geometry& geometry, const SightSource& source, int vertex)
+      : geometry_(geometry), mesh_(*geometry.mesh), source_(source), vertex_(vertex) {}
+
+  std::optional<Sight> find() {
+    if (source_.isAtVertex) return std::nullopt;
+    for (int k = 0; k < 3; ++k) {
+      const int h = 3 * source_.face + k;
+      if (mesh_.tail(h) == vertex_) {
+        arrive(h, source_.corners[k], halfedgeInFace(geometry_, h));
+        return sight();
+      }
+    }
+    const Vec3 way = mesh_.positions[vertex_] - source_.position;
+    const double chord = way.norm();
+    const Vec2 aim = longAs(way, {way.dot(source_.x), way.dot(source_.y)});
+    std::optional<Sight> best = search(aim);
+    if (!best || best->distance <= kSmallDetour * chord) return best;
+    bool isSharp = passesSharpVertex();
+    for (int k = 0; k < 2 && !isSharp; ++k) {
+      const std::optional<Sight> other = search(rotate(unitVector(k == 0 ? -kAside : kAside), aim));
+      if (!other || !(other->distance < best->distance)) continue;
+      best = other;
+      isSharp = passesSharpVertex();
+    }
+    return !isSharp && best->distance <= kMostDetour * chord ? best : std::nullopt;
+  }
+
+ private:
+  /// The path that an aim leads to.
+  std::optional<Sight> search(Vec2 aim) {
+    for (int walk = 0; walk < kMostWalks; ++walk) {
+      if (!follow(aim)) return std::nullopt;
+      if (leaving_ < 0) {
+        // It may come and go between two aims.
+        aim += (walk == 0 ? 1 : 0.5) * better_;
+        continue;
+      }
+      bendCount_ = 0;
+      if (!pullTight(Vec2::Zero(), at_, 0, sideCount_)) return std::nullopt;
+      const int passed = passedOnWrongSide();
+      if (passed < 0) return sight();
+      aim = seenOnOtherSide(sides_[passed]);
+    }
+    return std::nullopt;
+  }
+
+  /// A vertex beside the strip. (Left as it comes: most are never used.)
+  struct Side {
+    double x;
+    double y;
+    int vertex;
+    int sign;  ///< 1 on the right of the path, -1 on the left
+
+    Vec2 at() const { return {x, y}; }
+  };
+
+  static Vec2 longAs(const Vec3& vector, const Vec2& projected) {
+    return projected * (vector.norm() / projected.norm());
+  }
+
+  /// Follows the line to an aim across faces up to one that has the vertex. If the aim lies in one
+  /// before, `leaving_` is negative and the aim is made better. Returns false where the line cannot
+  /// be followed.
+  bool follow(const Vec2& aim) {
+    leaving_ = -1;
+    sideCount_ = 0;
+    int exit = 0;
+    while (exit < 3 && !(cross(source_.corners[exit], aim) >= 0 &&
+                         cross(aim, source_.corners[(exit + 1) % 3]) > 0)) {
+      ++exit;
+    }
+    if (exit == 3) return false;
+    int h = 3 * source_.face + exit;
+    Vec2 right = source_.corners[exit];
+    Vec2 left = source_.corners[(exit + 1) % 3];
+    sides_[sideCount_++] = {right.x(), right.y(), mesh_.tail(h), 1};
+    sides_[sideCount_++] = {left.x(), left.y(), mesh_.head(h), -1};
+    for (int faces = 0; faces < kMostFaces; ++faces) {
+      const int twin = mesh_.twin[h];
+      if (twin < 0) return false;
+      const Vec2 across = (right - left) / geometry_.edgeLength[twin];
+      const Vec2 apex = left + rotate(across, oppositeOverHalfedge(geometry_, twin));
+      const int last = previous(twin);
+      const int vertex = mesh_.tail(last);
+      if (vertex == vertex_) {
+        arrive(last, apex, left - apex);
+        return true;
+      }
+      const bool isOnRight = cross(apex, aim) > 0;
+      (isOnRight ? right : left) = apex;
+      h = isOnRight ? last : next(twin);
+      sides_[sideCount_++] = {apex.x(), apex.y(), vertex, isOnRight ? 1 : -1};
+      if (cross(left - right, aim - right) > 0) return aimBetter(h, right, left, aim);
+    }
+    return false;
+  }
+
+  void arrive(int leaving, const Vec2& at, const Vec2& edge) {
+    leaving_ = leaving;
+    at_ = at;
+    edge_ = edge;
+  }
+
+  /// Of an aim in the face of half-edge h, whose ends are `right` and `left`.
+  bool aimBetter(int h, const Vec2& right, const Vec2& left, const Vec2& aim) {
+    const int f = faceOf(h);
+    // From the face's frame to the source's.
+    const Vec2 turn =
+        rotateBack(halfedgeInFace(geometry_, h), left - right) / square(geometry_.edgeLength[h]);
+    const Vec2 inFace = cornerInFace(geometry_, f, cornerOf(h)) + rotateBack(turn, aim - right);
+    const Vec3 there = position(mesh_, SurfacePoint{f, barycentric(geometry_, f, inFace)});
+    const Vec3 off = mesh_.positions[vertex_] - there;
+    better_ = rotate(turn, longAs(off, toFace(geometry_, f, off)));
+    return better_.allFinite();
+  }
+
+  /// Bends the path from one place to another at those of the vertices first <= i < last beside the
+  /// strip that are in the way. Returns false if it bends too often.
+  bool pullTight(const Vec2& from, const Vec2& to, int first, int last) {
+    const Vec2 way = to - from;
+    int bend = -1;
+    double most = 0;
+    for (int i = first; i < last; ++i) {
+      const Vec2 off = sides_[i].at() - from;
+      const double area = -sides_[i].sign * cross(off, way);
+      if (area <= 0) continue;
+      const double sine = area / off.norm();
+      if (!(sine > most)) continue;
+      most = sine;
+      bend = i;
+    }
+    if (bend < 0) return true;
+    if (bendCount_ == kMostBends) return false;
+    const Vec2 at = sides_[bend].at();
+    if (!pullTight(from, at, first, bend)) return false;
+    if (bendCount_ == kMostBends) return false;
+    bends_[bendCount_++] = bend;
+    return pullTight(at, to, bend + 1, last);
+  }
+
+  Vec2 bendAt(int k) const { return sides_[bends_[k]].at(); }
+  /// Where the straight parts of the path begin and end.
+  Vec2 partStart(int k) const { return k == 0 ? Vec2(0, 0) : bendAt(k - 1); }
+  Vec2 partEnd(int k) const { return k == bendCount_ ? at_ : bendAt(k); }
+
+  double length() const {
+    double sum = 0;
+    for (int k = 0; k <= bendCount_; ++k) sum += (partEnd(k) - partStart(k)).norm();
+    return sum;
+  }
+
+  /// The number of a vertex beside the strip on whose other side the path is shorter; -1 if there
+  /// is none.
+  int passedOnWrongSide() const {
+    for (int k = 0; k < bendCount_; ++k) {
+      const Vec2 before = bendAt(k) - partStart(k);
+      const Vec2 after = partEnd(k + 1) - bendAt(k);
+      const double angle = std::atan2(std::abs(cross(before, after)), before.dot(after));
+      const int vertex = sides_[bends_[k]].vertex;
+      if (angle > -curvature(vertex) && !mesh_.onBoundary[vertex]) return bends_[k];
+    }
+    for (int k = 0; k <= bendCount_; ++k) {
+      const int passed = passedTooNear(partStart(k), partEnd(k));
+      if (passed >= 0) return passed;
+    }
+    return -1;
+  }
+
+  /// Round a vertex of positive curvature two straight paths lead. The shorter passes it farther
+  /// off. Returns the number of one that a straight part passes on the longer, or -1.
+  int passedTooNear(const Vec2& from, const Vec2& to) const {
+    const Vec2 way = to - from;
+    const double squared = way.squaredNorm();
+    for (int i = 0; i < sideCount_; ++i) {
+      const Side& side = sides_[i];
+      const Vec2 off = side.at() - from;
+      const double before = off.dot(way);
+      if (before <= 0 || before >= squared) continue;
+      const double least = curvature(side.vertex) / 2 * before * (squared - before);
+      if (std::abs(cross(off, way)) * squared < least && !mesh_.onBoundary[side.vertex]) return i;
+    }
+    return -1;
+  }
+
+  bool passesSharpVertex() const {
+    return std::any_of(sides_, sides_ + sideCount_, [&](const Side& side) {
+      return std::abs(curvature(side.vertex)) > kSharp && !mesh_.onBoundary[side.vertex];
+    });
+  }
+
+  double curvature(int vertex) const { return 2 * kPi - geometry_.totalAngle[vertex]; }
+
+  /// Where the vertex lies if the faces on the other side of one beside the strip are laid flat.
+  Vec2 seenOnOtherSide(const Side& side) const {
+    const Vec2 turn = unitVector(-side.sign * curvature(side.vertex));
+    return side.at() + rotate(turn, at_ - side.at());
+  }
+
+  Sight sight() const {
+    const Vec2 back = partStart(bendCount_) - at_;
+    const double distance = length();
+    const double inCorner = std::atan2(cross(edge_, back), edge_.dot(back));
+    return {distance, logVectorAlong(geometry_, vertex_, distance,
+                                     geometry_.cumulatedAngle[leaving_] + inCorner)};
+  }
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  const SightSource& source_;
+  int vertex_;
+  Side sides_[kMostFaces + 2];
+  int sideCount_ = 0;
+  int bends_[kMostBends] = {};  ///< numbers of vertices beside the strip
+  int bendCount_ = 0;
+  int leaving_ = -1;            ///< the half-edge that leaves the vertex in the last face
+  Vec2 at_ = Vec2::Zero();      ///< where the vertex lies
+  Vec2 better_ = Vec2::Zero();  ///< from the aim to a better one
+  Vec2 edge_ = Vec2::Zero();    ///< the half-edge
+};
+
+}  // namespace
+
+SightSource sightSource(const Geometry& geometry, const SurfacePoint& point) {
+  SightSource source;
+  source.face = point.face;
+  source.isAtVertex = point.bary.maxCoeff() >= 1 - kAtVertex;
+  source.position = position(*geometry.mesh, point);
+  source.x = toSpace(geometry, point.face, Vec2(1, 0));
+  source.y = toSpace(geometry, point.face, Vec2(0, 1));
+  for (int k = 0; k < 3; ++k) {
+    source.corners[k] = cornerInFace(geometry, point.face, k) - pointInFace(geometry, point);
+  }
+  return source;
+}
+
+std::optional<Sight> sightFrom(const Geometry& geometry, const SightSource& source, int vertex) {
+  return SightLine(geometry, source, vertex).find();
+}
+
+}  // namespace karcher

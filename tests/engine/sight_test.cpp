@@ -1,0 +1,146 @@
+#include "distance/sight.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "distance/exact_distance.h"
+#include "distance_meshes.h"
+#include "generators/gallery.h"
+#include "generators/random_points.h"
+#include "mesh/shapes.h"
+#include "support.h"
+
+namespace karcher {
+namespace {
+
+constexpr double kRounding = 1e-10;
+
+/// Of vertices within some mean edges of random points inside faces.
+struct Sights {
+  int asked = 0;
+  int found = 0;
+  int longer = 0;    ///< than the shortest path by a thousandth
+  double worst = 1;  ///< length over the shortest path's
+  double least = kInfinity;
+  int turned = 0;  ///< as long as the shortest path, but of another log vector
+};
+
+Sights sightsWithin(double edges, const Geometry& geometry, uint64_t seed) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  ExactDistance exact(geometry);
+  Random random(seed);
+  Sights all;
+  for (int i = 0; i < 60; ++i) {
+    const SurfacePoint point = randomPoint(mesh, random);
+    const SightSource source = sightSource(geometry, point);
+    exact.setSource(point);
+    exact.grow(edges * geometry.meanEdge);
+    exact.forEachMet([&](int v) {
+      const double distance = exact.distance(v);
+      if (distance > exact.reached() || distance > edges * geometry.meanEdge) return;
+      ++all.asked;
+      const std::optional<Sight> sight = sightFrom(geometry, source, v);
+      if (!sight) return;
+      ++all.found;
+      EXPECT_NEAR(sight->logVector.norm(), 2 * sight->distance, kRounding * sight->distance);
+      const double ratio = sight->distance / distance;
+      all.worst = std::max(all.worst, ratio);
+      all.least = std::min(all.least, ratio);
+      if (ratio > 1.001) ++all.longer;
+      const double turn = (sight->logVector - exact.logVector(v)).norm() / (2 * distance);
+      if (ratio < 1 + kRounding && turn > 1e-6) ++all.turned;
+    });
+  }
+  return all;
+}
+
+TEST(Sight, IsTheShortestPathOfAPlane) {
+  for (const char* name : {"plane, Delaunay of random points", "fans, q = 8, jittered",
+                           "plane, 20:1 jittered grid, random diagonals", "plane, caps 1e-06"}) {
+    SCOPED_TRACE(name);
+    const MeasuredMesh plane(galleryMesh(name));
+    const Sights all = sightsWithin(6, plane.geometry, 3);
+    EXPECT_GT(all.found, 0.5 * all.asked) << "the rest lie across many faces";
+    EXPECT_NEAR(all.worst, 1, kRounding);
+    EXPECT_NEAR(all.least, 1, kRounding);
+    EXPECT_EQ(all.turned, 0);
+  }
+}
+
+TEST(Sight, IsExactWhereTheSurfaceCurves) {
+  const auto check = [](const std::string& name, const MeasuredMesh& m, double longer,
+                        double worst) {
+    const uint64_t seed = 7;
+    SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+    const Sights all = sightsWithin(6, m.geometry, seed);
+    EXPECT_GT(all.found, 0.9 * all.asked);
+    EXPECT_GT(all.least, 1 - kRounding);
+    EXPECT_LE(all.longer, longer * all.found) << "of " << all.found;
+    EXPECT_LE(all.worst, worst);
+    // Two paths of one length.
+    EXPECT_LT(all.turned, 1e-3 * all.found);
+  };
+  check("torus", MeasuredMesh(meshOf(makeShape(Shape::kTorus, 5000))), 0, 1.0001);
+  check("sphere", MeasuredMesh(galleryMesh("sphere, jittered UV")), 0, 1.0001);
+  check("knot", MeasuredMesh(galleryMesh("knot")), 0.001, 1.1);
+  check("bunny", MeasuredMesh(bunnyMesh()), 0.002, 1.06);
+  check("box", MeasuredMesh(galleryMesh("box")), 0.001, 1.1);
+  check("rough sheet", MeasuredMesh(galleryMesh("rough sheet")), 0.001, 1.01);
+}
+
+TEST(Sight, IsNoneWhereThePathIsNotFound) {
+  const TriangleMesh mesh = gridWithCorner();
+  const Geometry geometry = buildGeometry(mesh);
+  const auto sight = [&](const Vec3& from, const Vec3& to) {
+    const SurfacePoint end = nearestPoint(mesh, to);
+    int corner = 0;
+    end.bary.maxCoeff(&corner);
+    return sightFrom(geometry, sightSource(geometry, nearestPoint(mesh, from)),
+                     mesh.corner(end.face, corner));
+  };
+  const std::optional<Sight> seen = sight({1.2, 1.1, 0}, {3, 6, 0});
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->distance, std::hypot(1.8, 4.9), 1e-12);
+  EXPECT_FALSE(sight({3.5, 8.2, 0}, {8, 3, 0})) << "across the corner outside";
+  EXPECT_FALSE(sight({2, 2, 0}, {3, 3, 0})) << "from a vertex";
+}
+
+/// Round a saddle, behind which no straight path leads.
+TEST(Sight, BendsAtASaddle) {
+  const TriangleSoup hat = [] {
+    // Eight equilateral triangles round a vertex, alternately up and down.
+    TriangleSoup soup;
+    soup.positions.push_back(Vec3::Zero());
+    const double height = 0.3;
+    const double radius = std::sqrt(1 - height * height);
+    for (int k = 0; k < 8; ++k) {
+      const double angle = kPi / 4 * k;
+      soup.positions.push_back(
+          {radius * std::cos(angle), radius * std::sin(angle), k % 2 ? height : -height});
+    }
+    for (int k = 0; k < 8; ++k) soup.triangles.push_back({0, 1 + k, 1 + (k + 1) % 8});
+    return soup;
+  }();
+  const MeasuredMesh saddle(hat);
+  ASSERT_GT(saddle.geometry.totalAngle[0], 2 * kPi + 0.5);
+  const SurfacePoint point{0, {0.5, 0.25, 0.25}};
+  const SightSource source = sightSource(saddle.geometry, point);
+  ExactDistance exact(saddle.geometry);
+  exact.setSource(point);
+  exact.grow(kInfinity);
+  int bent = 0;
+  for (int v = 1; v <= 8; ++v) {
+    const double round = position(saddle.mesh, point).norm() + 1;
+    if (exact.distance(v) < round - kRounding) continue;
+    ++bent;
+    const std::optional<Sight> sight = sightFrom(saddle.geometry, source, v);
+    ASSERT_TRUE(sight) << v;
+    EXPECT_NEAR(sight->distance, round, 1e-12);
+    EXPECT_LT((sight->logVector - exact.logVector(v)).norm(), 1e-12);
+  }
+  EXPECT_GT(bent, 0);
+}
+
+}  // namespace
+}  // namespace karcher
