@@ -41,6 +41,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   intrinsic/geometry.cpp
   intrinsic/local_path.cpp
   intrinsic/straightest.cpp
+  intrinsic/surface_path.cpp
   intrinsic/tangent.cpp
   intrinsic/vertex_fans.cpp
   rcm/energy_ring.cpp
