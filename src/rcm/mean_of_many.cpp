@@ -4,6 +4,7 @@
 
 #include "distance/edge_dijkstra.h"
 #include "intrinsic/straightest.h"
+#include "mesh/sorted_numbers.h"
 #include "rcm/energy_ring.h"
 #include "rcm/one_source_energy.h"
 
@@ -145,26 +146,41 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
 }
 
 /// The starts of the lowest K, by distances along edges: these take a quarter of the time, and are
-/// all too long by much the same part.
+/// all too long by much the same part. Where K by straight lines in space, which are shorter, is
+/// above the lowest found so far, they are not looked for.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);
-  Array<double> energies;
-  for (const SurfacePoint& start : starts) {
-    const Array<double> distances = edgeDijkstra(geometry, nearestCorner(mesh, start));
+  const auto energyBy = [&](const auto& distanceTo) {
     double energy = 0;
     for (int i = 0; i < points.points.count(); ++i) {
-      energy += points.weights[i] * square(distances[nearestCorner(mesh, points.points[i])]);
+      energy += points.weights[i] * square(distanceTo(nearestCorner(mesh, points.points[i])));
     }
-    energies.push_back(energy);
+    return energy;
+  };
+  Array<double> bounds;
+  for (const SurfacePoint& start : starts) {
+    const Vec3& from = mesh.positions[nearestCorner(mesh, start)];
+    bounds.push_back(energyBy([&](int v) { return (mesh.positions[v] - from).norm(); }));
   }
-  Array<SurfacePoint> lowest;
-  while (lowest.count() < std::min(starts.count(), kDescents)) {
+  const size_t wanted = std::min(starts.size(), static_cast<size_t>(kDescents));
+  Array<double> energies(starts.size(), kInfinity);
+  Array<double> lowest(wanted, kInfinity);  // ascending
+  for (const int i :
+       sortedNumbers(starts.count(), [&](int a, int b) { return bounds[a] < bounds[b]; })) {
+    if (bounds[i] > lowest.back()) break;
+    const Array<double> distances = edgeDijkstra(geometry, nearestCorner(mesh, starts[i]));
+    energies[i] = energyBy([&](int v) { return distances[v]; });
+    lowest.back() = std::min(lowest.back(), energies[i]);
+    std::sort(lowest.begin(), lowest.end());
+  }
+  Array<SurfacePoint> chosen;
+  while (chosen.size() < wanted) {
     const auto least = std::min_element(energies.begin(), energies.end());
-    lowest.push_back(starts[least - energies.begin()]);
+    chosen.push_back(starts[least - energies.begin()]);
     *least = kInfinity;
   }
-  return lowest;
+  return chosen;
 }
 
 SurfacePoint walked(const Geometry& geometry, const SurfacePoint& from, const Vec2& way) {
