@@ -15,19 +15,22 @@ MidpointArrival EdgeMidpoints::arrival(int h, const SurfacePoint& source, double
     return {std::abs(along), Vec2(along < 0 ? -1 : 1, 0)};
   }
   MidpointArrival best;
+  const auto isShorter = [&](double distance) {
+    return distance < best.distance && !isTie(distance, best.distance);
+  };
   for (const int side : {h, t}) {
     const FaceRecords* records = side < 0 ? nullptr : records_.find(faceOf(side));
     if (records == nullptr) continue;
     const Record& record = records->edge[cornerOf(side)];
-    if (!(record.distance < best.distance)) continue;
+    if (!isShorter(record.distance)) continue;
     const Vec2 toSource = Vec2(record.sourceX - middle, -record.depth).normalized();
     best = {record.distance, side == h ? toSource : Vec2(-toSource)};
   }
   // Or along the edge, from a vertex that paths turn round.
   const double overTail = (tailDistance + middle) * (1 + kBentPenalty);
-  if (overTail < best.distance) best = {overTail, Vec2(-1, 0)};
+  if (isShorter(overTail)) best = {overTail, Vec2(-1, 0)};
   const double overHead = (headDistance + middle) * (1 + kBentPenalty);
-  if (overHead < best.distance) best = {overHead, Vec2(1, 0)};
+  if (isShorter(overHead)) best = {overHead, Vec2(1, 0)};
   return best;
 }
 

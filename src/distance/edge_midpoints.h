@@ -25,7 +25,9 @@ class EdgeMidpoints {
     if (window.begin > middle + tolerance || window.end < middle - tolerance) return;
     const double distance = distanceAt(window, middle);
     Record& record = records_.touch(faceOf(h)).edge[cornerOf(h)];
-    if (!(distance < record.distance * (1 - kImprovement)) || record.distance <= reached) return;
+    const bool isBetter = isTie(distance, record.distance) ? window.sourceX < record.sourceX
+                                                           : distance < record.distance;
+    if (!isBetter || record.distance <= reached) return;
     record = {distance, window.sourceX, window.depth};
   }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <queue>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -370,7 +371,11 @@ void ExactDistance::arriveBent(int vertex, VertexRecord& record, int via, const 
 void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via,
                            double crossing) {
   const double before = record.arrival.distance;
-  if (!(arrival.distance < before * (1 - kImprovement)) || before <= queue_.leastKey()) return;
+  const bool isBetter = isTie(arrival.distance, before)
+                            ? std::tie(via, arrival.pseudoSource, crossing) <
+                                  std::tie(record.via, record.arrival.pseudoSource, record.crossing)
+                            : arrival.distance < before;
+  if (!isBetter || before <= queue_.leastKey()) return;
   reachedCount_ += before == kInfinity;
   record.arrival = arrival;
   record.crossing = crossing;

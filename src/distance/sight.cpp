@@ -13,7 +13,8 @@ constexpr int kMostBends = 8;
 constexpr int kMostWalks = 6;
 /// Over a ridge, or round a limb, several paths are straight. One that is longer than the line in
 /// space by this part is compared with what is found so many radians to either side. One that is
-/// longer by still more, or passes a vertex of more curvature, may not be the shortest all the same.
+/// longer by still more, or passes a vertex of more curvature, may not be the shortest all the
+/// same.
 constexpr double kSmallDetour = 1.1;
 constexpr double kAside = 0.7;
 constexpr double kMostDetour = 1.4;

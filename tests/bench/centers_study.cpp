@@ -27,7 +27,10 @@
 ///   the former; the same of another order of vertices and faces, on its own;
 /// - milliseconds a center, without and with what is kept.
 ///
-///   centers_study [--cases N] [--solver exact] [PART_OF_A_NAME | MESH.obj ...]
+///   centers_study [--cases N] [--solver exact] [--list] [PART_OF_A_NAME | MESH.obj ...]
+///
+/// --list prints to the error output what was moved that is no tie: the case, what moved it, how
+/// far, both statuses, and by which part the energy is higher there.
 namespace karcher {
 namespace {
 
@@ -40,6 +43,7 @@ constexpr double kTie = 1e-6;
 struct Options {
   int cases = 8;
   Solver solver = Solver::kFast;
+  bool isListed = false;
 };
 
 struct Lower {
@@ -184,22 +188,31 @@ Row measure(const TriangleMesh& mesh, const Options& options) {
     row.checked.take(lowerOnCircle(geometry, points, weights, center.point));
     ExactEnergy energy(geometry, points, weights);
     const double here = energy.at(center.point, 0, {center.point})[0];
-    const auto compare = [&](const SurfacePoint& point, Status status, Moved& moved) {
+    const auto compare = [&](const char* by, const SurfacePoint& point, Status status,
+                             Moved& moved) {
       const double distance =
           (position(mesh, point) - position(mesh, center.point)).norm() / geometry.diagonal;
       const double value = energy.at(point, 0, {point})[0];
-      moved.take(distance, status == Status::kConverged && std::abs(value - here) < kTie * here);
+      const bool isTie = status == Status::kConverged && std::abs(value - here) < kTie * here;
+      moved.take(distance, isTie);
+      if (!options.isListed || distance <= kMoved || isTie) return;
+      std::fprintf(stderr, "case %d, %s: %.1e of the diagonal, %.2f edges, %s, energy %+.1e\n", i,
+                   by, distance, distance * geometry.diagonal / geometry.meanEdge,
+                   statusName(status), value / here - 1);
     };
-    for (Surface* other : {&turned, &away, &scaled}) {
-      const Mean there = centerOfMass(*other, points, weights, mean);
-      compare(there.point, there.status, row.moved);
-    }
+    const auto compareMoved = [&](const char* by, Surface& other) {
+      const Mean there = centerOfMass(other, points, weights, mean);
+      compare(by, there.point, there.status, row.moved);
+    };
+    compareMoved("turned", turned);
+    compareMoved("turned and away", away);
+    compareMoved("scaled", scaled);
     Array<SurfacePoint> newPoints;
     for (const SurfacePoint& point : points) {
       newPoints.push_back(byNumber(reordered.mesh(), order.at(point)));
     }
     const Mean there = centerOfMass(reordered, newPoints, weights, mean);
-    compare(order.before(there.point), there.status, row.renumbered);
+    compare("renumbered", order.before(there.point), there.status, row.renumbered);
   }
   row.time /= options.cases;
   row.uncheckedTime /= options.cases;
@@ -243,6 +256,8 @@ int main(int argc, char** argv) {
       } else if (word == "--solver" && i + 1 < argc) {
         options.solver =
             std::string(argv[++i]) == "exact" ? karcher::Solver::kExact : karcher::Solver::kFast;
+      } else if (word == "--list") {
+        options.isListed = true;
       } else {
         names.push_back(word);
       }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <sstream>
 #include <string>
@@ -391,6 +392,33 @@ TEST(ExactDistance, EntersASliverThroughItsTip) {
   EXPECT_NEAR(bothWays(strip, 4, 1), 7, 1e-10);
   // Straight on in the plane of the last triangle.
   EXPECT_NEAR(bothWays(strip, 4, 2), 7 + std::hypot(0.99, 1), 1e-10);
+}
+
+TEST(ExactDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
+  // On a lattice many vertices have two shortest paths. A turned one is the same but for rounding.
+  const MeasuredMesh plate(galleryMesh("plate with 50 holes"));
+  const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
+  Array<Vec3> positions = plate.mesh.positions;
+  for (Vec3& p : positions) p = turn * p + Vec3(200, -100, 150);
+  const MeasuredMesh turned(buildMesh(positions, plate.mesh.faces));
+  ExactDistance solver(plate.geometry);
+  ExactDistance other(turned.geometry);
+  solver.keepMidpoints();
+  other.keepMidpoints();
+  for (int source = 0; source < plate.mesh.vertexCount(); source += 19) {
+    for (const auto& [distance, mesh] : {std::pair{&solver, &plate.mesh}, {&other, &turned.mesh}}) {
+      distance->setSource(vertexPoint(*mesh, source));
+      distance->grow(kInfinity);
+    }
+    for (int v = 0; v < plate.mesh.vertexCount(); ++v) {
+      ASSERT_LT((solver.logVector(v) - other.logVector(v)).norm(), 1e-9) << source << " to " << v;
+    }
+    for (int h = 0; h < plate.mesh.halfedgeCount(); ++h) {
+      if (h > plate.mesh.twin[h]) continue;
+      const Vec2 difference = solver.midpointOf(h).toSource - other.midpointOf(h).toSource;
+      ASSERT_LT(difference.norm(), 1e-9) << source << " to the middle of half-edge " << h;
+    }
+  }
 }
 
 TEST(ExactDistance, RefusesATargetAtAVertex) {
