@@ -9,6 +9,7 @@
 #include "curves/curve_value.h"
 #include "curves/polygon/piece_boxes.h"
 #include "curves/trace/piece.h"
+#include "curves/trace/sampling.h"
 #include "rcm/field_set.h"
 
 namespace karcher {
@@ -168,6 +169,8 @@ class Curve {
     int layoutPoints = 0;
     Array<double> gaps;
     Array<double> spacings;
+    SamplingWorkspace sampling;
+    CrossingWorkspace crossings;
     BridgeWorkspace bridging;
     /// Of pieces that took the place of others, whose memory the next ones that are traced take.
     Array<std::shared_ptr<TracedPiece>> spare;
@@ -188,6 +191,7 @@ class Curve {
   void makeTables(const Next& next, Piece& piece, std::shared_ptr<PieceWeights> spare);
   void makeFields(Next& next);
   void trace(Next& next);
+  static BasisWriter basisOf(const Piece& piece);
   void findSamples(const Next& next, Piece& piece, int segment);
   void findAveragedSamples(const Next& next, Piece& piece, int segment);
   void layBridges(const Next& next, Piece& piece);

@@ -78,6 +78,12 @@ void Curve::trace(Next& next) {
   timed(times_.joins);
 }
 
+BasisWriter Curve::basisOf(const Piece& piece) {
+  return [&piece](double t, Array<double>& weights) {
+    weightsAt(piece.basis_, piece.pointWeights_, t, weights);
+  };
+}
+
 void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   const CurveOptions& options = next.value.options;
   if (options.shape.kind == CurveKind::kPolyline) {
@@ -95,8 +101,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   Array<CurveSample>& samples = piece.traced_->samples;
   const Method method = options.field.method;
   if (options.tolerance > 0) {
-    const Basis basis = [&](double t) { return piece.weights(t); };
-    samples = traceAdaptively(fields, basis, nodesOf(piece.basis_), method, options.tolerance);
+    traceAdaptively(fields, basisOf(piece), nodesOf(piece.basis_), method, options.tolerance,
+                    workspace_->sampling, samples);
   } else {
     samples = traceSegment(fields, piece.table_->samples, method, std::move(samples));
   }
@@ -134,10 +140,10 @@ void Curve::join(const Next& next, Piece& piece) {
   const CurveOptions& options = next.value.options;
   // A polyline's paths were found with its samples.
   if (options.shape.kind == CurveKind::kPolyline) return;
-  const Basis basis = [&](double t) { return piece.weights(t); };
+  const BasisWriter basis = basisOf(piece);
   std::optional<EdgeCrossings> crossings;
   if (options.geometry == CurveGeometry::kExact && isOfCenters(options, next.levels)) {
-    crossings.emplace(*workspace_->blend, basis, options.field.method);
+    crossings.emplace(*workspace_->blend, basis, options.field.method, workspace_->crossings);
   }
   joinSamples(surface(), piece.traced_->samples, piece.traced_->bridges,
               crossings ? &*crossings : nullptr, workspace_->averaging.strip, piece.traced_->path);

@@ -125,10 +125,9 @@ EdgeValues FieldBlend::valuesAlongEdge(ControlField& field, int h, int half) {
   return values;
 }
 
-EdgeField FieldBlend::alongEdge(int h, int half) {
-  EdgeField result;
+void FieldBlend::alongEdge(int h, int half, EdgeField& result) {
+  result.fields.clear();
   for (ControlField* field : fields_) result.fields.push_back(valuesAlongEdge(*field, h, half));
-  return result;
 }
 
 EdgeValues FieldBlend::blendAlongEdge(int h, int half, Weights weights) {

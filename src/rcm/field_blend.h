@@ -120,8 +120,8 @@ class FieldBlend {
   double zeroAlongEdge(int h, Weights weights);
 
   /// The fields along half-edge h of a face; where faces are cut, along its first half from the
-  /// tail (0) or its second (1).
-  EdgeField alongEdge(int h, int half = 0);
+  /// tail (0) or its second (1). Written to `result`, whose memory is used again.
+  void alongEdge(int h, int half, EdgeField& result);
   /// Their weighted sum alone.
   EdgeValues blendAlongEdge(int h, int half, Weights weights);
 

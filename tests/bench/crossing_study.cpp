@@ -32,10 +32,13 @@ void study(const std::string& meshPath, const std::string& pointsPath) {
   int filled = 0;
   double ms = 0;
   for (int j = 0; j < curve.segmentCount(); ++j) {
-    const Basis basis = [&](double t) { return curve.weights(j, t); };
+    const BasisWriter basis = [&](double t, Array<double>& weights) {
+      weights = curve.weights(j, t);
+    };
     SegmentFields fields(surface, curve.fieldsOf(j));
     const Array<CurveSample>& samples = curve.samples(j);
-    EdgeCrossings crossings(fields, basis, kField.method);
+    CrossingWorkspace workspace;
+    EdgeCrossings crossings(fields, basis, kField.method, workspace);
     for (int i = 1; i < samples.count(); ++i) {
       Array<SurfacePoint> path;
       bool whole = false;
@@ -45,7 +48,7 @@ void study(const std::string& meshPath, const std::string& pointsPath) {
       for (const CurveSample& found : crossings.found()) {
         const PointLocation place = locate(mesh, found.point);
         if (place.simplex != Simplex::kEdge || mesh.twin[place.halfedge] < 0) continue;
-        const Array<double> weights = basis(found.t);
+        const Array<double> weights = curve.weights(j, found.t);
         const Vec3 point = position(mesh, found.point);
         for (const int face : {place.face, faceOf(mesh.twin[place.halfedge])}) {
           gaps.push_back(gap(surface.geometry(), fields.blend, weights, face, point));

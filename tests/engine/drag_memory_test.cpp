@@ -25,8 +25,8 @@ int bridgesOf(const Curve& curve) {
 
 /// How often each step of a drag takes memory, after the first ones. `bridgedOnly`: of the steps
 /// after which the curve has bridges.
-Array<int64_t> allocationsOfDrag(Surface& surface, const CurveShape& shape, int levels,
-                                 double spacing, uint64_t seed, bool bridgedOnly = false) {
+Array<int64_t> allocationsOfDrag(Surface& surface, const CurveOptions& options, double spacing,
+                                 uint64_t seed, bool bridgedOnly = false) {
   constexpr int kSteps = 80;
   constexpr int kWarmUp = 20;
   const Geometry& geometry = surface.geometry();
@@ -38,13 +38,11 @@ Array<int64_t> allocationsOfDrag(Surface& surface, const CurveShape& shape, int 
     path = dragPath(geometry, polygon[kDragged], unitVector(random.uniform(-kPi, kPi)),
                     0.1 * geometry.meanEdge, kSteps);
   }
-  CurveOptions options{shape, 128, kFast};
-  options.levels = levels;
   Curve curve(surface, options, polygon);
   Array<int64_t> counts;
   for (int i = 0; i < path.count(); ++i) {
     const int64_t before = allocationsSoFar();
-    if (levels == 0) {
+    if (options.levels == 0) {
       curve.movePoint(kDragged, path[i]);
     } else {
       curve.edit([&](CurveValue& value) {
@@ -68,15 +66,26 @@ void expectFew(Array<int64_t> counts, int64_t half, int64_t nine, const std::str
   EXPECT_LE(counts[counts.count() * 9 / 10], nine) << name << ", the most " << counts.back();
 }
 
-void expectMostStepsTakeNone(Surface& surface, const CurveShape& shape, int levels,
-                             double spacing) {
+CurveOptions optionsOf(const CurveShape& shape, int levels) {
+  CurveOptions options{shape, 128, kFast};
+  options.levels = levels;
+  return options;
+}
+
+void expectMostStepsTakeNone(Surface& surface, const CurveOptions& options, double spacing) {
   Array<int64_t> counts;
   for (const uint64_t seed : {1u, 2u, 3u}) {
-    const Array<int64_t> ofDrag = allocationsOfDrag(surface, shape, levels, spacing, seed);
+    const Array<int64_t> ofDrag = allocationsOfDrag(surface, options, spacing, seed);
     counts.insert(counts.end(), ofDrag.begin(), ofDrag.end());
   }
-  expectFew(counts, 0, 8,
-            curveKindName(shape.kind) + std::string(", spacing ") + std::to_string(spacing));
+  expectFew(
+      counts, 0, 8,
+      curveKindName(options.shape.kind) + std::string(", spacing ") + std::to_string(spacing));
+}
+
+void expectMostStepsTakeNone(Surface& surface, const CurveShape& shape, int levels,
+                             double spacing) {
+  expectMostStepsTakeNone(surface, optionsOf(shape, levels), spacing);
 }
 
 TEST(DragMemory, IsCounted) {
@@ -109,6 +118,21 @@ TEST(DragMemory, IsThatOfTheStepsBefore) {
   expectMostStepsTakeNone(bunny, through, 2, 0.1);
 }
 
+TEST(DragMemory, OfCrossingsAndOfAToleranceIsThatOfTheStepsBefore) {
+  Surface torus(meshOf(makeShape(Shape::kTorus, 5000)));
+  Surface bunny(bunnyMesh());
+  for (const int levels : {0, 2}) {
+    CurveOptions exact = optionsOf({CurveKind::kBSpline}, levels);
+    exact.geometry = CurveGeometry::kExact;
+    expectMostStepsTakeNone(torus, exact, 0.1);
+    expectMostStepsTakeNone(bunny, exact, 0.1);
+    CurveOptions adaptive = optionsOf({CurveKind::kBezier}, levels);
+    adaptive.tolerance = 1e-3;
+    expectMostStepsTakeNone(torus, adaptive, 0.1);
+    expectMostStepsTakeNone(bunny, adaptive, 0.1);
+  }
+}
+
 TEST(DragMemory, OfBridgesIsThatOfTheStepsBefore) {
   Surface bunny(bunnyMesh());
   CurveShape closed{CurveKind::kBSpline};
@@ -119,7 +143,8 @@ TEST(DragMemory, OfBridgesIsThatOfTheStepsBefore) {
     Array<int64_t> counts;
     for (const uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
       for (const double spacing : {0.2, 0.3}) {
-        const Array<int64_t> ofDrag = allocationsOfDrag(bunny, shape, 0, spacing, seed, true);
+        const Array<int64_t> ofDrag =
+            allocationsOfDrag(bunny, optionsOf(shape, 0), spacing, seed, true);
         counts.insert(counts.end(), ofDrag.begin(), ofDrag.end());
       }
     }

@@ -21,9 +21,12 @@ CurveOptions exactOptions(int samples) {
 
 /// The crossings that lie inside edges, with their parameters.
 Array<CurveSample> crossingsOf(Curve& curve, int segment, int* left) {
-  const Basis basis = [&](double t) { return curve.weights(segment, t); };
+  const BasisWriter basis = [&](double t, Array<double>& weights) {
+    weights = curve.weights(segment, t);
+  };
   SegmentFields fields(curve.surface(), curve.fieldsOf(segment));
-  EdgeCrossings crossings(fields, basis, Method::kKarcher);
+  CrossingWorkspace workspace;
+  EdgeCrossings crossings(fields, basis, Method::kKarcher, workspace);
   Array<CurveSample> result;
   const Array<CurveSample>& samples = curve.samples(segment);
   for (int i = 1; i < samples.count(); ++i) {

@@ -1,23 +1,22 @@
 #include "curves/trace/edge_crossings.h"
 
-#include <algorithm>
-
 namespace karcher {
 namespace {
 
-/// The faces that hold a point: one, two at an edge; a vertex's faces.
-Array<int> facesAt(const TriangleMesh& mesh, const SurfacePoint& point) {
+/// Calls visit(f) for the faces that hold a point: one, two at an edge; a vertex's faces. Stops
+/// where it returns true.
+template <class Visit>
+bool visitFacesAt(const TriangleMesh& mesh, const SurfacePoint& point, const Visit& visit) {
   const PointLocation place = locate(mesh, point);
-  Array<int> faces{place.face};
-  if (place.simplex == Simplex::kEdge && mesh.twin[place.halfedge] >= 0) {
-    faces.push_back(faceOf(mesh.twin[place.halfedge]));
-  } else if (place.simplex == Simplex::kVertex) {
-    faces.clear();
+  if (place.simplex == Simplex::kVertex) {
     for (const int h : outgoingHalfedges(mesh, place.vertex)) {
-      faces.push_back(faceOf(h));
+      if (visit(faceOf(h))) return true;
     }
+    return false;
   }
-  return faces;
+  if (visit(place.face)) return true;
+  const int twin = place.simplex == Simplex::kEdge ? mesh.twin[place.halfedge] : -1;
+  return twin >= 0 && visit(faceOf(twin));
 }
 
 /// Whether the points share a face; else the half-edge of a face of `a` to a face of `b`, or -1.
@@ -28,29 +27,35 @@ struct Passage {
 
 Passage passageBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   if (a.face == b.face) return {true, -1};
-  const Array<int> from = facesAt(mesh, a);
-  const Array<int> to = facesAt(mesh, b);
-  const auto holdsB = [&](int face) { return std::find(to.begin(), to.end(), face) != to.end(); };
+  const auto holdsB = [&](int face) {
+    return visitFacesAt(mesh, b, [&](int other) { return other == face; });
+  };
   Passage passage;
-  for (const int face : from) {
-    if (holdsB(face)) return {true, -1};
-    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+  visitFacesAt(mesh, a, [&](int face) {
+    passage.sharesFace = holdsB(face);
+    for (int h = 3 * face; h < 3 * face + 3 && !passage.sharesFace; ++h) {
       if (mesh.twin[h] >= 0 && holdsB(faceOf(mesh.twin[h]))) passage.halfedge = h;
     }
-  }
+    return passage.sharesFace;
+  });
   return passage;
 }
 
 }  // namespace
 
-EdgeCrossings::EdgeCrossings(SegmentFields& fields, const Basis& basis, Method method)
-    : geometry_(fields.blend.geometry()), basis_(basis), method_(method), fields_(fields.blend) {}
+EdgeCrossings::EdgeCrossings(SegmentFields& fields, const BasisWriter& basis, Method method,
+                             CrossingWorkspace& workspace)
+    : geometry_(fields.blend.geometry()),
+      basis_(basis),
+      method_(method),
+      fields_(fields.blend),
+      workspace_(workspace) {}
 
 bool EdgeCrossings::append(const CurveSample& from, const CurveSample& to,
                            Array<SurfacePoint>& out) {
-  found_.clear();
+  workspace_.found.clear();
   if (!appendBetween(from, to, 0)) return false;
-  for (const CurveSample& sample : found_) out.push_back(sample.point);
+  for (const CurveSample& sample : workspace_.found) out.push_back(sample.point);
   return true;
 }
 
@@ -58,13 +63,13 @@ bool EdgeCrossings::appendBetween(const CurveSample& from, const CurveSample& to
   const Passage passage = passageBetween(*geometry_.mesh, from.point, to.point);
   if (passage.sharesFace ||
       (passage.halfedge >= 0 && appendCrossing(passage.halfedge, from.t, to.t))) {
-    found_.push_back(to);
+    workspace_.found.push_back(to);
     return true;
   }
   if (bisections == kMostBisections) return false;
   const double t = (from.t + to.t) / 2;
-  const Array<double> weights = basis_(t);
-  const CenterOfMass center = findCenter(fields_, weights, from.point, method_);
+  basis_(t, workspace_.weights);
+  const CenterOfMass center = findCenter(fields_, workspace_.weights, from.point, method_);
   if (center.status != Status::kConverged) return false;
   const CurveSample middle{t, center.point, SampleStatus::kConverged};
   return appendBetween(from, middle, bisections + 1) && appendBetween(middle, to, bisections + 1);
@@ -77,8 +82,11 @@ bool EdgeCrossings::appendCrossing(int h, double t0, double t1) {
 }
 
 bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool orNearest) {
-  const EdgeField field = fields_.alongEdge(h, half);
-  const auto valueAt = [&](double t) { return field.at(basis_(t)); };
+  fields_.alongEdge(h, half, workspace_.field);
+  const auto valueAt = [&](double t) {
+    basis_(t, workspace_.weights);
+    return workspace_.field.at(workspace_.weights);
+  };
   const auto across = [](const EdgeValues& v) { return cross(v.tail, v.head); };
   double before = across(valueAt(t0));
   double after = across(valueAt(t1));
@@ -110,7 +118,7 @@ bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool o
   double s = values.tail.x() / (values.tail.x() - values.head.x());
   if (!(s >= 0 && s <= 1)) return false;
   if (fields_.cells().cut()) s = (half + s) / 2;
-  found_.push_back({t, edgePoint(h, s), SampleStatus::kConverged});
+  workspace_.found.push_back({t, edgePoint(h, s), SampleStatus::kConverged});
   return true;
 }
 

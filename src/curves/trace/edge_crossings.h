@@ -12,10 +12,18 @@
 /// (crossing_study): the polyline through the crossings closes what the samples leave open.
 namespace karcher {
 
+/// Scratch memory; reuse one to spare the allocations.
+struct CrossingWorkspace {
+  Array<CurveSample> found;
+  Array<double> weights;
+  EdgeField field;
+};
+
 class EdgeCrossings {
  public:
   /// All must outlive the object.
-  EdgeCrossings(SegmentFields& fields, const Basis& basis, Method method);
+  EdgeCrossings(SegmentFields& fields, const BasisWriter& basis, Method method,
+                CrossingWorkspace& workspace);
 
   /// Appends the crossings between two converged samples, in ascending t, and the later sample.
   /// Where the samples' faces do not share an edge, more samples are found and appended. Returns
@@ -24,7 +32,7 @@ class EdgeCrossings {
   bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
   /// The result of the last call: the crossings, on edges, and the samples between them.
-  const Array<CurveSample>& found() const { return found_; }
+  const Array<CurveSample>& found() const { return workspace_.found; }
 
   static constexpr int kMostBisections = 10;
 
@@ -36,10 +44,10 @@ class EdgeCrossings {
   bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
 
   const Geometry& geometry_;
-  const Basis& basis_;
+  const BasisWriter& basis_;
   Method method_;
   FieldBlend& fields_;
-  Array<CurveSample> found_;
+  CrossingWorkspace& workspace_;
 };
 
 }  // namespace karcher

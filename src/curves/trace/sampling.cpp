@@ -34,16 +34,19 @@ Vec3 offLine(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 class AdaptiveTrace {
  public:
-  AdaptiveTrace(SegmentFields& fields, const Basis& basis, Method method, double tolerance)
+  AdaptiveTrace(SegmentFields& fields, const BasisWriter& basis, Method method, double tolerance,
+                SamplingWorkspace& workspace, Array<CurveSample>& samples)
       : geometry_(fields.blend.geometry()),
         points_(fields.points),
         fields_(fields.blend),
         basis_(basis),
         method_(method),
-        tolerance_(tolerance * geometry_.diagonal) {}
+        tolerance_(tolerance * geometry_.diagonal),
+        samples_(samples),
+        workspace_(workspace) {}
 
-  Array<CurveSample> run(const Array<double>& nodes) {
-    samples_.push_back(fromHeaviest(0));
+  void run(const Array<double>& nodes) {
+    samples_.assign(1, fromHeaviest(0));
     const CurveSample last = fromHeaviest(1);
     const int pieces = nodes.count() + 1;
     const int wanted = std::max(kFewestIntervals, kIntervalsAPoint * points_.count());
@@ -61,7 +64,6 @@ class AdaptiveTrace {
       }
       start = stop;
     }
-    return std::move(samples_);
   }
 
  private:
@@ -90,13 +92,14 @@ class AdaptiveTrace {
   /// curve may bend or jump at the edges. Between two looks it is taken to go off further by as
   /// much as it does from one to the other.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
-    path_.points.assign(1, from.point);
-    if (!appendLocalPath(geometry_, from.point, to.point, workspace_, path_.points)) return false;
-    measure(*geometry_.mesh, path_);
+    workspace_.path.points.assign(1, from.point);
+    if (!appendLocalPath(geometry_, from.point, to.point, workspace_.strip, workspace_.path.points))
+      return false;
+    measure(*geometry_.mesh, workspace_.path);
     if (offGeodesic(position(*geometry_.mesh, middle.point)).norm() > tolerance_) return false;
     const int looks =
-        std::clamp(kLooksAFace * (path_.points.count() - 1), kFewestLooks, kMostLooks);
-    longestStep_ = kLongestOfSteps * path_.length() / looks;
+        std::clamp(kLooksAFace * (workspace_.path.points.count() - 1), kFewestLooks, kMostLooks);
+    longestStep_ = kLongestOfSteps * workspace_.path.length() / looks;
     farthest_ = largestChange_ = 0;
     Look before{from, position(*geometry_.mesh, from.point)};
     for (int k = 1; k <= looks; ++k) {
@@ -143,9 +146,9 @@ class AdaptiveTrace {
   Vec3 offGeodesic(const Vec3& p) const {
     const TriangleMesh& mesh = *geometry_.mesh;
     Vec3 nearest = Vec3::Constant(kInfinity);
-    Vec3 last = position(mesh, path_.points[0]);
-    for (int i = 1; i < path_.points.count(); ++i) {
-      const Vec3 here = position(mesh, path_.points[i]);
+    Vec3 last = position(mesh, workspace_.path.points[0]);
+    for (int i = 1; i < workspace_.path.points.count(); ++i) {
+      const Vec3 here = position(mesh, workspace_.path.points[i]);
       const Vec3 off = offLine(p, last, here);
       if (off.squaredNorm() < nearest.squaredNorm()) nearest = off;
       last = here;
@@ -154,14 +157,19 @@ class AdaptiveTrace {
   }
 
   CurveSample fromHeaviest(double t) {
-    const Array<double> weights = basis_(t);
+    const Array<double>& weights = weightsAt(t);
     return find(t, weights, points_[heaviest(weights)]->point());
   }
 
   CurveSample sample(double t, const CurveSample& before) {
-    const Array<double> weights = basis_(t);
+    const Array<double>& weights = weightsAt(t);
     const bool warm = before.status == SampleStatus::kConverged;
     return find(t, weights, warm ? before.point : points_[heaviest(weights)]->point());
+  }
+
+  const Array<double>& weightsAt(double t) {
+    basis_(t, workspace_.weights);
+    return workspace_.weights;
   }
 
   CurveSample find(double t, Weights weights, const SurfacePoint& start) {
@@ -172,16 +180,15 @@ class AdaptiveTrace {
   const Geometry& geometry_;
   const Array<PointField*>& points_;
   FieldBlend& fields_;
-  const Basis& basis_;
+  const BasisWriter& basis_;
   Method method_;
   double tolerance_;
-  Array<CurveSample> samples_;
+  Array<CurveSample>& samples_;
+  SamplingWorkspace& workspace_;
   // Of `isFine`.
   double longestStep_ = 0;
   double farthest_ = 0;
   double largestChange_ = 0;
-  StripWorkspace workspace_;
-  SurfacePath path_;
 };
 
 }  // namespace
@@ -194,9 +201,10 @@ void checkTolerance(double tolerance) {
       "a tolerance is a part of the bounding box, from 1e-7 to 1, not " + inSentence(tolerance));
 }
 
-Array<CurveSample> traceAdaptively(SegmentFields& fields, const Basis& basis,
-                                   const Array<double>& nodes, Method method, double tolerance) {
-  return AdaptiveTrace(fields, basis, method, tolerance).run(nodes);
+void traceAdaptively(SegmentFields& fields, const BasisWriter& basis, const Array<double>& nodes,
+                     Method method, double tolerance, SamplingWorkspace& workspace,
+                     Array<CurveSample>& samples) {
+  AdaptiveTrace(fields, basis, method, tolerance, workspace, samples).run(nodes);
 }
 
 }  // namespace karcher

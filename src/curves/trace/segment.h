@@ -21,6 +21,9 @@ inline constexpr int kMostSamples = 100'000;
 /// From t in [0, 1] to the weights of a segment's control points, which sum to 1.
 using Basis = std::function<Array<double>(double t)>;
 
+/// The same, written to an array whose memory is used again.
+using BasisWriter = std::function<void(double t, Array<double>& weights)>;
+
 /// A basis at parameters: where they are evenly spaced, made once for all segments with it.
 struct WeightTable {
   int points = 0;
