@@ -10,7 +10,6 @@ set(KARCHER_SMALL_ROOMS
   mesh curves curves/spec curves/polygon curves/query curves/refine)
 set(KARCHER_FAST_IN_SMALL_ROOMS
   curves/polygon/piece_boxes.cpp
-  curves/spec/bases.cpp
   curves/spec/segment_basis.cpp
   mesh/edges.cpp
   mesh/obj_lines.cpp
@@ -41,6 +40,8 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   intrinsic/geometry.cpp
   intrinsic/local_path.cpp
   intrinsic/straightest.cpp
+  intrinsic/strip_search.cpp
+  intrinsic/strip_shortening.cpp
   intrinsic/surface_path.cpp
   intrinsic/tangent.cpp
   intrinsic/vertex_fans.cpp

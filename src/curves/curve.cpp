@@ -379,10 +379,12 @@ void Curve::layKnots(const Next& next) {
     constexpr double kOne[] = {1};
     return std::sqrt(std::max(blendFields().blend.energy(to, kOne), 0.0));
   };
-  for (int i = 0; shape.centripetal && i < spans; ++i) {
-    const SurfacePoint& from = points[i];
-    const SurfacePoint& to = points[(i + 1) % points.count()];
-    gaps[i] = (distance(from, to) + distance(to, from)) / 2;
+  if (shape.centripetal) {
+    for (int i = 0; i < spans; ++i) {
+      const SurfacePoint& from = points[i];
+      const SurfacePoint& to = points[(i + 1) % points.count()];
+      gaps[i] = (distance(from, to) + distance(to, from)) / 2;
+    }
   }
   catmullRomSpacings(gaps, shape.centripetal, workspace_->spacings);
   spaceKnots(workspace_->spacings, shape.closed, workspace_->layout);

@@ -19,11 +19,8 @@ inline constexpr double kSeenTolerance = 1e-10;
 /// path wins, whose direction is exact.
 inline constexpr double kBentPenalty = 1e-12;
 
-/// An arrival counts only if it is better by this part: not by rounding alone.
-inline constexpr double kImprovement = 1e-14;
-
-/// Whether two lengths differ by rounding alone. Of two such paths the mesh's numbering chooses, so
-/// that a mesh that is moved has the same.
+/// Whether two lengths differ by rounding alone. Of two such paths the mesh's numbering chooses: a
+/// mesh that is moved has the same, where its coordinates are not rounded by more than that.
 inline bool isTie(double a, double b) {
   constexpr double kRounding = 2e-13;
   return b < kInfinity && std::abs(a - b) <= kRounding * b;

@@ -10,17 +10,22 @@ namespace {
 /// Paths across more faces, and those that bend more often, are left to solvers.
 constexpr int kMostFaces = 64;
 constexpr int kMostBends = 8;
+/// A strip is followed anew so often: to a better aim, or on the other side of a vertex.
 constexpr int kMostWalks = 6;
-/// Over a ridge, or round a limb, several paths are straight. One that is longer than the line in
-/// space by this part is compared with what is found so many radians to either side. One that is
-/// longer by still more, or passes a vertex of more curvature, may not be the shortest all the
-/// same.
+
+/// Over a ridge, or round a limb, several paths are straight. One that is longer than this many
+/// times the line in space is compared with what is found to either side.
 constexpr double kSmallDetour = 1.1;
-constexpr double kAside = 0.7;
+constexpr double kAside = 0.7;  ///< radians
+/// One that is longer than this many times the line, or one of those compared that passes a vertex
+/// of this curvature, may not be the shortest all the same.
 constexpr double kMostDetour = 1.4;
-constexpr double kSharp = 0.25;
+constexpr double kSharp = 0.25;  ///< radians
+
 /// A source is at a vertex if its other weights are no larger.
 constexpr double kAtVertex = 1e-9;
+/// Angles of less, in radians, are rounding.
+constexpr double kFlat = 1e-9;
 
 /// The strip of faces between a source and a vertex, laid flat in the frame of the source's face
 /// with the source at the origin, and the path in it.
@@ -41,16 +46,15 @@ class SightLine {
     const Vec3 way = mesh_.positions[vertex_] - source_.position;
     const double chord = way.norm();
     const Vec2 aim = longAs(way, {way.dot(source_.x), way.dot(source_.y)});
-    std::optional<Sight> best = search(aim);
-    if (!best || best->distance <= kSmallDetour * chord) return best;
-    bool isSharp = passesSharpVertex();
-    for (int k = 0; k < 2 && !isSharp; ++k) {
-      const std::optional<Sight> other = search(rotate(unitVector(k == 0 ? -kAside : kAside), aim));
-      if (!other || !(other->distance < best->distance)) continue;
-      best = other;
-      isSharp = passesSharpVertex();
+    std::optional<Sight> best;
+    for (const double turn : {0.0, -kAside, kAside}) {
+      const std::optional<Sight> found = search(rotate(unitVector(turn), aim));
+      if (turn == 0 && (!found || found->distance <= kSmallDetour * chord)) return found;
+      if (!found || (best && best->distance <= found->distance)) continue;
+      if (passesSharpVertex()) return std::nullopt;
+      best = found;
     }
-    return !isSharp && best->distance <= kMostDetour * chord ? best : std::nullopt;
+    return best->distance <= kMostDetour * chord ? best : std::nullopt;
   }
 
  private:
@@ -59,7 +63,7 @@ class SightLine {
     for (int walk = 0; walk < kMostWalks; ++walk) {
       if (!follow(aim)) return std::nullopt;
       if (leaving_ < 0) {
-        // It may come and go between two aims.
+        // Halved, since full steps may swing between two aims.
         aim += (walk == 0 ? 1 : 0.5) * better_;
         continue;
       }
@@ -129,7 +133,7 @@ class SightLine {
     edge_ = edge;
   }
 
-  /// Of an aim in the face of half-edge h, whose ends are `right` and `left`.
+  /// Of an aim on this side of half-edge h, whose ends are `right` and `left`, in its face.
   bool aimBetter(int h, const Vec2& right, const Vec2& left, const Vec2& aim) {
     const int f = faceOf(h);
     // From the face's frame to the source's.
@@ -151,7 +155,8 @@ class SightLine {
     for (int i = first; i < last; ++i) {
       const Vec2 off = sides_[i].at() - from;
       const double area = -sides_[i].sign * cross(off, way);
-      if (area <= 0) continue;
+      // What lies behind is on no side.
+      if (area <= 0 || off.dot(way) <= 0) continue;
       const double sine = area / off.norm();
       if (!(sine > most)) continue;
       most = sine;
@@ -185,7 +190,7 @@ class SightLine {
       const Vec2 after = partEnd(k + 1) - bendAt(k);
       const double angle = std::atan2(std::abs(cross(before, after)), before.dot(after));
       const int vertex = sides_[bends_[k]].vertex;
-      if (angle > -curvature(vertex) && !mesh_.onBoundary[vertex]) return bends_[k];
+      if (angle > kFlat - curvature(vertex) && !mesh_.onBoundary[vertex]) return bends_[k];
     }
     for (int k = 0; k <= bendCount_; ++k) {
       const int passed = passedTooNear(partStart(k), partEnd(k));
@@ -195,7 +200,8 @@ class SightLine {
   }
 
   /// Round a vertex of positive curvature two straight paths lead. The shorter passes it farther
-  /// off. Returns the number of one that a straight part passes on the longer, or -1.
+  /// off; of two of one length the one on its left is taken. Returns the number of one that a
+  /// straight part passes on the wrong side, or -1.
   int passedTooNear(const Vec2& from, const Vec2& to) const {
     const Vec2 way = to - from;
     const double squared = way.squaredNorm();
@@ -204,8 +210,10 @@ class SightLine {
       const Vec2 off = side.at() - from;
       const double before = off.dot(way);
       if (before <= 0 || before >= squared) continue;
-      const double least = curvature(side.vertex) / 2 * before * (squared - before);
-      if (std::abs(cross(off, way)) * squared < least && !mesh_.onBoundary[side.vertex]) return i;
+      const double bend = curvature(side.vertex);
+      if (bend <= kFlat || mesh_.onBoundary[side.vertex]) continue;
+      const double least = (1 - side.sign * kFlat) * bend / 2 * before * (squared - before);
+      if (std::abs(cross(off, way)) * squared < least) return i;
     }
     return -1;
   }

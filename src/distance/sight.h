@@ -6,9 +6,15 @@
 
 /// Straight paths to vertices near by, each found on its own: a few of them cost less than a solver
 /// that grows over all vertices between.
+///
+/// The faces that the line in space leads over are laid flat, the path is pulled tight between the
+/// sides of this strip, and the strip is led round the other side of a vertex as long as that makes
+/// the path shorter: what strip_path.h does, with less of it, in no memory but the stack, and to
+/// the vertex' frame. Among several straight paths that is as a rule the shortest one: on scans one
+/// of a thousand is longer than a thousandth more, most of these by a few hundredths.
 namespace karcher {
 
-/// A point that paths start from, with what all of them need.
+/// A point that paths start from.
 struct SightSource {
   int face = 0;
   bool isAtVertex = true;  ///< from which no path is found
@@ -17,6 +23,7 @@ struct SightSource {
   Vec3 y = Vec3::UnitY();
   Vec2 corners[3] = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};  ///< of the face, from the point on
 };
+/// What paths from a point need.
 SightSource sightSource(const Geometry& geometry, const SurfacePoint& point);
 
 struct Sight {
@@ -24,10 +31,9 @@ struct Sight {
   Vec2 logVector = Vec2::Zero();  ///< -2 log_v(source), in the frame of the vertex
 };
 
-/// The shortest path from a source to a vertex near by: the faces that a line in space leads over
-/// are laid flat, and led round vertices as long as that makes the path in them shorter. Distances
-/// and directions are exact. None where no such path is found, or where it is so much longer than
-/// the line that another may be shorter. Depends on the source and the vertex alone.
+/// The path from a source to a vertex near by. None where no straight path is found, or where it is
+/// so much longer than the line that another may be shorter. Depends on the source and the vertex
+/// alone; on a plane it is the straight line.
 std::optional<Sight> sightFrom(const Geometry& geometry, const SightSource& source, int vertex);
 
 }  // namespace karcher

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "mesh/error.h"
 
@@ -56,8 +57,13 @@ Vec2 WatchedTarget::pointOver(int h) const {
 
 /// `toSource` is in the frame of half-edge h.
 void WatchedTarget::arrive(int h, const Arrival& arrival, const Vec2& toSource) {
-  if (!(arrival.distance < best_.arrival.distance * (1 - kImprovement))) return;
+  const bool isBetter =
+      isTie(arrival.distance, best_.arrival.distance)
+          ? std::tie(h, arrival.pseudoSource) < std::tie(via_, best_.arrival.pseudoSource)
+          : arrival.distance < best_.arrival.distance;
+  if (!isBetter) return;
   const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
+  via_ = h;
   best_ = {arrival, faceOf(h), rotate(along, toSource.normalized())};
 }
 

@@ -40,6 +40,7 @@ class WatchedTarget {
   SurfacePoint point_;
   int faces_[2] = {-1, -1};
   TargetArrival best_;
+  int via_ = -1;  ///< the half-edge that it came by
 };
 
 }  // namespace karcher

@@ -168,7 +168,8 @@ Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints&
   Array<double> lowest(wanted, kInfinity);  // ascending
   for (const int i :
        sortedNumbers(starts.count(), [&](int a, int b) { return bounds[a] < bounds[b]; })) {
-    if (bounds[i] > lowest.back()) break;
+    constexpr double kRounding = 1e-12;
+    if (bounds[i] * (1 - kRounding) > lowest.back()) break;
     const Array<double> distances = edgeDijkstra(geometry, nearestCorner(mesh, starts[i]));
     energies[i] = energyBy([&](int v) { return distances[v]; });
     lowest.back() = std::min(lowest.back(), energies[i]);

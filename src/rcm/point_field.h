@@ -26,7 +26,8 @@ class PointField {
   PointField& operator=(const PointField&) = delete;
 
   /// A box means that the point is near, and that the field is read only in the box. Values are
-  /// then those of straight paths to the vertices (sight.h), each found on its own. Where none is
+  /// then those of paths to the vertices that are straight, or bent at saddles, each found on its
+  /// own (sight.h). Where none is
   /// found, the solver grows, and keeps to paths in the box wherever those outside change nothing.
   /// Log vectors are taken as they are: so near they need no fit (estimators.h). A vertex's value
   /// then depends on the box, too, but not on what was read before. A solver that cannot keep to a

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <string>
+#include <utility>
 
 #include "distance/exact_distance.h"
 #include "distance_meshes.h"
@@ -26,13 +28,22 @@ struct Sights {
   int turned = 0;  ///< as long as the shortest path, but of another log vector
 };
 
+/// A point inside a face, in the middle of an edge or anywhere on one, or near a vertex.
+SurfacePoint anyPoint(const TriangleMesh& mesh, Random& random, int kind) {
+  SurfacePoint point = randomPoint(mesh, random);
+  const double part = kind == 1 ? 0.5 : random.uniform(0.05, 0.95);
+  if (kind == 1 || kind == 2) point.bary = Vec3(part, 1 - part, 0);
+  if (kind == 3) point.bary = Vec3(1 - 3e-8, 1e-8, 2e-8);
+  return point;
+}
+
 Sights sightsWithin(double edges, const Geometry& geometry, uint64_t seed) {
   const TriangleMesh& mesh = *geometry.mesh;
   ExactDistance exact(geometry);
   Random random(seed);
   Sights all;
-  for (int i = 0; i < 60; ++i) {
-    const SurfacePoint point = randomPoint(mesh, random);
+  for (int i = 0; i < 80; ++i) {
+    const SurfacePoint point = anyPoint(mesh, random, i % 4);
     const SightSource source = sightSource(geometry, point);
     exact.setSource(point);
     exact.grow(edges * geometry.meanEdge);
@@ -43,7 +54,6 @@ Sights sightsWithin(double edges, const Geometry& geometry, uint64_t seed) {
       const std::optional<Sight> sight = sightFrom(geometry, source, v);
       if (!sight) return;
       ++all.found;
-      EXPECT_NEAR(sight->logVector.norm(), 2 * sight->distance, kRounding * sight->distance);
       const double ratio = sight->distance / distance;
       all.worst = std::max(all.worst, ratio);
       all.least = std::min(all.least, ratio);
@@ -56,30 +66,34 @@ Sights sightsWithin(double edges, const Geometry& geometry, uint64_t seed) {
 }
 
 TEST(Sight, IsTheShortestPathOfAPlane) {
-  for (const char* name : {"plane, Delaunay of random points", "fans, q = 8, jittered",
-                           "plane, 20:1 jittered grid, random diagonals", "plane, caps 1e-06"}) {
+  const std::pair<const char*, double> planes[] = {
+      {"plane, Delaunay of random points", 0.9},
+      {"fans, q = 8, jittered", 0.9},
+      {"plane, 20:1 jittered grid, random diagonals", 0.4},
+      {"plane, caps 1e-06", 0.9}};
+  for (const auto& [name, found] : planes) {
     SCOPED_TRACE(name);
     const MeasuredMesh plane(galleryMesh(name));
     const Sights all = sightsWithin(6, plane.geometry, 3);
-    EXPECT_GT(all.found, 0.5 * all.asked) << "the rest lie across many faces";
-    EXPECT_NEAR(all.worst, 1, kRounding);
-    EXPECT_NEAR(all.least, 1, kRounding);
-    EXPECT_EQ(all.turned, 0);
+    EXPECT_GT(all.found, found * all.asked) << "the rest lie across many faces";
+    EXPECT_NEAR(all.worst, 1, 1e-7);
+    EXPECT_NEAR(all.least, 1, 1e-7);
+    EXPECT_LT(all.turned, 1e-3 * all.found);
   }
 }
 
-TEST(Sight, IsExactWhereTheSurfaceCurves) {
+TEST(Sight, IsAsARuleTheShortestWhereTheSurfaceCurves) {
   const auto check = [](const std::string& name, const MeasuredMesh& m, double longer,
                         double worst) {
     const uint64_t seed = 7;
     SCOPED_TRACE(name + ", seed " + std::to_string(seed));
     const Sights all = sightsWithin(6, m.geometry, seed);
     EXPECT_GT(all.found, 0.9 * all.asked);
-    EXPECT_GT(all.least, 1 - kRounding);
+    EXPECT_GT(all.least, 1 - 1e-7);
     EXPECT_LE(all.longer, longer * all.found) << "of " << all.found;
     EXPECT_LE(all.worst, worst);
     // Two paths of one length.
-    EXPECT_LT(all.turned, 1e-3 * all.found);
+    EXPECT_LT(all.turned, 2e-3 * all.found);
   };
   check("torus", MeasuredMesh(meshOf(makeShape(Shape::kTorus, 5000))), 0, 1.0001);
   check("sphere", MeasuredMesh(galleryMesh("sphere, jittered UV")), 0, 1.0001);
@@ -87,6 +101,38 @@ TEST(Sight, IsExactWhereTheSurfaceCurves) {
   check("bunny", MeasuredMesh(bunnyMesh()), 0.002, 1.06);
   check("box", MeasuredMesh(galleryMesh("box")), 0.001, 1.1);
   check("rough sheet", MeasuredMesh(galleryMesh("rough sheet")), 0.001, 1.01);
+  check("sheet with folds", MeasuredMesh(galleryMesh("crumpled sheet, 6 folds")), 0.002, 1.1);
+}
+
+/// The mesh's position is rounding to a path along flat faces, past their vertices.
+TEST(Sight, IsTheSameOfAMovedMesh) {
+  const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
+  for (const char* name : {"fans, q = 8", "sphere, jittered UV", "cylinder of 12 sides"}) {
+    SCOPED_TRACE(name);
+    const MeasuredMesh still(galleryMesh(name));
+    Array<Vec3> positions = still.mesh.positions;
+    for (Vec3& p : positions) p = turn * p + Vec3(3, -2, 5);
+    const MeasuredMesh moved(buildMesh(positions, still.mesh.faces));
+    Random random(9);
+    int found = 0;
+    int lost = 0;
+    for (int i = 0; i < 20; ++i) {
+      const SurfacePoint point = anyPoint(still.mesh, random, i % 3);
+      const SightSource source = sightSource(still.geometry, point);
+      const SightSource other = sightSource(moved.geometry, point);
+      for (int v = 0; v < still.mesh.vertexCount(); ++v) {
+        const std::optional<Sight> there = sightFrom(still.geometry, source, v);
+        const std::optional<Sight> here = sightFrom(moved.geometry, other, v);
+        lost += there.has_value() != here.has_value();
+        if (!there || !here) continue;
+        ++found;
+        ASSERT_NEAR(there->distance, here->distance, 1e-9) << v;
+        ASSERT_LT((there->logVector - here->logVector).norm(), 1e-9) << v;
+      }
+    }
+    EXPECT_GT(found, 500);
+    EXPECT_LT(lost, 0.02 * found);
+  }
 }
 
 TEST(Sight, IsNoneWhereThePathIsNotFound) {
