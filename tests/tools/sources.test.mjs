@@ -52,10 +52,14 @@ message(STATUS "\${fast} fast, \${small} small")
   });
 
   test('notices when a file that it names is renamed', () => {
-    renamed('src/curves/spec/bases.cpp', 'src/curves/spec/blends.cpp', ({ status, said }) => {
-      assert.notEqual(status, 0);
-      assert.match(said, /names src\/curves\/spec\/bases\.cpp, which is not among/);
-    });
+    renamed(
+      'src/curves/spec/segment_basis.cpp',
+      'src/curves/spec/blends.cpp',
+      ({ status, said }) => {
+        assert.notEqual(status, 0);
+        assert.match(said, /names src\/curves\/spec\/segment_basis\.cpp, which is not among/);
+      },
+    );
   });
 
   test('notices a room that it does not name, and one that is gone', () => {
