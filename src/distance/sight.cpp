@@ -48,7 +48,7 @@ class SightLine {
     const Vec2 aim = longAs(way, {way.dot(source_.x), way.dot(source_.y)});
     std::optional<Sight> best;
     for (const double turn : {0.0, -kAside, kAside}) {
-      const std::optional<Sight> found = search(rotate(unitVector(turn), aim));
+      std::optional<Sight> found = search(rotate(unitVector(turn), aim));
       if (turn == 0 && (!found || found->distance <= kSmallDetour * chord)) return found;
       if (!found || (best && best->distance <= found->distance)) continue;
       if (passesSharpVertex()) return std::nullopt;
