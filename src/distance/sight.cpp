@@ -76,7 +76,7 @@ class SightLine {
     return std::nullopt;
   }
 
-  /// A vertex beside the strip. (Left as it comes: most are never used.)
+  /// A vertex beside the strip. Without initial values, since most of the array is never used.
   struct Side {
     double x;
     double y;
@@ -91,8 +91,8 @@ class SightLine {
   }
 
   /// Follows the line to an aim across faces up to one that has the vertex. If the aim lies in one
-  /// before, `leaving_` is negative and the aim is made better. Returns false where the line cannot
-  /// be followed.
+  /// before, `leaving_` is negative and `better_` leads from it to a better one. Returns false
+  /// where the line cannot be followed.
   bool follow(const Vec2& aim) {
     leaving_ = -1;
     sideCount_ = 0;

@@ -9,9 +9,10 @@
 ///
 /// The faces that the line in space leads over are laid flat, the path is pulled tight between the
 /// sides of this strip, and the strip is led round the other side of a vertex as long as that makes
-/// the path shorter: what strip_path.h does, with less of it, in no memory but the stack, and to
-/// the vertex' frame. Among several straight paths that is as a rule the shortest one: on scans one
-/// of a thousand is longer than a thousandth more, most of these by a few hundredths.
+/// the path shorter: as strip_path.h does, whose papers it follows, but in no memory but the stack,
+/// and only to the length and the direction. Of several straight paths that is as a rule the
+/// shortest. Of vertices up to 6 edges away none is a thousandth longer on stanford-bunny, .07 %
+/// are on armadillo, and .2 % on spot, whose ears are thin, by a fourth at most.
 namespace karcher {
 
 /// A point that paths start from.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRounding = 1e-10;
 
-/// Of vertices within some mean edges of random points inside faces.
+/// Of vertices within some mean edges of random points.
 struct Sights {
   int asked = 0;
   int found = 0;
