@@ -279,7 +279,7 @@ export interface CurveOptions extends FieldOptions {
    *
    * - 0: the curve of Mancinelli and Puppo, one center of mass of all the points that a segment blends;
    * - `auto`, the default: the fewest that make the pieces safe centers of mass with legs of at most
-   *   four mean edges; 0 on smooth surfaces with near points;
+   *   three mean edges; 0 on smooth surfaces with near points;
    * - `limit`: the subdivision curve that many levels approach, which needs no fields. It is traced at
    *   `samples` even parameters, joined by geodesics, whatever `tolerance` and `geometry` ask for.
    *

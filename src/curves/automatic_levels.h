@@ -17,9 +17,10 @@ inline constexpr double kSafeShare = 0.2;
 
 /// Mean edges: a curve is refined until its legs are no longer than this. The fields of a piece's
 /// points hold about the square of its legs, and there are twice as many pieces a level, so each
-/// level down to here halves the work; below, pieces cost more than their fields. Where pieces are
-/// safe anyway, this moves the curve by a thousandth of its length at most.
-inline constexpr double kSmallLeg = 4;
+/// level down to here spares work; below, pieces cost more than their fields. At level 0 fields are
+/// not kept to boxes, and take longest. Where pieces are safe anyway, this moves the curve by a
+/// thousandth of its length at most.
+inline constexpr double kSmallLeg = 3;
 
 /// How many levels a curve takes: the fewest at which its pieces are safe centers of mass and have
 /// small legs. None on smooth surfaces with near points. The curvature per area is estimated from

@@ -1,5 +1,7 @@
 #include "distance/fast_distance.h"
 
+#include "distance/arrival.h"
+
 namespace karcher {
 namespace {
 
@@ -16,6 +18,9 @@ constexpr double kFarBeside = 0.1;
 
 /// Distances count as shorter than the straight line only by more than this part of their square.
 constexpr double kRounding = 1e-13;
+
+/// Two paths of one length are one if the cosine of the angle between them is nearer to 1.
+constexpr double kSameDirection = 1e-12;
 
 /// A path that bends by less, in radians, goes straight on.
 constexpr double kStraight = 1e-12;
@@ -378,6 +383,15 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const V
     record.toSource = rotate(fans_->turn[target.head], record.toSource);
   }
   record.corner = arrivalCorner;
+  if (ties(reached, distance, arrivalCorner)) {
+    // One and the same path may be found through both corners beside an edge.
+    const bool isTheSame = record.toSource.dot(reached.toSource) > 1 - kSameDirection;
+    const bool isBetter =
+        isTheSame ? distance < reached.distance * kShorter : arrivalCorner < reached.corner;
+    if (!isBetter) return;
+    // A change is seen by the distance.
+    if (distance == reached.distance) record.distance = std::nextafter(distance, 0.0);
+  }
   record.unsure = isFromUnsure_ || (other.settled && other.unsure);
   record.side = reached.side;
   record.place = reached.place;
@@ -431,9 +445,15 @@ double FastDistance::noLessThanStraight(int vertex, double distance) const {
 bool FastDistance::mayArrive(const VertexRecord& record, double distance, int corner) const {
   if (!(distance < kInfinity) || isFinal(record)) return false;
   if (distance < record.distance * kShorter) return true;
+  if (ties(record, distance, corner)) return true;
   // What came over the same edge when less was known of its ends is replaced.
   return !record.settled && !record.alongEdge && record.corner == corner &&
          distance != record.distance;
+}
+
+/// Whether another path across faces is as long as the vertex's.
+bool FastDistance::ties(const VertexRecord& record, double distance, int corner) {
+  return record.corner != corner && isTie(distance, record.distance) && !record.alongEdge;
 }
 
 void FastDistance::enqueue(int vertex, VertexRecord& record, double before) {

@@ -144,6 +144,7 @@ class FastDistance final : public DistanceSolver {
   bool turnsTooFar(int vertex, int edge, int side) const;
   double noLessThanStraight(int vertex, double distance) const;
   bool mayArrive(const VertexRecord& record, double distance, int corner) const;
+  static bool ties(const VertexRecord& record, double distance, int corner);
   void enqueue(int vertex, VertexRecord& record, double before);
 
   const Geometry& geometry_;

@@ -22,6 +22,10 @@ constexpr double kLastStep = 0.1;
 /// A descent that comes so near to where another one ended, in mean edges, would end there too.
 constexpr double kSameDescent = 2;
 
+/// Of the first step by exact distances, in mean edges: a shorter one is not worth its solve, and a
+/// longer one is by more than the fast solver's error.
+constexpr double kLeastStep = 0.02;
+constexpr double kLongestExactStep = 1;
 /// A center is moved where K is lower by this part of a square mean edge, as with few points.
 constexpr double kGain = kLowerBy / 4;
 /// So many creases make K smooth: as few places of a circle tell what it is like there as foretell
@@ -184,19 +188,24 @@ Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints&
   return chosen;
 }
 
-SurfacePoint walked(const Geometry& geometry, const SurfacePoint& from, const Vec2& way) {
+StraightestPath walk(const Geometry& geometry, const SurfacePoint& from, const Vec2& way) {
   return traceStraightest(geometry, from, way,
-                          {.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)})
-      .path.end();
+                          {.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)});
 }
 
 Mean meanAt(const SurfacePoint& place, double energy, int solves) {
   return {place, Status::kConverged, solves, energy, Uniqueness::kNotLooked, {}};
 }
 
-/// The minimum by the solver's distances; none where descents end at a boundary.
-std::optional<Mean> roughMean(Surface& surface, const WeightedPoints& points,
-                              const MeanOptions& options) {
+/// A minimum by the solver's distances, and the scale of steps there.
+struct RoughMean {
+  Mean mean;
+  Scale scale;
+};
+
+/// None where descents end at a boundary.
+std::optional<RoughMean> roughMean(Surface& surface, const WeightedPoints& points,
+                                   const MeanOptions& options) {
   const Geometry& geometry = surface.geometry();
   const std::unique_ptr<DistanceSolver> solver = makeDistanceSolver(surface, options.field);
   OneSourceEnergy energy(geometry, points, *solver);
@@ -218,21 +227,40 @@ std::optional<Mean> roughMean(Surface& surface, const WeightedPoints& points,
     ended = descent.ended;
   }
   if (ended == Ended::kBoundary) return std::nullopt;
-  const Vec2 last = ended == Ended::kThere ? best.step() : Vec2::Zero();
-  return meanAt(walked(geometry, best.place, last), best.here.energy - best.here.step.dot(last),
-                energy.solved());
+  const double energyThere = best.here.energy;
+  if (ended != Ended::kThere || best.step() == Vec2::Zero()) {
+    return RoughMean{meanAt(best.place, energyThere, energy.solved()), best.scale};
+  }
+  const Vec2 last = best.step();
+  const StraightestPath way = walk(geometry, best.place, last);
+  const Vec2 direction = last.normalized();
+  const Scale scale = best.scale.turned(Vec2(direction.x(), -direction.y())).turned(way.direction);
+  return RoughMean{meanAt(way.path.end(), energyThere - best.here.step.dot(last), energy.solved()),
+                   scale};
 }
 
 /// A minimum by exact distances near a rough one.
-Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const Mean& rough) {
+Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const RoughMean& rough) {
   const double radius = kCheckedRadius * geometry.meanEdge;
   const double squareEdge = square(geometry.meanEdge);
   ExactOneSourceEnergy exact(geometry, points);
   const bool isSmooth = points.points.count() >= kSmooth;
   const int count = isSmooth ? kOnCircle : kOnRoughCircle;
   // The lowest place so far.
-  SurfacePoint place = rough.point;
-  double energy = exact.at(place).energy;
+  SurfacePoint place = rough.mean.point;
+  const EnergyAt here = exact.at(place);
+  double energy = here.energy;
+  // A step by the exact gradient spares a circle about the wrong place.
+  const Vec2 step = rough.scale * here.step;
+  if (step.norm() > kLeastStep * geometry.meanEdge) {
+    const double part = std::min(1.0, kLongestExactStep * geometry.meanEdge / step.norm());
+    const SurfacePoint there = walk(geometry, place, part * step).path.end();
+    const double thereEnergy = exact.at(there).energy;
+    if (thereEnergy < energy) {
+      place = there;
+      energy = thereEnergy;
+    }
+  }
   for (int move = 0;; ++move) {
     EnergyRing ring(geometry, place, energy, count, exact);
     const double bound = energy - kLowerBy * squareEdge;
@@ -241,7 +269,7 @@ Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const M
     double lowerEnergy = kInfinity;
     bool isLowest = false;
     const auto compare = [&](const Vec2& to) {
-      const SurfacePoint there = walked(geometry, place, to);
+      const SurfacePoint there = walk(geometry, place, to).path.end();
       const double thereEnergy = exact.at(there).energy;
       if (!(thereEnergy < lowerEnergy)) return;
       lower = there;
@@ -280,7 +308,7 @@ Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const M
       place = lower;
       energy = lowerEnergy;
     }
-    Mean mean = meanAt(place, energy, rough.iterations + exact.solved());
+    Mean mean = meanAt(place, energy, rough.mean.iterations + exact.solved());
     if (isDone) return mean;
     if (!isLast) continue;
     mean.status = Status::kLowerNearby;
@@ -300,8 +328,9 @@ bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
 std::optional<Mean> meanOfMany(Surface& surface, const Array<SurfacePoint>& points,
                                const Array<double>& weights, const MeanOptions& options) {
   const WeightedPoints merged = mergedPoints(points, weights);
-  std::optional<Mean> rough = roughMean(surface, merged, options);
-  if (!rough || !options.isChecked) return rough;
+  const std::optional<RoughMean> rough = roughMean(surface, merged, options);
+  if (!rough) return std::nullopt;
+  if (!options.isChecked) return rough->mean;
   return heldToExact(surface.geometry(), merged, *rough);
 }
 

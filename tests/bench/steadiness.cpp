@@ -121,13 +121,45 @@ void tellStep(AverageFigures& figures, double motion, double allowed) {
 }
 
 void addStages(HandFigures& figures, const TracedCurve& traced) {
-  double sum = 0;
   for (const StageTime& stage : traced.stages) {
     if (figures.stageMs.count(stage.name) == 0) figures.stages.push_back(stage.name);
     figures.stageMs[stage.name].push_back(stage.ms);
-    sum += stage.ms;
   }
-  figures.ms.push_back(sum);
+  figures.ms.push_back(traced.ms);
+}
+
+/// One drag of a variant, with its number among them.
+void measureDrag(Surface& surface, const SteadyVariant& variant, const Drag& drag, int number,
+                 HandFigures& figures) {
+  const Geometry& geometry = surface.geometry();
+  HeldCurve curve = variant.hold(surface, drag.polygon);
+  TracedCurve before = curve.drag(Drag::kPoint, drag.path[0]);
+  MeasuredPolyline lineBefore(before.polyline);
+  for (int i = 1; i < drag.path.count(); ++i) {
+    TracedCurve after = curve.drag(Drag::kPoint, drag.path[i]);
+    addStages(figures, after);
+    figures.allocations.push_back(static_cast<double>(after.allocations));
+    figures.bridged += after.bridged;
+    figures.lost += after.lost;
+    MeasuredPolyline lineAfter(after.polyline);
+    const int counted = figures.motion.steps;
+    const double step = Drag::kStep * geometry.meanEdge;
+    const double byLegs = allowedLeap(geometry, before, after);
+    const auto byAverages = [&] { return allowedByAverages(geometry, before, after); };
+    Leap leap{number, i,
+              countStep(figures.motion, lineBefore, lineAfter, step, byLegs, byAverages)};
+    leap.allowedByLegs = byLegs / step;
+    if (leap.motion > DragFigures::kShiver) leap.allowedByAverages = byAverages() / step;
+    const double allowed = leap.allowedByLegs + leap.allowedByAverages;
+    if (leap.motion > std::max(allowed, DragFigures::kShiver)) figures.leaps.push_back(leap);
+    if (figures.motion.steps > counted) tellStep(figures.averages, leap.motion, allowed);
+    before = std::move(after);
+    lineBefore = std::move(lineAfter);
+  }
+  figures.released.push_back(partMoved(before.polyline, curve.release().polyline));
+  if (!curve.releaseToAutomatic) return;
+  const TracedCurve automatic = curve.releaseToAutomatic();
+  figures.releasedToAutomatic.push_back(partMoved(before.polyline, automatic.polyline));
 }
 
 }  // namespace
@@ -170,41 +202,18 @@ Drag randomDrag(const Geometry& geometry, Random& random, const ControlPolygonOp
   return drag;
 }
 
-HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const Array<Drag>& drags) {
-  const Geometry& geometry = surface.geometry();
-  HandFigures figures;
+Array<HandFigures> measureDrags(Surface& surface, const Array<SteadyVariant>& variants,
+                                const Array<Drag>& drags) {
+  Array<HandFigures> figures(variants.size());
   for (int d = 0; d < drags.count(); ++d) {
-    const Drag& drag = drags[d];
-    HeldCurve curve = variant.hold(surface, drag.polygon);
-    TracedCurve before = curve.drag(Drag::kPoint, drag.path[0]);
-    MeasuredPolyline lineBefore(before.polyline);
-    for (int i = 1; i < drag.path.count(); ++i) {
-      TracedCurve after = curve.drag(Drag::kPoint, drag.path[i]);
-      addStages(figures, after);
-      figures.allocations.push_back(static_cast<double>(after.allocations));
-      figures.bridged += after.bridged;
-      figures.lost += after.lost;
-      MeasuredPolyline lineAfter(after.polyline);
-      const int counted = figures.motion.steps;
-      const double step = Drag::kStep * geometry.meanEdge;
-      const double byLegs = allowedLeap(geometry, before, after);
-      const auto byAverages = [&] { return allowedByAverages(geometry, before, after); };
-      Leap leap{d, i, countStep(figures.motion, lineBefore, lineAfter, step, byLegs, byAverages)};
-      leap.allowedByLegs = byLegs / step;
-      if (leap.motion > DragFigures::kShiver) leap.allowedByAverages = byAverages() / step;
-      const double allowed = leap.allowedByLegs + leap.allowedByAverages;
-      if (leap.motion > std::max(allowed, DragFigures::kShiver)) figures.leaps.push_back(leap);
-      if (figures.motion.steps > counted) tellStep(figures.averages, leap.motion, allowed);
-      before = std::move(after);
-      lineBefore = std::move(lineAfter);
+    for (int v = 0; v < variants.count(); ++v) {
+      measureDrag(surface, variants[v], drags[d], d, figures[v]);
     }
-    figures.released.push_back(partMoved(before.polyline, curve.release().polyline));
-    if (!curve.releaseToAutomatic) continue;
-    const TracedCurve automatic = curve.releaseToAutomatic();
-    figures.releasedToAutomatic.push_back(partMoved(before.polyline, automatic.polyline));
   }
-  std::sort(figures.leaps.begin(), figures.leaps.end(),
-            [](const Leap& a, const Leap& b) { return a.motion > b.motion; });
+  for (HandFigures& f : figures) {
+    std::sort(f.leaps.begin(), f.leaps.end(),
+              [](const Leap& a, const Leap& b) { return a.motion > b.motion; });
+  }
   return figures;
 }
 

@@ -82,6 +82,9 @@ struct HandFigures {
   Array<double> releasedToAutomatic;
 };
 
-HandFigures measureDrags(Surface& surface, const SteadyVariant& variant, const Array<Drag>& drags);
+/// By variant. Each drag is measured with all of them before the next, so that a machine whose
+/// speed drifts does not favour one.
+Array<HandFigures> measureDrags(Surface& surface, const Array<SteadyVariant>& variants,
+                                const Array<Drag>& drags);
 
 }  // namespace karcher

@@ -147,10 +147,7 @@ void printDrags(Surface& surface, const Options& options, Plots& plots) {
     for (int i = 0; i < options.drags; ++i) {
       drags.push_back(randomDrag(surface.geometry(), random, {.spacing = spacing}, options.steps));
     }
-    Array<HandFigures> figures;
-    for (const SteadyVariant& variant : options.variants) {
-      figures.push_back(measureDrags(surface, variant, drags));
-    }
+    const Array<HandFigures> figures = measureDrags(surface, options.variants, drags);
     for (int i = 0; i < figures.count(); ++i) {
       const HandFigures& f = figures[i];
       std::printf(

@@ -68,25 +68,29 @@ SteadyVariant refined(const std::string& name, int levels) {
   };
   variant.hold = [levels](Surface& surface, const Array<SurfacePoint>& points) {
     const auto curve = std::make_shared<Curve>(surface, cubicBezier(levels), points);
-    curve->setClock(processorMilliseconds);
+    // The processor's own clock takes a microsecond to read: too long for stages.
+    curve->setClock(milliseconds);
     HeldCurve held;
     held.drag = [curve, levels](int i, const SurfacePoint& place) {
       const int64_t allocations = allocationsSoFar();
-      if (levels == 0) {
-        // It has no use for legs.
-        curve->movePoint(i, place);
-        return described(*curve, allocationsSoFar() - allocations);
-      }
       double continued = 0;
-      curve->edit([&](CurveValue& value) {
-        continued = processorTimed([&] {
-          placePoint(value, i, place);
-          curve->continueLegs(value, i);
+      const double ms = processorTimed([&] {
+        if (levels == 0) {
+          // It has no use for legs.
+          curve->movePoint(i, place);
+          return;
+        }
+        curve->edit([&](CurveValue& value) {
+          continued = timed([&] {
+            placePoint(value, i, place);
+            curve->continueLegs(value, i);
+          });
+          // As the page does: a drag keeps the most levels that it ever had.
+          if (levels == kAutomaticLevels) value.options.leastLevels = curve->levels();
         });
-        // As the page does: a drag keeps the most levels that it ever had.
-        if (levels == kAutomaticLevels) value.options.leastLevels = curve->levels();
       });
       TracedCurve traced = described(*curve, allocationsSoFar() - allocations);
+      traced.ms = ms;
       traced.stages[0].ms += continued;
       for (const SurfacePath& leg : curve->legs()) traced.legs.push_back(leg.points);
       return traced;
@@ -114,6 +118,7 @@ TracedCurve subdivided(Surface& surface, const Array<SurfacePoint>& points) {
   const double ms = processorTimed([&] { appendBezier(geometry, points, 0, 1, workspace, line); });
   TracedCurve traced;
   traced.allocations = allocationsSoFar() - allocations;
+  traced.ms = ms;
   traced.stages = {{"subdivision", ms}};
   for (const SurfacePoint& p : line.path.points)
     traced.polyline.push_back(position(surface.mesh(), p));

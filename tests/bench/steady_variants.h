@@ -21,6 +21,7 @@ struct TracedCurve {
   int levels = 0;
   double bridged = 0;  ///< the part of the parameter over which the curve is no center of mass
   int lost = 0;        ///< samples that are neither converged nor on a bridge
+  double ms = 0;       ///< of a step, the processor's
   Array<StageTime> stages;
   int64_t allocations = 0;  ///< of the step of the hand
 };

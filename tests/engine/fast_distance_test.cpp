@@ -300,6 +300,29 @@ TEST(FastDistance, GrownToAVertexItIsTheSame) {
   }
 }
 
+TEST(FastDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
+  // On a regular cone two paths of one length lead to the vertices across the tip. A turned one is
+  // the same but for rounding.
+  const TriangleMesh cone = galleryMesh("cone of 36 degrees");
+  Array<Vec3> positions = cone.positions;
+  const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
+  for (Vec3& p : positions) p = turn * p + Vec3(2, -1, 1.5);
+  const TriangleMesh turned = buildMesh(positions, cone.faces);
+  const Geometry geometry = buildGeometry(cone);
+  const Geometry turnedGeometry = buildGeometry(turned);
+  FastDistance solver(geometry);
+  FastDistance other(turnedGeometry);
+  for (int source = 0; source < cone.vertexCount(); source += 7) {
+    for (FastDistance* distance : {&solver, &other}) {
+      distance->setSource(vertexPoint(cone, source));
+      distance->grow(kInfinity);
+    }
+    for (int v = 0; v < cone.vertexCount(); ++v) {
+      ASSERT_LT((solver.logVector(v) - other.logVector(v)).norm(), 1e-9) << source << " to " << v;
+    }
+  }
+}
+
 TEST(FastDistance, GrowsToNoVertexOfAnotherComponent) {
   const TriangleMesh mesh = buildMesh(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});

@@ -22,68 +22,34 @@ Vec3 normalOf(const TriangleMesh& mesh, int face) {
   return (b - a).cross(c - a);
 }
 
-/// Grows over pieces, then becomes a box.
-class Extent {
+/// What boxes are made of, each part once: the normals and longest edges at the points, and the
+/// corners of the faces along each leg.
+class Parts {
  public:
-  Extent(const Geometry& geometry, Array<Vec3>& positions)
-      : geometry_(geometry), mesh_(*geometry.mesh), positions_(positions) {}
-
-  void clear() {
-    positions_.clear();
-    last_ = nullptr;
-    lastFace_ = -1;
-    normal_ = Vec3::Zero();
-    longest_ = 0;
-  }
-
-  void add(const RefinedPolygon& refined, const SegmentLayout& piece) {
-    for (int k = 0; k < piece.points.count(); ++k) {
-      const int face = refined.points[piece.points[k]].point.face;
-      addFace(face);
-      normal_ += normalOf(mesh_, face).normalized();
-      for (int h = 3 * face; h < 3 * face + 3; ++h) {
-        longest_ = std::max(longest_, geometry_.edgeLength[h]);
-      }
-      if (k > 0) addLeg(refined, piece.points[k - 1]);
+  Parts(const Geometry& geometry, const RefinedPolygon& refined, BoxWorkspace& workspace)
+      : geometry_(geometry), mesh_(*geometry.mesh), workspace_(workspace) {
+    workspace.normals.clear();
+    workspace.longest.clear();
+    for (const WeightedPoint& point : refined.points) addPoint(point.point.face);
+    workspace.corners.clear();
+    workspace.ofLegs.assign(1, 0);
+    for (int leg = 0; leg < refined.legs.count(); ++leg) {
+      lastFace_ = -1;
+      addFace(refined.points[leg].point.face);
+      for (const SurfacePoint& p : refined.legs[leg].points) addFace(p.face);
+      addFace(refined.points[leg + 1 < refined.points.count() ? leg + 1 : 0].point.face);
+      workspace.ofLegs.push_back(workspace.corners.count());
     }
-    last_ = &piece;
-  }
-
-  /// Along the line from the point to what is farthest of it.
-  std::optional<OrientedBox> box(const SurfacePoint& point) const {
-    const Vec3 from = position(mesh_, point);
-    Vec3 along = Vec3::Zero();
-    for (const Vec3& p : positions_) {
-      if ((p - from).squaredNorm() > along.squaredNorm()) along = p - from;
-    }
-    OrientedBox box;
-    box.axes[0] = along.normalized();
-    box.axes[1] = normal_.cross(along).normalized();
-    box.axes[2] = box.axes[0].cross(box.axes[1]);
-    if (!(box.axes[0].norm() > 0.5 && box.axes[1].norm() > 0.5)) return std::nullopt;
-    Vec3 least = Vec3::Constant(kInfinity);
-    Vec3 most = Vec3::Constant(-kInfinity);
-    for (const Vec3& p : positions_) {
-      for (int k = 0; k < 3; ++k) {
-        const double at = box.axes[k].dot(p);
-        least[k] = std::min(least[k], at);
-        most[k] = std::max(most[k], at);
-      }
-    }
-    box.halfSize = (most - least) / 2 + Vec3::Constant(kRoom * longest_);
-    if (box.halfSize[0] > kLongest * geometry_.meanEdge) return std::nullopt;
-    box.halfSize[2] += kThickness * box.halfSize[0];
-    for (int k = 0; k < 3; ++k) box.center += (least[k] + most[k]) / 2 * box.axes[k];
-    return box;
   }
 
  private:
-  void addLeg(const RefinedPolygon& refined, int leg) {
-    // The pieces of a B-spline share most of their legs.
-    const bool isThere = last_ && std::find(last_->points.begin(), last_->points.end() - 1, leg) !=
-                                      last_->points.end() - 1;
-    if (isThere) return;
-    for (const SurfacePoint& p : refined.legs[leg].points) addFace(p.face);
+  void addPoint(int face) {
+    workspace_.normals.push_back(normalOf(mesh_, face).normalized());
+    double longest = 0;
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      longest = std::max(longest, geometry_.edgeLength[h]);
+    }
+    workspace_.longest.push_back(longest);
   }
 
   /// Faces along a leg have two corners in common.
@@ -92,7 +58,7 @@ class Extent {
     for (int k = 0; k < 3; ++k) {
       const int corner = mesh_.corner(face, k);
       if (lastFace_ < 0 || !isCornerOf(lastFace_, corner)) {
-        positions_.push_back(mesh_.positions[corner]);
+        workspace_.corners.push_back(mesh_.positions[corner]);
       }
     }
     lastFace_ = face;
@@ -105,9 +71,73 @@ class Extent {
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  Array<Vec3>& positions_;
-  const SegmentLayout* last_ = nullptr;
+  BoxWorkspace& workspace_;
   int lastFace_ = -1;
+};
+
+/// Grows over pieces, then becomes a box.
+class Extent {
+ public:
+  Extent(const Geometry& geometry, BoxWorkspace& workspace)
+      : geometry_(geometry), workspace_(workspace) {}
+
+  void clear() {
+    workspace_.legs.clear();
+    normal_ = Vec3::Zero();
+    longest_ = 0;
+  }
+
+  void add(const SegmentLayout& piece) {
+    Array<int>& legs = workspace_.legs;
+    for (int k = 0; k < piece.points.count(); ++k) {
+      normal_ += workspace_.normals[piece.points[k]];
+      longest_ = std::max(longest_, workspace_.longest[piece.points[k]]);
+      if (k == 0) continue;
+      // The pieces of a B-spline share most of their legs.
+      const int leg = piece.points[k - 1];
+      if (std::find(legs.begin(), legs.end(), leg) == legs.end()) legs.push_back(leg);
+    }
+  }
+
+  /// Along the line from the point to what is farthest of it.
+  std::optional<OrientedBox> box(const SurfacePoint& point) const {
+    const Vec3 from = position(*geometry_.mesh, point);
+    Vec3 along = Vec3::Zero();
+    forEachCorner([&](const Vec3& p) {
+      if ((p - from).squaredNorm() > along.squaredNorm()) along = p - from;
+    });
+    OrientedBox box;
+    box.axes[0] = along.normalized();
+    box.axes[1] = normal_.cross(along).normalized();
+    box.axes[2] = box.axes[0].cross(box.axes[1]);
+    if (!(box.axes[0].norm() > 0.5 && box.axes[1].norm() > 0.5)) return std::nullopt;
+    Vec3 least = Vec3::Constant(kInfinity);
+    Vec3 most = Vec3::Constant(-kInfinity);
+    forEachCorner([&](const Vec3& p) {
+      for (int k = 0; k < 3; ++k) {
+        const double at = box.axes[k].dot(p);
+        least[k] = std::min(least[k], at);
+        most[k] = std::max(most[k], at);
+      }
+    });
+    box.halfSize = (most - least) / 2 + Vec3::Constant(kRoom * longest_);
+    if (box.halfSize[0] > kLongest * geometry_.meanEdge) return std::nullopt;
+    box.halfSize[2] += kThickness * box.halfSize[0];
+    for (int k = 0; k < 3; ++k) box.center += (least[k] + most[k]) / 2 * box.axes[k];
+    return box;
+  }
+
+ private:
+  template <class Work>
+  void forEachCorner(const Work& work) const {
+    for (const int leg : workspace_.legs) {
+      const int end = workspace_.ofLegs[leg + 1];
+      for (int i = workspace_.ofLegs[leg]; i < end; ++i) work(workspace_.corners[i]);
+    }
+  }
+
+  const Geometry& geometry_;
+  BoxWorkspace& workspace_;
   Vec3 normal_ = Vec3::Zero();
   double longest_ = 0;
 };
@@ -133,11 +163,12 @@ void boxPieces(const Geometry& geometry, const RefinedPolygon& refined, BoxWorks
                Array<std::optional<OrientedBox>>& boxes) {
   listPieces(refined, workspace);
   boxes.clear();
-  Extent extent(geometry, workspace.positions);
+  const Parts parts(geometry, refined, workspace);
+  Extent extent(geometry, workspace);
   for (int i = 0; i < refined.points.count(); ++i) {
     extent.clear();
     for (int k = workspace.begin[i]; k < workspace.begin[i + 1]; ++k) {
-      extent.add(refined, refined.pieces[workspace.ofPoints[k]]);
+      extent.add(refined.pieces[workspace.ofPoints[k]]);
     }
     boxes.push_back(extent.box(refined.points[i].point));
   }

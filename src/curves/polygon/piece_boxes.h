@@ -9,7 +9,12 @@ namespace karcher {
 
 /// Scratch memory; reuse one to spare the allocations.
 struct BoxWorkspace {
-  Array<Vec3> positions;
+  Array<Vec3> normals;    ///< of the faces at the points
+  Array<double> longest;  ///< edges of the faces at the points
+  /// Those of the faces along leg k: corners[ofLegs[k]] up to corners[ofLegs[k + 1]].
+  Array<Vec3> corners;
+  Array<int> ofLegs;
+  Array<int> legs;  ///< of the point whose box is made
   /// The pieces that blend point i: ofPoints[begin[i]] up to begin[i + 1].
   Array<int> begin;
   Array<int> ofPoints;

@@ -41,15 +41,12 @@ class JumpSearch {
   /// Whether the way from one converged sample to the next breaks in either direction, and how.
   /// `middle`: the weights in the middle of it, or none.
   std::optional<SampleStatus> run(const CurveSample& from, const CurveSample& to, Weights middle) {
-    if (!middle.empty() && (staysInCell(from.point, to.point, middle) ||
-                            crossesAnEdge(from.point, to.point, middle))) {
-      return std::nullopt;
-    }
+    if (!middle.empty() && isContinuous(from.point, to.point, middle)) return std::nullopt;
     bool differ = false;
-    std::optional<SampleStatus> reason = follow(from, to, Direction::kBoth, &differ);
+    std::optional<SampleStatus> reason = follow(from, to, middle, Direction::kBoth, &differ);
     if (!differ) return reason;
-    reason = follow(from, to, Direction::kForwards);
-    return reason ? reason : follow(from, to, Direction::kBackwards);
+    reason = follow(from, to, middle, Direction::kForwards);
+    return reason ? reason : follow(from, to, middle, Direction::kBackwards);
   }
 
  private:
@@ -58,8 +55,9 @@ class JumpSearch {
   enum class Direction { kForwards, kBackwards, kBoth };
 
   /// Follows the curve along a step. Of both directions: sets `differ` and stops where they find
-  /// different centers.
-  std::optional<SampleStatus> follow(const CurveSample& from, const CurveSample& to,
+  /// different centers. `middle`: the weights in the middle of the step where it is known that
+  /// these do not tell, or none.
+  std::optional<SampleStatus> follow(const CurveSample& from, const CurveSample& to, Weights middle,
                                      Direction direction, bool* differ = nullptr) {
     Step waiting[kMostWaiting];
     waiting[0] = {{from.t, from.point}, {to.t, to.point}};
@@ -76,16 +74,17 @@ class JumpSearch {
         continue;
       }
       const double t = (step.from.t + step.to.t) / 2;
-      weightsAt(basis_, pointWeights_, t, weights_);
-      if (staysInCell(step.from.point, step.to.point, weights_) ||
-          crossesAnEdge(step.from.point, step.to.point, weights_)) {
-        continue;
+      Weights weights = middle;
+      if (count > 0 || middle.empty()) {
+        weightsAt(basis_, pointWeights_, t, weights_);
+        weights = weights_;
+        if (isContinuous(step.from.point, step.to.point, weights)) continue;
       }
       const bool backwards = direction == Direction::kBackwards;
       const SurfacePoint& start = backwards ? step.to.point : step.from.point;
-      const CenterOfMass center = findCenter(fields_, weights_, start, method_);
+      const CenterOfMass center = findCenter(fields_, weights, start, method_);
       if (direction == Direction::kBoth) {
-        const CenterOfMass other = findCenter(fields_, weights_, step.to.point, method_);
+        const CenterOfMass other = findCenter(fields_, weights, step.to.point, method_);
         if (other.status != center.status || other.point.face != center.point.face ||
             other.point.bary != center.point.bary) {
           *differ = true;
@@ -107,6 +106,11 @@ class JumpSearch {
     Place from;
     Place to;
   };
+
+  /// Whether the weights in the middle of a step tell that it does not break.
+  bool isContinuous(const SurfacePoint& from, const SurfacePoint& to, Weights middle) const {
+    return staysInCell(from, to, middle) || crossesAnEdge(from, to, middle);
+  }
 
   /// In one cell the zero of the field moves continuously, and stays the center there if the step
   /// keeps away from the edges, so that no other cell has a deeper zero, and its middle, by the
