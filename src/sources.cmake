@@ -16,6 +16,7 @@ set(KARCHER_FAST_IN_SMALL_ROOMS
   mesh/surface_point.cpp)
 set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/branches.cpp
+  curves/trace/bridge.cpp
   curves/trace/edge_crossings.cpp
   curves/trace/joined_path.cpp
   curves/trace/piece.cpp

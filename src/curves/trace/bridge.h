@@ -1,11 +1,9 @@
 #pragma once
 
 #include <array>
-#include <utility>
 
 #include "curves/polygon/subdivision.h"
-#include "curves/spec/segment_basis.h"
-#include "curves/trace/segment.h"
+#include "curves/trace/jumps.h"
 
 /// Curves that do not break.
 ///
@@ -15,12 +13,6 @@
 /// (subdivision.h), with its ends moved to those two samples. So the curve is continuous
 /// everywhere, and its samples tell where and why it is no center of mass.
 namespace karcher {
-
-/// A step is a jump if it stays longer than this, in mean edges, however finely t is divided. Much
-/// shorter steps occur at every edge, where the interpolated field is discontinuous.
-inline constexpr double kLongestStep = 0.05;
-/// The finest division of t.
-inline constexpr double kFinestDivision = 1e-9;
 
 struct Bridge {
   double t0 = 0;
@@ -43,8 +35,7 @@ struct BridgeWorkspace {
   };
 
   Array<double> weights;
-  /// The steps that break, by their first sample, and how.
-  Array<std::pair<int, SampleStatus>> jumps;
+  Array<Jump> jumps;
   Array<CurveSample> back;
   Array<Interval> intervals;
   SubdivisionWorkspace subdivision;
@@ -70,9 +61,7 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// (two at least, ascending in t) are not converged or jump, bridges these intervals, and moves the
 /// samples inside onto the bridges with the status kBridged.
 ///
-/// Between two neighbouring samples a bridge is the geodesic that joins them. Steps well inside a
-/// face, or shorter than half of `kLongestStep`, need no check; others are divided until their
-/// parts are one or the other.
+/// Between two neighbouring samples a bridge is the geodesic that joins them.
 ///
 /// `basis` and `pointWeights` give the weights (segment_basis.h); where all weight is on one
 /// control point a bridge passes that point. `table`: the weights by which `traceSegment` found the

@@ -19,7 +19,7 @@ struct SamplingWorkspace {
 
 /// Samples of a segment by bisection of t, until between two neighbouring ones the curve lies
 /// within the tolerance, as a part of the bounding box's diagonal, of the geodesic that joins them.
-/// Where the curve jumps at an edge of the mesh (kLongestStep in bridge.h), samples come as near to
+/// Where the curve jumps at an edge of the mesh (kLongestStep in jumps.h), samples come as near to
 /// the jump as the tolerance needs and a geodesic leads over it. The curve is evaluated 12 to 256
 /// times between two samples, three times for each face that the geodesic crosses, and more often
 /// where it moves fast or between faces without a common edge; the largest change between two

@@ -1,0 +1,258 @@
+#include "curves/trace/jumps.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "rcm/deepest_zero.h"
+
+namespace karcher {
+namespace {
+
+/// A step is divided at most so often: enough for one over the whole of a large surface.
+constexpr int kMostDivisions = 200'000;
+/// Steps that wait for their turn: each division leaves one, and the finest is 2^-30.
+constexpr int kMostWaiting = 32;
+static_assert(kFinestDivision * (1 << (kMostWaiting - 2)) > 1);
+/// A step in a face that comes nearer to an edge than this part of its length may bend across it.
+constexpr double kEdgeMargin = 0.25;
+
+class JumpSearch {
+ public:
+  JumpSearch(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,
+             Method method, Array<double>& weights)
+      : geometry_(fields.geometry()),
+        mesh_(*geometry_.mesh),
+        fields_(fields),
+        basis_(basis),
+        pointWeights_(pointWeights),
+        method_(method),
+        longest_(kLongestStep * geometry_.meanEdge),
+        weights_(weights) {}
+
+  /// Whether the way from one converged sample to the next breaks in either direction, and how.
+  /// `middle`: the weights in the middle of it, or none.
+  std::optional<SampleStatus> run(const CurveSample& from, const CurveSample& to, Weights middle) {
+    if (!middle.empty() && isContinuous(from.point, to.point, middle)) return std::nullopt;
+    bool differ = false;
+    std::optional<SampleStatus> reason = follow(from, to, middle, Direction::kBoth, &differ);
+    if (!differ) return reason;
+    reason = follow(from, to, middle, Direction::kForwards);
+    return reason ? reason : follow(from, to, middle, Direction::kBackwards);
+  }
+
+ private:
+  /// Searches start at the earlier end of a step, at the later one, or at each of them as long as
+  /// both find the same.
+  enum class Direction { kForwards, kBackwards, kBoth };
+
+  /// Follows the curve along a step. Of both directions: sets `differ` and stops where they find
+  /// different centers. `middle`: the weights in the middle of the step where it is known that
+  /// these do not tell, or none.
+  std::optional<SampleStatus> follow(const CurveSample& from, const CurveSample& to, Weights middle,
+                                     Direction direction, bool* differ = nullptr) {
+    Step waiting[kMostWaiting];
+    waiting[0] = {{from.t, from.point}, {to.t, to.point}};
+    int steps = 1;
+    for (int count = 0; steps > 0 && count < kMostDivisions; ++count) {
+      const Step step = waiting[--steps];
+      const Vec3 a = position(mesh_, step.from.point);
+      const Vec3 b = position(mesh_, step.to.point);
+      const double length = (b - a).norm();
+      // A short step may hide a jump back that is a little longer.
+      if (length <= longest_ / 2) continue;
+      if (step.to.t - step.from.t <= kFinestDivision) {
+        if (length > longest_) return SampleStatus::kJump;
+        continue;
+      }
+      const double t = (step.from.t + step.to.t) / 2;
+      Weights weights = middle;
+      if (count > 0 || middle.empty()) {
+        weightsAt(basis_, pointWeights_, t, weights_);
+        weights = weights_;
+        if (isContinuous(step.from.point, step.to.point, weights)) continue;
+      }
+      const bool backwards = direction == Direction::kBackwards;
+      const SurfacePoint& start = backwards ? step.to.point : step.from.point;
+      const CenterOfMass center = findCenter(fields_, weights, start, method_);
+      if (direction == Direction::kBoth) {
+        const CenterOfMass other = findCenter(fields_, weights, step.to.point, method_);
+        if (other.status != center.status || other.point.face != center.point.face ||
+            other.point.bary != center.point.bary) {
+          *differ = true;
+          return std::nullopt;
+        }
+      }
+      if (center.status != Status::kConverged) return sampleStatus(center.status);
+      waiting[steps++] = {step.from, {t, center.point}};
+      waiting[steps++] = {{t, center.point}, step.to};
+    }
+    return steps == 0 ? std::nullopt : std::optional<SampleStatus>(SampleStatus::kJump);
+  }
+
+  struct Place {
+    double t = 0;
+    SurfacePoint point;
+  };
+  struct Step {
+    Place from;
+    Place to;
+  };
+
+  /// Whether the weights in the middle of a step tell that it does not break.
+  bool isContinuous(const SurfacePoint& from, const SurfacePoint& to, Weights middle) const {
+    return staysInCell(from, to, middle) || crossesAnEdge(from, to, middle);
+  }
+
+  /// In one cell the zero of the field moves continuously, and stays the center there if the step
+  /// keeps away from the edges, so that no other cell has a deeper zero, and its middle, by the
+  /// weights there, lies between its ends.
+  bool staysInCell(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
+    if (from.face != to.face) return false;
+    const Cells& cells = fields_.cells();
+    const CellPoint start = cells.at(from);
+    const CellPoint end = cells.at(to);
+    const int cell = start.cell;
+    if (cell != end.cell) return false;
+    const Vec3& a = start.bary;
+    const Vec3& b = end.bary;
+    const auto length = [&](const Vec3& off) {
+      return lengthInFace(from.face, cells.inFace(cell, off));
+    };
+    const double margin = kEdgeMargin * length(b - a);
+    const Vec3 least = a.cwiseMin(b);
+    const double area = doubleArea(geometry_, from.face) / (cells.cut() ? 4 : 1);
+    for (int k = 0; k < 3; ++k) {
+      const double opposite = cells.cut()
+                                  ? length(Vec3::Unit((k + 2) % 3) - Vec3::Unit((k + 1) % 3))
+                                  : geometry_.edgeLength[3 * from.face + (k + 1) % 3];
+      if (least[k] * area / opposite < margin) return false;
+    }
+    CellZero zero;
+    if (!fields_.findZero(cell, middleWeights, zero)) return false;
+    if (!isTheOnlyZero(zero, std::min(least.minCoeff(), zero.depth()) / 2) &&
+        !turnsBesideNoEdge(zero)) {
+      return false;
+    }
+    return length(zero.bary - (a + b) / 2) < margin;
+  }
+
+  /// From one face into the next over the edge between them: where the zeros of both faces' fields
+  /// in the middle lie side by side, between the ends of the step and away from the other edges,
+  /// the zero passes from one to the other without a jump.
+  bool crossesAnEdge(const SurfacePoint& from, const SurfacePoint& to,
+                     Weights middleWeights) const {
+    if (fields_.cells().cut() || from.face == to.face) return false;
+    int h = 3 * from.face;
+    const int end = h + 3;
+    while (h < end && (mesh_.twin[h] < 0 || faceOf(mesh_.twin[h]) != to.face)) ++h;
+    if (h == end) return false;
+    const int twin = mesh_.twin[h];
+    const Vec2 a = besideEdge(h, from.bary);
+    const Vec2 b = acrossEdge(twin, to.bary);
+    const double margin = kEdgeMargin * (b - a).norm();
+    CellZero zeroA;
+    CellZero zeroB;
+    if (keptOff(h, from.bary) < margin || keptOff(twin, to.bary) < margin ||
+        !fields_.findZero(from.face, middleWeights, zeroA) ||
+        !fields_.findZero(to.face, middleWeights, zeroB)) {
+      return false;
+    }
+    const Vec2 middleA = besideEdge(h, zeroA.bary);
+    const Vec2 middleB = acrossEdge(twin, zeroB.bary);
+    return (middleA - middleB).norm() <= longest_ / 4 && (middleA - (a + b) / 2).norm() < margin &&
+           (middleB - (a + b) / 2).norm() < margin && keptOff(h, zeroA.bary) >= margin &&
+           keptOff(twin, zeroB.bary) >= margin && isAlone(h, zeroA) && isAlone(twin, zeroB) &&
+           gapAtEdge(h, zeroA) <= longest_ / 2;
+  }
+
+  /// How far apart the zeros of both faces lie where the zero comes to half-edge h, at most. In the
+  /// other face the values at the ends are turned relative to each other (CellZero::holonomy);
+  /// where they point against each other, and so cancel out at the edge, what is left is at right
+  /// angles to them.
+  double gapAtEdge(int h, const CellZero& zero) const {
+    const Vec2& tail = zero.field.corner[cornerOf(h)];
+    const Vec2& head = zero.field.corner[cornerOf(next(h))];
+    const double both = tail.norm() + head.norm();
+    if (!(both > 0)) return 0;
+    const Vec2 left = Vec2(-tail.y(), tail.x()) * (zero.holonomy * head.norm() / both);
+    const Vec2 b = zero.field.corner[1] - zero.field.corner[0];
+    const Vec2 c = zero.field.corner[2] - zero.field.corner[0];
+    const double scale = 1 / cross(b, c);
+    const double along = cross(left, c) * scale;
+    const double up = cross(b, left) * scale;
+    return lengthInFace(faceOf(h), {-along - up, along, up});
+  }
+
+  /// A point of a half-edge's face, which may lie beyond it, with the half-edge as x axis.
+  Vec2 besideEdge(int h, const Vec3& bary) const {
+    const int face = faceOf(h);
+    return rotateBack(
+        halfedgeInFace(geometry_, h).normalized(),
+        pointInFace(geometry_, {face, bary}) - cornerInFace(geometry_, face, cornerOf(h)));
+  }
+
+  /// The same in the frame of the half-edge's twin.
+  Vec2 acrossEdge(int h, const Vec3& bary) const {
+    return Vec2(geometry_.edgeLength[h], 0) - besideEdge(h, bary);
+  }
+
+  /// How far a point of a half-edge's face lies from the lines of the other two edges.
+  double keptOff(int h, const Vec3& bary) const {
+    const double area = doubleArea(geometry_, faceOf(h));
+    const int edges[] = {next(h), previous(h)};
+    return std::min(bary[cornerOf(h)] * area / geometry_.edgeLength[edges[0]],
+                    bary[cornerOf(next(h))] * area / geometry_.edgeLength[edges[1]]);
+  }
+
+  /// Whether no face over the other two edges can have a zero as well.
+  static bool isAlone(int h, const CellZero& zero) {
+    return isTheOnlyZero(zero, std::min(zero.bary[cornerOf(h)], zero.bary[cornerOf(next(h))]) / 2);
+  }
+
+  /// Whether the values at the ends of each edge make angles so far from 0 and pi that no face
+  /// beside has a zero, nor would if they turned as much again (isTheOnlyZero).
+  static bool turnsBesideNoEdge(const CellZero& zero) {
+    constexpr double kRoom = 2;
+    const double bound = kRoom * kRoom * zero.holonomy * zero.holonomy;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2& a = zero.field.corner[k];
+      const Vec2& b = zero.field.corner[(k + 1) % 3];
+      const double sine = cross(a, b);
+      if (!(sine * sine > bound * a.squaredNorm() * b.squaredNorm())) return false;
+    }
+    return true;
+  }
+
+  /// Of a difference of barycentric weights.
+  double lengthInFace(int face, const Vec3& off) const {
+    const Vec2 vector =
+        off[1] * cornerInFace(geometry_, face, 1) + off[2] * cornerInFace(geometry_, face, 2);
+    return vector.norm();
+  }
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  FieldBlend& fields_;
+  const SegmentBasis& basis_;
+  const Array<double>& pointWeights_;
+  Method method_;
+  double longest_;
+  Array<double>& weights_;
+};
+
+}  // namespace
+
+void findJumps(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,
+               const PieceWeights* table, Method method, const Array<CurveSample>& samples,
+               Array<double>& weights, Array<Jump>& jumps) {
+  JumpSearch search(fields, basis, pointWeights, method, weights);
+  jumps.clear();
+  for (int i = 0; i + 1 < samples.count(); ++i) {
+    if (!isConverged(samples[i]) || !isConverged(samples[i + 1])) continue;
+    const std::optional<SampleStatus> reason =
+        search.run(samples[i], samples[i + 1], table ? table->middles.row(i) : Weights());
+    if (reason) jumps.push_back({i, *reason});
+  }
+}
+
+}  // namespace karcher

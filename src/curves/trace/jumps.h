@@ -1,0 +1,34 @@
+#pragma once
+
+#include "curves/spec/segment_basis.h"
+#include "curves/trace/segment.h"
+
+namespace karcher {
+
+/// A step is a jump if it stays longer than this, in mean edges, however finely t is divided. Much
+/// shorter steps occur at every edge, where the interpolated field is discontinuous.
+inline constexpr double kLongestStep = 0.05;
+/// The finest division of t.
+inline constexpr double kFinestDivision = 1e-9;
+
+/// A step between two samples over which the centers of mass break.
+struct Jump {
+  int step = 0;  ///< the number of its first sample
+  SampleStatus reason = SampleStatus::kJump;
+};
+
+inline bool isConverged(const CurveSample& sample) {
+  return sample.status == SampleStatus::kConverged;
+}
+
+/// The steps between converged samples that break, in order, written to `jumps`. Steps well inside
+/// a face, or shorter than half of `kLongestStep`, need no check; others are divided until their
+/// parts are one or the other.
+///
+/// `basis` and `pointWeights` give the weights (segment_basis.h). `table`: those at the samples and
+/// between them, or none where a tolerance placed the samples. `weights` is scratch memory.
+void findJumps(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,
+               const PieceWeights* table, Method method, const Array<CurveSample>& samples,
+               Array<double>& weights, Array<Jump>& jumps);
+
+}  // namespace karcher
