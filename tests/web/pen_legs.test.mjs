@@ -123,6 +123,38 @@ describe('legs of the pen', () => {
     assert.deepEqual(page.session.view.curve.polyline, curve.polyline);
   });
 
+  test('are continued while a segment is bent, which moves both of its handles', async () => {
+    const handles = (before, after) => [
+      { ...along(0), tangents: { after: along(before) } },
+      { ...along(1.1), tangents: { before: along(after) } },
+    ];
+    /** Of the curve on the geodesic, there and back. */
+    const wayOf = (b, c) => {
+      const at = (t) => 3 * t * (1 - t) ** 2 * b + 3 * t * t * (1 - t) * c + 1.1 * t ** 3;
+      const steps = Array.from({ length: 1000 }, (_, i) => at((i + 1) / 1000) - at(i / 1000));
+      return steps.reduce((sum, step) => sum + Math.abs(step), 0);
+    };
+    await draw(handles(-0.02, 1.12));
+    isNear(length(), wayOf(-0.02, 1.12));
+    for (let step = 1; step <= 8; step++) {
+      const [b, c] = [-0.02 - 0.04 * step, 1.12 + 0.02 * step];
+      const { base } = page.editor;
+      const to = { ...base, points: handles(b, c) };
+      page.editor.preview({ type: 'replace', from: base, to }, [0, 1]);
+      await page.settled();
+      // The handles are farther from each other than half-way around the tube in the end.
+      isNear(length(), wayOf(b, c));
+    }
+    const bent = length();
+    await release();
+    isNear(length(), bent, 1e-6);
+    assert.deepEqual(legs(), [true, false]);
+    assert.deepEqual(
+      page.session.view.shorter.map(({ index }) => index),
+      [0],
+    );
+  });
+
   test('are continued while an anchor is drawn out, which is one step', async () => {
     await draw([along(0)]);
     const anchor = along(1.1);

@@ -213,11 +213,11 @@ describe('the shape of curves of the pen', () => {
     const view = await drawPen(sphere, to.points);
     assert.equal(view.problem, null);
     const value = await sphere.curveValueOf(client, sphere.editor.state.figure, options);
-    const there = await client.placeOn(value, at.t);
+    const curve = await client.mesh.curve(value);
+    const there = await curve.pointAt(at.t);
     const path = await client.mesh.shortestPath(there.point, point);
     t.diagnostic(`${(path.length / diagonal).toExponential(1)} of the diagonal from the pointer`);
     assert.ok(path.length < 2e-3 * diagonal, `${path.length / diagonal}`);
-    const curve = await client.mesh.curve(value);
     const step = 1e-6;
     const [from, on] = await Promise.all([curve.tangentAt(1 - step), curve.tangentAt(1 + step)]);
     const cosine =

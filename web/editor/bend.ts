@@ -1,11 +1,11 @@
 /** A segment of the pen that is bent by a drag: the curve goes through the pointer, at one parameter. */
-import type { FieldOptions, SurfacePoint } from 'karcher';
+import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
 import type { Figure, Vector } from '../model/figure';
 import type { FigureCommand } from '../model/figure_commands';
 import { type DrawnTangents, penOptions } from '../model/pen';
 import { bendingParts, type OnSegment, withBentSegment } from '../model/pen_shape';
 import type { Surface } from '../viewer/surface';
-import type { EngineClient } from '../worker/client';
+import type { EngineClient, LooseCurve } from '../worker/client';
 import { directionOf } from './circle_drawing';
 import { drawnTangents } from './pen_drawing';
 
@@ -26,10 +26,14 @@ export class Bend {
     private readonly drawn: readonly DrawnTangents[],
     private readonly options: FieldOptions,
     private readonly at: OnSegment,
+    private readonly curve: LooseCurve,
     private readonly place: SurfacePoint,
   ) {}
 
-  /** Holds a figure's segment, whose handles are drawn, where it is at a parameter of the segment. */
+  /**
+   * Holds a figure's segment, whose handles are drawn, where it is at a parameter of the segment. To be
+   * ended.
+   */
   static async of(
     client: EngineClient,
     surface: Pick<Surface, 'carry'>,
@@ -38,8 +42,13 @@ export class Bend {
     options: FieldOptions,
     at: OnSegment,
   ): Promise<Bend> {
-    const place = await placeOn(client, figure, options, at);
-    return new Bend(client, surface, figure, drawn, options, at, plain(place));
+    const curve = await client.looseCurve(await valueOf(client, figure, options, at));
+    const { point } = await curve.pointAt(at.t);
+    return new Bend(client, surface, figure, drawn, options, at, curve, plain(point));
+  }
+
+  end(): void {
+    this.curve.dispose();
   }
 
   /**
@@ -54,7 +63,8 @@ export class Bend {
     for (let step = 0; step <= corrections; step++) {
       const correction = this.#correction;
       const bent = this.#bent(sum(wanted, correction));
-      const there = plain(await placeOn(client, bent, this.options, this.at));
+      const value = await valueOf(client, bent, this.options, this.at);
+      const there = plain((await this.curve.placeOn(value, this.at.t)).point);
       const off = await this.#way(there, point);
       const length = Math.hypot(...off);
       if (best && length >= best.off) {
@@ -66,6 +76,11 @@ export class Bend {
       if (length <= enough) break;
     }
     return { type: 'replace', from: figure, to: best!.figure };
+  }
+
+  /** The anchors whose handles are moved. */
+  get anchors(): number[] {
+    return [this.at.from, this.at.to];
   }
 
   #bent(by: Vector): Figure {
@@ -86,17 +101,15 @@ export class Bend {
   }
 }
 
-/** Where a segment is at a parameter. */
-async function placeOn(
+/** The value of one segment, as a curve. */
+async function valueOf(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { from, to, t }: OnSegment,
-): Promise<SurfacePoint> {
+  { from, to }: OnSegment,
+): Promise<CurveOptions> {
   const points = [figure.points[from]!, figure.points[to]!];
   const settings = { ...figure.settings, closed: false, samples: 2, tolerance: null };
   const segment: Figure = { ...figure, points, settings };
-  const value = penOptions(segment, await drawnTangents(client, segment), options);
-  const { point } = await client.placeOn(value, t);
-  return point;
+  return penOptions(segment, await drawnTangents(client, segment), options);
 }

@@ -46,8 +46,8 @@ export interface Computation {
   object: number;
   /** Whether a better answer is to follow, by other options. */
   draft?: boolean;
-  /** Of a drag, the number of its point, or of its anchor. */
-  dragged?: number | undefined;
+  /** Of a drag, the numbers of its points, or of its anchors. */
+  dragged?: readonly number[];
   /** Whether to look for other minima than a center of mass, where that is quickly done. */
   uniqueness?: boolean;
 }
@@ -59,10 +59,10 @@ export function compute(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { object, draft = false, dragged: point, uniqueness = false }: Computation,
+  { object, draft = false, dragged: points = [], uniqueness = false }: Computation,
 ): Promise<Shown> {
   if (isRound(figure.kind)) return computeCircle(client, figure, options, draft);
-  const dragged = point === undefined ? undefined : movedBy(figure, point);
+  const dragged = points.length > 0 ? movedBy(figure, points) : undefined;
   if (figure.kind === 'pen') return computePen(client, figure, options, { object, dragged });
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
@@ -74,9 +74,10 @@ export function compute(
     .then((curve) => ({ ...nothing, curve }));
 }
 
-/** The numbers of the control points that a drag of a figure's point moves. */
-export const movedBy = (figure: Figure, point: number): number | number[] =>
-  figure.kind === 'pen' ? controlPointsOf(figure, point) : point;
+/** The numbers of the control points that a drag of a figure's points moves. */
+export const movedBy = (figure: Figure, points: readonly number[]): number[] => [
+  ...new Set(points.flatMap((i) => (figure.kind === 'pen' ? controlPointsOf(figure, i) : i))),
+];
 
 /** The value that a figure's curve is traced of; null where it is none. */
 export async function curveValueOf(

@@ -1,11 +1,11 @@
 import type { Figure } from '../model/figure';
 import type { State } from './editor';
 
-/** A drag of a control point, whose legs the figure that it led to does not tell yet. */
+/** A drag of control points, whose legs the figure that it led to does not tell yet. */
 export interface Drag {
   /** The id of its object. */
   object: number;
-  point: number;
+  points: readonly number[];
   base: Figure;
   to: Figure;
   /** Whether the engine's curve is what the drag made of its base so far. */
@@ -31,12 +31,13 @@ export class Drags {
   /** The state is a step of a drag, which goes on if the one before it was one of the same. */
   hold({ dragged, base, figure, drawing }: State, goesOn: boolean): void {
     const before = this.#held;
-    if (goesOn && before?.base === base && before.point === dragged) {
+    const isSame = (points: readonly number[]) => `${points}` === `${dragged}`;
+    if (goesOn && before?.base === base && isSame(before.points)) {
       before.to = figure;
       return;
     }
     if (before?.to === base) this.#ended.push(before);
-    this.#held = { object: drawing.active, point: dragged!, base, to: figure, followed: false };
+    this.#held = { object: drawing.active, points: dragged, base, to: figure, followed: false };
   }
 
   /** What is dragged is taken back. */

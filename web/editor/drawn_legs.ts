@@ -7,13 +7,13 @@ import type { ShorterLeg } from '../model/traced';
 import type { EngineClient } from '../worker/client';
 import { curveValueOf, movedBy } from './compute';
 
-/** The legs after a drag of a point, of an object whose curve the drag led to; null where it has none. */
+/** The legs after a drag of points, of an object whose curve the drag led to; null where it has none. */
 export async function drawnLegs(
   client: EngineClient,
   object: number,
   figure: Figure,
   options: FieldOptions,
-  dragged: number,
+  dragged: readonly number[],
 ): Promise<(SurfacePoint[] | null)[] | null> {
   const value = await curveValueOf(client, figure, options);
   if (!value) return null;

@@ -64,8 +64,8 @@ export interface State {
   readonly method: MethodId;
   /** Whether the drawing is a drag's, which may go on. */
   readonly dragging: boolean;
-  /** The number of the control point that is dragged, or of the anchor that is drawn out. */
-  readonly dragged: number | null;
+  /** The numbers of the points that are dragged, or of the anchor that is drawn out. */
+  readonly dragged: readonly number[];
   /** What a click does; `split` and `join` are for one click. */
   readonly tool: CurveTool;
   /** Grows with every change of the drawing or the method. */
@@ -73,6 +73,8 @@ export interface State {
   /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
   readonly epoch: number;
 }
+
+const none: readonly number[] = [];
 
 /** The page's one state, and the only way to change it. */
 export class Editor {
@@ -86,7 +88,7 @@ export class Editor {
     chosen: [],
     method: defaultMethod,
     dragging: false,
-    dragged: null,
+    dragged: none,
     tool: 'insert',
     revision: 0,
     epoch: 0,
@@ -149,15 +151,18 @@ export class Editor {
     this.perform(this.#commandOf(edit), { selection });
   }
 
-  /** Shows the drawing as it is after an edit that is not yet done: a drag's next position. */
-  preview(edit: FigureCommand): void {
+  /**
+   * Shows the drawing as it is after an edit that is not yet done: a drag's next position. `dragged` are
+   * the points that an edit of several moves together.
+   */
+  preview(edit: FigureCommand, dragged: readonly number[] = none): void {
     if (!this.#drag && this.refuses()) return;
     this.#drag ??= { base: this.#state.drawing, command: null };
     const { base } = this.#drag;
     this.#drag.command = this.#commandOf(edit);
     const drawing = apply(base, this.#drag.command);
-    const dragged = edit.type === 'change' || edit.type === 'insert' ? edit.index : null;
-    this.#change({ drawing, dragging: true, dragged }, false);
+    const single = edit.type === 'change' || edit.type === 'insert';
+    this.#change({ drawing, dragging: true, dragged: single ? [edit.index] : dragged }, false);
   }
 
   /** Shows the drawing as it is after a command on whole objects, as a drag's next position. */
@@ -165,7 +170,7 @@ export class Editor {
     this.#drag ??= { base: this.#state.drawing, command: null };
     this.#drag.command = command;
     const drawing = apply(this.#drag.base, command);
-    this.#change({ drawing, dragging: true, dragged: null }, false);
+    this.#change({ drawing, dragging: true, dragged: none }, false);
   }
 
   /** Shows an edit of an object of a kind that begins with it: both are one step, or none. */
@@ -186,13 +191,13 @@ export class Editor {
     if (command && base !== this.#state.drawing) record(this.#history, command);
     const dragged = this.#drag !== null;
     this.#drag = null;
-    if (dragged) this.#change({ dragging: false, dragged: null }, false);
+    if (dragged) this.#change({ dragging: false, dragged: none }, false);
   }
 
   cancelDrag(): void {
     const drag = this.#drag;
     this.#drag = null;
-    if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: null }, true);
+    if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: none }, true);
   }
 
   /** Makes the legs that one of the last drags drew out part of it, and of what was done since. */

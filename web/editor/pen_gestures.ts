@@ -115,8 +115,9 @@ export class PenGestures {
     const go = async ({ x, y }: Place, corrections: number) => {
       bend ??= this.#bendOf(near);
       const point = this.viewer.pick(x, y)?.point;
-      const command = point && (await (await bend)?.through(point, corrections).catch(() => null));
-      if (held && command) editor.preview(command);
+      const segment = await bend;
+      const command = point && (await segment?.through(point, corrections).catch(() => null));
+      if (held && segment && command) editor.preview(command, segment.anchors);
     };
     const newest = new Newest<Place>((place) => go(place, whileDragged));
     return {
@@ -126,11 +127,13 @@ export class PenGestures {
         await newest.end();
         await go(place, atLast);
         if (held && editor.base === figure) editor.commitDrag();
+        (await bend)?.end();
       },
       cancel: () => {
         held = false;
         newest.drop();
         editor.cancelDrag();
+        void bend?.then((segment) => segment?.end());
       },
     };
   }

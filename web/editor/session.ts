@@ -10,7 +10,7 @@ import {
 } from '../model/figure';
 import { methodOptions, type Quality, refinedOptions } from '../model/methods';
 import { curveOptions, splineFrom, splineOf, usesLegs } from '../model/splines';
-import type { ToldLegs } from '../model/told_legs';
+import { legsAt, type ToldLegs } from '../model/told_legs';
 import type { Measured, TracedCurve } from '../model/traced';
 import { type EngineClient, Stopped } from '../worker/client';
 import type { Edit, Edited } from '../worker/edits';
@@ -149,7 +149,7 @@ export class Session {
     }
     const goesOn = this.#state?.dragging ?? false;
     this.#state = state;
-    if (state.dragged !== null && usesLegs(state.figure.kind)) this.#drags.hold(state, goesOn);
+    if (state.dragged.length > 0 && usesLegs(state.figure.kind)) this.#drags.hold(state, goesOn);
     else if (state.epoch !== epoch && goesOn) this.#drags.drop();
     else if (state.epoch !== epoch) this.#drags.end();
     if (!this.#client) return;
@@ -253,7 +253,7 @@ export class Session {
     if (!client || client.closed) return;
     const { method } = state;
     try {
-      const drag = state.dragged === null ? null : this.#drags.held;
+      const drag = state.dragged.length > 0 ? this.#drags.held : null;
       for (const ended of this.#drags.takeEnded(state)) {
         if (await this.#keepLegs(client, state, ended)) return;
       }
@@ -276,7 +276,7 @@ export class Session {
         const answer = await compute(client, figure, methodOptions(method), {
           object,
           draft: refinedOptions(method) !== null,
-          dragged: state.dragged ?? undefined,
+          dragged: state.dragged,
           uniqueness: true,
         });
         // Of too few points for a curve: the next one has no legs to go on from.
@@ -347,15 +347,14 @@ export class Session {
 
   /** Asks for the legs that a drag drew out, once it has ended; whether they change the figure. */
   async #keepLegs(client: EngineClient, state: State, drag: Drag): Promise<boolean> {
-    const { object, point, to } = drag;
+    const { object, points, to } = drag;
     const { figure } = this.#asTraced({ ...state, figure: to, dragging: true });
     const drawn = await this.#follow(client, state, drag)
-      .then(() => drawnLegs(client, object, figure, methodOptions(state.method), point))
+      .then(() => drawnLegs(client, object, figure, methodOptions(state.method), points))
       .catch(() => null);
     this.#drags.made = drawn && object === this.#state?.drawing.active ? to : null;
-    const before = (point + to.points.length - 1) % to.points.length;
-    if (!drawn?.[point] && !drawn?.[before]) return false;
-    this.onLegs({ figure: to, dragged: point, legs: drawn });
+    if (!drawn || legsAt(to, points).every((leg) => !drawn[leg])) return false;
+    this.onLegs({ figure: to, dragged: points, legs: drawn });
     return this.#state?.revision !== state.revision;
   }
 

@@ -10,18 +10,22 @@ import { endsOf } from './legs';
 /** So many of the newest steps are looked at: more is not done while legs are told. */
 const mostSteps = 16;
 
-/** The legs that a drag of a point drew out: those that meet there, by the point that each leaves. */
+/** The legs that a drag of points drew out: those that meet there, by the point that each leaves. */
 export interface ToldLegs {
   /** The figure that the drag led to. */
   readonly figure: Figure;
-  readonly dragged: number;
+  readonly dragged: readonly number[];
   readonly legs: readonly (readonly SurfacePoint[] | null)[];
 }
 
+/** The legs of a figure that meet some of its points. */
+export const legsAt = ({ points }: Figure, at: readonly number[]): number[] => [
+  ...new Set(at.flatMap((i) => [i, (i + points.length - 1) % points.length])),
+];
+
 /** The figure with the told legs where they join the same two places and no leg is told. */
 function withTold(figure: Figure, { figure: to, dragged, legs }: ToldLegs): Figure {
-  const before = (dragged + to.points.length - 1) % to.points.length;
-  const told = [dragged, before].flatMap((i) =>
+  const told = legsAt(to, dragged).flatMap((i) =>
     legs[i] ? [{ leg: legs[i], ends: endsOf(to, i) }] : [],
   );
   const points = figure.points.map((point, i) => {
@@ -31,12 +35,13 @@ function withTold(figure: Figure, { figure: to, dragged, legs }: ToldLegs): Figu
   return points.every((point, i) => point === figure.points[i]) ? figure : { ...figure, points };
 }
 
-/** Whether an edit made the point what it is in the figure. */
+/** Whether an edit made the dragged points what they are in the figure. */
 function made(edit: FigureCommand, { figure, dragged }: ToldLegs): boolean {
-  const point = figure.points[dragged];
-  if (edit.type === 'change') return edit.index === dragged && edit.to === point;
-  if (edit.type === 'insert') return edit.index === dragged && edit.point === point;
-  return edit.type === 'replace' && edit.to.points[dragged] === point;
+  const { points } = figure;
+  if (edit.type === 'replace') return dragged.every((i) => edit.to.points[i] === points[i]);
+  if (edit.type !== 'change' && edit.type !== 'insert') return false;
+  const point = edit.type === 'change' ? edit.to : edit.point;
+  return dragged.includes(edit.index) && point === points[edit.index];
 }
 
 /** Whether a command holds an object as a whole, which may be the one that the legs are of. */

@@ -69,6 +69,29 @@ export interface CurveRequest {
   dragged?: SetOptions['dragged'];
 }
 
+/** A curve that is tried elsewhere again and again: its legs are continued. */
+export class LooseCurve {
+  constructor(private readonly curve: RemoteCurve) {}
+
+  /** Where it is at a parameter. */
+  pointAt(parameter: number): Promise<CurvePoint> {
+    return this.curve.pointAt(parameter);
+  }
+
+  /** Where the curve of another value, its points moved, is at a parameter. */
+  async placeOn(value: CurveOptions, parameter: number): Promise<CurvePoint> {
+    const { curve } = this;
+    const dragged = value.points.map((_, i) => i);
+    const [, point] = await both(curve.set(value, { dragged }), curve.pointAt(parameter));
+    return point;
+  }
+
+  dispose(): void {
+    // Where the worker has ended, nothing is left to give back.
+    void this.curve.dispose().catch(() => {});
+  }
+}
+
 /**
  * A surface in a worker of its own, and a curve for each object on it: of a changed one only what
  * changed is computed. `stop` gives up what is under way. `close` ends the worker and every call; every
@@ -225,14 +248,9 @@ export class EngineClient {
     return { parameter, point, position, length, wholeLength: view.length, tangent };
   }
 
-  /** Where a curve that is no object's is at a parameter. */
-  async placeOn(value: CurveOptions, parameter: number): Promise<CurvePoint> {
-    const curve = await this.mesh.curve(value);
-    try {
-      return await curve.pointAt(parameter);
-    } finally {
-      void curve.dispose();
-    }
+  /** A curve that is no object's; to be disposed. */
+  async looseCurve(value: CurveOptions): Promise<LooseCurve> {
+    return new LooseCurve(await this.mesh.curve(value));
   }
 
   /** What an edit makes of the curve of a value, which is the object's from then on. */
