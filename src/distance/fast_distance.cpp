@@ -19,8 +19,9 @@ constexpr double kFarBeside = 0.1;
 /// Distances count as shorter than the straight line only by more than this part of their square.
 constexpr double kRounding = 1e-13;
 
-/// Two paths of one length are one if the cosine of the angle between them is nearer to 1.
-constexpr double kSameDirection = 1e-12;
+/// Two paths of one length are one if their directions differ by less than 1e-4 radians: if the
+/// cosine is nearer to 1 than this.
+constexpr double kSameDirection = 5e-9;
 
 /// A path that bends by less, in radians, goes straight on.
 constexpr double kStraight = 1e-12;
