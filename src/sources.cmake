@@ -11,7 +11,6 @@ set(KARCHER_SMALL_ROOMS
 set(KARCHER_FAST_IN_SMALL_ROOMS
   curves/polygon/piece_boxes.cpp
   curves/spec/segment_basis.cpp
-  mesh/edges.cpp
   mesh/obj_lines.cpp
   mesh/surface_point.cpp)
 set(KARCHER_SMALL_IN_FAST_ROOMS
@@ -23,6 +22,8 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   curves/trace/polyline.cpp
   curves/trace/sample_status.cpp
   curves/trace/sampling.cpp
+  curves/trace/segment.cpp
+  distance/distance_solver.cpp
   distance/edge_dijkstra.cpp
   distance/edge_midpoints.cpp
   distance/fast_trial.cpp
@@ -43,7 +44,6 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   intrinsic/straightest.cpp
   intrinsic/strip_search.cpp
   intrinsic/strip_shortening.cpp
-  intrinsic/surface_path.cpp
   intrinsic/tangent.cpp
   intrinsic/vertex_fans.cpp
   rcm/energy_ring.cpp

@@ -8,6 +8,7 @@
 #include "curves/trace/sampling.h"
 #include "distance/find_path.h"
 #include "distance/shortest_path.h"
+#include "intrinsic/straighten.h"
 #include "mesh/error.h"
 
 namespace karcher {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "distance/shortest_path.h"
-#include "intrinsic/surface_path.h"
+#include "intrinsic/straighten.h"
 
 namespace karcher {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "intrinsic/strip_path.h"
 #include "intrinsic/surface_path.h"
 
 /// Geodesics to be cut.

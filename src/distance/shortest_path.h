@@ -1,6 +1,7 @@
 #pragma once
 
 #include "distance/exact_distance.h"
+#include "intrinsic/geometry.h"
 #include "intrinsic/surface_path.h"
 
 namespace karcher {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "intrinsic/straighten.h"
+
 namespace karcher {
 namespace {
 

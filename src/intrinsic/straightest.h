@@ -1,5 +1,6 @@
 #pragma once
 
+#include "intrinsic/geometry.h"
 #include "intrinsic/surface_path.h"
 
 /// Straightest geodesics: K. Polthier, M. Schmies, "Straightest Geodesics on Polyhedral Surfaces"

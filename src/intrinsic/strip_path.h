@@ -50,7 +50,7 @@ struct StripWorkspace {
   Array<Bend> keptBends;
 
   StripSearchWorkspace search;
-  Strip motion;  ///< of an end of a path (surface_path.h)
+  Strip motion;  ///< of an end of a path (straighten.h)
 };
 
 /// Appends to `out` the path from `from`, in the strip's first face, to `to`, in its last: where it

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "intrinsic/strip_path.h"
+#include "mesh/surface_point.h"
 
 /// A path on the surface: the one type for all of them, be they shortest, straightest, of a curve
 /// or of a caller.
@@ -27,6 +27,9 @@ void appendPoint(const TriangleMesh& mesh, const SurfacePoint& point, SurfacePat
 /// The path through points of which consecutive ones share a face.
 SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points);
 
+/// Whether two points are the same, seen from whatever faces.
+bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+
 /// The point at the part s of the straight line from a to b, in a face that holds both.
 SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
                           double s);
@@ -49,19 +52,5 @@ void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, 
 
 void reverse(SurfacePath& path);
 SurfacePath reversed(SurfacePath path);
-
-/// Replaces a path by the locally shortest one that it can be shortened to continuously: it is
-/// pulled tight between its ends (strip_path.h). Costs by the faces that it crosses. What bends,
-/// doubles back or touches vertices is shortened; a path that is locally shortest stays.
-/// With the path reversed the result is the reversed result, but for ties.
-void straighten(const Geometry& geometry, SurfacePath& path, StripWorkspace& workspace);
-
-/// Moves the end of a path to `end`, which lies near the old one, and straightens: the path that
-/// the moving end draws out, in the old one's class. Returns false, and changes nothing, where no
-/// strip of faces joins the ends.
-bool moveEnd(const Geometry& geometry, const SurfacePoint& end, SurfacePath& path,
-             StripWorkspace& workspace);
-bool moveStart(const Geometry& geometry, const SurfacePoint& start, SurfacePath& path,
-               StripWorkspace& workspace);
 
 }  // namespace karcher

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "intrinsic/strip_path.h"
+
 namespace karcher {
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "intrinsic/geometry.h"
 #include "intrinsic/straightest.h"
 #include "intrinsic/surface_path.h"
 

@@ -6,6 +6,7 @@
 #include "distance/find_path.h"
 #include "distance/shortest_path.h"
 #include "generators/rough.h"
+#include "intrinsic/straighten.h"
 #include "intrinsic/straightest.h"
 
 /// Paths that are found fast against the shortest ones by exact windows: random pairs of points,

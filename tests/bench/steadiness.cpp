@@ -4,7 +4,7 @@
 
 #include "bench_support.h"
 #include "curves/polygon/levels.h"
-#include "intrinsic/surface_path.h"
+#include "intrinsic/straighten.h"
 
 namespace karcher {
 namespace {

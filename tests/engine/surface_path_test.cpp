@@ -7,6 +7,7 @@
 #include "generators/plane.h"
 #include "generators/rough.h"
 #include "intrinsic/local_path.h"
+#include "intrinsic/straighten.h"
 #include "intrinsic/straightest.h"
 #include "support.h"
 

@@ -6,6 +6,7 @@
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
+#include "intrinsic/straighten.h"
 #include "mesh/shapes.h"
 #include "support.h"
 

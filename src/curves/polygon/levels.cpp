@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "intrinsic/straighten.h"
 #include "mesh/error.h"
 
 namespace karcher {

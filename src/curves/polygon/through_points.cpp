@@ -1,6 +1,7 @@
 #include "curves/polygon/through_points.h"
 
 #include "curves/spec/curve_layout.h"
+#include "intrinsic/straighten.h"
 #include "intrinsic/tangent.h"
 
 namespace karcher {

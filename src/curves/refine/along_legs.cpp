@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "curves/spec/knots.h"
+#include "intrinsic/straighten.h"
 
 namespace karcher {
 namespace {

@@ -6,6 +6,7 @@
 #include "curves/query/evaluate.h"
 #include "curves/refine/along_legs.h"
 #include "curves/spec/knots.h"
+#include "intrinsic/straighten.h"
 #include "mesh/error.h"
 
 namespace karcher {
