@@ -19,9 +19,8 @@ constexpr double kFarBeside = 0.1;
 /// Distances count as shorter than the straight line only by more than this part of their square.
 constexpr double kRounding = 1e-13;
 
-/// Two paths of one length are one if their directions differ by less than 1e-4 radians: if the
-/// cosine is nearer to 1 than this.
-constexpr double kSameDirection = 5e-9;
+/// Two paths of one length are one if their directions differ by less, in radians.
+constexpr double kSameDirection = 1e-4;
 
 /// A path that bends by less, in radians, goes straight on.
 constexpr double kStraight = 1e-12;
@@ -215,6 +214,18 @@ void FastDistance::goRound(int vertex, const VertexRecord& from, int first, int 
     const int i = ring_.leftward[k];
     enqueue(edges[ring_.number[i]].head, *ring_.record[i], ring_.before[i]);
   }
+  if (hasTied_) enqueueTied(met);
+}
+
+/// Of the ring's vertices those whose path was replaced by another one of the very same length.
+void FastDistance::enqueueTied(int met) {
+  hasTied_ = false;
+  for (int i = 0; i < met; ++i) {
+    VertexRecord& record = *ring_.record[i];
+    const bool waits = record.settled || record.place != kNotWaiting;
+    if (waits || record.distance != ring_.before[i] || record.distance == kInfinity) continue;
+    enqueue(fans_->edges[ring_.number[i]].head, record, ring_.before[i]);
+  }
 }
 
 /// Goes along an edge, and takes it into the ring.
@@ -367,7 +378,8 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const V
   const int arrivalCorner = kSide > 0 ? reverse : fans_->before(target.head, reverse);
   if (!mayArrive(reached, distance, arrivalCorner)) return;
   const double straight = noLessThanStraight(target.head, distance);
-  if (straight > distance) {
+  const bool isTooShort = straight > distance;
+  if (isTooShort) {
     if (!mayArrive(reached, straight, arrivalCorner)) return;
     distance = straight;
   }
@@ -385,13 +397,13 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const V
   }
   record.corner = arrivalCorner;
   if (ties(reached, distance, arrivalCorner)) {
-    // One and the same path may be found through both corners beside an edge.
-    const bool isTheSame = record.toSource.dot(reached.toSource) > 1 - kSameDirection;
+    // One and the same path may be found through both corners beside an edge, and the straight line
+    // is not the length of what was too short.
+    const bool isOther = !isTooShort && !haveOneDirection(target.head, record, reached);
     const bool isBetter =
-        isTheSame ? distance < reached.distance * kShorter : arrivalCorner < reached.corner;
+        isOther ? arrivalCorner < reached.corner : distance < reached.distance * kShorter;
     if (!isBetter) return;
-    // A change is seen by the distance.
-    if (distance == reached.distance) record.distance = std::nextafter(distance, 0.0);
+    hasTied_ = true;
   }
   record.unsure = isFromUnsure_ || (other.settled && other.unsure);
   record.side = reached.side;
@@ -457,6 +469,16 @@ bool FastDistance::ties(const VertexRecord& record, double distance, int corner)
   return record.corner != corner && isTie(distance, record.distance) && !record.alongEdge;
 }
 
+/// Whether two paths come to a vertex from one direction.
+bool FastDistance::haveOneDirection(int vertex, const VertexRecord& a,
+                                    const VertexRecord& b) const {
+  double apart = std::abs(direction(a) - direction(b));
+  if (!fans_->onBoundary(vertex)) {
+    apart = std::min(apart, geometry_.totalAngle[vertex] - apart);
+  }
+  return apart < kSameDirection;
+}
+
 void FastDistance::enqueue(int vertex, VertexRecord& record, double before) {
   if (before == kInfinity) {
     record.delay = fans_->delay[vertex];
@@ -474,8 +496,9 @@ void FastDistance::enqueue(int vertex, VertexRecord& record, double before) {
   }
 }
 
-double FastDistance::direction(int vertex) const {
-  const VertexRecord& record = *vertices_.find(vertex);
+double FastDistance::direction(int vertex) const { return direction(*vertices_.find(vertex)); }
+
+double FastDistance::direction(const VertexRecord& record) const {
   const Vec2& edge = fans_->edges[record.corner].vector;
   const double inCorner =
       std::atan2(karcher::cross(edge, record.toSource), edge.dot(record.toSource));

@@ -145,6 +145,9 @@ class FastDistance final : public DistanceSolver {
   double noLessThanStraight(int vertex, double distance) const;
   bool mayArrive(const VertexRecord& record, double distance, int corner) const;
   static bool ties(const VertexRecord& record, double distance, int corner);
+  double direction(const VertexRecord& record) const;
+  bool haveOneDirection(int vertex, const VertexRecord& a, const VertexRecord& b) const;
+  void enqueueTied(int met);
   void enqueue(int vertex, VertexRecord& record, double before);
 
   const Geometry& geometry_;
@@ -157,6 +160,7 @@ class FastDistance final : public DistanceSolver {
   VertexRecord nowhere_;       ///< takes what is not wanted
   double front_ = 0;           ///< the largest distance settled so far
   bool isFromUnsure_ = false;  ///< of the vertex that is being settled
+  bool hasTied_ = false;       ///< it has replaced a path by another one of the same length
   float longestDelay_ = 0;     ///< the largest delay of the vertices met so far
 };
 

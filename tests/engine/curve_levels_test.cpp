@@ -4,7 +4,6 @@
 #include <string>
 
 #include "curve_support.h"
-#include "curves/automatic_levels.h"
 #include "curves/curve.h"
 #include "curves/query/evaluate.h"
 #include "curves/query/measure.h"
@@ -288,7 +287,7 @@ TEST(CurveLevels, OfTheirOwnEndAtSmallLegs) {
       const int levels = Curve(surface, options, points).levels();
       // The first level makes each of these safe; the others make legs small.
       const double safe = leg * leg <= 0.2 ? 0 : 1;
-      EXPECT_EQ(levels, std::max(safe, std::ceil(std::log2(leg / (kSmallLeg * edge)))));
+      EXPECT_EQ(levels, std::max(safe, std::ceil(std::log2(leg / (3 * edge)))));
     }
   }
 }

@@ -81,6 +81,8 @@ describe('the shape of curves of the pen', () => {
       const [x, y] = at0.map((value) => value + 0.08 * (random() - 0.5));
       const point = await pointAt(page, arrays, x, y);
       const { to: bent } = await bend.through(point, 1);
+      assert.deepEqual(bend.anchors, [at.from, at.to]);
+      bend.end();
       const control = segmentsOf(arrays, bent.points, false)[at.from];
       const place = placeOf(weights, control);
       worst = Math.max(worst, far(place, [x, y, 0]));
@@ -210,6 +212,7 @@ describe('the shape of curves of the pen', () => {
     const bend = await sphere.Bend.of(client, flat, figure, tangents, options, at);
     const point = { face: Math.floor(0.17 * triangles), bary: [0.2, 0.5, 0.3] };
     const { to } = await bend.through(point, 8);
+    bend.end();
     const view = await drawPen(sphere, to.points);
     assert.equal(view.problem, null);
     const value = await sphere.curveValueOf(client, sphere.editor.state.figure, options);

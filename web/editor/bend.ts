@@ -42,9 +42,14 @@ export class Bend {
     options: FieldOptions,
     at: OnSegment,
   ): Promise<Bend> {
-    const curve = await client.looseCurve(await valueOf(client, figure, options, at));
-    const { point } = await curve.pointAt(at.t);
-    return new Bend(client, surface, figure, drawn, options, at, curve, plain(point));
+    const curve = await client.looseCurve(await segmentValue(client, figure, options, at));
+    try {
+      const { point } = await curve.pointAt(at.t);
+      return new Bend(client, surface, figure, drawn, options, at, curve, plain(point));
+    } catch (error) {
+      curve.dispose();
+      throw error;
+    }
   }
 
   end(): void {
@@ -63,7 +68,7 @@ export class Bend {
     for (let step = 0; step <= corrections; step++) {
       const correction = this.#correction;
       const bent = this.#bent(sum(wanted, correction));
-      const value = await valueOf(client, bent, this.options, this.at);
+      const value = await segmentValue(client, bent, this.options, this.at);
       const there = plain((await this.curve.placeOn(value, this.at.t)).point);
       const off = await this.#way(there, point);
       const length = Math.hypot(...off);
@@ -102,7 +107,7 @@ export class Bend {
 }
 
 /** The value of one segment, as a curve. */
-async function valueOf(
+async function segmentValue(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,

@@ -124,10 +124,13 @@ export class PenGestures {
       drag: (place) => newest.push(place),
       release: async (place, dragged) => {
         if (!dragged) return this.selectNear(position);
-        await newest.end();
-        await go(place, atLast);
-        if (held && editor.base === figure) editor.commitDrag();
-        (await bend)?.end();
+        try {
+          await newest.end();
+          await go(place, atLast);
+          if (held && editor.base === figure) editor.commitDrag();
+        } finally {
+          (await bend)?.end();
+        }
       },
       cancel: () => {
         held = false;

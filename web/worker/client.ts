@@ -132,7 +132,8 @@ export class EngineClient {
 
   /**
    * Gives up what is under way, which fails with `Stopped`. Where the worker is at a long call, another one
-   * takes its place, with the surface alone: curves are traced again when they are asked for.
+   * takes its place, with the surface and loose curves: those of objects are traced again when they are asked
+   * for.
    */
   stop(): void {
     this.keepCurves([]);
