@@ -1,6 +1,7 @@
 import {
   type Color,
   DynamicDrawUsage,
+  Float32BufferAttribute,
   GreaterDepth,
   Group,
   InstancedInterleavedBuffer,
@@ -26,6 +27,21 @@ const nearer = 0.003;
 /** Of what stands in for something else, as a part of a curve without a center. */
 export const fineDash = [0.009, 0.006] as const;
 const smallest = 256;
+
+/** Without an index: by one, software rendering in Chromium 156 draws the first of the instances alone. */
+function segmentGeometry(): LineSegmentsGeometry {
+  const geometry = new LineSegmentsGeometry();
+  const index = geometry.getIndex();
+  if (!index) return geometry;
+  for (const name of ['position', 'uv']) {
+    const attribute = geometry.getAttribute(name);
+    const values = Array.from(index.array, (i) =>
+      Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k)),
+    );
+    geometry.setAttribute(name, new Float32BufferAttribute(values.flat(), attribute.itemSize));
+  }
+  return geometry.setIndex(null);
+}
 
 /**
  * Polylines of constant width on the screen; what the surface hides shows through faintly. The
@@ -127,7 +143,7 @@ export class FatLine {
     this.#ends = new Float32Array(6 * capacity);
     this.#distances = new Float32Array(2 * capacity);
     this.#geometry.dispose();
-    this.#geometry = new LineSegmentsGeometry();
+    this.#geometry = segmentGeometry();
     const [ends, distances] = [
       new InstancedInterleavedBuffer(this.#ends, 6, 1),
       new InstancedInterleavedBuffer(this.#distances, 2, 1),
