@@ -15,9 +15,10 @@
 /// the distance of the last vertex that the path turns round (0 if none). With these it places a
 /// virtual source in the plane of the faces around it. A face's apex is reached from the edge
 /// opposite to it (edge_crossing.h): from the virtual source of one end, or, where both ends are
-/// settled, over the squared distance along the edge, interpolated from both. On a plane all is
-/// exact on any tessellation. Elsewhere, on the meshes of docs/gallery.md that the solver suits
-/// (fast_trial.h), the mean relative error is at most 1.1e-3 and the worst 1.5 %.
+/// settled, over the squared distance along the edge, interpolated from both. Of two paths of one
+/// length across faces the mesh's numbering chooses (arrival.h). On a plane all is exact on any
+/// tessellation. Elsewhere, on the meshes of docs/gallery.md that the solver suits (fast_trial.h),
+/// the mean relative error is at most 1.1e-3 and the worst 1.5 %.
 namespace karcher {
 
 class FastDistance final : public DistanceSolver {

@@ -8,9 +8,10 @@
 /// where the search is (one_source_energy.h), so the work hardly grows with the number of points.
 ///
 /// K is compared at some of the points, spread evenly by weight. Descents (BFGS) start at the
-/// lowest few; their distances are those of the options' solver. About the end of the best descent
-/// K by exact distances is compared on the circle that decides `converged` (energy_ring.h). Only as
-/// many places are compared as predict those between them. A quadratic leads to the minimum.
+/// lowest few; their distances are those of the options' solver. From the end of the best descent a
+/// step by the exact gradient is made. About where it leads, K by exact distances is compared on
+/// the circle that decides `converged` (energy_ring.h). Only as many places are compared as predict
+/// those between them. A quadratic leads to the minimum.
 namespace karcher {
 
 /// With this many different points it becomes faster than fields over the whole surface.
