@@ -24,18 +24,6 @@ constexpr double kWedgeMargin = 1e-9;
 /// kWedgeMargin, all of it.
 constexpr double kSliver = 1e-8;
 
-/// Whether shortest paths turn round a vertex: where there is more angle than on a plane. At the
-/// tip of a sliver also where there is as much.
-bool spreadsPaths(const Geometry& geometry, int vertex) {
-  const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
-  const double excess = geometry.totalAngle[vertex] - flat;
-  if (std::abs(excess) > kWedgeMargin) return excess > 0;
-  for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
-    if (geometry.cornerAngle[h] < kSliver) return true;
-  }
-  return false;
-}
-
 /// From this ratio of lengths on, windows are carried by both sides of a face, so that short ones
 /// are no differences of long ones. (From vertices and sources they are always sent out so.)
 constexpr double kWide = 1e6;
@@ -81,6 +69,16 @@ inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& windo
 }
 
 }  // namespace
+
+bool spreadsPaths(const Geometry& geometry, int vertex) {
+  const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
+  const double excess = geometry.totalAngle[vertex] - flat;
+  if (std::abs(excess) > kWedgeMargin) return excess > 0;
+  for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
+    if (geometry.cornerAngle[h] < kSliver) return true;
+  }
+  return false;
+}
 
 ExactDistance::ExactDistance(const Geometry& geometry)
     : geometry_(geometry),

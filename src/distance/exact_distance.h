@@ -33,6 +33,10 @@
 /// behind it, at least pi from the path that reached it on both sides.
 namespace karcher {
 
+/// Whether shortest paths turn round a vertex: where there is more angle than on a plane. At the
+/// tip of a sliver also where there is as much.
+bool spreadsPaths(const Geometry& geometry, int vertex);
+
 class ExactDistance final : public DistanceSolver {
  public:
   /// The geometry must outlive the solver. Throws Error kBadArgument if the longest edge is more

@@ -1,6 +1,9 @@
 #include "distance/shortest_path.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
 
 #include "intrinsic/local_path.h"
 #include "intrinsic/straightest.h"
@@ -12,30 +15,70 @@ namespace {
 /// Points of a path nearer to each other than this part of a mean edge are one.
 constexpr double kRepeatedPoint = 1e-13;
 
-/// Appends the points that a straight piece walked through, without its first.
-void appendPiece(const SurfacePath& path, Array<SurfacePoint>& points) {
-  points.insert(points.end(), path.points.begin() + 1, path.points.end());
+/// A straight piece that passes a vertex within this part of an edge may go through it: windows see
+/// past their ends by a tenth of that.
+constexpr double kThrough = 10 * kSeenTolerance;
+
+/// How much longer, as a part of it, the way through a vertex may be than the shortest path for
+/// rounding to be all of the difference.
+constexpr double kSameLength = 1e-11;
+
+/// A path's points are as long as its distance, to this part of it.
+[[maybe_unused]] constexpr double kSameMeasure = 1e-6;
+
+/// The vertex that a walk's point lies at, to kThrough; -1 if there is none.
+int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
+  int corner = 0;
+  if (point.bary.maxCoeff(&corner) < 1 - kThrough) return -1;
+  return geometry.mesh->corner(point.face, corner);
 }
 
-/// Follows the path from a vertex back to the source, appending its points.
-void followBack(const Geometry& geometry, const ExactDistance& distance, int vertex,
-                Array<SurfacePoint>& points) {
+/// Appends the points of a straight piece that starts `left` from the source, without its first and
+/// up to the first saddle on its way. There straight on is no one direction: the way on is the
+/// saddle's own, since its shortest path is the rest of this one. Returns that vertex; -1 where the
+/// piece goes all the way.
+int appendUpToSaddle(const Geometry& geometry, const ExactDistance& distance,
+                     const SurfacePath& path, double left, Array<SurfacePoint>& points) {
+  const SurfacePoint start = path.start();
+  for (int i = 1; i < path.points.count(); ++i) {
+    const int vertex = vertexAt(geometry, path.points[i]);
+    if (vertex < 0 || !spreadsPaths(geometry, vertex)) continue;
+    const double rest = distance.distance(vertex);
+    if (!(rest < left) || vertex == vertexAt(geometry, start)) continue;
+    if (path.lengths[i] + rest > left * (1 + kSameLength)) continue;
+    points.insert(points.end(), path.points.begin() + 1, path.points.begin() + i);
+    points.push_back(vertexPoint(*geometry.mesh, vertex));
+    return vertex;
+  }
+  points.insert(points.end(), path.points.begin() + 1, path.points.end());
+  return -1;
+}
+
+/// Follows a straight piece, and then the path back to the source from the vertex that it leads to.
+/// Appends the points, without the first.
+void followBack(const Geometry& geometry, const ExactDistance& distance, SurfacePath piece,
+                const Arrival& from, Array<SurfacePoint>& points) {
+  Arrival arrival = from;
   // Each turn is nearer to the source than the last, so there are fewer turns than vertices.
-  while (distance.distance(vertex) > 0) {
-    const Arrival& arrival = distance.arrival(vertex);
-    const double length = arrival.distance - arrival.pseudoSourceDistance;
-    appendPiece(traceFromVertex(geometry, vertex, distance.direction(vertex), length).path, points);
-    points.back() = arrival.pseudoSource >= 0 ? vertexPoint(*geometry.mesh, arrival.pseudoSource)
-                                              : distance.source();
-    if (arrival.pseudoSource < 0) return;
-    vertex = arrival.pseudoSource;
+  for (;;) {
+    int vertex = appendUpToSaddle(geometry, distance, piece, arrival.distance, points);
+    if (vertex < 0) {
+      vertex = arrival.pseudoSource;
+      points.back() = vertex >= 0 ? vertexPoint(*geometry.mesh, vertex) : distance.source();
+    }
+    if (vertex < 0 || distance.distance(vertex) == 0) return;
+    arrival = distance.arrival(vertex);
+    piece = traceFromVertex(geometry, vertex, distance.direction(vertex),
+                            arrival.distance - arrival.pseudoSourceDistance)
+                .path;
   }
 }
 
 /// Turns the points that were walked from the target to the source round, once each. Along an edge,
 /// or past the end of one, rounding may lead a walk into faces next to the path's: there the gap is
-/// closed by the straight line.
-SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked, double length) {
+/// closed by the straight line. `length` is the path's distance.
+SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
+                    [[maybe_unused]] double length) {
   const TriangleMesh& mesh = *geometry.mesh;
   SurfacePath path;
   path.points.push_back(walked.back());
@@ -54,7 +97,7 @@ SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
     }
   }
   measure(mesh, path);
-  path.lengths.back() = length;
+  assert(std::abs(path.length() - length) <= kSameMeasure * (length + geometry.meanEdge));
   return path;
 }
 
@@ -82,7 +125,12 @@ SurfacePath shortestPathToVertex(const Geometry& geometry, ExactDistance& distan
             [&] { return distance.distance(vertex) != kInfinity && distance.isFinal(vertex); });
   if (distance.distance(vertex) == kInfinity) throwUnreachable();
   Array<SurfacePoint> points{target};
-  followBack(geometry, distance, vertex, points);
+  if (distance.distance(vertex) == 0) return {{target, target}, {0, 0}};
+  const Arrival& arrival = distance.arrival(vertex);
+  const double length = arrival.distance - arrival.pseudoSourceDistance;
+  followBack(geometry, distance,
+             traceFromVertex(geometry, vertex, distance.direction(vertex), length).path, arrival,
+             points);
   return cleaned(geometry, points, distance.distance(vertex));
 }
 
@@ -109,15 +157,10 @@ SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
 
   Array<SurfacePoint> points{to};
   const double length = target.arrival.distance - target.arrival.pseudoSourceDistance;
-  appendPiece(
+  followBack(
+      geometry, distance,
       traceStraightest(geometry, inFace(mesh, to, target.face), length * target.direction).path,
-      points);
-  if (target.arrival.pseudoSource >= 0) {
-    points.back() = vertexPoint(mesh, target.arrival.pseudoSource);
-    followBack(geometry, distance, target.arrival.pseudoSource, points);
-  } else {
-    points.back() = from;
-  }
+      target.arrival, points);
   return cleaned(geometry, points, target.arrival.distance);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "distance_meshes.h"
+#include "generators/gallery.h"
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "intrinsic/strip_path.h"
@@ -118,6 +119,33 @@ TEST(ShortestPath, IsTheSameBothWaysAndObeysTheTriangleInequality) {
     EXPECT_LE(ab.length(),
               shortestPath(geometry, a, c).length() + shortestPath(geometry, c, b).length() + 1e-9);
     expectPathOnSurface(mesh, ab);
+  }
+}
+
+TEST(ShortestPath, GoesStraightThroughTheSaddlesOfALattice) {
+  // Straight lines meet vertices there, whose surplus of angle the way on has to be chosen by.
+  const MeasuredMesh coarse(ringTube(0.4, 5, 16));
+  const MeasuredMesh fine(ringTube(0.5, 8, 12));
+  const MeasuredMesh plate(plateWithHoles(5, 5));
+  for (const MeasuredMesh* surface : {&coarse, &fine, &plate}) {
+    const TriangleMesh& mesh = surface->mesh;
+    const uint64_t seed = 48;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    ExactDistance solver(surface->geometry);
+    for (int i = 0; i < (longRun() ? 20'000 : 1000); ++i) {
+      const SurfacePoint a = i % 2 == 0 ? vertexPoint(mesh, random.index(mesh.vertexCount()))
+                                        : randomPlace(mesh, random);
+      const int b = random.index(mesh.vertexCount());
+      const SurfacePath path = shortestPath(surface->geometry, a, vertexPoint(mesh, b));
+      expectPathOnSurface(mesh, path);
+      const SurfacePath back = shortestPath(surface->geometry, vertexPoint(mesh, b), a);
+      expectPathOnSurface(mesh, back);
+      solver.setSource(a);
+      solver.grow(kInfinity);
+      EXPECT_NEAR(path.length(), solver.distance(b), 1e-11);
+      EXPECT_NEAR(back.length(), solver.distance(b), 1e-11);
+    }
   }
 }
 
