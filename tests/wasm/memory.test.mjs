@@ -70,6 +70,68 @@ test('more than the memory can hold is an error, and the program goes on', async
   assert.equal(mesh.info.triangles, 8);
 });
 
+test('memory is filled to the last, and the program goes on', async () => {
+  const karcher = await load();
+  const mesh = karcher.shape('torus', 6000);
+  const points = [0, 100, 300, 500].map((vertex) => ({ vertex }));
+  const weights = [0.25, 0.25, 0.25, 0.25];
+  const given = (made, ask) => {
+    const answer = ask(made);
+    made.dispose();
+    return answer;
+  };
+  const calls = [
+    () => given(mesh.curve({ kind: 'bspline', points }), (curve) => curve.polyline()),
+    () => given(mesh.curve({ kind: 'bspline', points, samples: 2000 }), (curve) => curve.length),
+    () => mesh.centerOfMass(points, weights, { solver: 'exact' }).position,
+    () => mesh.distance(points[0])[17],
+    () => given(karcher.shape('sphere', 50_000), (sphere) => sphere.info.triangles),
+    () => given(mesh.subdivide(2), (finer) => finer.info.triangles),
+    () => mesh.shortestPath(points[0], points[3]).length,
+  ];
+  const right = calls.map((call) => call());
+  const held = [];
+  /** Meshes of a triangle and many corners that nothing uses, until there is no room for one more. */
+  const fill = (vertices) => {
+    const positions = new Float64Array(3 * vertices);
+    positions.set([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+    for (let i = 0; i < 4000; i++) {
+      try {
+        held.push(karcher.meshFromArrays(positions, [0, 1, 2]));
+      } catch (error) {
+        assert.equal(error.code, 'outOfMemory');
+        return;
+      }
+    }
+    assert.fail('there is always more room');
+  };
+  for (const vertices of [4_000_000, 300_000, 20_000]) fill(vertices);
+  const full = karcher.allocatedBytes();
+  assert.ok(full > 4e9, `${full} bytes are in use`);
+  // Each call gives what it gave, or has no room; each round leaves it a little more.
+  let refused = 0;
+  for (let round = 0; round < 6; round++) {
+    for (const [i, call] of calls.entries()) {
+      try {
+        assert.deepEqual(call(), right[i], `call ${i} of round ${round}`);
+      } catch (error) {
+        if (error.code !== 'outOfMemory') throw error;
+        refused++;
+      }
+    }
+    held.pop().dispose();
+  }
+  assert.ok(refused > 0, 'some call had no room');
+  for (const one of held) {
+    assert.equal(one.info.triangles, 1);
+    one.dispose();
+  }
+  assert.deepEqual(
+    calls.map((call) => call()),
+    right,
+  );
+});
+
 test('what cannot fit is refused before it is tried, with the number', async () => {
   const karcher = await load();
   const mesh = karcher.shape('sphere', 20_000);
