@@ -46,6 +46,7 @@ set(KARCHER_SMALL_IN_FAST_ROOMS
   intrinsic/strip_shortening.cpp
   intrinsic/tangent.cpp
   intrinsic/vertex_fans.cpp
+  rcm/certificate.cpp
   rcm/energy_ring.cpp
   rcm/exact_minimum.cpp
   rcm/field_options.cpp

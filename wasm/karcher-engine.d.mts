@@ -1,4 +1,5 @@
 import type {
+  Certificate,
   CurveKind,
   CurvePoints,
   MeanWeights,
@@ -81,6 +82,7 @@ export interface EngineMesh {
     start: Float64Array,
     normalize: boolean,
     looksForOthers: boolean,
+    certifies: boolean,
     field: EngineFieldOptions,
   ): EngineMean;
   /** `given` is empty for equal weights. */
@@ -205,6 +207,7 @@ export interface EngineMean {
   energy: number;
   uniqueness: Uniqueness;
   otherMinima: EngineMinimum[];
+  certificate?: Certificate;
 }
 
 export interface EngineMinimum {

@@ -183,9 +183,10 @@ export class Mesh {
     const field = engineFieldOptions(options);
     const normalize = checkBoolean(options.normalize ?? false, 'normalize');
     const looks = checkBoolean(options.uniqueness ?? false, 'uniqueness');
+    const certifies = checkBoolean(options.certificate ?? false, 'certificate');
     return toCenterOfMass(
       this.#handle.call((mesh) =>
-        mesh.centerOfMass(places, masses, start, normalize, looks, field),
+        mesh.centerOfMass(places, masses, start, normalize, looks, certifies, field),
       ),
     );
   }

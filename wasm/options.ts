@@ -40,6 +40,7 @@ export const centerOptionNames = namesOf<CenterOptions>({
   ...field,
   ...start,
   uniqueness: true,
+  certificate: true,
 });
 export const weightsOptionNames = namesOf<WeightsOptions>({
   ...field,

@@ -164,10 +164,13 @@ export interface CenterOfMass {
   status: Status;
   iterations: number;
   /**
-   * Sum of weight times squared distance, in squared units of the mesh; of very many points (see
-   * `centerOfMass`) by exact distances.
+   * Sum of weight times squared distance, in squared units of the mesh: an estimate by the fields, which
+   * is not to be compared with another method's; of very many points (see `centerOfMass`) by exact
+   * distances. `certificate` has the exact one.
    */
   energy: number;
+  /** What the point is worth by exact shortest paths, where `CenterOptions.certificate` asks for it. */
+  certificate?: Certificate;
   /** Whether it is the only one. */
   uniqueness: Uniqueness;
   /**
@@ -176,6 +179,21 @@ export interface CenterOfMass {
    * points were tried, at most, and none led to another.
    */
   otherMinima: OtherMinimum[] | 'notLooked';
+}
+
+/**
+ * What a point is worth as a center of mass, by exact shortest paths to the points: the same measure for
+ * every method.
+ */
+export interface Certificate {
+  /** The sum of weight times squared distance, in squared units of the mesh. */
+  energy: number;
+  /**
+   * The length of the weighted sum of the vectors along the paths to the points, half of the energy's
+   * slope: 0 at a center of mass of a smooth surface. On a mesh it is seldom 0, as the energy has
+   * creases: where a path changes sides of a vertex, its direction jumps.
+   */
+  residual: number;
 }
 
 /**
@@ -234,6 +252,12 @@ export interface CenterOptions extends FieldOptions, StartOptions {
    * whole of each point's field: about half a microsecond a vertex and point with the fast solver.
    */
   uniqueness?: boolean;
+  /**
+   * Measure the point by exact shortest paths, whatever the method and however the search ended. It takes
+   * the exact distances from the point out to the farthest of the points, about as long as one field of
+   * the solver `exact`; where the center lies on an edge or at a vertex, a shortest path to each point.
+   */
+  certificate?: boolean;
 }
 
 export type CurveGeometry = 'geodesic' | 'exact';

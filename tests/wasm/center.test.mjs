@@ -96,6 +96,44 @@ test('tells whether it is the only one where that is asked', () => {
   assert.throws(() => sphere.centerOfMass(near, weights, { uniqueness: 1 }), /uniqueness/);
 });
 
+test('a certificate measures the center by exact shortest paths, whatever the method', () => {
+  const plane = karcher.meshFromObj(grid(cells));
+  const weights = [0.1, 0.2, 0.3, 0.4];
+  assert.equal('certificate' in plane.centerOfMass(inner, weights), false);
+  const expected = weightedSum(plane, inner, weights);
+  const squares = inner.map((point) =>
+    plane.position(point).reduce((sum, value, k) => sum + (value - expected[k]) ** 2, 0),
+  );
+  const least = squares.reduce((sum, square, i) => sum + weights[i] * square, 0);
+  for (const field of [...exactFields, { solver: 'graph', rings: 2 }]) {
+    const options = { ...field, certificate: true };
+    const { certificate, position } = plane.centerOfMass(inner, weights, options);
+    // On a plane the energy is the least one and the squared distance from the mean, the residual is that
+    // distance.
+    const away = Math.hypot(...position.map((value, k) => value - expected[k]));
+    assert.ok(Math.abs(certificate.energy - least - away ** 2) < 1e-9, `${certificate.energy}`);
+    assert.ok(Math.abs(certificate.residual - away) < 1e-9, `${certificate.residual}`);
+    const same = plane.centerOfMass(inner, [1, 2, 3, 4], { ...options, normalize: true });
+    assert.ok(Math.abs(same.certificate.energy - certificate.energy) < 1e-9);
+  }
+
+  const torus = karcher.shape('torus', 2000);
+  const points = [3, 90, 400, 720].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
+  for (const field of [{}, paper, { method: 'paper', solver: 'graph', rings: 3 }]) {
+    const center = torus.centerOfMass(points, weights, { ...field, certificate: true });
+    const lengths = points.map((point) => torus.shortestPath(center.point, point).length);
+    const energy = lengths.reduce((sum, length, i) => sum + weights[i] * length ** 2, 0);
+    assert.ok(Math.abs(center.certificate.energy - energy) < 1e-9 * energy);
+    // The paths of the log map are seldom others than the shortest.
+    const { vectors } = torus.logMap(center.point, points);
+    const sum = [0, 1, 2].map((k) =>
+      weights.reduce((total, weight, i) => total + weight * vectors[3 * i + k], 0),
+    );
+    closeTo([center.certificate.residual], [Math.hypot(...sum)], 1e-3 * torus.info.meanEdge);
+  }
+  assert.throws(() => plane.centerOfMass(inner, weights, { certificate: 1 }), /certificate/);
+});
+
 test('does not depend on the centers that were asked for before', () => {
   const mesh = karcher.shape('torus', 2000);
   const points = [3, 90, 400, 720].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));

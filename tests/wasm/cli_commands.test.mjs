@@ -85,6 +85,8 @@ test('mean prints the center of mass', async () => {
   assert.equal(negative.status, 'converged');
   const graph = await printed(...args, '--weights', weights, '--solver', 'graph', '--rings', '2');
   assert.deepEqual(graph, mesh.centerOfMass(points, masses, { solver: 'graph', rings: 2 }));
+  const certified = await printed(...args, '--weights', weights, '--certificate');
+  assert.deepEqual(certified, mesh.centerOfMass(points, masses, { certificate: true }));
 });
 
 test('weights prints those that make a point the center of mass', async () => {

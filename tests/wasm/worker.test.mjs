@@ -26,6 +26,11 @@ test('a mesh in a worker answers as one here', async () => {
   assert.deepEqual(await mesh.triangles(), here.triangles());
   const weights = [0.25, 0.25, 0.25, 0.25];
   assert.deepEqual(await mesh.centerOfMass(points, weights), here.centerOfMass(points, weights));
+  const certified = { certificate: true };
+  assert.deepEqual(
+    await mesh.centerOfMass(points, weights, certified),
+    here.centerOfMass(points, weights, certified),
+  );
   assert.deepEqual(await mesh.distance(points[0]), here.distance(points[0]));
   const [from, to] = points;
   assert.deepEqual(

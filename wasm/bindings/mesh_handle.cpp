@@ -12,6 +12,7 @@
 #include "mesh/error.h"
 #include "mesh/loop_subdivision.h"
 #include "mesh/shapes.h"
+#include "rcm/certificate.h"
 #include "rcm/mean.h"
 #include "rcm/mean_weights.h"
 
@@ -148,13 +149,25 @@ void MeshHandle::prepareFields(const val& field) {
 }
 
 val MeshHandle::centerOfMass(const val& points, const val& weights, const val& start,
-                             bool normalize, bool looksForOthers, const val& field) {
+                             bool normalize, bool looksForOthers, bool certifies,
+                             const val& field) {
   MeanOptions options = meanOptions(start, normalize);
   options.looksForOthers = looksForOthers;
   options.smooth = smooth_;
   options.field = fieldOptionsFromJs(field);
-  return meanToJs(karcher::centerOfMass(*fieldSets_, pointsFromJs(numbering_, mesh(), points),
-                                        fromJs<double>(weights), options, fields_));
+  const Array<SurfacePoint> places = pointsFromJs(numbering_, mesh(), points);
+  const Array<double> masses = fromJs<double>(weights);
+  const Mean mean = karcher::centerOfMass(*fieldSets_, places, masses, options, fields_);
+  val result = meanToJs(mean);
+  if (certifies) {
+    const Certificate measured =
+        certificateOf(surface_.geometry(), places, masses, normalize, mean.point);
+    val certificate = val::object();
+    certificate.set("energy", measured.energy);
+    certificate.set("residual", measured.residual);
+    result.set("certificate", certificate);
+  }
+  return result;
 }
 
 val MeshHandle::weightsOf(const val& point, const val& points, const val& given, bool nonNegative,

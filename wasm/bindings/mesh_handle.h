@@ -52,9 +52,10 @@ class MeshHandle {
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
   /// Makes what fields share; the graph too, unless it was built in slices.
   void prepareFields(const val& field);
-  /// `start` is a point, or an empty array for the engine's choice.
+  /// `start` is a point, or an empty array for the engine's choice. `certificate` is there where it
+  /// is asked for.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
-                   bool looksForOthers, const val& field);
+                   bool looksForOthers, bool certifies, const val& field);
   /// {weights, isMinimum}; `given` is empty for equal weights.
   val weightsOf(const val& point, const val& points, const val& given, bool nonNegative,
                 const val& field);

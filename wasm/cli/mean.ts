@@ -5,7 +5,7 @@ export const mean: Command = {
   name: 'mean',
   summary: 'the Riemannian center of mass of weighted points',
   output:
-    '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, uniqueness: certain|likely|notUnique|notLooked, otherMinima: notLooked|[{point, position, energy}, …], paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
+    '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, uniqueness: certain|likely|notUnique|notLooked, otherMinima: notLooked|[{point, position, energy}, …], certificate: {energy, residual} with --certificate, paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
   options: [
     pointsOption,
     {
@@ -16,6 +16,10 @@ export const mean: Command = {
     },
     { name: 'normalize', help: 'divide the weights by their sum instead' },
     { name: 'uniqueness', help: 'look for other minima all over the surface' },
+    {
+      name: 'certificate',
+      help: 'the exact energy and residual of the center, too: as long as one exact field',
+    },
     { name: 'paths', help: 'the shortest paths from the center to the points, too' },
     ...fieldOptions,
   ],
@@ -28,6 +32,7 @@ export const mean: Command = {
       ...field,
       normalize: args.given('normalize'),
       uniqueness: args.given('uniqueness'),
+      certificate: args.given('certificate'),
     });
     if (!args.given('paths')) return { json: center };
     const paths = points.map((point) => mesh.shortestPath(center.point, point));
