@@ -136,6 +136,7 @@ export async function start(): Promise<void> {
     mirrorClicked: (point) => void mirror.click(point),
     moveStopped: () => showNote('The move stops where something would leave the surface.'),
   });
+  editor.onInterrupt = () => gestures.letGo();
   const remove = () => {
     if (editor.state.selection === null) editor.deleteObjects();
     else void gestures.keepFocus(() => edits.removeSelected());

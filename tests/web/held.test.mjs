@@ -271,4 +271,79 @@ describe('what is held', () => {
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
+
+  const places = [
+    [-110, 40],
+    [-40, -10],
+    [40, 50],
+    [110, -10],
+  ];
+  const drawingOf = async (tab) => JSON.stringify((await tab.state()).drawing);
+
+  for (const key of ['Delete', 'Control+x', 'Control+d', '7', 'n']) {
+    test(`${key} while a line is dragged ends the drag, and undo finds the place before it`, async () => {
+      const tab = await Tab.open(browser);
+      await tab.click(...places);
+      await tab.page.keyboard.press('v');
+      const { x, y } = await tab.onCurve(0.4);
+      await tab.page.mouse.click(x, y);
+      await tab.settled();
+      const before = await drawingOf(tab);
+      await tab.page.mouse.move(x, y);
+      await tab.page.mouse.down();
+      await tab.page.mouse.move(x + 30, y + 10, { steps: 4 });
+      await tab.page.waitForFunction(() => window.karcherPage.state().dragging);
+      await tab.page.keyboard.press(key);
+      await tab.page.mouse.move(x + 50, y, { steps: 4 });
+      await tab.page.mouse.up();
+      await tab.settled();
+      const after = await tab.state();
+      assert.equal(after.dragging, false);
+      const kept = after.drawing.objects.filter(({ figure }) => figure.points.length > 0);
+      const gone = key === 'Delete' || key === 'Control+x';
+      assert.equal(kept.length, gone ? 0 : key === 'Control+d' ? 2 : 1);
+      await tab.page.keyboard.press('Control+z');
+      await tab.settled();
+      assert.equal(await drawingOf(tab), before);
+      await tab.page.keyboard.press('Control+y');
+      await tab.settled();
+      assert.equal(await drawingOf(tab), JSON.stringify(after.drawing));
+      assert.deepEqual(tab.logged, []);
+      await tab.page.close();
+    });
+  }
+
+  test('Delete while a control point is dragged, and right after a drag of a line', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const before = await drawingOf(tab);
+    const from = await tab.handle('Control point 2');
+    await tab.page.mouse.move(from.x, from.y);
+    await tab.page.mouse.down();
+    await tab.page.mouse.move(from.x + 20, from.y + 20, { steps: 3 });
+    await tab.page.waitForFunction(() => window.karcherPage.state().dragging);
+    await tab.page.keyboard.press('Delete');
+    await tab.page.mouse.move(from.x + 40, from.y, { steps: 3 });
+    await tab.page.mouse.up();
+    await tab.settled();
+    assert.equal((await tab.state()).figure.points.length, 3);
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(await drawingOf(tab), before);
+    // Released, its last step may be under way.
+    await tab.page.keyboard.press('v');
+    const { x, y } = await tab.onCurve(0.6);
+    await tab.page.mouse.click(x, y);
+    await tab.page.mouse.move(x, y);
+    await tab.page.mouse.down();
+    await tab.page.mouse.move(x + 30, y + 10, { steps: 4 });
+    await tab.page.mouse.up();
+    await tab.page.keyboard.press('Escape');
+    await tab.page.keyboard.press('Control+a');
+    await tab.page.keyboard.press('Delete');
+    await tab.settled();
+    assert.equal((await tab.state()).figure.points.length, 0);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
 });

@@ -67,6 +67,7 @@ export class CurveEdits {
 
   /** Removes the selected control point, or the circle. */
   removeSelected(): Promise<void> {
+    this.editor.interrupt();
     const { figure, selection } = this.editor.state;
     if (figure.kind === 'pen' && typeof selection === 'number') return this.removeAnchor(selection);
     return this.#edit((figure) => {
@@ -85,6 +86,7 @@ export class CurveEdits {
 
   /** Removes an anchor of the pen; the curve stays as near to what it was as it can. */
   removeAnchor(index: number): Promise<void> {
+    this.editor.interrupt();
     return this.#inOrder(async () => {
       const { drawing, figure } = this.editor.state;
       const { client } = this.session;
@@ -106,6 +108,7 @@ export class CurveEdits {
   }
 
   setClosed(closed: boolean): Promise<void> {
+    this.editor.interrupt();
     return this.#edit(({ settings: from }) => {
       if (from.closed === closed) return null;
       const { selection } = this.editor.state;
@@ -203,6 +206,7 @@ export class CurveEdits {
 
   /** Makes one curve of the edited object and another one. */
   join(id: number): Promise<void> {
+    this.editor.interrupt();
     return this.#inOrder(() => this.#join(id));
   }
 
@@ -225,6 +229,7 @@ export class CurveEdits {
   }
 
   reverse(): Promise<void> {
+    this.editor.interrupt();
     return this.#inOrder(() => this.#reverse());
   }
 

@@ -104,6 +104,9 @@ export class Editor {
   /** Called where an edit is refused, with a sentence. */
   onRefusal: (sentence: string) => void = () => {};
 
+  /** Called where something else is done: who drags lets go of it. */
+  onInterrupt: () => void = () => {};
+
   get state(): State {
     return this.#state;
   }
@@ -200,6 +203,15 @@ export class Editor {
     if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: none }, true);
   }
 
+  /**
+   * Ends whatever is dragged, which goes back to where it was: what is done next is done to the drawing
+   * as it was before the drag.
+   */
+  interrupt(): void {
+    this.onInterrupt();
+    this.cancelDrag();
+  }
+
   /** Makes the legs that one of the last drags drew out part of it, and of what was done since. */
   keepLegs(told: ToldLegs): void {
     const kept = tellLegs(this.#history, this.#drag?.base ?? this.#state.drawing, told);
@@ -240,11 +252,11 @@ export class Editor {
     return this.#history;
   }
 
+  /** Takes the newest step back, or what is dragged. */
   undo(): void {
-    if (this.#drag) {
-      this.cancelDrag();
-      return;
-    }
+    const dragged = this.#drag !== null;
+    this.interrupt();
+    if (dragged) return;
     const command = stepBack(this.#history);
     if (command) this.#step(command);
   }
@@ -322,6 +334,7 @@ export class Editor {
 
   /** What is drawn next is another object. */
   begin(kind?: Kind): void {
+    this.interrupt();
     this.setTool('insert');
     this.perform(beginning(this.#state.drawing, kind), { selection: null, chosen: [] });
     if (this.#state.chosen.length > 0) this.#change({ chosen: [] }, false);
@@ -329,6 +342,7 @@ export class Editor {
 
   /** Chooses the kind of what is drawn next; a curve with points becomes another kind of curve. */
   setKind(kind: Kind): void {
+    this.interrupt();
     this.setTool('insert');
     const command = ofKind(this.#state.drawing, kind);
     if (!command) return;
@@ -337,6 +351,7 @@ export class Editor {
   }
 
   deleteObjects(ids: readonly number[] = this.#state.chosen): void {
+    this.interrupt();
     const { objects } = this.#state.drawing;
     const free = ids.filter((id) => objects.some((one) => one.id === id && !one.locked));
     if (free.length < ids.length) this.onRefusal('What is locked is not deleted. Unlock it first.');
@@ -344,11 +359,13 @@ export class Editor {
   }
 
   duplicate(ids: readonly number[] = this.#state.chosen): void {
+    this.interrupt();
     this.#add(duplication(this.#state.drawing, ids));
   }
 
   /** Adds copies of objects; their ids become others. */
   addObjects(objects: readonly DrawnObject[]): void {
+    this.interrupt();
     this.#add(addition(this.#state.drawing, objects));
   }
 
@@ -357,6 +374,7 @@ export class Editor {
   }
 
   group(ids: readonly number[] = this.#state.chosen): void {
+    this.interrupt();
     this.perform(grouping(this.#state.drawing, ids));
   }
 
@@ -365,21 +383,25 @@ export class Editor {
   }
 
   setProperties(ids: readonly number[], to: Partial<Properties>): void {
+    this.interrupt();
     this.perform(restyling(this.#state.drawing, ids, to));
   }
 
   /** Moves an object so many places up in the order. */
   raise(id: number, steps: number): void {
+    this.interrupt();
     this.perform(reordering(this.#state.drawing, id, steps));
   }
 
   setSettings(part: Partial<CurveSettings>): void {
+    this.interrupt();
     const from = this.#state.figure.settings;
     const to = { ...from, ...part };
     if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'settings', from, to });
   }
 
   setCircleForm(part: Partial<CircleForm>): void {
+    this.interrupt();
     const from = this.#state.figure.circleForm;
     const to = { ...from, ...part };
     if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'circleForm', from, to });
@@ -391,6 +413,7 @@ export class Editor {
 
   /** Makes the selected control point one of so many numbers more, as far as there are points. */
   moveInOrder(steps: number): void {
+    this.interrupt();
     const { figure, selection: from } = this.#state;
     if (typeof from !== 'number' || isRound(figure.kind) || !figure.points[from]) return;
     const to = Math.min(Math.max(from + steps, 0), figure.points.length - 1);
@@ -405,11 +428,13 @@ export class Editor {
 
   /** Shows another drawing of the surface, as one step of the history. */
   draw(to: Drawing): void {
+    this.interrupt();
     const from = this.#state.drawing;
     this.perform({ type: 'draw', from, to }, { selection: null, chosen: [] });
   }
 
   clear(): void {
+    this.interrupt();
     const { figure } = this.#state;
     if (!isEmpty(figure)) this.replace(cleared(figure));
   }

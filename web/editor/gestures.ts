@@ -72,6 +72,7 @@ export class Gestures {
   readonly snapping: Snapping;
   readonly #pen: PenGestures;
   readonly #transforms: TransformGestures;
+  readonly #moves: MoveGestures;
   #pointers = 0;
   #hover: { x: number; y: number } | null = null;
   /** Whether the pointer is over the stage, and over which handle of the pen. */
@@ -125,6 +126,7 @@ export class Gestures {
       stopped: () => events.moveStopped(),
     });
     this.#transforms = transforms;
+    this.#moves = moves;
     this.#pen = pen;
     const keys = ({ altKey, shiftKey, ctrlKey, metaKey }: PointerEvent) => {
       this.#keys = { alt: altKey, shift: shiftKey, control: ctrlKey || metaKey };
@@ -168,9 +170,12 @@ export class Gestures {
   /** Takes back what the pointer has begun; what it does until it is up is no click. */
   letGo(): void {
     this.#press = null;
+    if (this.#nudges) this.editor.cancelDrag();
+    this.#nudges = false;
     this.#handles.letGo();
     this.#transforms.letGo();
     this.#pointer.letGo();
+    this.#moves.letGo();
   }
 
   /** Shows the handles of the editor's state. */

@@ -55,12 +55,18 @@ export class MoveGestures {
         if (dragged) void this.#end(place);
         else this.events.clicked(press);
       },
-      cancel: () => {
-        this.#held = null;
-        this.#newest.drop();
-        editor.cancelDrag();
-      },
+      cancel: () => this.letGo(),
     };
+  }
+
+  /** Takes back what is moved, also where its last step is still under way. */
+  letGo(): void {
+    const keyed = this.#keyed?.revision === this.editor.state.revision;
+    const held = this.#held !== null;
+    this.#keyed = null;
+    this.#held = null;
+    this.#newest.drop();
+    if (keyed || held) this.editor.cancelDrag();
   }
 
   /** The id of the object whose line is seen at a place; null without one. */
@@ -116,7 +122,7 @@ export class MoveGestures {
     const [x, y] = [keyed.x + dx, keyed.y + dy];
     const point = viewer.pick(x, y)?.point;
     const command = point && (await keyed.move.to(point).catch(() => null));
-    if (keyed.revision !== editor.state.revision) return;
+    if (this.#keyed !== keyed || keyed.revision !== editor.state.revision) return;
     if (!command) {
       this.events.stopped();
       return;
@@ -149,7 +155,7 @@ export class MoveGestures {
     const held = this.#held;
     const move = await held?.move;
     const point = this.viewer.pick(x, y)?.point;
-    if (!held || !move || !point) return;
+    if (this.#held !== held || !held || !move || !point) return;
     const command = await move.to(point).catch(() => null);
     if (this.#held !== held) return;
     if (command) this.editor.previewCommand(command);

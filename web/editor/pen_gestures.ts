@@ -117,7 +117,10 @@ export class PenGestures {
       const point = this.viewer.pick(x, y)?.point;
       const segment = await bend;
       const command = point && (await segment?.through(point, corrections).catch(() => null));
-      if (held && segment && command) editor.preview(command, segment.anchors);
+      // After the release the curve may have gone.
+      if (held && segment && command && editor.base === figure) {
+        editor.preview(command, segment.anchors);
+      }
     };
     const newest = new Newest<Place>((place) => go(place, whileDragged));
     return {

@@ -121,8 +121,12 @@ export class TransformGestures {
     return this.#handles.heldBy;
   }
 
+  /** Takes back what is held, also where its last step is still under way. */
   letGo(): void {
+    if (this.#keyed) this.editor.cancelDrag();
+    this.#keyed = null;
     this.#handles.letGo();
+    if (this.#held) void this.#release(true);
   }
 
   /** Shows the frame of the editor's state; it is made anew where something else has changed. */
@@ -306,6 +310,7 @@ export class TransformGestures {
     frame: TransformFrame,
     move: Move,
     { x, y, angle, scale }: Required<Numbers>,
+    isWanted: () => boolean = () => true,
   ): Promise<boolean> {
     const { client } = this.session;
     const point = await this.#pointAt(frame, x, y);
@@ -318,6 +323,7 @@ export class TransformGestures {
       this.events.stopped();
       return false;
     }
+    if (!isWanted()) return false;
     this.editor.previewCommand(placed.command);
     await this.#showFrame(frameAt(frame, placed.beside, scale));
     return true;
@@ -359,7 +365,8 @@ export class TransformGestures {
       if (!move) return;
       this.#keyed = { id, frame, move, numbers: { x: 0, y: 0, angle: 0, scale: 1 } };
     }
-    const { numbers, move } = this.#keyed;
+    const keyed = this.#keyed;
+    const { numbers, move } = keyed;
     const [turn, grow] = shift ? [angleStep, scaleStep] : [keyedAngle, keyedScale];
     const next = { ...numbers };
     if (id === 'move') {
@@ -367,7 +374,8 @@ export class TransformGestures {
       next.y += dy * length;
     } else if (id === 'turn') next.angle += (dy - dx) * turn;
     else next.scale = Math.max(leastScale, next.scale + (dx + dy) * grow);
-    if (await this.#place(frame, move, next)) this.#keyed.numbers = next;
+    const isWanted = () => this.#keyed === keyed;
+    if (await this.#place(frame, move, next, isWanted)) keyed.numbers = next;
   }
 
   #endKeys(): void {

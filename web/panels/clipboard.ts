@@ -14,6 +14,8 @@ export class Clipboard {
   ) {
     document.addEventListener('copy', (event) => this.#copy(event));
     document.addEventListener('cut', (event) => {
+      // What is dragged is cut as it was before.
+      editor.interrupt();
       if (this.#copy(event)) editor.deleteObjects(this.#ids);
     });
     document.addEventListener('paste', (event) => this.#paste(event));
