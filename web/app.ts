@@ -27,7 +27,7 @@ import { byId } from './panels/elements';
 import { ExamplesMenu } from './panels/examples_menu';
 import { FreehandSettings } from './panels/freehand_settings';
 import { LostPanel } from './panels/lost_panel';
-import { sentenceOf, showNote } from './panels/messages';
+import { sentenceOf, showError, showNote } from './panels/messages';
 import { ObjectPanel } from './panels/object_panel';
 import { SaveMenu } from './panels/save_menu';
 import { Sheet } from './panels/sheet';
@@ -295,7 +295,14 @@ export async function start(): Promise<void> {
   );
   // An example is drawn once its surface is shown.
   editor.subscribe(() => queueMicrotask(() => tour.update()));
-  const viewChanged = saveChanges(editor, () => viewer.place);
+  const viewChanged = saveChanges(
+    editor,
+    () => viewer.place,
+    () =>
+      showError(
+        'This browser has no room for this drawing: a reload would lose it. Save it as a JSON file.',
+      ),
+  );
   viewer.onFrame(viewChanged);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', ({ newURL }) => {

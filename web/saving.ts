@@ -1,7 +1,7 @@
 import type { Editor, State } from './editor/editor';
 import type { History } from './model/history';
 import { formatLink, type Link, parseLink, viewFields } from './model/link';
-import { linkOfWork, readWork, savedWork } from './model/saved_work';
+import { linkOfWork, readWork, savedLink, savedWork } from './model/saved_work';
 import { recall, recallInTab, rememberAll, rememberInTab } from './model/storage';
 import { parseView, type ViewPlace } from './model/view_place';
 
@@ -16,20 +16,52 @@ export const longestLink = 16_000;
 export function addressOf({ mesh, method, drawing }: State, view: ViewPlace | null): string {
   const link = formatLink(mesh, method, drawing, view);
   if (link.length <= longestLink) return link;
+  return [keptAddress(mesh, method), ...viewFields(view)].join('&');
+}
+
+/** The address of a drawing that only this browser has. */
+function keptAddress(mesh: string, method: string): string {
   const key = encodeURIComponent(mesh).replaceAll('%3A', ':');
-  return [`mesh=${key}&method=${method}&kept=1`, ...viewFields(view)].join('&');
+  return `mesh=${key}&method=${method}&kept=1`;
+}
+
+/**
+ * Keeps a drawing with what was done to it in the browser and in the tab, as far as there is room; false
+ * where a reload finds it in none of them, and its address does not tell it.
+ */
+export function keepDrawing(
+  { mesh, method, drawing }: Pick<State, 'mesh' | 'method' | 'drawing'>,
+  history: Readonly<History> | null,
+): boolean {
+  const text = formatLink(mesh, method, drawing);
+  const document = `document.${mesh}`;
+  const short = text.length <= longestLink;
+  // A long one is kept once.
+  const last = short ? text : keptAddress(mesh, method);
+  const left = rememberAll({ [document]: text, last, method });
+  const inTab =
+    history !== null &&
+    (rememberInTab('work', savedWork(text, drawing, history)) ||
+      rememberInTab('work', savedLink(text)));
+  return short || inTab || !left.includes(document);
 }
 
 /**
  * Keeps what is made, and from where it is looked at, where a reload finds it: in the address and in the browser's storage, with what
  * was done in that of the tab. Saving waits for a moment's rest, as browsers limit how often an
  * address may change. A surface that stands in for another is not saved: what could not be opened may
- * be opened later. What is given back is called where the view may have changed.
+ * be opened later. `onLost` is called, once until it is kept again, where a reload would not find what
+ * is drawn. What is given back is called where the view may have changed.
  */
-export function saveChanges(editor: Editor, viewNow: () => ViewPlace | null): () => void {
+export function saveChanges(
+  editor: Editor,
+  viewNow: () => ViewPlace | null,
+  onLost: () => void = () => {},
+): () => void {
   let timer = 0;
   let viewTimer = 0;
   let viewShown = '';
+  let lost = false;
   const saveAddress = (state: State) => {
     const before = location.hash.slice(1);
     const address = addressOf(state, viewNow());
@@ -41,12 +73,9 @@ export function saveChanges(editor: Editor, viewNow: () => ViewPlace | null): ()
   const save = (state: State) => {
     clearTimeout(timer);
     timer = 0;
-    const { mesh, method, drawing } = state;
-    const text = formatLink(mesh, method, drawing);
-    rememberAll({ last: text, [`document.${mesh}`]: text, method });
-    if (mesh === editor.state.mesh) {
-      rememberInTab('work', savedWork(text, drawing, editor.history));
-    }
+    const kept = keepDrawing(state, state.mesh === editor.state.mesh ? editor.history : null);
+    if (!kept && !lost) onLost();
+    lost = !kept;
     saveAddress(state);
   };
   const saveSoon = () => {
@@ -121,7 +150,11 @@ export function startingLink(): FoundLink | null {
     .getEntriesByType('navigation')
     .some((entry) => (entry as PerformanceNavigationTiming).type === 'reload');
   const newest = reloaded && after && before === fragment ? after : fragment;
-  return linkOf(newest) ?? found(recall('last'), true);
+  const last = () => {
+    const link = linkOf(recall('last') ?? '');
+    return link && { ...link, own: true };
+  };
+  return linkOf(newest) ?? last();
 }
 
 /** What this tab did to the drawing of a link, with the drawing as it was left. */

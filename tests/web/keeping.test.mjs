@@ -50,6 +50,55 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
+  for (const [where, isFull] of [
+    ['where there is room', () => false],
+    ['where the tab has little', (storage) => storage === sessionStorage],
+    ['where nothing has any', () => true],
+  ]) {
+    test(`a large drawing in place of a small one, ${where}: a reload shows it, or it is said`, async () => {
+      const tab = await Tab.open(browser);
+      await tab.click(...places);
+      await tab.pastSaving();
+      const { drawing } = await tab.state();
+      const [{ figure, ...rest }] = drawing.objects;
+      const pointOf = (i) => {
+        const [u, v] = [((i * 37) % 997) / 2000 + 1e-4 / 3, ((i * 53) % 991) / 2100 + 1e-4 / 7];
+        return { face: (i * 7) % 1500, bary: [1 - u - v, u, v] };
+      };
+      const objects = Array.from({ length: 5 }, (_, k) => {
+        const points = Array.from({ length: k ? 9000 : 4 }, (_, i) => pointOf(i + k));
+        return { ...rest, id: k + 1, visible: k === 0, figure: { ...figure, points } };
+      });
+      const large = { format: 'karcher-drawing', version: 1, active: 1, objects };
+      await tab.page.evaluate((test) => {
+        // As in a store that is full, what is shorter still finds room.
+        const full = new Function(`return ${test}`)();
+        const set = Storage.prototype.setItem;
+        Storage.prototype.setItem = function (name, value) {
+          if (full(this) && value.length > 20_000)
+            throw new DOMException('full', 'QuotaExceededError');
+          set.call(this, name, value);
+        };
+      }, `${isFull}`);
+      const link = 'mesh=sphere:1500&kind=bspline&method=karcher&points=1,0.2,0.3';
+      const text = JSON.stringify({ format: 'karcher-curve', version: 2, link, drawing: large });
+      await tab.drop('large.json', text);
+      await tab.page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 5);
+      await tab.settled();
+      await tab.pastSaving();
+      const said = await tab.page.getByRole('alert').allTextContents();
+      assert.equal(said.length, where === 'where nothing has any' ? 1 : 0, `${said}`);
+      if (said.length > 0) assert.match(said[0], /no room for this drawing/);
+      await tab.page.reload();
+      await tab.settled();
+      const counts = (await tab.state()).drawing.objects.map((one) => one.figure.points.length);
+      if (said.length === 0) assert.deepEqual(counts, [4, 9000, 9000, 9000, 9000]);
+      assert.deepEqual(tab.logged, []);
+      await tab.page.evaluate(() => localStorage.clear());
+      await tab.page.close();
+    });
+  }
+
   /** The browser keeps a file after it is shown. */
   const isKept = (tab, mesh) =>
     tab.page.waitForFunction(

@@ -14,6 +14,10 @@ class Store extends Map {
     return this.get(name) ?? null;
   }
 
+  removeItem(name) {
+    this.delete(name);
+  }
+
   setItem(name, value) {
     const others = [...this].filter(([one]) => one !== name);
     const taken = others.reduce((sum, [one, text]) => sum + one.length + text.length, 0);
@@ -59,6 +63,29 @@ describe('what is kept', () => {
     assert.deepEqual(found(third), [0, false]);
     const elsewhere = page.linkOf('mesh=torus:5000&kept=1').link;
     assert.deepEqual([elsewhere.mesh, page.pointsOf(elsewhere.drawing)], ['torus:5000', 0]);
+  });
+
+  test('the newest copy is found, wherever there was room, or it is said that there is none', () => {
+    const kept = (count) => {
+      const { mesh, method, drawing } = page.parseLink(linkOfPoints(count));
+      return page.keepDrawing({ mesh, method, drawing }, page.historyOf());
+    };
+    const found = () =>
+      page.pointsOf(page.linkOf('mesh=sphere:1500&method=karcher&kept=1').link.drawing);
+    const rooms = [Infinity, 200_000, 50_000, 100];
+    for (const [browser, tab] of rooms.flatMap((one) => rooms.map((other) => [one, other]))) {
+      globalThis.localStorage = new Store(browser);
+      globalThis.sessionStorage = new Store(tab);
+      for (const count of [3, 5000, 1300, 7000, 1400]) {
+        const isKept = kept(count);
+        const room = Math.max(browser, tab);
+        const words = `${count} points, room for ${browser} and ${tab} letters`;
+        const fits = count < 1000 || room === Infinity || (count < 2000 && room >= 50_000);
+        if (fits) assert.ok(isKept, words);
+        // A short one is in the address itself.
+        if (isKept && count > 1000) assert.equal(found(), count, words);
+      }
+    }
   });
 
   test('is said to be kept only where all of it is', () => {

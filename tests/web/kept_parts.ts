@@ -4,4 +4,4 @@ export { historyOf } from '../../web/model/history';
 export { parseLink, pointsOf } from '../../web/model/link';
 export { savedWork } from '../../web/model/saved_work';
 export { onKeeping, recall, rememberAll, rememberInTab } from '../../web/model/storage';
-export { linkOf } from '../../web/saving';
+export { keepDrawing, linkOf } from '../../web/saving';

@@ -39,6 +39,9 @@ export function savedWork(link: string, drawing: Drawing, history: Readonly<Hist
   return `${head.slice(0, -1)},"done":[${done!.join(',')}],"undone":[${undone!.join(',')}],"activated":${JSON.stringify(history.activated)}}`;
 }
 
+/** The same without what was done: it takes less room, and its link is found. */
+export const savedLink = (link: string) => JSON.stringify({ link, version: drawingVersion });
+
 const canonical = (drawing: Drawing) =>
   JSON.stringify(readDrawing(JSON.parse(JSON.stringify(savedDrawing(drawing)))));
 

@@ -32,17 +32,30 @@ function find(storage: () => Storage, name: string): string | null {
   }
 }
 
-/** Keeps values by their names, each as far as there is room. */
-export function rememberAll(values: Readonly<Record<string, string>>): void {
-  const kept = Object.entries(values).map(([name, value]) => keep(() => localStorage, name, value));
-  heardOfKeeping(kept.every(Boolean));
+/** Keeps values by their names, each as far as there is room; the names of those that found none. */
+export function rememberAll(values: Readonly<Record<string, string>>): string[] {
+  const left = Object.entries(values).filter(
+    ([name, value]) => !keep(() => localStorage, name, value),
+  );
+  heardOfKeeping(left.length === 0);
+  return left.map(([name]) => name);
 }
 export const remember = (name: string, value: string) => rememberAll({ [name]: value });
 export const recall = (name: string) => find(() => localStorage, name);
 
-/** For this tab only, through reloads. */
-export const rememberInTab = (name: string, value: string) =>
-  keep(() => sessionStorage, name, value);
+/**
+ * For this tab only, through reloads; false where there is no room. What was kept before goes then, too:
+ * a reload would take it for the newest.
+ */
+export function rememberInTab(name: string, value: string): boolean {
+  if (keep(() => sessionStorage, name, value)) return true;
+  try {
+    sessionStorage.removeItem(prefix + name);
+  } catch {
+    // Where storage is forbidden, nothing is there.
+  }
+  return false;
+}
 export const recallInTab = (name: string) => find(() => sessionStorage, name);
 
 function request<T>(make: IDBRequest<T>): Promise<T> {
