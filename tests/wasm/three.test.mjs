@@ -1,0 +1,407 @@
+// `karcher/three`: hits of raycasts as surface points, curves as objects, attributes of geometries.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { load } from 'karcher';
+import {
+  CurveDrag,
+  geometryOf,
+  logMapUvs,
+  SurfaceCurve,
+  surfaceFromGeometry,
+  surfaceFromMesh,
+  tubeGeometry,
+  vertexColors,
+} from 'karcher/three';
+import { loadInWorker } from 'karcher/worker';
+import * as THREE from 'three';
+import { acceleratedRaycast, CENTER, MeshBVH, SAH } from 'three-mesh-bvh';
+import { long, seed } from '../web/part.mjs';
+import { geometries } from './geometries.mjs';
+
+let karcher;
+before(async () => {
+  karcher = await load();
+});
+
+/** Numbers in [0, 1) that a seed gives (mulberry32). */
+function randomFrom(start) {
+  let state = start >>> 0;
+  return () => {
+    state = (state + 0x6d2b79f5) >>> 0;
+    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
+    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+const vector = (random) => new THREE.Vector3().set(...[0, 0, 0].map(() => 2 * random() - 1));
+
+/** An object somewhere, turned and scaled unevenly. */
+function somewhere(geometry, random) {
+  const object = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+  object.position.copy(vector(random)).multiplyScalar(5);
+  object.rotation.set(6 * random(), 6 * random(), 6 * random());
+  object.scale.set(0.5 + random(), 0.5 + 2 * random(), -0.3 - random());
+  object.updateMatrixWorld();
+  object.raycast = acceleratedRaycast;
+  return object;
+}
+
+/** Hits of rays between random places about an object, at least so many. */
+function* hitsOf(object, random, least) {
+  object.geometry.computeBoundingSphere();
+  const { center, radius } = object.geometry.boundingSphere;
+  const place = (size) =>
+    vector(random)
+      .multiplyScalar(size * radius)
+      .add(center)
+      .applyMatrix4(object.matrixWorld);
+  for (let i = 0, hits = 0; hits < least && i < 50 * least; i++) {
+    const from = place(3);
+    const ray = new THREE.Raycaster(from, place(1).sub(from).normalize());
+    for (const hit of ray.intersectObject(object)) {
+      hits++;
+      yield hit;
+    }
+  }
+}
+
+/** What may have become of a geometry before a mesh is made of it, or after. */
+const trees = {
+  'no tree': () => {},
+  'a tree': (geometry) => {
+    geometry.boundsTree = new MeshBVH(geometry, { strategy: CENTER });
+  },
+  'a tree by areas': (geometry) => {
+    geometry.boundsTree = new MeshBVH(geometry, { strategy: SAH, targetLeafSize: 1 });
+  },
+  'an indirect tree': (geometry) => {
+    geometry.boundsTree = new MeshBVH(geometry, { indirect: true });
+  },
+};
+
+describe('a hit', () => {
+  const names = Object.keys(geometries);
+  const orders = Object.keys(trees).flatMap((first) =>
+    Object.keys(trees).map((second) => [first, second]),
+  );
+  const most = Math.ceil((long ? 10_000 : 320) / (2 * orders.length));
+
+  for (const name of names) {
+    test(`is the surface point at its place: ${name}, whatever trees were made when`, (t) => {
+      t.diagnostic(`seed ${seed}`);
+      const random = randomFrom(seed);
+      let hits = 0;
+      for (const [first, second] of orders) {
+        for (const hasIndex of [true, false]) {
+          const [given] = geometries[name];
+          const geometry = hasIndex || !given.index ? given.clone() : given.toNonIndexed();
+          trees[first](geometry);
+          const surface = surfaceFromGeometry(karcher, geometry);
+          trees[second](geometry);
+          const object = somewhere(geometry, random);
+          const toOwn = object.matrixWorld.clone().invert();
+          for (const hit of hitsOf(object, random, most)) {
+            const place = surface.mesh.position(surface.pointAt(hit));
+            const away = hit.point
+              .clone()
+              .applyMatrix4(toOwn)
+              .distanceTo({
+                ...{ x: place[0], y: place[1], z: place[2] },
+              });
+            const message = `${first}, ${second}, ${hasIndex}: ${away}`;
+            assert.ok(away <= 1e-6 * surface.diagonal, message);
+            hits++;
+          }
+        }
+      }
+      assert.ok(hits >= orders.length * most, `${hits} hits`);
+    });
+  }
+
+  test('is refused where the object is another one, or not as it was', () => {
+    const random = randomFrom(seed);
+    const geometry = new THREE.TorusGeometry(1, 0.4, 16, 48);
+    const surface = surfaceFromGeometry(karcher, geometry);
+    const changed = {
+      'another one': new THREE.TorusKnotGeometry(1, 0.3, 64, 12),
+      scaled: geometry.clone().scale(1, 1, 1.001),
+      'other triangles of the same vertices': geometry.clone(),
+    };
+    const { index } = changed['other triangles of the same vertices'];
+    // A quadrilateral's diagonal the other way: a, b, d and b, c, d.
+    for (let i = 0; i < index.count; i += 6) {
+      const [a, b, d, , c] = index.array.slice(i, i + 5);
+      index.array.set([a, b, c, a, c, d], i);
+    }
+    for (const [name, other] of Object.entries(changed)) {
+      for (const hit of hitsOf(somewhere(other, random), random, 20)) {
+        assert.throws(() => surface.pointAt(hit), { name: 'KarcherError', code: 'badPoint' }, name);
+      }
+    }
+    const morphed = geometry.clone();
+    const { position } = morphed.attributes;
+    const target = position.clone();
+    for (let v = 0; v < target.count; v++) target.setZ(v, 1.2 * target.getZ(v));
+    morphed.morphAttributes.position = [target];
+    const object = new THREE.Mesh(morphed, new THREE.MeshBasicMaterial());
+    object.morphTargetInfluences = [1];
+    const [hit] = new THREE.Raycaster(
+      new THREE.Vector3(1.02, 0.13, 5),
+      new THREE.Vector3(0, 0, -1),
+    ).intersectObject(object);
+    assert.throws(() => surface.pointAt(hit), { code: 'badPoint' });
+    object.morphTargetInfluences = [0];
+    surface.pointAt({
+      ...hit,
+      point: surface.position({ face: 3, bary: [0.2, 0.3, 0.5] }),
+      face: null,
+      faceIndex: 3,
+    });
+    object.scale.setScalar(0);
+    object.updateMatrixWorld();
+    assert.throws(() => surface.pointAt(hit), { code: 'badPoint', message: /nothing/ });
+  });
+
+  test('of an instance lies in the coordinates of the geometry', () => {
+    const geometry = new THREE.SphereGeometry(1, 24, 12);
+    const surface = surfaceFromGeometry(karcher, geometry);
+    const object = new THREE.InstancedMesh(geometry, new THREE.MeshBasicMaterial(), 2);
+    object.setMatrixAt(1, new THREE.Matrix4().makeTranslation(3, 0, 0));
+    const ray = new THREE.Raycaster(new THREE.Vector3(3.1, 0.2, 5), new THREE.Vector3(0, 0, -1));
+    const [hit] = ray.intersectObject(object);
+    assert.equal(hit.instanceId, 1);
+    const place = surface.position(surface.pointAt(hit));
+    assert.ok(place.distanceTo(hit.point.clone().sub({ x: 3, y: 0, z: 0 })) < 1e-6);
+  });
+
+  test('of a tree alone lies in the coordinates of the geometry', () => {
+    const geometry = new THREE.TorusGeometry(1, 0.4, 16, 48);
+    const surface = surfaceFromGeometry(karcher, geometry);
+    const tree = new MeshBVH(geometry);
+    const ray = new THREE.Ray(new THREE.Vector3(1.02, 0.13, 5), new THREE.Vector3(0, 0, -1));
+    const hit = tree.raycastFirst(ray, THREE.DoubleSide);
+    assert.ok(surface.position(surface.pointAt(hit)).distanceTo(hit.point) < 1e-6);
+  });
+
+  test('of a double surface lies on the side that was hit', () => {
+    // Two triangles, back to back.
+    const geometry = new THREE.BufferGeometry();
+    const places = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+    geometry.setAttribute('position', new THREE.BufferAttribute(places, 3));
+    geometry.setIndex([0, 2, 1, 0, 1, 2]);
+    const surface = surfaceFromGeometry(karcher, geometry, { repair: 'none' });
+    const object = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial());
+    for (const side of [-1, 1]) {
+      const from = new THREE.Vector3(0.2, 0.2, side);
+      const [hit] = new THREE.Raycaster(from, new THREE.Vector3(0, 0, -side)).intersectObject(
+        object,
+      );
+      assert.equal(surface.normal(surface.pointAt(hit)).z, side);
+    }
+  });
+});
+
+describe('a surface', () => {
+  test('has the place, the normal and the frame of a point', () => {
+    const surface = surfaceFromGeometry(karcher, new THREE.BoxGeometry(1, 2, 3, 2, 3, 4));
+    const point = { face: 5, bary: [0.2, 0.3, 0.5] };
+    const place = surface.position(point);
+    assert.deepEqual(
+      place.toArray().map(Math.fround),
+      surface.mesh.position(point).map(Math.fround),
+    );
+    const normal = surface.normal(point);
+    // Out of the box, whose sides are those of the axes.
+    assert.ok(normal.dot(place) > 0);
+    assert.equal(Math.max(...normal.toArray().map(Math.abs)), 1);
+    const frame = surface.frame(point);
+    assert.ok(Math.abs(frame.determinant() - 1) < 1e-12);
+    assert.ok(
+      new THREE.Vector3(0, 0, 2).applyMatrix4(frame).distanceTo(place.addScaledVector(normal, 2)) <
+        1e-12,
+    );
+    assert.ok(
+      surface
+        .position({ vertex: 7 })
+        .distanceTo(new THREE.Vector3(...surface.mesh.position({ vertex: 7 }))) < 1e-12,
+    );
+    assert.throws(() => surface.position({ face: 1e6, bary: [1, 0, 0] }), { code: 'badIndex' });
+    assert.throws(() => surface.normal({ vertex: -1 }), { code: 'badIndex' });
+    const none = new THREE.BufferGeometry();
+    assert.throws(() => surfaceFromGeometry(karcher, none), { code: 'badArgument' });
+  });
+
+  test('reads positions that are interleaved, or integers', () => {
+    const plain = new THREE.IcosahedronGeometry(1, 2);
+    const { position } = plain.attributes;
+    const numbers = Int16Array.from(position.array, (x) => Math.round(32767 * x));
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(numbers, 3, true));
+    const surface = surfaceFromGeometry(karcher, geometry);
+    assert.equal(surface.mesh.info.boundaryLoops, 0);
+    assert.ok(Math.abs(surface.diagonal - 2 * Math.sqrt(3)) < 0.5);
+  });
+
+  test('becomes a geometry that is welded, has the groups, and whose hits are its points', () => {
+    const random = randomFrom(seed);
+    const box = new THREE.BoxGeometry(1, 2, 3, 2, 3, 4);
+    const surface = surfaceFromGeometry(karcher, box);
+    const geometry = geometryOf(surface, box);
+    assert.deepEqual(geometry.groups, box.groups);
+    assert.ok(geometry.index.array instanceof Uint32Array);
+    assert.ok(geometry.attributes.position.array instanceof Float32Array);
+    const used = new Set(geometry.index.array);
+    assert.equal(used.size, surface.mesh.info.vertices);
+    const shape = surfaceFromMesh(karcher.shape('torus', 2000));
+    const drawn = geometryOf(shape);
+    trees['a tree'](drawn);
+    for (const hit of hitsOf(somewhere(drawn, random), random, 50)) {
+      const toOwn = hit.object.matrixWorld.clone().invert();
+      const place = new THREE.Vector3(...shape.mesh.position(shape.pointAt(hit)));
+      assert.ok(place.distanceTo(hit.point.applyMatrix4(toOwn)) < 1e-6 * shape.diagonal);
+    }
+  });
+
+  test('has distances as colors and a log map as texture coordinates', () => {
+    const plane = new THREE.PlaneGeometry(2, 2, 8, 8);
+    const surface = surfaceFromGeometry(karcher, plane);
+    const center = { vertex: 40 };
+    const colors = vertexColors([0, 1, Number.NaN, 2], {
+      ramp: (part, color) => color.setRGB(part, 0, 0),
+    });
+    assert.deepEqual([...colors.array], [0, 0, 0, 0.5, 0, 0, 0.5, 0.5, 0.5, 1, 0, 0]);
+    assert.equal(vertexColors(surface.mesh.distance(center)).count, 81);
+    const vertices = Array.from({ length: 81 }, (_, vertex) => ({ vertex }));
+    const { vectors } = surface.mesh.logMap(center, vertices);
+    // On a plane the texture coordinates are the plane's, up to a motion: lengths are kept.
+    const uvs = logMapUvs(vectors, surface.frame(center), 1);
+    assert.deepEqual([uvs.getX(40), uvs.getY(40)], [0.5, 0.5]);
+    for (let v = 0; v < 81; v++) {
+      const away = 2 * Math.hypot(uvs.getX(v) - 0.5, uvs.getY(v) - 0.5);
+      const place = surface.position({ vertex: v });
+      assert.ok(Math.abs(away - place.length()) < 1e-6, `${v}`);
+    }
+    assert.ok(logMapUvs([Number.NaN, 0, 0], surface.frame(center), 1).getX(0) < -1);
+  });
+
+  test('has tubes along paths', () => {
+    const surface = surfaceFromGeometry(karcher, new THREE.TorusGeometry(1, 0.4, 24, 64));
+    const { path } = surface.mesh.circle({ face: 100, bary: [0.2, 0.3, 0.5] }, { radius: 0.3 });
+    const radius = 0.02;
+    const tube = tubeGeometry(surface, path, { radius, sides: 6 });
+    // Closed and of the genus of a torus, inside in.
+    const { info } = surfaceFromGeometry(karcher, tube).mesh;
+    assert.deepEqual([info.boundaryLoops, info.genus, info.repairs.length], [0, 1, 0]);
+    const places = tube.attributes.position;
+    const [a, b, c] = [0, 1, 2].map((k) =>
+      new THREE.Vector3().fromBufferAttribute(places, tube.index.getX(k)),
+    );
+    const out = new THREE.Vector3().fromBufferAttribute(tube.attributes.normal, tube.index.getX(0));
+    assert.ok(b.sub(a).cross(c.sub(a)).dot(out) > 0);
+    const open = tubeGeometry(surface, surface.mesh.shortestPath({ vertex: 3 }, { vertex: 400 }));
+    assert.equal(surfaceFromGeometry(karcher, open).mesh.info.boundaryLoops, 2);
+    assert.throws(() => tubeGeometry(surface, path, { sides: 2 }), { code: 'badArgument' });
+  });
+});
+
+const engines = { 'in the page': load, 'in a worker': loadInWorker };
+for (const [where, loadEngine] of Object.entries(engines)) {
+  describe(`a curve with the engine ${where}`, () => {
+    let engine;
+    let surface;
+    const points = [10, 200, 420, 630].map((vertex) => ({ vertex }));
+    before(async () => {
+      engine = await loadEngine();
+      surface = await surfaceFromGeometry(engine, new THREE.TorusGeometry(1, 0.4, 16, 48));
+    });
+
+    after(() => engine.dispose?.());
+
+    const drawn = (curve) => {
+      const { array } = curve.geometry.attributes.position;
+      return [...array.slice(0, 3 * curve.geometry.drawRange.count)];
+    };
+    /** The same by the facade, and after a step of a drag. */
+    const expected = (value, moved) => {
+      const { mesh } = surfaceFromGeometry(karcher, new THREE.TorusGeometry(1, 0.4, 16, 48));
+      const curve = mesh.curve(value);
+      return [
+        ...(moved ? curve.set({ ...value, points: moved }, { dragged: 1 }) : curve.view()).polyline,
+      ];
+    };
+
+    test('is drawn, and what it was moved to', async () => {
+      const curve = new SurfaceCurve(surface, { kind: 'bspline', points });
+      await curve.ready;
+      assert.deepEqual(drawn(curve), expected({ kind: 'bspline', points }));
+      assert.equal(await curve.movePoint(1, { vertex: 230 }), true);
+      const moved = points.map((point, i) => (i === 1 ? { vertex: 230 } : point));
+      assert.deepEqual(curve.value.points, moved);
+      assert.deepEqual(drawn(curve), expected({ kind: 'bspline', points }, moved));
+      curve.dispose();
+    });
+
+    test('makes the newest of many edits, and says of the others that it does not', async () => {
+      const curve = new SurfaceCurve(surface, { kind: 'bspline', points });
+      const edits = [];
+      for (let vertex = 200; vertex < 240; vertex++) edits.push(curve.movePoint(1, { vertex }));
+      const told = await Promise.all(edits);
+      assert.equal(told.at(-1), true);
+      assert.ok(told.filter(Boolean).length < 5, `${told.filter(Boolean).length} were made`);
+      assert.deepEqual(curve.value.points[1], { vertex: 239 });
+      curve.dispose();
+      await assert.rejects(curve.movePoint(0, { vertex: 1 }), { code: 'disposed' });
+    });
+
+    test('stays what it was where an edit makes none', async () => {
+      const curve = new SurfaceCurve(surface, { kind: 'bspline', points });
+      await curve.ready;
+      const before = drawn(curve);
+      await assert.rejects(curve.movePoint(0, { vertex: 1e6 }), { code: 'badIndex' });
+      await assert.rejects(curve.movePoint(9, { vertex: 0 }), { code: 'badIndex' });
+      assert.deepEqual(drawn(curve), before);
+      assert.deepEqual(curve.value.points, points);
+      curve.dispose();
+      const none = new SurfaceCurve(surface, { kind: 'bspline', points: [] });
+      await assert.rejects(none.ready, { code: 'tooFewPoints' });
+      assert.equal(none.visible, false);
+    });
+
+    test('is dragged by the pointer', async () => {
+      const curve = new SurfaceCurve(surface, { kind: 'bspline', points });
+      const object = new THREE.Mesh(new THREE.TorusGeometry(1, 0.4, 16, 48));
+      object.add(curve);
+      const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 10);
+      camera.position.z = 4;
+      camera.updateMatrixWorld();
+      object.updateMatrixWorld(true);
+      const element = Object.assign(new EventTarget(), {
+        getBoundingClientRect: () => ({ left: 0, top: 0, width: 400, height: 400 }),
+        setPointerCapture: () => {},
+      });
+      const seen = surface.position(points[0]).project(camera);
+      const pointer = (type, x, y) =>
+        element.dispatchEvent(
+          Object.assign(new Event(type), { clientX: x, clientY: y, button: 0, pointerId: 1 }),
+        );
+      const drag = new CurveDrag(curve, object, camera, element);
+      await curve.ready;
+      const [x, y] = [200 * (1 + seen.x), 200 * (1 - seen.y)];
+      pointer('pointermove', x + 3, y);
+      assert.deepEqual(curve.value.points[0], points[0]);
+      pointer('pointerdown', x + 2, y);
+      assert.equal(drag.dragged, 0);
+      pointer('pointermove', x - 8, y + 5);
+      pointer('pointerup', x - 8, y + 5);
+      assert.equal(drag.dragged, -1);
+      const now = surface.position(curve.value.points[0]).project(camera);
+      assert.ok(Math.hypot(200 * (1 + now.x) - (x - 8), 200 * (1 - now.y) - (y + 5)) < 1e-3);
+      await curve.set(curve.value);
+      drag.dispose();
+      pointer('pointerdown', x, y);
+      assert.equal(drag.dragged, -1);
+      curve.dispose();
+    });
+  });
+}

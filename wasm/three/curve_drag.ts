@@ -1,0 +1,144 @@
+import {
+  type BufferAttribute,
+  BufferGeometry,
+  type Camera,
+  type Object3D,
+  Points,
+  PointsMaterial,
+  Raycaster,
+  Vector2,
+  type Vector3,
+} from 'three';
+import { KarcherError } from '../errors.js';
+import type { SurfaceCurve } from './surface_curve.js';
+
+export interface CurveDragOptions {
+  /** How near to a control point, in pixels, a press takes hold of it; 12 by default. */
+  reach?: number;
+}
+
+/**
+ * Lets the control points of a curve be dragged over its surface: draws them, and hears the pointer on an
+ * element. A press that takes hold of a point is heard by nobody else there, so that controls of the camera
+ * leave the view alone.
+ */
+export class CurveDrag {
+  /** Called with what an edit threw, as where the pointer is over another component. */
+  onError: ((error: unknown) => void) | undefined;
+  /** The number of the control point that is dragged; -1 if none is. */
+  dragged = -1;
+  readonly #curve: SurfaceCurve;
+  readonly #object: Object3D;
+  readonly #camera: Camera;
+  readonly #element: HTMLElement;
+  readonly #reach: number;
+  readonly #handles = new Points(
+    new BufferGeometry(),
+    new PointsMaterial({ color: 0x1a1a1a, size: 9, sizeAttenuation: false, depthTest: false }),
+  );
+  readonly #raycaster = new Raycaster();
+
+  /** `object` draws the curve's surface. */
+  constructor(
+    curve: SurfaceCurve,
+    object: Object3D,
+    camera: Camera,
+    element: HTMLElement,
+    { reach = 12 }: CurveDragOptions = {},
+  ) {
+    this.#curve = curve;
+    this.#object = object;
+    this.#camera = camera;
+    this.#element = element;
+    this.#reach = reach;
+    curve.add(this.#handles);
+    curve.addEventListener('change', this.#show);
+    this.#show();
+    element.addEventListener('pointerdown', this.#press, { capture: true });
+    element.addEventListener('pointermove', this.#move);
+    element.addEventListener('pointerup', this.#release);
+    element.addEventListener('pointercancel', this.#release);
+  }
+
+  /** Hears the pointer no more; the curve stays. */
+  dispose(): void {
+    const element = this.#element;
+    element.removeEventListener('pointerdown', this.#press, { capture: true });
+    element.removeEventListener('pointermove', this.#move);
+    element.removeEventListener('pointerup', this.#release);
+    element.removeEventListener('pointercancel', this.#release);
+    this.#curve.removeEventListener('change', this.#show);
+    this.#handles.removeFromParent();
+    this.#handles.geometry.dispose();
+    this.#handles.material.dispose();
+  }
+
+  readonly #show = (): void => {
+    const { surface, value } = this.#curve;
+    const places = value.points.map((point) => surface.position(point));
+    const { geometry } = this.#handles;
+    const attribute = geometry.getAttribute('position') as BufferAttribute | undefined;
+    if (attribute?.count === places.length) {
+      places.forEach((place, i) => {
+        attribute.setXYZ(i, place.x, place.y, place.z);
+      });
+      attribute.needsUpdate = true;
+      geometry.computeBoundingSphere();
+    } else {
+      if (attribute) geometry.dispose();
+      geometry.setFromPoints(places);
+    }
+  };
+
+  readonly #press = (event: PointerEvent): void => {
+    if (event.button !== 0) return;
+    this.dragged = this.#at(event);
+    if (this.dragged < 0) return;
+    event.stopImmediatePropagation();
+    this.#element.setPointerCapture(event.pointerId);
+  };
+
+  readonly #move = (event: PointerEvent): void => {
+    if (this.dragged < 0) return;
+    const { surface } = this.#curve;
+    this.#raycaster.setFromCamera(this.#pointer(event), this.#camera);
+    const [hit] = this.#raycaster.intersectObject(this.#object, false);
+    if (!hit) return;
+    try {
+      const moved = this.#curve.movePoint(this.dragged, surface.pointAt(hit));
+      moved.catch((error) => this.onError?.(error));
+    } catch (error) {
+      if (!(error instanceof KarcherError)) throw error;
+      this.onError?.(error);
+    }
+  };
+
+  readonly #release = (): void => {
+    this.dragged = -1;
+  };
+
+  /** The pointer in the camera's picture, -1 to 1. */
+  #pointer({ clientX, clientY }: PointerEvent): Vector2 {
+    const { left, top, width, height } = this.#element.getBoundingClientRect();
+    return new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+  }
+
+  /** The control point nearest to the pointer, within reach. */
+  #at(event: PointerEvent): number {
+    const { width, height } = this.#element.getBoundingClientRect();
+    const pointer = this.#pointer(event);
+    let [nearest, distance] = [-1, this.#reach];
+    this.#curve.value.points.forEach((point, i) => {
+      const seen: Vector3 = this.#curve.surface.position(point);
+      seen.applyMatrix4(this.#curve.matrixWorld).project(this.#camera);
+      if (Math.abs(seen.z) > 1) return;
+      const away = Math.hypot(
+        ((seen.x - pointer.x) * width) / 2,
+        ((seen.y - pointer.y) * height) / 2,
+      );
+      if (away > distance) return;
+      [nearest, distance] = [i, away];
+    });
+    return nearest;
+  }
+}

@@ -1,0 +1,171 @@
+import { BufferAttribute, BufferGeometry, Color, type Matrix4, Vector3 } from 'three';
+import { checkInteger, checkPositive } from '../check.js';
+import { KarcherError } from '../errors.js';
+import type { Path } from '../path.js';
+import type { AnyMesh, Surface } from './surface.js';
+
+/** A range of a geometry's index that a material of its own draws. */
+export interface GeometryGroup {
+  start: number;
+  count: number;
+  materialIndex?: number | undefined;
+}
+
+/**
+ * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's faces,
+ * and normals. Vertices keep their numbers; of those at one place the index names the first, so that
+ * normals are smooth across seams. `groups` are taken over, as those of the geometry it was made of.
+ */
+export function geometryOf(
+  { triangles }: Surface<AnyMesh>,
+  { groups = [] }: { groups?: readonly GeometryGroup[] } = {},
+): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(triangles.positions), 3));
+  const index = Uint32Array.from(triangles.corners, (v) => triangles.first(v));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  for (const { start, count, materialIndex } of groups) {
+    geometry.addGroup(start, count, materialIndex);
+  }
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+export interface TubeOptions {
+  /** 0.004 of the surface's diagonal by default. */
+  radius?: number;
+  /** Sides of a cross section, 3 to 64; 8 by default. */
+  sides?: number;
+}
+
+/**
+ * A tube along a path on the surface: a ring at each of its points, upright on the surface. It needs no
+ * frames of its own, and so does not twist. Closed paths give closed tubes, others are open at their ends.
+ */
+export function tubeGeometry(
+  surface: Surface<AnyMesh>,
+  path: Path,
+  options: TubeOptions = {},
+): BufferGeometry {
+  const radius = checkPositive(options.radius ?? 0.004 * surface.diagonal, 'the radius');
+  const sides = checkInteger(options.sides ?? 8, 'the number of sides');
+  if (sides < 3 || sides > 64) {
+    throw new KarcherError('badArgument', `a tube has 3 to 64 sides, not ${sides}`);
+  }
+  const { places, normals } = distinctPoints(surface, path, 1e-3 * radius);
+  const rings = places.length;
+  const { closed } = path;
+  const positions = new Float32Array(3 * sides * rings);
+  const directions = new Float32Array(3 * sides * rings);
+  const [out, place] = [new Vector3(), new Vector3()];
+  for (let i = 0; i < rings; i++) {
+    const before = places[i > 0 ? i - 1 : closed ? rings - 1 : 0]!;
+    const after = places[i + 1 < rings ? i + 1 : closed ? 0 : i]!;
+    const tangent = new Vector3().subVectors(after, before).normalize();
+    const across = new Vector3().crossVectors(tangent, normals[i]!).normalize();
+    const up = new Vector3().crossVectors(across, tangent);
+    for (let k = 0; k < sides; k++) {
+      const angle = (2 * Math.PI * k) / sides;
+      out.copy(across).multiplyScalar(Math.cos(angle)).addScaledVector(up, Math.sin(angle));
+      out.toArray(directions, 3 * (sides * i + k));
+      place
+        .copy(places[i]!)
+        .addScaledVector(out, radius)
+        .toArray(positions, 3 * (sides * i + k));
+    }
+  }
+  const bands = closed ? rings : rings - 1;
+  const index = new Uint32Array(6 * sides * Math.max(0, bands));
+  for (let i = 0, at = 0; i < bands; i++) {
+    for (let k = 0; k < sides; k++, at += 6) {
+      const [a, b] = [sides * i + k, sides * i + ((k + 1) % sides)];
+      const [c, d] = [a, b].map((v) => (v + sides) % (sides * rings));
+      index.set([a, c!, b, b, c!, d!], at);
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setAttribute('normal', new BufferAttribute(directions, 3));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  return geometry;
+}
+
+/** The points of a path that lie apart, with the normals of their faces. */
+function distinctPoints(surface: Surface<AnyMesh>, path: Path, apart: number) {
+  const polyline = path.polyline({ bits: 64 });
+  const places: Vector3[] = [];
+  const normals: Vector3[] = [];
+  path.points().forEach((point, i) => {
+    const place = new Vector3().fromArray(polyline, 3 * i);
+    if (places.length > 0 && place.distanceTo(places.at(-1)!) <= apart) return;
+    places.push(place);
+    normals.push(surface.normal(point));
+  });
+  if (path.closed && places.length > 1 && places[0]!.distanceTo(places.at(-1)!) <= apart) {
+    places.pop();
+    normals.pop();
+  }
+  return { places, normals };
+}
+
+export interface ColorOptions {
+  /** The color of a part of the largest distance, 0 to 1. By default from yellow to blue. */
+  ramp?: (part: number, color: Color) => void;
+  /** What gets the last color; the largest distance by default. */
+  most?: number;
+}
+
+/**
+ * Distances, or other numbers of at least 0, a vertex, as an attribute `color` for a material with
+ * `vertexColors`. Vertices of none (NaN) are gray.
+ */
+export function vertexColors(
+  numbers: ArrayLike<number>,
+  { ramp = yellowToBlue, most }: ColorOptions = {},
+): BufferAttribute {
+  let largest = most ?? 0;
+  if (most === undefined) {
+    for (let v = 0; v < numbers.length; v++) {
+      if (numbers[v]! > largest) largest = numbers[v]!;
+    }
+  }
+  const colors = new Float32Array(3 * numbers.length);
+  const color = new Color();
+  for (let v = 0; v < numbers.length; v++) {
+    const part = largest > 0 ? numbers[v]! / largest : 0;
+    if (Number.isNaN(part)) color.setScalar(0.5);
+    else ramp(Math.min(1, Math.max(0, part)), color);
+    color.toArray(colors, 3 * v);
+  }
+  return new BufferAttribute(colors, 3);
+}
+
+const [yellow, blue] = [new Color(0xffe08a), new Color(0x21409a)];
+const yellowToBlue = (part: number, color: Color) => color.lerpColors(yellow, blue, part);
+
+/**
+ * Log vectors of the vertices as an attribute `uv`, which lays a picture round the point that they are seen
+ * from: a picture of twice `radius` across, upright along the y axis of `frame`, that of the point
+ * (`Surface.frame`), turned as it may be. Beyond the picture uv leaves 0 to 1; vertices of no vector (NaN)
+ * lie far outside.
+ */
+export function logMapUvs(
+  vectors: ArrayLike<number>,
+  frame: Matrix4,
+  radius: number,
+): BufferAttribute {
+  checkPositive(radius, 'the radius');
+  const [x, y] = [new Vector3(), new Vector3()];
+  frame.extractBasis(x, y, new Vector3());
+  const uvs = new Float32Array((2 * vectors.length) / 3);
+  const vector = new Vector3();
+  for (let v = 0; 3 * v < vectors.length; v++) {
+    vector.set(vectors[3 * v]!, vectors[3 * v + 1]!, vectors[3 * v + 2]!);
+    const part = (axis: Vector3) => {
+      const coordinate = 0.5 + vector.dot(axis) / (2 * radius);
+      return Number.isNaN(coordinate) ? -1e3 : coordinate;
+    };
+    uvs.set([part(x), part(y)], 2 * v);
+  }
+  return new BufferAttribute(uvs, 2);
+}

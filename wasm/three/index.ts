@@ -1,0 +1,20 @@
+/** Karcher with three.js: surfaces of geometries, curves as objects, distances and log maps as attributes. */
+export { KarcherError } from '../errors.js';
+export { CurveDrag, type CurveDragOptions } from './curve_drag.js';
+export {
+  type ColorOptions,
+  type GeometryGroup,
+  geometryOf,
+  logMapUvs,
+  type TubeOptions,
+  tubeGeometry,
+  vertexColors,
+} from './geometry.js';
+export {
+  type AnyMesh,
+  Surface,
+  type SurfaceHit,
+  surfaceFromGeometry,
+  surfaceFromMesh,
+} from './surface.js';
+export { SurfaceCurve, type SurfaceCurveEvents } from './surface_curve.js';

@@ -1,0 +1,238 @@
+import {
+  type BatchedMesh,
+  type BufferGeometry,
+  type InstancedMesh,
+  Matrix4,
+  type Object3D,
+  Vector3,
+} from 'three';
+import { checkPointLike } from '../check.js';
+import { KarcherError } from '../errors.js';
+import type { Karcher } from '../karcher.js';
+import type { Mesh } from '../mesh.js';
+import type { MeshOptions, PointLike, SurfacePoint } from '../types.js';
+import type { RemoteKarcher, RemoteMesh } from '../worker/index.js';
+import { Triangles } from './triangles.js';
+
+/** A mesh of the engine in the page, or of one in a worker. */
+export type AnyMesh = Mesh | RemoteMesh;
+
+/**
+ * What a raycast found: an `Intersection` of three.js, or what `MeshBVH` returns. Without an object the
+ * point is in the geometry's own coordinates, and the corners are numbers of the surface's vertices.
+ */
+export interface SurfaceHit {
+  point: { readonly x: number; readonly y: number; readonly z: number };
+  face?: { readonly a: number; readonly b: number; readonly c: number } | null | undefined;
+  faceIndex?: number | null | undefined;
+  object?: Object3D | undefined;
+  instanceId?: number | undefined;
+  batchId?: number | undefined;
+}
+
+/** A hit's point lies no farther from the surface point that it becomes, as a part of the diagonal. */
+const farthest = 1e-6;
+
+/**
+ * A mesh of Karcher's and the geometry that it was made of. All places are in the geometry's own
+ * coordinates, which are those of the objects that draw it.
+ */
+export class Surface<OfMesh extends AnyMesh = AnyMesh> {
+  readonly mesh: OfMesh;
+  /** @internal The triangles as they were when the mesh was made, in their order then. */
+  readonly triangles: Triangles;
+
+  /** @internal `surfaceFromGeometry` and `surfaceFromMesh` make one. */
+  constructor(mesh: OfMesh, triangles: Triangles) {
+    this.mesh = mesh;
+    this.triangles = triangles;
+  }
+
+  /** Length of the bounding box's diagonal. */
+  get diagonal(): number {
+    return this.triangles.diagonal;
+  }
+
+  /**
+   * The surface point where a raycast met an object that draws this surface. The triangle is found by the
+   * places of its corners, so that it does not matter what has become of the order of the triangles, as by
+   * a `MeshBVH` made before the surface or after it, or of the numbers of vertices.
+   *
+   * Throws `KarcherError` badPoint where the hit is of another surface, or of this one in another shape
+   * (skinned, morphed, edited since): the place of the point is checked to be the hit's within 1e-6 of the
+   * diagonal.
+   */
+  pointAt(hit: SurfaceHit): SurfacePoint {
+    const place = placeOf(hit);
+    const face = this.triangles.find(this.#cornersOf(hit), hit.faceIndex ?? -1);
+    if (face < 0) {
+      throw new KarcherError('badPoint', 'the triangle that was hit is none of this surface');
+    }
+    const point = { face, bary: this.#weightsAt(face, place) };
+    const away = this.position(point).distanceTo(place);
+    if (away <= farthest * this.diagonal) return point;
+    throw new KarcherError(
+      'badPoint',
+      `the hit lies ${away.toPrecision(3)} from the triangle that it names: the object is drawn in another shape than the surface's`,
+    );
+  }
+
+  /** The place of a point, as a new vector or in `target`. */
+  position(point: PointLike, target = new Vector3()): Vector3 {
+    const { face, bary } = this.#inFace(point);
+    target.set(0, 0, 0);
+    for (let k = 0; k < 3; k++) target.addScaledVector(this.#corner(face, k), bary[k]!);
+    return target;
+  }
+
+  /** The unit normal of the point's face, on the side from which its corners run counterclockwise. */
+  normal(point: PointLike, target = new Vector3()): Vector3 {
+    const { face } = this.#inFace(point);
+    const from = this.#corner(face, 0);
+    const along = this.#corner(face, 1).sub(from);
+    return target.copy(along.cross(this.#corner(face, 2).sub(from))).normalize();
+  }
+
+  /**
+   * The frame of a point: its place, and as axes two unit vectors of the face and the normal. An object
+   * with this matrix stands on the surface, its z axis upright.
+   */
+  frame(point: PointLike, target = new Matrix4()): Matrix4 {
+    const { face } = this.#inFace(point);
+    const normal = this.normal(point);
+    const along = this.#corner(face, 1).sub(this.#corner(face, 0)).normalize();
+    const across = new Vector3().crossVectors(normal, along);
+    return target.makeBasis(along, across, normal).setPosition(this.position(point));
+  }
+
+  #inFace(point: PointLike): SurfacePoint {
+    const [face, first, second, third] = checkPointLike(point, 'the point');
+    if (!Number.isNaN(face)) {
+      if (face! >= 0 && face! < this.triangles.corners.length / 3) {
+        return { face: face!, bary: [first!, second!, third!] };
+      }
+      throw new KarcherError('badIndex', `there is no face ${face}`);
+    }
+    const at = this.triangles.at(first!);
+    if (at < 0) throw new KarcherError('badIndex', `there is no vertex ${first} of a face`);
+    const { corners } = this.triangles;
+    const own = this.triangles.first(first!);
+    const weight = (k: number) => (this.triangles.first(corners[3 * at + k]!) === own ? 1 : 0);
+    return { face: at, bary: [weight(0), weight(1), weight(2)] };
+  }
+
+  #corner(face: number, k: number): Vector3 {
+    const { positions, corners } = this.triangles;
+    return new Vector3().fromArray(positions, 3 * corners[3 * face + k]!);
+  }
+
+  /** The places of the corners that were hit, nine numbers. */
+  #cornersOf({ face, faceIndex, object }: SurfaceHit): Float64Array {
+    const geometry = (object as { geometry?: BufferGeometry } | undefined)?.geometry;
+    const numbers = face
+      ? [face.a, face.b, face.c]
+      : [0, 1, 2].map((k) => {
+          const corner = 3 * (faceIndex ?? Number.NaN) + k;
+          return geometry?.index ? geometry.index.getX(corner) : corner;
+        });
+    const { positions } = this.triangles;
+    const position = geometry?.attributes.position;
+    const places = numbers.flatMap((v) =>
+      position
+        ? [position.getX(v), position.getY(v), position.getZ(v)]
+        : [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]],
+    );
+    return Float64Array.from(places, (x) => x ?? Number.NaN);
+  }
+
+  /** The weights of the point of a face that is nearest to a place in or near it. */
+  #weightsAt(face: number, place: Vector3): [number, number, number] {
+    const sides = [0, 1, 2].map((k) => this.#corner(face, k).sub(place));
+    const from = this.#corner(face, 0);
+    const normal = this.#corner(face, 1).sub(from).cross(this.#corner(face, 2).sub(from));
+    const weights = [0, 1, 2].map((k) =>
+      Math.max(
+        0,
+        sides[(k + 1) % 3]!.clone()
+          .cross(sides[(k + 2) % 3]!)
+          .dot(normal),
+      ),
+    );
+    const sum = weights[0]! + weights[1]! + weights[2]!;
+    return [weights[0]! / sum, weights[1]! / sum, weights[2]! / sum];
+  }
+}
+
+/** Where a hit lies in the coordinates of the geometry. */
+function placeOf({ point, object, instanceId, batchId }: SurfaceHit): Vector3 {
+  const place = new Vector3(point.x, point.y, point.z);
+  if (!object) return place;
+  const matrix = object.matrixWorld.clone();
+  const own = new Matrix4();
+  if (instanceId !== undefined) {
+    (object as InstancedMesh).getMatrixAt(instanceId, own);
+    matrix.multiply(own);
+  } else if (batchId !== undefined) {
+    (object as BatchedMesh).getMatrixAt(batchId, own);
+    matrix.multiply(own);
+  }
+  if (matrix.determinant() === 0) {
+    throw new KarcherError('badPoint', 'the object that was hit is scaled to nothing');
+  }
+  return place.applyMatrix4(matrix.invert());
+}
+
+/**
+ * The surface of a geometry: its positions and triangles are copied, and may be reordered afterwards, as by a
+ * `MeshBVH`. Vertices at one place are welded where their faces meet, as along seams of texture coordinates;
+ * the geometry is left as it is, with its groups. Vertex i of the mesh is vertex i of the geometry.
+ *
+ * With the engine of `loadInWorker` it is a promise. Throws `KarcherError` as `Karcher.meshFromArrays`
+ * does, and badArgument for a geometry without positions.
+ */
+export function surfaceFromGeometry(
+  karcher: Karcher,
+  geometry: BufferGeometry,
+  options?: MeshOptions,
+): Surface<Mesh>;
+export function surfaceFromGeometry(
+  karcher: RemoteKarcher,
+  geometry: BufferGeometry,
+  options?: MeshOptions,
+): Promise<Surface<RemoteMesh>>;
+export function surfaceFromGeometry(
+  karcher: Karcher | RemoteKarcher,
+  { index, attributes }: BufferGeometry,
+  options: MeshOptions = {},
+): Surface<Mesh> | Promise<Surface<RemoteMesh>> {
+  const { position } = attributes;
+  if (!position) throw new KarcherError('badArgument', 'the geometry has no positions');
+  const positions = new Float64Array(3 * position.count);
+  for (let v = 0; v < position.count; v++) {
+    positions.set([position.getX(v), position.getY(v), position.getZ(v)], 3 * v);
+  }
+  const corners = Int32Array.from({ length: index?.count ?? position.count }, (_, i) =>
+    index ? index.getX(i) : i,
+  );
+  const mesh = karcher.meshFromArrays(positions, corners, options);
+  const surface = <OfMesh extends AnyMesh>(made: OfMesh) =>
+    new Surface(made, new Triangles(positions, corners));
+  return mesh instanceof Promise ? mesh.then(surface<RemoteMesh>) : surface<Mesh>(mesh);
+}
+
+/** The surface of a mesh that was made otherwise, to be drawn by `geometryOf`. */
+export function surfaceFromMesh(mesh: Mesh): Surface<Mesh>;
+export function surfaceFromMesh(mesh: RemoteMesh): Promise<Surface<RemoteMesh>>;
+export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<RemoteMesh>> {
+  const [positions, corners] = [mesh.positions(), mesh.triangles()];
+  if (positions instanceof Promise || corners instanceof Promise) {
+    return Promise.all([positions, corners]).then(
+      ([places, numbers]) => new Surface(mesh as RemoteMesh, trianglesOf(places, numbers)),
+    );
+  }
+  return new Surface(mesh as Mesh, trianglesOf(positions, corners));
+}
+
+/** As the graphics card has them, in 32 bits: hits are found by these places. */
+const trianglesOf = (positions: Float64Array, corners: Int32Array) =>
+  new Triangles(Float64Array.from(positions, Math.fround), corners);

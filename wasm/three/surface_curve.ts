@@ -1,0 +1,181 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Line,
+  LineBasicMaterial,
+  type Material,
+  type Object3DEventMap,
+} from 'three';
+import { KarcherError } from '../errors.js';
+import type { CurveOptions, PointLike } from '../types.js';
+import type { CurveView } from '../view.js';
+import type { AnyMesh, Surface } from './surface.js';
+
+/** What of a `Curve` or a `RemoteCurve` is used here. */
+interface ShownCurve {
+  set(value: CurveOptions, options: { dragged?: number }): CurveView | Promise<CurveView>;
+  view(): CurveView | Promise<CurveView>;
+  dispose(): unknown;
+}
+
+interface Edit {
+  value: CurveOptions;
+  dragged?: number;
+  tell(isShown: boolean): void;
+  fail(error: unknown): void;
+}
+
+export interface SurfaceCurveEvents extends Object3DEventMap {
+  /** What is drawn has changed. */
+  change: { view: CurveView };
+}
+
+/**
+ * A curve on a surface, as a line of three.js: make it a child of the object that draws the surface, whose
+ * material should have `polygonOffset` so that lines on it are not half hidden.
+ *
+ * Edits return promises, with an engine in a worker and in the page. One edit is under way; of those that
+ * come meanwhile the newest alone is made.
+ */
+export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEvents> {
+  override readonly type: string = 'SurfaceCurve';
+  readonly surface: Surface<AnyMesh>;
+  /** Of the curve as it is drawn: its length, samples, bridges; undefined until it is drawn first. */
+  view: CurveView | undefined;
+  /** When the curve is drawn for the first time; it rejects with what `Mesh.curve` throws. */
+  readonly ready: Promise<void>;
+  #curve: ShownCurve | undefined;
+  #value: CurveOptions;
+  #drawn: CurveOptions;
+  #waiting: Edit | undefined;
+  #isBusy = true;
+  #isDisposed = false;
+
+  /** The options are those of `Mesh.curve`. */
+  constructor(
+    surface: Surface<AnyMesh>,
+    options: CurveOptions,
+    material: Material = new LineBasicMaterial({ color: 0xd03a1e }),
+  ) {
+    super(new BufferGeometry(), material);
+    this.surface = surface;
+    this.#value = { ...options, points: [...options.points] };
+    this.#drawn = this.#value;
+    this.visible = false;
+    this.ready = this.#make();
+    // Who waits for it hears of its failure; nobody has to.
+    this.ready.catch(() => {});
+  }
+
+  /** The options that make the newest curve, also where it is not drawn yet. */
+  get value(): CurveOptions {
+    return this.#value;
+  }
+
+  /** Moves a control point. The promise is that of `set`. */
+  movePoint(number: number, point: PointLike): Promise<boolean> {
+    if (!Number.isInteger(number) || number < 0 || number >= this.#value.points.length) {
+      const error = new KarcherError('badIndex', `there is no control point ${number}`);
+      return Promise.reject(error);
+    }
+    const points = this.#value.points.map((old, i) => (i === number ? point : old));
+    return this.#edit({ ...this.#value, points }, number);
+  }
+
+  /**
+   * Makes it another curve: true when that is drawn, false when a newer edit took its place. Rejects with
+   * what `Curve.set` throws; then the curve stays what it was.
+   */
+  set(value: CurveOptions): Promise<boolean> {
+    return this.#edit({ ...value, points: [...value.points] });
+  }
+
+  /** Gives the memory back, that of the engine and that of the graphics card; not the material's. */
+  override dispose(): void {
+    if (this.#isDisposed) return;
+    this.#isDisposed = true;
+    // Objects of older versions of three.js have none.
+    super.dispose?.();
+    this.removeFromParent();
+    this.geometry.dispose();
+    this.#waiting?.tell(false);
+    this.#waiting = undefined;
+    void this.#end();
+  }
+
+  async #end(): Promise<void> {
+    try {
+      await this.#curve?.dispose();
+    } catch {
+      // A worker that has ended has nothing left to give back.
+    }
+  }
+
+  async #make(): Promise<void> {
+    try {
+      const made = await this.surface.mesh.curve(this.#value);
+      this.#curve = made as ShownCurve;
+      if (this.#isDisposed) return await this.#end();
+      this.#draw(await this.#curve.view());
+    } finally {
+      this.#isBusy = false;
+      void this.#next();
+    }
+  }
+
+  #edit(value: CurveOptions, dragged?: number): Promise<boolean> {
+    if (this.#isDisposed) {
+      return Promise.reject(new KarcherError('disposed', 'the curve has been disposed of'));
+    }
+    this.#value = value;
+    return new Promise((tell, fail) => {
+      this.#waiting?.tell(false);
+      this.#waiting = { value, ...(dragged !== undefined && { dragged }), tell, fail };
+      void this.#next();
+    });
+  }
+
+  async #next(): Promise<void> {
+    const edit = this.#waiting;
+    if (this.#isBusy || !edit) return;
+    this.#waiting = undefined;
+    this.#isBusy = true;
+    const { value, dragged, tell, fail } = edit;
+    try {
+      if (!this.#curve) throw new KarcherError('badArgument', 'the curve could not be made');
+      const view = await this.#curve.set(value, dragged === undefined ? {} : { dragged });
+      this.#drawn = value;
+      if (!this.#isDisposed) this.#draw(view);
+      tell(!this.#isDisposed);
+    } catch (error) {
+      // What waits is made of the curve as it was wanted, and may be none either.
+      if (!this.#waiting) this.#value = this.#drawn;
+      fail(error);
+    }
+    this.#isBusy = false;
+    void this.#next();
+  }
+
+  #draw(view: CurveView): void {
+    const { polyline } = view;
+    const count = polyline.length / 3;
+    const before = this.geometry.getAttribute('position') as BufferAttribute | undefined;
+    if (!before || before.count < count) {
+      // The graphics card's buffers do not grow.
+      if (before) this.geometry.dispose();
+      const room = new BufferAttribute(new Float32Array(3 * Math.ceil(1.5 * count)), 3);
+      this.geometry.setAttribute('position', room);
+    }
+    const attribute = this.geometry.getAttribute('position') as BufferAttribute;
+    const places = attribute.array as Float32Array;
+    places.set(polyline);
+    // The rest repeats the end: the bounding sphere is of all of it.
+    for (let i = polyline.length; i < places.length; i++) places[i] = places[i - 3]!;
+    attribute.needsUpdate = true;
+    this.geometry.setDrawRange(0, count);
+    this.geometry.computeBoundingSphere();
+    this.visible ||= this.view === undefined;
+    this.view = view;
+    this.dispatchEvent({ type: 'change', view });
+  }
+}

@@ -1,0 +1,132 @@
+/** The triangles of a mesh, found by the places of their corners, whatever numbers these have. */
+export class Triangles {
+  /** x, y, z of each vertex. */
+  readonly positions: Float64Array;
+  /** The vertices of each triangle. */
+  readonly corners: Int32Array;
+  /** Length of the bounding box's diagonal. */
+  readonly diagonal: number;
+  /** Vertices by a hash of their place; -1 where there is none. */
+  readonly #table: Int32Array;
+  /** For each vertex the first one at its place. */
+  readonly #first: Int32Array;
+  /** Of each vertex that is the first at its place the triangles there, one vertex after the other. */
+  readonly #starts: Int32Array;
+  readonly #around: Int32Array;
+
+  constructor(positions: Float64Array, corners: Int32Array) {
+    const vertices = positions.length / 3;
+    this.positions = positions;
+    this.corners = corners;
+    this.#table = new Int32Array(2 ** Math.ceil(Math.log2(2 * vertices + 2))).fill(-1);
+    this.#first = Int32Array.from({ length: vertices }, (_, v) => this.#keep(v));
+    this.#starts = new Int32Array(vertices + 1);
+    for (const v of corners)
+      this.#starts[this.#first[v]! + 1] = this.#starts[this.#first[v]! + 1]! + 1;
+    for (let v = 0; v < vertices; v++)
+      this.#starts[v + 1] = this.#starts[v + 1]! + this.#starts[v]!;
+    const next = this.#starts.slice();
+    this.#around = new Int32Array(corners.length);
+    corners.forEach((v, i) => {
+      const first = this.#first[v]!;
+      const place = next[first]!;
+      next[first] = place + 1;
+      this.#around[place] = Math.floor(i / 3);
+    });
+    this.diagonal = diagonalOf(positions, corners);
+  }
+
+  /** The first vertex at the same place. */
+  first(vertex: number): number {
+    return this.#first[vertex]!;
+  }
+
+  /** A triangle at a vertex; -1 if there is none. */
+  at(vertex: number): number {
+    const first = this.#first[vertex];
+    if (first === undefined || this.#starts[first] === this.#starts[first + 1]) return -1;
+    return this.#around[this.#starts[first]!]!;
+  }
+
+  /**
+   * The triangle with corners at three places, nine numbers. Of several the one that has them in the same
+   * order, and of these the one of the number `likely`. -1 if there is none.
+   */
+  find(places: ArrayLike<number>, likely: number): number {
+    const [a, b, c] = [0, 3, 6].map((i) => this.#at(places[i]!, places[i + 1]!, places[i + 2]!));
+    if (a! < 0 || b! < 0 || c! < 0) return -1;
+    let found = -1;
+    let best = 0;
+    for (let i = this.#starts[a!]!; i < this.#starts[a! + 1]!; i++) {
+      const face = this.#around[i]!;
+      const order = this.#order(face, a!, b!, c!);
+      const rank = order && order + (face === likely ? 1 : 0);
+      if (rank <= best) continue;
+      best = rank;
+      found = face;
+    }
+    return found;
+  }
+
+  /** 3 for corners in this order, 1 for the other way round, 0 for others. */
+  #order(face: number, a: number, b: number, c: number): number {
+    const [u, v, w] = [0, 1, 2].map((k) => this.#first[this.corners[3 * face + k]!]!);
+    const is = (x: number, y: number, z: number) => x === a && y === b && z === c;
+    if (is(u!, v!, w!) || is(v!, w!, u!) || is(w!, u!, v!)) return 3;
+    return is(u!, w!, v!) || is(w!, v!, u!) || is(v!, u!, w!) ? 1 : 0;
+  }
+
+  /** Puts a vertex into the table; returns the first one at its place. */
+  #keep(vertex: number): number {
+    const { positions } = this;
+    const i = 3 * vertex;
+    const slot = this.#slot(positions[i]!, positions[i + 1]!, positions[i + 2]!);
+    if (this.#table[slot]! < 0) this.#table[slot] = vertex;
+    return this.#table[slot]!;
+  }
+
+  #at(x: number, y: number, z: number): number {
+    return this.#table[this.#slot(x, y, z)]!;
+  }
+
+  /** The place in the table of the vertex there, or a free one: the table is never more than half full. */
+  #slot(x: number, y: number, z: number): number {
+    const mask = this.#table.length - 1;
+    let slot = hash(x, y, z) & mask;
+    for (;;) {
+      const vertex = this.#table[slot]!;
+      if (vertex < 0) return slot;
+      const [px, py, pz] = [0, 1, 2].map((k) => this.positions[3 * vertex + k]!);
+      // Positions that are no numbers are at no other vertex's place.
+      if (px === x && py === y && pz === z) return slot;
+      slot = (slot + 1) & mask;
+    }
+  }
+}
+
+const words = new Float32Array(3);
+const bits = new Int32Array(words.buffer);
+
+function hash(x: number, y: number, z: number): number {
+  // 0 and -0 are one place.
+  words[0] = x + 0;
+  words[1] = y + 0;
+  words[2] = z + 0;
+  let mixed = Math.imul(bits[0]!, 0x9e3779b1) ^ Math.imul(bits[1]!, 0x85ebca77);
+  mixed ^= Math.imul(bits[2]!, 0xc2b2ae3d);
+  mixed = Math.imul(mixed ^ (mixed >>> 15), 0x2c1b3c6d);
+  return mixed ^ (mixed >>> 13);
+}
+
+function diagonalOf(positions: Float64Array, corners: Int32Array): number {
+  const least = [Infinity, Infinity, Infinity];
+  const most = [-Infinity, -Infinity, -Infinity];
+  for (const v of corners) {
+    for (let k = 0; k < 3; k++) {
+      const x = positions[3 * v + k]!;
+      if (x < least[k]!) least[k] = x;
+      if (x > most[k]!) most[k] = x;
+    }
+  }
+  return Math.hypot(...most.map((x, k) => x - least[k]!));
+}
