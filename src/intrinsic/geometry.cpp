@@ -141,7 +141,13 @@ CornerDirection cornerOfDirection(const Geometry& geometry, int vertex, double d
   const double total = geometry.totalAngle[vertex];
   constexpr double kTolerance = 1e-9;
   if (mesh.onBoundary[vertex]) {
-    if (direction < -kTolerance || direction > total + kTolerance) return {};
+    const auto isOn = [&](double d) { return d >= -kTolerance && d <= total + kTolerance; };
+    for (const double turn : {0.0, 2 * kPi, -2 * kPi}) {
+      if (!isOn(direction + turn)) continue;
+      direction += turn;
+      break;
+    }
+    if (!isOn(direction)) return {};
     direction = std::clamp(direction, 0.0, total);
   } else {
     direction -= total * std::floor(direction / total);

@@ -99,7 +99,8 @@ EdgeDirection directionOfEdge(const Geometry& geometry, int h);
 
 /// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and
 /// the angle from that half-edge to it. Directions wrap around at interior vertices. At the
-/// boundary a direction outside [0, totalAngle] leaves the surface: then halfedge is -1.
+/// boundary a direction outside [0, totalAngle] is the one a full turn off that lies within, as
+/// the angle of a vector is; where neither does, it leaves the surface: then halfedge is -1.
 struct CornerDirection {
   int halfedge = -1;
   double angle = 0;

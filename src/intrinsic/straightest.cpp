@@ -34,8 +34,7 @@ std::optional<Walker> passVertex(const Geometry& geometry, int h, const Vec2& di
     return leaveVertex(geometry, vertex, back + geometry.totalAngle[vertex] / 2);
   }
   // Along a straight boundary, or past a reentrant corner, there is surface straight ahead.
-  std::optional<Walker> left = leaveVertex(geometry, vertex, back + kPi);
-  return left ? left : leaveVertex(geometry, vertex, back - kPi);
+  return leaveVertex(geometry, vertex, back + kPi);
 }
 
 /// Rates of change of the barycentric weights along a direction in face f.

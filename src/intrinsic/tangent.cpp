@@ -60,9 +60,7 @@ bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& v
   if (at.simplex != Simplex::kVertex || !(vector.norm() > 0)) {
     traceStraightest(geometry, point, vector, traced);
   } else {
-    double angle = angleOf(vector);
-    if (angle < 0) angle += 2 * kPi;
-    const double direction = angle / geometry.angleScale[at.vertex];
+    const double direction = angleOf(vector) / geometry.angleScale[at.vertex];
     traceFromVertex(geometry, at.vertex, direction, vector.norm(), traced);
   }
   std::swap(traced.path, path);

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "distance/tangent_maps.h"
 #include "distance_meshes.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
@@ -119,6 +120,76 @@ TEST(Straightest, FollowsAStraightBoundary) {
   const StraightestPath path = traceFromVertex(geometry, 0, 0, 3.5);
   EXPECT_EQ(path.stop, TraceStop::kComplete);
   EXPECT_LT((position(mesh, path.path.end()) - Vec3(3.5, 0, 0)).norm(), 1e-13);
+}
+
+/// A flat mesh turned round the origin, and then about the x axis.
+TriangleMesh turned(const TriangleMesh& mesh, double angle, double lift) {
+  Array<Vec3> positions;
+  for (const Vec3& p : mesh.positions) {
+    const Vec2 q = rotate(unitVector(angle), Vec2(p.x(), p.y()));
+    positions.push_back(Vec3(q.x(), std::cos(lift) * q.y(), std::sin(lift) * q.y()));
+  }
+  return buildMesh(positions, mesh.faces);
+}
+
+TEST(Straightest, GoesAlongAStraightRimFromEveryVertexAndFace) {
+  for (const double angle : {0.0, 0.3, 1.7}) {
+    for (const double lift : {0.0, 0.7}) {
+      const MeasuredMesh square(turned(planeGrid(6, 6), angle, lift));
+      const TriangleMesh& mesh = square.mesh;
+      FindPathWorkspace workspace;
+      const auto onRim = [](int i, int j) { return i == 0 || j == 0 || i == 6 || j == 6; };
+      for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+        const int a = mesh.tail(h);
+        const int i = a % 7;
+        const int j = a / 7;
+        if (!onRim(i, j)) continue;
+        for (int k = 0; k < 4; ++k) {
+          const int to[] = {7 * j, 7 * j + 6, i,
+                            42 + i};  // the ends of the vertex's row and column
+          const int b = to[k];
+          const bool isRow = k < 2;
+          if (a == b || (isRow ? j % 6 != 0 : i % 6 != 0)) continue;
+          const Vec3 way = mesh.positions[b] - mesh.positions[a];
+          const SurfacePoint start = edgePoint(h, 0);
+          const StraightestPath path =
+              traceStraightest(square.geometry, start, toFace(square.geometry, start.face, way));
+          // The walk may end at a corner of the square, where rounding decides what is left.
+          EXPECT_LT(path.remaining, 1e-12) << "vertex " << a << " to " << b;
+          EXPECT_LT((position(mesh, path.path.end()) - mesh.positions[b]).norm(), 1e-12);
+          const SurfacePoint end = vertexPoint(mesh, b);
+          const LogMapped log = logMap(square.geometry, start, end, Vec2(1, 0), workspace);
+          const ExpMapped exp = expMap(square.geometry, start, log.vector, Vec2(1, 0));
+          EXPECT_LT((position(mesh, exp.point) - mesh.positions[b]).norm(), 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(Straightest, LeavesAReentrantCornerInAllOfItsDirections) {
+  const MeasuredMesh corner(turned(lShape(2), 0.3, 0.4));
+  const TriangleMesh& mesh = corner.mesh;
+  // The corner's place, and the two axes from it.
+  const TriangleMesh flat = lShape(2);
+  int v = 0;
+  while ((flat.positions[v] - Vec3(2, 2, 0)).norm() > 0) ++v;
+  const auto placeOf = [&](const Vec3& p) -> Vec3 {
+    const SurfacePoint point = nearestPoint(flat, p);
+    return position(mesh, point);
+  };
+  for (const int h : outgoingHalfedges(mesh, v)) {
+    for (int degrees = 90; degrees <= 360; ++degrees) {
+      const Vec2 way = 0.7 * unitVector(degrees * kPi / 180);
+      const Vec3 end = placeOf(Vec3(2 + way.x(), 2 + way.y(), 0));
+      const SurfacePoint start = edgePoint(h, 0);
+      const StraightestPath path = traceStraightest(
+          corner.geometry, start,
+          toFace(corner.geometry, start.face, end - mesh.positions[v]).normalized() * 0.7);
+      EXPECT_EQ(path.stop, TraceStop::kComplete) << degrees << " degrees";
+      EXPECT_LT((position(mesh, path.path.end()) - end).norm(), 1e-12) << degrees << " degrees";
+    }
+  }
 }
 
 TEST(Straightest, ConsecutivePointsShareAFaceAndAddUpToTheLength) {
