@@ -205,7 +205,7 @@ export async function start(): Promise<void> {
 
   const surfacePanel = new SurfacePanel({
     choose: (key) => opening.sample(key),
-    openFile: (file) => opening.file(file),
+    openFiles: (files) => void opening.files(files),
     reread: (key) => opening.reread(key),
   });
   const checkUpPanel = new CheckUpPanel(

@@ -2,6 +2,7 @@ import type { Editor } from './editor/editor';
 import type { Session } from './editor/session';
 import { readJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
+import { sorted, whole } from './model/dropped';
 import { type Example, examples } from './model/examples';
 import type { History } from './model/history';
 import { fitting, formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';
@@ -25,6 +26,7 @@ import { keepFile, keptFile, recall, remember } from './model/storage';
 import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
+import { chooseFile } from './panels/which_file';
 import { type FoundLink, startingLink, workOn } from './saving';
 import { drawnGeometry, type GeometryRequest } from './viewer/drawn_geometry';
 import { placesOn } from './viewer/places';
@@ -85,6 +87,27 @@ export class Opening {
       const carries = before && mesh !== key && sameSurface(mesh, key);
       return carries ? carried(drawing, before, surface) : null;
     });
+  }
+
+  /**
+   * Opens files that came together: a surface with what belongs to it, and then a drawing; of several
+   * surfaces, or of several drawings, the one that is chosen. Says what is left.
+   */
+  async files(files: readonly File[]): Promise<void> {
+    const { surfaces, drawings, unknown } = sorted(files);
+    const one = surfaces.length <= 1 && drawings.length <= 1;
+    if (!one) {
+      const file = await chooseFile([...surfaces, ...drawings]);
+      if (file) await this.file(await whole(file, files));
+      return;
+    }
+    if (unknown.length > 0) {
+      const [first] = unknown;
+      const more = unknown.length > 1 ? ` and ${formatInteger(unknown.length - 1)} more` : '';
+      const are = unknown.length > 1 ? 'are' : 'is';
+      showNote(`${first!.name}${more} ${are} no surface or drawing, and ${are} left out.`);
+    }
+    for (const file of [...surfaces, ...drawings]) await this.file(await whole(file, files));
   }
 
   /** Opens a surface, or a curve that the page saved (JSON). */

@@ -318,14 +318,21 @@ export class Tab {
   }
 
   dropBytes(name, bytes) {
+    return this.dropFiles([[name, bytes]]);
+  }
+
+  /** Drops files together, each a name and bytes. */
+  dropFiles(files) {
     return this.page.evaluate(
-      ([fileName, base64]) => {
-        const content = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      (texts) => {
         const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File([content], fileName));
+        for (const [name, base64] of texts) {
+          const content = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+          dataTransfer.items.add(new File([content], name));
+        }
         window.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
       },
-      [name, Buffer.from(bytes).toString('base64')],
+      files.map(([name, bytes]) => [name, Buffer.from(bytes).toString('base64')]),
     );
   }
 }

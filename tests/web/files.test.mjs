@@ -1,7 +1,16 @@
 // Files of surfaces that are dropped on the page: their formats, parts, and what points up.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { box, cutBox, everyFile, glbFile, stlFile } from '../wasm/mesh_files.mjs';
+import {
+  box,
+  cutBox,
+  encode,
+  everyFile,
+  glbFile,
+  gltfParts,
+  objFile,
+  stlFile,
+} from '../wasm/mesh_files.mjs';
 import { openBrowser, Tab } from './browser.mjs';
 import { sometimes } from './part.mjs';
 import { fitsFile } from './schema.mjs';
@@ -41,6 +50,77 @@ describe('files of surfaces', () => {
       await tab.settled();
       assert.deepEqual((await tab.mesh()).info.triangles, 12, name);
     }
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('dropped together belong together, in any order', async () => {
+    const tab = await Tab.open(browser);
+    const { json, buffer } = gltfParts(cutBox);
+    json.buffers = [{ uri: 'my%20buffers/a box.bin', byteLength: buffer.length }];
+    const gltf = (name) => [
+      [name, encode(JSON.stringify(json))],
+      ['a box.bin', buffer],
+    ];
+    const obj = (name) => [
+      [name, Buffer.concat([encode('mtllib box.mtl\n'), objFile(cutBox)])],
+      ['box.mtl', encode('newmtl red\n')],
+      ['red.png', Uint8Array.of(0x89, 0x50, 0x4e, 0x47)],
+    ];
+    const sets = [
+      gltf('one.gltf'),
+      gltf('two.gltf').reverse(),
+      obj('one.obj'),
+      obj('two.obj').reverse(),
+    ];
+    for (const files of sets) {
+      const name = files.map(([one]) => one).find((one) => /gltf$|obj$/.test(one));
+      await tab.dropFiles(files);
+      await opened(tab, name);
+      await tab.settled();
+      assert.equal((await tab.mesh()).info.triangles, 12, name);
+    }
+    assert.deepEqual(await tab.page.locator('.message').allTextContents(), []);
+    // The buffers are kept with it.
+    await tab.dropFiles(gltf('three.gltf'));
+    await opened(tab, 'three.gltf');
+    await tab.page.keyboard.press('2');
+    await tab.click([0, 0], [10, 20]);
+    await tab.pastSaving();
+    await tab.page.reload();
+    await tab.settled();
+    assert.match((await tab.state()).mesh, /three\.gltf$/);
+    // A surface and a drawing on it.
+    const { drawing, mesh } = await tab.state();
+    const { name, text } = await tab.save('JSON');
+    await tab.dropFiles([
+      [name, encode(text)],
+      ...gltf('three.gltf'),
+      ['notes.txt', encode('hello')],
+    ]);
+    await tab.page.getByText('notes.txt is no surface or drawing').waitFor();
+    await tab.settled();
+    assert.equal((await tab.state()).mesh, mesh);
+    assert.deepEqual((await tab.state()).drawing, drawing);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('of several surfaces the one that is chosen is opened', async () => {
+    const tab = await Tab.open(browser);
+    const several = Array.from({ length: 20 }, (_, i) => [`box ${i}.obj`, objFile(cutBox)]);
+    await tab.dropFiles(several);
+    const dialog = tab.page.getByRole('dialog', { name: 'Which one is to be opened?' });
+    await dialog.waitFor();
+    assert.equal(await dialog.getByRole('listitem').count(), 20);
+    await tab.page.keyboard.press('Escape');
+    await dialog.waitFor({ state: 'hidden' });
+    assert.equal((await tab.state()).mesh, 'sphere:1500');
+    await tab.dropFiles(several);
+    await dialog.getByRole('button', { name: 'box 13.obj' }).click();
+    await opened(tab, 'box 13.obj');
+    await tab.settled();
+    assert.equal((await tab.mesh()).info.triangles, 12);
     assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });

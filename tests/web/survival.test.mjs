@@ -42,6 +42,21 @@ describe('the page survives', () => {
     }
   });
 
+  test('a database that never answers: it says so, and shows a surface', async () => {
+    const browser = await openBrowser();
+    try {
+      await browser.context.addInitScript(() => {
+        IDBFactory.prototype.open = () => ({});
+      });
+      const tab = await Tab.open(browser, 'mesh=file:1abc-2:my.obj&kind=bspline&points=0,0.2,0.3');
+      await tab.page.getByText('The curve is on my.obj. Drop that file here').waitFor();
+      assert.ok(await tab.page.evaluate(() => window.karcherPage.triangles > 0));
+      assert.deepEqual(tab.logged, []);
+    } finally {
+      await browser.close();
+    }
+  });
+
   sometimes('where storage is full or blocked, it says that nothing is kept', async () => {
     const browser = await openBrowser();
     try {

@@ -73,10 +73,21 @@ function completed(transaction: IDBTransaction): Promise<void> {
   });
 }
 
+/** A database that does not answer for so long, in milliseconds, is taken for none. */
+const patience = 2000;
+
+/** Fails where nothing is answered. */
+function answered<T>(answer: Promise<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(() => reject(new Error('the database does not answer')), patience);
+    answer.then(resolve, reject).finally(() => clearTimeout(timer));
+  });
+}
+
 async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
   const opening = indexedDB.open('karcher', 1);
   opening.onupgradeneeded = () => opening.result.createObjectStore('files');
-  const database = await request(opening);
+  const database = await answered(request(opening));
   return database.transaction('files', mode).objectStore('files');
 }
 
@@ -106,7 +117,8 @@ export async function keepFile(key: string, content: Blob): Promise<boolean> {
 
 export async function keptFile(key: string): Promise<Blob | null> {
   try {
-    const file: StoredFile | undefined = await request((await openFiles('readonly')).get(key));
+    const files = await openFiles('readonly');
+    const file: StoredFile | undefined = await answered(request(files.get(key)));
     if (!file) return null;
     return 'content' in file ? file.content : new Blob([file.bytes]);
   } catch {

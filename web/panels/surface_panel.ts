@@ -13,7 +13,8 @@ import { byId, formatCount, formatInteger, make, write } from './elements';
 
 export interface SurfaceEvents {
   choose(key: string): void;
-  openFile(file: File): void;
+  /** Files that belong together, in any order. */
+  openFiles(files: readonly File[]): void;
   /** Shows the file in another way, which its key says. */
   reread(key: string): void;
 }
@@ -47,9 +48,9 @@ export class SurfacePanel {
     });
     byId('open').addEventListener('click', () => this.#file.click());
     this.#file.addEventListener('change', () => {
-      const file = this.#file.files?.[0];
+      const files = [...(this.#file.files ?? [])];
       this.#file.value = '';
-      if (file) events.openFile(file);
+      if (files.length > 0) events.openFiles(files);
     });
     this.#part.addEventListener('change', () => {
       const parts = this.#part.value === '' ? null : [Number(this.#part.value)];
@@ -151,8 +152,8 @@ export class SurfacePanel {
       drop.hidden = true;
       if (!carriesFile(event)) return;
       event.preventDefault();
-      const file = event.dataTransfer?.files[0];
-      if (file) this.events.openFile(file);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (files.length > 0) this.events.openFiles(files);
     });
   }
 }

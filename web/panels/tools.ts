@@ -87,7 +87,7 @@ export class Tools {
   }
 
   #key(event: KeyboardEvent): void {
-    const covered = this.#help.open || document.querySelector(':popover-open');
+    const covered = document.querySelector('dialog[open], :popover-open');
     if (covered || event.defaultPrevented) return;
     const element = event.target instanceof HTMLElement ? event.target : null;
     if (event.altKey) {

@@ -1,0 +1,73 @@
+/** Which of the files that are dropped or chosen together is opened, and what belongs to it. */
+
+/** What lies beside surfaces, and is not opened by itself: materials, buffers and pictures. */
+const companions = /\.(mtl|bin|png|jpe?g|webp|ktx2|basis|tga|bmp|gif|tiff?|dds|hdr|exr)$/i;
+const openable = /\.(obj|ply|stl|off|glb|gltf|json)$/i;
+const drawing = /\.json$/i;
+
+/** Files that came together. */
+export interface Dropped {
+  /** Surfaces. */
+  surfaces: File[];
+  drawings: File[];
+  /** What is neither, nor belongs to a surface. */
+  unknown: File[];
+}
+
+export function sorted(files: readonly File[]): Dropped {
+  const known = files.filter(({ name }) => openable.test(name));
+  const others = files.filter(({ name }) => !openable.test(name));
+  const surfaces = known.filter(({ name }) => !drawing.test(name));
+  const drawings = known.filter(({ name }) => drawing.test(name));
+  // By itself a file of another name is tried, too: its content may tell what it is.
+  if (known.length === 0)
+    return { surfaces: others.slice(0, 1), drawings, unknown: others.slice(1) };
+  return { surfaces, drawings, unknown: others.filter(({ name }) => !companions.test(name)) };
+}
+
+const lastPart = (path: string) => path.replace(/^.*[\\/]/, '').toLowerCase();
+
+function asAddress(file: File): Promise<string> {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.onload = () => resolve(reader.result as string);
+    reader.onerror = () => reject(reader.error);
+    reader.readAsDataURL(file);
+  });
+}
+
+/**
+ * A glTF file of text with the buffers inside that came with it, so that it is one file wherever it goes;
+ * any other file as it is. The reader says what is missing or is no glTF.
+ */
+export async function whole(file: File, together: readonly File[]): Promise<File> {
+  if (!/\.gltf$/i.test(file.name) || together.length < 2) return file;
+  const { namesBeside } = await import('karcher/formats');
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let names: string[];
+  try {
+    names = namesBeside(bytes, file.name);
+  } catch {
+    return file;
+  }
+  const found = new Map<string, string>();
+  for (const name of names) {
+    const buffer = together.find((one) => lastPart(one.name) === lastPart(name));
+    if (buffer) found.set(lastPart(name), await asAddress(buffer));
+  }
+  if (found.size === 0) return file;
+  const gltf = JSON.parse(new TextDecoder().decode(bytes));
+  for (const buffer of gltf.buffers) {
+    const inside = typeof buffer?.uri === 'string' && found.get(lastPart(decoded(buffer.uri)));
+    if (inside) buffer.uri = inside;
+  }
+  return new File([JSON.stringify(gltf)], file.name);
+}
+
+function decoded(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}

@@ -1,0 +1,25 @@
+import { byId, make } from './elements';
+
+/** Asks which of several files is opened; null where none is chosen. */
+export function chooseFile(files: readonly File[]): Promise<File | null> {
+  const dialog = byId<HTMLDialogElement>('which-dialog');
+  // A second question takes the place of the first.
+  dialog.close();
+  return new Promise((resolve) => {
+    let chosen: File | null = null;
+    const items = files.map((file) => {
+      const item = make('li', '');
+      const button = make('button', file.name, { type: 'button', className: 'button wide' });
+      button.title = file.name;
+      button.addEventListener('click', () => {
+        chosen = file;
+        dialog.close();
+      });
+      item.append(button);
+      return item;
+    });
+    byId('which-files').replaceChildren(...items);
+    dialog.addEventListener('close', () => resolve(chosen), { once: true });
+    dialog.showModal();
+  });
+}
