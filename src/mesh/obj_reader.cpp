@@ -50,8 +50,8 @@ void terminate(std::string_view line, std::string& result) {
   }
 }
 
-/// Reads lines that were checked. Their numbers are read by tinyobjloader's own functions rather
-/// than by its reader of streams: streams would add a sixth to the code.
+/// Reads lines that were checked. Their numbers are read by tinyobjloader's own functions: its
+/// reader of streams would take them apart once more.
 Faces parse(std::string_view text, const ObjLines& lines) {
   Faces faces;
   faces.positions.reserve(static_cast<size_t>(lines.vertices));
