@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+
+#include "mesh/types.h"
+
+/// Places in a face as exact numbers.
+///
+/// A face is seen as the triangle (0, 0), (1, 0), (0, 1), in which a point has its second and third
+/// weight as coordinates. What lies left of what is the same there as in the face, and needles are
+/// no thinner than other faces. Coordinates are multiples of 2^-40, so differences are exact, and
+/// the sign of a cross product of differences is computed exactly.
+namespace karcher {
+
+inline constexpr double kGridStep = 0x1p-40;
+
+/// Parts of an edge, or of a face's height, that are nearer than this are one.
+inline constexpr double kTogether = 0x1p-32;
+
+inline double onGrid(double x) { return std::round(x / kGridStep) * kGridStep; }
+
+/// The cross product of two differences of places, with the right sign: where rounding could
+/// matter, by W. Kahan's difference of products (C.-P. Jeannerod, N. Louvet, J.-M. Muller, 2013).
+inline double exactCross(const Vec2& u, const Vec2& v) {
+  const double p = u.x() * v.y();
+  const double q = u.y() * v.x();
+  const double difference = p - q;
+  constexpr double kRounding = 4e-16;
+  if (std::abs(difference) > kRounding * (std::abs(p) + std::abs(q))) return difference;
+  return std::fma(u.x(), v.y(), -q) + std::fma(-u.y(), v.x(), q);
+}
+
+/// Positive where c lies left of the line from a to b.
+inline double leftOf(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return exactCross(b - a, c - a);
+}
+
+/// The place at parameter t along side k of a face.
+inline Vec2 placeOnSide(int k, double t) {
+  if (k == 0) return {t, 0};
+  if (k == 1) return {1 - t, t};
+  return {0, 1 - t};
+}
+
+}  // namespace karcher
