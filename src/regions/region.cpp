@@ -1,0 +1,251 @@
+#include "regions/region.h"
+
+#include <algorithm>
+#include <string>
+
+#include "mesh/disjoint_sets.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// A step over an edge of the arrangement into another cell.
+struct Step {
+  int from;
+  int to;
+  int change;
+};
+
+/// The steps from each cell, both ways over each edge that has a path.
+struct Steps {
+  Array<int> start;
+  Array<Step> steps;
+};
+
+Steps stepsOf(const Arrangement& all, const PathRange& paths) {
+  Array<Step> found;
+  for (int i = 0; i < all.uses.count();) {
+    const int h = all.uses[i].halfedge;
+    int change = 0;
+    for (; i < all.uses.count() && all.uses[i].halfedge == h; ++i) {
+      const int path = all.uses[i].path - paths.first;
+      if (path >= 0 && path < paths.count) change += all.uses[i].sign;
+    }
+    if (all.twin[h] < 0) continue;
+    const int left = all.cell(h);
+    const int right = all.cell(all.twin[h]);
+    found.push_back({right, left, change});
+    found.push_back({left, right, -change});
+  }
+  Steps result;
+  result.start.assign(static_cast<size_t>(all.cellCount()) + 1, 0);
+  for (const Step& step : found) ++result.start[step.from + 1];
+  for (int c = 0; c < all.cellCount(); ++c) result.start[c + 1] += result.start[c];
+  result.steps.resize(found.size());
+  Array<int> next = result.start;
+  for (const Step& step : found) result.steps[next[step.from]++] = step;
+  return result;
+}
+
+[[noreturn]] void refuseOpen(const PathRange& paths) {
+  const std::string sentence =
+      paths.count == 1
+          ? "the curve does not bound a region: its left side is reached from its right "
+            "side without crossing it"
+          : "the " + std::to_string(paths.count) +
+                " curves do not bound a region together: the left side of one is "
+                "reached from its right side without crossing any";
+  refuse(sentence + ", round an end or a handle of the surface");
+}
+
+/// What is outside in a connected part of the surface, which gets its cells' insides.
+void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int>& labels,
+                std::optional<int> inside, Region& region) {
+  struct LabelArea {
+    int label;
+    double area;
+  };
+  Array<LabelArea> areas;
+  Array<int> order = cells;
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return labels[a] != labels[b] ? labels[a] < labels[b] : a < b; });
+  for (const int cell : order) {
+    if (areas.empty() || areas.back().label != labels[cell]) areas.push_back({labels[cell], 0});
+    areas.back().area += all.cellArea[cell];
+  }
+  // Of equal areas, but for rounding, the first is taken: what is right of the curves.
+  constexpr double kSameArea = 1e-9;
+  const LabelArea* outside = nullptr;
+  for (const LabelArea& one : areas) {
+    if (inside && areas.size() > 1 && one.label == labels[*inside]) continue;
+    if (outside == nullptr || one.area > outside->area * (1 + kSameArea)) outside = &one;
+  }
+  for (const int cell : cells) region[cell] = labels[cell] != outside->label ? 1 : 0;
+}
+
+}  // namespace
+
+Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
+                std::optional<int> inside) {
+  const Steps all = stepsOf(arrangement, paths);
+  const size_t count = static_cast<size_t>(arrangement.cellCount());
+  Array<int> labels(count, 0);
+  Array<uint8_t> isLabelled(count, 0);
+  Region region(count, 0);
+  for (int first = 0; first < arrangement.cellCount(); ++first) {
+    if (isLabelled[first] != 0) continue;
+    isLabelled[first] = 1;
+    Array<int> cells{first};
+    for (int i = 0; i < cells.count(); ++i) {
+      for (int k = all.start[cells[i]]; k < all.start[cells[i] + 1]; ++k) {
+        const Step& step = all.steps[k];
+        int label = labels[step.from] + step.change;
+        if (rule == FillRule::kEvenOdd) label = ((label % 2) + 2) % 2;
+        if (isLabelled[step.to] == 0) {
+          isLabelled[step.to] = 1;
+          labels[step.to] = label;
+          cells.push_back(step.to);
+        } else if (labels[step.to] != label) {
+          refuseOpen(paths);
+        }
+      }
+    }
+    const bool isHere = inside && std::find(cells.begin(), cells.end(), *inside) != cells.end();
+    chooseSide(arrangement, cells, labels, isHere ? inside : std::nullopt, region);
+  }
+  return region;
+}
+
+Region combined(const Region& a, const Region& b, Boolean how) {
+  Region result(a.size(), 0);
+  for (int c = 0; c < a.count(); ++c) {
+    const bool inA = a[c] != 0;
+    const bool inB = b[c] != 0;
+    bool isIn = false;
+    switch (how) {
+      case Boolean::kUnion:
+        isIn = inA || inB;
+        break;
+      case Boolean::kIntersection:
+        isIn = inA && inB;
+        break;
+      case Boolean::kDifference:
+        isIn = inA && !inB;
+        break;
+      case Boolean::kExclusion:
+        isIn = inA != inB;
+        break;
+    }
+    result[c] = isIn ? 1 : 0;
+  }
+  return result;
+}
+
+double areaOf(const Arrangement& arrangement, const Region& region) {
+  double area = 0;
+  for (int c = 0; c < region.count(); ++c) {
+    if (region[c] != 0) area += arrangement.cellArea[c];
+  }
+  return area;
+}
+
+namespace {
+
+bool isBorder(const Arrangement& all, const Region& region, int h) {
+  return region[all.cell(h)] != 0 && (all.twin[h] < 0 || region[all.cell(all.twin[h])] == 0);
+}
+
+/// The next half-edge of a region's boundary, around the head of one through the region.
+int nextBorder(const Arrangement& all, const Region& region, int h) {
+  int next = all.next[h];
+  // At most once round the vertex: the way back from h is on the boundary.
+  while (!isBorder(all, region, next)) next = all.next[all.twin[next]];
+  return next;
+}
+
+}  // namespace
+
+Array<Array<int>> boundaryOf(const Arrangement& arrangement, const Region& region) {
+  Array<uint8_t> isTaken(static_cast<size_t>(arrangement.halfedgeCount()), 0);
+  Array<Array<int>> loops;
+  for (int first = 0; first < arrangement.halfedgeCount(); ++first) {
+    if (isTaken[first] != 0 || !isBorder(arrangement, region, first)) continue;
+    Array<int> loop;
+    for (int h = first; isTaken[h] == 0; h = nextBorder(arrangement, region, h)) {
+      isTaken[h] = 1;
+      loop.push_back(h);
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+SurfacePath pathOf(const Geometry& geometry, const Arrangement& arrangement,
+                   const Array<int>& loop) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  SurfacePath path;
+  path.lengths.push_back(0);
+  for (const int h : loop) {
+    path.points.push_back(
+        vertexInFace(mesh, arrangement, arrangement.face(h), arrangement.tail[h]));
+    path.lengths.push_back(path.lengths.back() + lengthOf(geometry, arrangement, h));
+  }
+  path.points.push_back(path.points.front());
+  return path;
+}
+
+namespace {
+
+double angleBetween(const Vec2& u, const Vec2& v) {
+  return std::atan2(std::abs(cross(u, v)), u.dot(v));
+}
+
+}  // namespace
+
+GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const Region& region) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const auto isIn = [&](int h) { return region[all.cell(h)] != 0; };
+  GaussBonnet result;
+  // Half-edges are united with those that leave the same vertex of the region.
+  DisjointSets corners(all.halfedgeCount());
+  Array<double> angle(static_cast<size_t>(all.halfedgeCount()), 0);
+  Array<uint8_t> onBorder(static_cast<size_t>(all.halfedgeCount()), 0);
+  for (int h = 0; h < all.halfedgeCount(); ++h) {
+    if (!isIn(h)) continue;
+    const bool border = isBorder(all, region, h);
+    // Edges, those inside once.
+    if (border || h < all.twin[h]) --result.euler;
+    if (!border) corners.unite(h, all.next[all.twin[h]]);
+  }
+  for (int h = 0; h < all.halfedgeCount(); ++h) {
+    if (!isIn(h)) continue;
+    const int after = all.next[h];
+    const int f = all.face(h);
+    const Vec2 corner = placeIn(mesh, all.added, f, all.tail[after]);
+    const Vec2 way = placeIn(mesh, all.added, f, all.head(after)) - corner;
+    const Vec2 back = placeIn(mesh, all.added, f, all.tail[h]) - corner;
+    // At the tip of a line the piece lies all round.
+    const double between = angleBetween(inFrame(geometry, f, way), inFrame(geometry, f, back));
+    angle[corners.find(after)] += exactCross(way, back) > 0 ? between : 2 * kPi - between;
+    if (isBorder(all, region, after)) onBorder[corners.find(after)] = 1;
+  }
+  for (int h = 0; h < all.halfedgeCount(); ++h) {
+    if (!isIn(h) || corners.find(h) != h) continue;
+    ++result.euler;
+    result.curvature += (onBorder[h] != 0 ? kPi : 2 * kPi) - angle[h];
+  }
+  // A piece with holes is a disk without so many.
+  Array<int> loopsOfPiece(static_cast<size_t>(all.pieceCount()), 0);
+  Array<uint8_t> isSeen(static_cast<size_t>(all.halfedgeCount()), 0);
+  for (int first = 0; first < all.halfedgeCount(); ++first) {
+    if (!isIn(first) || isSeen[first] != 0) continue;
+    ++loopsOfPiece[all.piece[first]];
+    for (int h = first; isSeen[h] == 0; h = all.next[h]) isSeen[h] = 1;
+  }
+  for (const int loops : loopsOfPiece) {
+    if (loops > 0) result.euler += 2 - loops;
+  }
+  return result;
+}
+
+}  // namespace karcher

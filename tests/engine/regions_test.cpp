@@ -1,0 +1,517 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "distance/find_path.h"
+#include "generators/plane.h"
+#include "generators/random_points.h"
+#include "generators/sphere.h"
+#include "generators/torus.h"
+#include "intrinsic/straightest.h"
+#include "mesh/shapes.h"
+#include "regions/region.h"
+#include "support.h"
+
+/// Cells and regions against closed forms, clipped polygons, and crossings counted one by one.
+namespace karcher {
+namespace {
+
+constexpr PathRange kFirst{0, 1};
+constexpr PathRange kSecond{1, 1};
+
+struct Sheet {
+  explicit Sheet(TriangleMesh m) : mesh(std::move(m)), geometry(buildGeometry(mesh)) {}
+  Sheet(const Sheet&) = delete;
+  Sheet& operator=(const Sheet&) = delete;
+
+  TriangleMesh mesh;
+  Geometry geometry;
+};
+
+/// Shortest paths from point to point.
+SurfacePath chain(const Geometry& geometry, const Array<SurfacePoint>& points, bool closed) {
+  FindPathWorkspace workspace;
+  SurfacePath leg;
+  Array<SurfacePoint> all;
+  const int count = points.count();
+  for (int i = 0; i < (closed ? count : count - 1); ++i) {
+    if (!findPath(geometry, points[i], points[(i + 1) % count], workspace, leg)) continue;
+    for (const SurfacePoint& point : leg.points) {
+      if (all.empty() || !samePlace(*geometry.mesh, all.back(), point)) all.push_back(point);
+    }
+  }
+  return pathThrough(*geometry.mesh, std::move(all));
+}
+
+SurfacePath polygonOn(const Geometry& geometry, const Array<Vec2>& corners, bool closed = true) {
+  Array<SurfacePoint> points;
+  for (const Vec2& corner : corners) {
+    points.push_back(nearestPoint(*geometry.mesh, {corner.x(), corner.y(), 0}));
+  }
+  return chain(geometry, points, closed);
+}
+
+Array<Vec2> rectangle(double left, double low, double right, double high) {
+  return {{left, low}, {right, low}, {right, high}, {left, high}};
+}
+
+double polygonArea(const Array<Vec2>& polygon) {
+  double twice = 0;
+  for (int i = 0; i < polygon.count(); ++i) {
+    twice += cross(polygon[i], polygon[(i + 1) % polygon.count()]);
+  }
+  return twice / 2;
+}
+
+/// What a convex polygon, counterclockwise, has in another (I. Sutherland, G. Hodgman, 1974).
+Array<Vec2> clipped(Array<Vec2> polygon, const Array<Vec2>& by) {
+  for (int i = 0; i < by.count(); ++i) {
+    const Vec2 a = by[i];
+    const Vec2 way = by[(i + 1) % by.count()] - a;
+    Array<Vec2> kept;
+    for (int k = 0; k < polygon.count(); ++k) {
+      const Vec2 p = polygon[k];
+      const Vec2 q = polygon[(k + 1) % polygon.count()];
+      const double inP = cross(way, p - a);
+      const double inQ = cross(way, q - a);
+      if (inP >= 0) kept.push_back(p);
+      if ((inP > 0 && inQ < 0) || (inP < 0 && inQ > 0)) {
+        kept.push_back(p + inP / (inP - inQ) * (q - p));
+      }
+    }
+    polygon = std::move(kept);
+  }
+  return polygon;
+}
+
+double surfaceArea(const Geometry& geometry) {
+  double twice = 0;
+  for (int f = 0; f < geometry.mesh->faceCount(); ++f) twice += doubleArea(geometry, f);
+  return twice / 2;
+}
+
+double perimeter(const Geometry& geometry, const Arrangement& arrangement, const Region& region) {
+  double length = 0;
+  for (const Array<int>& loop : boundaryOf(arrangement, region)) {
+    length += pathOf(geometry, arrangement, loop).length();
+  }
+  return length;
+}
+
+/// What holds of all arrangements.
+void expectSound(const Geometry& geometry, const Arrangement& all) {
+  const double whole = surfaceArea(geometry);
+  double sum = 0;
+  for (const double area : all.cellArea) {
+    EXPECT_GE(area, -1e-13 * whole);
+    sum += area;
+  }
+  EXPECT_NEAR(sum, whole, 1e-10 * whole);
+  for (int h = 0; h < all.halfedgeCount(); ++h) {
+    ASSERT_EQ(all.piece[h], all.piece[all.next[h]]);
+    const int twin = all.twin[h];
+    if (twin < 0) continue;
+    ASSERT_EQ(all.twin[twin], h);
+    ASSERT_EQ(all.tail[twin], all.head(h));
+    ASSERT_EQ(all.tail[h], all.head(twin));
+  }
+}
+
+void expectGaussBonnet(const Geometry& geometry, const Arrangement& all, const Region& region) {
+  const GaussBonnet both = gaussBonnet(geometry, all, region);
+  EXPECT_NEAR(both.curvature, 2 * kPi * both.euler, 1e-9);
+}
+
+void expectAreas(const Geometry& geometry, const Arrangement& all, double a, double b, double both,
+                 double rounding) {
+  const Region first = enclosed(all, kFirst, FillRule::kEvenOdd);
+  const Region second = enclosed(all, kSecond, FillRule::kNonZero);
+  const auto area = [&](Boolean how) { return areaOf(all, combined(first, second, how)); };
+  EXPECT_NEAR(areaOf(all, first), a, rounding);
+  EXPECT_NEAR(areaOf(all, second), b, rounding);
+  EXPECT_NEAR(area(Boolean::kIntersection), both, rounding);
+  EXPECT_NEAR(area(Boolean::kUnion), a + b - both, rounding);
+  EXPECT_NEAR(area(Boolean::kDifference), a - both, rounding);
+  EXPECT_NEAR(area(Boolean::kExclusion), a + b - 2 * both, rounding);
+  for (const Boolean how :
+       {Boolean::kUnion, Boolean::kIntersection, Boolean::kDifference, Boolean::kExclusion}) {
+    expectGaussBonnet(geometry, all, combined(first, second, how));
+  }
+}
+
+TEST(Regions, OfTwoSquares) {
+  const Sheet sheet(planeGrid(12, 12));
+  const auto check = [&](const Array<Vec2>& a, const Array<Vec2>& b, double both, int cells) {
+    const SurfacePath paths[] = {polygonOn(sheet.geometry, a), polygonOn(sheet.geometry, b)};
+    const Arrangement all = arrange(sheet.geometry, paths);
+    expectSound(sheet.geometry, all);
+    EXPECT_EQ(all.cellCount(), cells);
+    expectAreas(sheet.geometry, all, polygonArea(a), polygonArea(b), both, 1e-9);
+  };
+  {
+    SCOPED_TRACE("crossing");
+    check(rectangle(1.3, 1.2, 4.8, 4.1), rectangle(3.1, 2.2, 7.3, 6.4), 1.7 * 1.9, 4);
+  }
+  {
+    SCOPED_TRACE("along edges of the mesh");
+    check(rectangle(1, 1, 5, 5), rectangle(3, 2, 7, 8), 2 * 3, 4);
+  }
+  {
+    SCOPED_TRACE("side by side, along edges of the mesh");
+    check(rectangle(1, 1, 4, 4), rectangle(4, 2, 6, 7), 0, 3);
+  }
+  {
+    SCOPED_TRACE("side by side, inside faces");
+    check(rectangle(1.3, 1.2, 4.4, 4.1), rectangle(4.4, 2.3, 6.1, 6.7), 0, 3);
+  }
+  {
+    SCOPED_TRACE("touching at a corner");
+    check(rectangle(1.3, 1.2, 4.4, 4.1), rectangle(4.4, 4.1, 6.1, 6.7), 0, 3);
+  }
+  {
+    SCOPED_TRACE("touching at a vertex");
+    check(rectangle(1, 1, 4, 4), rectangle(4, 4, 6, 6), 0, 3);
+  }
+  {
+    SCOPED_TRACE("the same");
+    check(rectangle(1.3, 1.2, 4.4, 4.1), rectangle(1.3, 1.2, 4.4, 4.1), 3.1 * 2.9, 2);
+  }
+  {
+    SCOPED_TRACE("inside, in one face");
+    check(rectangle(1.3, 1.2, 4.4, 4.1), rectangle(2.5, 2.1, 2.7, 2.3), 0.04, 3);
+  }
+  {
+    SCOPED_TRACE("both in one face");
+    check(rectangle(2.5, 2.1, 2.7, 2.3), rectangle(2.6, 2.2, 2.75, 2.4), 0.01, 4);
+  }
+  {
+    SCOPED_TRACE("one within the other, in one face");
+    check(rectangle(2.4, 2.1, 2.8, 2.3), rectangle(2.5, 2.15, 2.7, 2.2), 0.01, 3);
+  }
+  {
+    SCOPED_TRACE("apart in one face");
+    check(rectangle(2.4, 2.1, 2.5, 2.3), rectangle(2.6, 2.1, 2.8, 2.2), 0, 3);
+  }
+  {
+    SCOPED_TRACE("along the boundary of the mesh");
+    check(rectangle(0, 0, 4, 4), rectangle(0, 2, 3, 7), 3 * 2, 4);
+  }
+}
+
+TEST(Regions, OfNearlyOneLineAreOne) {
+  const Sheet sheet(planeGrid(8, 8));
+  const uint64_t seed = 4;
+  SCOPED_TRACE(seed);
+  Random random(seed);
+  const Array<Vec2> square = rectangle(1.3, 1.2, 4.4, 4.1);
+  for (const double noise : {1e-15, 1e-13, 1e-12}) {
+    Array<Vec2> moved = square;
+    for (Vec2& p : moved) p += noise * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+    const SurfacePath paths[] = {polygonOn(sheet.geometry, square),
+                                 polygonOn(sheet.geometry, moved)};
+    const Arrangement all = arrange(sheet.geometry, paths);
+    expectSound(sheet.geometry, all);
+    EXPECT_EQ(all.cellCount(), 2) << noise;
+  }
+}
+
+TEST(Regions, OfConvexPolygonsAreTheirClippings) {
+  const int rounds = longRun() ? 400 : 12;
+  for (const PlaneTessellation tessellation : kPlaneTessellations) {
+    const Sheet sheet(meshOf(tessellatedPlane(tessellation, 400, 5)));
+    for (int round = 0; round < rounds; ++round) {
+      const uint64_t seed = 100 + static_cast<uint64_t>(round);
+      SCOPED_TRACE(std::string(tessellationName(tessellation)) + ", seed " + std::to_string(seed));
+      Random random(seed);
+      const bool onLattice = round % 3 == 0;
+      const bool sheared = tessellation == PlaneTessellation::kStretchedSheared;
+      const auto polygon = [&] {
+        const Vec2 middle(random.uniform(0.35, 0.65), random.uniform(0.35, 0.65));
+        const int count = onLattice ? 4 : 3 + random.index(5);
+        const double turn = onLattice ? kPi / 4 : random.uniform(0, 2 * kPi);
+        const double size = random.uniform(0.05, 0.25);
+        Array<Vec2> corners;
+        for (int i = 0; i < count; ++i) {
+          Vec2 corner = middle + size * unitVector(turn + 2 * kPi * i / count);
+          if (onLattice) corner = (corner * 20).array().round() / 20;
+          if (sheared) corner.x() += corner.y();
+          corners.push_back(corner);
+        }
+        return corners;
+      };
+      const Array<Vec2> a = polygon();
+      const Array<Vec2> b = polygon();
+      if (polygonArea(a) < 1e-4 || polygonArea(b) < 1e-4) continue;
+      const SurfacePath paths[] = {polygonOn(sheet.geometry, a), polygonOn(sheet.geometry, b)};
+      const Arrangement all = arrange(sheet.geometry, paths);
+      expectSound(sheet.geometry, all);
+      expectAreas(sheet.geometry, all, polygonArea(a), polygonArea(b), polygonArea(clipped(a, b)),
+                  1e-9);
+    }
+  }
+}
+
+TEST(Regions, HaveTheirPolygonsAsBoundaries) {
+  const Sheet sheet(planeGrid(8, 8));
+  const SurfacePath paths[] = {polygonOn(sheet.geometry, rectangle(1.3, 1.2, 6.4, 5.1)),
+                               polygonOn(sheet.geometry, rectangle(2.1, 2.2, 4.3, 3.4))};
+  const Arrangement all = arrange(sheet.geometry, paths);
+  const Region ring = enclosed(all, {0, 2}, FillRule::kEvenOdd);
+  EXPECT_NEAR(areaOf(all, ring), 5.1 * 3.9 - 2.2 * 1.2, 1e-9) << "both wind alike: a hole";
+  EXPECT_NEAR(perimeter(sheet.geometry, all, ring), 2 * (5.1 + 3.9 + 2.2 + 1.2), 1e-9);
+  EXPECT_EQ(gaussBonnet(sheet.geometry, all, ring).euler, 0);
+  const Region full = enclosed(all, {0, 2}, FillRule::kNonZero);
+  EXPECT_NEAR(areaOf(all, full), 5.1 * 3.9, 1e-9) << "wound round twice, and no hole";
+  const auto loops = boundaryOf(all, ring);
+  ASSERT_EQ(loops.size(), 2U);
+  for (const Array<int>& loop : loops) {
+    const SurfacePath path = pathOf(sheet.geometry, all, loop);
+    EXPECT_TRUE(samePlace(sheet.mesh, path.start(), path.end()));
+    EXPECT_NEAR(pathThrough(sheet.mesh, path.points).length(), path.length(), 1e-9);
+  }
+  const SurfacePath turned[] = {paths[0], reversed(paths[1])};
+  const Arrangement other = arrange(sheet.geometry, turned);
+  EXPECT_NEAR(areaOf(other, enclosed(other, {0, 2}, FillRule::kNonZero)), 5.1 * 3.9 - 2.2 * 1.2,
+              1e-9)
+      << "they wind against each other";
+}
+
+TEST(Regions, AreTheSmallerSideOrThatOfAPoint) {
+  const Sheet sheet(planeGrid(8, 8));
+  const SurfacePath paths[] = {polygonOn(sheet.geometry, rectangle(0.5, 0.5, 7.5, 7.5)),
+                               polygonOn(sheet.geometry, {{3.3, 0}, {2.6, 8}}, false)};
+  const Arrangement all = arrange(sheet.geometry, paths);
+  const auto cellOf = [&](double x, double y) {
+    return all.cellOfPiece[pieceHolding(sheet.mesh, all, nearestPoint(sheet.mesh, {x, y, 0}))];
+  };
+  EXPECT_NEAR(areaOf(all, enclosed(all, kFirst, FillRule::kEvenOdd)), 15, 1e-9);
+  for (const FillRule rule : {FillRule::kEvenOdd, FillRule::kNonZero}) {
+    EXPECT_NEAR(areaOf(all, enclosed(all, kFirst, rule, cellOf(4.1, 4.2))), 49, 1e-9);
+    EXPECT_NEAR(areaOf(all, enclosed(all, kFirst, rule, cellOf(0.1, 4.2))), 15, 1e-9);
+    // From rim to rim.
+    EXPECT_NEAR(areaOf(all, enclosed(all, kSecond, rule)), 8 * (3.3 + 2.6) / 2, 1e-9);
+    EXPECT_NEAR(areaOf(all, enclosed(all, kSecond, rule, cellOf(7, 4))), 8 * (4.7 + 5.4) / 2, 1e-9);
+  }
+}
+
+TEST(Regions, AreRefusedWhereCurvesDoNotBound) {
+  const Sheet torus(meshOf(makeShape(Shape::kTorus, 2000)));
+  const auto round = [&](double longitude) {
+    Array<SurfacePoint> points;
+    for (const double y : {0.05, 0.3, 0.55, 0.8}) {
+      points.push_back(nearestPoint(torus.mesh, conformalTorus({longitude, y * kTorusPeriod})));
+    }
+    return chain(torus.geometry, points, true);
+  };
+  const SurfacePath paths[] = {round(0.3), round(1.4), reversed(round(2.1))};
+  const Arrangement all = arrange(torus.geometry, paths);
+  expectSound(torus.geometry, all);
+  EXPECT_EQ(all.cellCount(), 3);
+  for (const FillRule rule : {FillRule::kEvenOdd, FillRule::kNonZero}) {
+    EXPECT_EQ(codeOf([&] { enclosed(all, kFirst, rule); }), ErrorCode::kBadArgument);
+    EXPECT_EQ(codeOf([&] { enclosed(all, {0, 3}, rule); }), ErrorCode::kBadArgument);
+    // Of two that run round the handle in opposite ways one side is left of both.
+    const Region tube = enclosed(all, {1, 2}, rule);
+    EXPECT_NEAR(areaOf(all, tube), surfaceArea(torus.geometry) * 0.7 / (2 * kPi), 0.2);
+    EXPECT_EQ(gaussBonnet(torus.geometry, all, tube).euler, 0);
+    expectGaussBonnet(torus.geometry, all, tube);
+  }
+  EXPECT_EQ(codeOf([&] { enclosed(all, {0, 2}, FillRule::kNonZero); }), ErrorCode::kBadArgument);
+  EXPECT_NO_THROW(enclosed(all, {0, 2}, FillRule::kEvenOdd)) << "by parity they bound";
+
+  const Sheet sheet(planeGrid(8, 8));
+  const SurfacePath open[] = {polygonOn(sheet.geometry, {{3.3, 0}, {2.6, 5}}, false)};
+  const Arrangement cut = arrange(sheet.geometry, open);
+  EXPECT_EQ(cut.cellCount(), 1);
+  EXPECT_EQ(codeOf([&] { enclosed(cut, kFirst, FillRule::kEvenOdd); }), ErrorCode::kBadArgument);
+}
+
+TEST(Regions, OfPathsThatLeaveTheirFacesAreRefused) {
+  const Sheet sheet(planeGrid(3, 3));
+  SurfacePath path;
+  path.points = {{0, Vec3(0.2, 0.3, 0.5)}, {17, Vec3(0.2, 0.3, 0.5)}};
+  path.lengths = {0, 1};
+  EXPECT_EQ(codeOf([&] { arrange(sheet.geometry, std::span(&path, 1)); }), ErrorCode::kBadArgument);
+}
+
+/// How often a path crosses another, by their pieces in every face; -1 where it is too close.
+int crossings(const Geometry& geometry, const SurfacePath& a, const SurfacePath& b) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  struct Piece {
+    Vec2 from;
+    Vec2 to;
+  };
+  const auto piecesOf = [&](const SurfacePath& path) {
+    Array<Array<Piece>> pieces(static_cast<size_t>(mesh.faceCount()));
+    for (int i = 1; i < path.points.count(); ++i) {
+      const int f = commonFace(mesh, path.points[i - 1], path.points[i]);
+      const Piece piece{pointInFace(geometry, inFace(mesh, path.points[i - 1], f)),
+                        pointInFace(geometry, inFace(mesh, path.points[i], f))};
+      if (piece.from != piece.to) pieces[f].push_back(piece);
+    }
+    return pieces;
+  };
+  // At a vertex pieces of different faces meet.
+  Array<uint8_t> isOnFirst(static_cast<size_t>(mesh.vertexCount()), 0);
+  for (const SurfacePoint& point : a.points) {
+    const PointLocation place = locate(mesh, point);
+    if (place.simplex == Simplex::kVertex) isOnFirst[place.vertex] = 1;
+  }
+  for (const SurfacePoint& point : b.points) {
+    const PointLocation place = locate(mesh, point);
+    if (place.simplex == Simplex::kVertex && isOnFirst[place.vertex] != 0) return -1;
+  }
+  const Array<Array<Piece>> first = piecesOf(a);
+  const Array<Array<Piece>> second = piecesOf(b);
+  int count = 0;
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    for (const Piece& one : first[f]) {
+      for (const Piece& other : second[f]) {
+        const Vec2 way = one.to - one.from;
+        const Vec2 across = other.to - other.from;
+        // Distances of ends from the other piece's line.
+        const double s = cross(across, one.from - other.from) / across.norm();
+        const double t = cross(across, one.to - other.from) / across.norm();
+        const double u = cross(way, other.from - one.from) / way.norm();
+        const double v = cross(way, other.to - one.from) / way.norm();
+        const double close = 1e-9 * geometry.diagonal;
+        if (std::min(s, t) > close || std::max(s, t) < -close) continue;
+        if (std::min(u, v) > close || std::max(u, v) < -close) continue;
+        for (const double distance : {s, t, u, v}) {
+          if (std::abs(distance) < close) return -1;
+        }
+        ++count;
+      }
+    }
+  }
+  return count;
+}
+
+struct Counts {
+  int drawings = 0;
+  int bounding = 0;
+  int points = 0;
+};
+
+void drawAtRandom(const std::string& name, const TriangleMesh& mesh, uint64_t seed,
+                  Counts& counts) {
+  SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+  const Geometry geometry = buildGeometry(mesh);
+  Random random(seed);
+  Array<SurfacePath> paths;
+  const int count = 1 + random.index(4);
+  for (int i = 0; i < count; ++i) {
+    const SurfacePoint start = randomPlace(mesh, random);
+    Array<SurfacePoint> points{start};
+    const int corners = 3 + random.index(5);
+    while (points.count() < corners) {
+      const Vec2 way =
+          random.uniform(0.02, 0.25) * geometry.diagonal * unitVector(random.uniform(0, 2 * kPi));
+      points.push_back(traceStraightest(geometry, start, way).path.end());
+      if (random.index(6) == 0) points.push_back(randomPlace(mesh, random));
+      // Goes the same way twice now and then.
+      if (random.index(8) == 0) points.push_back(points[random.index(points.count())]);
+    }
+    paths.push_back(chain(geometry, points, true));
+  }
+  const Arrangement all = arrange(geometry, paths);
+  expectSound(geometry, all);
+  ++counts.drawings;
+  Region whole(static_cast<size_t>(all.cellCount()), 1);
+  expectGaussBonnet(geometry, all, whole);
+  for (int c = 0; c < all.cellCount(); c += 1 + all.cellCount() / 12) {
+    Region one(static_cast<size_t>(all.cellCount()), 0);
+    one[c] = 1;
+    expectGaussBonnet(geometry, all, one);
+  }
+  for (int i = 0; i < paths.count(); ++i) {
+    std::optional<Region> region;
+    try {
+      region = enclosed(all, {i, 1}, FillRule::kEvenOdd);
+    } catch (const Error&) {
+      continue;
+    }
+    ++counts.bounding;
+    expectGaussBonnet(geometry, all, *region);
+    const auto isIn = [&](const SurfacePoint& point) {
+      return (*region)[all.cellOfPiece[pieceHolding(mesh, all, point)]] != 0;
+    };
+    FindPathWorkspace workspace;
+    SurfacePath path;
+    const SurfacePoint from = randomPoint(mesh, random);
+    for (int k = 0; k < 12; ++k) {
+      const SurfacePoint to = randomPoint(mesh, random);
+      if (!findPath(geometry, from, to, workspace, path)) continue;
+      const int crossed = crossings(geometry, path, paths[i]);
+      if (crossed < 0) continue;
+      ++counts.points;
+      EXPECT_EQ(isIn(from) != isIn(to), crossed % 2 == 1) << "curve " << i << ", point " << k;
+    }
+  }
+}
+
+TEST(Regions, OfRandomDrawingsHoldTheirPoints) {
+  const std::pair<const char*, TriangleMesh> meshes[] = {
+      {"plane", meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 600, 3))},
+      {"stretched plane", meshOf(tessellatedPlane(PlaneTessellation::kStretched, 600, 3))},
+      {"sphere", meshOf(randomSphere(800, 2))},
+      {"coarse sphere", meshOf(icosphere(1))},
+      {"torus", meshOf(irregularTorus(800, 1, 4))},
+      {"genus 3", meshOf(makeShape(Shape::kGenus3, 1500))},
+      {"knot", meshOf(makeShape(Shape::kKnot, 800))},
+      {"open sheet", meshOf(makeShape(Shape::kOpenSheet, 800))},
+      {"corner", gridWithCorner()}};
+  const uint64_t rounds = longRun() ? 400 : 8;
+  Counts counts;
+  for (const auto& [name, mesh] : meshes) {
+    for (uint64_t round = 0; round < rounds; ++round) drawAtRandom(name, mesh, 1 + round, counts);
+  }
+  std::printf("%d drawings, %d bounding curves, %d points\n", counts.drawings, counts.bounding,
+              counts.points);
+  EXPECT_GT(counts.bounding, counts.drawings);
+  EXPECT_GT(counts.points, 5 * counts.bounding);
+}
+
+/// Lines through few places, which lie as far apart as what becomes one, and a bit more.
+TEST(Regions, OfCrowdedLinesFit) {
+  const Sheet sheet(planeGrid(1, 1));
+  const int rounds = longRun() ? 3000 : 60;
+  for (int round = 0; round < rounds; ++round) {
+    const uint64_t seed = 1 + static_cast<uint64_t>(round);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const double spread = kTogether * std::pow(10, random.uniform(-2, 2));
+    Array<Vec2> places;
+    for (int i = 0; i < 4; ++i) {
+      const bool onSide = random.index(4) == 0;
+      places.push_back({onSide ? 0 : random.uniform(), random.uniform()});
+    }
+    Array<SurfacePath> paths;
+    for (int i = 0; i < 12; ++i) {
+      Array<SurfacePoint> points;
+      for (int k = 0; k < 4; ++k) {
+        Vec2 p = places[random.index(4)];
+        p += spread * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        p = p.cwiseMax(0).cwiseMin(1);
+        // The mesh's two triangles meet along x = y.
+        const bool isLower = p.x() > p.y();
+        points.push_back(nearestPoint(sheet.mesh, {isLower ? p.x() : p.y(), p.y(), 0}));
+      }
+      paths.push_back(chain(sheet.geometry, points, true));
+    }
+    const Arrangement all = arrange(sheet.geometry, paths);
+    expectSound(sheet.geometry, all);
+    for (int c = 0; c < all.cellCount(); c += 1 + all.cellCount() / 20) {
+      Region one(static_cast<size_t>(all.cellCount()), 0);
+      one[c] = 1;
+      expectGaussBonnet(sheet.geometry, all, one);
+    }
+    for (int i = 0; i < paths.count(); ++i) {
+      EXPECT_NO_THROW(enclosed(all, {i, 1}, FillRule::kNonZero));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace karcher
