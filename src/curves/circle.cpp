@@ -1,5 +1,6 @@
 #include "curves/circle.h"
 
+#include <limits>
 #include <string>
 
 #include "curves/curve.h"
@@ -75,6 +76,35 @@ class Center {
   double total_ = 2 * kPi;
 };
 
+/// Below this part of the longest edge at its center a circle's points come near the tolerances of
+/// walks, and below this many roundings of its center's coordinates their distances are noise.
+constexpr double kLeastOfEdge = 1e-9;
+constexpr double kLeastRoundings = 1e6;
+
+/// Throws Error kBadArgument for a radius that doubles do not tell at the center.
+void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, double radius) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const PointLocation location = locate(mesh, center);
+  double longest = 0;
+  const auto take = [&](int face) {
+    for (int k = 0; k < 3; ++k) longest = std::max(longest, geometry.edgeLength[3 * face + k]);
+  };
+  take(center.face);
+  if (location.simplex == Simplex::kVertex) {
+    for (const int h : outgoingHalfedges(mesh, location.vertex)) take(faceOf(h));
+  } else if (location.simplex == Simplex::kEdge && mesh.twin[location.halfedge] >= 0) {
+    take(faceOf(mesh.twin[location.halfedge]));
+  }
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * position(mesh, center).cwiseAbs().maxCoeff();
+  const double least = std::max(kLeastOfEdge * longest, kLeastRoundings * rounding);
+  if (radius >= least) return;
+  throw Error(ErrorCode::kBadArgument, "the radius " + inSentence(radius) +
+                                           " is too small to be told from rounding: around this "
+                                           "center it takes at least " +
+                                           inSentence(least));
+}
+
 void checkRadius(const TriangleMesh& mesh, const ExactDistance& distance, double radius) {
   double farthest = 0;
   for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -126,6 +156,41 @@ CurveOptions optionsOfArcs(int arcs, double middleWeight, const CircleOptions& o
   return result;
 }
 
+/// Whether a disk around the center holds no other vertex, by distances that have grown beyond it:
+/// the surface is the plane there, or about a vertex the cone.
+bool isPlain(const TriangleMesh& mesh, const ExactDistance& distance, double radius) {
+  const PointLocation location = locate(mesh, distance.source());
+  const int own = location.simplex == Simplex::kVertex ? location.vertex : -1;
+  bool plain = true;
+  distance.forEachMet([&](int v) { plain = plain && (v == own || distance.distance(v) > radius); });
+  return plain;
+}
+
+/// The samples of an arc in such a disk: the centers of mass of its control points are those of the
+/// plane that the disk is rolled out on.
+Array<CurveSample> planeArc(const Center& from, const ArcPoint (&control)[3],
+                            const SurfacePoint& start, const SurfacePoint& end, double middleWeight,
+                            int count) {
+  const auto inPlane = [&](const ArcPoint& point) -> Vec2 {
+    return point.distance * unitVector(point.direction - control[0].direction);
+  };
+  const Vec2 places[3] = {inPlane(control[0]), inPlane(control[1]), inPlane(control[2])};
+  Array<CurveSample> samples;
+  for (int i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / (count - 1);
+    if (i == 0 || i == count - 1) {
+      samples.push_back({t, i == 0 ? start : end});
+      continue;
+    }
+    const double weights[3] = {(1 - t) * (1 - t), 2 * t * (1 - t) * middleWeight, t * t};
+    const Vec2 place = (weights[0] * places[0] + weights[1] * places[1] + weights[2] * places[2]) /
+                       (weights[0] + weights[1] + weights[2]);
+    const StraightestPath path = from.trace(control[0].direction + angleOf(place), place.norm());
+    samples.push_back({t, path.path.end()});
+  }
+  return samples;
+}
+
 GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double radius,
                          const Array<ArcPoint>& arcPoints, double middleWeight,
                          const CircleOptions& options) {
@@ -152,6 +217,21 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
     shortest.push_back(distanceAt(geometry, distance, points.back()) > length - tolerance);
   }
 
+  if (isPlain(surface.mesh(), distance, farthest)) {
+    GeodesicCircle circle;
+    for (int j = 0; j < options.arcs; ++j) {
+      const int last = (2 * j + 2) % points.count();
+      ArcPoint end = arcPoints[last];
+      if (last == 0) end.direction += from.totalAngle();
+      circle.samples.push_back(planeArc(from, {arcPoints[2 * j], arcPoints[2 * j + 1], end},
+                                        points[2 * j], points[last], middleWeight,
+                                        options.samples));
+      circle.bridges.emplace_back();
+      circle.paths.push_back(joinSamples(surface, circle.samples[j]));
+    }
+    return circle;
+  }
+
   const Curve curve(surface, optionsOfArcs(options.arcs, middleWeight, options), points);
   GeodesicCircle circle;
   circle.levels = curve.levels();
@@ -174,6 +254,7 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
   checkOptions(options);
   const Center from(surface.geometry(), center);
   from.checkIsInside();
+  checkRadiusIsTold(surface.geometry(), center, radius);
   const double halfAngle = from.totalAngle() / (2 * options.arcs);
   if (!(halfAngle < kPi / 2)) {
     throw Error(ErrorCode::kBadArgument,
@@ -198,6 +279,7 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
   }
   const Center from(surface.geometry(), center);
   from.checkIsInside();
+  checkRadiusIsTold(surface.geometry(), center, std::min(along, across));
   const double begin = from.directionOf(direction);
   const double halfAngle = kPi / options.arcs;
   Array<ArcPoint> points;

@@ -25,10 +25,12 @@ struct GeodesicCircle {
 /// The circle of the given radius about a point of the surface, by rational quadratic arcs
 /// (Mancinelli, Puppo, section 5): with the total angle Theta of the center and a = Theta / (2 n),
 /// the arcs' ends lie at the radius and their middle points, of weight cos a, at radius / cos a,
-/// along straightest geodesics in equally spaced directions.
-/// Throws Error: kBadArgument (radius not positive and finite, arcs, samples), kBoundary (the
-/// center lies there, or naming the arc whose geodesic meets it), kRadiusTooLarge where no point of
-/// the component is as far.
+/// along straightest geodesics in equally spaced directions. Where no other vertex is as near to
+/// the center as these points, the arcs are those of the plane, or of the cone about a vertex.
+/// Throws Error: kBadArgument (radius not positive and finite, or less than a billionth of the
+/// longest edge at the center, or than a million roundings of its coordinates; arcs, samples),
+/// kBoundary (the center lies there, or naming the arc whose geodesic meets it), kRadiusTooLarge
+/// where no point of the component is as far.
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
                            const CircleOptions& options);
 

@@ -90,6 +90,8 @@ class PathFinder {
 
   /// Searches even pieces of the path again, the first of which is this part of the others.
   void searchPieces(double first) {
+    // Points at one place that share no face.
+    if (!(path_.length() > 0)) return;
     const int count = std::max(1, static_cast<int>(path_.length() / (kPiece * geometry_.meanEdge)));
     const double step = path_.length() / count;
     SurfacePath& pieces = workspace_.pieces;

@@ -123,7 +123,7 @@ class Walk {
     if (path_.remaining < exit.length) {
       bary = (bary + path_.remaining * rates).cwiseMax(0.0);
       walked_ += path_.remaining;
-      append({f, bary / bary.sum()});
+      append(clampedPoint(f, bary));
       path_.remaining = 0;
       return std::nullopt;
     }

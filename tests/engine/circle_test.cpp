@@ -6,6 +6,7 @@
 
 #include "curve_support.h"
 #include "curves/curve_value.h"
+#include "distance/shortest_path.h"
 #include "generators/rough.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
@@ -56,6 +57,48 @@ TEST(Circle, OnTheSphereComesNearerToEquidistanceWithMoreArcs) {
                 worst);
     EXPECT_LT(worst, before);
     before = worst;
+  }
+}
+
+TEST(Circle, OfATinyRadiusIsACircle) {
+  // On a curved surface, around centers in a face, on an edge, at a vertex and near one.
+  Surface surface(importMesh(makeShape(Shape::kTorus, 500)).mesh);
+  const TriangleMesh& mesh = surface.mesh();
+  const Geometry& geometry = surface.geometry();
+  for (const SurfacePoint& center :
+       {SurfacePoint{7, Vec3(0.3, 0.3, 0.4)}, edgePoint(15, 0.4), vertexPoint(mesh, 0),
+        SurfacePoint{7, Vec3(1 - 0.02, 0.01, 0.01)}}) {
+    const PointLocation location = locate(mesh, center);
+    const double turn =
+        location.simplex == Simplex::kVertex ? geometry.totalAngle[location.vertex] : 2 * kPi;
+    for (double part = 1e-2; part > 2e-9; part /= 10) {
+      const double radius = part * geometry.meanEdge;
+      Array<GeodesicCircle> circles{traceCircle(surface, center, radius, {7, 32, {}})};
+      // About a vertex that is not flat an ellipse of equal radii is no circle.
+      if (location.simplex != Simplex::kVertex) {
+        circles.push_back(
+            traceEllipse(surface, center, radius, radius, Vec2(0.3, 0.1), {7, 32, {}}));
+      }
+      // Points nearer to an edge than a tolerance lie on it.
+      const double tolerance = 1e-9 + 1e-11 / part;
+      for (const GeodesicCircle& circle : circles) {
+        double length = 0;
+        for (int j = 0; j < 7; ++j) {
+          length += circle.paths[j].line.length();
+          for (const CurveSample& sample : circle.samples[j]) {
+            EXPECT_EQ(sample.status, SampleStatus::kConverged);
+            const SurfacePath path = shortestPath(geometry, center, sample.point);
+            EXPECT_NEAR(path.length() / radius, 1, tolerance) << part;
+          }
+        }
+        // A polygon of 217 sides, or more where they cross edges.
+        EXPECT_NEAR(length / radius, turn, 2e-3 + 50 * tolerance) << part;
+      }
+    }
+    EXPECT_EQ(codeOf([&] { traceCircle(surface, center, 1e-200, {}); }), ErrorCode::kBadArgument);
+    EXPECT_EQ(codeOf([&] { traceCircle(surface, center, 1e-12, {}); }), ErrorCode::kBadArgument);
+    EXPECT_EQ(codeOf([&] { traceEllipse(surface, center, 0.1, 1e-17, Vec2(0.3, 0.1), {}); }),
+              ErrorCode::kBadArgument);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "distance_meshes.h"
 #include "generators/plane.h"
 #include "generators/rough.h"
+#include "intrinsic/straightest.h"
 #include "support.h"
 
 namespace karcher {
@@ -145,6 +146,24 @@ TEST(FindPath, isNotFoundBetweenComponents) {
   EXPECT_FALSE(findPath(both.geometry, vertexPoint(both.mesh, 0), vertexPoint(both.mesh, 20),
                         workspace, path));
   EXPECT_EQ(path.points.size(), 1u);
+}
+
+TEST(FindPath, JoinsTheEndsOfWalksOfNoLength) {
+  const TriangleMesh mesh = planeGrid(4, 4);
+  const Geometry geometry = buildGeometry(mesh);
+  const int vertex = 12;
+  FindPathWorkspace workspace;
+  for (const double length : {1e-13, 1e-17, 1e-200, 5e-324}) {
+    for (int i = 0; i < 7; ++i) {
+      for (int j = 0; j < 7; ++j) {
+        SurfacePath path;
+        ASSERT_TRUE(findPath(
+            geometry, traceFromVertex(geometry, vertex, 0.9 * i, length).path.end(),
+            traceFromVertex(geometry, vertex, 0.9 * j, length).path.end(), workspace, path));
+        EXPECT_LT(path.length(), 1e-12);
+      }
+    }
+  }
 }
 
 }  // namespace
