@@ -126,7 +126,8 @@ class ManifoldRepair {
   void pairBranching() {
     atBranching_.assign(mesh_.positions.size(), 0);
     repairs_.branching = branching_.count();
-    for (const Array<int>& sides : branching_) {
+    for (Array<int>& sides : branching_) {
+      sortByFile(sides);
       atBranching_[mesh_.tail(sides[0])] = 1;
       atBranching_[mesh_.head(sides[0])] = 1;
       pairWidest(sides);
@@ -144,6 +145,8 @@ class ManifoldRepair {
     while (true) {
       // Equal angles: those that other edges connect stay together.
       constexpr double kEqual = 1e-6;
+      // Of those that differ by rounding the file's first.
+      constexpr double kRounding = 1e-9;
       double best = kInfinity;
       int first = -1;
       int second = -1;
@@ -153,7 +156,7 @@ class ManifoldRepair {
           if (sameDirection(sides[i], sides[j])) continue;
           const bool connected = part_[faceOf(sides[i])] == part_[faceOf(sides[j])];
           const double cosine = away[i].dot(away[j]) - (connected ? kEqual : 0);
-          if (cosine >= best) continue;
+          if (cosine >= best - kRounding) continue;
           best = cosine;
           first = i;
           second = j;
@@ -164,23 +167,54 @@ class ManifoldRepair {
     }
   }
 
+  /// Of a vertex's fans the one with the file's first face keeps it: how the mesh lies in space
+  /// numbers the engine's faces, and must not choose.
   void splitFans() {
     const int before = mesh_.vertexCount();
     connectVertices(mesh_);
     Array<uint8_t> seen(static_cast<size_t>(mesh_.halfedgeCount()), 0);
-    for (int v = 0; v < before; ++v) {
+    const auto seeFan = [&](int v) {
       for (const int h : outgoingHalfedges(mesh_, v)) seen[h] = 1;
-    }
+    };
+    for (int v = 0; v < before; ++v) seeFan(v);
     Array<uint8_t> split;
     for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
       if (seen[h]) continue;
       if (split.empty()) split.assign(static_cast<size_t>(before), 0);
-      const int v = mesh_.tail(h);
-      if (!split[v] && (atBranching_.empty() || !atBranching_[v])) ++repairs_.bowTies;
-      split[v] = 1;
-      addVertex(firstOfFan(h), v, seen);
+      split[mesh_.tail(h)] = 1;
+    }
+    if (!split.empty()) {
+      for (const int h : halfedgesByFile(split)) {
+        const int v = mesh_.tail(h);
+        if (v < before && split[v]) {
+          split[v] = 0;
+          if (atBranching_.empty() || !atBranching_[v]) ++repairs_.bowTies;
+          for (const int own : outgoingHalfedges(mesh_, v)) seen[own] = 0;
+          mesh_.outgoing[v] = firstOfFan(h);
+          mesh_.onBoundary[v] = mesh_.twin[mesh_.outgoing[v]] < 0 ? 1 : 0;
+          seeFan(v);
+        } else if (!seen[h]) {
+          addVertex(firstOfFan(h), v, seen);
+        }
+      }
     }
     if (!atBranching_.empty()) atBranching_.resize(mesh_.positions.size(), 1);
+  }
+
+  /// The half-edges that leave the vertices that are chosen, in the order of the file's faces.
+  Array<int> halfedgesByFile(const Array<uint8_t>& chosen) const {
+    Array<int> halfedges;
+    for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
+      if (chosen[mesh_.tail(h)]) halfedges.push_back(h);
+    }
+    sortByFile(halfedges);
+    return halfedges;
+  }
+
+  void sortByFile(Array<int>& halfedges) const {
+    const auto place = [&](int h) { return std::pair(numbering_.inputFace[faceOf(h)], h); };
+    std::sort(halfedges.begin(), halfedges.end(),
+              [&](int g, int h) { return place(g) < place(h); });
   }
 
   /// The half-edge that leaves the tail of h at the boundary, clockwise; h where there is none.

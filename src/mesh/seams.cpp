@@ -233,8 +233,15 @@ class Seams {
   void weld(const Edges& edges) {
     if (!placesDiffer()) return;
     if (options_.tolerance != 0) {
-      weldFacing();
-      weldMirrored(edges);
+      const DisjointSets before = target_;
+      const int welded = repairs_.welded;
+      // Each round keeps at least one place more apart.
+      do {
+        target_ = before;
+        repairs_.welded = welded;
+        weldFacing();
+        weldMirrored(edges);
+      } while (keepWholeEdges());
       faces_.renumber(target_.names());
     }
     countKeptApart();
@@ -270,7 +277,47 @@ class Seams {
   static int nextCorner(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   int vertexAt(int h) const { return faces_.corners[h / 3][h % 3]; }
 
-  void unite(int v, int w) { repairs_.welded += target_.unite(v, w) ? 1 : 0; }
+  void unite(int v, int w) {
+    if (!apart_.empty() && apart_[place_[v]]) return;
+    repairs_.welded += target_.unite(v, w) ? 1 : 0;
+  }
+
+  /// Where welding both ends of an edge that two faces share in the file lays other faces on it,
+  /// one end is not to be welded: those that then have to be parted may be the two. So a sheet and
+  /// its turned copy, which are welded along their rim, are not torn where an edge leads from rim
+  /// to rim. Returns whether there is such an end that was welded.
+  bool keepWholeEdges() {
+    constexpr size_t kMostCompared = 64;  // the time grows with the square
+    Array<Triangle> joined = faces_.corners;
+    for (Triangle& t : joined) t = {target_.find(t[0]), target_.find(t[1]), target_.find(t[2])};
+    bool any = false;
+    forEachEdge(joined, positions_.count(), [&](int, std::span<const EdgeSide> all) {
+      if (all.size() < 3) return;
+      const std::span<const EdgeSide> sides = all.first(std::min(all.size(), kMostCompared));
+      const int first = sides[0].halfedge;
+      bool isWhole = false;
+      bool atTail = false;  // whether the file's vertices differ there
+      bool atHead = false;
+      for (const EdgeSide& side : sides) {
+        const int h = side.halfedge;
+        const bool along = placeAt(h) == placeAt(first);
+        atTail = atTail || vertexAt(along ? h : nextCorner(h)) != vertexAt(first);
+        atHead = atHead || vertexAt(along ? nextCorner(h) : h) != vertexAt(nextCorner(first));
+        for (const EdgeSide& other : sides) {
+          isWhole = isWhole || (vertexAt(other.halfedge) == vertexAt(nextCorner(h)) &&
+                                vertexAt(nextCorner(other.halfedge)) == vertexAt(h));
+        }
+      }
+      const int tail = placeAt(first);
+      const int head = placeAt(nextCorner(first));
+      if (!isWhole || !(atTail || atHead)) return;
+      if (apart_.empty()) apart_.assign(positions_.size(), 0);
+      if ((atTail && apart_[tail]) || (atHead && apart_[head])) return;
+      apart_[atTail && (!atHead || tail < head) ? tail : head] = 1;
+      any = true;
+    });
+    return any;
+  }
 
   /// The vertices of two half-edges along each other.
   void join(int g, int h) {
@@ -320,7 +367,8 @@ class Seams {
   WorkFaces& faces_;
   SeamOptions options_;
   DisjointSets& target_;
-  Array<int> place_;  ///< per vertex the first at its place
+  Array<int> place_;      ///< per vertex the first at its place
+  Array<uint8_t> apart_;  ///< per place whether its vertices are not welded; empty: all are
   SeamRepairs repairs_;
 };
 

@@ -33,11 +33,12 @@ struct SeamRepairs {
 /// Welds vertices where two faces have an edge at the same place: vertices at the same position (0
 /// and -0 are the same), and on boundaries those within the tolerance. Parts that only touch stay
 /// apart, and so do the corners of one face. If the two edges run in the same direction, one side
-/// is turned over (`connectRepaired`), unless that would make the surface one-sided. A face at the
-/// place of an earlier one is left out: always if it has the same orientation; with the opposite
-/// one if an edge has more than two faces and the face is attached to no other. `order` lists the
-/// vertices of the faces, equal positions next to each other (`mortonOrder`). `target` gives the
-/// vertex that stands for each one, and is updated.
+/// is turned over (`connectRepaired`), unless that would make the surface one-sided. An edge that
+/// two faces share stays theirs alone: where it runs from seam to seam beside another one, its
+/// first end is not welded. A face at the place of an earlier one is left out: always if it has the
+/// same orientation; with the opposite one if an edge has more than two faces and the face is
+/// attached to no other. `order` lists the vertices of the faces, equal positions next to each
+/// other (`mortonOrder`). `target` gives the vertex that stands for each one, and is updated.
 SeamRepairs closeSeams(const Array<Vec3>& positions, const Array<int>& order, WorkFaces& faces,
                        const SeamOptions& options, DisjointSets& target);
 

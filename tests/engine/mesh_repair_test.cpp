@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "generators/defects.h"
+#include "generators/grid.h"
+#include "generators/random.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -254,6 +259,118 @@ TEST(RepairMesh, PartsAWallFromTheBoxAroundIt) {
 }
 
 /// All corners of a polygon on a line, cut into triangles without area, beside a face with one.
+/// A sheet of columns x rows quads over the plane, and its turned copy with vertices of its own.
+TriangleSoup sheetWithItsBack(int columns, int rows) {
+  TriangleSoup soup;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) soup.positions.push_back(Vec3(i, j, 0.3 * i * j));
+  }
+  soup.triangles = gridTriangles(columns, rows, [](int, int) { return true; });
+  const int vertices = soup.positions.count();
+  const int faces = soup.triangles.count();
+  for (int v = 0; v < vertices; ++v) soup.positions.push_back(Vec3(soup.positions[v]));
+  for (int f = 0; f < faces; ++f) {
+    const Triangle t = soup.triangles[f];
+    soup.triangles.emplace_back(vertices + t[0], vertices + t[2], vertices + t[1]);
+  }
+  return soup;
+}
+
+TEST(RepairMesh, DoesNotTearASheetWithItsBack) {
+  for (const auto& [columns, rows] :
+       {std::pair(1, 1), {1, 8}, {8, 1}, {2, 2}, {2, 7}, {6, 6}, {20, 20}}) {
+    const TriangleSoup soup = sheetWithItsBack(columns, rows);
+    const ImportedMesh imported = importMesh(soup);
+    SCOPED_TRACE(std::to_string(columns) + " x " + std::to_string(rows));
+    expectSound(imported.mesh);
+    expectSamePlaces(soup, imported, 1e-12);
+    EXPECT_EQ(imported.mesh.faceCount(), soup.triangles.count());
+    EXPECT_EQ(topology(imported.mesh).components, 1);
+    // What was joined in the file still is.
+    const TriangleMesh sheet =
+        buildMesh({soup.positions.begin(), soup.positions.begin() + soup.positions.count() / 2},
+                  {soup.triangles.begin(), soup.triangles.begin() + soup.triangles.count() / 2});
+    for (int h = 0; h < sheet.halfedgeCount(); ++h) {
+      if (sheet.twin[h] < 0) continue;
+      for (const int copy : {0, sheet.faceCount()}) {
+        const int f = imported.numbering.engineFace[copy + faceOf(h)];
+        const int g = imported.numbering.engineFace[copy + faceOf(sheet.twin[h])];
+        bool joined = false;
+        for (int k = 0; k < 3; ++k) {
+          const int twin = imported.mesh.twin[3 * f + k];
+          joined = joined || (twin >= 0 && faceOf(twin) == g);
+        }
+        EXPECT_TRUE(joined) << "faces " << copy + faceOf(h) << " and "
+                            << copy + faceOf(sheet.twin[h]);
+      }
+    }
+  }
+}
+
+/// Per input face the input faces at its edges, and per input vertex those around it: whatever
+/// numbers the engine gives.
+Array<Array<int>> neighborsInFile(const ImportedMesh& imported) {
+  const auto& [mesh, numbering] = std::tie(imported.mesh, imported.numbering);
+  Array<Array<int>> result;
+  for (const int f : numbering.engineFace) {
+    Array<int> faces;
+    for (int k = 0; k < 3; ++k) {
+      const int twin = mesh.twin[3 * f + k];
+      faces.push_back(twin < 0 ? -1 : numbering.inputFace[faceOf(twin)]);
+    }
+    std::sort(faces.begin(), faces.end());
+    result.push_back(faces);
+  }
+  for (const int v : numbering.engineVertex) {
+    Array<int> faces;
+    for (const int h : outgoingHalfedges(mesh, v)) faces.push_back(numbering.inputFace[faceOf(h)]);
+    std::sort(faces.begin(), faces.end());
+    result.push_back(faces);
+  }
+  return result;
+}
+
+TEST(RepairMesh, PartsBowTiesAndWallsAlikeHoweverTheMeshLies) {
+  // A grid; a tetrahedron that stands on a vertex, another on a boundary vertex; and walls on two
+  // of its edges, of which the surface on each side goes on alike.
+  TriangleSoup soup;
+  for (int j = 0; j <= 5; ++j) {
+    for (int i = 0; i <= 5; ++i) soup.positions.push_back(Vec3(i, j, 0));
+  }
+  soup.triangles = gridTriangles(5, 5, [](int, int) { return true; });
+  for (const int v : {14, 3}) {
+    const int a = soup.positions.count();
+    const Vec3 tip = soup.positions[v];
+    soup.positions.insert(soup.positions.end(), {tip + Vec3(0.3, 0, 1), tip + Vec3(-0.2, 0.3, 1),
+                                                 tip + Vec3(-0.2, -0.3, 1)});
+    soup.triangles.insert(soup.triangles.end(),
+                          {{v, a, a + 1}, {v, a + 1, a + 2}, {v, a + 2, a}, {a, a + 2, a + 1}});
+  }
+  for (const int v : {20, 26}) {
+    const int a = soup.positions.count();
+    soup.positions.push_back((soup.positions[v] + soup.positions[v + 1]) / 2 + Vec3(0, 0, 1));
+    soup.positions.push_back((soup.positions[v] + soup.positions[v + 1]) / 2 - Vec3(0, 0, 1));
+    soup.triangles.insert(soup.triangles.end(), {{v, v + 1, a}, {v + 1, v, a + 1}});
+  }
+  const Array<Array<int>> expected = neighborsInFile(importMesh(soup));
+  const uint64_t seed = 40;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (int i = 0; i < 40; ++i) {
+    const Vec2 turns[3] = {unitVector(random.uniform(0, 7)), unitVector(random.uniform(0, 7)),
+                           unitVector(random.uniform(0, 7))};
+    TriangleSoup turned = soup;
+    for (Vec3& p : turned.positions) {
+      for (int k = 0; k < 3; ++k) {
+        const Vec2 q = rotate(turns[k], Vec2(p[k], p[(k + 1) % 3]));
+        p[k] = q.x();
+        p[(k + 1) % 3] = q.y();
+      }
+    }
+    EXPECT_TRUE(neighborsInFile(importMesh(turned)) == expected) << "turn " << i;
+  }
+}
+
 TEST(RepairMesh, FlipsAChainOfTrianglesOnALine) {
   TriangleSoup soup = {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}}, {{0, 1, 2}}};
   Array<int> line = {0};
