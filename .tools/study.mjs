@@ -2,9 +2,12 @@
 // times.
 //
 //   npm run study -- NAME [ARGUMENTS]      (the names without arguments)
-import { existsSync } from 'node:fs';
-import { basename, resolve } from 'node:path';
-import { buildNative } from './build.mjs';
+//
+// The studies read OBJ files. Files of other formats are read as the package reads them, and written as
+// OBJ files in build/study.
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { basename, parse, resolve } from 'node:path';
+import { buildFacade, buildNative, buildWasm } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { filesBelow, inRoot, run } from './shell.mjs';
 
@@ -13,6 +16,22 @@ const names = filesBelow('tests/bench', /_study\.cpp$/).map((file) =>
   basename(file, `${suffix}.cpp`),
 );
 const [name, ...rest] = process.argv.slice(2);
+
+/** The OBJ file of a mesh file of another format. */
+async function toObj(path) {
+  const { load } = await import('karcher');
+  const { meshFromFile } = await import('karcher/formats');
+  const { mesh } = await meshFromFile(await load(), readFileSync(path), { name: basename(path) });
+  const rowsOf = (values, letter, from) =>
+    Array.from({ length: values.length / 3 }, (_, i) =>
+      [letter, ...values.slice(3 * i, 3 * i + 3).map((value) => value + from)].join(' '),
+    );
+  const rows = [...rowsOf(mesh.positions(), 'v', 0), ...rowsOf(mesh.triangles(), 'f', 1)];
+  mkdirSync(inRoot('build/study'), { recursive: true });
+  const obj = inRoot(`build/study/${parse(path).name}.obj`);
+  writeFileSync(obj, `${rows.join('\n')}\n`);
+  return obj;
+}
 
 if (!names.includes(name)) {
   console.error(`Usage: npm run study -- NAME [ARGUMENTS]; the studies: ${names.join(', ')}`);
@@ -23,7 +42,14 @@ try {
   await buildNative('native', name + suffix);
   const from = (path) => resolve(process.env.INIT_CWD ?? '.', path);
   const paths = rest.map((value) => (existsSync(from(value)) ? from(value) : value));
-  await run(inRoot(`build/native/tests/bench/${name}${suffix}`), paths);
+  const isOther = (path) => /\.(stl|ply|off|glb|gltf)$/i.test(path);
+  if (paths.some(isOther)) {
+    await buildWasm();
+    await buildFacade();
+  }
+  const read = [];
+  for (const path of paths) read.push(isOther(path) ? await toObj(path) : path);
+  await run(inRoot(`build/native/tests/bench/${name}${suffix}`), read);
 } catch (error) {
   console.error(error.message);
   process.exit(1);

@@ -10,6 +10,7 @@
 
 #include "generators/gallery.h"
 #include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
 
 namespace karcher {
 
@@ -36,6 +37,21 @@ BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPat
   }
   result.mesh = std::move(imported.mesh);
   return result;
+}
+
+TriangleMesh studyMesh(const std::string& name) {
+  constexpr int kShapeTriangles = 20'000;
+  for (const Shape shape : kShapes) {
+    if (name != shapeName(shape)) continue;
+    TriangleSoup soup = makeShape(shape, kShapeTriangles);
+    return buildMesh(std::move(soup.positions), std::move(soup.triangles));
+  }
+  return loadBenchMesh(name, "").mesh;
+}
+
+std::string meshName(const std::string& path) {
+  const std::string file = path.substr(path.rfind('/') + 1);
+  return file.substr(0, file.rfind('.'));
 }
 
 void forEachMesh(const Array<std::string>& names,
@@ -82,6 +98,12 @@ double quantile(Array<double> values, double rank) {
   if (values.empty()) return std::nan("");
   std::sort(values.begin(), values.end());
   return values[static_cast<int>(rank * (values.count() - 1) + 0.5)];
+}
+
+double mean(const Array<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / values.count();
 }
 
 double median(Array<double> values) { return quantile(std::move(values), 0.5); }

@@ -22,6 +22,12 @@ struct BenchMesh {
 };
 BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPath);
 
+/// The mesh of an OBJ file, or of 20,000 triangles of the built-in shape of this name.
+TriangleMesh studyMesh(const std::string& name);
+
+/// A mesh's name in tables: the file's, without its folder and ending.
+std::string meshName(const std::string& path);
+
 /// The meshes that a study is asked for: of the files among the names, which end with .obj; without
 /// one those of the gallery (generators/gallery.h) whose names contain the first name, if there is
 /// one.
@@ -57,6 +63,7 @@ double processorTimed(const Work& work) {
   return processorMilliseconds() - start;
 }
 
+double mean(const Array<double>& values);
 double median(Array<double> values);
 /// The value below which the part `rank` (0 to 1) of the values lies.
 double quantile(Array<double> values, double rank);

@@ -38,11 +38,6 @@ struct Input {
   Array<SurfacePoint> atVertices;
 };
 
-std::string nameOf(const std::string& path) {
-  const std::string file = path.substr(path.rfind('/') + 1);
-  return file.substr(0, file.rfind('.'));
-}
-
 Array<SurfacePoint> movedToVertices(const TriangleMesh& mesh, const Array<SurfacePoint>& points) {
   Array<SurfacePoint> moved;
   for (const SurfacePoint& point : points) {
@@ -176,7 +171,7 @@ void run(const Array<std::string>& paths) {
   for (int i = 0; i + 1 < paths.count(); i += 2) {
     BenchMesh read = loadBenchMesh(paths[i], paths[i + 1]);
     Input input;
-    input.name = nameOf(paths[i]);
+    input.name = meshName(paths[i]);
     input.atVertices = movedToVertices(read.mesh, read.points);
     input.points = std::move(read.points);
     input.surface = std::make_unique<Surface>(std::move(read.mesh));

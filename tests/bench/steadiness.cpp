@@ -15,13 +15,6 @@ double lengthOf(const Array<Vec3>& polyline) {
   return sum;
 }
 
-double partMoved(const Array<Vec3>& from, const Array<Vec3>& to) {
-  const double length = lengthOf(from);
-  constexpr double kTolerance = 1e-5;
-  return hausdorffDistance(MeasuredPolyline(from), MeasuredPolyline(to), kTolerance * length) /
-         length;
-}
-
 Array<Vec3> positionsOf(const TriangleMesh& mesh, const Array<SurfacePoint>& path) {
   Array<Vec3> positions;
   for (const SurfacePoint& p : path) positions.push_back(position(mesh, p));
@@ -163,6 +156,13 @@ void measureDrag(Surface& surface, const SteadyVariant& variant, const Drag& dra
 }
 
 }  // namespace
+
+double partMoved(const Array<Vec3>& from, const Array<Vec3>& to) {
+  const double length = lengthOf(from);
+  constexpr double kTolerance = 1e-5;
+  return hausdorffDistance(MeasuredPolyline(from), MeasuredPolyline(to), kTolerance * length) /
+         length;
+}
 
 CurveFigures measureCurves(const TurningMeasure& measure, Surface& surface,
                            const SteadyVariant& variant,

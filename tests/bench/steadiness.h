@@ -27,6 +27,9 @@ CurveFigures measureCurves(const TurningMeasure& measure, Surface& surface,
                            const SteadyVariant& variant,
                            const Array<Array<SurfacePoint>>& polygons);
 
+/// The Hausdorff distance between two curves, as a part of the first one's length.
+double partMoved(const Array<Vec3>& from, const Array<Vec3>& to);
+
 /// Hausdorff distances between the curves of two variants, each as a part of the first one's
 /// length.
 Array<double> partsMoved(const CurveFigures& from, const CurveFigures& to);

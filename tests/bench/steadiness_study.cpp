@@ -7,7 +7,6 @@
 
 #include "bench_support.h"
 #include "generators/rough.h"
-#include "mesh/shapes.h"
 #include "plot.h"
 #include "steadiness.h"
 
@@ -38,7 +37,6 @@ namespace karcher {
 namespace {
 
 constexpr double kSpacings[] = {0.05, 0.1, 0.2, 0.3};
-constexpr int kShapeTriangles = 20'000;
 /// Curves may turn so much more than the smoothest ones whatever these turn, degrees.
 constexpr double kFreeTurning = 5;
 
@@ -62,20 +60,6 @@ struct Plots {
   Array<Series> ms;
 };
 
-std::string nameOf(const std::string& path) {
-  const std::string file = path.substr(path.rfind('/') + 1);
-  return file.substr(0, file.rfind(".obj"));
-}
-
-TriangleMesh meshOf(const std::string& name) {
-  for (const Shape shape : kShapes) {
-    if (name != shapeName(shape)) continue;
-    TriangleSoup soup = makeShape(shape, kShapeTriangles);
-    return buildMesh(std::move(soup.positions), std::move(soup.triangles));
-  }
-  return loadBenchMesh(name, "").mesh;
-}
-
 /// How much more curves turn than those of another kind: (turning - kFreeTurning) / theirs.
 Array<double> excess(const Array<double>& turnings, const Array<double>& theirs) {
   Array<double> ratios;
@@ -83,12 +67,6 @@ Array<double> excess(const Array<double>& turnings, const Array<double>& theirs)
     ratios.push_back((turnings[i] - kFreeTurning) / theirs[i]);
   }
   return ratios;
-}
-
-double mean(const Array<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / values.count();
 }
 
 void printCurves(Surface& surface, const TurningMeasure& measure, const Options& options,
@@ -190,10 +168,10 @@ struct Compared {
 
 void compare(const std::string& mesh, const Options& options,
              std::map<double, Compared>& compared) {
-  const std::string file = options.reference + "/reference/bsurf/" + nameOf(mesh) + ".json";
+  const std::string file = options.reference + "/reference/bsurf/" + meshName(mesh) + ".json";
   if (!std::ifstream(file)) return;
   const std::string json = readFile(file);
-  Surface surface(meshOf(mesh));
+  Surface surface(studyMesh(mesh));
   const TurningMeasure measure(surface.mesh());
   constexpr const char* kPoints = "\"points\":\"";
   for (size_t at = json.find(kPoints); at != std::string::npos; at = json.find(kPoints, at)) {
@@ -208,7 +186,7 @@ void compare(const std::string& mesh, const Options& options,
     Compared& entry = compared[spacing];
     entry.theirs.push_back(turning(measure, theirs));
     entry.ours.resize(options.variants.size());
-    std::printf("| %s | %.0f° |", nameOf(points).c_str(), entry.theirs.back());
+    std::printf("| %s | %.0f° |", meshName(points).c_str(), entry.theirs.back());
     for (int i = 0; i < options.variants.count(); ++i) {
       const TracedCurve traced = options.variants[i].trace(surface, polygon);
       entry.ours[i].push_back(turning(measure, traced.polyline));
@@ -248,7 +226,7 @@ void printComparison(const Options& options) {
 }
 
 void study(const std::string& name, const Options& options) {
-  TriangleMesh mesh = meshOf(name);
+  TriangleMesh mesh = studyMesh(name);
   if (options.rough > 0) {
     const TriangleSoup soup = roughened(mesh, options.rough, static_cast<uint64_t>(options.seed));
     mesh = buildMesh(soup.positions, soup.triangles);
@@ -257,7 +235,7 @@ void study(const std::string& name, const Options& options) {
   const Geometry& geometry = surface.geometry();
   const TurningMeasure measure(surface.mesh());
   std::printf("\n## %s\n\n%d triangles, the diagonal is %.0f mean edges long.\n",
-              nameOf(name).c_str(), surface.mesh().faceCount(),
+              meshName(name).c_str(), surface.mesh().faceCount(),
               geometry.diagonal / geometry.meanEdge);
   Plots plots;
   for (const SteadyVariant& variant : options.variants) {
@@ -268,12 +246,12 @@ void study(const std::string& name, const Options& options) {
   if (options.polygons > 0) printCurves(surface, measure, options, plots);
   if (options.drags > 0) printDrags(surface, options, plots);
   if (options.plots.empty()) return;
-  const std::string stem = options.plots + "/steadiness-" + nameOf(name);
+  const std::string stem = options.plots + "/steadiness-" + meshName(name);
   const std::string x = "spacing / bounding box";
   std::ofstream(stem + "-turning.svg")
-      << logLogPlot(nameOf(name), x, "turning, deg", plots.turning);
-  std::ofstream(stem + "-shiver.svg") << logLogPlot(nameOf(name), x, "shiver", plots.shiver);
-  std::ofstream(stem + "-step.svg") << logLogPlot(nameOf(name), x, "ms a step", plots.ms);
+      << logLogPlot(meshName(name), x, "turning, deg", plots.turning);
+  std::ofstream(stem + "-shiver.svg") << logLogPlot(meshName(name), x, "shiver", plots.shiver);
+  std::ofstream(stem + "-step.svg") << logLogPlot(meshName(name), x, "ms a step", plots.ms);
 }
 
 /// The variants of a list of names, divided by commas.

@@ -12,10 +12,8 @@
 namespace karcher {
 namespace {
 
-constexpr int kSamples = 128;
-
 CurveOptions cubicBezier(int levels) {
-  CurveOptions options{{CurveKind::kBezier}, kSamples, {}};
+  CurveOptions options{{CurveKind::kBezier}, kSteadySamples, {}};
   options.levels = levels;
   return options;
 }
@@ -34,6 +32,11 @@ TracedCurve described(Curve& curve, int64_t allocations = 0) {
     }
     for (const Bridge& bridge : curve.bridges(j)) {
       result.bridged += (bridge.t1 - bridge.t0) / curve.segmentCount();
+    }
+    const int pieces = curve.piecesPerSegment();
+    for (int k = 0; k < pieces; ++k) {
+      if (curve.piece(j, k).bridges().empty()) continue;
+      result.piecesBridged += 1.0 / (pieces * curve.segmentCount());
     }
   }
   const StageTimes& times = curve.times();

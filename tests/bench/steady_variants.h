@@ -8,6 +8,9 @@
 /// The curves that the study of steadiness compares, each as what it measures of them.
 namespace karcher {
 
+/// Of every curve that is compared.
+inline constexpr int kSteadySamples = 128;
+
 struct StageTime {
   std::string name;
   double ms = 0;
@@ -20,8 +23,9 @@ struct TracedCurve {
   Array<Array<SurfacePoint>> legs;
   int levels = 0;
   double bridged = 0;  ///< the part of the parameter over which the curve is no center of mass
-  int lost = 0;        ///< samples that are neither converged nor on a bridge
-  double ms = 0;       ///< of a step, the processor's
+  double piecesBridged = 0;  ///< the part of the pieces that have a bridge
+  int lost = 0;              ///< samples that are neither converged nor on a bridge
+  double ms = 0;             ///< of a step, the processor's
   Array<StageTime> stages;
   int64_t allocations = 0;  ///< of the step of the hand
 };

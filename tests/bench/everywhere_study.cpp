@@ -1,0 +1,253 @@
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include "bench_support.h"
+#include "measures/allocations.h"
+#include "steadiness.h"
+
+/// Whether the default curve is as quick and as smooth on every mesh: cubic Bezier curves of random
+/// polygons at .05 to .3 of the bounding box's diagonal, drawn and dragged, beside the limit of
+/// subdivision with every path searched anew. A row a mesh and spacing.
+///
+///   everywhere_study [OPTIONS] MESH ...
+///
+/// A mesh is an OBJ file or the name of a built-in shape. The options:
+///   --polygons 12     random control polygons a spacing, each dragged once
+///   --steps 20        steps a drag, each a tenth of a mean edge
+///   --spacing 0.1     this spacing alone
+///   --seconds 0       no further polygon or step of a spacing after so long; 0 for no end
+///   --seed 1
+///   --exact 20000     beside curves of exact distances on meshes of so many triangles at most
+///   --memory          what a curve at .3 takes and holds, in place of the table
+namespace karcher {
+namespace {
+
+constexpr double kSpacings[] = {0.05, 0.1, 0.2, 0.3};
+constexpr double kFarSpacing = 0.3;
+
+struct Options {
+  Array<std::string> meshes;
+  Array<double> spacings{std::begin(kSpacings), std::end(kSpacings)};
+  int polygons = 12;
+  int steps = 20;
+  int seconds = 0;
+  int seed = 1;
+  int exact = 20'000;
+  bool memory = false;
+};
+
+/// Of a kind of curve, all polygons of a spacing together.
+struct KindFigures {
+  Array<double> firstMs;
+  Array<double> stepMs;
+  Array<double> turnings;
+  Array<double> levels;
+  Array<double> piecesBridged;  ///< of first traces and of steps
+  int lost = 0;
+  Array<double> released;  ///< how far release moves a curve, as a part of its length
+  int drafts = 0;          ///< drags that end with other levels than the released curve has
+};
+
+void addTrace(KindFigures& figures, const TracedCurve& traced) {
+  figures.levels.push_back(traced.levels);
+  figures.piecesBridged.push_back(traced.piecesBridged);
+  figures.lost += traced.lost;
+}
+
+/// When a spacing has taken long enough.
+struct Deadline {
+  double at = kInfinity;  ///< in milliseconds
+  bool isOver() const { return milliseconds() > at; }
+};
+
+/// Draws a curve, then drags it one step at least.
+void drawAndDrag(const TurningMeasure& measure, Surface& surface, const SteadyVariant& variant,
+                 const Drag& drag, const Deadline& deadline, KindFigures& figures) {
+  TracedCurve traced;
+  figures.firstMs.push_back(processorTimed([&] { traced = variant.trace(surface, drag.polygon); }));
+  figures.turnings.push_back(turning(measure, traced.polyline));
+  addTrace(figures, traced);
+  const HeldCurve held = variant.hold(surface, drag.polygon);
+  for (int i = 1; i < drag.path.count() && !(i > 1 && deadline.isOver()); ++i) {
+    traced = held.drag(Drag::kPoint, drag.path[i]);
+    figures.stepMs.push_back(traced.ms);
+    addTrace(figures, traced);
+  }
+  const TracedCurve released = held.release();
+  figures.drafts += released.levels != traced.levels;
+  figures.released.push_back(partMoved(traced.polyline, released.polyline));
+}
+
+/// Where the samples of a curve lie, in space.
+Array<Vec3> sampled(const Curve& curve) {
+  Array<Vec3> positions;
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    for (const CurveSample& sample : curve.samples(j)) {
+      positions.push_back(position(curve.surface().mesh(), sample.point));
+    }
+  }
+  return positions;
+}
+
+/// The distances, in mean edges, between the samples of a default curve and those of the curve of
+/// exact distances at as many levels.
+void appendFromExact(Surface& surface, const Array<SurfacePoint>& points, Array<double>& out) {
+  CurveOptions options{{CurveKind::kBezier}, kSteadySamples, {}};
+  options.levels = kAutomaticLevels;
+  const Curve curve(surface, options, points);
+  options.levels = curve.levels();
+  options.field.solver = Solver::kExact;
+  const Curve exact(surface, options, points);
+  const Array<Vec3> here = sampled(curve);
+  const Array<Vec3> there = sampled(exact);
+  for (int i = 0; i < here.count(); ++i) {
+    out.push_back((here[i] - there[i]).norm() / surface.geometry().meanEdge);
+  }
+}
+
+void printRow(Surface& surface, const TurningMeasure& measure, double spacing,
+              const Options& options) {
+  const SteadyVariant automatic = steadyVariant("auto");
+  const SteadyVariant limit = steadyVariant("limit");
+  Random random(static_cast<uint64_t>(options.seed));
+  KindFigures ours;
+  KindFigures limits;
+  Array<double> fromExact;
+  int drawn = 0;
+  Deadline deadline;
+  if (options.seconds > 0) deadline.at = milliseconds() + 1e3 * options.seconds;
+  while (drawn < options.polygons && !(drawn > 0 && deadline.isOver())) {
+    const Drag drag = randomDrag(surface.geometry(), random, {.spacing = spacing}, options.steps);
+    drawAndDrag(measure, surface, automatic, drag, deadline, ours);
+    drawAndDrag(measure, surface, limit, drag, deadline, limits);
+    if (surface.mesh().faceCount() <= options.exact) {
+      appendFromExact(surface, drag.polygon, fromExact);
+    }
+    ++drawn;
+  }
+  std::printf("| %g | %d | %.2f | %.2f / %.2f | %.2f | %.1f | %.1f | %.2f %% | %d | %.0f / %.0f° ",
+              spacing, drawn, median(ours.firstMs), median(ours.stepMs), quantile(ours.stepMs, 1),
+              median(limits.stepMs), median(ours.stepMs) / median(limits.stepMs), mean(ours.levels),
+              100 * mean(ours.piecesBridged), ours.lost, median(ours.turnings),
+              median(limits.turnings));
+  std::printf("| %d, %.2f %% |", ours.drafts, 100 * quantile(ours.released, 1));
+  if (fromExact.empty()) {
+    std::printf(" - |\n");
+  } else {
+    std::printf(" %.4f / %.3f |\n", median(fromExact), quantile(fromExact, 1));
+  }
+  std::fflush(stdout);
+}
+
+/// What a first and a second curve of far points take and hold, with all that they make for the
+/// mesh.
+void printMemory(Surface& surface, const Options& options) {
+  CurveOptions curve{{CurveKind::kBezier}, kSteadySamples, {}};
+  curve.levels = kAutomaticLevels;
+  Random random(static_cast<uint64_t>(options.seed));
+  for (const char* which : {"first", "second"}) {
+    const Array<SurfacePoint> points =
+        randomControlPolygon(surface.geometry(), random, {.spacing = kFarSpacing});
+    const int64_t taken = bytesTakenSoFar();
+    const int64_t held = bytesHeld();
+    const Curve made(surface, curve, points);
+    std::printf("The %s curve at %g takes %.2f MB and holds %.2f MB.\n", which, kFarSpacing,
+                1e-6 * static_cast<double>(bytesTakenSoFar() - taken),
+                1e-6 * static_cast<double>(bytesHeld() - held));
+  }
+}
+
+void study(const std::string& name, const Options& options) {
+  Surface surface(studyMesh(name));
+  const Geometry& geometry = surface.geometry();
+  const double prepareMs = processorTimed([&] { prepareFields(surface, {}); });
+  std::printf("\n## %s\n\n%d triangles, the diagonal is %.0f mean edges long",
+              meshName(name).c_str(), surface.mesh().faceCount(),
+              geometry.diagonal / geometry.meanEdge);
+  if (options.memory) {
+    std::printf(".\n");
+    printMemory(surface, options);
+    return;
+  }
+  Random random(static_cast<uint64_t>(options.seed));
+  const Array<SurfacePoint> points =
+      randomControlPolygon(geometry, random, {.spacing = options.spacings[0]});
+  const double firstMs = processorTimed([&] { steadyVariant("auto").trace(surface, points); });
+  std::printf("; prepared in %.1f ms, then its very first curve takes %.2f ms.\n\n", prepareMs,
+              firstMs);
+  std::printf(
+      "| spacing | curves | first trace | step | limit | step / limit | levels | pieces bridged | "
+      "lost | turning / limit's | drafts, release | from exact |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  const TurningMeasure measure(surface.mesh());
+  for (const double spacing : options.spacings) {
+    try {
+      printRow(surface, measure, spacing, options);
+    } catch (const std::exception& error) {
+      std::printf("| %g | none: %s |\n", spacing, error.what());
+    }
+  }
+}
+
+Options parse(int argc, char** argv) {
+  Options options;
+  const std::map<std::string, int*> numbers = {{"--polygons", &options.polygons},
+                                               {"--steps", &options.steps},
+                                               {"--seconds", &options.seconds},
+                                               {"--seed", &options.seed},
+                                               {"--exact", &options.exact}};
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.rfind("--", 0) != 0) {
+      options.meshes.push_back(argument);
+      continue;
+    }
+    if (argument == "--memory") {
+      options.memory = true;
+      continue;
+    }
+    const std::string value = ++i < argc ? argv[i] : "";
+    if (const auto number = numbers.find(argument); number != numbers.end()) {
+      *number->second = std::atoi(value.c_str());
+    } else if (argument == "--spacing") {
+      options.spacings = {std::atof(value.c_str())};
+    } else {
+      throw std::runtime_error("there is no option " + argument);
+    }
+  }
+  if (options.meshes.empty()) {
+    throw std::runtime_error("usage: everywhere_study [OPTIONS] MESH ...");
+  }
+  if (options.polygons < 1 || options.steps < 1) {
+    throw std::runtime_error("there are at least 1 polygon and 1 step");
+  }
+  if (!(options.spacings[0] > 0)) throw std::runtime_error("a spacing is positive");
+  return options;
+}
+
+}  // namespace
+}  // namespace karcher
+
+int main(int argc, char** argv) {
+  using namespace karcher;
+  try {
+    const Options options = parse(argc, argv);
+    std::printf(
+        "Cubic Bezier curves of 4 points, `levels: auto`, %d samples; %d random polygons a spacing "
+        "(a leg, in diagonals), each dragged %d steps of a tenth of a mean edge; seed %d.\n\n"
+        "Milliseconds of the processor: 'first trace' the median, 'step' the median and the worst, "
+        "'limit' the median step of the subdivision curve with every path searched anew. 'Lost': "
+        "samples that are neither centers of mass nor on a bridge. 'Drafts': drags that end with "
+        "other levels than the curve has when it is let go; 'release': how far that moves it at "
+        "most, as a part of its length. 'From exact': how far samples lie from those with exact "
+        "distances at equal levels, median and largest, in mean edges.\n",
+        kSteadySamples, options.polygons, options.steps, options.seed);
+    for (const std::string& mesh : options.meshes) study(mesh, options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
