@@ -8,9 +8,9 @@
 #include "generators/random_points.h"
 #include "generators/sphere.h"
 #include "generators/torus.h"
-#include "intrinsic/straightest.h"
 #include "mesh/shapes.h"
 #include "regions/region.h"
+#include "region_drawings.h"
 #include "support.h"
 
 /// Cells and regions against closed forms, clipped polygons, and crossings counted one by one.
@@ -19,38 +19,6 @@ namespace {
 
 constexpr PathRange kFirst{0, 1};
 constexpr PathRange kSecond{1, 1};
-
-struct Sheet {
-  explicit Sheet(TriangleMesh m) : mesh(std::move(m)), geometry(buildGeometry(mesh)) {}
-  Sheet(const Sheet&) = delete;
-  Sheet& operator=(const Sheet&) = delete;
-
-  TriangleMesh mesh;
-  Geometry geometry;
-};
-
-/// Shortest paths from point to point.
-SurfacePath chain(const Geometry& geometry, const Array<SurfacePoint>& points, bool closed) {
-  FindPathWorkspace workspace;
-  SurfacePath leg;
-  Array<SurfacePoint> all;
-  const int count = points.count();
-  for (int i = 0; i < (closed ? count : count - 1); ++i) {
-    if (!findPath(geometry, points[i], points[(i + 1) % count], workspace, leg)) continue;
-    for (const SurfacePoint& point : leg.points) {
-      if (all.empty() || !samePlace(*geometry.mesh, all.back(), point)) all.push_back(point);
-    }
-  }
-  return pathThrough(*geometry.mesh, std::move(all));
-}
-
-SurfacePath polygonOn(const Geometry& geometry, const Array<Vec2>& corners, bool closed = true) {
-  Array<SurfacePoint> points;
-  for (const Vec2& corner : corners) {
-    points.push_back(nearestPoint(*geometry.mesh, {corner.x(), corner.y(), 0}));
-  }
-  return chain(geometry, points, closed);
-}
 
 Array<Vec2> rectangle(double left, double low, double right, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};
@@ -83,12 +51,6 @@ Array<Vec2> clipped(Array<Vec2> polygon, const Array<Vec2>& by) {
     polygon = std::move(kept);
   }
   return polygon;
-}
-
-double surfaceArea(const Geometry& geometry) {
-  double twice = 0;
-  for (int f = 0; f < geometry.mesh->faceCount(); ++f) twice += doubleArea(geometry, f);
-  return twice / 2;
 }
 
 double perimeter(const Geometry& geometry, const Arrangement& arrangement, const Region& region) {
@@ -399,22 +361,7 @@ void drawAtRandom(const std::string& name, const TriangleMesh& mesh, uint64_t se
   SCOPED_TRACE(name + ", seed " + std::to_string(seed));
   const Geometry geometry = buildGeometry(mesh);
   Random random(seed);
-  Array<SurfacePath> paths;
-  const int count = 1 + random.index(4);
-  for (int i = 0; i < count; ++i) {
-    const SurfacePoint start = randomPlace(mesh, random);
-    Array<SurfacePoint> points{start};
-    const int corners = 3 + random.index(5);
-    while (points.count() < corners) {
-      const Vec2 way =
-          random.uniform(0.02, 0.25) * geometry.diagonal * unitVector(random.uniform(0, 2 * kPi));
-      points.push_back(traceStraightest(geometry, start, way).path.end());
-      if (random.index(6) == 0) points.push_back(randomPlace(mesh, random));
-      // Goes the same way twice now and then.
-      if (random.index(8) == 0) points.push_back(points[random.index(points.count())]);
-    }
-    paths.push_back(chain(geometry, points, true));
-  }
+  const Array<SurfacePath> paths = randomDrawing(geometry, random);
   const Arrangement all = arrange(geometry, paths);
   expectSound(geometry, all);
   ++counts.drawings;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "intrinsic/surface_path.h"
+#include "regions/arrangement.h"
+
+/// Drawings for tests of regions.
+namespace karcher {
+
+struct Sheet {
+  explicit Sheet(TriangleMesh m);
+  Sheet(const Sheet&) = delete;
+  Sheet& operator=(const Sheet&) = delete;
+
+  TriangleMesh mesh;
+  Geometry geometry;
+};
+
+/// Shortest paths from point to point.
+SurfacePath chain(const Geometry& geometry, const Array<SurfacePoint>& points, bool closed);
+
+/// On a mesh in the plane z = 0.
+SurfacePath polygonOn(const Geometry& geometry, const Array<Vec2>& corners, bool closed = true);
+
+double surfaceArea(const Geometry& geometry);
+
+class Random;
+
+/// One to four closed polygons that cross themselves and each other, and go the same way now and
+/// then.
+Array<SurfacePath> randomDrawing(const Geometry& geometry, Random& random);
+
+}  // namespace karcher
