@@ -105,6 +105,21 @@ async function meshesPart({ meshes, points }, seed) {
   return { text: meshesReport(found), found };
 }
 
+/**
+ * The most that the machine had to do so far: its load over a minute, in threads that wanted to run, this
+ * program's own among them.
+ */
+let mostLoad = 0;
+const lookAtLoad = () => {
+  mostLoad = Math.max(mostLoad, loadavg()[0]);
+  return { most: Number(mostLoad.toFixed(1)), cores: cpus().length };
+};
+
+const tellBusy = (what) => {
+  lookAtLoad();
+  tell(what);
+};
+
 /** Where and when: what the numbers depend on; times also on what else the machine had to do. */
 function about(seed) {
   const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
@@ -113,7 +128,7 @@ function about(seed) {
   const cores = cpus();
   return {
     date: new Date().toISOString().slice(0, 10),
-    machine: `${cores[0].model.trim()}, ${cores.length} cores, ${type()} ${arch()}, Node ${process.version}, load ${loadavg()[1].toFixed(1)}`,
+    machine: `${cores[0].model.trim()}, ${cores.length} cores, ${type()} ${arch()}, Node ${process.version}, load ${lookAtLoad().most.toFixed(1)}`,
     version: `${version}${commit}`,
     seed,
   };
@@ -151,18 +166,25 @@ async function renewPlots({ save }) {
 async function everything(options) {
   const { runStudies } = await load('claims/studies.ts');
   const { studySeed } = await load('claims/seed.ts');
+  lookAtLoad();
   const figures = await figuresPart(options);
+  lookAtLoad();
   const table = await tablePart(options);
   const meshes = await meshesPart(options, studySeed);
+  lookAtLoad();
   const parts = [figures.text, table.text, meshes.text].filter(Boolean);
+  const { loadPeers } = await load('../../dist/peers/index.js');
+  const wantsClaims = options.figure === undefined;
+  const studies = wantsClaims ? await runStudies(await loadPeers(), tellBusy) : null;
   const where = about(studySeed);
   const head = `# The paper, judged\n\n${where.date}, version ${where.version}, seed ${where.seed}, ${where.machine}.\n`;
-  if (options.figure !== undefined) return { parts: parts.length > 0 ? [head, ...parts] : [] };
-  const { loadPeers } = await load('../../dist/peers/index.js');
-  const studies = await runStudies(await loadPeers(), tell);
+  if (!wantsClaims) return { parts: parts.length > 0 ? [head, ...parts] : [] };
   const { judge } = await load('claims/judge.ts');
   const { claimsReport } = await load('report.ts');
-  const measured = { panels: figures.panels, table: table.cells, studies, meshes: meshes.found };
+  const measured = {
+    ...{ panels: figures.panels, table: table.cells, studies, meshes: meshes.found },
+    load: lookAtLoad(),
+  };
   const claims = judge(measured);
   return {
     parts: [head, claimsReport(claims), ...parts],

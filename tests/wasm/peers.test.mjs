@@ -283,6 +283,12 @@ test('a leap is counted, a bend is not', () => {
   const around = lost.with(5, 'noProgress');
   assert.equal(breaks(row([0, 0.1, 9, 3, 8, 20], around)), 0);
   assert.equal(breaks(row([0, 0.1, 9, 3, 3.1, 8], lost)), 1);
+  // Where the affine averages are as fast, as at the ends of a rational curve, nothing leaps.
+  const fast = row([0, 8, 9, 9.2, 9.3, 9.4]);
+  assert.equal(breaks(fast), 1);
+  assert.equal(meter.measure(fast, fast, row([0, 16, 18, 18.3, 18.5, 18.7])).breaks, 0);
+  const even = row([0, 1, 2, 3, 4, 5]);
+  assert.equal(meter.measure(fast, fast, even).breaks, 1);
 });
 
 describe('errors', () => {

@@ -20,7 +20,8 @@ export interface CurveMeasures {
   turningNoise: number | null;
   /**
    * Where the curve leaps: between two samples that converged, one after the other, lies more than a mean
-   * edge and five times what lies before and after it.
+   * edge and five times what lies before and after it; of a curve whose weights do not change evenly, in
+   * parts of what its affine averages move by.
    */
   breaks: number;
   /** The largest angle by which the curve turns at a sample, in degrees, and the sample's parameter. */
@@ -77,8 +78,16 @@ export class CurveMeter {
     this.#normals = vertexNormals(positions, this.#triangles);
   }
 
-  /** Both curves have the same segments and parameters. */
-  measure(curve: CurveSamples, reference: ReferenceSamples): CurveMeasures {
+  /**
+   * Both curves have the same segments and parameters. `affine` are the averages in space of the control
+   * points with the samples' weights: they tell where a curve is fast and does not leap, as rational ones
+   * are at their ends.
+   */
+  measure(
+    curve: CurveSamples,
+    reference: ReferenceSamples,
+    affine: ReferenceSamples | null = null,
+  ): CurveMeasures {
     const converged = (samples: ReferenceSamples, i: number) => samples.status[i] === 'converged';
     const distances: number[] = [];
     for (let i = 0; i < curve.count; i++) {
@@ -99,7 +108,7 @@ export class CurveMeter {
               samples: distances.length,
             },
       turningNoise: this.#turningNoise(curve, reference),
-      breaks: this.#breaks(curve),
+      breaks: this.#breaks(curve, affine),
       sharpestTurn: this.#sharpestTurn(curve),
     };
   }
@@ -123,15 +132,20 @@ export class CurveMeter {
     return sharpest;
   }
 
-  #breaks(curve: CurveSamples): number {
+  #breaks(curve: CurveSamples, affine: ReferenceSamples | null): number {
     let breaks = 0;
     for (const [begin, end] of segments(curve)) {
-      const steps = Array.from({ length: end - begin - 1 }, (_, k) => this.#step(curve, begin + k));
+      const numbers = Array.from({ length: end - begin - 1 }, (_, k) => begin + k);
+      const steps = numbers.map((i) => this.#step(curve, i));
+      const paces = numbers.map((i) => (affine ? stepOf(affine, i) : 1));
       steps.forEach((step, k) => {
         // A step without a neighbour is measured against none.
-        const beside = [steps[k - 1], steps[k + 1]].filter((one) => typeof one === 'number');
-        if (step === null || beside.length === 0) return;
-        if (step > this.#meanEdge && beside.every((one) => step > leapRatio * one)) breaks++;
+        const beside = [k - 1, k + 1].filter((other) => typeof steps[other] === 'number');
+        if (step === null || beside.length === 0 || step <= this.#meanEdge) return;
+        const isLeap = beside.every(
+          (other) => step * paces[other]! > leapRatio * steps[other]! * paces[k]!,
+        );
+        if (isLeap) breaks++;
       });
     }
     return breaks;
@@ -140,8 +154,7 @@ export class CurveMeter {
   /** The distance from a sample to the next; null where one of them is lost. */
   #step(curve: CurveSamples, i: number): number | null {
     if (curve.status[i] !== 'converged' || curve.status[i + 1] !== 'converged') return null;
-    const step = subtract(at(curve.position, i + 1), at(curve.position, i));
-    return Math.sqrt(dot(step, step));
+    return stepOf(curve, i);
   }
 
   #turningNoise(curve: CurveSamples, reference: ReferenceSamples): number | null {
@@ -189,6 +202,9 @@ export class CurveMeter {
     return length > 0 ? [normal[0] / length, normal[1] / length, normal[2] / length] : normal;
   }
 }
+
+const stepOf = ({ position }: Pick<CurveSamples, 'position'>, i: number): number =>
+  length(subtract(at(position, i + 1), at(position, i)));
 
 /** The first sample of each segment, and the one after its last. */
 function segments(samples: CurveSamples): [number, number][] {

@@ -26,6 +26,8 @@ export function cells(line: LineResult): string[] {
   const { deviation, samples, lost, lostByOwnRule, ruler } = line;
   const part = (count: number, of: number) => (count < of ? ` over ${count} of ${of}` : '');
   return [
+    figure(ruler?.residual?.median ?? null, 3) + (ruler ? part(ruler.measured, ruler.of) : ''),
+    figure(ruler?.energy?.excess ?? null, 2),
     figure(deviation?.median ?? null, 3) +
       (deviation && samples !== null ? part(deviation.samples, samples) : ''),
     figure(deviation?.max ?? null, 3),
@@ -37,8 +39,6 @@ export function cells(line: LineResult): string[] {
       ? `${line.sharpestTurn.degrees.toFixed(1)} at ${line.sharpestTurn.t.toFixed(3)}`
       : '–',
     drag ? `${drag.leaps} of ${drag.steps}, ×${drag.most?.toFixed(1) ?? '–'}` : '–',
-    figure(ruler?.residual?.median ?? null, 3) + (ruler ? part(ruler.measured, ruler.of) : ''),
-    figure(ruler?.energy?.excess ?? null, 2),
     figure(line.prepareMs, 3),
     figure(line.traceMs, 3),
   ];
@@ -56,11 +56,22 @@ const markdownTable = (rows: readonly string[][]) =>
     .map((row) => `| ${row.join(' | ')} |`)
     .join('\n');
 
+/** First what is the same for all methods, by exact paths; then what is told from a reference. */
 const heads = [
-  ...['', 'median h', 'max h', 'turning noise', 'lost', 'lost by own rule', 'breaks'],
+  ...[
+    '',
+    'residual h',
+    'energy − reference’s h²',
+    'median h',
+    'max h',
+    'turning noise',
+    'lost',
+    'lost by own rule',
+    'breaks',
+  ],
   'sharpest turn, degrees, at t',
   'leaps under a drag',
-  ...['residual h', 'energy − reference’s h²', 'prepare ms', 'trace ms'],
+  ...['prepare ms', 'trace ms'],
 ];
 
 /** Where leaps under a drag are what a figure is about; elsewhere they would take long. */

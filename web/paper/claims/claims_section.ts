@@ -1,7 +1,7 @@
 import { make } from '../../panels/elements';
 import { sectionHead } from '../view/section';
 import { judge } from './judge';
-import type { SavedReport } from './saved';
+import type { SavedClaim, SavedReport } from './saved';
 import type { JudgedClaim, Measured, Verdict } from './types';
 
 /** The report in this checkout, if there is one: a page can be built without. */
@@ -11,7 +11,9 @@ const found = import.meta.glob<SavedReport>('../../../docs/paper-report.json', {
 });
 export const savedReport: SavedReport | null = Object.values(found)[0] ?? null;
 
-const order: readonly Verdict[] = ['holds', 'depends', 'does not', 'not measured here'];
+const order: readonly Verdict[] = [
+  ...(['holds', 'depends', 'does not', 'settled here', 'open', 'not measured here'] as const),
+];
 
 const unmeasured: Pick<JudgedClaim, 'verdict' | 'measured'> = {
   verdict: 'not measured here',
@@ -34,7 +36,7 @@ export class ClaimsSection {
 
   /** Judges what the report leaves open by the panels that were measured on the page. */
   show(panels: Measured['panels']): void {
-    const live = judge({ panels, table: [], studies: {}, meshes: null });
+    const live = judge({ panels, table: [], studies: {}, meshes: null, load: null });
     const rows = live.map((row): ShownClaim => {
       const saved = this.#report?.claims.find(({ id }) => id === row.id);
       const { id, where, claim, figure } = row;
@@ -49,15 +51,16 @@ export class ClaimsSection {
   }
 }
 
-interface ShownClaim extends JudgedClaim {
+interface ShownClaim extends SavedClaim {
   /** Whether it was judged by what this page measured. */
   live: boolean;
 }
 
 function captionOf(rows: readonly ShownClaim[], report: SavedReport | null): string {
-  const counts = order.map(
-    (verdict) => `${rows.filter((row) => row.verdict === verdict).length} ${verdict}`,
-  );
+  const counts = order.flatMap((verdict) => {
+    const count = rows.filter((row) => row.verdict === verdict).length;
+    return count > 0 ? [`${count} ${verdict}`] : [];
+  });
   const about = report
     ? `Measured on ${report.date} by version ${report.version} with seed ${report.seed} on ${report.machine}, by “npm run paper”.`
     : 'This build has no report: “npm run paper -- --save” makes one, with meshes that are not at hand here by “--meshes FOLDER”. Until then the claims are judged by the figures below as they are measured in your browser, where those are enough.';
@@ -76,7 +79,7 @@ function table(rows: readonly ShownClaim[]): HTMLElement {
 }
 
 function tableRow(row: ShownClaim): HTMLElement {
-  const { id, where, claim, figure, measured, verdict, on, live } = row;
+  const { id, where, claim, figure, measured, verdict, on, live, renewed } = row;
   const element = make('tr');
   element.dataset.claim = id;
   const place = make('th', '', { scope: 'row' });
@@ -88,6 +91,9 @@ function tableRow(row: ShownClaim): HTMLElement {
   last.append(mark);
   if (on) last.append(make('span', on));
   if (live) last.append(make('small', 'in your browser'));
+  if (renewed) {
+    last.append(make('small', `measured on ${renewed.date} by version ${renewed.version}`));
+  }
   element.append(place, make('td', claim), make('td', measured), last);
   return element;
 }

@@ -1,9 +1,9 @@
 import type { Mesh, SurfacePoint } from 'karcher';
-import { type MethodOptions, type Peers, runMethod, vectors } from 'karcher/peers';
-import { lineStyles } from '../figures/lines';
+import { type Peers, vectors } from 'karcher/peers';
 import { onTorus, torusRadii } from '../figures/surfaces';
 import type { LineId, Vector } from '../figures/types';
 import { NearestPoints } from '../lab/nearest';
+import { splineBy } from './spline';
 
 const { add, dot, length, scaled, subtract } = vectors;
 
@@ -29,16 +29,10 @@ export const plottedMethods: readonly LineId[] = [
   'paperGraph6',
   'karcher',
   'karcherExact',
+  'leveled',
 ];
 
 export const convergenceSizes: readonly number[] = [500, 1_000, 2_000, 5_000, 10_000, 20_000];
-
-/** How a line of the figures is traced. */
-export function methodOf(id: LineId): MethodOptions {
-  const { options } = lineStyles[id];
-  if (!options) throw new Error(`the line ${id} is by no method`);
-  return options;
-}
 
 const samplesASegment = 33;
 
@@ -140,13 +134,13 @@ export async function convergence(
         curve.center(plan.table.weights.subarray(4 * i, 4 * i + 4)),
       );
       for (const method of methods) {
-        const run = await runMethod(peers, mesh, plan, methodOf(method), null, { once: true });
+        const { samples } = await splineBy(peers, mesh, plan, method);
         result.push({
           surface,
           method,
           triangles: mesh.info.triangles,
           meanEdge: mesh.info.meanEdge,
-          ...errorOf(run.curve?.samples ?? null, curve, truth),
+          ...errorOf(samples, curve, truth),
         });
         tell(result);
       }

@@ -18,6 +18,12 @@ const smoothTurning = Math.PI / 180;
 const alike = 2;
 const areAlike = (a: number, b: number) => Math.max(a, b) <= alike * Math.min(a, b);
 
+/** Whether something happened more often (1), less often (-1) or as often as even chances give, within two deviations. */
+function moreThanChance(count: number, of: number): number {
+  const beyond = count - of / 2;
+  return Math.abs(beyond) > Math.sqrt(of) ? Math.sign(beyond) : 0;
+}
+
 /** Section 5: the figures and Table 1. */
 export const figureClaims: readonly Claim[] = [
   {
@@ -67,11 +73,27 @@ export const figureClaims: readonly Claim[] = [
     claim: 'Descent of the piecewise linear distance gives worse paths on coarse meshes.',
     figure: 'paths',
     judge(evidence) {
-      const [descent, paper, ours] = (['descent', 'paper', 'karcherExact'] as const).map((id) =>
-        median(evidence, 'paths/coarse', id),
-      ) as [number, number, number];
-      const measured = `On the coarse torus descent is ${num(descent)} h from the exact path (median), the paper’s method ${num(paper)} h, ours ${num(ours)} h.`;
-      return { verdict: descent > paper ? 'holds' : 'does not', measured };
+      const rows = evidence.study('descent');
+      const say = ({ mesh, worse, pairs, descent, paper, ours }: (typeof rows)[number]) =>
+        `on the ${mesh} torus descent is farther from the exact path than the paper’s method in ${worse} of ${pairs} (medians of descent, the paper’s method and ours: ${num(descent)}, ${num(paper)} and ${num(ours)} h)`;
+      const measured = `Of random pairs of points, with exact distances: ${rows.map(say).join('; ')}. A number within two deviations of even chances is no difference.`;
+      const of = (name: 'coarse' | 'fine') => {
+        const row = rows.find(({ mesh }) => mesh === name);
+        if (!row) throw new NotMeasured(`pairs of points on the ${name} torus`);
+        return moreThanChance(row.worse, row.pairs);
+      };
+      const [coarse, fine] = [of('coarse'), of('fine')];
+      if (coarse > 0) return { verdict: 'holds', measured };
+      const onFine = fine > 0 ? ', and on the fine mesh it is' : '';
+      if (coarse < 0 && fine <= 0) return { verdict: 'does not', measured };
+      return {
+        verdict: 'depends',
+        on:
+          coarse < 0
+            ? `the mesh: on the coarse one descent is not worse${onFine}`
+            : `the pair: on the coarse mesh descent is worse as often as not${onFine}`,
+        measured,
+      };
     },
   },
   {
@@ -103,6 +125,7 @@ export const figureClaims: readonly Claim[] = [
           .filter(fails)
           .map(({ name }) => name)
           .join(' and ');
+      const timesDecide = evidence.timesDecide();
       const failing = [
         ['the paper’s curve is not smooth on', where(({ paper }) => paper > smoothTurning)],
         ['weighted averages’ is not on', where(({ averages }) => averages > smoothTurning)],
@@ -110,9 +133,9 @@ export const figureClaims: readonly Claim[] = [
           'vector heat’s does not turn like the paper’s on',
           where(({ paper, heat }) => !areAlike(paper, heat)),
         ],
-        ['vector heat is not slow on', where(({ slower }) => slower <= alike)],
+        ['vector heat is not slow on', timesDecide ? where(({ slower }) => slower <= alike) : ''],
       ].filter(([, names]) => names);
-      if (failing.length === 0) return { verdict: 'holds', measured };
+      if (failing.length === 0) return { verdict: timesDecide ? 'holds' : 'open', measured };
       const everywhere = failing.filter(([, names]) => names === 'coarse and fine');
       if (everywhere.length === 4) return { verdict: 'does not', measured };
       const on = `the mesh: ${failing.map(([what, names]) => `${what} ${names}`).join('; ')}`;
@@ -140,7 +163,12 @@ export const figureClaims: readonly Claim[] = [
       const measured = embedded
         ? `Weighted averages embed the armadillo of ${found.triangles.toLocaleString('en')} triangles in ${ms(result.prepareMs)}; ${result.lost} of ${result.samples} samples are lost, the residual is ${num(residual)} h. The lion is not at hand.`
         : `Weighted averages fail on the armadillo: ${result.reason}. The lion is not at hand.`;
-      return { verdict: embedded ? 'does not' : 'holds', measured };
+      if (!embedded) return { verdict: 'holds', measured };
+      return {
+        verdict: 'depends',
+        on: 'the program: the paper’s authors’ fails there, the one that is compared here does not',
+        measured,
+      };
     },
   },
   {
@@ -151,6 +179,7 @@ export const figureClaims: readonly Claim[] = [
       const { fieldMs, segmentMs, triangles } = evidence.study('update');
       const share = fieldMs / (fieldMs + 4 * segmentMs);
       const measured = `Not on the lion, which is not at hand: on a torus of ${triangles.toLocaleString('en')} triangles with k = 6, the field ${ms(fieldMs)}, each of four segments ${ms(segmentMs)}. The field is ${percent(share)} of the two; in the paper’s numbers it is ${percent(published.fieldMs / (published.fieldMs + 4 * published.segmentMs))}.`;
+      if (!evidence.timesDecide()) return { verdict: 'open', measured };
       return share > 0.5
         ? { verdict: 'depends', on: 'the machine and the mesh; the field is most of it', measured }
         : { verdict: 'does not', measured };
@@ -171,8 +200,11 @@ export const figureClaims: readonly Claim[] = [
       const paper = rows.find(({ method }) => method === 'paper');
       if (!paper) throw new NotMeasured('the paper’s method on a large mesh');
       const measured = `On a torus of ${paper.triangles.toLocaleString('en')} triangles, 128 samples a segment, in WebAssembly. ${say.join('; ')}.`;
+      if (paper.dragMs === null) {
+        throw new NotMeasured(`the paper’s method on a large mesh, which failed: ${paper.reason}`);
+      }
+      if (!evidence.timesDecide()) return { verdict: 'open', measured };
       // Ten a second.
-      if (paper.dragMs === null) return { verdict: 'does not', measured };
       if (paper.dragMs <= 100) return { verdict: 'holds', measured };
       return {
         verdict: 'depends',
@@ -189,23 +221,23 @@ export const figureClaims: readonly Claim[] = [
     figure: 'rational',
     judge(evidence) {
       const { fieldsMs, updateMs } = evidence.study('reweigh');
-      const lost = sum(
-        ['rational/equal', 'rational/pulled', 'rational/barycentric', 'rational/loose'].map(
-          (panel) => evidence.lost(panel, 'paper').lost,
-        ),
-      );
+      const panels = ['equal', 'pulled', 'barycentric', 'loose'].map((name) => `rational/${name}`);
+      const lost = sum(panels.map((panel) => evidence.lost(panel, 'paper').lost));
+      const leaps = sum(panels.map((panel) => evidence.line(panel, 'paper').breaks ?? 0));
       const subdivided = evidence.line('rational/pulled', 'bSurf');
       const bySubdivision = subdivided.ok
         ? `the rational curve is made too, ${num(median(evidence, 'rational/pulled', 'bSurf'))} h from the reference`
         : `the rational curve is not made: ${subdivided.reason}`;
-      const measured = `The paper’s method loses ${lost} samples of the four curves. By subdivision with weighted averages of two points ${bySubdivision}. When weights change, fields take ${ms(fieldsMs)} of ${ms(updateMs)}.`;
-      const kept = fieldsMs <= 0.1 * updateMs;
-      if (!subdivided.ok && kept && lost === 0) return { verdict: 'holds', measured };
-      return {
-        verdict: 'depends',
-        on: `the part: the curves ${lost === 0 ? 'behave' : 'lose samples'}, fields are ${kept ? 'kept' : 'made anew'}, but subdivision ${subdivided.ok ? 'can' : 'cannot'} make rational curves`,
-        measured,
-      };
+      const measured = `The paper’s method loses ${lost} samples of the four curves, which leap at ${leaps} places. By subdivision with weighted averages of two points ${bySubdivision}. When weights change, fields take ${ms(fieldsMs)} of ${ms(updateMs)}.`;
+      const timesDecide = evidence.timesDecide();
+      const failing = [
+        ...(lost === 0 ? [] : ['the curves lose samples']),
+        ...(leaps === 0 ? [] : ['the curves leap']),
+        ...(!timesDecide || fieldsMs <= 0.1 * updateMs ? [] : ['fields are made anew']),
+        ...(subdivided.ok ? ['subdivision can make rational curves'] : []),
+      ];
+      if (failing.length === 0) return { verdict: timesDecide ? 'holds' : 'open', measured };
+      return { verdict: 'depends', on: `the part: ${failing.join('; ')}`, measured };
     },
   },
   {
@@ -223,7 +255,7 @@ export const figureClaims: readonly Claim[] = [
       const study = evidence.study('arcs');
       const smoother = linear.turning / Math.max(arcs.turning, 1e-12);
       const isNearer = arcs.away < linear.away;
-      const measured = `The linear isoline turns ${num(smoother)} times as much to and fro as seven arcs, ${num(linear.away)} h from the radius (median) where they are ${num(arcs.away)} h. On a sphere of 20,000 triangles the largest difference from the radius is ${study.map(({ arcs: count, worst }) => `${percent(worst)} with ${count} arcs`).join(', ')}.`;
+      const measured = `The linear isoline turns ${num(smoother)} times as much to and fro as seven arcs, ${num(linear.away)} h from the radius (median) where they are ${num(arcs.away)} h. On a sphere of 20,000 triangles the largest difference from the radius is, by Eq. 4 (level 0) and by our default, ${study.map(({ arcs: count, worst, byDefault }) => `${percent(worst)} and ${percent(byDefault)} with ${count} arcs`).join(', ')}.`;
       if (smoother <= 1) return { verdict: 'does not', measured };
       const reasons = [
         ...(smoother <= alike ? ['smoother, but not much'] : []),

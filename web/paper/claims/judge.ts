@@ -1,5 +1,6 @@
 import { claims } from './claims';
 import { Evidence, type JudgedClaim, type Measured, NotMeasured } from './types';
+import { num } from './words';
 
 /** A verdict for every claim. */
 export function judge(measured: Measured): JudgedClaim[] {
@@ -7,13 +8,22 @@ export function judge(measured: Measured): JudgedClaim[] {
     const evidence = new Evidence(measured);
     try {
       const finding = judge(evidence);
-      const told = `${finding.measured}${failures(evidence)}`;
+      const told = `${finding.measured}${failures(evidence)}${busy(evidence)}`;
       return { id, where, claim, figure, ...finding, measured: told };
     } catch (error) {
       if (!(error instanceof NotMeasured)) throw error;
       return { id, where, claim, figure, verdict: 'not measured here', measured: error.message };
     }
   });
+}
+
+/** Why times were not judged. */
+function busy({ heldOpen, all: { load } }: Evidence): string {
+  if (!heldOpen) return '';
+  const why = load
+    ? `was not quiet (load ${num(load.most)} on ${load.cores} cores)`
+    : 'is not known to have been quiet';
+  return ` The machine ${why}: what depends on time stays open.`;
 }
 
 /** Which samples were counted as lost because their method failed. */

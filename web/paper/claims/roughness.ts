@@ -1,10 +1,14 @@
 import type { Karcher, Mesh } from 'karcher';
-import { type Peers, Ruler, runMethod } from 'karcher/peers';
+import { CurveMeter, type Peers, Ruler } from 'karcher/peers';
 import { randomFrom } from '../../model/random';
+import { onTorus } from '../figures/surfaces';
 import type { LineId } from '../figures/types';
-import { methodOf, plottedMethods } from './convergence';
+import { NearestPoints } from '../lab/nearest';
+import { plottedMethods } from './convergence';
 import { galleryTorus } from './gallery_torus';
 import { studySeed } from './seed';
+import { measured, splineBy } from './spline';
+import { middle } from './words';
 
 /** What a method does on a surface with noise. */
 export interface RoughnessPoint {
@@ -35,6 +39,63 @@ export function roughened(karcher: Karcher, mesh: Mesh, noise: number, seed: num
   return karcher.meshFromArrays(positions, mesh.triangles());
 }
 
+/** What a method does on a rough surface where control points lie so far apart. */
+export interface SpreadPoint {
+  /** From each control point to the next, in mean edges: the median. */
+  apart: number;
+  noise: number;
+  method: LineId;
+  lost: number;
+  breaks: number;
+  samples: number;
+}
+
+/** From each control point to the next along the torus, in degrees. */
+const spreads: readonly number[] = [8, 16, 32, 64];
+const spreadSamples = 65;
+
+/** One segment of a B-spline on rough tori, whose four control points lie ever farther apart. */
+export async function spread(
+  peers: Peers,
+  {
+    triangles = 5_000,
+    noise = 0.4,
+    tori = 4,
+  }: { triangles?: number; noise?: number; tori?: number } = {},
+): Promise<SpreadPoint[]> {
+  const result: SpreadPoint[] = [];
+  const smooth = peers.karcher.shape('torus', triangles);
+  const nearest = new NearestPoints(smooth.positions(), smooth.triangles());
+  const rough = Array.from({ length: tori }, (_, k) =>
+    roughened(peers.karcher, smooth, noise, studySeed + k),
+  );
+  for (const degrees of spreads) {
+    const points = [0, 1, 2, 3].map((i) =>
+      nearest.point(onTorus(20 + degrees * i, i % 2 ? 95 : 65)),
+    );
+    const plan = peers.plan(points, spreadSamples);
+    const lengths = rough.flatMap((mesh) =>
+      points
+        .slice(1)
+        .map((point, i) => mesh.shortestPath(points[i]!, point).length / mesh.info.meanEdge),
+    );
+    for (const method of ['paper', 'karcher'] as const) {
+      const point: SpreadPoint = {
+        ...{ apart: middle(lengths), noise, method },
+        ...{ lost: 0, breaks: 0, samples: tori * spreadSamples },
+      };
+      for (const mesh of rough) {
+        const { samples, lost } = await splineBy(peers, mesh, plan, method);
+        point.lost += samples ? lost : spreadSamples;
+        if (samples) point.breaks += new CurveMeter(mesh).measure(samples, samples).breaks;
+      }
+      result.push(point);
+    }
+  }
+  for (const mesh of [smooth, ...rough]) mesh.dispose();
+  return result;
+}
+
 function inBall(random: () => number): [number, number, number] {
   for (;;) {
     const [x, y, z] = [2 * random() - 1, 2 * random() - 1, 2 * random() - 1];
@@ -61,20 +122,12 @@ export async function roughness(
     const mesh = roughened(peers.karcher, smooth.mesh, noise, studySeed);
     const plan = peers.plan(smooth.points, 65);
     const ruler = new Ruler(mesh, plan);
-    const exact = methodOf('karcherExact');
-    const reference = await runMethod(peers, mesh, plan, exact, null, { once: true });
+    const truth = (await splineBy(peers, mesh, plan, 'karcherExact')).samples;
     for (const method of methods) {
-      const truth = reference.curve?.samples ?? null;
-      const options = { once: true, ruler };
-      const run = await runMethod(peers, mesh, plan, methodOf(method), truth, options);
-      result.push({
-        noise,
-        method,
-        lost: run.lost ?? 0,
-        samples: run.samples ?? 0,
-        residual: run.ruler?.residual?.median ?? null,
-        turning: run.turningNoise,
-      });
+      const spline = await splineBy(peers, mesh, plan, method);
+      const { lost, of } = spline;
+      const worth = await measured(mesh, ruler, spline, truth);
+      result.push({ noise, method, lost, samples: of, ...worth });
       tell(result);
     }
     mesh.dispose();

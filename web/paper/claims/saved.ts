@@ -13,9 +13,14 @@ interface Origin {
 
 export interface SavedPlots extends Origin, Pick<Studies, 'convergence' | 'roughness'> {}
 
+/** A verdict; one whose numbers are of another day than the report's says of which. */
+export interface SavedClaim extends JudgedClaim {
+  renewed?: Pick<Origin, 'date' | 'version'>;
+}
+
 /** The verdicts that `npm run paper -- --save` kept, with what they depend on. */
 export interface SavedReport extends Origin {
-  claims: JudgedClaim[];
+  claims: SavedClaim[];
   /** What the page plots; reports from before there were plots have none. */
   plots?: SavedPlots;
 }

@@ -3,8 +3,9 @@ import { type Peers, runMethod, standardOptions } from 'karcher/peers';
 import { randomFrom } from '../../model/random';
 import { NearestPoints } from '../lab/nearest';
 import { type ConvergencePoint, convergence } from './convergence';
+import { type DescentFinding, descent } from './descent';
 import { galleryTorus } from './gallery_torus';
-import { type RoughnessPoint, roughness } from './roughness';
+import { type RoughnessPoint, roughness, type SpreadPoint, spread } from './roughness';
 import { studySeed } from './seed';
 import { middle } from './words';
 
@@ -21,12 +22,19 @@ export interface Studies {
   update: { fieldMs: number; segmentMs: number; triangles: number };
   /** Milliseconds of the fields when a weight of a rational curve changes; of all that is done anew. */
   reweigh: { fieldsMs: number; updateMs: number };
-  /** Circles of arcs on a sphere: the largest difference from the radius, as a part of it. */
-  arcs: { arcs: number; worst: number }[];
+  /** Circles of arcs on a sphere: the largest difference from the radius, as a part of it, by Eq. 4 (level 0)
+   * and by our default. */
+  arcs: { arcs: number; worst: number; byDefault: number }[];
   /** Weights of random points: how many are found again as the center of mass. */
   inverse: { cases: number; minima: number; back: number; farthest: number };
   /** B-splines on a torus with noise of a height in mean edges. */
   roughness: RoughnessPoint[];
+  /** The same where control points lie ever farther apart. */
+  spread: SpreadPoint[];
+  /** Paths between random pairs of points. */
+  descent: DescentFinding[];
+  /** Milliseconds of preparation and first curve on ever finer meshes; null where the method failed. */
+  growth: { method: string; triangles: number; ms: number | null; reason: string | null }[];
   /** B-splines on ever finer meshes of a sphere and a torus. */
   convergence: ConvergencePoint[];
   /** Milliseconds of a drag on a mesh of several hundred thousand triangles. */
@@ -158,16 +166,21 @@ function arcs(peers: Peers): Studies['arcs'] {
   const mesh = peers.karcher.shape('sphere', 20_000);
   const center = { face: 100, bary: [0.3, 0.3, 0.4] } as SurfacePoint;
   const radius = 0.8;
-  const result = [3, 7, 16].map((arcs) => {
-    const { samples } = mesh.circle(center, { radius, arcs, samples: 9 });
+  const worstOf = (arcs: number, levels: 0 | 'auto') => {
+    const { samples } = mesh.circle(center, { radius, arcs, samples: 9, levels });
     let worst = 0;
     for (let i = 0; i < samples.count; i++) {
       const [a, b, c] = samples.bary.slice(3 * i, 3 * i + 3);
       const point = { face: samples.face[i]!, bary: [a!, b!, c!] } as SurfacePoint;
       worst = Math.max(worst, Math.abs(mesh.shortestPath(center, point).length / radius - 1));
     }
-    return { arcs, worst };
-  });
+    return worst;
+  };
+  const result = [3, 7, 16].map((arcs) => ({
+    arcs,
+    worst: worstOf(arcs, 0),
+    byDefault: worstOf(arcs, 'auto'),
+  }));
   mesh.dispose();
   return result;
 }
@@ -202,6 +215,25 @@ function inverse(peers: Peers): Studies['inverse'] {
   return { cases, minima, back, farthest };
 }
 
+/** After so long a method has failed to make a curve. */
+const growthBudgetMs = 300_000;
+
+async function growth(peers: Peers): Promise<Studies['growth']> {
+  const result: Studies['growth'] = [];
+  for (const size of [5_000, 20_000, 80_000]) {
+    const { mesh, points } = galleryTorus(peers, size);
+    const plan = peers.plan(points, 128);
+    for (const method of ['vectorHeat', 'weightedAverages', 'paper', 'karcher'] as const) {
+      const options = { once: true, budgetMs: growthBudgetMs };
+      const run = await runMethod(peers, mesh, plan, standardOptions(method, plan), null, options);
+      const ms = run.ok && run.traceMs !== null ? (run.prepareMs ?? 0) + run.traceMs : null;
+      result.push({ method, triangles: mesh.info.triangles, ms, reason: run.reason });
+    }
+    mesh.dispose();
+  }
+  return result;
+}
+
 async function large(peers: Peers): Promise<Studies['large']> {
   const { mesh, points } = galleryTorus(peers, 250_000);
   const plan = peers.plan(points, 128);
@@ -233,6 +265,9 @@ export async function runStudies(
     arcs: await step('arcs of circles', arcs),
     inverse: await step('weights of points', inverse),
     roughness: await step('rough surfaces', (all) => roughness(all)),
+    spread: await step('points far apart', (all) => spread(all)),
+    descent: await step('paths between pairs of points', (all) => descent(all)),
+    growth: await step('ever finer meshes', growth),
     convergence: await step('convergence', (all) => convergence(all)),
     large: await step('a large mesh', large),
   };

@@ -11,9 +11,31 @@ export interface Measured {
   studies: Partial<Studies>;
   /** Of meshes that the project does not hold; null where no folder of them was given. */
   meshes: MeshFinding[] | null;
+  /** How busy the machine was; null where nobody looked. */
+  load: MachineLoad | null;
 }
 
-export type Verdict = 'holds' | 'does not' | 'depends' | 'not measured here';
+/** The most that a machine had to do at once while it measured, in threads that wanted to run. */
+export interface MachineLoad {
+  most: number;
+  cores: number;
+}
+
+/** Whether every thread had a core of its own, so that times are those of the work. */
+export const isQuiet = (load: MachineLoad | null): boolean =>
+  load !== null && load.most <= load.cores;
+
+/**
+ * - `settled here`: what the paper leaves open has an answer in this project;
+ * - `open`: it depends on times, and the machine was not quiet.
+ */
+export type Verdict =
+  | 'holds'
+  | 'does not'
+  | 'depends'
+  | 'settled here'
+  | 'open'
+  | 'not measured here';
 
 /** What the measurements say of a claim. */
 export interface Finding {
@@ -50,8 +72,17 @@ export class NotMeasured extends Error {}
 export class Evidence {
   /** Methods that failed, where all of their samples were counted as lost for it. */
   readonly failed = new Map<string, string>();
+  /** Whether a judgement was left out since the machine was not quiet. */
+  heldOpen = false;
 
   constructor(readonly all: Measured) {}
+
+  /** Whether times may decide: on a busy machine they tell what else it had to do. */
+  timesDecide(): boolean {
+    const quiet = isQuiet(this.all.load);
+    if (!quiet) this.heldOpen = true;
+    return quiet;
+  }
 
   line(panel: string, id: LineId): LineNumbers {
     const line = this.all.panels[panel]?.find((one) => one.id === id);

@@ -2,7 +2,7 @@ import { onSphere, onTorus } from './surfaces';
 import type { Figure, LineId, Panel, Vector } from './types';
 
 const torus = { kind: 'shape', name: 'torus', triangles: 20_000 } as const;
-const methods: LineId[] = ['bSurf', 'paper', 'karcher', 'exactLogs'];
+const methods: LineId[] = ['bSurf', 'paper', 'karcher', 'leveled', 'exactLogs'];
 
 const cubic: Vector[] = [onTorus(46, 100), onTorus(70, 20), onTorus(110, 20), onTorus(134, 100)];
 const quadratic: Vector[] = [onTorus(48, 84), onTorus(88, 12), onTorus(132, 84)];
@@ -13,8 +13,11 @@ const panel = (id: string, title: string, points: string, curve: Panel['curve'])
   mesh: torus,
   points,
   curve,
-  // Barycentric curves are no curves of subdivision.
-  lines: curve.kind === 'barycentric' ? methods.filter((id) => id !== 'bSurf') : methods,
+  // Barycentric curves are no curves of subdivision, and have no levels.
+  lines:
+    curve.kind === 'barycentric'
+      ? methods.filter((id) => id !== 'bSurf' && id !== 'leveled')
+      : methods,
   off: ['bSurf', 'exactLogs'],
   samples: 128,
   view: { from: [0, 0.75, 1] },

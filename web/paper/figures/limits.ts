@@ -17,7 +17,7 @@ export const farFigure: Figure = {
   name: 'Figure 7',
   title: 'Points too far apart',
   caption:
-    'Where control points lie too far apart, there may be more than one center of mass, or none near the last one. Curves then break: they jump from one center to another, or samples are lost, which is drawn dashed. A lost sample means that its searches failed, not that there is no center. The paper’s method goes on from its last sample that was found, as its authors’ program does, and may reach a center far away; ours starts again at the heaviest control point, as in the engine. Where a curve is at another center than the reference, its deviation is large. Our curve is bridged there: it takes the better of the centers reached from either end, and a subdivision curve of the same points, also dashed, joins them. Bridged so, the Bézier curve doubles back under the hole: it turns by 139.7° at t = 0.528. With levels, as in the editor, the control polygon is refined first, and each piece is the center of its own near points: no sample is bridged, and the Bézier curve turns by 13.8° at most. Both are measured from the same curve with exact distances, and by the residual of all four points at once, which is no measure of the curve with levels. b/Surf’s curve never breaks, but is no center of mass. “Drag” moves a control point in small steps and tells how far the curves leap. The surface and the points are ours.',
+    'Where control points lie too far apart, there may be more than one center of mass, or none near the last one. Curves then break: they jump from one center to another, or samples are lost, which is drawn dashed. A lost sample means that its searches failed, not that there is no center. The paper’s method goes on from its last sample that was found, as its authors’ program does, and may reach a center far away; ours starts again at the heaviest control point, as in the engine. Where a curve is at another center than the reference, its deviation is large. Our curve is bridged there: it takes the better of the centers reached from either end, and a subdivision curve of the same points, also dashed, joins them. Bridged so, the Bézier curve doubles back under the hole: it turns by 139.7° at t = 0.528. With levels, as in the editor, the control polygon is refined first, and each piece is the center of its own near points: no sample is bridged, and the Bézier curve turns by 13.8° at most. All are measured from one reference, our curve of level 0 with exact distances, and by the residual of all four points at once; the curve with levels is another curve and has its own pieces’ centers, which neither measures. b/Surf’s curve never breaks, but is no center of mass. “Drag” moves a control point in small steps and tells how far the curves leap. The surface and the points are ours.',
   points: {
     far: [
       [-1.6, 0, 0.1],
@@ -60,6 +60,7 @@ const methods: LineId[] = [
   'paperOurSeeds',
   'paperGraph6',
   'karcher',
+  'leveled',
 ];
 
 /** In the unit square. */

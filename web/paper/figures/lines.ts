@@ -95,23 +95,30 @@ export const lineStyles: Record<LineId, LineStyle> = {
     options: { method: 'paper', solver: 'graph', rings: 6, seeds: 'authors' },
   },
   karcher: {
-    label: 'Karcher',
+    label: 'Karcher, level 0',
     color: '--line-karcher',
     width: 4,
     options: { method: 'karcher', solver: 'fast' },
   },
   karcherExact: {
-    label: 'Karcher, exact distances',
+    label: 'Karcher, level 0, exact distances',
     color: '--line-karcher',
     width: 4,
     options: { method: 'karcher', solver: 'exact' },
   },
-  leveled: { label: 'Karcher, with levels', color: '--line-levels', width: 2.5 },
-  bridged: { label: 'Karcher, bridged', color: '--line-bridge', width: 2.5 },
+  leveled: { label: 'Karcher, default', color: '--line-levels', width: 2.5 },
+  bridged: { label: 'Karcher, level 0, bridged', color: '--line-bridge', width: 2.5 },
   circleArcs: { label: 'Rational arcs', color: '--line-karcher', width: 3.5 },
   isolineLinear: { label: 'Linear isoline', color: '--line-paper', width: 2 },
   isolineExact: { label: 'Exact isoline', color: '--line-exact', width: 2 },
 };
+
+/** How a line of the figures is traced. */
+export function methodOf(id: LineId): MethodOptions {
+  const { options } = lineStyles[id];
+  if (!options) throw new Error(`the line ${id} is by no method`);
+  return options;
+}
 
 /** Methods whose preparation or samples take long: they get a worker of their own. */
 export const slowLines: ReadonlySet<LineId> = new Set([

@@ -12,6 +12,7 @@ const methods: LineId[] = [
   'paperGraph2',
   'paperGraph6',
   'karcher',
+  'leveled',
   'exactLogs',
 ];
 
@@ -34,7 +35,7 @@ export const resolutionFigure: Figure = {
   name: 'Figure 4',
   title: 'A B-spline on a coarse and on a fine mesh',
   caption:
-    'A uniform cubic B-spline of four segments on a surface of 1,000 and of 54,400 triangles, the first simplified from the second, by every method. Deviations are measured from the reference, our spline with exact distances on the same mesh. As in the paper’s figure its method has graph distances of k = 6; k = 2, which the paper shows in an inset of this figure, can be switched on. The model and the control points are ours.',
+    'A uniform cubic B-spline of four segments on a surface of 1,000 and of 54,400 triangles, the first simplified from the second, by every method. Deviations are measured from the reference, our spline with exact distances on the same mesh. As in the paper’s figure its method has graph distances of k = 6; k = 2, which the paper shows in an inset of Section 5.1, can be switched on. The model and the control points are ours.',
   points: { spline: fourSegments },
   panels: [
     { id: 'coarse', title: 'Coarse', mesh: simplified, edges: true },
@@ -56,6 +57,7 @@ const gallery: LineId[] = [
   'paperGraph6',
   'paper',
   'karcher',
+  'leveled',
   'exactLogs',
 ];
 
@@ -74,7 +76,7 @@ export const galleryFigure: Figure = {
   name: 'Figure 5',
   title: 'A gallery',
   caption:
-    'Uniform cubic B-splines on surfaces of different shape and topology. The paper shows its method with graph distances of k = 6, which can be switched on; here it has exact distances, which are in its favour. Weighted averages, which the paper compares in an inset of this figure, can be switched on too. The models and control points are ours; all are smooth but the bunny. Rough ones are in the table of claims.',
+    'Uniform cubic B-splines on surfaces of different shape and topology. The paper shows its method with graph distances of k = 6, which can be switched on; here it has exact distances, which are in its favour. Weighted averages, which the paper compares in an inset of Section 5.2, can be switched on too. The models and control points are ours; all are smooth but the bunny. Rough ones are in the table of claims.',
   points: {
     bunny: [
       [-3.2, 3.2, 2.4],
@@ -138,11 +140,11 @@ export const galleryFigure: Figure = {
   })),
 };
 
-const rings: LineId[] = ['paperGraph2', 'paperGraph6', 'paper', 'karcher'];
+const rings: LineId[] = ['paperGraph2', 'paperGraph6', 'paper', 'karcher', 'leveled'];
 
 export const graphFigure: Figure = {
   id: 'graph',
-  name: 'Figure 5, inset',
+  name: 'Section 5.1, inset',
   title: 'Graph distances with k = 2 and k = 6',
   caption:
     'The paper’s method with distances on the graph that joins each vertex to its k-ring. With k = 2, paths have few directions to choose from: the farther apart the points are, in edges, the more the curve strays and wiggles. With k = 6 it is several times closer, on the plane to the affine curve and on the sphere to the reference; with exact distances it is closer still. The paper’s inset is of the curve of Figure 4, where both can be switched on; these curves are ours.',
@@ -175,7 +177,7 @@ export const graphFigure: Figure = {
 
 export const averagesFigure: Figure = {
   id: 'averages',
-  name: 'Figure 5, inset',
+  name: 'Section 5.2, inset',
   title: 'Weighted averages and the paper’s curve',
   caption:
     'Weighted averages are taken in an embedding whose straight lines are about as long as shortest paths. Where they are not, the curve is a different one. The paper’s inset is of a curve of Figure 5, where weighted averages can be switched on; this curve is ours.',
@@ -196,7 +198,7 @@ export const averagesFigure: Figure = {
       mesh: { kind: 'shape', name: 'genus3', triangles: 8_000 },
       points: 'spline',
       curve: { kind: 'bspline' },
-      lines: ['weightedAverages', 'bSurf', 'paper', 'karcher', 'exactLogs'],
+      lines: ['weightedAverages', 'bSurf', 'paper', 'karcher', 'leveled', 'exactLogs'],
       off: reference,
       samples: 128,
       view: { from: [-0.4, -0.1, 1] },

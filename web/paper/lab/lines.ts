@@ -103,7 +103,7 @@ async function traceMethod(
   try {
     const traceMs = await curve.trace(work);
     const samples = curve.samples();
-    const measures = task.scene.meter.measure(samples, await reference());
+    const measures = task.scene.meter.measure(samples, await reference(), affineSamples(task));
     const result = {
       ...emptyLine(id),
       ...measures,
@@ -136,33 +136,28 @@ function drawn(
 /** Lines that are the engine's curves, and their levels. */
 const engineLevels: Partial<Record<LineId, CurveLevels>> = { bridged: 0, leveled: 'auto' };
 
-function engineShape(
-  { points, curve: { kind }, samples }: Task,
-  levels: CurveLevels,
-): CurveOptions {
-  if (kind !== 'bspline' && kind !== 'bezier') {
-    throw new KarcherError('badArgument', 'only splines are bridged');
-  }
-  return { kind, points: [...points], samples, levels };
+function engineShape({ points, curve, samples }: Task, levels: CurveLevels): CurveOptions {
+  const shape = { points: [...points], samples, levels };
+  if (curve.kind === 'rational') return { ...shape, kind: 'rational', weights: curve.weights };
+  if (curve.kind === 'bspline' || curve.kind === 'bezier') return { ...shape, kind: curve.kind };
+  throw new KarcherError('badArgument', 'only splines have levels');
 }
 
-/**
- * Our curve as the engine gives it. Of several minima it takes the best, so it is measured against the
- * same curve of exact distances.
- */
-function engineCurve(task: Task, id: LineId): TracedLine {
+/** Our curve as the engine gives it. */
+async function engineCurve(
+  task: Task,
+  id: LineId,
+  reference: () => Promise<ReferenceSamples>,
+): Promise<TracedLine> {
   const { scene } = task;
-  const shape = engineShape(task, engineLevels[id]!);
-  const exact = scene.mesh.curve({ ...shape, solver: 'exact' });
-  const truth = exact.samples();
-  exact.dispose();
-  const curve = scene.mesh.curve(shape);
+  const truth = await reference();
+  const curve = scene.mesh.curve(engineShape(task, engineLevels[id]!));
   const own = curve.samples();
   const { fields, trace, bridge } = curve.times();
   const lost = own.status.filter((name) => name !== 'converged' && name !== 'bridged').length;
   const line = {
     ...emptyLine(id),
-    ...scene.meter.measure(own, truth),
+    ...scene.meter.measure(own, truth, affineSamples(task)),
     traceMs: fields + trace + bridge,
     samples: own.count,
     lost,
@@ -207,7 +202,7 @@ const makers: Partial<Record<LineId, Maker>> = {
   /** Our curve of all points at once, bridged where there is no center of mass. */
   bridged: engineCurve,
 
-  /** The same as the editor has it: the control polygon is refined first, as often as needed. */
+  /** Our default, as the editor has it: the control polygon is refined first, as often as needed. */
   leveled: engineCurve,
 
   /** From the center of mass to the points. */

@@ -29,7 +29,7 @@ export const tableMethodNames: Record<TableMethod, string> = {
   affineHeat: 'Affine heat',
   weightedAverages: 'Weighted averages',
   paper: 'Paper',
-  karcher: 'Karcher',
+  karcher: 'Karcher, level 0',
 };
 
 const pair = pathFigure.points.pair!;

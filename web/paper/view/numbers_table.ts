@@ -58,6 +58,7 @@ function dragText({ most, leaps }: NonNullable<LineResult['drag']>): string {
 }
 
 const curveColumns: Column[] = [
+  ...ruler,
   deviation,
   {
     head: 'max\nh',
@@ -85,17 +86,16 @@ const curveColumns: Column[] = [
     note: ({ lost, lostByOwnRule }) =>
       lost && lostByOwnRule !== null && lostByOwnRule !== lost ? `own ${lostByOwnRule}` : null,
   },
-  ...ruler,
   ...times,
 ];
 
 const centerColumns: Column[] = [
+  ...ruler,
   {
     ...deviation,
     head: 'deviation\nh',
     title: 'Distance from the reference, in mean edges h',
   },
-  ...ruler,
   ...times,
 ];
 

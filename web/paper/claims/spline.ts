@@ -1,0 +1,44 @@
+import type { CurveSamples, Mesh, SurfacePoint } from 'karcher';
+import { CurveMeter, type CurvePlan, type Peers, type Ruler, runMethod } from 'karcher/peers';
+import { methodOf } from '../figures/lines';
+import type { LineId } from '../figures/types';
+
+/** A uniform cubic B-spline as a study reads it. */
+export interface Spline {
+  samples: CurveSamples | null;
+  lost: number;
+  of: number;
+}
+
+/** A method's B-spline, or that of our default, which has as many levels as it needs. */
+export async function splineBy(
+  peers: Peers,
+  mesh: Mesh,
+  plan: CurvePlan,
+  id: LineId,
+): Promise<Spline> {
+  if (id !== 'leveled') {
+    const run = await runMethod(peers, mesh, plan, methodOf(id), null, { once: true });
+    return { samples: run.curve?.samples ?? null, lost: run.lost ?? 0, of: run.samples ?? 0 };
+  }
+  const points = [...plan.points] as SurfacePoint[];
+  const curve = mesh.curve({ kind: 'bspline', points, samples: plan.table.t.length });
+  const samples = curve.samples();
+  curve.dispose();
+  const isThere = (status: string) => status === 'converged' || status === 'bridged';
+  const lost = samples.status.filter((status) => !isThere(status)).length;
+  return { samples, lost, of: samples.count };
+}
+
+/** What a spline's samples are worth by exact paths, and how they turn beside a true curve. */
+export async function measured(
+  mesh: Mesh,
+  ruler: Ruler,
+  { samples }: Spline,
+  truth: CurveSamples | null,
+): Promise<{ residual: number | null; turning: number | null }> {
+  if (!samples) return { residual: null, turning: null };
+  const { residual } = await ruler.measure(samples);
+  const turning = truth && new CurveMeter(mesh).measure(samples, truth).turningNoise;
+  return { residual: residual?.median ?? null, turning };
+}
