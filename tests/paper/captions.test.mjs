@@ -55,6 +55,8 @@ const rules = [
   },
   { text: /k = (\d)/g, check: rings },
   { text: /Fig(?:ure|\.) \d/g, check: () => {} },
+  { text: /Section \d\.\d/g, check: () => {} },
+  { text: /level 0/g, check: () => assert.match(lineStyles.karcher.label, /level 0$/) },
   { text: /Eq\. 3/g, check: () => {} },
   { text: /\b1-ring/g, check: () => {} },
   {
