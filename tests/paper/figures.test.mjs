@@ -259,8 +259,10 @@ describe('figures', () => {
       for (const id of ['weightedAverages', 'bSurf', 'bridged', 'leveled']) {
         assert.equal(good(panel[id]).lost, 0, id);
       }
-      // Where both are centers of mass.
-      assert.ok(panel.bridged.deviation.median < 0.1, `${panel.bridged.deviation.median}`);
+      // It takes the better one of the centers to which both ends lead, by exact paths: no reference decides.
+      const [bridged, own] = [panel.bridged, panel.karcher].map(({ ruler }) => ruler);
+      assert.ok(bridged.energy.median <= own.energy.median, JSON.stringify([bridged, own]));
+      assert.ok(bridged.residual.median < 1.5 * own.residual.median);
       assert.ok(panel.bridged.turningNoise >= 0);
     }
   });
