@@ -43,7 +43,9 @@ export interface PolylineOptions {
  *   mean relative error is at most 1.1e-3 and its worst 1.5 %. On a mesh that it does not suit, `exact`
  *   takes its place (`info.fastSolver`);
  * - `exact`: by windows on the edges, exact on every mesh;
- * - `graph`: along the edges of a graph that joins each vertex to its k-ring.
+ * - `graph`: along the edges of a graph that joins each vertex to those of its k-ring that it sees in a
+ *   straight line across the faces. The graph of the paper's authors also has edges that turn round
+ *   saddles: their curves lie .02 to .08 mean edges from these, and their fields take half the time.
  */
 export type Solver = 'fast' | 'exact' | 'graph';
 
@@ -152,7 +154,7 @@ export type ErrorCode =
 export interface FieldOptions {
   method?: Method;
   solver?: Solver;
-  /** The k of the solver `graph`, 1 to 10; 6 by default. */
+  /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
   rings?: number;
 }
 

@@ -6,7 +6,9 @@
 /// The graph of the paper's approximate distances: each vertex joined to the vertices of its k-ring
 /// by arcs as long as the straight line between them across the faces of the ring (a variation of
 /// S. Xin, G. Wang 2007). Vertices of the ring that do not see each other have no arc of their own:
-/// a shortest path between them turns at vertices, and is made of arcs.
+/// a shortest path between them turns at vertices, and is made of arcs. The program of the paper's
+/// authors also joins those whose path turns round a saddle. Its curves lie .02 to .08 mean edges
+/// from ours; its fields take half the time.
 namespace karcher {
 
 struct RingGraph {

@@ -18,7 +18,7 @@ struct ObjContents {
 
 /// `bytes` is the content of the file, with any line ends. Every line is checked first: then
 /// tinyobjloader's functions read its numbers, which take what they do not understand for 0. They
-/// come within 4 units in the last place of the decimal number. With `mend` a coordinate that is
+/// come within 10 units in the last place of the decimal number. With `mend` a coordinate that is
 /// not finite is let through where no face uses its vertex, a vertex that a polygon names twice in
 /// a row counts once, and a polygon whose corners all lie on a line becomes a fan of triangles
 /// without area. Throws Error with the number of the line, from 1: kBadFile (not text, no faces, a

@@ -85,5 +85,10 @@ export const fieldOptions: readonly Option[] = [
     help: 'how distances are found; with --method paper exact (the default) or graph',
     default: 'fast',
   },
-  { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
+  {
+    name: 'rings',
+    value: 'K',
+    help: 'rings of the graph solver, 1 to 10; it joins vertices that see each other straight',
+    default: '6',
+  },
 ];

@@ -147,7 +147,7 @@ export const graphFigure: Figure = {
   name: 'Section 5.1, inset',
   title: 'Graph distances with k = 2 and k = 6',
   caption:
-    'The paper’s method with distances on the graph that joins each vertex to its k-ring. With k = 2, paths have few directions to choose from: the farther apart the points are, in edges, the more the curve strays and wiggles. With k = 6 it is several times closer, on the plane to the affine curve and on the sphere to the reference; with exact distances it is closer still. The paper’s inset is of the curve of Figure 4, where both can be switched on; these curves are ours.',
+    'The paper’s method with distances on the graph that joins each vertex to those of its k-ring that it sees straight; the graph of the authors’ program also joins those round saddles, so that its curves are others by a few hundredths of an edge. With k = 2, paths have few directions to choose from: the farther apart the points are, in edges, the more the curve strays and wiggles. With k = 6 it is several times closer, on the plane to the affine curve and on the sphere to the reference; with exact distances it is closer still. The paper’s inset is of the curve of Figure 4, where both can be switched on; these curves are ours.',
   points: { plane: planeSpline, sphere },
   panels: [
     {
