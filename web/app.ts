@@ -167,7 +167,8 @@ export async function start(): Promise<void> {
     viewer.showStyle(editor.active);
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
-    viewer.showPolygon(view.legs, view.polygonOnly);
+    // What is not selected is only seen.
+    viewer.showPolygon(editor.state.none ? [] : view.legs, view.polygonOnly);
     distances.update();
     if (viewer.surface !== surfaceShown && distances.shown) distances.onChange(distances.shown);
     const isNew = view.others !== besideShown || viewer.surface !== surfaceShown;
@@ -267,6 +268,8 @@ export async function start(): Promise<void> {
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;
     if (state.revision !== before.revision || ended) session.update(state);
+    if (state.none !== before.none)
+      viewer.showPolygon(state.none ? [] : session.view.legs, session.view.polygonOnly);
     if (state.tool !== before.tool) {
       rememberInTab('tool', state.tool);
       remember('tool', state.tool);

@@ -64,7 +64,6 @@ describe('editing a curve', () => {
     await tab.click(...places);
     await tab.dragHandle('Control point 4 of 4', 10, 30);
     await tab.choose('bezier');
-    await tab.page.keyboard.press('Escape');
     await tab.page.getByRole('button', { name: 'Control point 1 of 4' }).focus();
     await tab.page.keyboard.press('Delete');
     await tab.settled();

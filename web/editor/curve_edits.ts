@@ -109,6 +109,10 @@ export class CurveEdits {
 
   setClosed(closed: boolean): Promise<void> {
     this.editor.interrupt();
+    if (this.editor.state.chosen.length > 1) {
+      this.editor.setSettings({ closed });
+      return Promise.resolve();
+    }
     return this.#edit(({ settings: from }) => {
       if (from.closed === closed) return null;
       const { selection } = this.editor.state;
@@ -307,7 +311,8 @@ export class CurveEdits {
   }
 
   #hasCurve(): boolean {
-    return this.session.view.curve !== null && isCurve(this.editor.state.figure.kind);
+    const { figure, none } = this.editor.state;
+    return this.session.view.curve !== null && isCurve(figure.kind) && !none;
   }
 }
 

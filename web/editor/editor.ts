@@ -26,6 +26,7 @@ import {
   type CurveSettings,
   cleared,
   type Figure,
+  isCurve,
   isEmpty,
   isRound,
   type Kind,
@@ -61,6 +62,8 @@ export interface State {
   readonly selection: Selection;
   /** The objects that are selected, by their ids. */
   readonly chosen: readonly number[];
+  /** Whether nothing is selected, the edited object neither: it has no handles, and what is drawn next is another. */
+  readonly none: boolean;
   readonly method: MethodId;
   /** Whether the drawing is a drag's, which may go on. */
   readonly dragging: boolean;
@@ -76,6 +79,12 @@ export interface State {
 
 const none: readonly number[] = [];
 
+/** The one selection: the ids of the objects that panels, keys and files mean; the edited one is among them. */
+export function selectedObjects({ chosen, none, drawing }: State): readonly number[] {
+  if (none) return [];
+  return chosen.length > 0 ? chosen : [drawing.active];
+}
+
 /** The page's one state, and the only way to change it. */
 export class Editor {
   #state: State = {
@@ -86,6 +95,7 @@ export class Editor {
     standIn: false,
     selection: null,
     chosen: [],
+    none: false,
     method: defaultMethod,
     dragging: false,
     dragged: none,
@@ -135,7 +145,7 @@ export class Editor {
   /** Changes the whole drawing, as one step of the history. */
   perform(
     command: Command | null,
-    part: { selection?: Selection; chosen?: readonly number[] } = {},
+    part: { selection?: Selection; chosen?: readonly number[]; none?: boolean } = {},
   ): void {
     if (!command) return;
     this.cancelDrag();
@@ -216,7 +226,8 @@ export class Editor {
   keepLegs(told: ToldLegs): void {
     const kept = tellLegs(this.#history, this.#drag?.base ?? this.#state.drawing, told);
     if (!kept) return;
-    if (!this.#drag) this.#change({ drawing: kept }, false);
+    const { none } = this.#state;
+    if (!this.#drag) this.#change({ drawing: kept, none }, false);
     else this.#drag.base = kept;
   }
 
@@ -297,8 +308,8 @@ export class Editor {
       recordActivation(this.#history, command);
       this.#change({ drawing, selection: null, chosen, tool: this.#resting }, true);
     } else if (`${chosen}` !== `${this.#state.chosen}`) {
-      this.#change({ chosen, selection: null }, false);
-    }
+      this.#change({ chosen, selection: null, none: false }, false);
+    } else if (chosen.length > 0 && this.#state.none) this.#change({ none: false }, false);
   }
 
   /** Edits another object, which alone is selected with those of its group. */
@@ -308,19 +319,33 @@ export class Editor {
 
   /** Selects an object, or takes it out of the selection. */
   toggle(id: number): void {
-    const { chosen, drawing } = this.#state;
-    if (!chosen.includes(id)) {
-      this.choose([...chosen, id]);
+    const { drawing } = this.#state;
+    const selected = selectedObjects(this.#state).filter(
+      (one) => !isEmpty(objectOf(drawing, one)!.figure),
+    );
+    if (!selected.includes(id)) {
+      this.choose([...selected, id]);
       return;
     }
     const group = withGroups(drawing, [id]);
-    const left = chosen.filter((one) => !group.includes(one));
-    this.#change({ chosen: left, selection: null }, false);
+    const left = selected.filter((one) => !group.includes(one));
+    if (left.length > 0) this.choose(left);
+    else this.letGo();
+  }
+
+  /** Selects nothing. */
+  letGo(): void {
+    const { none, selection, chosen, figure } = this.#state;
+    if (isEmpty(figure)) this.#change({ selection: null, chosen: [] }, false);
+    else if (!none || selection !== null || chosen.length > 0) {
+      this.#change({ selection: null, chosen: [], none: true }, false);
+    }
   }
 
   /** Selects the edited object where nothing is selected. */
   chooseSome(): void {
-    const { chosen, drawing, figure } = this.#state;
+    const { chosen, none, drawing, figure } = this.#state;
+    if (none) return;
     if (chosen.length === 0 && !isEmpty(figure)) this.choose([drawing.active]);
   }
 
@@ -344,21 +369,30 @@ export class Editor {
   setKind(kind: Kind): void {
     this.interrupt();
     this.setTool('insert');
+    if (this.#state.none) {
+      this.begin(kind);
+      return;
+    }
     const command = ofKind(this.#state.drawing, kind);
     if (!command) return;
     if (command.type === 'figure') this.run(command.edit, null);
     else this.perform(command, { selection: null, chosen: [] });
   }
 
-  deleteObjects(ids: readonly number[] = this.#state.chosen): void {
+  /** Deletes objects; the edited one only where there is something of it. */
+  deleteObjects(wanted: readonly number[] = selectedObjects(this.#state)): void {
     this.interrupt();
     const { objects } = this.#state.drawing;
+    const ids = wanted.filter((id) => {
+      const object = objectOf(this.#state.drawing, id);
+      return object && !isEmpty(object.figure);
+    });
     const free = ids.filter((id) => objects.some((one) => one.id === id && !one.locked));
     if (free.length < ids.length) this.onRefusal('What is locked is not deleted. Unlock it first.');
     this.perform(deletion(this.#state.drawing, free), { selection: null, chosen: [] });
   }
 
-  duplicate(ids: readonly number[] = this.#state.chosen): void {
+  duplicate(ids: readonly number[] = selectedObjects(this.#state)): void {
     this.interrupt();
     this.#add(duplication(this.#state.drawing, ids));
   }
@@ -378,13 +412,14 @@ export class Editor {
     this.perform(grouping(this.#state.drawing, ids));
   }
 
-  ungroup(ids: readonly number[] = this.#state.chosen): void {
+  ungroup(ids: readonly number[] = selectedObjects(this.#state)): void {
     this.setProperties(ids, { group: null });
   }
 
   setProperties(ids: readonly number[], to: Partial<Properties>): void {
     this.interrupt();
-    this.perform(restyling(this.#state.drawing, ids, to));
+    const { none } = this.#state;
+    this.perform(restyling(this.#state.drawing, ids, to), { none });
   }
 
   /** Moves an object so many places up in the order. */
@@ -393,11 +428,29 @@ export class Editor {
     this.perform(reordering(this.#state.drawing, id, steps));
   }
 
+  /** Gives settings to the selected curves. */
   setSettings(part: Partial<CurveSettings>): void {
     this.interrupt();
-    const from = this.#state.figure.settings;
-    const to = { ...from, ...part };
-    if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'settings', from, to });
+    const { drawing, selection } = this.#state;
+    const ids = selectedObjects(this.#state);
+    const objects = drawing.objects.filter(({ id }) => ids.includes(id));
+    const changed = objects.filter(
+      ({ figure: { settings } }) =>
+        JSON.stringify({ ...settings, ...part }) !== JSON.stringify(settings),
+    );
+    if (objects.length < 2) {
+      const [object] = changed;
+      if (!object) return;
+      const from = object.figure.settings;
+      this.run({ type: 'settings', from, to: { ...from, ...part } });
+      return;
+    }
+    const steps = changed
+      .filter(({ figure, locked }) => isCurve(figure.kind) && !locked)
+      .map(({ id, figure: { settings: from } }) =>
+        this.#commandOf({ type: 'settings', from, to: { ...from, ...part } }, id),
+      );
+    if (steps.length > 0) this.perform({ type: 'steps', steps }, { selection });
   }
 
   setCircleForm(part: Partial<CircleForm>): void {
@@ -439,19 +492,19 @@ export class Editor {
     if (!isEmpty(figure)) this.replace(cleared(figure));
   }
 
-  /** An edit of the active object as a command of the drawing before the drag. */
-  #commandOf(edit: FigureCommand): Command {
+  /** An edit of an object, the active one where none is named, as a command of the drawing before the drag. */
+  #commandOf(edit: FigureCommand, of?: number): Command {
     const base = this.#drag?.base ?? this.#state.drawing;
-    const { id, figure: from } = activeObject(base);
+    const { id, figure: from } = (of !== undefined && objectOf(base, of)) || activeObject(base);
     const wanted = applyToFigure(from, edit);
     const to = fitted(wanted, from, edit);
     return { type: 'figure', id, edit: to === wanted ? edit : { type: 'replace', from, to } };
   }
 
-  /** Whether what is clicked goes into the active object: it is seen, and not locked. */
+  /** Whether what is clicked goes into the active object: it is selected, seen, and not locked. */
   get isOpen(): boolean {
     const { locked, visible } = this.active;
-    return visible && !locked;
+    return visible && !locked && !this.#state.none;
   }
 
   /** Whether the active object is locked, which is said. */
@@ -480,6 +533,8 @@ export class Editor {
     const edit = onlyEditOf(command, drawing.active);
     if (edit?.type === 'insert' || edit?.type === 'change') selection = edit.index;
     else if (edit?.type === 'reorder') selection = edit.to;
+    // What was put last is gone: the curve goes on from the one before.
+    else if (edit?.type === 'remove' && edit.index > 0) selection = edit.index - 1;
     else if (edit?.type !== 'circle' || !edit.to) selection = null;
     this.#change({ drawing, selection, chosen }, true);
   }
@@ -487,6 +542,11 @@ export class Editor {
   #change(part: Partial<Omit<State, 'figure' | 'base'>>, newEpoch: boolean): void {
     const before = this.#state;
     const state = { ...before, ...part };
+    // The edited object is always among those that are selected.
+    if (!state.chosen.includes(state.drawing.active)) state.chosen = [];
+    // What is done, and what is selected of it, is seen.
+    const isSeen = state.drawing !== before.drawing || state.selection !== null;
+    state.none = part.none ?? (before.none && !isSeen && state.chosen.length === 0);
     const traced =
       state.drawing !== before.drawing ||
       state.method !== before.method ||

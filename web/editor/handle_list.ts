@@ -11,15 +11,15 @@ import type { View } from './view';
 
 /**
  * The handles of what is edited: one a control point, or those of a circle or an ellipse; none of
- * what is locked or not shown.
+ * what is locked, not shown or not selected.
  */
 export function handlesOf(
-  { drawing, figure, selection }: State,
+  { drawing, figure, selection, none }: State,
   view: View,
   surface: Surface,
 ): Handle[] {
   const { locked, visible } = activeObject(drawing);
-  if (locked || !visible) return [];
+  if (locked || !visible || none) return [];
   const { kind, points, circle } = figure;
   if (kind === 'pen') return penHandles(points, view, surface, selection);
   if (!isRound(kind)) {

@@ -23,7 +23,7 @@ const measuredWithin = 48;
 
 export function targetAt(
   viewer: Viewer,
-  { drawing, figure: { kind }, tool }: State,
+  { drawing, figure: { kind }, tool, none }: State,
   place: { x: number; y: number; touch: boolean },
 ): Target | null {
   // A stroke goes over all there is.
@@ -42,6 +42,8 @@ export function targetAt(
     const other = viewer.pickObject(place.x, place.y, within);
     return other === null ? null : { type: 'other', id: other };
   }
+  if (none && viewer.pickOwn(place.x, place.y, within))
+    return { type: 'other', id: drawing.active };
   if (isCurve(kind) && !activeObject(drawing).locked) {
     const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);
     if (position) return { type: 'curve', position };

@@ -1,4 +1,4 @@
-import type { Editor } from '../editor/editor';
+import { type Editor, selectedObjects } from '../editor/editor';
 import { copiedText, pastedObjects } from '../model/copied';
 import { isEmpty } from '../model/figure';
 import { sentenceOf, showNote } from './messages';
@@ -22,8 +22,7 @@ export class Clipboard {
   }
 
   get #ids(): readonly number[] {
-    const { chosen, drawing } = this.editor.state;
-    return chosen.length > 0 ? chosen : [drawing.active];
+    return selectedObjects(this.editor.state);
   }
 
   #copy(event: ClipboardEvent): boolean {

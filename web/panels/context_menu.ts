@@ -1,4 +1,4 @@
-import type { Editor, State } from '../editor/editor';
+import { type Editor, type State, selectedObjects } from '../editor/editor';
 import { clickSlop } from '../editor/stage_pointer';
 import { targetAt } from '../editor/targets';
 import { isEmpty } from '../model/figure';
@@ -142,10 +142,10 @@ export class ContextMenu {
 
 type Action = [name: string, act: () => void];
 
-/** The selected objects, or else the edited one where there is something of it. */
-function targetsOf({ chosen, drawing }: State): readonly number[] {
-  if (chosen.length > 0) return chosen;
-  return drawing.objects
-    .filter(({ id, figure }) => id === drawing.active && !isEmpty(figure))
+/** The selected objects, where there is something of them. */
+function targetsOf(state: State): readonly number[] {
+  const ids = selectedObjects(state);
+  return state.drawing.objects
+    .filter(({ id, figure }) => ids.includes(id) && !isEmpty(figure))
     .map(({ id }) => id);
 }

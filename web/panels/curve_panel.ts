@@ -19,6 +19,8 @@ export interface CurveEvents {
 /** The curve's kind, how it is computed, and the list of its control points. */
 export class CurvePanel {
   readonly #method = byId<HTMLSelectElement>('method');
+  readonly #kindGroup = byId('kind-group');
+  readonly #pointsGroup = byId('points-group');
   readonly #rows: PointRows;
   readonly #clear = byId<HTMLButtonElement>('clear');
   readonly #split = byId<HTMLButtonElement>('split');
@@ -57,6 +59,9 @@ export class CurvePanel {
 
   show(state: State, view: View): void {
     const { kind } = state.figure;
+    // Of a stroke there is a tolerance.
+    this.#kindGroup.hidden = state.none && state.tool !== 'freehand';
+    this.#pointsGroup.hidden = state.none;
     const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;
     write(byId('kind-title'), group.title);
     byId('kind').hidden = group.kinds.length < 2;

@@ -49,6 +49,14 @@ export class EditedField<Value> {
     if (!this.#began || value === null) this.#restore();
   }
 
+  /** Left open, as several objects have several values; what is typed is for all of them. */
+  showOpen(): void {
+    this.#shown = '';
+    this.#of = null;
+    this.input.disabled = false;
+    if (!this.#began) this.#restore();
+  }
+
   #restore(): void {
     this.#began = null;
     delete this.input.dataset.edited;

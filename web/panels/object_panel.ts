@@ -1,4 +1,4 @@
-import type { Editor, State } from '../editor/editor';
+import { type Editor, type State, selectedObjects } from '../editor/editor';
 import {
   activeObject,
   type Dash,
@@ -73,10 +73,9 @@ export class ObjectPanel {
       },
       write: (value) => `${value}`,
     });
-    const lone = ({ chosen, drawing }: State) =>
-      chosen.length < 2 && !isEmpty(activeObject(drawing).figure);
-    const some = ({ chosen, drawing }: State) =>
-      chosen.length > 0 || !isEmpty(activeObject(drawing).figure);
+    const isDrawn = ({ drawing }: State) => !isEmpty(activeObject(drawing).figure);
+    const some = (state: State) => state.chosen.length > 0 || (!state.none && isDrawn(state));
+    const lone = (state: State) => state.chosen.length < 2 && !state.none && isDrawn(state);
     const place = ({ drawing }: State) =>
       drawing.objects.findIndex(({ id }) => id === drawing.active);
     const action = (
@@ -120,24 +119,31 @@ export class ObjectPanel {
     this.#shown = state;
     // A drag changes none of it.
     if (before?.dragging && state.dragging) return;
-    const same = before?.drawing === state.drawing && before.chosen === state.chosen;
+    const same =
+      before?.drawing === state.drawing &&
+      before.chosen === state.chosen &&
+      before.none === state.none;
     if (before && same) return;
     this.#showRows(state);
     const active = activeObject(state.drawing);
-    this.#showStyle(active);
-    write(byId('sheet-title'), nameOf(active));
+    const ids = selectedObjects(state);
+    const selected = state.drawing.objects.filter(({ id }) => ids.includes(id));
+    this.#showStyle(selected.length > 0 ? selected : [active], selected.length);
+    const title = selected.length > 1 ? `${selected.length} objects` : nameOf(active);
+    write(byId('sheet-title'), selected.length === 0 ? 'Nothing selected' : title);
     for (const [button, isPossible] of this.#actions) button.disabled = !isPossible(state);
     byId<HTMLButtonElement>('new-object').disabled = isEmpty(activeObject(state.drawing).figure);
   }
 
-  /** What the panel changes: the selected objects, or else the edited one. */
+  /** What the panel changes. */
   get #targets(): readonly number[] {
-    const { chosen, drawing } = this.editor.state;
-    return chosen.length > 0 ? chosen : [drawing.active];
+    return selectedObjects(this.editor.state);
   }
 
-  #showRows({ drawing, chosen }: State): void {
-    const { objects, active } = drawing;
+  #showRows(state: State): void {
+    const { drawing, chosen } = state;
+    const { objects } = drawing;
+    const active = state.none ? null : drawing.active;
     while (this.#list.childElementCount > objects.length) this.#list.lastElementChild!.remove();
     for (const [i, object] of objects.toReversed().entries()) {
       const row = this.#list.children[i] ?? this.#list.appendChild(this.#makeRow());
@@ -206,18 +212,34 @@ export class ObjectPanel {
     this.#list.querySelector<HTMLElement>(`[data-id="${id}"] .object`)?.focus();
   }
 
-  #showStyle(object: DrawnObject): void {
-    const { id, name, color, width, dash } = object;
-    this.#named.show(name, id);
-    this.#name.placeholder = nameOf({ ...object, name: '' });
-    this.#width.show(width);
-    this.#dash.value = dash;
+  /** What the selected objects have in common; what they have not is left open. */
+  #showStyle(objects: readonly DrawnObject[], selected: number): void {
+    const last = objects.at(-1)!;
+    const common = <Key extends 'color' | 'width' | 'dash'>(key: Key) =>
+      objects.every((object) => object[key] === last[key]) ? last[key] : undefined;
+    const { id, name } = last;
+    this.#named.show(selected === 1 ? name : '', selected === 1 ? id : null);
+    this.#name.placeholder =
+      selected > 1
+        ? `${selected} objects`
+        : selected === 0
+          ? 'Nothing selected'
+          : nameOf({ ...last, name: '' });
+    this.#name.disabled = selected !== 1;
+    const width = common('width');
+    if (width === undefined) this.#width.showOpen();
+    else this.#width.show(width);
+    this.#dash.value = common('dash') ?? '';
+    const color = selected > 0 ? common('color') : undefined;
     for (const swatch of this.#swatches) {
-      swatch.setAttribute('aria-pressed', `${(swatch.dataset.color || null) === color}`);
+      const isShown = color !== undefined && (swatch.dataset.color || null) === color;
+      swatch.setAttribute('aria-pressed', `${isShown}`);
     }
-    const isOwn = colors.every(([one]) => one !== color);
+    const isOwn = color !== undefined && colors.every(([one]) => one !== color);
     this.#custom.classList.toggle('chosen', isOwn);
     if (color) this.#custom.value = color;
+    const controls = [...this.#swatches, this.#custom, this.#dash, byId<HTMLInputElement>('width')];
+    for (const control of controls) control.disabled = selected === 0;
   }
 
   #makeSwatch(color: string | null, title: string): HTMLButtonElement {

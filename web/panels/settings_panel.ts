@@ -1,6 +1,6 @@
 import type { Parametrization } from 'karcher';
 import type { CurveEdits } from '../editor/curve_edits';
-import type { Editor, State } from '../editor/editor';
+import { type Editor, type State, selectedObjects } from '../editor/editor';
 import { type CurveSettings, isCurve } from '../model/figure';
 import { type Joint, jointOf } from '../model/pen';
 import { byId, make } from './elements';
@@ -41,12 +41,19 @@ export class SettingsPanel {
     );
   }
 
-  show({ figure, selection }: State): void {
+  show(state: State): void {
+    const { figure, selection, drawing } = state;
     const { kind, settings, points } = figure;
     const anchor = points[typeof selection === 'number' ? selection : 0];
     this.#joint.value = jointOf(anchor?.tangents);
     this.#group.hidden = !isCurve(kind);
-    this.#closed.checked = settings.closed;
+    const ids = selectedObjects(state);
+    const curves = drawing.objects.filter(
+      ({ id, figure: { kind } }) => ids.includes(id) && isCurve(kind),
+    );
+    const isShared = curves.every((one) => one.figure.settings.closed === settings.closed);
+    this.#closed.checked = settings.closed && isShared;
+    this.#closed.indeterminate = !isShared;
     this.#clamped.checked = settings.clamped && !settings.knots;
     this.#degree.value = `${settings.degree}`;
     this.#spacing.value = settings.parametrization;

@@ -39,11 +39,12 @@ export class TransformPanel {
     });
   }
 
-  show({ tool, chosen, figure }: State): void {
+  show({ tool, chosen, none, figure }: State): void {
     this.#mirror.setAttribute('aria-pressed', `${tool === 'mirror'}`);
     this.#transform.setAttribute('aria-pressed', `${tool === 'transform'}`);
-    this.#transform.disabled = chosen.length === 0 && isEmpty(figure) && tool !== 'transform';
-    this.#mirror.disabled = chosen.length === 0 && isEmpty(figure);
+    this.#transform.disabled =
+      chosen.length === 0 && (none || isEmpty(figure)) && tool !== 'transform';
+    this.#mirror.disabled = chosen.length === 0 && (none || isEmpty(figure));
     this.#panel.hidden = tool !== 'transform';
     byId('mirror-settings').hidden = tool !== 'mirror';
     for (const [field, none] of this.#fields) field.show(chosen.length > 0 ? none : null);

@@ -1,0 +1,147 @@
+// One selection: what is edited, colored, named and deleted is what is seen to be selected.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const two = [
+  [
+    [-110, 60],
+    [-40, 30],
+    [20, 60],
+    [90, 40],
+  ],
+  [
+    [-100, -60],
+    [-30, -90],
+    [30, -60],
+    [100, -80],
+  ],
+];
+
+describe('the selection', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  });
+  after(() => browser.close());
+
+  /** Two curves, of which the second is edited, with the tool that selects. */
+  async function drawn() {
+    const tab = await Tab.open(browser);
+    await tab.click(...two[0]);
+    await tab.page.keyboard.press('Enter');
+    await tab.click(...two[1]);
+    await tab.page.keyboard.press('v');
+    await tab.settled();
+    return tab;
+  }
+  const handles = (tab) => tab.page.locator('.handle').count();
+  const objectsOf = async (tab) => (await tab.state()).drawing.objects;
+  const swatch = (tab, name) => tab.page.getByRole('button', { name, exact: true });
+  const placeholder = (tab) => tab.page.locator('#object-name').getAttribute('placeholder');
+  const close = async (tab) => {
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  };
+
+  test('after a drag of another object is undone, one object is shown, colored and named', async () => {
+    const tab = await drawn();
+    const place = await tab.onCurve(0.5, 0);
+    await tab.drag(place, { x: place.x + 20, y: place.y + 30 });
+    assert.equal((await tab.state()).drawing.active, 1);
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    const { drawing } = await tab.state();
+    const name = `B-spline ${drawing.active}`;
+    assert.equal(await placeholder(tab), name);
+    await swatch(tab, 'Orange').click();
+    await tab.settled();
+    const colored = (await objectsOf(tab)).filter(({ color }) => color === '#d9480f');
+    assert.deepEqual(
+      colored.map(({ id }) => id),
+      [drawing.active],
+    );
+    await tab.page.locator('#closed').check();
+    await tab.settled();
+    const closed = (await objectsOf(tab)).filter(({ figure }) => figure.settings.closed);
+    assert.deepEqual(
+      closed.map(({ id }) => id),
+      [drawing.active],
+    );
+    await close(tab);
+  });
+
+  test('Delete takes the object whose points are shown', async () => {
+    const tab = await drawn();
+    await tab.page.keyboard.press('Escape');
+    const state = await tab.state();
+    assert.equal(state.selection, null);
+    if (state.none) await swatchRow(tab, 0);
+    assert.equal(await handles(tab), 4);
+    await tab.page.keyboard.press('Delete');
+    await tab.settled();
+    const left = (await objectsOf(tab)).filter(({ figure }) => figure.points.length > 0);
+    assert.deepEqual(
+      left.map(({ id }) => id),
+      [1],
+    );
+    await close(tab);
+  });
+
+  const swatchRow = (tab, row) => tab.page.locator('#objects .object').nth(row).click();
+
+  for (const [how, letGo] of [
+    ['Escape', (tab) => tab.page.keyboard.press('Escape')],
+    [
+      'a click on nothing',
+      async (tab) => {
+        const box = await tab.page.locator('#stage').boundingBox();
+        await tab.page.mouse.click(box.x + 80, box.y + box.height - 40);
+      },
+    ],
+  ]) {
+    test(`${how} lets go: nothing is selected, and nothing is changed`, async () => {
+      const tab = await drawn();
+      const place = await tab.onCurve(0.5);
+      await tab.page.mouse.click(place.x, place.y);
+      await tab.settled();
+      assert.equal(await handles(tab), 4);
+      await letGo(tab);
+      await letGo(tab);
+      await tab.settled();
+      assert.equal(await handles(tab), 0);
+      assert.equal(await placeholder(tab), 'Nothing selected');
+      const before = JSON.stringify(await objectsOf(tab));
+      assert.equal(await swatch(tab, 'Orange').isDisabled(), true);
+      for (const key of ['Delete', 'c', 'Control+d']) await tab.page.keyboard.press(key);
+      await tab.settled();
+      assert.equal(JSON.stringify(await objectsOf(tab)), before);
+      // A click on it selects it again.
+      await tab.page.mouse.click(place.x, place.y);
+      await tab.settled();
+      assert.equal(await handles(tab), 4);
+      assert.equal(await placeholder(tab), 'B-spline 2');
+      await close(tab);
+    });
+  }
+
+  test('of several what they share is shown, and set for all', async () => {
+    const tab = await drawn();
+    await swatch(tab, 'Pink').click();
+    await tab.page.keyboard.press('Control+a');
+    await tab.settled();
+    assert.equal(await placeholder(tab), '2 objects');
+    assert.equal(await tab.page.locator('#swatches [aria-pressed="true"]').count(), 0);
+    await tab.page.locator('#closed').click();
+    await tab.settled();
+    await tab.page.locator('#width').fill('7');
+    await tab.page.keyboard.press('Enter');
+    await swatch(tab, 'Teal').click();
+    await tab.settled();
+    for (const { color, width, figure } of await objectsOf(tab)) {
+      assert.deepEqual([color, width, figure.settings.closed], ['#0e7c9e', 7, true]);
+    }
+    assert.equal(await tab.page.locator('#swatches [aria-pressed="true"]').count(), 1);
+    await close(tab);
+  });
+});
