@@ -252,7 +252,8 @@ export class Gestures {
     this.#aim(null);
     this.stage.classList.add('pointed');
     const slop = event.pointerType === 'mouse' ? clickSlop.mouse : clickSlop.touch;
-    const alone = this.#pointers === 1 && event.button === 0;
+    const isView = event.altKey || this.stage.classList.contains('moving');
+    const alone = this.#pointers === 1 && event.button === 0 && !isView;
     this.#press = alone ? { id: event.pointerId, x: event.clientX, y: event.clientY, slop } : null;
   }
 
@@ -338,8 +339,12 @@ export class Gestures {
     const { tool, figure } = this.editor.state;
     const snapped = target?.type === 'curve' ? null : this.#snapAt(place, target);
     if (!target) {
-      this.editor.select(null);
-      this.editor.choose([]);
+      // A slip beside the surface ends no curve that is being drawn.
+      if (tool === 'select' || tool === 'transform') this.editor.letGo();
+      else {
+        this.editor.select(null);
+        this.editor.choose([]);
+      }
       if (tool !== 'measure') this.editor.rest();
     } else if (snapped) this.#put(snapped);
     else if (target.type === 'surface') this.#put(target.pick);

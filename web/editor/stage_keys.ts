@@ -32,6 +32,25 @@ export class StageKeys {
     stage.addEventListener('keyup', (event) => {
       if (event.key in arrows) moves.endNudge();
     });
+    window.addEventListener('keydown', (event) => this.#space(event));
+    window.addEventListener('keyup', ({ key }) => {
+      if (key === ' ') viewer.movesView = false;
+    });
+    window.addEventListener('blur', () => {
+      viewer.movesView = false;
+    });
+  }
+
+  /** While the space bar is held the pointer moves the view; on a button it presses that. */
+  #space(event: KeyboardEvent): void {
+    if (event.key !== ' ' || event.defaultPrevented) return;
+    const { target } = event;
+    const isTaken =
+      target instanceof Element &&
+      target.closest('button:not(.handle), input, select, textarea, a, summary, dialog, [popover]');
+    if (isTaken) return;
+    event.preventDefault();
+    this.viewer.movesView = true;
   }
 
   #down(event: KeyboardEvent): void {

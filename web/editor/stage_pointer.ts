@@ -91,6 +91,8 @@ export class StagePointer implements Held {
     const { stage } = this;
     const free = event.target === stage || event.target instanceof HTMLCanvasElement;
     if (!free || event.button !== 0 || this.#pressed || this.severalFingers()) return;
+    // With Alt or the space bar held the view has it.
+    if (event.altKey || stage.classList.contains('moving')) return;
     const from = placeOf(event);
     for (const taker of this.#takers) {
       const hold = taker(from);

@@ -1,8 +1,9 @@
 import type { CurveEdits } from '../editor/curve_edits';
-import type { Editor } from '../editor/editor';
+import { type Editor, selectedObjects } from '../editor/editor';
 import { toggleMirror, toggleTransform } from '../editor/mirror_tool';
 import { isResting } from '../editor/tool';
-import { isCurve, kinds } from '../model/figure';
+import { isCurve, isEmpty, kinds } from '../model/figure';
+import { placesOf } from '../model/moving';
 import type { Viewer } from '../viewer/viewer';
 import { byId } from './elements';
 import { showNote } from './messages';
@@ -60,12 +61,32 @@ export class Tools {
     else if (editor.state.tool === 'transform') editor.setTool('select');
     else if (!isResting(editor.state.tool)) editor.rest();
     else if (editor.state.selection !== null) editor.select(null);
-    else editor.choose([]);
+    else editor.letGo();
+  }
+
+  /** Zooms to what is selected, or else to all. */
+  #zoomToSelection(): void {
+    const { viewer } = this;
+    const { state } = this.editor;
+    const ids = selectedObjects(state);
+    const figures = state.drawing.objects.flatMap(({ id, figure }) =>
+      ids.includes(id) && !isEmpty(figure) ? [figure] : [],
+    );
+    // A circle lies around its center.
+    const around = figures.flatMap(({ circle }) => {
+      const { surface } = viewer;
+      if (!circle || !surface || !('face' in circle.rim)) return [];
+      const center = surface.position(circle.center);
+      return [center.clone().multiplyScalar(2).sub(surface.position(circle.rim))];
+    });
+    if (figures.length === 0) viewer.resetView({ animated: true });
+    else viewer.zoomTo(figures.flatMap(placesOf), around);
   }
 
   #toggleClosed(): void {
-    const { kind, settings } = this.editor.state.figure;
-    if (isCurve(kind)) this.edits.setClosed(!settings.closed);
+    const { figure, none } = this.editor.state;
+    const { kind, settings } = figure;
+    if (isCurve(kind) && !none) this.edits.setClosed(!settings.closed);
   }
 
   async #share(): Promise<void> {
@@ -123,6 +144,13 @@ export class Tools {
     if (key === 'enter' && !element?.closest('button, a, summary, input')) {
       event.preventDefault();
       this.editor.begin();
+      return;
+    }
+    // The digit's key, whatever it types with Shift.
+    if (event.shiftKey && (event.code === 'Digit1' || event.code === 'Digit2')) {
+      event.preventDefault();
+      if (event.code === 'Digit1') this.viewer.resetView({ animated: true });
+      else this.#zoomToSelection();
       return;
     }
     const kind = /^\d$/.test(key) ? kinds[(Number(key) + 9) % 10] : undefined;

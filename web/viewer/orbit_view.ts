@@ -1,4 +1,4 @@
-import { MathUtils, PerspectiveCamera, Quaternion, Spherical, Vector3 } from 'three';
+import { MathUtils, MOUSE, PerspectiveCamera, Quaternion, Ray, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type ViewPlace, viewNames } from '../model/view_place';
 import type { Surface } from './surface';
@@ -14,7 +14,11 @@ const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 const flightMilliseconds = 260;
 /** From how far a place is looked at, unless the view is nearer already. */
 const closeDistance = 1.6;
-const [nearest, farthest] = [0.15, 20];
+const [nearest, farthest] = [0.02, 20];
+/** Nearer ones are not told. */
+const leastReach = 0.01;
+/** Room around what is zoomed to. */
+const roomAround = 1.25;
 
 /** Where the camera is from what it looks at. */
 interface Place {
@@ -24,21 +28,35 @@ interface Place {
 
 /** The camera, and how the pointer, keys and flights move it. */
 export class OrbitView {
-  readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
+  readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.002, 100);
   /** What is looked at, once there is something. */
   surface: Surface | null = null;
   readonly #controls: OrbitControls;
   /** From where the whole is seen, where the view was not touched since; it then goes with the stage's size. */
   #whole: Vector3 | null = startDirection;
   #flight: { from: Place; to: Place; started: number } | null = null;
+  /** What is turned about: a point of the scene, and where the camera sees it. */
+  #pivot: { point: Vector3; seen: Vector3 } | null = null;
 
   /** `moved` is called when a frame is to be drawn. */
   constructor(
-    stage: HTMLElement,
+    private readonly stage: HTMLElement,
     private readonly moved: () => void,
   ) {
+    // Before the controls hear of it, what they turn about and zoom to is the surface under the pointer.
+    stage.addEventListener('pointerdown', (event) => this.#hold(event), { capture: true });
+    stage.addEventListener('wheel', (event) => this.#turnTo(event.clientX, event.clientY), {
+      capture: true,
+      passive: true,
+    });
+    for (const type of ['pointerup', 'pointercancel'] as const) {
+      window.addEventListener(type, () => {
+        this.#pivot = null;
+      });
+    }
     this.#controls = new OrbitControls(this.camera, stage);
     this.#controls.zoomToCursor = true;
+    this.#controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.ROTATE };
     this.#controls.minDistance = nearest;
     this.#controls.maxDistance = farthest;
     let touched = false;
@@ -51,8 +69,73 @@ export class OrbitView {
     });
     this.#controls.addEventListener('change', () => {
       if (touched) this.#whole = null;
+      this.#keepPivot();
       moved();
     });
+  }
+
+  /** While it is set the pointer's button moves the view, whatever else it would do. */
+  set moves(moves: boolean) {
+    this.#controls.mouseButtons.LEFT = moves ? MOUSE.PAN : MOUSE.ROTATE;
+  }
+
+  /** The point of the surface at a place of the window, or else in the middle of the stage; null without one. */
+  #under(x: number, y: number): Vector3 | null {
+    const { left, top, width, height } = this.stage.getBoundingClientRect();
+    const at = (h: number, v: number): Vector3 | null => {
+      this.camera.updateMatrixWorld();
+      const origin = this.camera.position;
+      const direction = new Vector3(h, v, 0.5).unproject(this.camera).sub(origin).normalize();
+      const depth = this.surface?.depth(new Ray(origin.clone(), direction)) ?? Infinity;
+      return Number.isFinite(depth) ? direction.multiplyScalar(depth).add(origin) : null;
+    };
+    return at((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height) ?? at(0, 0);
+  }
+
+  /**
+   * Takes the controls' target to the depth of what lies at a place of the window, and the view stays as it
+   * is: steps of a zoom and of a move are parts of the way to the surface, so none goes through it.
+   */
+  #turnTo(x: number, y: number): Vector3 | null {
+    const point = this.#under(x, y);
+    const { target } = this.#controls;
+    const { position } = this.camera;
+    if (!point || this.#flight) return point;
+    const forward = target.clone().sub(position).normalize();
+    const depth = point.clone().sub(position).dot(forward);
+    if (depth > 0) target.copy(position).addScaledVector(forward, Math.max(nearest, depth));
+    return point;
+  }
+
+  #hold(event: PointerEvent): void {
+    this.#flight = null;
+    const point = this.#turnTo(event.clientX, event.clientY);
+    const { mouseButtons } = this.#controls;
+    const moves = event.ctrlKey || event.metaKey || event.shiftKey || !event.isPrimary;
+    const isTurned =
+      !moves && (event.button === 2 || (event.button === 0 && mouseButtons.LEFT === MOUSE.ROTATE));
+    const { position, quaternion } = this.camera;
+    const seen = point?.clone().sub(position).applyQuaternion(quaternion.clone().invert());
+    this.#pivot = point && seen && isTurned ? { point, seen } : null;
+  }
+
+  /** The controls turn about what is in the middle: the camera goes where the pivot is seen as before. */
+  #keepPivot(): void {
+    if (!this.#pivot) return;
+    const { point, seen } = this.#pivot;
+    const { position, quaternion } = this.camera;
+    const to = point.clone().sub(seen.clone().applyQuaternion(quaternion));
+    this.#controls.target.add(to.clone().sub(position));
+    position.copy(to);
+  }
+
+  /** Sees a ball from where the view is, or from a direction. */
+  fit(center: Vector3, radius: number, direction: Vector3 | null): void {
+    this.#whole = null;
+    const from = direction ?? this.camera.position.clone().sub(this.#controls.target);
+    const far = (roomAround * radius) / Math.sin(this.#narrowAngle);
+    const offset = from.clone().setLength(Math.min(farthest, Math.max(8 * nearest, far)));
+    this.#go({ offset, target: center.clone() }, true);
   }
 
   /** The stage has another size. */
@@ -77,6 +160,8 @@ export class OrbitView {
   }
 
   zoom(factor: number): void {
+    const { left, top, width, height } = this.stage.getBoundingClientRect();
+    this.#turnTo(left + width / 2, top + height / 2);
     this.#whole = null;
     const offset = this.camera.position.clone().sub(this.#controls.target);
     const length = Math.min(farthest, Math.max(nearest, offset.length() * factor));
@@ -101,7 +186,7 @@ export class OrbitView {
     return {
       azimuth: MathUtils.radToDeg(theta),
       elevation: 90 - MathUtils.radToDeg(phi),
-      reach: radius * Math.sin(this.#narrowAngle),
+      reach: Math.max(leastReach, radius * Math.sin(this.#narrowAngle)),
       target: target.toArray(),
     };
   }

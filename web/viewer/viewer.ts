@@ -1,4 +1,5 @@
-import { Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import type { SurfacePoint } from 'karcher';
+import { Box3, Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import { defaultStyle, type LineStyle } from '../model/drawing';
 import type { ViewPlace } from '../model/view_place';
 import { litSurface, type ViewerColors } from './colors';
@@ -437,6 +438,26 @@ export class Viewer {
 
   zoom(factor: number): void {
     this.#view.zoom(factor);
+  }
+
+  /** While it is set the pointer moves the view, whatever else it would do. */
+  set movesView(moves: boolean) {
+    this.#view.moves = moves;
+    this.stage.classList.toggle('moving', moves);
+  }
+
+  /** Zooms to points of the surface; where most of them are hidden, from where they are seen. */
+  zoomTo(points: readonly SurfacePoint[], around: readonly Vector3[] = []): void {
+    const surface = this.#surface;
+    if (!surface || points.length === 0) return;
+    const places = [...points.map((point) => surface.position(point)), ...around];
+    const box = new Box3().setFromPoints(places);
+    const center = box.getCenter(new Vector3());
+    const radius = Math.max(...places.map((place) => place.distanceTo(center)));
+    const hidden = points.filter((point) => this.project(surface.position(point)).hidden).length;
+    const normal = points.reduce((sum, point) => sum.add(surface.normal(point)), new Vector3());
+    const isSeen = 2 * hidden < points.length || normal.length() < 1e-3;
+    this.#view.fit(center, radius, isSeen ? null : normal);
   }
 
   /** The whole surface, from the front; at once where motion is not wanted. */
