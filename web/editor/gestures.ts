@@ -1,7 +1,7 @@
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import { byRadii, newCircle, withHandle } from '../model/circle';
-import { type CircleShape, isRound, type Vector } from '../model/figure';
+import { type CircleShape, isCurve, isRound, type Vector } from '../model/figure';
 import type { FigureCommand } from '../model/figure_commands';
 import type { DrawnTangents, Joint } from '../model/pen';
 import { type PenAction, penActionAt, penWords, type UnderPointer } from '../model/pen_hints';
@@ -9,15 +9,16 @@ import { Handles } from '../viewer/handles';
 import type { Pick } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
 import { BoxSelection } from './box_selection';
-import type { Editor } from './editor';
+import type { Editor, Selection } from './editor';
 import { FreehandGestures } from './freehand';
 import { handlesOf, idOf, selectionOf, tangentOf, underHandle, underPointer } from './handle_list';
 import { MoveGestures } from './move_gestures';
 import { type HeldKeys, PenGestures } from './pen_gestures';
+import { RubberBand } from './rubber_band';
 import type { Session } from './session';
 import { type Snapped, Snapping } from './snapping';
 import { arrows, StageKeys } from './stage_keys';
-import { clickSlop, StagePointer } from './stage_pointer';
+import { clickSlop, type Hold, type Place, StagePointer } from './stage_pointer';
 import { type Target, targetAt } from './targets';
 import type { CurveTool } from './tool';
 import { type Numbers, TransformGestures } from './transform_gestures';
@@ -73,6 +74,7 @@ export class Gestures {
   readonly #pen: PenGestures;
   readonly #transforms: TransformGestures;
   readonly #moves: MoveGestures;
+  readonly #band: RubberBand;
   #pointers = 0;
   #hover: { x: number; y: number } | null = null;
   /** Whether the pointer is over the stage, and over which handle of the pen. */
@@ -100,6 +102,7 @@ export class Gestures {
       key: (id, event) => this.#nudge(id, event),
     });
     this.snapping = new Snapping(editor, viewer);
+    this.#band = new RubberBand(editor, session, viewer);
     const handles = this.#handles;
     const severalFingers = twoFingersMeanTheView(stage, {
       get heldBy() {
@@ -121,7 +124,9 @@ export class Gestures {
     });
     this.#pointer = pointer;
     this.freehand = new FreehandGestures(editor, session, viewer, this.snapping);
-    for (const one of [box, this.freehand, pen, moves]) pointer.offer((press) => one.take(press));
+    for (const one of [box, this.freehand, pen]) pointer.offer((press) => one.take(press));
+    pointer.offer((press) => this.#takeRound(press));
+    pointer.offer((press) => moves.take(press));
     const transforms = new TransformGestures(editor, session, viewer, stage, severalFingers, {
       stopped: () => events.moveStopped(),
     });
@@ -299,6 +304,8 @@ export class Gestures {
         target?.type === 'other' || target?.type === 'shorter',
       );
       const snapped = this.#hover && this.#snapAt({ ...this.#hover, touch: false }, target);
+      const added = snapped ?? (target?.type === 'surface' ? target.pick : null);
+      this.#band.aim(added?.point ?? null);
       if (snapped?.kind) this.#showSnap(snapped);
       else if (target?.type === 'surface') {
         this.#handles.showPreview(target.pick.position, 'surface');
@@ -418,7 +425,11 @@ export class Gestures {
     const selection = selectionOf(id);
     const isPen = figure.kind === 'pen';
     const under = isPen ? underHandle(id) : null;
-    const action = under && penActionAt(under, this.#pen.state(this.#keys.alt));
+    const action = under
+      ? penActionAt(under, this.#pen.state(this.#keys.alt))
+      : this.#closesAt(selection)
+        ? 'close'
+        : null;
     this.editor.select(selection);
     const { view } = this.session;
     const { circle } = figure;
@@ -427,6 +438,44 @@ export class Gestures {
       circle: circle && byRadii(circle, view.circle),
       tangents: (isPen && typeof selection === 'number' && view.tangents?.[selection]) || {},
       action,
+    };
+  }
+
+  /** Whether a click on a control point closes the curve that is drawn, as the pen's does. */
+  #closesAt(point: Selection): boolean {
+    const { figure, tool, selection, dragging } = this.editor.state;
+    const { kind, points, settings } = figure;
+    if (tool !== 'insert' || kind === 'pen' || !isCurve(kind) || settings.closed || dragging)
+      return false;
+    return point === 0 && points.length > 2 && selection === points.length - 1;
+  }
+
+  /** A drag draws a circle or an ellipse from its center. */
+  #takeRound(press: Place): Hold | null {
+    const { editor, session, viewer } = this;
+    const { figure, tool } = editor.state;
+    if (tool !== 'insert' || !isRound(figure.kind) || press.shift || press.touch) return null;
+    if (!editor.isOpen || figure.circle || !session.client) return null;
+    const target = this.#target(press);
+    const center = this.#snapAt(press, target)?.point;
+    if (!center) return null;
+    const begun = newCircle(center, session.client.info.diagonal, viewer.right);
+    return {
+      drag: ({ x, y }) => {
+        const rim = viewer.pick(x, y)?.point;
+        if (!rim) return;
+        const to = withHandle(begun, begun, 'rim', rim);
+        editor.preview({ type: 'circle', from: null, to });
+      },
+      release: (_, dragged) => {
+        if (!dragged) {
+          this.#click(press);
+          return;
+        }
+        editor.commitDrag();
+        if (editor.state.figure.circle) editor.select('rim');
+      },
+      cancel: () => editor.cancelDrag(),
     };
   }
 

@@ -42,6 +42,15 @@ export function targetAt(
     const other = viewer.pickObject(place.x, place.y, within);
     return other === null ? null : { type: 'other', id: other };
   }
+  // The pen edits its own path: over another line it goes on as over the surface.
+  if (kind === 'pen' && tool === 'insert') {
+    const own = !none && !activeObject(drawing).locked;
+    const position = own ? viewer.pickCurve(place.x, place.y, within) : null;
+    if (position) return { type: 'curve', position };
+    const shorter = own ? viewer.pickShorter(place.x, place.y, within) : -1;
+    if (shorter >= 0) return { type: 'shorter', index: shorter };
+    return pick && { type: 'surface', pick };
+  }
   if (none && viewer.pickOwn(place.x, place.y, within))
     return { type: 'other', id: drawing.active };
   if (isCurve(kind) && !activeObject(drawing).locked) {

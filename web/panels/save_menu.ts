@@ -120,8 +120,11 @@ export class SaveMenu {
   }
 
   get #title(): string {
-    const { mesh, figure } = this.editor.state;
-    return `${figure.kind} on ${meshLabel(mesh).replace(/\.obj$/i, '')}`;
+    const { mesh, drawing } = this.editor.state;
+    const drawn = drawing.objects.filter(({ figure }) => !isEmpty(figure));
+    const [one] = drawn;
+    const what = drawn.length === 1 ? one!.name || one!.figure.kind : 'drawing';
+    return `${what} on ${meshLabel(mesh).replace(/\.obj$/i, '')}`;
   }
 
   #download(title: string, file: Blob, extension: string): void {

@@ -31,6 +31,7 @@ export class Viewer {
   readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
   readonly #sketch = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.25 }, 2);
   readonly #stroke = new FatLine({ width: 3, hidden: 0.25 }, 4);
+  readonly #band = new FatLine({ width: 2, dash: fineDash, hidden: 0.2 }, 4);
   readonly #beside = new ObjectLines(2);
   /** Around what is selected, below it. */
   readonly #halo = new FatLine({ width: 10, hidden: 0 }, 1);
@@ -43,6 +44,7 @@ export class Viewer {
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
     ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#halo, this.#stroke],
     this.#frameLines,
+    this.#band,
   ];
   readonly #layers: Layer[] = [];
   readonly #beforeFrame: (() => void)[] = [];
@@ -137,6 +139,7 @@ export class Viewer {
     this.showShorter([]);
     this.showPlaces([]);
     this.showStroke(new Float32Array());
+    this.showBand(new Float32Array());
     this.showFrame([]);
     return this.#surface;
   }
@@ -217,6 +220,12 @@ export class Viewer {
     this.requestFrame();
   }
 
+  /** The way to the point that a click would add. */
+  showBand(line: Float32Array): void {
+    this.#band.set(line.length > 0 ? [line] : []);
+    this.requestFrame();
+  }
+
   /** A stroke that is being drawn, in the scene. */
   showStroke(line: Float32Array): void {
     this.#stroke.set(line.length > 0 ? [line] : []);
@@ -279,7 +288,7 @@ export class Viewer {
     this.#curve.setColor(own, surface);
     this.#curve.setStyle({ width, dash: dashLengths[dash] });
     this.#lost.setStyle({ width, dash: fineDash });
-    for (const line of [this.#sketch, this.#stroke]) line.setColor(own, surface);
+    for (const line of [this.#sketch, this.#stroke, this.#band]) line.setColor(own, surface);
   }
 
   /** Shorter ways than the legs of the curve. */

@@ -1,0 +1,97 @@
+// Drawing does no harm: the pen leaves other lines alone, paths go on after undo and close alike, circles are dragged.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+describe('drawing by hand', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  });
+  after(() => browser.close());
+
+  const objectsOf = async (tab) => (await tab.state()).drawing.objects;
+  const at = async (tab, [dx, dy]) => {
+    const { x, y } = await tab.middle();
+    return { x: x + dx, y: y + dy };
+  };
+  const close = async (tab) => {
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  };
+  const path = [
+    [-100, 60],
+    [0, 90],
+    [100, 60],
+  ];
+
+  test("the pen goes on over another object's line, and leaves that as it was", async () => {
+    const tab = await Tab.open(browser);
+    await tab.click([-100, -60], [-30, -90], [30, -60], [100, -80]);
+    const before = JSON.stringify((await objectsOf(tab))[0].figure);
+    await tab.page.keyboard.press('p');
+    await tab.click(...path);
+    const { x, y } = await tab.onCurve(0.5, 0);
+    await tab.page.mouse.click(x, y);
+    await tab.settled();
+    const objects = await objectsOf(tab);
+    assert.equal(JSON.stringify(objects[0].figure), before);
+    assert.equal(objects[1].figure.kind, 'pen');
+    assert.equal(objects[1].figure.points.length, 4);
+    assert.equal((await tab.state()).drawing.active, objects[1].id);
+    await close(tab);
+  });
+
+  test('after undo the path of the pen goes on where it stood', async () => {
+    const tab = await Tab.open(browser);
+    await tab.page.keyboard.press('p');
+    await tab.click(...path);
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    await tab.click([120, 0]);
+    const objects = await objectsOf(tab);
+    assert.deepEqual(
+      objects.map(({ figure }) => figure.points.length),
+      [3],
+    );
+    await close(tab);
+  });
+
+  for (const [key, name] of [
+    ['p', 'Anchor 1 of 3'],
+    ['b', 'Control point 1 of 3'],
+  ]) {
+    test(`a click on the first point closes what is drawn with tool ${key}`, async () => {
+      const tab = await Tab.open(browser);
+      await tab.page.keyboard.press(key);
+      await tab.click(...path);
+      const { x, y } = await tab.handle(name);
+      await tab.page.mouse.click(x, y);
+      await tab.settled();
+      const [{ figure }] = await objectsOf(tab);
+      assert.equal(figure.settings.closed, true);
+      assert.equal(figure.points.length, 3);
+      await close(tab);
+    });
+  }
+
+  for (const [key, kind] of [
+    ['o', 'circle'],
+    ['e', 'ellipse'],
+  ]) {
+    test(`a drag draws the ${kind} from its center, as one step`, async () => {
+      const tab = await Tab.open(browser);
+      await tab.page.keyboard.press(key);
+      await tab.settled();
+      await tab.drag(await at(tab, [20, 10]), await at(tab, [90, 30]));
+      const [{ figure }] = await objectsOf(tab);
+      assert.equal(figure.kind, kind);
+      assert.ok('face' in figure.circle.rim, 'its rim is where the drag ended');
+      const view = await tab.page.evaluate(() => location.hash);
+      await tab.page.keyboard.press('Control+z');
+      await tab.settled();
+      assert.equal((await objectsOf(tab))[0].figure.circle, null, view);
+      await close(tab);
+    });
+  }
+});
