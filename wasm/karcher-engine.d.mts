@@ -57,6 +57,9 @@ export interface EngineMesh {
   subdivided(levels: number): EngineMesh;
   checkedPoint(point: Float64Array): Float64Array;
   position(point: Float64Array): [number, number, number];
+  positionsOf(points: Float64Array): Float64Array;
+  normal(point: Float64Array): [number, number, number];
+  nearestPoint(place: Float64Array): { point: Float64Array; distance: number };
   distance(from: Float64Array, field: EngineFieldOptions): Float64Array;
   shortestPath(from: Float64Array, to: Float64Array): EnginePath;
   logMap(
@@ -64,6 +67,7 @@ export interface EngineMesh {
     points: Float64Array,
     directions: Float64Array,
   ): { vectors: Float64Array; directions: Float64Array };
+  logMapOfVertices(from: Float64Array): Float64Array;
   expMap(from: Float64Array, vectors: Float64Array, directions: Float64Array): EngineMapped;
   mirror(line: Float64Array, points: Float64Array, directions: Float64Array): EngineMapped;
   transport(from: Float64Array, to: Float64Array, vectors: Float64Array): Float64Array;
@@ -86,6 +90,14 @@ export interface EngineMesh {
     field: EngineFieldOptions,
   ): EngineMean;
   /** `given` is empty for equal weights. */
+  centersOfMass(
+    points: Float64Array,
+    rows: Float64Array,
+    start: Float64Array,
+    normalize: boolean,
+    isChecked: boolean,
+    field: EngineFieldOptions,
+  ): { point: Float64Array; position: Float64Array; energy: Float64Array; status: Status[] };
   weightsOf(
     point: Float64Array,
     points: Float64Array,

@@ -6,6 +6,7 @@ import {
   checkNumber,
   checkOneOf,
   checkOptions,
+  shown,
   toFloat64,
   toVector,
 } from './check.js';
@@ -18,6 +19,7 @@ import { carriedVectors, type LogMap, type MappedPoints, toMapped, toVectors } f
 import { frozenInfo } from './mesh_info.js';
 import {
   centerOptionNames,
+  centersOptionNames,
   checkLongWork,
   circleOptionNames,
   curveOptionNames,
@@ -31,12 +33,14 @@ import {
   weightsOptionNames,
 } from './options.js';
 import { Path } from './path.js';
-import { toSurfacePoint, wirePoint, wirePoints } from './points.js';
+import { toPointArrays, toSurfacePoint, wirePoint, wirePointArrays, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
 import { checkDistancesFit, checkMeshFits } from './room.js';
 import type {
   CenterOfMass,
   CenterOptions,
+  CentersOfMass,
+  CentersOptions,
   Circle,
   CircleOptions,
   CurveOptions,
@@ -47,6 +51,8 @@ import type {
   LongWorkOptions,
   MeanWeights,
   MeshInfo,
+  NearestPoint,
+  PointArrays,
   PointLike,
   StartOptions,
   StraightestPath,
@@ -141,6 +147,26 @@ export class Mesh {
     return this.#handle.call((mesh) => mesh.position(wire));
   }
 
+  /** The places of points: x, y, z each. Of a list, or of flat arrays, as `CentersOfMass` has them. */
+  positionsOf(points: readonly PointLike[] | PointArrays): Float64Array {
+    const wire = wirePointsOrArrays(points);
+    return this.#handle.call((mesh) => mesh.positionsOf(wire));
+  }
+
+  /** The unit normal of a point's face, on the side from which its corners run counterclockwise. */
+  normal(point: PointLike): [number, number, number] {
+    const wire = wirePoint(point);
+    return this.#handle.call((mesh) => mesh.normal(wire));
+  }
+
+  /** The point of the surface that is nearest to a place in space; of several one of them. */
+  nearestPoint(place: VectorLike): NearestPoint {
+    const vector = toVector(place, 'the place');
+    const { point, distance } = this.#handle.call((mesh) => mesh.nearestPoint(vector));
+    const position = this.#handle.call((mesh) => mesh.position(point));
+    return { point: toSurfacePoint(point), position, distance };
+  }
+
   /**
    * Makes what the given fields need of the mesh; the graph of the graph solver in slices of a few
    * milliseconds. Other methods make at once what is missing.
@@ -189,6 +215,30 @@ export class Mesh {
         mesh.centerOfMass(places, masses, start, normalize, looks, certifies, field),
       ),
     );
+  }
+
+  /**
+   * The centers of mass of one set of points for many rows of weights, one a point in each: a list of
+   * rows, or all of them one after the other. Fields are made once, and each search costs what a curve's
+   * sample does for each of the points, at which it starts in turn. Every row gets the answer that it would
+   * get alone. Throws as `centerOfMass` does, and names the row.
+   */
+  centersOfMass(
+    points: readonly PointLike[],
+    rows: ArrayLike<number> | readonly ArrayLike<number>[],
+    options: CentersOptions = {},
+  ): CentersOfMass {
+    checkOptions(options, centersOptionNames);
+    const places = wirePoints(points);
+    const weights = toRows(rows, points.length);
+    const start = this.#wireStart(options);
+    const field = engineFieldOptions(options);
+    const normalize = checkBoolean(options.normalize ?? false, 'normalize');
+    const checks = checkBoolean(options.check ?? false, 'check');
+    const { point, ...centers } = this.#handle.call((mesh) =>
+      mesh.centersOfMass(places, weights, start, normalize, checks, field),
+    );
+    return { count: point.length / 4, ...toPointArrays(point), ...centers };
   }
 
   /**
@@ -340,16 +390,19 @@ export class Mesh {
   }
 
   /**
-   * Geodesic distances from a point to the vertices, in the caller's order: NaN at a dropped vertex
-   * and where no path leads. By default exact.
+   * Geodesic distances from a point to the vertices, in the caller's order, or from the nearest of several
+   * points: NaN at a dropped vertex and where no path leads. By default exact.
    *
    * Exact distances have two limits: the longest edge is at most 1e12 times the shortest, and a field
    * takes at most 10,000 windows a face, where 10 to 100 are usual. Throws `KarcherError` badArgument
    * beyond them. The solver `graph` has neither.
    */
-  distance(from: PointLike, options: DistanceOptions = {}): Float64Array {
+  distance(from: PointLike | readonly PointLike[], options: DistanceOptions = {}): Float64Array {
     checkOptions(options, distanceOptionNames);
-    const wire = wirePoint(from);
+    const wire = Array.isArray(from) ? wirePoints(from) : wirePoint(from as PointLike);
+    if (wire.length === 0) {
+      throw new KarcherError('tooFewPoints', 'distances are from at least one point');
+    }
     const field = engineFieldOptions({ solver: 'exact', ...options });
     checkDistancesFit(this.info.vertices, this.#bytesInUse);
     return this.#handle.call((mesh) => mesh.distance(wire, field));
@@ -384,11 +437,23 @@ export class Mesh {
    * shortest, and seldom longer than the shortest by a thousandth. `directions` (one a point, in the
    * planes of the points' faces; 0, 0, 0 for none) are carried along the paths by parallel transport.
    *
+   * Without points the vectors are those of all vertices, in the caller's order, at about the cost of one
+   * field of distances: shortest paths by the fast solver, or exact ones where it does not suit the mesh
+   * (`info.fastSolver`), whose directions are interpolated between those of neighbours. Exact on a plane. NaN
+   * at a dropped vertex and where no path leads.
+   *
    * Throws `KarcherError` unreachable where no path leads, and badArgument for directions that are
    * not one a point.
    */
-  logMap(from: PointLike, points: readonly PointLike[], directions?: VectorsLike): LogMap {
+  logMap(from: PointLike, points?: readonly PointLike[], directions?: VectorsLike): LogMap {
     const wire = wirePoint(from);
+    if (points === undefined) {
+      if (directions !== undefined) {
+        throw new KarcherError('badArgument', 'the log map of all vertices takes no directions');
+      }
+      const vectors = this.#handle.call((mesh) => mesh.logMapOfVertices(wire));
+      return { vectors, directions: new Float64Array() };
+    }
     const places = wirePoints(points);
     const ways = carriedVectors(directions, points.length);
     return this.#handle.call((mesh) => mesh.logMap(wire, places, ways));
@@ -457,6 +522,34 @@ export class Mesh {
   #wireStart({ start }: StartOptions): Float64Array {
     return start === undefined ? new Float64Array() : wirePoint(start, 'the start');
   }
+}
+
+const wirePointsOrArrays = (points: readonly PointLike[] | PointArrays): Float64Array =>
+  Array.isArray(points) ? wirePoints(points) : wirePointArrays(toArrays(points));
+
+function toArrays(points: unknown): PointArrays {
+  if (typeof points === 'object' && points !== null) return points as PointArrays;
+  throw new KarcherError(
+    'badArgument',
+    `the points must be a list or {face, bary}, not ${shown(points)}`,
+  );
+}
+
+/** Rows of weights one after the other. */
+function toRows(rows: unknown, width: number): Float64Array {
+  if (!Array.isArray(rows) || typeof rows[0] !== 'object') return toFloat64(rows, 'the weights');
+  const all = new Float64Array(width * rows.length);
+  for (let i = 0; i < rows.length; i++) {
+    const row = toFloat64(rows[i], `row ${i} of the weights`);
+    if (row.length !== width) {
+      throw new KarcherError(
+        'badWeights',
+        `row ${i}: there are ${width} points but ${row.length} weights`,
+      );
+    }
+    all.set(row, width * i);
+  }
+  return all;
 }
 
 function toCenterOfMass(mean: EngineMean): CenterOfMass {

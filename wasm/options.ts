@@ -10,6 +10,7 @@ import { KarcherError } from './errors.js';
 import type { EngineFieldOptions } from './karcher-engine.mjs';
 import type {
   CenterOptions,
+  CentersOptions,
   CircleOptions,
   CurveLevels,
   CurveOptions,
@@ -42,6 +43,7 @@ export const centerOptionNames = namesOf<CenterOptions>({
   uniqueness: true,
   certificate: true,
 });
+export const centersOptionNames = namesOf<CentersOptions>({ ...field, ...start, check: true });
 export const weightsOptionNames = namesOf<WeightsOptions>({
   ...field,
   weights: true,

@@ -1,5 +1,6 @@
-import { checkArray, checkPointLike } from './check.js';
-import type { PointLike, SurfacePoint } from './types.js';
+import { checkArray, checkPointLike, toFloat64, toInt32 } from './check.js';
+import { KarcherError } from './errors.js';
+import type { PointArrays, PointLike, SurfacePoint } from './types.js';
 
 /** A caller's point as it travels (`checkPointLike`): the engine checks it against the mesh. */
 export const wirePoint = (point: PointLike, what = 'the point'): Float64Array =>
@@ -13,6 +14,32 @@ export function wirePoints(points: unknown, what = 'the points'): Float64Array {
     all.set(checkPointLike(array[i], `point ${i}`), 4 * i);
   }
   return all;
+}
+
+/** The same of points as flat arrays. */
+export function wirePointArrays({ face, bary }: PointArrays): Float64Array {
+  const faces = toInt32(face, 'the faces of the points');
+  const weights = toFloat64(bary, 'the weights of the points');
+  if (weights.length !== 3 * faces.length) {
+    throw new KarcherError(
+      'badArgument',
+      `there must be three weights a point: ${3 * faces.length}, not ${weights.length}`,
+    );
+  }
+  const all = new Float64Array(4 * faces.length);
+  for (let i = 0; i < faces.length; i++) {
+    all[4 * i] = faces[i]!;
+    all.set(weights.subarray(3 * i, 3 * i + 3), 4 * i + 1);
+  }
+  return all;
+}
+
+/** Faces and weights of points as flat arrays. */
+export function toPointArrays(wire: Float64Array): { face: Int32Array; bary: Float64Array } {
+  const count = wire.length / 4;
+  const bary = new Float64Array(3 * count);
+  for (let i = 0; i < count; i++) bary.set(wire.subarray(4 * i + 1, 4 * i + 4), 3 * i);
+  return { face: Int32Array.from({ length: count }, (_, i) => wire[4 * i]!), bary };
 }
 
 export function toSurfacePoint(wire: Float64Array, at = 0): SurfacePoint {

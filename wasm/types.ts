@@ -21,6 +21,20 @@ export interface SurfacePoint {
 /** A point as an argument: a surface point, or a vertex by its number. */
 export type PointLike = SurfacePoint | { vertex: number };
 
+/** Points as flat arrays: a face each, and three weights each, as `CurvePoints` and `CentersOfMass` have them. */
+export interface PointArrays {
+  face: ArrayLike<number>;
+  bary: ArrayLike<number>;
+}
+
+/** The point of the surface that is nearest to a place. */
+export interface NearestPoint {
+  point: SurfacePoint;
+  position: [number, number, number];
+  /** In space. */
+  distance: number;
+}
+
 /** A place or a direction in space as an argument: three numbers, or an object with x, y and z. */
 export type VectorLike = ArrayLike<number> | { x: number; y: number; z: number };
 
@@ -260,6 +274,27 @@ export interface CenterOptions extends FieldOptions, StartOptions {
    * the solver `exact`; where the center lies on an edge or at a vertex, a shortest path to each point.
    */
   certificate?: boolean;
+}
+
+export interface CentersOptions extends FieldOptions, StartOptions {
+  /**
+   * Hold each center to exact distances, as `centerOfMass` does; each then costs as much as one of
+   * `centerOfMass`. Without it `converged` says what it says of a curve's samples.
+   */
+  check?: boolean;
+}
+
+/** Centers of mass of one set of points, as flat arrays of one entry (or three) a row of weights. */
+export interface CentersOfMass {
+  count: number;
+  face: Int32Array;
+  /** Three a row. */
+  bary: Float64Array;
+  /** Three a row. */
+  position: Float64Array;
+  status: Status[];
+  /** As that of `CenterOfMass`. */
+  energy: Float64Array;
 }
 
 export type CurveGeometry = 'geodesic' | 'exact';

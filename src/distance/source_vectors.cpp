@@ -7,12 +7,35 @@ void SourceVectors::setSource(const SurfacePoint& source) {
   const auto count = static_cast<size_t>(mesh.vertexCount());
   vectors_.resize(count);
   states_.assign(count, State::kUnknown);
+  const PointLocation location = locate(mesh, source);
+  if (location.simplex == Simplex::kVertex) {
+    know(location.vertex, Vec2::Zero());
+    for (const int h : outgoingHalfedges(mesh, location.vertex)) {
+      know(mesh.head(h), geometry_.edgeLength[h] * directionOfEdge(geometry_, h).tail);
+      // At the boundary the last edge has its half-edge the other way alone.
+      const int last = previous(h);
+      if (mesh.twin[last] >= 0) continue;
+      know(mesh.tail(last), -geometry_.edgeLength[last] * directionOfEdge(geometry_, last).head);
+    }
+    return;
+  }
   const Vec2 place = pointInFace(geometry_, source);
   for (int k = 0; k < 3; ++k) {
-    const int vertex = mesh.corner(source.face, k);
-    vectors_[vertex] = cornerInFace(geometry_, source.face, k) - place;
-    states_[vertex] = State::kKnown;
+    know(mesh.corner(source.face, k), cornerInFace(geometry_, source.face, k) - place);
   }
+  if (location.simplex != Simplex::kEdge) return;
+  // The corner across the edge, unfolded.
+  const int twin = mesh.twin[location.halfedge];
+  if (twin < 0) return;
+  const int across = previous(twin);
+  const Vec2 fromHead = cornerInFace(geometry_, faceOf(twin), cornerOf(across)) -
+                        cornerInFace(geometry_, faceOf(twin), cornerOf(twin));
+  know(mesh.tail(across), vectors_[mesh.tail(twin)] + acrossEdge(geometry_, twin, fromHead));
+}
+
+void SourceVectors::know(int vertex, const Vec2& vector) {
+  vectors_[vertex] = vector;
+  states_[vertex] = State::kKnown;
 }
 
 const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {

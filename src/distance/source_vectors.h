@@ -16,11 +16,12 @@ class SourceVectors {
   /// The geometry must outlive the object.
   explicit SourceVectors(const Geometry& geometry) : geometry_(geometry) {}
 
-  /// For another source, which must lie inside a face.
+  /// For another source. At a vertex the vectors are those of its tangent plane (tangent.h).
   void setSource(const SurfacePoint& source);
 
-  /// log of a vertex at the source, in the frame of the source's face. The solver must have the
-  /// same source, be one that tells the steps of paths, and have grown to the vertex.
+  /// log of a vertex at the source, in its tangent plane: that of its face, or of the vertex. The
+  /// solver must have the same source, be one that tells the steps of paths, and have grown to the
+  /// vertex.
   const Vec2& at(const DistanceSolver& solver, int vertex);
 
  private:
@@ -32,6 +33,7 @@ class SourceVectors {
     PathStep step;
   };
 
+  void know(int vertex, const Vec2& vector);
   bool ask(const DistanceSolver& solver, int vertex);
   void take(const Asked& asked, double distance);
 

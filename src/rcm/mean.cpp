@@ -375,6 +375,64 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   return mean;
 }
 
+Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
+                          const Array<double>& rows, MeanOptions options,
+                          std::shared_ptr<FieldSet>& kept) {
+  const int width = points.count();
+  if (width == 0) {
+    throw Error(ErrorCode::kTooFewPoints, "a center of mass needs at least one point");
+  }
+  if (rows.count() % width != 0) {
+    throw Error(ErrorCode::kBadWeights, "there are " + std::to_string(rows.count()) +
+                                            " weights, which are no rows of " +
+                                            std::to_string(width));
+  }
+  options.looksForOthers = false;
+  Surface& surface = sets.surface();
+  const int count = rows.count() / width;
+  Array<double> weights(points.size());
+  const auto read = [&](int row) {
+    const auto begin = rows.begin() + static_cast<ptrdiff_t>(row) * width;
+    weights.assign(begin, begin + width);
+    try {
+      checkWeights(weights, width, options.normalize);
+    } catch (const Error& error) {
+      throw Error(error.code(), "row " + std::to_string(row) + ": " + error.what());
+    }
+  };
+  for (int row = 0; row < count; ++row) read(row);
+  Array<Mean> means;
+  means.reserve(static_cast<size_t>(count));
+  const bool keepsFields = likelyValues(surface, points, false) <= options.mostValues;
+  if (options.isChecked || !keepsFields) {
+    for (int row = 0; row < count; ++row) {
+      read(row);
+      means.push_back(centerOfMass(sets, points, weights, options, kept));
+    }
+    return means;
+  }
+  kept = nullptr;
+  Array<SurfacePoint> connected = points;
+  if (options.start) connected.push_back(*options.start);
+  checkOneComponent(surface, connected);
+  std::shared_ptr<FieldSet> set = sets.of(options.field);
+  const Array<std::shared_ptr<PointField>> fields = fieldsOf(*set, points);
+  Array<ControlField*> pointers;
+  for (const auto& field : fields) pointers.push_back(&field->field());
+  FieldBlend blend(surface.geometry(), pointers);
+  for (int row = 0; row < count; ++row) {
+    read(row);
+    const int only = onlyPoint(points, weights);
+    if (only >= 0) {
+      means.push_back({points[only], Status::kConverged, 0, 0, Uniqueness::kCertain, {}});
+      continue;
+    }
+    means.push_back(withSoundEnergy(
+        search(surface, blend, weights, points, firstLargest(weights), options), weights));
+  }
+  return means;
+}
+
 Mean centerOfMassOfDistances(Surface& surface, const Array<Array<double>>& distances,
                              Array<double> weights, const MeanOptions& options) {
   checkWeights(weights, distances.count(), options.normalize);

@@ -69,6 +69,16 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
 Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept);
 
+/// The centers of mass of one set of points, one for each row of weights, one row after the other:
+/// what `centerOfMass` finds of each, at the cost of a curve's samples, as the points' fields are
+/// made once. Only with options.isChecked they are held to exact distances, each at the cost of a
+/// center of its own. Nothing is looked for beside them: options.looksForOthers has no effect.
+/// Throws as `centerOfMass` does, naming the row of weights that do not serve; kBadWeights for
+/// weights that are not rows of one a point.
+Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
+                          const Array<double>& rows, MeanOptions options,
+                          std::shared_ptr<FieldSet>& kept);
+
 /// The same for fields from a caller's own distances, one array of a distance a vertex for each
 /// point, by the paper's method. The search starts at options.start, else at the vertex nearest to
 /// the source of the largest weight.

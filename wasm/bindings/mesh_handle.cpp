@@ -1,5 +1,6 @@
 #include "bindings/mesh_handle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -90,6 +91,29 @@ val MeshHandle::position(const val& point) const {
   return toJs(karcher::position(mesh(), pointFromJs(numbering_, mesh(), point)));
 }
 
+val MeshHandle::positionsOf(const val& points) const {
+  Array<double> places;
+  for (const SurfacePoint& point : pointsFromJs(numbering_, mesh(), points)) {
+    append(places, karcher::position(mesh(), point));
+  }
+  return toJs(places);
+}
+
+val MeshHandle::normal(const val& point) const {
+  const int face = pointFromJs(numbering_, mesh(), point).face;
+  return toJs(toSpace(geometry(), face, {1, 0}).cross(toSpace(geometry(), face, {0, 1})));
+}
+
+val MeshHandle::nearestPoint(const val& place) {
+  if (!faceTree_) faceTree_.emplace(mesh());
+  const Array<double> numbers = fromJs<double>(place);
+  const FaceTree::Nearest nearest = faceTree_->nearest({numbers[0], numbers[1], numbers[2]});
+  val result = val::object();
+  result.set("point", toJs(numbering_, SurfacePoint{nearest.face, nearest.bary}));
+  result.set("distance", nearest.distance);
+  return result;
+}
+
 /// A vector in space as a unit vector in the frame of a face.
 Vec2 MeshHandle::directionInFace(int face, const val& direction) const {
   const Array<double> space = fromJs<double>(direction);
@@ -134,7 +158,11 @@ Array<double> MeshHandle::distancesFromPoint(const SurfacePoint& source, const v
 }
 
 val MeshHandle::distance(const val& from, const val& field) {
-  const Array<double> distances = distancesFromPoint(pointFromJs(numbering_, mesh(), from), field);
+  Array<double> distances(static_cast<size_t>(mesh().vertexCount()), kInfinity);
+  for (const SurfacePoint& source : pointsFromJs(numbering_, mesh(), from)) {
+    const Array<double> ofSource = distancesFromPoint(source, field);
+    for (int v = 0; v < distances.count(); ++v) distances[v] = std::min(distances[v], ofSource[v]);
+  }
   Array<double> result;
   result.reserve(numbering_.engineVertex.size());
   for (const int v : numbering_.engineVertex) {
@@ -190,6 +218,32 @@ val MeshHandle::centerOfMassOfDistances(const val& distances, const val& weights
   for (size_t i = 0; i < count; ++i) fields.push_back(engineDistances(numbers, i));
   return meanToJs(karcher::centerOfMassOfDistances(surface_, fields, fromJs<double>(weights),
                                                    meanOptions(start, normalize)));
+}
+
+val MeshHandle::centersOfMass(const val& points, const val& rows, const val& start, bool normalize,
+                              bool isChecked, const val& field) {
+  MeanOptions options = meanOptions(start, normalize);
+  options.isChecked = isChecked;
+  options.field = fieldOptionsFromJs(field);
+  const Array<Mean> means =
+      karcher::centersOfMass(*fieldSets_, pointsFromJs(numbering_, mesh(), points),
+                             fromJs<double>(rows), options, fields_);
+  Array<SurfacePoint> centers;
+  Array<double> positions;
+  Array<double> energies;
+  val statuses = val::array();
+  for (const Mean& mean : means) {
+    centers.push_back(mean.point);
+    append(positions, karcher::position(mesh(), mean.point));
+    energies.push_back(mean.energy);
+    statuses.call<void>("push", std::string(statusName(mean.status)));
+  }
+  val result = val::object();
+  result.set("point", toJs(numbering_, centers));
+  result.set("position", toJs(positions));
+  result.set("energy", toJs(energies));
+  result.set("status", statuses);
+  return result;
 }
 
 MeanOptions MeshHandle::meanOptions(const val& start, bool normalize) const {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bindings/wire.h"
+#include "mesh/face_tree.h"
 #include "rcm/mean.h"
 
 namespace karcher::bindings {
@@ -34,6 +35,12 @@ class MeshHandle {
 
   val checkedPoint(const val& point) const;
   val position(const val& point) const;
+  /// Of points one after the other: x, y, z each.
+  val positionsOf(const val& points) const;
+  /// Of the point's face.
+  val normal(const val& point) const;
+  /// {point, distance}; `place` is a Float64Array of three numbers.
+  val nearestPoint(const val& place);
   /// {end, remaining, stop, path}; `direction` is a Float64Array of three numbers, in space.
   val straightest(const val& from, const val& direction, double length) const;
   val shortestPath(const val& from, const val& to) const;
@@ -41,6 +48,8 @@ class MeshHandle {
   // Vectors and directions are in space, three numbers each; a direction of length 0 is none.
   /// {vectors, directions}
   val logMap(const val& from, const val& points, const val& directions) const;
+  /// The vectors of all vertices of the caller; NaN where no path leads.
+  val logMapOfVertices(const val& from);
   /// {points, directions, remaining}
   val expMap(const val& from, const val& vectors, const val& directions) const;
   val mirror(const val& line, const val& points, const val& directions) const;
@@ -48,6 +57,7 @@ class MeshHandle {
   val transport(const val& from, const val& to, const val& vectors) const;
 
   // `field` is {method, solver, rings}.
+  /// To the nearest of points that come one after the other.
   val distance(const val& from, const val& field);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
   /// Makes what fields share; the graph too, unless it was built in slices.
@@ -56,6 +66,9 @@ class MeshHandle {
   /// is asked for.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
                    bool looksForOthers, bool certifies, const val& field);
+  /// {point, position, energy, status}: of each row of weights, one after the other.
+  val centersOfMass(const val& points, const val& rows, const val& start, bool normalize,
+                    bool isChecked, const val& field);
   /// {weights, isMinimum}; `given` is empty for equal weights.
   val weightsOf(const val& point, const val& points, const val& given, bool nonNegative,
                 const val& field);
@@ -82,6 +95,7 @@ class MeshHandle {
   Array<Repair> repairs_;
   Surface surface_;
   std::optional<CurvatureBound> smooth_;
+  std::optional<FaceTree> faceTree_;  ///< made when it is first asked for
   std::shared_ptr<FieldSets> fieldSets_;
   /// Of the last center of mass.
   std::shared_ptr<FieldSet> fields_;

@@ -1,6 +1,8 @@
+#include <cmath>
 #include <string>
 
 #include "bindings/mesh_handle.h"
+#include "distance/source_vectors.h"
 #include "distance/tangent_maps.h"
 #include "mesh/error.h"
 
@@ -54,6 +56,24 @@ val MeshHandle::logMap(const val& from, const val& points, const val& directions
   result.set("vectors", toJs(vectors));
   result.set("directions", toJs(carried));
   return result;
+}
+
+val MeshHandle::logMapOfVertices(const val& from) {
+  const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
+  const Geometry& geometry = surface_.geometry();
+  const auto solver = makeDistanceSolver(surface_, {});
+  solver->setSource(start);
+  solver->grow(kInfinity);
+  SourceVectors ofVertices(geometry);
+  ofVertices.setSource(start);
+  Array<double> vectors;
+  vectors.reserve(3 * numbering_.engineVertex.size());
+  for (const int v : numbering_.engineVertex) {
+    const bool isReached = v >= 0 && solver->distance(v) != kInfinity;
+    append(vectors, isReached ? tangentToSpace(geometry, start, ofVertices.at(*solver, v))
+                              : Vec3(Vec3::Constant(std::nan(""))));
+  }
+  return toJs(vectors);
 }
 
 val MeshHandle::expMap(const val& from, const val& vectors, const val& directions) const {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+
+namespace karcher {
+
+/// A tree of boxes round the faces of a mesh, in the order of their numbers, which lie near each
+/// other where the mesh was read (numbering.h): finds the point of the surface nearest to a place.
+class FaceTree {
+ public:
+  /// The mesh must outlive the tree.
+  explicit FaceTree(const TriangleMesh& mesh);
+
+  struct Nearest {
+    int face = -1;
+    Vec3 bary = Vec3::Zero();
+    double distance = kInfinity;
+  };
+
+  /// Of several that are as near the one of the smallest face number.
+  Nearest nearest(const Vec3& place) const;
+
+ private:
+  struct Box {
+    Vec3 low = Vec3::Constant(kInfinity);
+    Vec3 high = Vec3::Constant(-kInfinity);
+  };
+
+  void search(int node, const Vec3& place, Nearest& best) const;
+  double squaredDistance(int node, const Vec3& place) const;
+
+  const TriangleMesh& mesh_;
+  int leaves_ = 1;    ///< a power of 2
+  Array<Box> boxes_;  ///< of node i those below are 2 i and 2 i + 1; the root is 1
+};
+
+}  // namespace karcher

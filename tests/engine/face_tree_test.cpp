@@ -1,0 +1,35 @@
+#include "mesh/face_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "mesh/nearest_in_triangle.h"
+#include "mesh/shapes.h"
+#include "mesh/triangle_mesh.h"
+
+namespace karcher {
+namespace {
+
+TEST(FaceTree, FindsWhatAllFacesTell) {
+  TriangleSoup soup = makeShape(Shape::kKnot, 700);
+  const TriangleMesh mesh = buildMesh(std::move(soup.positions), std::move(soup.triangles));
+  const FaceTree tree(mesh);
+  constexpr unsigned kSeed = 7;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 place(coordinate(random), coordinate(random), coordinate(random));
+    double least = kInfinity;
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+      const auto corner = [&](int k) { return mesh.positions[mesh.corner(face, k)]; };
+      const Vec3 bary = nearestInTriangle(place, corner(0), corner(1), corner(2));
+      const Vec3 at = bary[0] * corner(0) + bary[1] * corner(1) + bary[2] * corner(2);
+      least = std::min(least, (at - place).norm());
+    }
+    EXPECT_EQ(tree.nearest(place).distance, least) << "seed " << kSeed << ", place " << i;
+  }
+}
+
+}  // namespace
+}  // namespace karcher
