@@ -1,5 +1,5 @@
 // Karcher in the CMake projects of C++ users: as a folder, fetched and installed. The program is the
-// README's. Only against the installed library is it linked and run: the engine is compiled already.
+// one of docs/cpp.md. Only against the installed library is it linked and run: the engine is compiled already.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -10,7 +10,7 @@ import { promisify } from 'node:util';
 import { inRoot } from '../../.tools/shell.mjs';
 
 const program = () =>
-  /^```cpp\n([\s\S]*?)^```$/m.exec(readFileSync(inRoot('README.md'), 'utf8'))[1];
+  /^```cpp\n([\s\S]*?)^```$/m.exec(readFileSync(inRoot('docs/cpp.md'), 'utf8'))[1];
 
 /** What a user's project has in front of Karcher, and behind it: no variable of CMake's has changed. */
 const head = `cmake_minimum_required(VERSION 3.24)
