@@ -6,6 +6,8 @@ import { KarcherError } from './errors.js';
  */
 
 const largestInteger = 0x7fffffff;
+/** Of things that take 4 doubles each, as points do, more do not fit into 4 GB. */
+const mostEntries = 2 ** 27;
 
 const badArgument = (message: string) => new KarcherError('badArgument', message);
 
@@ -16,6 +18,8 @@ export function shown(value: unknown): string {
 }
 
 function textOf(value: unknown): string {
+  // Its code would be shown, in a worker the worker's.
+  if (typeof value === 'function') return 'a function';
   try {
     return String(value);
   } catch {
@@ -78,7 +82,17 @@ function checkArrayLike(value: unknown, what: string): ArrayLike<unknown> {
   if (typeof value !== 'object' || !Number.isInteger(length) || length! < 0) {
     throw badArgument(`${what} must be an array of numbers, not ${shown(value)}`);
   }
+  if (ArrayBuffer.isView(value)) checkAttached(value, what);
   return value as ArrayLike<unknown>;
+}
+
+/** A buffer that was transferred has no bytes any more, and looks like an empty one. */
+export function checkAttached({ buffer }: ArrayBufferView, what: string): void {
+  try {
+    new Uint8Array(buffer, 0, 0);
+  } catch {
+    throw badArgument(`${what} must be an array of numbers, not one whose buffer was transferred`);
+  }
 }
 
 /** A copy in doubles. NaN and infinity pass: the engine names the place that they mean. */
@@ -114,7 +128,8 @@ export function checkOptions(options: unknown, names: readonly string[]): void {
 /** An array of things that are not numbers. */
 export function checkArray(value: unknown, what: string): unknown[] {
   if (!Array.isArray(value)) throw badArgument(`${what} must be an array, not ${shown(value)}`);
-  return value;
+  if (value.length <= mostEntries) return value;
+  throw badArgument(`${what} must be an array of at most ${mostEntries}, not of ${value.length}`);
 }
 
 export function checkLength(array: ArrayLike<unknown>, multipleOf: number, what: string): void {

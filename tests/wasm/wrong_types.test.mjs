@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
 import { test } from 'node:test';
 import { load } from 'karcher';
+import { loadInWorker } from 'karcher/worker';
 
 const karcher = await load();
 const mesh = karcher.shape('sphere', 500);
@@ -138,4 +140,60 @@ test('isolines at no distance, of either type', () => {
   }
   const three = { direction, radii: [...radii, 0.1] };
   assert.throws(() => mesh.ellipse(center, three), { message: /two radii/ });
+});
+
+/** An array whose buffer was transferred: it looks like an empty one. */
+function gone() {
+  const array = new Float64Array(9);
+  structuredClone(array, { transfer: [array.buffer] });
+  return array;
+}
+
+test('what was transferred, what is too long and what holds itself are no arguments', async () => {
+  const long = new Array(2 ** 32 - 1);
+  const local = [
+    () => karcher.meshFromArrays(gone(), [0, 1, 2]),
+    () => karcher.meshFromArrays([0, 0, 0, 1, 0, 0, 0, 1, 0], gone()),
+    () => mesh.curve({ kind: 'custom', points, basis: gone }),
+    () => mesh.centerOfMass(long, [1]),
+    () => mesh.centerOfMassOfDistances(long, [1]),
+  ];
+  for (const call of local) assert.throws(call, { name: 'KarcherError', code: 'badArgument' });
+  const worker = await loadInWorker();
+  const sphere = await worker.shape('sphere', 500);
+  const cyclic = [];
+  cyclic.push(cyclic);
+  const remote = [
+    () => sphere.centerOfMass(cyclic, [1]),
+    () => worker.meshFromArrays(gone(), [0, 1, 2]),
+    () => sphere.position(() => 'a secret of the worker'),
+    () => worker.client.call('__defineGetter__', ['shape', () => {}]),
+    () => worker.client.call('constructor', []),
+  ];
+  for (const call of remote) {
+    await assert.rejects(call, (error) => {
+      assert.equal(error.name, 'KarcherError');
+      assert.equal(error.code, 'badArgument');
+      assert.doesNotMatch(error.message, /=>/);
+      return true;
+    });
+  }
+  assert.equal((await worker.shape('sphere', 500)).info.triangles, sphere.info.triangles);
+  worker.dispose();
+});
+
+test('a wrong worker or signal is refused, and no worker is left running', async () => {
+  const { code, stdout } = await new Promise((resolve) => {
+    const program = `
+      import { loadInWorker } from 'karcher/worker';
+      for (const options of [{ worker: {} }, { worker: () => null }, { signal: 'x' }, { signal: {} }]) {
+        await loadInWorker(options).catch(({ name, code }) => console.log(name, code));
+      }`;
+    const args = ['--input-type=module', '-e', program];
+    execFile(process.execPath, args, { timeout: 60_000 }, (error, out) =>
+      resolve({ code: error ? (error.code ?? 'it did not end') : 0, stdout: out }),
+    );
+  });
+  assert.equal(code, 0);
+  assert.equal(stdout, 'KarcherError badArgument\n'.repeat(4));
 });

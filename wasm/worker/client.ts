@@ -1,3 +1,4 @@
+import { shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
 import type { CurveOptions, LongWorkOptions } from '../types.js';
@@ -76,7 +77,7 @@ export class WorkerClient {
 
   constructor(worker: WorkerLike | (() => WorkerLike)) {
     this.#start = typeof worker === 'function' ? worker : null;
-    this.#worker = typeof worker === 'function' ? worker() : worker;
+    this.#worker = checkedWorker(typeof worker === 'function' ? worker() : worker);
     this.#listen();
   }
 
@@ -355,16 +356,17 @@ export class WorkerClient {
 
   /** Own copies of arguments that may have to be sent again; the signals among them. */
   #copied(args: readonly unknown[], signals: AbortSignal[]): unknown[] {
-    return args.map((arg) =>
+    const copied = (arg: unknown) =>
       replaced(arg, (part) => {
         if (part instanceof AbortSignal) signals.push(part);
         if (ArrayBuffer.isView(part)) return this.#start ? copyOf(part) : part;
         const isAsItIs = part instanceof AbortSignal || typeof part === 'function';
         if (isAsItIs || this.#origins.has(part)) return part;
         if (!this.#start || Array.isArray(part) || isPlain(part)) return undefined;
-        return sending(() => structuredClone(part));
-      }),
-    );
+        return structuredClone(part);
+      });
+    // What holds itself has no end, and what was transferred is not there.
+    return sending(() => args.map(copied));
   }
 
   #sent(arg: unknown, callbacks: Pending['callbacks']): unknown {
@@ -440,6 +442,12 @@ export class WorkerClient {
   }
 }
 
+function checkedWorker(worker: WorkerLike): WorkerLike {
+  const { postMessage, terminate } = (worker ?? {}) as Partial<WorkerLike>;
+  if (typeof postMessage === 'function' && typeof terminate === 'function') return worker;
+  throw new KarcherError('badArgument', `the worker must be a Worker, not ${shown(worker)}`);
+}
+
 const gone = () => new KarcherError('disposed', 'the mesh or curve has been disposed of');
 
 /** Throws `KarcherError` for what `clone` cannot make a structured clone of. */
@@ -447,6 +455,7 @@ function sending<Result>(clone: () => Result): Result {
   try {
     return clone();
   } catch (cause) {
+    if (cause instanceof KarcherError) throw cause;
     const why = cause instanceof Error ? cause.message : `${cause}`;
     throw new KarcherError('badArgument', `it cannot be sent to a worker: ${why}`, { cause });
   }

@@ -1,3 +1,4 @@
+import { checkLongWork } from '../options.js';
 import { WorkerClient, type WorkerLike } from './client.js';
 import { type RemoteKarcher, remoteKarcher } from './remote.js';
 
@@ -49,6 +50,7 @@ export async function loadInWorker({
   worker = startWorker,
   signal,
 }: WorkerOptions = {}): Promise<RemoteKarcher> {
+  checkLongWork(signal === undefined ? {} : { signal });
   const client = new WorkerClient(worker);
   const abort = () => client.dispose();
   signal?.addEventListener('abort', abort, { once: true });

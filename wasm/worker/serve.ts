@@ -117,7 +117,10 @@ class Server {
       if (keeps) this.#post({ id, begun: true });
       if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
       const asked: unknown = (owner as Record<string, unknown>)[call];
-      if (asked === undefined) throw new Error(`there is no call '${call}'`);
+      // What every object has is no call.
+      if (asked === undefined || call in Object.prototype) {
+        throw new KarcherError('badArgument', `there is no call '${call}'`);
+      }
       const given = args.map((arg) => this.#received(arg, id, controller.signal));
       const result = typeof asked === 'function' ? await asked.apply(owner, given) : asked;
       if (call === 'dispose') this.#objects.delete(target);
