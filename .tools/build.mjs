@@ -2,7 +2,14 @@
 // facade, the page, and a mesh to try them on.
 //
 //   node .tools/build.mjs [wasm] [facade] [page] [bunny] [native]    (without arguments all but the last)
-import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import {
+  chmodSync,
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  writeFileSync,
+} from 'node:fs';
 import { dirname } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { setUp } from './setup.mjs';
@@ -54,6 +61,10 @@ export async function buildFacade() {
   await runNpmProgram(
     ...[typescript, '-p', 'wasm', '--declaration', 'false', '--removeComments', '--noCheck'],
   );
+  // The declarations name types of the modules, whose own declarations the compiler does not write.
+  for (const name of ['karcher-engine.d.mts', 'peers/karcher-peers.d.mts']) {
+    copyFileSync(inRoot(`wasm/${name}`), inRoot(`dist/${name}`));
+  }
   chmodSync(inRoot('dist/cli.js'), 0o755);
 }
 

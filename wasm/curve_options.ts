@@ -128,7 +128,8 @@ function checkOwnOptions(options: CurveOptions): void {
 export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
   const { kind, closed, degree, clamped, centripetal, points, legs = [] } = parts;
   const given = <Name extends string>(name: Name, values: Float64Array) =>
-    (values.length > 0 ? { [name]: values } : {}) as { [key in Name]?: Float64Array };
+    // Plain arrays, so that a value survives JSON.
+    (values.length > 0 ? { [name]: Array.from(values) } : {}) as { [key in Name]?: number[] };
   return {
     kind,
     closed,

@@ -403,7 +403,7 @@ export class Mesh {
     if (wire.length === 0) {
       throw new KarcherError('tooFewPoints', 'distances are from at least one point');
     }
-    const field = engineFieldOptions({ solver: 'exact', ...options });
+    const field = engineFieldOptions({ ...options, solver: options.solver ?? 'exact' });
     checkDistancesFit(this.info.vertices, this.#bytesInUse);
     return this.#handle.call((mesh) => mesh.distance(wire, field));
   }

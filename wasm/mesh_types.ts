@@ -7,13 +7,13 @@ export interface MeshOptions {
    * `none`: a mesh with defects is refused. Polygons are still cut into triangles, vertices at exactly
    * the same place welded, and vertices of no face dropped.
    */
-  repair?: 'safe' | 'none';
+  repair?: 'safe' | 'none' | undefined;
   /**
    * The distance within which vertices on boundaries are welded, in the units of the mesh; never more
    * than a third of the shortest edge at either vertex. 0 welds none. By default the smaller of 1e-6
    * of the diagonal and 1 % of the shortest edge.
    */
-  weld?: number;
+  weld?: number | undefined;
 }
 
 /**

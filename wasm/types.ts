@@ -47,7 +47,7 @@ export type VectorsLike = VectorLike | readonly VectorLike[];
 /** The format of the coordinates x, y, z of a line's vertices. */
 export interface PolylineOptions {
   /** 32 bits a number, as graphics take them (the default), or 64. */
-  bits?: 32 | 64;
+  bits?: 32 | 64 | undefined;
 }
 
 /**
@@ -166,10 +166,10 @@ export type ErrorCode =
  * `paper` it is `exact`.
  */
 export interface FieldOptions {
-  method?: Method;
-  solver?: Solver;
+  method?: Method | undefined;
+  solver?: Solver | undefined;
   /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
-  rings?: number;
+  rings?: number | undefined;
 }
 
 export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
@@ -246,9 +246,9 @@ export interface WeightsOptions extends FieldOptions {
    * The result is the solution nearest to these weights, by the sum of squared differences, after they
    * are divided by their sum. Equal ones by default.
    */
-  weights?: ArrayLike<number>;
+  weights?: ArrayLike<number> | undefined;
   /** Allow no weight below 0. */
-  nonNegative?: boolean;
+  nonNegative?: boolean | undefined;
 }
 
 /** How the search for a center of mass starts. */
@@ -257,9 +257,9 @@ export interface StartOptions {
    * Where the search starts. By default at each control point in turn (`karcher`), or at the one of
    * the largest weight (`paper`).
    */
-  start?: PointLike;
+  start?: PointLike | undefined;
   /** Divide the weights by their sum, instead of an error when the sum is not 1. */
-  normalize?: boolean;
+  normalize?: boolean | undefined;
 }
 
 export interface CenterOptions extends FieldOptions, StartOptions {
@@ -267,13 +267,13 @@ export interface CenterOptions extends FieldOptions, StartOptions {
    * Look for other minima all over the surface, and tell whether the center is the only one. Reads the
    * whole of each point's field: about half a microsecond a vertex and point with the fast solver.
    */
-  uniqueness?: boolean;
+  uniqueness?: boolean | undefined;
   /**
    * Measure the point by exact shortest paths, whatever the method and however the search ended. It takes
    * the exact distances from the point out to the farthest of the points, about as long as one field of
    * the solver `exact`; where the center lies on an edge or at a vertex, a shortest path to each point.
    */
-  certificate?: boolean;
+  certificate?: boolean | undefined;
 }
 
 export interface CentersOptions extends FieldOptions, StartOptions {
@@ -281,7 +281,7 @@ export interface CentersOptions extends FieldOptions, StartOptions {
    * Hold each center to exact distances, as `centerOfMass` does; each then costs as much as one of
    * `centerOfMass`. Without it `converged` says what it says of a curve's samples.
    */
-  check?: boolean;
+  check?: boolean | undefined;
 }
 
 /** Centers of mass of one set of points, as flat arrays of one entry (or three) a row of weights. */
@@ -309,30 +309,30 @@ export type LegPoints = readonly PointLike[] | null;
 
 export interface CurveOptions extends FieldOptions {
   kind: CurveKind;
-  points: PointLike[];
+  points: readonly PointLike[];
   /**
    * The legs of the control polygon, from each point to the next, of a closed curve also from the
    * last to the first: each is the shortest path, or the one that goes the way of a few points and is
    * pulled tight. Curves with levels follow them, and polylines are made of them. All the shortest by
    * default.
    */
-  legs?: readonly LegPoints[];
+  legs?: readonly LegPoints[] | undefined;
   /**
    * Samples a segment at t = i / (samples - 1), both ends included; 2 to 100,000. 128 by default.
    * `adaptive`: as many as the tolerance needs.
    */
-  samples?: number | 'adaptive';
+  samples?: number | 'adaptive' | undefined;
   /**
    * For adaptive samples: the largest distance of the curve from the geodesics between them, as a
    * fraction of the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default. It is checked at a dozen
    * or more places between two samples.
    */
-  tolerance?: number;
+  tolerance?: number | undefined;
   /**
    * What lies between the samples: the `geodesic` that joins them, or `exact`, the curve's own
    * crossings of the mesh's edges. `geodesic` by default.
    */
-  geometry?: CurveGeometry;
+  geometry?: CurveGeometry | undefined;
   /**
    * How often the control polygon is subdivided, by averages of two points along its legs, before
    * the near points of each piece are averaged: 0 to 8. More levels make a curve of far points
@@ -347,35 +347,35 @@ export interface CurveOptions extends FieldOptions {
    * The method `paper` takes 0 only, its default. The kinds `barycentric`, `polyline` and `custom`
    * always have 0.
    */
-  levels?: CurveLevels;
+  levels?: CurveLevels | undefined;
   /**
    * The fewest levels that `auto` takes, 0 to 8; 0 by default. A curve moves a little when its number
    * of levels changes. So that levels do not come and go while a point is dragged, give the most that
    * the curve has had during the drag.
    */
-  leastLevels?: number;
+  leastLevels?: number | undefined;
   /**
    * Whether the curve ends where it starts; it then needs at least 3 points. B-splines and Catmull-Rom
    * curves are as smooth there as elsewhere. Curves of one segment and polylines have a corner at their
    * first point. The kind `custom` cannot be closed.
    */
-  closed?: boolean;
+  closed?: boolean | undefined;
   /** Of a B-spline, 1 to 5; 3 by default. */
-  degree?: number;
+  degree?: number | undefined;
   /**
    * Of a B-spline of n points and degree p: evenly spaced, `clamped` (repeated at the ends, so that
    * the curve runs from its first to its last point), or numbers that do not fall: n + p + 1, of a
    * closed curve n + 1 for its n spans. `uniform` by default.
    */
-  knots?: 'uniform' | 'clamped' | ArrayLike<number>;
+  knots?: 'uniform' | 'clamped' | ArrayLike<number> | undefined;
   /** One positive weight a point: `bspline`, `rational`. All 1 by default. */
-  weights?: ArrayLike<number>;
+  weights?: ArrayLike<number> | undefined;
   /** One positive number a point: `barycentric`. All 1 by default. */
-  betas?: ArrayLike<number>;
+  betas?: ArrayLike<number> | undefined;
   /** Of the kind `catmullrom`; `centripetal` by default. */
-  parametrization?: Parametrization;
+  parametrization?: Parametrization | undefined;
   /** Of the kind `custom`. */
-  basis?: CurveBasis;
+  basis?: CurveBasis | undefined;
 }
 
 /** A leg of a curve's control polygon. */
@@ -391,7 +391,7 @@ export interface SetOptions extends PolylineOptions {
    * Legs at them that the value does not give are continued from where they lie now, whether or not
    * they stay the shortest.
    */
-  dragged?: number | ArrayLike<number>;
+  dragged?: number | ArrayLike<number> | undefined;
 }
 
 /** A place on a curve. */
@@ -459,11 +459,11 @@ export interface CircleOptions extends ArcOptions {
 /** Of circles and ellipses. */
 export interface ArcOptions extends FieldOptions {
   /** Rational quadratic arcs, 3 to 64; 7 by default. */
-  arcs?: number;
+  arcs?: number | undefined;
   /** Samples an arc, both ends included; 32 by default. */
-  samples?: number;
+  samples?: number | undefined;
   /** As those of a curve; `auto` by default. */
-  levels?: CurveLevels;
+  levels?: CurveLevels | undefined;
 }
 
 export interface EllipseOptions extends ArcOptions {
@@ -481,7 +481,7 @@ export interface IsolineOptions extends DistanceOptions {
    * `linear`: straight in each triangle, between the points of its edges where the distance,
    * interpolated between the vertices' distances by the solver (`exact`), is the radius.
    */
-  type?: 'exact' | 'linear';
+  type?: 'exact' | 'linear' | undefined;
 }
 
 export interface Circle {
@@ -542,13 +542,13 @@ export interface LoadOptions {
    * others it is exported as `karcher/karcher-engine.wasm`, and that of `karcher/peers` as
    * `karcher/karcher-peers.wasm`.
    */
-  wasm?: WasmSource;
+  wasm?: WasmSource | undefined;
 }
 
 /** Progress of long work: the fraction that is done, and what is being done. */
 export type Progress = (done: number, stage: string) => void;
 
 export interface LongWorkOptions {
-  progress?: Progress;
-  signal?: AbortSignal;
+  progress?: Progress | undefined;
+  signal?: AbortSignal | undefined;
 }

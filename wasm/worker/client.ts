@@ -19,6 +19,9 @@ import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './re
 export interface WorkerLike {
   postMessage(message: unknown): void;
   terminate(): unknown;
+  /** Of Node's: whether the process waits for it. */
+  ref?(): void;
+  unref?(): void;
 }
 
 interface Pending {
@@ -135,7 +138,11 @@ export class WorkerClient {
       }
       if (!this.#isRestarting) this.#post(id, pending);
       this.#pending.set(id, pending);
-    }).finally(() => settled.abort());
+    }).finally(() => {
+      settled.abort();
+      this.#hold();
+    });
+    this.#hold();
     return progress ? done.then((result) => told(result, progress)) : done;
   }
 
@@ -165,6 +172,13 @@ export class WorkerClient {
       keeps && !pending.raw && of !== null && !isTold(of, pending) && !this.#isAsked(of, call);
     if (asks && call === 'set') this.#asked.set(id, of);
     sending(() => this.#worker.postMessage({ ...request, keeps, asks } satisfies Request));
+  }
+
+  /** In Node the process waits for calls that are under way, not for a worker that nobody calls. */
+  #hold(): void {
+    const waits = this.#pending.size + this.#cancelled.size > 0 || this.#isRestarting;
+    if (waits) this.#worker.ref?.();
+    else this.#worker.unref?.();
   }
 
   /** Whether a step of a drag was asked already: those until it is answered are made again. */
@@ -242,6 +256,7 @@ export class WorkerClient {
       this.#worker = this.#start!();
       before.terminate();
       this.#listen();
+      this.#hold();
       for (const origin of this.#wanted()) await this.#make(origin, spare);
       for (const of of spare) await this.#ask({ call: 'dispose', args: [], of });
     } catch (error) {
@@ -249,6 +264,7 @@ export class WorkerClient {
       return;
     }
     this.#isRestarting = false;
+    this.#hold();
     for (const [id, pending] of this.#pending) {
       pending.begun = 0;
       const { call, of } = pending;
@@ -334,7 +350,10 @@ export class WorkerClient {
     }
     clearTimeout(this.#cancelled.get(reply.id)?.timer);
     this.#cancelled.delete(reply.id);
-    if ('cancelled' in reply) return;
+    if ('cancelled' in reply) {
+      this.#hold();
+      return;
+    }
     if ('value' in reply && !('result' in reply)) {
       const of = this.#asked.get(reply.id);
       if (of) becomes(of, reply.value);

@@ -1,4 +1,5 @@
-import { checkLongWork } from '../options.js';
+import { checkOptions } from '../check.js';
+import { checkLongWork, namesOf } from '../options.js';
 import { WorkerClient, type WorkerLike } from './client.js';
 import { type RemoteKarcher, remoteKarcher } from './remote.js';
 
@@ -26,10 +27,12 @@ export interface WorkerOptions {
    * Starts a worker that runs `karcher/worker-thread`, or is one. Of one that is given, calls cannot be
    * interrupted.
    */
-  worker?: WorkerLike | (() => WorkerLike);
+  worker?: WorkerLike | (() => WorkerLike) | undefined;
   /** Ends the loading. */
-  signal?: AbortSignal;
+  signal?: AbortSignal | undefined;
 }
+
+const workerOptionNames = namesOf<WorkerOptions>({ worker: true, signal: true });
 
 /**
  * Loads the engine in a worker of its own. All names are those of `load`'s engine; methods return
@@ -43,13 +46,14 @@ export interface WorkerOptions {
  * calls that were not aborted are made there. For this, copies of what meshes were made of are kept, a
  * small part of what meshes take in the engine.
  *
+ * In Node the worker keeps the process alive only while a call is under way.
+ *
  * Every call rejects with the engine's `KarcherError`: with `internal` if the worker ended by itself,
  * with `disposed` after `dispose`.
  */
-export async function loadInWorker({
-  worker = startWorker,
-  signal,
-}: WorkerOptions = {}): Promise<RemoteKarcher> {
+export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteKarcher> {
+  checkOptions(options, workerOptionNames);
+  const { worker = startWorker, signal } = options;
   checkLongWork(signal === undefined ? {} : { signal });
   const client = new WorkerClient(worker);
   const abort = () => client.dispose();
