@@ -262,7 +262,11 @@ test('the report names every figure and every line', async () => {
     assert.ok(text.includes(`## ${name}: ${title}`));
     for (const panel of panels) assert.ok(text.includes(`### ${panel.title}, `));
   }
-  assert.match(text, /\| Karcher \| [^|]+ \| [^|]+ \| [^|]+ \| 0 of 15 \| 0 \| 0 \| [^|]+ \| – \|/);
+  // Five numbers, those by exact paths first, then the counts; the default stands beside level 0.
+  const row = (name) =>
+    new RegExp(`\\| ${name} \\| (?:[^|]+ \\| ){5}0 of 15 \\| 0 \\| 0 \\| [^|]+ \\| – \\|`);
+  assert.match(text, /\| {2}\| residual h \| energy − reference’s h² \| median h \|/);
+  for (const name of ['Karcher, level 0', 'Karcher, default']) assert.match(text, row(name));
   // What the claims are judged by.
   const karcher = panels['plane/grid'].find(({ id }) => id === 'karcher');
   assert.ok(karcher.ruler.residual.median < 1e-9);
