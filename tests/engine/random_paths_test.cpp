@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "distance/exact_distance.h"
+#include "distance/shortest_path.h"
+#include "distance/tangent_maps.h"
+#include "distance_meshes.h"
+#include "generators/gallery.h"
+#include "generators/grid.h"
+#include "support.h"
+
+/// Shortest paths, and log and exp maps along them, on small random meshes: of lattices with
+/// saddles, of rims, of rough sheets. Nothing is known of them but what holds on any surface.
+namespace karcher {
+namespace {
+
+TriangleSoup roughSheet(Random& random) {
+  const int columns = 3 + random.index(6);
+  const int rows = 3 + random.index(6);
+  const double height = random.uniform(0, 1.5);
+  const double shift = random.uniform(0, 0.3);
+  TriangleSoup soup;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      const double x = i + shift * random.uniform(-1, 1);
+      const double y = j + shift * random.uniform(-1, 1);
+      soup.positions.emplace_back(x, y, height * random.uniform());
+    }
+  }
+  soup.triangles = gridTriangles(columns, rows, [&](int, int) { return random.index(2) == 0; });
+  return soup;
+}
+
+TriangleSoup randomSurface(Random& random) {
+  switch (random.index(4)) {
+    case 0:
+      return ringTube(random.uniform(0.2, 0.7), 4 + random.index(6), 6 + random.index(12));
+    case 1:
+      return plateWithHoles(3 + 2 * random.index(2), 3 + 2 * random.index(2));
+    case 2:
+      return wheel(5 + random.index(20), random.index(3), random.uniform(0, 2));
+    default:
+      return roughSheet(random);
+  }
+}
+
+/// Turned, scaled and moved.
+TriangleSoup carried(TriangleSoup soup, double scale, Random& random) {
+  const Vec2 turns[3] = {unitVector(random.uniform(0, 7)), unitVector(random.uniform(0, 7)),
+                         unitVector(random.uniform(0, 7))};
+  const Vec3 shift(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+  for (Vec3& p : soup.positions) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 q = rotate(turns[k], Vec2(p[k], p[(k + 1) % 3]));
+      p[k] = q.x();
+      p[(k + 1) % 3] = q.y();
+    }
+    p = scale * (p + shift);
+  }
+  return soup;
+}
+
+double lengthOfPoints(const TriangleMesh& mesh, const SurfacePath& path) {
+  double length = 0;
+  for (int i = 1; i < path.points.count(); ++i) {
+    length += (position(mesh, path.points[i]) - position(mesh, path.points[i - 1])).norm();
+  }
+  return length;
+}
+
+double distanceByWindows(const Geometry& geometry, const SurfacePoint& from, int to) {
+  ExactDistance distance(geometry);
+  distance.setSource(from);
+  distance.grow(kInfinity);
+  return distance.distance(to);
+}
+
+TEST(RandomPaths, AreAsLongAsTheirPointsBothWaysScaledAndTurned) {
+  const int count = longRun() ? 3000 : 60;
+  for (int i = 0; i < count; ++i) {
+    const uint64_t seed = 7000 + static_cast<uint64_t>(i);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const TriangleSoup soup = randomSurface(random);
+    const MeasuredMesh surface(soup);
+    const double scale = std::pow(10, random.uniform(-6, 6));
+    const MeasuredMesh moved(carried(soup, scale, random));
+    for (int k = 0; k < 10; ++k) {
+      const SurfacePoint from = randomPlace(surface.mesh, random);
+      const int vertex = random.index(surface.mesh.vertexCount());
+      const SurfacePoint to = vertexPoint(surface.mesh, vertex);
+      const SurfacePath path = shortestPath(surface.geometry, from, to);
+      const double tolerance = 1e-9 * (path.length() + surface.geometry.meanEdge);
+      EXPECT_NEAR(lengthOfPoints(surface.mesh, path), path.length(), tolerance);
+      EXPECT_NEAR(distanceByWindows(surface.geometry, from, vertex), path.length(), tolerance);
+      EXPECT_NEAR(shortestPath(surface.geometry, to, from).length(), path.length(), tolerance);
+      EXPECT_NEAR(shortestPath(moved.geometry, from, to).length() / scale, path.length(),
+                  tolerance);
+      const SurfacePoint other = randomPlace(surface.mesh, random);
+      EXPECT_LE(path.length(), shortestPath(surface.geometry, from, other).length() +
+                                   shortestPath(surface.geometry, other, to).length() + tolerance);
+    }
+  }
+}
+
+/// Whether a path passes a vertex, where straight on is no one direction.
+bool passesVertex(const TriangleMesh& mesh, const SurfacePath& path) {
+  for (int i = 1; i + 1 < path.points.count(); ++i) {
+    if (path.points[i].bary.maxCoeff() > 1 - 1e-6 &&
+        !samePlace(mesh, path.points[i], path.start()) &&
+        !samePlace(mesh, path.points[i], path.end())) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(RandomPaths, ExpOfLogIsThePointAlsoOnRims) {
+  const int count = longRun() ? 3000 : 60;
+  int checked = 0;
+  for (int i = 0; i < count; ++i) {
+    const uint64_t seed = 9000 + static_cast<uint64_t>(i);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const MeasuredMesh surface(randomSurface(random));
+    const TriangleMesh& mesh = surface.mesh;
+    FindPathWorkspace workspace;
+    Array<int> rim;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      if (mesh.onBoundary[v]) rim.push_back(v);
+    }
+    for (int k = 0; k < 20; ++k) {
+      const bool fromRim = !rim.empty() && random.index(2) == 0;
+      const SurfacePoint from =
+          fromRim ? vertexPoint(mesh, rim[random.index(rim.count())]) : randomPlace(mesh, random);
+      const SurfacePoint to = randomPlace(mesh, random);
+      const SurfacePath path = pathBetween(surface.geometry, from, to, workspace);
+      if (passesVertex(mesh, path)) continue;
+      // Beyond a full turn a vector does not tell the direction.
+      const PointLocation at = locate(mesh, from);
+      if (at.simplex == Simplex::kVertex && mesh.onBoundary[at.vertex] &&
+          surface.geometry.totalAngle[at.vertex] > 2 * kPi - 1e-6) {
+        continue;
+      }
+      ++checked;
+      const SurfacePoint end =
+          expAlong(surface.geometry, from, logAlong(surface.geometry, path)).end();
+      EXPECT_LT((position(mesh, end) - position(mesh, to)).norm(),
+                1e-8 * (path.length() + surface.geometry.meanEdge));
+    }
+  }
+  EXPECT_GT(checked, 5 * count);
+}
+
+}  // namespace
+}  // namespace karcher
