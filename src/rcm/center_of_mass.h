@@ -39,6 +39,10 @@ bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point);
 /// each place in the other is taken on their edge (FieldBlend::zeroAlongEdge).
 CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
+/// The zero on an edge behind which the cells on both sides each have theirs, or around the end
+/// that it lies beyond. `h` is a half-edge of a cell, not of the boundary.
+CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h);
+
 /// The zero of the blended field by walking from face to face: in each face the zero in closed
 /// form; outside it, on to the face across the edge that it lies behind. From a start near by it
 /// takes one or two faces. Zeros between faces are taken on their edge or vertex.

@@ -78,8 +78,8 @@ class NewtonSearch {
   }
 
   /// Called when no joint of the geodesic is better than its start. Inside a face: on to the best
-  /// point of the step inside the face. On an edge: into the other face; when that sends us back,
-  /// the zero sits on the edge. At a vertex: through the faces around it in turn.
+  /// point of the step inside the face. On an edge: where each face has its zero behind it, the
+  /// zero sits there; else into the other face. At a vertex: through the faces around it in turn.
   /// False at the end of the search, whose status is then in status_.
   bool goOn(const TriangleField& field, const Vec2& step) {
     const PointLocation location = locate(mesh_, point_);
@@ -107,13 +107,25 @@ class NewtonSearch {
       point_ = edgePoint(h, fields_.zeroAlongEdge(h, weights_));
       return false;
     }
+    // The gradients of the two faces at one place differ: a smaller one is no progress.
+    const int edge = std::min(h, twin);
+    const bool cameBack = facesTried_ > 0 || crossed_ == edge;
+    if (cameBack && zeroLiesBehind(h) && zeroLiesBehind(twin)) {
+      const CenterOfMass between = centerBetween(fields_, weights_, h);
+      if (between.status == Status::kConverged) {
+        point_ = between.point;
+        status_ = between.status;
+        return false;
+      }
+    }
     if (facesTried_ == 0) {
       ++facesTried_;
+      crossed_ = edge;
       point_ = edgePoint(twin, point_.bary[cornerOf(h)]);
       return true;
     }
     point_ = edgePoint(h, fields_.zeroAlongEdge(h, weights_));
-    status_ = zeroLiesBehind(h) && zeroLiesBehind(twin) ? Status::kConverged : Status::kNoProgress;
+    status_ = Status::kNoProgress;
     return false;
   }
 
@@ -146,6 +158,7 @@ class NewtonSearch {
   Status status_ = Status::kNoProgress;
   /// Faces around the same edge or vertex that were left without progress.
   int facesTried_ = 0;
+  int crossed_ = -1;  ///< the edge that was last crossed without progress, by its first half-edge
 };
 
 }  // namespace

@@ -156,9 +156,7 @@ class ZeroWalk {
 
   /// Two cells that each place the zero behind their common edge.
   CenterOfMass betweenFaces(int h, int step) {
-    const double s = fields_.zeroAlongEdge(h, weights_);
-    if (s > 0 && s < 1) return {cells_.pointOnEdge(h, s), Status::kConverged, step};
-    CenterOfMass result = centerAroundTail(fields_, weights_, s > 0 ? next(h) : h);
+    CenterOfMass result = centerBetween(fields_, weights_, h);
     result.iterations = step;
     return result;
   }
@@ -202,6 +200,12 @@ CenterOfMass walkThroughCuts(FieldBlend& fields, Weights weights, const SurfaceP
 }
 
 }  // namespace
+
+CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h) {
+  const double s = fields.zeroAlongEdge(h, weights);
+  if (s > 0 && s < 1) return {fields.cells().pointOnEdge(h, s), Status::kConverged, 0};
+  return centerAroundTail(fields, weights, s > 0 ? next(h) : h);
+}
 
 bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
   // Rounding of the fields, of weights that may be far larger than their sum.

@@ -5,8 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "generators/random.h"
+#include "generators/gallery.h"
+#include "generators/random_points.h"
+#include "mesh/shapes.h"
 #include "rcm/gradient_operator.h"
+#include "rcm/mean.h"
 #include "support.h"
 
 namespace karcher {
@@ -116,6 +119,40 @@ INSTANTIATE_TEST_SUITE_P(BothSearches, CenterOfMassOnThePlane,
                          [](const testing::TestParamInfo<Search>& search) {
                            return search.index == 0 ? "Newton" : "Walk";
                          });
+
+TEST(NewtonCenter, StopsAtAnEdgeWhoseFacesSendItBackToEachOther) {
+  // On coarse curved meshes the field jumps at edges: each face may put the zero just behind one.
+  struct Case {
+    TriangleSoup soup;
+    double reach;  ///< how far apart points lie at most
+  };
+  const Case cases[] = {{icosphere(4), 1}, {icosphere(7), 1}, {ringTube(0.4, 8, 16), 1.2}};
+  const uint64_t seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  int onEdge = 0;
+  for (const Case& example : cases) {
+    Surface surface(meshOf(example.soup));
+    const TriangleMesh& mesh = surface.mesh();
+    const int count = longRun() ? 20'000 : 400;
+    for (int i = 0; i < count; ++i) {
+      Array<SurfacePoint> points{randomPoint(mesh, random)};
+      while (points.count() < 3) {
+        const SurfacePoint point = randomPoint(mesh, random);
+        const double apart = (position(mesh, point) - position(mesh, points[0])).norm();
+        if (apart < example.reach) points.push_back(point);
+      }
+      const double a = random.uniform();
+      const double b = (1 - a) * random.uniform();
+      MeanOptions options;
+      options.field = {Method::kPaper, Solver::kExact, 6};
+      const Mean mean = centerOfMass(surface, points, {a, b, 1 - a - b}, options);
+      EXPECT_NE(mean.status, Status::kLimit) << "case " << i;
+      onEdge += mean.status == Status::kConverged && mean.point.bary.minCoeff() == 0;
+    }
+  }
+  EXPECT_GT(onEdge, 0);
+}
 
 TEST(FieldBlend, FindsTheSameZeroOnAnEdgeFromBothSides) {
   const TriangleMesh mesh = bunnyMesh();
