@@ -3,6 +3,7 @@ import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import { notices } from './.tools/notices.mjs';
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -78,6 +79,16 @@ const filesInServiceWorker: Plugin = {
   },
 };
 
+/** The terms of what others wrote of the page, which its help leads to. */
+const thirdPartyNotices: Plugin = {
+  name: 'third-party-notices',
+  apply: 'build',
+  buildStart() {
+    const fileName = 'third-party-notices.txt';
+    this.emitFile({ type: 'asset', fileName, source: notices('page') });
+  },
+};
+
 export default defineConfig({
   root: here('./web'),
   // Relative addresses: the built page can be put in any folder of any static host.
@@ -93,7 +104,7 @@ export default defineConfig({
   },
   define: { __KARCHER_BUILD__: JSON.stringify(buildName()) },
   worker: { format: 'es', rollupOptions: { checks: { pluginTimings: false } } },
-  plugins: [policyInPages, filesInServiceWorker],
+  plugins: [policyInPages, thirdPartyNotices, filesInServiceWorker],
   preview: {
     headers: {
       'content-security-policy': [...contentSecurityPolicy, "frame-ancestors 'none'"].join('; '),

@@ -12,6 +12,7 @@ import {
 } from 'node:fs';
 import { dirname } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { notices } from './notices.mjs';
 import { setUp } from './setup.mjs';
 import { cores, inRoot, root, run } from './shell.mjs';
 
@@ -66,6 +67,7 @@ export async function buildFacade() {
     copyFileSync(inRoot(`wasm/${name}`), inRoot(`dist/${name}`));
   }
   chmodSync(inRoot('dist/cli.js'), 0o755);
+  writeFileSync(inRoot('dist/third-party-notices.txt'), notices('package'));
 }
 
 /** The page in build/page. */

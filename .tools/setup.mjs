@@ -1,6 +1,6 @@
 // Finds what the machine lacks to build and test Karcher, and installs it: system packages by apt
 // on Debian and Ubuntu, npm packages by `npm ci`. Elsewhere it says what is missing and how to get
-// it. With KARCHER_NO_INSTALL=1 it only prints the commands.
+// it. With KARCHER_NO_INSTALL=1, and where npm installs the package from git, it only prints the commands.
 //
 //   node .tools/setup.mjs [build] [native] [test] [format] [lint]     (all without arguments)
 import { spawnSync } from 'node:child_process';
@@ -173,7 +173,7 @@ async function installByApt(packages, noInstall) {
   ];
   const script = `  ${update.join(' ')}\n  ${install.join(' ')}`;
   if (noInstall || !prefix) {
-    const why = noInstall ? 'KARCHER_NO_INSTALL is set' : 'only root may, and there is no sudo';
+    const why = noInstall ? notWanted() : 'only root may, and there is no sudo';
     const who = prefix?.length === 0 ? '' : ', as root';
     throw new SetupError(`Not installing, as ${why}. The commands are${who}:\n${script}`);
   }
@@ -240,15 +240,18 @@ async function installNpmPackages(noInstall) {
   const args = ['ci', '--include=dev'];
   const command = `npm ${args.join(' ')}`;
   if (noInstall) {
-    throw new SetupError(
-      `Not installing, as KARCHER_NO_INSTALL is set. The command is:\n  ${command}`,
-    );
+    throw new SetupError(`Not installing, as ${notWanted()}. The command is:\n  ${command}`);
   }
   console.log(`Installing npm packages into node_modules (about 100 MB): ${command}`);
   const npm = process.env.npm_execpath;
   if (npm?.endsWith('.js')) await run(process.execPath, [npm, ...args]);
   else await run('npm', args);
 }
+
+const notWanted = () =>
+  process.env.npm_lifecycle_event === 'prepack'
+    ? 'npm is making the package'
+    : 'KARCHER_NO_INSTALL is set';
 
 /** Ends the process with a sentence where nothing can be built in the project's folder. */
 function checkWritable() {
@@ -268,7 +271,10 @@ function checkWritable() {
  */
 export async function setUp(...purposes) {
   checkWritable();
-  const noInstall = !!process.env.KARCHER_NO_INSTALL && process.env.KARCHER_NO_INSTALL !== '0';
+  const { KARCHER_NO_INSTALL, npm_lifecycle_event } = process.env;
+  // Who installs a package has not asked for packages of the system.
+  const installsPackage = npm_lifecycle_event === 'prepack';
+  const noInstall = installsPackage || (!!KARCHER_NO_INSTALL && KARCHER_NO_INSTALL !== '0');
   let ready = true;
   for (const step of [
     () => installSystemPackages(purposes, noInstall),

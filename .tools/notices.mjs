@@ -1,0 +1,54 @@
+// What others wrote of what the package and the page hold, with the licences that it is under.
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { inRoot } from './shell.mjs';
+
+const mpl = 'Mozilla Public License, version 2.0: https://www.mozilla.org/MPL/2.0/';
+const mit = 'MIT License: https://opensource.org/license/mit';
+const llvm = 'Apache License, version 2.0, with LLVM exceptions: https://llvm.org/LICENSE.txt';
+
+/** Of the engine's module: `file` is where a system has the terms, `otherwise` names them where it has not. */
+const ofEngine = [
+  {
+    ...{ name: 'Eigen', where: 'https://eigen.tuxfamily.org' },
+    ...{ file: '/usr/share/doc/libeigen3-dev/copyright', otherwise: mpl },
+  },
+  {
+    ...{ name: 'tinyobjloader', where: 'https://github.com/tinyobjloader/tinyobjloader' },
+    ...{ file: '/usr/share/doc/libtinyobjloader-dev/copyright', otherwise: mit },
+  },
+  {
+    name: "Emscripten's runtime, with musl, dlmalloc, libc++, libc++abi and compiler-rt",
+    where: 'https://emscripten.org',
+    file: '/usr/share/doc/emscripten/copyright',
+    otherwise: `Emscripten and musl: ${mit}\nlibc++, libc++abi and compiler-rt: ${llvm}\ndlmalloc: public domain`,
+  },
+];
+
+/** Of the page; `bunny` is the mesh that it opens with. */
+const ofPage = [
+  ...['three', 'three-mesh-bvh', 'uplot', 'meshoptimizer', 'delaunator', 'robust-predicates'],
+  'bunny',
+];
+
+function termsOf(name) {
+  const folder = inRoot(`node_modules/${name}`);
+  const file = readdirSync(folder).find((one) => /^licen[cs]e(\.|$)/i.test(one));
+  const { license, homepage = '' } = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
+  return { where: homepage, terms: file ? readFileSync(`${folder}/${file}`, 'utf8') : license };
+}
+
+const entry = (name, where, terms) =>
+  [`${'='.repeat(78)}\n${name}`, where, '', terms.trim(), ''].join('\n');
+
+/** As text: of the package's engine, or of the page, which has the engine, too. */
+export function notices(what) {
+  const engine = ofEngine.map(({ name, where, file, otherwise }) =>
+    entry(name, where, existsSync(file) ? readFileSync(file, 'utf8') : otherwise),
+  );
+  const page = ofPage.map((name) => {
+    const { where, terms } = termsOf(name);
+    return entry(name, where, terms);
+  });
+  const head = `What others wrote of Karcher's ${what}, and the terms that it is under.\n`;
+  return [head, ...engine, ...(what === 'page' ? page : [])].join('\n');
+}
