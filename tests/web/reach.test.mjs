@@ -109,6 +109,11 @@ describe('every control is hit where it is clicked', () => {
       await page.locator('#progress').waitFor({ state: 'hidden' });
       await controls.look('a message');
       await page.getByRole('alert').getByRole('button', { name: 'Dismiss' }).click();
+      const two = ['one.obj', 'two.obj'].map((name) => [name, new TextEncoder().encode('nothing')]);
+      await tab.dropFiles(two);
+      await page.locator('#which-dialog').waitFor();
+      assert.ok((await controls.look('several files')) > 0);
+      await page.locator('#which-dialog').getByRole('button', { name: 'Close' }).click();
       await tab.dropBytes('solids.stl', stlFile(cutBox, { text: true, solids: 3 }));
       await page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('solids.stl'));
       await tab.settled();
