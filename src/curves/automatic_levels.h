@@ -17,8 +17,8 @@ inline constexpr double kSafeShare = 0.2;
 
 /// Mean edges: a curve is refined until its legs are no longer than this. The fields of a piece's
 /// points hold about the square of its legs, and there are twice as many pieces a level, so each
-/// level down to here spares work; below, pieces cost more than their fields. At level 0 fields are
-/// not kept to boxes, and take longest. Where pieces are safe anyway, this moves the curve by a
+/// level down to here spares work; below, pieces cost more than their fields. At level 0 fields
+/// need a wavefront, and take longest. Where pieces are safe anyway, this moves the curve by a
 /// thousandth of its length at most.
 inline constexpr double kSmallLeg = 3;
 

@@ -80,6 +80,23 @@ void checkLegs(const TriangleMesh& mesh, const CurveValue& value) {
   }
 }
 
+double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
+  double length = 0;
+  for (int k = 1; k < piece.points.count(); ++k) {
+    length += polygon.legs[piece.points[k - 1]].length();
+  }
+  return length;
+}
+
+/// How many even samples keep the chords between them within a tolerance of a polynomial curve: its
+/// second derivative is no longer than 2 n (n - 1) times its control polygon, and a chord over 1 /
+/// m of it lies within an eighth of that over m^2.
+int samplesWithin(double tolerance, int degree, double polygonLength) {
+  constexpr int kMost = 1024;
+  const double chords = std::sqrt(degree * (degree - 1) / 4.0 * polygonLength / tolerance);
+  return 2 + static_cast<int>(std::min(chords, kMost - 2.0));
+}
+
 SurfacePath shortestLeg(const Geometry& geometry, const SurfacePoint& from,
                         const SurfacePoint& to) {
   FindPathWorkspace workspace;
@@ -230,7 +247,7 @@ Array<PointField*> Curve::fieldsOf(int segment, int k) {
   Piece& piece = segments_[segment].pieces[k];
   if (piece.fields_.empty()) {
     for (int i = 0; i < piece.points_.count(); ++i) {
-      piece.fields_.push_back(fieldSet_->at(piece.points_[i], piece.boxes_[i]));
+      piece.fields_.push_back(fieldSet_->at(piece.points_[i], levels_ > 0));
     }
   }
   Array<PointField*> fields;
@@ -309,7 +326,6 @@ void Curve::makeSegments(Next& next) {
   const CurveOptions& options = next.value.options;
   const CurveShape& shape = options.shape;
   const int count = next.value.points.count();
-  next.boxes.clear();
   const Geometry& geometry = surface().geometry();
   while (next.levels > 0) {
     if (!refinePolygon(geometry, shape, next.value.points, next.legs, next.levels,
@@ -323,9 +339,10 @@ void Curve::makeSegments(Next& next) {
       break;
     }
   }
+  workspace_->isSubdivided.clear();
   if (next.levels > 0) {
     if (isOfCenters(options, next.levels)) {
-      boxPieces(geometry, next.polygon, workspace_->boxes, next.boxes);
+      findSubdivided(next);
     }
   } else {
     next.polygon.points.clear();
@@ -365,6 +382,48 @@ void Curve::makeSegments(Next& next) {
   }
 }
 
+/// Finds the pieces that are their own subdivision: each crosses a face that is larger than the
+/// piece, and a corner of its faces is not in sight of its points. Such a corner is far off, over
+/// creases or many faces, and tells little about the curve. The piece itself lies in a few faces,
+/// where its subdivision is the same curve but for the edges between them, and needs no field.
+/// Levels and exact fields that a caller asks for are centers of mass whatever they cost. So are
+/// B-splines, whose pieces have joints that are no control points: there a center and an average
+/// differ.
+void Curve::findSubdivided(const Next& next) {
+  const RefinedPolygon& polygon = next.polygon;
+  Array<char>& isSubdivided = workspace_->isSubdivided;
+  isSubdivided.clear();
+  const CurveOptions& options = next.value.options;
+  if (options.levels != kAutomaticLevels || options.shape.kind == CurveKind::kBSpline ||
+      options.field.solver != Solver::kFast) {
+    return;
+  }
+  FacesAlongLegs& along = workspace_->along;
+  findFacesAlongLegs(surface().geometry(), polygon, along);
+  for (const SegmentLayout& piece : polygon.pieces) {
+    isSubdivided.push_back(crossesLargerFace(polygon, piece, along) && !seesFaces(next, piece));
+  }
+  workspace_->near.clear();
+}
+
+/// Whether the points of a piece see all corners of the faces along its legs.
+bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
+  const FacesAlongLegs& along = workspace_->along;
+  Array<std::shared_ptr<PointField>>& near = workspace_->near;
+  for (const int point : piece.points) {
+    near.push_back(fieldSet_->at(next.polygon.points[point].point, true));
+    for (int k = 1; k < piece.points.count(); ++k) {
+      const int leg = piece.points[k - 1];
+      for (int i = along.begin[leg]; i < along.begin[leg + 1]; ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+          if (!near.back()->sees(surface().mesh().corner(along.faces[i], corner))) return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
 /// Spaces the knots of a Catmull-Rom curve of level 0. Centripetal ones follow the distances
 /// between consecutive points by their fields, the mean of both, so that the curve is the same from
 /// either end.
@@ -399,14 +458,14 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
   piece.part_ = part;
   piece.basis_ = layout.basis;
   piece.isTraced_ = false;
+  const Array<char>& isSubdivided = workspace_->isSubdivided;
+  piece.isSubdivided_ = !isSubdivided.empty() && isSubdivided[j * part.count + part.index] != 0;
   piece.table_.reset();
   std::shared_ptr<PieceWeights> spare = std::move(piece.basisTable_);
   piece.points_.clear();
-  piece.boxes_.clear();
   piece.pointWeights_.clear();
   for (const int i : layout.points) {
     piece.points_.push_back(polygon.points[i].point);
-    piece.boxes_.push_back(next.boxes.empty() ? std::nullopt : next.boxes[i]);
     if (polygon.weighted) piece.pointWeights_.push_back(polygon.points[i].weight);
   }
   const Piece* before = nullptr;  // with the same weights, it may be
@@ -414,9 +473,9 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     before = &segments_[j].pieces[part.index];
   }
   const auto isAlike = [&](const Piece& other) {
-    return other.isTraced_ && other.part_ == piece.part_ && areSame(other.points_, piece.points_) &&
-           other.boxes_ == piece.boxes_ && other.basis_ == piece.basis_ &&
-           other.pointWeights_ == piece.pointWeights_;
+    return other.isTraced_ && other.isSubdivided_ == piece.isSubdivided_ &&
+           other.part_ == piece.part_ && areSame(other.points_, piece.points_) &&
+           other.basis_ == piece.basis_ && other.pointWeights_ == piece.pointWeights_;
   };
   if (keep) {
     const Piece* alike = before && isAlike(*before) ? before : nullptr;
@@ -438,15 +497,25 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     if (!piece.table_ && source->pointWeights_ == piece.pointWeights_)
       piece.table_ = source->table_;
   }
-  makeTables(next, piece, std::move(spare));
+  makeTables(next, layout, piece, std::move(spare));
 }
 
 /// `spare`: a table whose memory may be used again where no other piece has it, or none.
-void Curve::makeTables(const Next& next, Piece& piece, std::shared_ptr<PieceWeights> spare) {
+void Curve::makeTables(const Next& next, const SegmentLayout& layout, Piece& piece,
+                       std::shared_ptr<PieceWeights> spare) {
   const CurveOptions& options = next.value.options;
   const SegmentBasis& basis = piece.basis_;
   // Adaptive sampling asks for weights as it goes; a caller's basis is checked all the same.
-  const bool isAdaptive = options.tolerance > 0 && isOfCenters(options, next.levels);
+  const bool hasTolerance = options.tolerance > 0 && isOfCenters(options, next.levels);
+  if (hasTolerance && piece.isSubdivided_) {
+    const double tolerance = options.tolerance * surface().geometry().diagonal;
+    piece.basisTable_ = std::make_shared<PieceWeights>();
+    const int samples =
+        samplesWithin(tolerance, layout.points.count() - 1, legsLength(next.polygon, layout));
+    tabulatePiece(basis, samples, {}, workspace_->bridging.weights, *piece.basisTable_);
+    piece.table_.reset();
+  }
+  const bool isAdaptive = hasTolerance && !piece.isSubdivided_;
   if (isAdaptive && basis.form != BasisForm::kOwn) return;
   if (!piece.basisTable_) {
     if (spare.use_count() != 1) spare = std::make_shared<PieceWeights>();

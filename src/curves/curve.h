@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "curves/curve_value.h"
-#include "curves/polygon/piece_boxes.h"
+#include "curves/polygon/large_faces.h"
 #include "curves/trace/piece.h"
 #include "curves/trace/sampling.h"
 #include "rcm/field_set.h"
@@ -36,14 +36,16 @@ class Curve {
     const Array<CurveSample>& samples() const { return traced_->samples; }
     const Array<Bridge>& bridges() const { return traced_->bridges; }
     const JoinedPath& path() const { return traced_->path; }
+    /// Whether it is its own subdivision: it crosses a face larger than itself, a corner of which
+    /// is not in sight of its points (findSubdivided).
+    bool isSubdivided() const { return isSubdivided_; }
     /// The points' weights at t in [0, 1] of the piece.
     Array<double> weights(double t) const;
 
    private:
     friend class Curve;
     Array<SurfacePoint> points_;
-    Array<std::optional<OrientedBox>> boxes_;  ///< of the points' fields
-    Array<double> pointWeights_;               ///< empty where the basis is not rational
+    Array<double> pointWeights_;  ///< empty where the basis is not rational
     SegmentBasis basis_;
     PartOfSegment part_;
     /// Of the basis alone, and with the points' weights; pieces share them.
@@ -51,6 +53,7 @@ class Curve {
     std::shared_ptr<const PieceWeights> table_;
     std::shared_ptr<TracedPiece> traced_;
     bool isTraced_ = false;
+    bool isSubdivided_ = false;
     Array<std::shared_ptr<PointField>> fields_;  ///< of the points, once they were asked for
   };
 
@@ -154,15 +157,16 @@ class Curve {
     Array<SurfacePath> legs;
     Array<Segment> segments;
     RefinedPolygon polygon;
-    Array<std::optional<OrientedBox>> boxes;  ///< of its points, where they are refined
   };
   /// Scratch memory of edits. What it holds means nothing between them.
   struct Workspace {
     AveragingWorkspace averaging;
     LeggedPolygon polygon;
-    BoxWorkspace boxes;
     std::optional<SegmentFields> blend;
     Array<PointField*> fields;
+    FacesAlongLegs along;
+    Array<char> isSubdivided;                 ///< of the pieces of the refined polygon
+    Array<std::shared_ptr<PointField>> near;  ///< the fields that told that
     /// The last layout of a curve of level 0, of so many points, but for the knots between them.
     Array<SegmentLayout> layout;
     CurveShape layoutShape;
@@ -186,14 +190,18 @@ class Curve {
   void makeLegs(Next& next) const;
   void makeSegments(Next& next);
   void layKnots(const Next& next);
+  void findSubdivided(const Next& next);
+  bool seesFaces(const Next& next, const SegmentLayout& piece);
   void makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                  bool keep);
-  void makeTables(const Next& next, Piece& piece, std::shared_ptr<PieceWeights> spare);
+  void makeTables(const Next& next, const SegmentLayout& layout, Piece& piece,
+                  std::shared_ptr<PieceWeights> spare);
   void makeFields(Next& next);
   void trace(Next& next);
   static BasisWriter basisOf(const Piece& piece);
   void findSamples(const Next& next, Piece& piece, int segment);
   void findAveragedSamples(const Next& next, Piece& piece, int segment);
+  void layOwnSubdivision(Piece& piece);
   void layBridges(const Next& next, Piece& piece);
   void join(const Next& next, Piece& piece);
   void merge(Next& next);

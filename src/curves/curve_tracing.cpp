@@ -1,4 +1,5 @@
 #include "curves/curve.h"
+#include "curves/trace/joined_path.h"
 #include "curves/trace/polyline.h"
 #include "curves/trace/sampling.h"
 
@@ -12,13 +13,13 @@ void Curve::makeFields(Next& next) {
   const auto forEach = [&](const auto& work) {
     for (Segment& segment : next.segments) {
       for (Piece& piece : segment.pieces) {
-        if (!piece.isTraced_) work(piece);
+        if (!piece.isTraced_ && !piece.isSubdivided_) work(piece);
       }
     }
   };
   forEach([&](Piece& piece) {
     for (int i = 0; i < piece.points_.count(); ++i) {
-      piece.fields_.push_back(fieldSet_->find(piece.points_[i], piece.boxes_[i]));
+      piece.fields_.push_back(fieldSet_->find(piece.points_[i], next.levels > 0));
     }
   });
   for (Segment& segment : segments_) {
@@ -26,7 +27,7 @@ void Curve::makeFields(Next& next) {
   }
   forEach([&](Piece& piece) {
     for (int i = 0; i < piece.points_.count(); ++i) {
-      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i], piece.boxes_[i]);
+      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i], next.levels > 0);
     }
   });
 }
@@ -91,7 +92,7 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
     *piece.traced_ = traceLeg(surface().mesh(), next.legs[segment], samples);
     return;
   }
-  if (!isOfCenters(options, next.levels)) {
+  if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
     return;
   }
@@ -123,12 +124,49 @@ void Curve::findAveragedSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
+/// Marks a piece that is its own subdivision: a bridge from end to end, through its samples.
+void Curve::layOwnSubdivision(Piece& piece) {
+  TracedPiece& traced = *piece.traced_;
+  traced.bridges.resize(1);
+  Bridge& bridge = traced.bridges[0];
+  bridge.t0 = 0;
+  bridge.t1 = 1;
+  bridge.reason = SampleStatus::kSubdivided;
+  SurfacePath& path = bridge.line.path;
+  Array<double>& t = bridge.line.t;
+  path.points.assign(1, traced.samples[0].point);
+  Array<int> ends(1, 0);  // of the samples, among the path's points
+  for (int i = 1; i < traced.samples.count(); ++i) {
+    appendGeodesic(surface().geometry(), traced.samples[i - 1].point, traced.samples[i].point,
+                   workspace_->averaging.strip, path.points);
+    ends.push_back(path.points.count() - 1);
+  }
+  measure(surface().mesh(), path);
+  t.assign(1, traced.samples[0].t);
+  for (int i = 1; i < ends.count(); ++i) {
+    const double from = traced.samples[i - 1].t;
+    const double duration = traced.samples[i].t - from;
+    const double start = path.lengths[ends[i - 1]];
+    const double length = path.lengths[ends[i]] - start;
+    for (int k = ends[i - 1] + 1; k < ends[i]; ++k) {
+      t.push_back(from + duration * (length > 0 ? (path.lengths[k] - start) / length : 1));
+    }
+    t.push_back(traced.samples[i].t);
+  }
+  const int last = traced.samples.count() - 1;
+  for (int i = 1; i < last; ++i) traced.samples[i].status = SampleStatus::kSubdivided;
+}
+
 void Curve::layBridges(const Next& next, Piece& piece) {
   const CurveOptions& options = next.value.options;
   TracedPiece& traced = *piece.traced_;
   if (!isOfCenters(options, next.levels)) {
     // Paths and averages are whole.
     traced.bridges.clear();
+    return;
+  }
+  if (piece.isSubdivided_) {
+    layOwnSubdivision(piece);
     return;
   }
   bridgeSegment(*workspace_->blend, piece.basis_, piece.pointWeights_,

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 
-#include "distance/oriented_box.h"
 #include "intrinsic/geometry.h"
 
 /// What all solvers of geodesic distances give. A caller holds a solver by this interface and does
@@ -56,14 +54,6 @@ class DistanceSolver {
 
   /// The last step of the path to a final vertex; none where the solver cannot tell.
   virtual PathStep stepTo(int) const { return {}; }
-
-  /// From the next `setSource` on keeps to the vertices in a box, or to none. What `isSure` of is
-  /// as if there were no box, where shortest paths do not leave it. Returns false if the solver
-  /// cannot, and goes everywhere.
-  virtual bool keepTo(const std::optional<OrientedBox>&) { return false; }
-
-  /// Whether the value of a final vertex depends on nothing that the box left out.
-  virtual bool isSure(int) const { return true; }
 
   /// From the next `setSource` on also finds the midpoints of edges. Returns false if the solver
   /// cannot.

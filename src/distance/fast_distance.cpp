@@ -55,7 +55,6 @@ void FastDistance::setSource(const SurfacePoint& source) {
   if (place.simplex == Simplex::kVertex) {
     VertexRecord start;
     start.distance = 0;
-    start.side = Side::kInside;
     start.corner = fans_->begin[place.vertex];
     vertices_.touch(place.vertex) = start;
     enqueue(place.vertex, vertices_.touch(place.vertex), kInfinity);
@@ -79,7 +78,6 @@ void FastDistance::placeInFace(int face, const Vec2& source) {
     start.corner = fanEdge(*fans_, v, geometry_.mesh->head(h));
     const Vec2 inFan = rotate(fans_->edges[start.corner].vector, rotateBack(edge, toSource));
     start.toSource = inFan.normalized();
-    start.side = Side::kInside;
     VertexRecord& record = vertices_.touch(v);
     if (start.distance < record.distance) {
       const double before = record.distance;
@@ -114,9 +112,7 @@ void FastDistance::settle(int vertex) {
     if (before.distance == from.base && goesStraightOn(along.head, before, along.reverse)) {
       from.base = before.base;
     }
-    if (box_ && isAtBorder(vertex)) from.unsure = true;
   }
-  isFromUnsure_ = from.unsure;
   const int edges = fans_->end(vertex) - fans_->begin[vertex];
   for (int first = 0; first < edges; first += Ring::kCorners) {
     goRound(vertex, from, first, std::min(edges - first, Ring::kCorners));
@@ -136,24 +132,6 @@ bool FastDistance::goesStraightOn(int vertex, const VertexRecord& record, int nu
   const Vec2& turn = fans_->turn[vertex];
   const double side = number <= record.corner ? 1 : -1;
   return std::abs(sine * turn.x() + side * cosine * turn.y()) <= slack;
-}
-
-/// Whether a vertex lies outside the box; noted with its record.
-bool FastDistance::isOutside(int vertex, VertexRecord& record) const {
-  if (record.side == Side::kUnknown) {
-    record.side =
-        box_->contains(geometry_.mesh->positions[vertex]) ? Side::kInside : Side::kOutside;
-  }
-  return record.side == Side::kOutside;
-}
-
-/// Whether the box leaves out a neighbour, over whose faces a shorter path might come.
-bool FastDistance::isAtBorder(int vertex) {
-  for (int edge = fans_->begin[vertex]; edge < fans_->end(vertex); ++edge) {
-    const int head = fans_->edges[edge].head;
-    if (isOutside(head, vertices_.touch(head))) return true;
-  }
-  return false;
 }
 
 /// Goes along so many of the vertex's edges from the first on, and over them and the one after
@@ -243,15 +221,13 @@ inline void FastDistance::goAlongEdge(const VertexRecord& from, const Vec2 (&tur
   ring_.right[place] = cosine * right.y() - sine * right.x();
 
   const double distance = from.distance + edge.length;
-  const bool isLeftOut = box_ && isOutside(edge.head, record);
-  const bool isNearer = (distance < record.distance * kShorter) & !isFinal(record) & !isLeftOut;
+  const bool isNearer = (distance < record.distance * kShorter) & !isFinal(record);
   VertexRecord& reached = *(isNearer ? &record : &nowhere_);
   reached.distance = distance;
   reached.base = from.distance;
   reached.corner = edge.reverse;
   reached.settled = false;
   reached.alongEdge = true;
-  reached.unsure = from.unsure;
 
   constexpr double kRoom[2] = {0, kInfinity};
   ring_.record[place] = &record;
@@ -262,13 +238,6 @@ inline void FastDistance::goAlongEdge(const VertexRecord& from, const Vec2 (&tur
   ring_.room[place] = edge.length * (record.distance - least) + kRoom[record.settled ? 1 : 0];
   ring_.length[place] = edge.length;
   ring_.area[place] = edge.cross;
-  if (isLeftOut) {
-    // It is no apex, and as the end of an edge not waited for.
-    constexpr double kUnbounded = 1e300;
-    ring_.distance[place] = 0;
-    ring_.least[place] = edge.length * from.distance;
-    ring_.room[place] = kUnbounded;
-  }
 }
 
 /// Repeats the first edge after the last.
@@ -332,7 +301,7 @@ void FastDistance::cross(int vertex, const VertexRecord& from, int edgeInRing, i
     cosine = cosine * turn.x() - kSide * karcher::cross(from.toSource, edge.vector) * turn.y();
   }
   const bool faces = sine >= 0;
-  if (!other.settled && other.side != Side::kOutside) {
+  if (!other.settled) {
     // The bound of findCrossings for straight paths from this vertex's source, without a root.
     const double away = radius - cosine;
     const double gain = (cosine - kWait * length) * squared - dot * cosine + area * sine;
@@ -365,8 +334,6 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const V
   if (other.settled) {
     b.seen = findSourceAngle<-kSide>(edge, other, inverse, b);
     best = crossSettledEdge(a, b, apex);
-  } else if (other.side == Side::kOutside) {
-    best = edge_crossing::straight(a, apex);
   } else {
     if (!other.alongEdge && edge_crossing::hides(a, b)) return;
     best = edge_crossing::straight(a, apex);
@@ -405,8 +372,6 @@ void FastDistance::crossEdge(const FanEdge& edge, const FanEdge& target, const V
     if (!isBetter) return;
     hasTied_ = true;
   }
-  record.unsure = isFromUnsure_ || (other.settled && other.unsure);
-  record.side = reached.side;
   record.place = reached.place;
   record.times = reached.times;
   record.delay = reached.delay;

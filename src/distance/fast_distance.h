@@ -32,15 +32,6 @@ class FastDistance final : public DistanceSolver {
   void grow(double radius) override;
   double growTo(int vertex) override;
 
-  bool keepTo(const std::optional<OrientedBox>& box) override {
-    box_ = box;
-    return true;
-  }
-  bool isSure(int vertex) const override {
-    const VertexRecord* record = vertices_.find(vertex);
-    return record != nullptr && record->settled && !record->unsure;
-  }
-
   double reached() const override {
     return queue_.empty() ? kInfinity : front_ - static_cast<double>(longestDelay_);
   }
@@ -73,9 +64,6 @@ class FastDistance final : public DistanceSolver {
   /// may find the same path shorter for ever.
   static constexpr int kMostTimes = 100;
 
-  /// Of the box that the solver is kept to.
-  enum class Side : uint8_t { kUnknown, kInside, kOutside };
-
   struct VertexRecord {
     double distance = kInfinity;
     double base = 0;
@@ -86,8 +74,6 @@ class FastDistance final : public DistanceSolver {
     uint16_t times = 0;            ///< it was settled
     bool settled = false;
     bool alongEdge = false;  ///< the path comes along an edge from the vertex at `base`
-    bool unsure = false;     ///< the path may go where it does because of the box
-    Side side = Side::kUnknown;
   };
 
   /// The edges of the vertex that is being settled, side by side, and what is known at their ends.
@@ -124,8 +110,6 @@ class FastDistance final : public DistanceSolver {
     return record.settled & (record.distance + static_cast<double>(record.delay) <= front_);
   }
 
-  bool isOutside(int vertex, VertexRecord& record) const;
-  bool isAtBorder(int vertex);
   void placeInFace(int face, const Vec2& source);
   void settle(int vertex);
   bool goesStraightOn(int vertex, const VertexRecord& record, int number) const;
@@ -156,13 +140,11 @@ class FastDistance final : public DistanceSolver {
   std::shared_ptr<const VertexFans> fans_;
   PagedArray<VertexRecord, 4> vertices_;
   OrderedQueue queue_;
-  std::optional<OrientedBox> box_;
   Ring ring_{};
-  VertexRecord nowhere_;       ///< takes what is not wanted
-  double front_ = 0;           ///< the largest distance settled so far
-  bool isFromUnsure_ = false;  ///< of the vertex that is being settled
-  bool hasTied_ = false;       ///< it has replaced a path by another one of the same length
-  float longestDelay_ = 0;     ///< the largest delay of the vertices met so far
+  VertexRecord nowhere_;    ///< takes what is not wanted
+  double front_ = 0;        ///< the largest distance settled so far
+  bool hasTied_ = false;    ///< it has replaced a path by another one of the same length
+  float longestDelay_ = 0;  ///< the largest delay of the vertices met so far
 };
 
 }  // namespace karcher

@@ -22,8 +22,6 @@ constexpr double kAside = 0.7;  ///< radians
 constexpr double kMostDetour = 1.4;
 constexpr double kSharp = 0.25;  ///< radians
 
-/// A source is at a vertex if its other weights are no larger.
-constexpr double kAtVertex = 1e-9;
 /// Angles of less, in radians, are rounding.
 constexpr double kFlat = 1e-9;
 
@@ -35,7 +33,6 @@ class SightLine {
       : geometry_(geometry), mesh_(*geometry.mesh), source_(source), vertex_(vertex) {}
 
   std::optional<Sight> find() {
-    if (source_.isAtVertex) return std::nullopt;
     for (int k = 0; k < 3; ++k) {
       const int h = 3 * source_.face + k;
       if (mesh_.tail(h) == vertex_) {
@@ -256,10 +253,11 @@ class SightLine {
 
 }  // namespace
 
-SightSource sightSource(const Geometry& geometry, const SurfacePoint& point) {
+namespace {
+
+SightSource sourceInFace(const Geometry& geometry, const SurfacePoint& point) {
   SightSource source;
   source.face = point.face;
-  source.isAtVertex = point.bary.maxCoeff() >= 1 - kAtVertex;
   source.position = position(*geometry.mesh, point);
   source.x = toSpace(geometry, point.face, Vec2(1, 0));
   source.y = toSpace(geometry, point.face, Vec2(0, 1));
@@ -269,8 +267,42 @@ SightSource sightSource(const Geometry& geometry, const SurfacePoint& point) {
   return source;
 }
 
-std::optional<Sight> sightFrom(const Geometry& geometry, const SightSource& source, int vertex) {
-  return SightLine(geometry, source, vertex).find();
+/// Whether paths to a vertex leave a source at a vertex into its face: the vertex lies in the
+/// face's corner there, seen from above.
+bool isAhead(const Geometry& geometry, const SightSource& source, int vertex) {
+  const Vec3 way = geometry.mesh->positions[vertex] - source.position;
+  const Vec2 aim(way.dot(source.x), way.dot(source.y));
+  for (int k = 0; k < 3; ++k) {
+    if (source.corners[k] != Vec2::Zero()) continue;
+    return cross(source.corners[(k + 1) % 3], aim) >= 0 &&
+           cross(aim, source.corners[(k + 2) % 3]) > 0;
+  }
+  return false;
+}
+
+}  // namespace
+
+void findSightSources(const Geometry& geometry, const SurfacePoint& point, SightSources& sources) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const PointLocation location = locate(mesh, point);
+  sources.clear();
+  if (location.simplex != Simplex::kVertex) {
+    sources.push_back(sourceInFace(geometry, point));
+    return;
+  }
+  for (const int h : outgoingHalfedges(mesh, location.vertex)) {
+    SightSource source = sourceInFace(geometry, edgePoint(h, 0));
+    source.corners[cornerOf(h)] = Vec2::Zero();
+    sources.push_back(source);
+  }
+}
+
+std::optional<Sight> sightFrom(const Geometry& geometry, const SightSources& sources, int vertex) {
+  if (sources.count() == 1) return SightLine(geometry, sources[0], vertex).find();
+  for (const SightSource& source : sources) {
+    if (isAhead(geometry, source, vertex)) return SightLine(geometry, source, vertex).find();
+  }
+  return std::nullopt;
 }
 
 }  // namespace karcher

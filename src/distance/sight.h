@@ -15,17 +15,19 @@
 /// are on armadillo, and .2 % on spot, whose ears are thin, by a fourth at most.
 namespace karcher {
 
-/// A point that paths start from.
+/// A point that paths start from, in one of its faces.
 struct SightSource {
   int face = 0;
-  bool isAtVertex = true;  ///< from which no path is found
   Vec3 position = Vec3::Zero();
   Vec3 x = Vec3::UnitX();  ///< the axes of the face's frame
   Vec3 y = Vec3::UnitY();
   Vec2 corners[3] = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};  ///< of the face, from the point on
 };
-/// What paths from a point need.
-SightSource sightSource(const Geometry& geometry, const SurfacePoint& point);
+/// One face of a point in a face or on an edge; all faces around a point at a vertex.
+using SightSources = Array<SightSource>;
+
+/// What paths from a point need, written to `sources`, whose memory is used again.
+void findSightSources(const Geometry& geometry, const SurfacePoint& point, SightSources& sources);
 
 struct Sight {
   double distance = 0;
@@ -35,6 +37,6 @@ struct Sight {
 /// The path from a source to a vertex near by. None where no straight path is found, or where it is
 /// so much longer than the line that another may be shorter. Depends on the source and the vertex
 /// alone; on a plane it is the straight line.
-std::optional<Sight> sightFrom(const Geometry& geometry, const SightSource& source, int vertex);
+std::optional<Sight> sightFrom(const Geometry& geometry, const SightSources& sources, int vertex);
 
 }  // namespace karcher

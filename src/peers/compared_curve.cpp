@@ -84,7 +84,7 @@ ComparedCurve::ComparedCurve(PreparedMethod& method, ComparedPlan plan)
   if (options.method == ComparedMethod::kFields) {
     for (int i = 0; i < plan_.points.count(); ++i) {
       fields_.push_back(std::make_unique<PointField>(method.surface(), options.field));
-      ringFields_.push_back(ControlField(method.surface().mesh().vertexCount()));
+      ringFields_.push_back(ControlField());
     }
   } else if (options.method == ComparedMethod::kVectorHeat ||
              options.method == ComparedMethod::kAffineHeat) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 
-#include "distance/paged_array.h"
+#include "intrinsic/geometry.h"
+#include "mesh/sparse_index.h"
 
 namespace karcher {
 
@@ -27,23 +26,24 @@ class ControlField {
   /// half-edge's frame: its direction is the x axis.
   using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
-  /// The pool is where its memory comes from, which other fields may share.
-  explicit ControlField(int vertexCount, std::shared_ptr<PagePool> pages = newPagePool())
-      : entries_(vertexCount, std::move(pages)) {}
-
   /// Forgets all values; from now on `evaluate` computes them. Costs what was touched.
   /// With `evaluateMidpoint` the field has values at the midpoints of edges as well.
   void reset(Evaluate evaluate, EvaluateMidpoint evaluateMidpoint = {}) {
-    entries_.clear();
+    numberOf_.clear();
+    values_.clear();
     corrections_.clear();
     evaluate_ = std::move(evaluate);
     evaluateMidpoint_ = std::move(evaluateMidpoint);
   }
 
+  /// Valid until the next call.
   const FieldValue& at(int vertex) {
-    FieldValue& value = entries_.touch(vertex).value;
-    if (std::isnan(value.squaredDistance)) value = evaluate_(vertex);
-    return value;
+    const int number = numberOf_.find(vertex);
+    if (number >= 0) return values_[number];
+    // Only then, since the evaluation may throw.
+    const FieldValue value = evaluate_(vertex);
+    numberOf_.add(vertex);
+    return values_.emplace_back(value);
   }
 
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
@@ -67,15 +67,10 @@ class ControlField {
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
  private:
-  /// A value that is not known yet is not a number, which takes no memory of its own.
-  struct Entry {
-    FieldValue value{Vec2::Zero(), kUnknown};
-  };
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
   Evaluate evaluate_;
   EvaluateMidpoint evaluateMidpoint_;
-  PagedArray<Entry, 4> entries_;
+  SparseIndex numberOf_;
+  Array<FieldValue> values_;
   std::unordered_map<int, Vec2> corrections_;
 };
 

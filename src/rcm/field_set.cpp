@@ -24,25 +24,24 @@ size_t FieldSet::Hash::operator()(const Key& key) const {
   return static_cast<size_t>(hash);
 }
 
-std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point,
-                                         const std::optional<OrientedBox>& box) {
-  const auto known = placeOf_.find({point, box});
+std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point, bool isNear) {
+  const auto known = placeOf_.find({point, isNear});
   if (known != placeOf_.end()) return fields_[known->second];
   int place = findSpare();
   // The entry of a field that moves is used again.
   decltype(placeOf_)::node_type entry;
   if (place < 0) {
     place = fields_.count();
-    fields_.push_back(std::make_shared<PointField>(surface_, options_, spareSolvers_));
+    fields_.push_back(std::make_shared<PointField>(surface_, options_, paths_));
   } else {
     entry = placeOf_.extract(keyOf(*fields_[place]));
   }
   try {
-    fields_[place]->setPoint(point, box);
+    fields_[place]->setPoint(point, isNear);
     if (entry.empty()) {
-      placeOf_.emplace(Key{point, box}, place);
+      placeOf_.emplace(Key{point, isNear}, place);
     } else {
-      entry.key() = {point, box};
+      entry.key() = {point, isNear};
       placeOf_.insert(std::move(entry));
     }
   } catch (...) {
@@ -59,9 +58,8 @@ std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point,
   return fields_[place];
 }
 
-std::shared_ptr<PointField> FieldSet::find(const SurfacePoint& point,
-                                           const std::optional<OrientedBox>& box) const {
-  const auto known = placeOf_.find({point, box});
+std::shared_ptr<PointField> FieldSet::find(const SurfacePoint& point, bool isNear) const {
+  const auto known = placeOf_.find({point, isNear});
   return known != placeOf_.end() ? fields_[known->second] : nullptr;
 }
 
@@ -87,7 +85,6 @@ void FieldSet::dropSpare(int kept) {
   });
   for (int i = 0; i < fields_.count(); ++i) renumber(i);
   next_ = 0;
-  spareSolvers_->clear();
   surface_.pages()->trim();
 }
 

@@ -24,15 +24,12 @@ class FieldSet {
   const FieldOptions& options() const { return options_; }
   Surface& surface() const { return surface_; }
 
-  /// The field of a point: the one that is at it, else a spare one that is moved to it, else a new
-  /// one.
-  /// `box`: where it will be read (point_field.h). Fields of one point with other boxes are others.
-  std::shared_ptr<PointField> at(const SurfacePoint& point,
-                                 const std::optional<OrientedBox>& box = std::nullopt);
+  /// The field of a point, near or not (point_field.h): the one that is at it, else a spare one
+  /// that is moved to it, else a new one.
+  std::shared_ptr<PointField> at(const SurfacePoint& point, bool isNear = false);
 
   /// The field that is at a point, or none.
-  std::shared_ptr<PointField> find(const SurfacePoint& point,
-                                   const std::optional<OrientedBox>& box = std::nullopt) const;
+  std::shared_ptr<PointField> find(const SurfacePoint& point, bool isNear = false) const;
 
   /// Gives the memory of spare fields back, but of at most `kept` of them.
   void dropSpare(int kept = 0);
@@ -49,15 +46,16 @@ class FieldSet {
  private:
   struct Key {
     SurfacePoint point;
-    std::optional<OrientedBox> box;
+    bool isNear;
     bool operator==(const Key& other) const {
-      return point.face == other.point.face && point.bary == other.point.bary && box == other.box;
+      return point.face == other.point.face && point.bary == other.point.bary &&
+             isNear == other.isNear;
     }
   };
   struct Hash {
     size_t operator()(const Key& key) const;
   };
-  static Key keyOf(const PointField& field) { return {field.point(), field.box()}; }
+  static Key keyOf(const PointField& field) { return {field.point(), field.isNear()}; }
 
   /// Tells the place of a field that was moved there.
   void renumber(int place);
@@ -68,8 +66,7 @@ class FieldSet {
   Surface& surface_;
   FieldOptions options_;
   Array<std::shared_ptr<PointField>> fields_;
-  std::shared_ptr<PointField::SpareSolvers> spareSolvers_ =
-      std::make_shared<PointField::SpareSolvers>();
+  std::shared_ptr<FindPathWorkspace> paths_ = std::make_shared<FindPathWorkspace>();
   std::unordered_map<Key, int, Hash> placeOf_;
   int next_ = 0;  ///< where the search for a spare field goes on
   int made_ = 0;

@@ -4,21 +4,14 @@
 #include <string>
 #include <utility>
 
+#include "intrinsic/tangent.h"
 #include "mesh/error.h"
 
 namespace karcher {
 
 namespace {
 
-/// Wider on all sides by half the lesser of its length and width, which is about an edge or two.
-OrientedBox widened(const OrientedBox& box) {
-  OrientedBox wide = box;
-  wide.halfSize += Vec3::Constant(std::min(box.halfSize[0], box.halfSize[1]));
-  return wide;
-}
-
-double reachable(double distance) {
-  if (distance != kInfinity) return distance;
+[[noreturn]] void throwUnreachable() {
   throw Error(ErrorCode::kUnreachable,
               "a field was read on another component than its control point's");
 }
@@ -26,21 +19,18 @@ double reachable(double distance) {
 }  // namespace
 
 PointField::PointField(Surface& surface, const FieldOptions& options,
-                       std::shared_ptr<SpareSolvers> spare)
-    : surface_(surface),
-      options_(options),
-      estimator_(estimatorOf(solverOn(surface, options.solver))),
-      field_(surface.mesh().vertexCount(), surface.pages()),
-      spare_(std::move(spare)),
-      logVectors_(surface.mesh().vertexCount(), surface.pages()) {
+                       std::shared_ptr<FindPathWorkspace> paths)
+    : surface_(surface), options_(options), paths_(std::move(paths)) {
   checkFieldOptions(options);
 }
 
-void PointField::setPoint(const SurfacePoint& point, const std::optional<OrientedBox>& box) {
+void PointField::setPoint(const SurfacePoint& point, bool isNear) {
   point_ = point;
-  box_ = box;
+  isNear_ = isNear;
   if (options_.method == Method::kPaper) {
     makePaperField();
+  } else if (isNear && options_.solver != Solver::kGraph) {
+    makeNearField();
   } else {
     makeLogField();
   }
@@ -54,83 +44,58 @@ void PointField::makePaperField() {
   field_.reset([this](int v) { return FieldValue{gradients_[v], squaredDistances_[v]}; });
 }
 
+void PointField::makeNearField() {
+  findSightSources(surface_.geometry(), point_, sights_);
+  field_.reset([this](int v) { return nearValue(v); });
+}
+
+FieldValue PointField::nearValue(int vertex) {
+  const Geometry& geometry = surface_.geometry();
+  const bool isExact = options_.solver == Solver::kExact;
+  if (!isExact) {
+    if (const auto sight = sightFrom(geometry, sights_, vertex)) {
+      return {sight->logVector, sight->distance * sight->distance};
+    }
+  }
+  const SurfacePoint from = vertexPoint(surface_.mesh(), vertex);
+  if (!findPath(geometry, from, point_, *paths_, path_, {.certified = isExact})) {
+    throwUnreachable();
+  }
+  const double distance = path_.length();
+  if (!(distance > 0)) return {};
+  return {-2 * logAlong(geometry, path_), distance * distance};
+}
+
 void PointField::makeLogField() {
-  if (!solver_) solver_ = makeDistanceSolver(surface_, options_);
-  stencils_ = &surface_.stencils(estimator_);
-  logVectors_.clear();
+  if (!solver_) {
+    estimator_ = estimatorOf(solverOn(surface_, options_.solver));
+    solver_ = makeDistanceSolver(surface_, options_);
+    stencils_ = &surface_.stencils(estimator_);
+    logVectors_.emplace(surface_.mesh().vertexCount(), surface_.pages());
+  }
+  logVectors_->clear();
   ControlField::EvaluateMidpoint midpoint;
   if (solver_->keepMidpoints()) midpoint = [this](int h) { return estimateMidpoint(h); };
-  isKept_ = solver_->keepTo(box_) && box_;
-  for (auto* solver : {&wide_, &whole_}) {
-    if (*solver) spare_->push_back(std::move(*solver));
-  }
-  isGrowing_ = !isKept_;
-  if (isKept_) {
-    sights_ = sightSource(surface_.geometry(), point_);
-  } else {
-    solver_->setSource(point_);
-  }
+  solver_->setSource(point_);
   field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
 }
 
-/// The solver that knows a vertex, grown to it.
-DistanceSolver& PointField::solverFor(int vertex) {
-  if (!isKept_) {
-    solver_->growTo(vertex);
-    return *solver_;
-  }
-  if (!isGrowing_) solver_->setSource(point_);
-  isGrowing_ = true;
-  if (knows(*solver_, *box_, vertex)) return *solver_;
-  const OrientedBox wider = widened(*box_);
-  DistanceSolver& wide = made(wide_, wider);
-  if (knows(wide, wider, vertex)) return wide;
-  DistanceSolver& whole = made(whole_, std::nullopt);
-  whole.growTo(vertex);
-  return whole;
+double PointField::distanceAt(int vertex) {
+  const double distance = solver_->growTo(vertex);
+  if (distance == kInfinity) throwUnreachable();
+  return distance;
 }
-
-/// Whether a solver that is kept to a box knows a vertex as one that goes everywhere; grows it
-/// there.
-bool PointField::knows(DistanceSolver& solver, const OrientedBox& box, int vertex) const {
-  if (!box.contains(surface_.mesh().positions[vertex])) return false;
-  solver.growTo(vertex);
-  return solver.isSure(vertex);
-}
-
-/// The solver, which is made and kept to the box where it is not there yet.
-DistanceSolver& PointField::made(std::unique_ptr<DistanceSolver>& solver,
-                                 const std::optional<OrientedBox>& box) {
-  if (!solver) {
-    if (spare_->empty()) spare_->push_back(makeDistanceSolver(surface_, options_));
-    spare_->back()->keepTo(box);
-    spare_->back()->setSource(point_);
-    solver = std::move(spare_->back());
-    spare_->pop_back();
-  }
-  return *solver;
-}
-
-double PointField::distanceAt(int vertex) { return reachable(solverFor(vertex).distance(vertex)); }
 
 const Vec2& PointField::logVectorAt(int vertex) {
-  Vec2& vector = logVectors_.touch(vertex).vector;
+  Vec2& vector = logVectors_->touch(vertex).vector;
   if (std::isnan(vector.x())) {
     distanceAt(vertex);
-    vector = solverFor(vertex).logVector(vertex);
+    vector = solver_->logVector(vertex);
   }
   return vector;
 }
 
 FieldValue PointField::estimate(int vertex) {
-  if (isKept_) {
-    if (const auto sight = sightFrom(surface_.geometry(), sights_, vertex)) {
-      return {sight->logVector, sight->distance * sight->distance};
-    }
-    const DistanceSolver& solver = solverFor(vertex);
-    const double distance = reachable(solver.distance(vertex));
-    return {solver.logVector(vertex), distance * distance};
-  }
   const Stencil stencil = stencils_->at(vertex);
   const auto squaredDistanceAt = [&](int v) {
     const double distance = distanceAt(v);
@@ -189,7 +154,7 @@ ControlField fieldFromDistances(Surface& surface, const Array<double>& distances
   }
   auto gradients =
       std::make_shared<Array<Vec2>>(applyGradient(surface.gradientOperator(), *squares));
-  ControlField field(vertexCount);
+  ControlField field;
   field.reset([squares, gradients](int v) { return FieldValue{(*gradients)[v], (*squares)[v]}; });
   return field;
 }

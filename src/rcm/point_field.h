@@ -2,7 +2,9 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
+#include "distance/find_path.h"
 #include "distance/paged_array.h"
 #include "distance/sight.h"
 #include "rcm/control_field.h"
@@ -15,26 +17,28 @@ namespace karcher {
 /// grows to the vertices that a search asks for, and no further.
 class PointField {
  public:
-  /// Solvers that no field uses at present.
-  using SpareSolvers = Array<std::unique_ptr<DistanceSolver>>;
-
-  /// The surface must outlive the field. Fields of the same surface and options may share spare
-  /// solvers. Throws as `checkFieldOptions` does.
+  /// The surface must outlive the field. Fields may share the scratch memory of their path
+  /// searches. Throws as `checkFieldOptions` does.
   PointField(Surface& surface, const FieldOptions& options,
-             std::shared_ptr<SpareSolvers> spare = std::make_shared<SpareSolvers>());
+             std::shared_ptr<FindPathWorkspace> paths = std::make_shared<FindPathWorkspace>());
   PointField(const PointField&) = delete;
   PointField& operator=(const PointField&) = delete;
 
-  /// A box means that the point is near, and that the field is read only in the box. Values are
-  /// then those of paths to the vertices that are straight, or bent at saddles, each found on its
-  /// own (sight.h). Where none is
-  /// found, the solver grows, and keeps to paths in the box wherever those outside change nothing.
-  /// Log vectors are taken as they are: so near they need no fit (estimators.h). A vertex's value
-  /// then depends on the box, too, but not on what was read before. A solver that cannot keep to a
-  /// box ignores it.
-  void setPoint(const SurfacePoint& point, const std::optional<OrientedBox>& box = std::nullopt);
+  /// A near field is read only close to its point. Each of its values is that of one straight path
+  /// between the point and the vertex, found on its own: by sight (sight.h), and where that finds
+  /// none, by a path search (find_path.h). So a value depends on the surface, the point and the
+  /// vertex alone, costs what lies between them, and takes no memory but its own. Log vectors are
+  /// taken as they are: so near they need no fit (estimators.h). With exact distances each path is
+  /// compared with the shortest one by exact windows, at many times the cost. With graph distances,
+  /// and the paper's method, a near field is like any other.
+  void setPoint(const SurfacePoint& point, bool isNear = false);
   const SurfacePoint& point() const { return point_; }
-  const std::optional<OrientedBox>& box() const { return box_; }
+  bool isNear() const { return isNear_; }
+
+  /// Whether the value of a near field at a vertex is that of a path by sight.
+  bool sees(int vertex) const {
+    return sightFrom(surface_.geometry(), sights_, vertex).has_value();
+  }
 
   /// Reading a value on another component than the point's throws Error kUnreachable.
   ControlField& field() { return field_; }
@@ -47,33 +51,28 @@ class PointField {
 
   void makePaperField();
   void makeLogField();
+  void makeNearField();
+  FieldValue nearValue(int vertex);
   FieldValue estimate(int vertex);
   Vec2 estimateMidpoint(int halfedge);
-  DistanceSolver& solverFor(int vertex);
-  bool knows(DistanceSolver& solver, const OrientedBox& box, int vertex) const;
-  DistanceSolver& made(std::unique_ptr<DistanceSolver>& solver,
-                       const std::optional<OrientedBox>& box);
   double distanceAt(int vertex);
   const Vec2& logVectorAt(int vertex);
 
   Surface& surface_;
   FieldOptions options_;
-  Estimator estimator_;
   SurfacePoint point_;
+  bool isNear_ = false;
   ControlField field_;
-  /// Kept for log vectors, which are made as they are read.
+  // Of a near field.
+  SightSources sights_;
+  std::shared_ptr<FindPathWorkspace> paths_;
+  SurfacePath path_;
+  // Of log vectors of other fields. They are made when the first such field is.
+  Estimator estimator_ = Estimator::kLinear1;
   std::unique_ptr<DistanceSolver> solver_;
-  std::optional<OrientedBox> box_;
-  bool isKept_ = false;     ///< the solver to the box
-  bool isGrowing_ = false;  ///< the solver from the point
-  SightSource sights_;      ///< the point, where the solver is kept
-  /// For what lies outside the box or depends on that, kept to a wider one, and for what lies
-  /// outside that or depends on that, going everywhere; taken when they are needed.
-  std::unique_ptr<DistanceSolver> wide_;
-  std::unique_ptr<DistanceSolver> whole_;
-  std::shared_ptr<SpareSolvers> spare_;
   StencilTable* stencils_ = nullptr;
-  PagedArray<LogEntry, 4> logVectors_;
+  std::optional<PagedArray<LogEntry, 4>> logVectors_;
+  // Of the paper's method.
   Array<double> squaredDistances_;
   Array<Vec2> gradients_;
 };

@@ -52,7 +52,7 @@ ControlField sumOfEstimates(Surface& surface, const Array<SurfacePoint>& points,
       (*corrections)[h] += weights[i] * point.field().midpointCorrectionUnkept(h);
     }
   }
-  ControlField field(mesh.vertexCount());
+  ControlField field;
   field.reset([values](int v) { return (*values)[v]; },
               [corrections](int h) { return (*corrections)[h]; });
   return field;
@@ -76,7 +76,7 @@ ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
     addPoint(*solver, points[i], weights[i], !paper, *sums);
   }
 
-  ControlField field(surface.mesh().vertexCount());
+  ControlField field;
   if (paper) {
     sums->logVectors = applyGradient(surface.gradientOperator(), sums->squaredDistances);
     field.reset([sums](int v) {

@@ -17,7 +17,7 @@ namespace {
 
 /// The field of a point p of a flat mesh: the gradient of |x - p|^2 is 2 (x - p).
 std::unique_ptr<ControlField> flatField(const Geometry& geometry, const Vec3& p) {
-  auto field = std::make_unique<ControlField>(geometry.mesh->vertexCount());
+  auto field = std::make_unique<ControlField>();
   field->reset([&geometry, p](int v) {
     const Vec3 away = geometry.mesh->positions[v] - p;
     return FieldValue{inVertexFrame(geometry, v, 2 * away), away.squaredNorm()};
@@ -163,7 +163,7 @@ TEST(FieldBlend, FindsTheSameZeroOnAnEdgeFromBothSides) {
     const double x = random.uniform(-1, 1);
     values.emplace_back(x, random.uniform(-1, 1));
   }
-  ControlField field(mesh.vertexCount());
+  ControlField field;
   field.reset([&](int v) { return FieldValue{values[v], 0}; });
   FieldBlend blend(geometry, {&field});
   const Array<double> one{1};
@@ -202,7 +202,7 @@ TEST(GradientOperator, OfASquaredDistanceIsExactInsideARegularGrid) {
 }
 
 TEST(ControlField, AsksOnceForEachVertexAndForgetsOnReset) {
-  ControlField field(1000);
+  ControlField field;
   int calls = 0;
   field.reset([&](int v) {
     ++calls;

@@ -148,7 +148,7 @@ CurvePoint pointAt(Curve& curve, const SegmentParameter& parameter) {
     if (sample.t == at.t) return {whole, sample.point, sample.status};
   }
   if (const Bridge* bridge = bridgeOver(pieceOf(curve, at).bridges(), at.t)) {
-    return {whole, pointAt(curve.surface().mesh(), *bridge, at.t), SampleStatus::kBridged};
+    return {whole, pointAt(curve.surface().mesh(), *bridge, at.t), statusOn(*bridge)};
   }
   SampleStatus status = SampleStatus::kConverged;
   if (curve.isOfCenters()) {
@@ -164,7 +164,8 @@ CurvePoint pointAt(Curve& curve, const SegmentParameter& parameter) {
 CurveTangent tangentAt(Curve& curve, const SegmentParameter& parameter) {
   const CurvePoint point = pointAt(curve, parameter);
   const PieceParameter at = inPiece(curve, parameter);
-  if (!curve.isOfCenters() || point.status != SampleStatus::kConverged) {
+  if (!curve.isOfCenters() || pieceOf(curve, at).isSubdivided() ||
+      point.status != SampleStatus::kConverged) {
     return tangentOfPath(curve, point, pathAround(curve, at));
   }
   const Geometry& geometry = curve.surface().geometry();

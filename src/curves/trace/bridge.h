@@ -17,11 +17,17 @@ namespace karcher {
 struct Bridge {
   double t0 = 0;
   double t1 = 1;
-  /// kJump, or the status of the first sample in the interval.
+  /// kJump, kSubdivided, or the status of the first sample in the interval.
   SampleStatus reason = SampleStatus::kJump;
   /// Over [t0, t1].
   ParametricLine line;
 };
+
+/// The status of the samples on a bridge.
+inline SampleStatus statusOn(const Bridge& bridge) {
+  return bridge.reason == SampleStatus::kSubdivided ? SampleStatus::kSubdivided
+                                                    : SampleStatus::kBridged;
+}
 
 /// Scratch memory; reuse one to spare the allocations.
 struct BridgeWorkspace {

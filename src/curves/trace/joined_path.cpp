@@ -32,15 +32,22 @@ void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Arra
                samples[i].status == SampleStatus::kConverged &&
                crossings->append(samples[i - 1], samples[i], points)) {
       // The curve itself.
-    } else if (!appendLocalPath(geometry, from, to, workspace, points)) {
-      const SurfacePath shortest = shortestPath(geometry, from, to);
-      points.insert(points.end(), shortest.points.begin() + 1, shortest.points.end());
+    } else {
+      appendGeodesic(geometry, from, to, workspace, points);
     }
     path.sample.resize(points.size(), i);
-    path.unconverged.resize(points.size(),
-                            isBridged || samples[i].status != SampleStatus::kConverged);
+    const bool isSubdivided = isBridged && bridge->reason == SampleStatus::kSubdivided;
+    const bool isConverged = !isBridged && samples[i].status == SampleStatus::kConverged;
+    path.unconverged.resize(points.size(), !(isSubdivided || isConverged));
   }
   measure(surface.mesh(), path.line);
+}
+
+void appendGeodesic(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+                    StripWorkspace& workspace, Array<SurfacePoint>& points) {
+  if (appendLocalPath(geometry, from, to, workspace, points)) return;
+  const SurfacePath shortest = shortestPath(geometry, from, to);
+  points.insert(points.end(), shortest.points.begin() + 1, shortest.points.end());
 }
 
 }  // namespace karcher

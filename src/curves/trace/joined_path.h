@@ -28,4 +28,9 @@ void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Arra
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                        const Array<Bridge>& bridges = {}, EdgeCrossings* crossings = nullptr);
 
+/// Appends the geodesic between two samples that lie near each other as a rule: its points after
+/// `from`. The samples must lie on one component.
+void appendGeodesic(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
+                    StripWorkspace& workspace, Array<SurfacePoint>& points);
+
 }  // namespace karcher

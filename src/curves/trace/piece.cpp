@@ -76,10 +76,24 @@ void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegmen
     const TracedPiece& piece = *pieces[k];
     const auto inSegment = [&](double t) { return (k + t) / count; };
     for (const Bridge& bridge : piece.bridges) {
-      Bridge& moved = whole.bridges.emplace_back(bridge);
-      moved.t0 = inSegment(bridge.t0);
+      const bool goesOn = bridge.reason == SampleStatus::kSubdivided && bridge.t0 == 0 &&
+                          !whole.bridges.empty() &&
+                          whole.bridges.back().reason == SampleStatus::kSubdivided &&
+                          whole.bridges.back().t1 == inSegment(0);
+      if (!goesOn) {
+        Bridge& begun = whole.bridges.emplace_back();
+        begun.t0 = inSegment(bridge.t0);
+        begun.reason = bridge.reason;
+      }
+      Bridge& moved = whole.bridges.back();
       moved.t1 = inSegment(bridge.t1);
-      for (double& t : moved.line.t) t = inSegment(t);
+      // Where one subdivided piece follows another, its first point is there already.
+      const double before = goesOn ? moved.line.path.length() : 0;
+      for (int i = goesOn ? 1 : 0; i < bridge.line.t.count(); ++i) {
+        moved.line.t.push_back(inSegment(bridge.line.t[i]));
+        moved.line.path.points.push_back(bridge.line.path.points[i]);
+        moved.line.path.lengths.push_back(before + bridge.line.path.lengths[i]);
+      }
     }
     // The start of a piece is the end of the one before.
     const int last = piece.samples.count() - 1;

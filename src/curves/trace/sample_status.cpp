@@ -35,6 +35,8 @@ const char* statusName(SampleStatus status) {
       return "jump";
     case SampleStatus::kBridged:
       return "bridged";
+    case SampleStatus::kSubdivided:
+      return "subdivided";
   }
   return "unknown";
 }

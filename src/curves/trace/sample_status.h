@@ -14,8 +14,11 @@ enum class SampleStatus {
   kLimit,
   kJump,     ///< why an interval was bridged: from one local minimum to another
   kBridged,  ///< the sample lies on a bridge
+  /// The sample lies on a piece that is its own subdivision, as it crosses faces larger than itself
+  /// (Curve::findSubdivided); also why an interval is bridged.
+  kSubdivided,
 };
-inline constexpr SampleStatus kLastSampleStatus = SampleStatus::kBridged;
+inline constexpr SampleStatus kLastSampleStatus = SampleStatus::kSubdivided;
 
 /// The status of a sample whose search ended with `ofSearch`.
 SampleStatus sampleStatus(Status ofSearch);
