@@ -201,6 +201,7 @@ class Curve {
   static BasisWriter basisOf(const Piece& piece);
   void findSamples(const Next& next, Piece& piece, int segment);
   void findAveragedSamples(const Next& next, Piece& piece, int segment);
+  SurfacePoint centerOf(const SurfacePoint& point);
   void layOwnSubdivision(Piece& piece);
   void layBridges(const Next& next, Piece& piece);
   void join(const Next& next, Piece& piece);

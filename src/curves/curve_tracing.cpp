@@ -94,6 +94,11 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   }
   if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
+    if (piece.isSubdivided_) {
+      // Its neighbours may be centers of mass, which start and end there.
+      piece.traced_->samples.front().point = centerOf(piece.points_.front());
+      piece.traced_->samples.back().point = centerOf(piece.points_.back());
+    }
     return;
   }
   workspace_->fields.clear();
@@ -107,6 +112,16 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   } else {
     samples = traceSegment(fields, piece.table_->samples, method, std::move(samples));
   }
+}
+
+/// The center of mass of one point by its near field, where the pieces beside it begin or end: the
+/// field's interpolation has its zero a hundredth of an edge from the point.
+SurfacePoint Curve::centerOf(const SurfacePoint& point) {
+  const std::shared_ptr<PointField> field = fieldSet_->at(point, true);
+  workspace_->fields.assign(1, field.get());
+  constexpr double kOne[] = {1};
+  const CenterOfMass center = findCenter(blendFields().blend, kOne, point, Method::kKarcher);
+  return center.status == Status::kConverged ? center.point : point;
 }
 
 /// Of a piece of the subdivision curve.

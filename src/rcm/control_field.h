@@ -67,10 +67,17 @@ class ControlField {
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
  private:
+  /// Most near fields hold fewer values.
+  static Array<FieldValue> roomForNearField() {
+    Array<FieldValue> values;
+    values.reserve(64);
+    return values;
+  }
+
   Evaluate evaluate_;
   EvaluateMidpoint evaluateMidpoint_;
   SparseIndex numberOf_;
-  Array<FieldValue> values_;
+  Array<FieldValue> values_ = roomForNearField();
   std::unordered_map<int, Vec2> corrections_;
 };
 

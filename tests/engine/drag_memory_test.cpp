@@ -72,15 +72,20 @@ CurveOptions optionsOf(const CurveShape& shape, int levels) {
   return options;
 }
 
-void expectMostStepsTakeNone(Surface& surface, const CurveOptions& options, double spacing) {
+void expectMostStepsTake(Surface& surface, const CurveOptions& options, double spacing,
+                         int64_t half, int64_t nine) {
   Array<int64_t> counts;
   for (const uint64_t seed : {1u, 2u, 3u}) {
     const Array<int64_t> ofDrag = allocationsOfDrag(surface, options, spacing, seed);
     counts.insert(counts.end(), ofDrag.begin(), ofDrag.end());
   }
   expectFew(
-      counts, 0, 8,
+      counts, half, nine,
       curveKindName(options.shape.kind) + std::string(", spacing ") + std::to_string(spacing));
+}
+
+void expectMostStepsTakeNone(Surface& surface, const CurveOptions& options, double spacing) {
+  expectMostStepsTake(surface, options, spacing, 0, 8);
 }
 
 void expectMostStepsTakeNone(Surface& surface, const CurveShape& shape, int levels,
@@ -95,15 +100,21 @@ TEST(DragMemory, IsCounted) {
   ::operator delete(memory);
 }
 
+/// Of default curves. A step whose values are not all by sight takes memory for the paths that are
+/// searched.
+void expectMostStepsTakeLittle(Surface& surface, double spacing) {
+  expectMostStepsTake(surface, optionsOf({CurveKind::kBezier}, kAutomaticLevels), spacing, 2, 40);
+}
+
 TEST(DragMemory, IsThatOfTheStepsBefore) {
   Surface torus(meshOf(makeShape(Shape::kTorus, 20000)));
   Surface bunny(bunnyMesh());
   const CurveShape bezier{CurveKind::kBezier};
   for (const double spacing : {0.05, 0.1, 0.2, 0.3}) {
-    expectMostStepsTakeNone(torus, bezier, kAutomaticLevels, spacing);
+    expectMostStepsTakeLittle(torus, spacing);
   }
   for (const double spacing : {0.05, 0.1, 0.2}) {
-    expectMostStepsTakeNone(bunny, bezier, kAutomaticLevels, spacing);
+    expectMostStepsTakeLittle(bunny, spacing);
   }
   expectMostStepsTakeNone(torus, bezier, 0, 0.1);
   CurveShape spline{CurveKind::kBSpline};

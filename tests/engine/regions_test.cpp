@@ -9,8 +9,8 @@
 #include "generators/sphere.h"
 #include "generators/torus.h"
 #include "mesh/shapes.h"
-#include "regions/region.h"
 #include "region_drawings.h"
+#include "regions/region.h"
 #include "support.h"
 
 /// Cells and regions against closed forms, clipped polygons, and crossings counted one by one.

@@ -153,7 +153,8 @@ class Fuzz {
     for (const CurveSample& sample : samples) {
       const bool marked = bridgeOver(bridges, sample.t) != nullptr;
       if (sample.status != SampleStatus::kConverged &&
-          !(sample.status == SampleStatus::kBridged && marked)) {
+          !(marked && (sample.status == SampleStatus::kBridged ||
+                       sample.status == SampleStatus::kSubdivided))) {
         fault(std::string("a sample is ") + statusName(sample.status) + " without a mark");
       }
     }
