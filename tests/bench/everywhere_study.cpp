@@ -1,10 +1,12 @@
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <string>
 
 #include "bench_support.h"
+#include "distance/sight.h"
 #include "measures/allocations.h"
 #include "steadiness.h"
 
@@ -39,13 +41,21 @@ struct Options {
   bool memory = false;
 };
 
+CurveOptions defaultBezier() {
+  CurveOptions options{{CurveKind::kBezier}, kSteadySamples, {}};
+  options.levels = kAutomaticLevels;
+  return options;
+}
+
 /// Of a kind of curve, all polygons of a spacing together.
 struct KindFigures {
   Array<double> firstMs;
   Array<double> stepMs;
   Array<double> turnings;
   Array<double> levels;
-  Array<double> piecesBridged;  ///< of first traces and of steps
+  // Of first traces and of steps.
+  Array<double> piecesBridged;
+  Array<double> piecesSubdivided;
   int lost = 0;
   Array<double> released;  ///< how far release moves a curve, as a part of its length
   int drafts = 0;          ///< drags that end with other levels than the released curve has
@@ -54,6 +64,7 @@ struct KindFigures {
 void addTrace(KindFigures& figures, const TracedCurve& traced) {
   figures.levels.push_back(traced.levels);
   figures.piecesBridged.push_back(traced.piecesBridged);
+  figures.piecesSubdivided.push_back(traced.piecesSubdivided);
   figures.lost += traced.lost;
 }
 
@@ -81,6 +92,36 @@ void drawAndDrag(const TurningMeasure& measure, Surface& surface, const SteadyVa
   figures.released.push_back(partMoved(traced.polyline, released.polyline));
 }
 
+/// How many values of near fields there are at the corners of the faces that a curve's pieces
+/// cross, and how many of them no sight finds: these take a path search each.
+struct Sighted {
+  int values = 0;
+  int unseen = 0;
+};
+
+void addSighted(const Curve& curve, Sighted& sighted) {
+  if (curve.levels() < 1) return;
+  const Geometry& geometry = curve.surface().geometry();
+  SightSources sources;
+  for (int j = 0; j < curve.segmentCount(); ++j) {
+    for (int k = 0; k < curve.piecesPerSegment(); ++k) {
+      const Curve::Piece& piece = curve.piece(j, k);
+      if (piece.isSubdivided()) continue;
+      std::set<int> vertices;
+      for (const SurfacePoint& p : piece.path().line.points) {
+        for (int c = 0; c < 3; ++c) vertices.insert(geometry.mesh->corner(p.face, c));
+      }
+      for (const SurfacePoint& p : piece.points()) {
+        findSightSources(geometry, p, sources);
+        for (const int v : vertices) {
+          ++sighted.values;
+          sighted.unseen += !sightFrom(geometry, sources, v);
+        }
+      }
+    }
+  }
+}
+
 /// Where the samples of a curve lie, in space.
 Array<Vec3> sampled(const Curve& curve) {
   Array<Vec3> positions;
@@ -95,8 +136,7 @@ Array<Vec3> sampled(const Curve& curve) {
 /// The distances, in mean edges, between the samples of a default curve and those of the curve of
 /// exact distances at as many levels.
 void appendFromExact(Surface& surface, const Array<SurfacePoint>& points, Array<double>& out) {
-  CurveOptions options{{CurveKind::kBezier}, kSteadySamples, {}};
-  options.levels = kAutomaticLevels;
+  CurveOptions options = defaultBezier();
   const Curve curve(surface, options, points);
   options.levels = curve.levels();
   options.field.solver = Solver::kExact;
@@ -116,6 +156,7 @@ void printRow(Surface& surface, const TurningMeasure& measure, double spacing,
   KindFigures ours;
   KindFigures limits;
   Array<double> fromExact;
+  Sighted sighted;
   int drawn = 0;
   Deadline deadline;
   if (options.seconds > 0) deadline.at = milliseconds() + 1e3 * options.seconds;
@@ -123,16 +164,21 @@ void printRow(Surface& surface, const TurningMeasure& measure, double spacing,
     const Drag drag = randomDrag(surface.geometry(), random, {.spacing = spacing}, options.steps);
     drawAndDrag(measure, surface, automatic, drag, deadline, ours);
     drawAndDrag(measure, surface, limit, drag, deadline, limits);
+    addSighted(Curve(surface, defaultBezier(), drag.polygon), sighted);
     if (surface.mesh().faceCount() <= options.exact) {
       appendFromExact(surface, drag.polygon, fromExact);
     }
     ++drawn;
   }
-  std::printf("| %g | %d | %.2f | %.2f / %.2f | %.2f | %.1f | %.1f | %.2f %% | %d | %.0f / %.0f° ",
-              spacing, drawn, median(ours.firstMs), median(ours.stepMs), quantile(ours.stepMs, 1),
-              median(limits.stepMs), median(ours.stepMs) / median(limits.stepMs), mean(ours.levels),
-              100 * mean(ours.piecesBridged), ours.lost, median(ours.turnings),
-              median(limits.turnings));
+  std::printf(
+      "| %g | %d | %.2f | %.2f / %.2f | %.2f | %.1f | %.1f | %.2f / %.2f %% | %.2f %% | %d | %.0f "
+      "/ "
+      "%.0f° ",
+      spacing, drawn, median(ours.firstMs), median(ours.stepMs), quantile(ours.stepMs, 1),
+      median(limits.stepMs), median(ours.stepMs) / median(limits.stepMs), mean(ours.levels),
+      100 * mean(ours.piecesSubdivided), 100 * mean(ours.piecesBridged),
+      100.0 * sighted.unseen / std::max(1, sighted.values), ours.lost, median(ours.turnings),
+      median(limits.turnings));
   std::printf("| %d, %.2f %% |", ours.drafts, 100 * quantile(ours.released, 1));
   if (fromExact.empty()) {
     std::printf(" - |\n");
@@ -145,15 +191,13 @@ void printRow(Surface& surface, const TurningMeasure& measure, double spacing,
 /// What a first and a second curve of far points take and hold, with all that they make for the
 /// mesh.
 void printMemory(Surface& surface, const Options& options) {
-  CurveOptions curve{{CurveKind::kBezier}, kSteadySamples, {}};
-  curve.levels = kAutomaticLevels;
   Random random(static_cast<uint64_t>(options.seed));
   for (const char* which : {"first", "second"}) {
     const Array<SurfacePoint> points =
         randomControlPolygon(surface.geometry(), random, {.spacing = kFarSpacing});
     const int64_t taken = bytesTakenSoFar();
     const int64_t held = bytesHeld();
-    const Curve made(surface, curve, points);
+    const Curve made(surface, defaultBezier(), points);
     std::printf("The %s curve at %g takes %.2f MB and holds %.2f MB.\n", which, kFarSpacing,
                 1e-6 * static_cast<double>(bytesTakenSoFar() - taken),
                 1e-6 * static_cast<double>(bytesHeld() - held));
@@ -179,9 +223,10 @@ void study(const std::string& name, const Options& options) {
   std::printf("; prepared in %.1f ms, then its very first curve takes %.2f ms.\n\n", prepareMs,
               firstMs);
   std::printf(
-      "| spacing | curves | first trace | step | limit | step / limit | levels | pieces bridged | "
-      "lost | turning / limit's | drafts, release | from exact |\n"
-      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+      "| spacing | curves | first trace | step | limit | step / limit | levels | subdivided / "
+      "bridged | "
+      "no sight | lost | turning / limit's | drafts, release | from exact |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   const TurningMeasure measure(surface.mesh());
   for (const double spacing : options.spacings) {
     try {
@@ -239,7 +284,10 @@ int main(int argc, char** argv) {
         "Cubic Bezier curves of 4 points, `levels: auto`, %d samples; %d random polygons a spacing "
         "(a leg, in diagonals), each dragged %d steps of a tenth of a mean edge; seed %d.\n\n"
         "Milliseconds of the processor: 'first trace' the median, 'step' the median and the worst, "
-        "'limit' the median step of the subdivision curve with every path searched anew. 'Lost': "
+        "'limit' the median step of the subdivision curve with every path searched anew. "
+        "'Subdivided': pieces that are their own subdivision, 'bridged': others with a bridge. 'No "
+        "sight': of the values of near fields along the curve, those that take a path search. "
+        "'Lost': "
         "samples that are neither centers of mass nor on a bridge. 'Drafts': drags that end with "
         "other levels than the curve has when it is let go; 'release': how far that moves it at "
         "most, as a part of its length. 'From exact': how far samples lie from those with exact "

@@ -27,16 +27,22 @@ TracedCurve described(Curve& curve, int64_t allocations = 0) {
       result.polyline.push_back(position(curve.surface().mesh(), p));
     }
     for (const CurveSample& sample : curve.samples(j)) {
-      result.lost +=
-          sample.status != SampleStatus::kConverged && sample.status != SampleStatus::kBridged;
+      result.lost += sample.status != SampleStatus::kConverged &&
+                     sample.status != SampleStatus::kBridged &&
+                     sample.status != SampleStatus::kSubdivided;
     }
     for (const Bridge& bridge : curve.bridges(j)) {
       result.bridged += (bridge.t1 - bridge.t0) / curve.segmentCount();
     }
     const int pieces = curve.piecesPerSegment();
     for (int k = 0; k < pieces; ++k) {
-      if (curve.piece(j, k).bridges().empty()) continue;
-      result.piecesBridged += 1.0 / (pieces * curve.segmentCount());
+      const Curve::Piece& piece = curve.piece(j, k);
+      const double part = 1.0 / (pieces * curve.segmentCount());
+      if (piece.isSubdivided()) {
+        result.piecesSubdivided += part;
+      } else if (!piece.bridges().empty()) {
+        result.piecesBridged += part;
+      }
     }
   }
   const StageTimes& times = curve.times();

@@ -23,9 +23,11 @@ struct TracedCurve {
   Array<Array<SurfacePoint>> legs;
   int levels = 0;
   double bridged = 0;  ///< the part of the parameter over which the curve is no center of mass
-  double piecesBridged = 0;  ///< the part of the pieces that have a bridge
-  int lost = 0;              ///< samples that are neither converged nor on a bridge
-  double ms = 0;             ///< of a step, the processor's
+  // Parts of the pieces.
+  double piecesSubdivided = 0;  ///< that are their own subdivision
+  double piecesBridged = 0;     ///< of the others, those that have a bridge
+  int lost = 0;                 ///< samples that neither converged nor lie on one of these
+  double ms = 0;                ///< of a step, the processor's
   Array<StageTime> stages;
   int64_t allocations = 0;  ///< of the step of the hand
 };
