@@ -107,7 +107,8 @@ class Builder {
 
   /// Two half-edges a line, once for all pieces of paths on it.
   void addLines(const DrawnFace& face) {
-    Array<DrawnPiece> pieces = face.pieces;
+    Array<DrawnPiece>& pieces = pieces_;
+    pieces = face.pieces;
     const auto ends = [](const DrawnPiece& piece) { return std::minmax(piece.from, piece.to); };
     std::stable_sort(pieces.begin(), pieces.end(), [&](const DrawnPiece& a, const DrawnPiece& b) {
       return std::pair<int, int>(ends(a)) < std::pair<int, int>(ends(b));
@@ -127,7 +128,8 @@ class Builder {
 
   /// After a half-edge comes the one to the right of the way back.
   void linkFace(int f, int first, int end) {
-    Array<Leaving> leaving;
+    Array<Leaving>& leaving = leaving_;
+    leaving.clear();
     for (int h = first; h < all_.tail.count(); ++h) {
       // Those on the sides come first at their vertices: all others lie left of them.
       const bool isSide = h < end;
@@ -198,13 +200,16 @@ class Builder {
   }
 
   void cutIntoPieces(int f, int first) {
-    Array<int> loopOf(static_cast<size_t>(all_.tail.count() - first), -1);
-    Array<Loop> loops;
+    Array<int>& loopOf = loopOf_;
+    Array<Loop>& loops = loops_;
+    loopOf.assign(static_cast<size_t>(all_.tail.count() - first), -1);
+    loops.clear();
     for (int h = first; h < all_.tail.count(); ++h) {
       if (loopOf[h - first] < 0) loops.push_back(walk(f, h, loops.count(), loopOf));
     }
     const double scale = doubleArea(geometry_, f) / 2;
-    Array<int> pieceOfLoop(loops.size(), -1);
+    Array<int>& pieceOfLoop = pieceOfLoop_;
+    pieceOfLoop.assign(loops.size(), -1);
     for (int i = 0; i < loops.count(); ++i) {
       if (!loops[i].isOutside) pieceOfLoop[i] = addPiece(f, scale * loops[i].area);
     }
@@ -291,6 +296,12 @@ class Builder {
   Drawing drawing_;
   Arrangement all_;
   Array<int> sideStart_;  ///< per half-edge of the mesh the first one on it
+  // Of the face that is being cut.
+  Array<DrawnPiece> pieces_;
+  Array<Leaving> leaving_;
+  Array<Loop> loops_;
+  Array<int> loopOf_;
+  Array<int> pieceOfLoop_;
 };
 
 }  // namespace

@@ -190,9 +190,9 @@ class Drawer {
     wait(number);
   }
 
-  Array<PlacedVertex> verticesOf(int number) const {
+  void listVertices(int number, Array<PlacedVertex>& all) const {
     const int f = drawing_.faces[number].face;
-    Array<PlacedVertex> all;
+    all.clear();
     const auto add = [&](int vertex) {
       all.push_back({placeIn(mesh_, drawing_.added, f, vertex), vertex});
     };
@@ -206,22 +206,21 @@ class Drawer {
     std::sort(all.begin(), all.end(), [](const PlacedVertex& a, const PlacedVertex& b) {
       return std::pair(a.place.x(), a.vertex) < std::pair(b.place.x(), b.vertex);
     });
-    return all;
   }
 
-  Array<Line> linesOf(int number) const {
+  void listLines(int number, Array<Line>& lines) {
     const DrawnFace& face = drawing_.faces[number];
-    Array<std::pair<int, int>> ends;
+    Array<std::pair<int, int>>& ends = ends_;
+    ends.clear();
     for (const DrawnPiece& piece : face.pieces) ends.push_back(std::minmax(piece.from, piece.to));
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    Array<Line> lines;
+    lines.clear();
     for (const auto& [a, b] : ends) {
       const Vec2 from = placeIn(mesh_, drawing_.added, face.face, a);
       const Vec2 to = placeIn(mesh_, drawing_.added, face.face, b);
       lines.push_back({a, b, from, to, std::min(from.x(), to.x()), std::max(from.x(), to.x())});
     }
-    return lines;
   }
 
   /// Cuts lines at the vertices that they pass.
@@ -268,8 +267,9 @@ class Drawer {
     return vertex;
   }
 
-  void cutAtCrossings(int number, const Array<Line>& lines, Array<PlacedVertex> vertices,
+  void cutAtCrossings(int number, const Array<Line>& lines, Array<PlacedVertex>& vertices,
                       Array<LineCut>& cuts) {
+    if (lines.count() < 2) return;
     // Lines that are bent anyway are looked at again.
     Array<uint8_t> bent(lines.size(), 0);
     for (const LineCut& cut : cuts) bent[cut.line] = 1;
@@ -307,11 +307,13 @@ class Drawer {
   /// One round of a face, which waits again until a round finds nothing.
   void cutFace(int number) {
     if (drawing_.faces[number].pieces.empty()) return;
-    const Array<Line> lines = linesOf(number);
-    Array<LineCut> cuts;
-    Array<PlacedVertex> vertices = verticesOf(number);
-    cutAtVertices(lines, vertices, cuts);
-    cutAtCrossings(number, lines, std::move(vertices), cuts);
+    const Array<Line>& lines = lines_;
+    Array<LineCut>& cuts = cuts_;
+    listLines(number, lines_);
+    listVertices(number, vertices_);
+    cuts.clear();
+    cutAtVertices(lines, vertices_, cuts);
+    cutAtCrossings(number, lines, vertices_, cuts);
     if (cuts.empty()) return;
     std::sort(cuts.begin(), cuts.end(), [](const LineCut& a, const LineCut& b) {
       return std::tuple(a.line, a.along, a.vertex) < std::tuple(b.line, b.along, b.vertex);
@@ -368,6 +370,11 @@ class Drawer {
   Drawing drawing_;
   Array<uint8_t> waits_;  ///< per face of the drawing
   Array<int> waiting_;
+  // Of the face that is being cut.
+  Array<std::pair<int, int>> ends_;
+  Array<Line> lines_;
+  Array<PlacedVertex> vertices_;
+  Array<LineCut> cuts_;
 };
 
 }  // namespace
