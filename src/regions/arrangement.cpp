@@ -64,7 +64,8 @@ class Builder {
     return number < 0 ? nullptr : &drawing_.edges[number];
   }
 
-  Vec2 placeOf(int f, int h) const { return placeIn(mesh_, all_.added, f, all_.tail[h]); }
+  /// Of a half-edge's tail, in the face that is being cut.
+  const Vec2& placeOf(int h) const { return places_[h - first_]; }
 
   int addHalfedge(int tail, int twin) {
     all_.tail.push_back(tail);
@@ -97,7 +98,12 @@ class Builder {
     const int number = drawing_.faceOf[f];
     if (number >= 0 && !drawing_.faces[number].pieces.empty()) {
       addLines(drawing_.faces[number]);
-      linkFace(f, first, end);
+      first_ = first;
+      places_.clear();
+      for (int h = first; h < all_.tail.count(); ++h) {
+        places_.push_back(placeIn(mesh_, all_.added, f, all_.tail[h]));
+      }
+      linkFace(first, end);
       cutIntoPieces(f, first);
       return;
     }
@@ -127,14 +133,14 @@ class Builder {
   }
 
   /// After a half-edge comes the one to the right of the way back.
-  void linkFace(int f, int first, int end) {
+  void linkFace(int first, int end) {
     Array<Leaving>& leaving = leaving_;
     leaving.clear();
     for (int h = first; h < all_.tail.count(); ++h) {
       // Those on the sides come first at their vertices: all others lie left of them.
       const bool isSide = h < end;
-      const Vec2 from = placeOf(f, h);
-      const Vec2 way = isSide ? Vec2::Zero().eval() : (placeOf(f, all_.twin[h]) - from).eval();
+      const Vec2 from = placeOf(h);
+      const Vec2 way = isSide ? Vec2::Zero().eval() : (placeOf(all_.twin[h]) - from).eval();
       const bool onSide = from.x() == 0 || from.y() == 0 || from.x() + from.y() == 1;
       const bool isUpper = way.y() > 0 || (way.y() == 0 && way.x() > 0);
       leaving.push_back({all_.tail[h], isSide ? -1 : onSide || isUpper ? 0 : 1, way, h});
@@ -155,15 +161,15 @@ class Builder {
 
   static int previousSide(int first, int end, int h) { return h == first ? end - 1 : h - 1; }
 
-  Loop walk(int f, int start, int name, Array<int>& loopOf) const {
+  Loop walk(int start, int name, Array<int>& loopOf) const {
     Loop loop{start, 0, false};
-    const Vec2 origin = placeOf(f, start);
+    const Vec2 origin = placeOf(start);
     Vec2 lowest = origin;
     int h = start;
     do {
-      loopOf[h - all_.firstOfFace[f]] = name;
-      const Vec2 a = placeOf(f, h);
-      const Vec2 b = placeOf(f, all_.next[h]);
+      loopOf[h - first_] = name;
+      const Vec2 a = placeOf(h);
+      const Vec2 b = placeOf(all_.next[h]);
       loop.area += cross(a - origin, b - origin);
       if (std::pair(a.x(), a.y()) < std::pair(lowest.x(), lowest.y())) lowest = a;
       h = all_.next[h];
@@ -171,10 +177,10 @@ class Builder {
     // At its leftmost vertex a loop from outside has the left in one of its corners.
     do {
       const int after = all_.next[h];
-      const Vec2 corner = placeOf(f, after);
+      const Vec2 corner = placeOf(after);
       if (corner == lowest) {
-        const Vec2 back = placeOf(f, h) - corner;
-        const Vec2 way = placeOf(f, all_.next[after]) - corner;
+        const Vec2 back = placeOf(h) - corner;
+        const Vec2 way = placeOf(all_.next[after]) - corner;
         if (!(exactCross(way, back) > 0)) loop.isOutside = true;
       }
       h = after;
@@ -184,12 +190,12 @@ class Builder {
 
   /// Whether a place lies within a loop: by the lines to its left, so never within the loops of
   /// lines of which it is the leftmost vertex.
-  bool holds(int f, const Loop& loop, const Vec2& place) const {
+  bool holds(const Loop& loop, const Vec2& place) const {
     bool inside = false;
     int h = loop.first;
     do {
-      const Vec2 a = placeOf(f, h);
-      const Vec2 b = placeOf(f, all_.next[h]);
+      const Vec2 a = placeOf(h);
+      const Vec2 b = placeOf(all_.next[h]);
       if ((a.y() <= place.y()) != (b.y() <= place.y())) {
         const double left = leftOf(a, b, place);
         if (a.y() < b.y() ? left < 0 : left > 0) inside = !inside;
@@ -205,7 +211,7 @@ class Builder {
     loopOf.assign(static_cast<size_t>(all_.tail.count() - first), -1);
     loops.clear();
     for (int h = first; h < all_.tail.count(); ++h) {
-      if (loopOf[h - first] < 0) loops.push_back(walk(f, h, loops.count(), loopOf));
+      if (loopOf[h - first] < 0) loops.push_back(walk(h, loops.count(), loopOf));
     }
     const double scale = doubleArea(geometry_, f) / 2;
     Array<int>& pieceOfLoop = pieceOfLoop_;
@@ -216,11 +222,11 @@ class Builder {
     for (int i = 0; i < loops.count(); ++i) {
       if (!loops[i].isOutside) continue;
       // The smallest loop around it.
-      const Vec2 place = leftmost(f, loops[i]);
+      const Vec2 place = leftmost(loops[i]);
       int around = -1;
       for (int j = 0; j < loops.count(); ++j) {
         if (loops[j].isOutside || (around >= 0 && loops[j].area >= loops[around].area)) continue;
-        if (holds(f, loops[j], place)) around = j;
+        if (holds(loops[j], place)) around = j;
       }
       pieceOfLoop[i] = pieceOfLoop[around];
       all_.pieceArea[pieceOfLoop[i]] += scale * loops[i].area;
@@ -228,11 +234,11 @@ class Builder {
     for (int h = first; h < all_.tail.count(); ++h) all_.piece[h] = pieceOfLoop[loopOf[h - first]];
   }
 
-  Vec2 leftmost(int f, const Loop& loop) const {
-    Vec2 place = placeOf(f, loop.first);
+  Vec2 leftmost(const Loop& loop) const {
+    Vec2 place = placeOf(loop.first);
     int h = loop.first;
     do {
-      const Vec2 here = placeOf(f, h);
+      const Vec2 here = placeOf(h);
       if (std::pair(here.x(), here.y()) < std::pair(place.x(), place.y())) place = here;
       h = all_.next[h];
     } while (h != loop.first);
@@ -297,6 +303,8 @@ class Builder {
   Arrangement all_;
   Array<int> sideStart_;  ///< per half-edge of the mesh the first one on it
   // Of the face that is being cut.
+  int first_ = 0;
+  Array<Vec2> places_;
   Array<DrawnPiece> pieces_;
   Array<Leaving> leaving_;
   Array<Loop> loops_;
