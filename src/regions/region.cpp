@@ -77,10 +77,13 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
   constexpr double kSameArea = 1e-9;
   const LabelArea* outside = nullptr;
   for (const LabelArea& one : areas) {
-    if (inside && areas.size() > 1 && one.label == labels[*inside]) continue;
+    if (inside && one.label == labels[*inside]) continue;
     if (outside == nullptr || one.area > outside->area * (1 + kSameArea)) outside = &one;
   }
-  for (const int cell : cells) region[cell] = labels[cell] != outside->label ? 1 : 0;
+  // None where the point's side is all there is: beyond the boundary.
+  for (const int cell : cells) {
+    region[cell] = outside == nullptr || labels[cell] != outside->label ? 1 : 0;
+  }
 }
 
 }  // namespace

@@ -257,6 +257,18 @@ TEST(Regions, AreTheSmallerSideOrThatOfAPoint) {
   }
 }
 
+/// Beyond the boundary there is nothing, which is the smaller side.
+TEST(Regions, OfTheWholeBoundaryAreAllOrNothing) {
+  const Sheet sheet(planeGrid(4, 4));
+  const SurfacePath path = polygonOn(sheet.geometry, rectangle(0, 0, 4, 4));
+  const Arrangement all = arrange(sheet.geometry, std::span(&path, 1));
+  ASSERT_EQ(all.cellCount(), 1);
+  for (const FillRule rule : {FillRule::kEvenOdd, FillRule::kNonZero}) {
+    EXPECT_EQ(areaOf(all, enclosed(all, kFirst, rule)), 0);
+    EXPECT_NEAR(areaOf(all, enclosed(all, kFirst, rule, 0)), 16, 1e-12);
+  }
+}
+
 TEST(Regions, AreRefusedWhereCurvesDoNotBound) {
   const Sheet torus(meshOf(makeShape(Shape::kTorus, 2000)));
   const auto round = [&](double longitude) {
