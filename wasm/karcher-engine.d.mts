@@ -1,7 +1,10 @@
 import type {
+  BooleanOperation,
   Certificate,
   CurveKind,
   CurvePoints,
+  CutPart,
+  FillRule,
   MeanWeights,
   MeshInfo,
   Method,
@@ -38,6 +41,18 @@ export interface EngineFieldOptions {
   method: Method;
   solver: Solver;
   rings: number;
+}
+
+export interface EngineRegion {
+  area: number;
+  perimeter: number;
+  boundary: EnginePath[];
+  /** Per triangle 0 where nothing of it lies in the region, 1 where all of it does, 2 for a part. */
+  share: Uint8Array;
+  /** Of the sides of such parts the triangles, in order, ... */
+  triangles: Int32Array;
+  /** ... and four numbers each: second and third weight of one end and of the other. */
+  sides: Float64Array;
 }
 
 /** What the exp map leads to: four numbers a point, three a direction. */
@@ -136,6 +151,15 @@ export interface EngineMesh {
     exact: boolean,
     field: EngineFieldOptions,
   ): EnginePath[];
+  /** Of each shape `counts` has the number of its outlines, `insides` a point or none. */
+  regions(
+    outlines: Float64Array[],
+    counts: Int32Array,
+    insides: Float64Array[],
+    rule: FillRule,
+    combine: BooleanOperation | 'none',
+  ): EngineRegion[];
+  cut(outlines: Float64Array[]): CutPart[];
   curve(value: EngineCurveValue): EngineCurve;
 }
 

@@ -29,12 +29,14 @@ import {
   engineLevels,
   fieldOptionNames,
   isolineOptionNames,
+  regionOptionNames,
   startOptionNames,
   weightsOptionNames,
 } from './options.js';
 import { Path } from './path.js';
 import { toPointArrays, toSurfacePoint, wirePoint, wirePointArrays, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
+import { Region, wireOutlines, wireShapes } from './region.js';
 import { checkDistancesFit, checkMeshFits } from './room.js';
 import type {
   CenterOfMass,
@@ -44,6 +46,7 @@ import type {
   Circle,
   CircleOptions,
   CurveOptions,
+  CutPart,
   DistanceOptions,
   EllipseOptions,
   FieldOptions,
@@ -52,8 +55,11 @@ import type {
   MeanWeights,
   MeshInfo,
   NearestPoint,
+  Outline,
   PointArrays,
   PointLike,
+  RegionOptions,
+  RegionShape,
   StartOptions,
   StraightestPath,
   SurfacePoint,
@@ -387,6 +393,41 @@ export class Mesh {
     return this.#handle
       .call((mesh) => mesh.isolines(wire, radius, type === 'exact', field))
       .map((line) => new Path(line));
+  }
+
+  /**
+   * The regions that shapes enclose, one a shape, or with `combine` one of all: union, intersection,
+   * difference or exclusion. A shape is an outline, or several with a point that lies inside. All
+   * outlines may cross, touch and run along each other, the mesh's edges and its boundary; what lies
+   * nearer than 2^-32 of an edge is one. Outlines from boundary to boundary enclose a side, too.
+   *
+   * Throws `KarcherError` badArgument where outlines enclose nothing: one alone round a handle of the
+   * surface, or an open one that ends inside; and for consecutive points without a face in common.
+   */
+  regions(shapes: readonly (Outline | RegionShape)[], options: RegionOptions = {}): Region[] {
+    checkOptions(options, regionOptionNames);
+    const rule = checkOneOf(options.rule ?? 'evenOdd', ['evenOdd', 'nonZero'], 'the rule');
+    const combine = checkOneOf(
+      options.combine ?? 'none',
+      ['none', 'union', 'intersection', 'difference', 'exclusion'],
+      'what combines',
+    );
+    const { outlines, counts, insides } = wireShapes(shapes);
+    return this.#handle
+      .call((mesh) => mesh.regions(outlines, counts, insides, rule, combine))
+      .map((region) => new Region(region));
+  }
+
+  /**
+   * The mesh cut apart along paths, or their points (`regions` says what they may do): a part for each
+   * piece of the surface that they leave. On both sides of a path positions are equal to the last bit;
+   * a path that ends inside a part leaves a slit.
+   *
+   * Throws `KarcherError` badArgument for consecutive points without a face in common.
+   */
+  cut(paths: readonly Outline[]): CutPart[] {
+    const outlines = wireOutlines(paths);
+    return this.#handle.call((mesh) => mesh.cut(outlines));
   }
 
   /**

@@ -21,6 +21,8 @@ import type {
   LongWorkOptions,
   MeshOptions,
   Method,
+  RegionOptions,
+  RegionShape,
   Solver,
   StartOptions,
   WeightsOptions,
@@ -80,6 +82,8 @@ export const isolineOptionNames = namesOf<IsolineOptions>({
   solver: true,
   rings: true,
 });
+export const regionOptionNames = namesOf<RegionOptions>({ rule: true, combine: true });
+export const regionShapeNames = namesOf<RegionShape>({ outlines: true, inside: true });
 
 /** The names that callers may give; the first method is the default. */
 export const methods: readonly Method[] = ['karcher', 'paper'];

@@ -473,6 +473,42 @@ export interface EllipseOptions extends ArcOptions {
   direction: VectorLike;
 }
 
+/**
+ * Which sides of outlines are inside: what an odd number of crossings leads to, or what is wound round
+ * more often from one side than from the other.
+ */
+export type FillRule = 'evenOdd' | 'nonZero';
+
+export type BooleanOperation = 'union' | 'intersection' | 'difference' | 'exclusion';
+
+/**
+ * A closed path, or one from boundary to boundary, or its points, of which consecutive ones have a face
+ * in common; it is closed where it ends as it starts.
+ */
+export type Outline = Path | readonly PointLike[];
+
+/** What outlines enclose together. */
+export interface RegionShape {
+  outlines: readonly Outline[];
+  /** A point that shall lie inside. Without it the smaller side is inside. */
+  inside?: PointLike;
+}
+
+/** A part of a surface that was cut: numbers three a vertex and three a triangle, counterclockwise. */
+export interface CutPart {
+  positions: Float64Array;
+  triangles: Int32Array;
+  /** Of each of its triangles the mesh's triangle that it is a part of. */
+  faces: Int32Array;
+}
+
+export interface RegionOptions {
+  /** `evenOdd` by default. */
+  rule?: FillRule;
+  /** Makes one region of those of all shapes; of a difference the first without all others. */
+  combine?: BooleanOperation;
+}
+
 /** Isolines of the type `linear` alone take a solver and its rings. */
 export interface IsolineOptions extends DistanceOptions {
   radius: number;

@@ -81,6 +81,12 @@ class MeshHandle {
               int samples, int levels, const val& field);
   /// A list of paths (path.h): exact ones, or linear ones of the solver's distances.
   val isolines(const val& center, double radius, bool exact, const val& field);
+  /// A list of {area, perimeter, boundary, share, triangles, sides}, one a shape or one of all. Of
+  /// each shape `counts` has the number of its outlines, `insides` a point or none.
+  val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,
+              const std::string& combine) const;
+  /// A list of {positions, triangles, faces}, one a cell.
+  val cut(const val& outlines) const;
 
  private:
   Vec2 directionInFace(int face, const val& direction) const;

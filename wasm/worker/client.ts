@@ -1,6 +1,7 @@
 import { shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
+import { Region } from '../region.js';
 import type { CurveOptions, LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
 import { becomes, copyOf, isTold, noteEdit, type Origin, targetIn, withoutWork } from './origin.js';
@@ -378,6 +379,7 @@ export class WorkerClient {
     const copied = (arg: unknown) =>
       replaced(arg, (part) => {
         if (part instanceof AbortSignal) signals.push(part);
+        if (part instanceof Path) return part.points();
         if (ArrayBuffer.isView(part)) return this.#start ? copyOf(part) : part;
         const isAsItIs = part instanceof AbortSignal || typeof part === 'function';
         if (isAsItIs || this.#origins.has(part)) return part;
@@ -408,6 +410,7 @@ export class WorkerClient {
       if (ArrayBuffer.isView(part)) return part;
       if (!isSent(part)) return undefined;
       if (part.sent === 'path') return new Path(part.data);
+      if (part.sent === 'region') return new Region(part.data);
       if (part.sent === 'view') return new CurveView(part.data);
       if (part.sent !== 'mesh' && part.sent !== 'curve') return undefined;
       const object: RemoteMesh | RemoteCurve =

@@ -6,6 +6,7 @@ import { type RemoteKarcher, remoteKarcher } from './remote.js';
 export { KarcherError } from '../errors.js';
 export type { LogMap, MappedPoints } from '../maps.js';
 export { Path } from '../path.js';
+export { Region } from '../region.js';
 export type * from '../types.js';
 export { CurveView } from '../view.js';
 export type { WorkerClient, WorkerLike } from './client.js';

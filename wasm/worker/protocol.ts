@@ -1,5 +1,5 @@
 import { KarcherError } from '../errors.js';
-import type { EnginePath } from '../karcher-engine.mjs';
+import type { EnginePath, EngineRegion } from '../karcher-engine.mjs';
 import type { CurveOptions, ErrorCode, MeshInfo } from '../types.js';
 import type { ViewData } from '../view.js';
 
@@ -53,6 +53,7 @@ export type Sent =
   /** On the way to the worker, of either kind. */
   | { sent: 'object'; target: number }
   | { sent: 'path'; data: EnginePath }
+  | { sent: 'region'; data: EngineRegion }
   | { sent: 'view'; data: ViewData };
 
 export const isSent = (value: object): value is Sent => 'sent' in value;

@@ -141,6 +141,8 @@ const meshMethods = namesOf<Record<MeshMethod, true>>({
   circle: true,
   ellipse: true,
   isolines: true,
+  regions: true,
+  cut: true,
   distance: true,
   shortestPath: true,
   straightest: true,

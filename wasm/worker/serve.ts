@@ -1,8 +1,10 @@
 import { Curve } from '../curve.js';
 import { KarcherError } from '../errors.js';
+import type { EnginePath } from '../karcher-engine.mjs';
 import { Mesh } from '../mesh.js';
 import { Path } from '../path.js';
 import { pause } from '../prepare.js';
+import { Region } from '../region.js';
 import { CurveView } from '../view.js';
 import {
   type Call,
@@ -36,6 +38,8 @@ export function serve(root: object | Promise<object>): void {
   const server = new Server(root, ownScope());
   server.listen();
 }
+
+const arraysOf = ({ face, bary, position, lengths }: EnginePath) => [face, bary, position, lengths];
 
 /** Methods after which a curve may be another one. */
 const edits: readonly string[] = [
@@ -169,8 +173,14 @@ class Server {
       }
       if (part instanceof Path) {
         const data = part.data();
-        for (const array of [data.face, data.bary, data.position, data.lengths]) add(array);
+        for (const array of arraysOf(data)) add(array);
         return { sent: 'path', data };
+      }
+      if (part instanceof Region) {
+        const data = part.data();
+        for (const array of [data.share, data.triangles, data.sides]) add(array);
+        for (const array of data.boundary.flatMap(arraysOf)) add(array);
+        return { sent: 'region', data };
       }
       if (part instanceof CurveView) {
         const data = part.data();

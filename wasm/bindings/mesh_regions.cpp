@@ -1,0 +1,138 @@
+#include "bindings/mesh_handle.h"
+#include "bindings/path.h"
+#include "regions/cut.h"
+#include "regions/region.h"
+
+namespace karcher::bindings {
+namespace {
+
+/// What tells of a caller's point whether it lies in a region: per input triangle how much of it
+/// does, and for those of which a part does the sides of what lies in it, from (x, y) to (x, y) in
+/// the triangle's second and third weight, sorted by triangle.
+struct Inside {
+  enum : uint8_t { kNone = 0, kAll = 1, kPart = 2 };
+  Array<uint8_t> share;
+  Array<int> triangles;
+  Array<double> sides;
+};
+
+Inside insideOf(const TriangleMesh& mesh, const Numbering& numbering, const Arrangement& all,
+                const Region& region) {
+  Inside inside;
+  inside.share.assign(static_cast<size_t>(numbering.inputFaceCount()), Inside::kNone);
+  Array<int> faces;
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    int in = 0;
+    int out = 0;
+    for (int h = all.firstOfFace[f]; h < all.firstOfFace[f + 1]; ++h) {
+      ++(region[all.cell(h)] != 0 ? in : out);
+    }
+    if (in == 0) continue;
+    const int triangle = numbering.inputFace[f];
+    const bool isAll = out == 0 && numbering.engineFace[triangle] == f;
+    inside.share[triangle] = isAll ? Inside::kAll : Inside::kPart;
+    if (!isAll) faces.push_back(f);
+  }
+  std::stable_sort(faces.begin(), faces.end(),
+                   [&](int a, int b) { return numbering.inputFace[a] < numbering.inputFace[b]; });
+  const auto append = [&](const SurfacePoint& point) {
+    inside.sides.push_back(point.bary[1]);
+    inside.sides.push_back(point.bary[2]);
+  };
+  for (const int f : faces) {
+    for (int h = all.firstOfFace[f]; h < all.firstOfFace[f + 1]; ++h) {
+      if (region[all.cell(h)] == 0) continue;
+      inside.triangles.push_back(numbering.inputFace[f]);
+      append(toInput(numbering, vertexInFace(mesh, all, f, all.tail[h])));
+      append(toInput(numbering, vertexInFace(mesh, all, f, all.head(h))));
+    }
+  }
+  return inside;
+}
+
+val regionToJs(const Geometry& geometry, const Numbering& numbering, const Arrangement& all,
+               const Region& region) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  val result = val::object();
+  val boundary = val::array();
+  double perimeter = 0;
+  int count = 0;
+  for (const Array<int>& loop : boundaryOf(all, region)) {
+    const SurfacePath path = pathOf(geometry, all, loop);
+    perimeter += path.length();
+    boundary.set(count++, pathToJs(numbering, mesh, path.points, path.length(), true));
+  }
+  const Inside inside = insideOf(mesh, numbering, all, region);
+  result.set("area", areaOf(all, region));
+  result.set("perimeter", perimeter);
+  result.set("boundary", boundary);
+  result.set("share", toJs(inside.share));
+  result.set("triangles", toJs(inside.triangles));
+  result.set("sides", toJs(inside.sides));
+  return result;
+}
+
+Array<SurfacePath> pathsFromJs(const Numbering& numbering, const TriangleMesh& mesh,
+                               const val& outlines) {
+  Array<SurfacePath> paths;
+  const int count = outlines["length"].as<int>();
+  for (int i = 0; i < count; ++i) {
+    paths.push_back({pointsFromJs(numbering, mesh, outlines[i]), {}});
+  }
+  return paths;
+}
+
+}  // namespace
+
+val MeshHandle::regions(const val& outlines, const val& counts, const val& insides,
+                        const std::string& rule, const std::string& combine) const {
+  const Array<SurfacePath> paths = pathsFromJs(numbering_, mesh(), outlines);
+  const Array<int> outlinesOf = fromJs<int>(counts);
+  const FillRule fill = rule == "nonZero" ? FillRule::kNonZero : FillRule::kEvenOdd;
+  const Arrangement all = arrange(geometry(), paths);
+  Array<Region> regions;
+  PathRange range;
+  for (int i = 0; i < outlinesOf.count(); ++i) {
+    range = {range.first + range.count, outlinesOf[i]};
+    const Array<SurfacePoint> given = pointsFromJs(numbering_, mesh(), insides[i]);
+    std::optional<int> inside;
+    if (!given.empty()) inside = all.cellOfPiece[pieceHolding(mesh(), all, given[0])];
+    regions.push_back(enclosed(all, range, fill, inside));
+  }
+  if (combine != "none") {
+    const Boolean how = combine == "union"          ? Boolean::kUnion
+                        : combine == "intersection" ? Boolean::kIntersection
+                        : combine == "difference"   ? Boolean::kDifference
+                                                    : Boolean::kExclusion;
+    for (int i = 1; i < regions.count(); ++i) regions[0] = combined(regions[0], regions[i], how);
+    regions.resize(1);
+  }
+  val result = val::array();
+  for (int i = 0; i < regions.count(); ++i) {
+    result.set(i, regionToJs(geometry(), numbering_, all, regions[i]));
+  }
+  return result;
+}
+
+val MeshHandle::cut(const val& outlines) const {
+  const Array<SurfacePath> paths = pathsFromJs(numbering_, mesh(), outlines);
+  const Arrangement all = arrange(geometry(), paths);
+  val result = val::array();
+  int count = 0;
+  for (const CutPart& part : partsOf(cutApart(geometry(), all), all.cellCount())) {
+    Array<double> positions;
+    for (const Vec3& p : part.positions) append(positions, p);
+    Array<int> triangles;
+    for (const Triangle& t : part.triangles) triangles.insert(triangles.end(), {t[0], t[1], t[2]});
+    Array<int> faces;
+    for (const int f : part.faceOf) faces.push_back(numbering_.inputFace[f]);
+    val one = val::object();
+    one.set("positions", toJs(positions));
+    one.set("triangles", toJs(triangles));
+    one.set("faces", toJs(faces));
+    result.set(count++, one);
+  }
+  return result;
+}
+
+}  // namespace karcher::bindings

@@ -1,0 +1,117 @@
+import { checkArray, checkOptions, checkPointLike, shown } from './check.js';
+import { KarcherError } from './errors.js';
+import type { EngineRegion } from './karcher-engine.mjs';
+import { regionShapeNames } from './options.js';
+import { Path } from './path.js';
+import { wirePoint, wirePoints } from './points.js';
+import type { SurfacePoint } from './types.js';
+
+/** A part of the surface. It keeps what it tells, needs no mesh and is not disposed of. */
+export class Region {
+  readonly #data: EngineRegion;
+
+  /** @internal Meshes give regions. */
+  constructor(data: EngineRegion) {
+    this.#data = data;
+  }
+
+  get area(): number {
+    return this.#data.area;
+  }
+
+  /** The length of its boundary, along the surface's boundary too. */
+  get perimeter(): number {
+    return this.#data.perimeter;
+  }
+
+  /** Closed paths that have it to their left: its outline, and those of its holes. */
+  boundary(): Path[] {
+    return this.#data.boundary.map((path) => new Path(path));
+  }
+
+  /** Whether a point (as `mesh.surfacePoint` gives it) lies in it. On the boundary it may be either. */
+  contains(point: SurfacePoint): boolean {
+    const [face, , x, y] = checkPointLike(point, 'the point') as unknown as number[];
+    const { share, triangles, sides } = this.#data;
+    const whole = share[face!];
+    if (Number.isNaN(face)) {
+      const sentence = 'the point must have a face, as mesh.surfacePoint gives it, not a vertex';
+      throw new KarcherError('badArgument', sentence);
+    }
+    if (whole === undefined) {
+      const sentence = `there is no triangle ${shown(point.face)}: the mesh has ${share.length}`;
+      throw new KarcherError('badIndex', sentence);
+    }
+    if (whole < 2) return whole === 1;
+    let inside = false;
+    for (let i = firstOf(triangles, face!); triangles[i] === face; i++) {
+      const [ax, ay, bx, by] = sides.subarray(4 * i, 4 * i + 4) as unknown as Four;
+      // Whether the way from the point along y, to its end, crosses the side.
+      if (ax <= x! === bx <= x!) continue;
+      if (ay + ((x! - ax) / (bx - ax)) * (by - ay) > y!) inside = !inside;
+    }
+    return inside;
+  }
+
+  /** @internal What it is made of, which is not to be changed. */
+  data(): EngineRegion {
+    return this.#data;
+  }
+}
+
+type Four = [number, number, number, number];
+
+/** Where a number begins in sorted ones. */
+function firstOf(sorted: Int32Array, value: number): number {
+  let low = 0;
+  let high = sorted.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle]! < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+const wireOutline = (outline: unknown, what: string): Float64Array => {
+  const points = wirePoints(outline instanceof Path ? outline.points() : outline, what);
+  if (points.length > 4) return points;
+  throw new KarcherError('badArgument', `${what} must have at least two points`);
+};
+
+/** Paths as they travel. */
+export const wireOutlines = (paths: unknown): Float64Array[] =>
+  checkArray(paths, 'the paths').map((path, i) => wireOutline(path, `path ${i}`));
+
+/** Shapes as they travel: all outlines, how many each shape has, and its point inside or none. */
+export function wireShapes(shapes: unknown) {
+  const outlines: Float64Array[] = [];
+  const counts: number[] = [];
+  const insides: Float64Array[] = [];
+  const all = checkArray(shapes, 'the shapes');
+  if (all.length === 0) throw new KarcherError('badArgument', 'there must be at least one shape');
+  all.forEach((shape, i) => {
+    if (shape instanceof Path || Array.isArray(shape)) {
+      outlines.push(wireOutline(shape, `shape ${i}`));
+      counts.push(1);
+      insides.push(new Float64Array(0));
+      return;
+    }
+    checkOptions(shape, regionShapeNames);
+    const { outlines: own, inside } = shape as { outlines: unknown; inside?: unknown };
+    const listed = checkArray(own, `the outlines of shape ${i}`);
+    if (listed.length === 0) {
+      throw new KarcherError('badArgument', `shape ${i} must have at least one outline`);
+    }
+    listed.forEach((outline, k) => {
+      outlines.push(wireOutline(outline, `outline ${k} of shape ${i}`));
+    });
+    counts.push(listed.length);
+    insides.push(
+      inside === undefined
+        ? new Float64Array(0)
+        : wirePoint(inside as SurfacePoint, `the point inside shape ${i}`),
+    );
+  });
+  return { outlines, counts: Int32Array.from(counts), insides };
+}
