@@ -90,7 +90,10 @@ export type Method = 'karcher' | 'paper';
  *   lower energy by exact distances, and a search from there found no minimum, as on a surface that
  *   is rough or creased where the center lies;
  * - `jump`, only as the reason of a bridge: the curve would jump from one local minimum to another;
- * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`.
+ * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`;
+ * - `subdivided`: the sample lies on a piece of a refined curve that is its own subdivision, as it crosses
+ *   faces larger than itself that are out of sight of its points (slivers of CAD parts). The curve is as
+ *   good there; it is also the reason of the interval.
  */
 export type Status =
   | 'converged'
@@ -100,7 +103,8 @@ export type Status =
   | 'limit'
   | 'lowerNearby'
   | 'jump'
-  | 'bridged';
+  | 'bridged'
+  | 'subdivided';
 
 /**
  * The kind of a curve:
@@ -442,13 +446,13 @@ export interface CurveSamples {
 /**
  * Where a curve is no center of mass: over this interval of a segment's parameter it follows a
  * subdivision curve of the segment's control points, so that it does not break. The samples inside
- * have the status `bridged`.
+ * have the status `bridged`, or `subdivided` where that is the reason.
  */
 export interface BridgedInterval {
   segment: number;
   t0: number;
   t1: number;
-  /** How the search ended in the interval, or `jump`. */
+  /** How the search ended in the interval, or `jump`, or `subdivided`. */
   reason: Status;
 }
 

@@ -1,7 +1,7 @@
 import type { BridgedInterval, CurveSamples, Status } from 'karcher';
 
 /** Why a part of a curve is no center of mass. */
-export type LostReason = Exclude<Status, 'converged' | 'bridged'>;
+export type LostReason = Exclude<Status, 'converged' | 'bridged' | 'subdivided'>;
 
 /** A part of a segment that is no center of mass. */
 export interface LostInterval {
@@ -18,21 +18,24 @@ export interface LostInterval {
 
 type Samples = Pick<CurveSamples, 'segment' | 't' | 'position' | 'status'>;
 
-/** The parts of a curve without centers of mass, bridged or not, in the curve's order. */
+/**
+ * The parts of a curve without centers of mass, bridged or not, in the curve's order. Pieces that are
+ * their own subdivision are drawn right.
+ */
 export function lostIntervals(
   samples: Samples,
   bridged: readonly BridgedInterval[],
 ): LostInterval[] {
-  const intervals = bridged.map(({ segment, t0, t1, reason }) =>
-    describe(samples, segment, t0, t1, reason as LostReason),
-  );
+  const intervals = bridged
+    .filter(({ reason }) => reason !== 'subdivided')
+    .map(({ segment, t0, t1, reason }) => describe(samples, segment, t0, t1, reason as LostReason));
   const { segment, t, status } = samples;
   let first = 0;
   for (let next = 1; next <= status.length; next++) {
     const same = status[next] === status[first] && segment[next] === segment[first];
     if (next < status.length && same) continue;
     const ended = status[first]!;
-    if (ended !== 'converged' && ended !== 'bridged') {
+    if (ended !== 'converged' && ended !== 'bridged' && ended !== 'subdivided') {
       intervals.push(describe(samples, segment[first]!, t[first]!, t[next - 1]!, ended));
     }
     first = next;
