@@ -542,6 +542,9 @@ export class Editor {
   #change(part: Partial<Omit<State, 'figure' | 'base'>>, newEpoch: boolean): void {
     const before = this.#state;
     const state = { ...before, ...part };
+    // An empty object goes where another one is edited, and is selected no more.
+    const isThere = (id: number) => indexOf(state.drawing, id) >= 0;
+    if (!state.chosen.every(isThere)) state.chosen = state.chosen.filter(isThere);
     // The edited object is always among those that are selected.
     if (!state.chosen.includes(state.drawing.active)) state.chosen = [];
     // What is done, and what is selected of it, is seen.
