@@ -233,7 +233,7 @@ describe('the Paper page', () => {
     assert.deepEqual(changed.curve.weights, [1, 10, 1, 1]);
     assert.deepEqual(
       changed.lines.map(({ id }) => id),
-      ['karcher'],
+      ['karcher', 'leveled'],
     );
     assert.equal((await rows(panel)).paper.join(''), '');
     await box.check();
