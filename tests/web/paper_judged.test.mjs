@@ -109,11 +109,11 @@ describe('the paper, judged', () => {
     const turning = () =>
       panel
         .locator('tbody tr')
-        .evaluateAll((all) => all.map((row) => [row.dataset.line, row.cells[3].textContent]));
+        .evaluateAll((all) => all.map((row) => [row.dataset.line, row.cells[5].textContent]));
     await panel.getByRole('button', { name: 'Drag', exact: true }).click();
     await page.waitForFunction(() =>
       [...document.querySelector('#far .panel-card').querySelectorAll('tbody tr')].every((row) =>
-        /drag ×[0-9.]+/.test(row.cells[3].textContent),
+        /drag ×[0-9.]+/.test(row.cells[5].textContent),
       ),
     );
     const told = Object.fromEntries(await turning());
@@ -232,7 +232,7 @@ describe('the paper, judged', () => {
       const { convergence, roughness } = await page.evaluate(
         () => window.karcherPaper.plots.measured,
       );
-      assert.deepEqual([convergence.length, roughness.length], [8 * 2 * 2, 8 * 5]);
+      assert.deepEqual([convergence.length, roughness.length], [9 * 2 * 2, 9 * 5]);
       assert.match(
         await section.locator('.panel-note').nth(1).textContent(),
         /^Order of convergence/,
