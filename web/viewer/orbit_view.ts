@@ -37,6 +37,8 @@ export class OrbitView {
   #flight: { from: Place; to: Place; started: number } | null = null;
   /** What is turned about: a point of the scene, and where the camera sees it. */
   #pivot: { point: Vector3; seen: Vector3 } | null = null;
+  /** Those that are down: several fingers zoom and move, and turn about nothing. */
+  readonly #pointers = new Set<number>();
 
   /** `moved` is called when a frame is to be drawn. */
   constructor(
@@ -50,8 +52,9 @@ export class OrbitView {
       passive: true,
     });
     for (const type of ['pointerup', 'pointercancel'] as const) {
-      window.addEventListener(type, () => {
+      window.addEventListener(type, ({ pointerId }) => {
         this.#pivot = null;
+        this.#pointers.delete(pointerId);
       });
     }
     this.#controls = new OrbitControls(this.camera, stage);
@@ -109,9 +112,15 @@ export class OrbitView {
 
   #hold(event: PointerEvent): void {
     this.#flight = null;
+    this.#pointers.add(event.pointerId);
     const point = this.#turnTo(event.clientX, event.clientY);
     const { mouseButtons } = this.#controls;
-    const moves = event.ctrlKey || event.metaKey || event.shiftKey || !event.isPrimary;
+    const moves =
+      event.ctrlKey ||
+      event.metaKey ||
+      event.shiftKey ||
+      this.#pointers.size > 1 ||
+      !event.isPrimary;
     const isTurned =
       !moves && (event.button === 2 || (event.button === 0 && mouseButtons.LEFT === MOUSE.ROTATE));
     const { position, quaternion } = this.camera;
