@@ -1,7 +1,7 @@
 // Files that are odd though good, and files that are made to take time or memory.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { load } from 'karcher';
+import { KarcherError, load } from 'karcher';
 import { formatOf, meshFromFile } from 'karcher/formats';
 import * as files from './mesh_files.mjs';
 
@@ -67,6 +67,58 @@ test('a line ends by either sign or both, in every format of text', async () => 
     );
     const wrong = encode(['OFF', '3 1 0', '0 0 0', '1 0 0', '0 x 0', '3 0 1 2', ''].join(eol));
     await assert.rejects(open(wrong), { message: /^line 5: / });
+  }
+});
+
+test('a mark of byte order changes nothing', async () => {
+  const wanted = (await open(files.objFile(box))).mesh;
+  const all = {
+    obj: files.objFile(box),
+    off: files.offFile(box),
+    ply: files.plyFile(box, {}),
+    stl: encode(
+      'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n',
+    ),
+  };
+  for (const [name, bytes] of Object.entries(all)) {
+    const marked = new Uint8Array([0xef, 0xbb, 0xbf, ...bytes]);
+    const { mesh, file } = await open(marked);
+    assert.equal(file.format, name);
+    if (name === 'stl') assert.equal(mesh.info.triangles, 1);
+    else assert.deepEqual(mesh.triangles(), wanted.triangles(), name);
+    mesh.dispose();
+  }
+  wanted.dispose();
+});
+
+test('1.#QNAN and the like are no numbers, in no format', async () => {
+  for (const word of ['1.#QNAN', '-1.#IND', '1.#INF']) {
+    const all = {
+      obj: `v ${word} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n`,
+      off: `OFF\n3 1 0\n${word} 0 0\n1 0 0\n0 1 0\n3 0 1 2\n`,
+      ply: `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n${word} 0 0\n1 0 0\n0 1 0\n3 0 1 2\n`,
+      stl: `solid s\nfacet normal 0 0 1\nouter loop\nvertex ${word} 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n`,
+    };
+    for (const [name, text] of Object.entries(all)) {
+      await assert.rejects(
+        open(encode(text), { name: `a.${name}` }),
+        KarcherError,
+        `${name}, ${word}`,
+      );
+    }
+  }
+});
+
+test('a Git LFS pointer and UTF-16 text are told, whatever the ending', async () => {
+  const pointer = encode('version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 12345\n');
+  const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
+  const little = new Uint8Array([0xff, 0xfe, ...[...text].flatMap((c) => [c.charCodeAt(0), 0])]);
+  const big = new Uint8Array([0xfe, 0xff, ...[...text].flatMap((c) => [0, c.charCodeAt(0)])]);
+  for (const ending of ['obj', 'ply', 'stl', 'off', 'glb']) {
+    const name = `scan.${ending}`;
+    await assert.rejects(open(pointer, { name }), /Git LFS pointer, not the file itself/);
+    await assert.rejects(open(little, { name }), /UTF-16 text: save it as UTF-8/);
+    await assert.rejects(open(big, { name }), /UTF-16 text: save it as UTF-8/);
   }
 });
 

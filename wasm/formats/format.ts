@@ -46,11 +46,32 @@ const endings = new Map<string, MeshFormat>([
 export const fileEndings: readonly string[] = [...endings.keys()].map((ending) => `.${ending}`);
 
 /**
+ * A file's bytes without the mark of their order that some editors write before UTF-8 text. Throws
+ * `KarcherError` badFile for what is no mesh whatever its ending says: a Git LFS pointer, text in UTF-16.
+ */
+export function withoutMark(bytes: Uint8Array): Uint8Array {
+  // A binary STL file begins with 80 bytes of anything; its length proves what it is.
+  if (isBinaryStl(bytes)) return bytes;
+  const [first, second, third] = bytes;
+  if ((first === 0xff && second === 0xfe) || (first === 0xfe && second === 0xff)) {
+    throw badFile('the file is UTF-16 text: save it as UTF-8');
+  }
+  const isMarked = first === 0xef && second === 0xbb && third === 0xbf;
+  const text = isMarked ? bytes.subarray(3) : bytes;
+  if (startOf(text).startsWith('version https://git-lfs.')) {
+    throw badFile(
+      'the file is a Git LFS pointer, not the file itself: fetch it with `git lfs pull`',
+    );
+  }
+  return text;
+}
+
+/**
  * Which format bytes are of, by what they begin with; the name's ending decides where that says
  * nothing. Throws `KarcherError` badFile with what they are where they are no mesh that is read.
  */
 export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
-  const start = startOf(bytes).replace(/^\xef\xbb\xbf/, '');
+  const start = startOf(withoutMark(bytes));
   if (/^ply[\r\n]/.test(start)) return 'ply';
   if (isGlb(bytes)) return 'gltf';
   const ending = endings.get(/\.([^.]+)$/.exec(name)?.[1]?.toLowerCase() ?? '');

@@ -2,7 +2,7 @@ import { checkArray, checkInteger, checkOptions, shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { checkLongWork, namesOf } from '../options.js';
 import type { MeshOptions } from '../types.js';
-import { formatOf } from './format.js';
+import { formatOf, withoutMark } from './format.js';
 import { gltfBeside, readGltf } from './gltf.js';
 import { objOf, objParts } from './obj.js';
 import { readOff } from './off.js';
@@ -49,11 +49,11 @@ const optionNames = namesOf<FileOptions>({
  */
 export async function meshFromFile<Mesh>(
   karcher: MeshMaker<Mesh>,
-  bytes: Uint8Array,
+  given: Uint8Array,
   options: FileOptions = {},
 ): Promise<{ mesh: Mesh; file: FileInfo }> {
-  if (!(bytes instanceof Uint8Array)) {
-    throw new KarcherError('badArgument', `a file must be a Uint8Array, not ${shown(bytes)}`);
+  if (!(given instanceof Uint8Array)) {
+    throw new KarcherError('badArgument', `a file must be a Uint8Array, not ${shown(given)}`);
   }
   checkOptions(options, optionNames);
   const { name, parts, beside, progress, signal, ...meshOptions } = options;
@@ -61,6 +61,7 @@ export async function meshFromFile<Mesh>(
   checkLongWork(work);
   const wantedParts = parts && checkArray(parts, 'the parts').map((part) => checkPart(part));
   const wanted = (part: number) => wantedParts?.includes(part) ?? true;
+  const bytes = withoutMark(given);
   const format = formatOf(bytes, name);
   if (format === 'obj') {
     const read = await objParts(bytes, wantedParts ? wanted : null, work);
@@ -87,7 +88,7 @@ export async function meshFromFile<Mesh>(
  * elsewhere.
  */
 export function namesBeside(bytes: Uint8Array, name?: string): string[] {
-  return formatOf(bytes, name) === 'gltf' ? gltfBeside(bytes) : [];
+  return formatOf(bytes, name) === 'gltf' ? gltfBeside(withoutMark(bytes)) : [];
 }
 
 function read(

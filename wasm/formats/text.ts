@@ -23,7 +23,8 @@ export function lineEndAt(bytes: Uint8Array, at: number): number {
 
 /**
  * The words of a text, one after the other, by its bytes: a text of many megabytes is no string. A `#`
- * starts a comment.
+ * that begins a word starts a comment; within one it is a sign like others, as in `1.#QNAN`, by which
+ * some programs write what is no number.
  */
 export class Words {
   readonly #bytes: Uint8Array;
@@ -56,7 +57,7 @@ export class Words {
       } else if (byte > space) break;
     }
     this.#from = at;
-    while (at < this.#end && bytes[at]! > space && bytes[at] !== hash) at++;
+    while (at < this.#end && bytes[at]! > space) at++;
     this.#to = at;
     this.at = at;
     return this.#to > this.#from;
