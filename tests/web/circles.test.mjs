@@ -1,6 +1,6 @@
 // Circles and what they are drawn as.
 import assert from 'node:assert/strict';
-import { after, before, describe } from 'node:test';
+import { after, before, describe, test } from 'node:test';
 import { load } from '../../dist/index.js';
 import { openBrowser, Tab } from './browser.mjs';
 import { flatGrid, linesOf, typeRadius } from './circle_views.mjs';
@@ -37,7 +37,7 @@ describe('circles', () => {
   });
   after(() => browser.close());
 
-  sometimes('on a plane are circles, of each type', async () => {
+  test('on a plane are circles, of each type', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
