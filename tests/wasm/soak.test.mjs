@@ -68,10 +68,10 @@ test(`edits through a worker leave no memory behind, and the curve is that of it
     }
   }
   // The same curve is there at each of these; its spare fields are those of the edits before, and
-  // differ: up to 150 KB between any two.
+  // differ: up to 230 KB between any two, where a kilobyte an edit would be 1.5 MB.
   const most = (part) => Math.max(...part.map(({ engine }) => engine));
   const grown = most(bytes.slice(5)) - most(bytes.slice(0, 5));
-  assert.ok(grown < 150e3, JSON.stringify(bytes));
+  assert.ok(grown < 300e3, JSON.stringify(bytes));
   assert.ok(bytes.at(-1).held - bytes[1].held < 2e6, JSON.stringify(bytes));
   await curve.movePoint(2, { vertex: 33 });
   // On a mesh of its own: curves of one mesh share fields.
