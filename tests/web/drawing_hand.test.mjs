@@ -1,7 +1,7 @@
 // Drawing does no harm: the pen leaves other lines alone, paths go on after undo and close alike, circles are dragged.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
 
 describe('drawing by hand', () => {
   let browser;
@@ -92,6 +92,60 @@ describe('drawing by hand', () => {
       await tab.settled();
       assert.equal((await objectsOf(tab))[0].figure.circle, null, view);
       await close(tab);
+    });
+  }
+
+  test('a tool that was only tried leaves no object, and nothing selected', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...path);
+    const before = JSON.stringify(await objectsOf(tab));
+    for (const key of ['o', 'p', 'e']) await tab.page.keyboard.press(key);
+    await tab.settled();
+    const rows = tab.page.locator('#objects .object');
+    assert.deepEqual(await rows.allTextContents(), ['B-spline 1']);
+    await tab.page.keyboard.press('v');
+    await tab.settled();
+    assert.equal(JSON.stringify(await objectsOf(tab)), before);
+    assert.equal(await tab.page.locator('#objects [aria-current]').count(), 0);
+    assert.equal(await tab.page.locator('.handle').count(), 0);
+    // What is drawn next is another object, and undo takes that back.
+    await tab.page.keyboard.press('p');
+    await tab.click(...path.map(([x, y]) => [x, y - 120]));
+    assert.equal(await rows.count(), 2);
+    while ((await rows.count()) > 1) await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    const left = (await objectsOf(tab)).filter(({ figure }) => figure.points.length > 0);
+    assert.equal(JSON.stringify(left), before);
+    await close(tab);
+  });
+});
+
+describe('drawing by a finger', () => {
+  let browser;
+  before(async () => {
+    browser = await openPhone();
+  });
+  after(() => browser.close());
+
+  for (const kind of ['circle', 'ellipse']) {
+    test(`a finger's drag draws the ${kind} from its center`, async () => {
+      const tab = await Tab.open(browser);
+      await tab.page.locator(`#tool-${kind}`).tap();
+      await tab.settled();
+      const { touch } = await touchOf(tab.page);
+      const { x, y } = await tab.middle();
+      await touch('touchStart', { x, y: y - 100 });
+      for (let step = 1; step < 6; step++) {
+        await touch('touchMove', { x: x + 12 * step, y: y - 100 + 3 * step });
+      }
+      await touch('touchEnd');
+      await tab.settled();
+      const { drawing } = await tab.state();
+      const { figure } = drawing.objects[0];
+      assert.equal(figure.kind, kind);
+      assert.ok(figure.circle && 'face' in figure.circle.rim, 'its rim is where the finger was');
+      assert.deepEqual(tab.logged, []);
+      await tab.page.close();
     });
   }
 });

@@ -144,4 +144,55 @@ describe('the selection', () => {
     assert.equal(await tab.page.locator('#swatches [aria-pressed="true"]').count(), 1);
     await close(tab);
   });
+
+  test('of several what they do not share is said to be mixed, until it is set', async () => {
+    const tab = await drawn();
+    const set = async (id, value) => {
+      await tab.page.locator('#fine').evaluate((fine) => {
+        fine.open = true;
+      });
+      await tab.page.locator(id).fill(value);
+      await tab.page.keyboard.press('Enter');
+    };
+    await tab.page.locator('#degree').selectOption('2');
+    await tab.page.locator('#clamped').click();
+    await tab.page.locator('#dash').selectOption('dashed');
+    await tab.page.locator('#width').fill('9');
+    await tab.page.keyboard.press('Enter');
+    await tab.page.locator('#fine summary').click();
+    await tab.page.locator('#levels').selectOption('0');
+    await set('#marks', '5');
+    await set('#samples', '48');
+    await tab.page.locator('#stage').focus();
+    await tab.page.keyboard.press('Control+a');
+    await tab.settled();
+    const words = () =>
+      tab.page.evaluate(() =>
+        ['degree', 'dash', 'levels', 'width', 'marks', 'samples'].map((id) => {
+          const control = document.getElementById(id);
+          return control.selectedOptions?.[0].textContent ?? (control.value || control.placeholder);
+        }),
+      );
+    assert.deepEqual(await words(), Array(6).fill('mixed'));
+    const clamped = tab.page.locator('#clamped');
+    assert.equal(await clamped.evaluate(({ indeterminate }) => indeterminate), true);
+    await tab.page.locator('#degree').selectOption('1');
+    await tab.page.locator('#dash').selectOption('dotted');
+    await tab.page.locator('#levels').selectOption('auto');
+    await set('#width', '3');
+    await set('#marks', '2');
+    await set('#samples', '30');
+    await clamped.click();
+    await tab.settled();
+    const set6 = ['1, linear', 'dotted', 'automatic', '3', '2', '30'];
+    assert.deepEqual(await words(), set6);
+    for (const { dash, width, figure } of await objectsOf(tab)) {
+      const { degree, levels, marks, samples } = figure.settings;
+      assert.deepEqual(
+        [degree, dash, levels, width, marks, samples],
+        [1, 'dotted', 'auto', 3, 2, 30],
+      );
+    }
+    await close(tab);
+  });
 });

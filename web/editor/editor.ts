@@ -280,7 +280,20 @@ export class Editor {
 
   setTool(tool: CurveTool): void {
     if (isResting(tool)) this.#resting = tool;
+    if (tool === 'select') this.#dropBegun();
     if (tool !== this.#state.tool) this.#change({ tool }, false);
+  }
+
+  /** Who only tried a tool is left with nothing of it, and with nothing selected. */
+  #dropBegun(): void {
+    const { drawing, figure } = this.#state;
+    const drawn = drawing.objects.findLast((object) => !isEmpty(object.figure));
+    const command = drawn && isEmpty(figure) ? activation(drawing, drawn.id) : null;
+    if (!command) return;
+    this.cancelDrag();
+    recordActivation(this.#history, command);
+    const part = { selection: null, chosen: [], none: true };
+    this.#change({ drawing: apply(drawing, command), ...part }, true);
   }
 
   /** Ends the tool that cuts, joins or measures. */

@@ -454,7 +454,7 @@ export class Gestures {
   #takeRound(press: Place): Hold | null {
     const { editor, session, viewer } = this;
     const { figure, tool } = editor.state;
-    if (tool !== 'insert' || !isRound(figure.kind) || press.shift || press.touch) return null;
+    if (tool !== 'insert' || !isRound(figure.kind) || press.shift) return null;
     if (!editor.isOpen || figure.circle || !session.client) return null;
     const target = this.#target(press);
     const center = this.#snapAt(press, target)?.point;

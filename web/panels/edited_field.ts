@@ -46,6 +46,7 @@ export class EditedField<Value> {
     this.#shown = value === null ? '' : this.format.write(value);
     this.#of = of;
     this.input.disabled = value === null;
+    if (this.input.placeholder === 'mixed') this.input.placeholder = '';
     if (!this.#began || value === null) this.#restore();
   }
 
@@ -54,6 +55,7 @@ export class EditedField<Value> {
     this.#shown = '';
     this.#of = null;
     this.input.disabled = false;
+    this.input.placeholder = 'mixed';
     if (!this.#began) this.#restore();
   }
 

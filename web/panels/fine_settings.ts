@@ -14,6 +14,7 @@ import { mayHaveLevels } from '../model/splines';
 import { byId, write } from './elements';
 import { sentenceOf } from './messages';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
+import { sharedSettings, showShared } from './shared_settings';
 
 /** The tolerance that is offered first, as a part of the surface's size. */
 const firstTolerance = 1e-4;
@@ -62,30 +63,43 @@ export class FineSettings {
     this.#knots = new KnotsField(editor, edits);
   }
 
-  show({ figure }: State, { curve }: View): void {
-    const { kind, settings } = figure;
+  show(state: State, { curve }: View): void {
+    const { kind, settings } = state.figure;
+    const shared = sharedSettings(state);
     this.#group.hidden = !isCurve(kind);
     const withKnots = kind === 'bspline';
     write(byId('fine-title'), withKnots ? 'Samples, marks and knots' : 'Samples and marks');
-    const { samples, tolerance, marks } = settings;
     byId('levels-field').hidden = !mayHaveLevels(kind);
-    this.#showLevels(settings.levels);
-    this.#sampling.value = tolerance === null ? 'number' : 'tolerance';
-    byId('samples').hidden = tolerance !== null;
-    byId('tolerance').hidden = tolerance === null;
-    this.#samples.show(samples);
+    this.#showLevels(shared('levels'));
+    const tolerance = shared('tolerance');
+    const byTolerance = tolerance === undefined ? undefined : tolerance !== null;
+    showShared(
+      this.#sampling,
+      byTolerance === undefined ? undefined : byTolerance ? 'tolerance' : 'number',
+    );
+    byId('samples').hidden = byTolerance !== false;
+    byId('tolerance').hidden = byTolerance !== true;
+    showNumber(this.#samples, shared('samples'));
     this.#tolerance.show(tolerance ?? defaultSettings.tolerance);
-    this.#marks.show(marks);
+    showNumber(this.#marks, shared('marks'));
     const knots = settings.knots ?? Array.from(curve?.knots ?? []);
-    this.#knots.show(withKnots ? knots : null);
+    // Several curves have no list of knots in common.
+    this.#knots.show(withKnots && state.chosen.length < 2 ? knots : null);
   }
 
-  #showLevels(levels: CurveLevels): void {
+  #showLevels(levels: CurveLevels | undefined): void {
     const isOffered = [...this.#levels.options].some(({ value }) => value === `${levels}`);
     // A link may ask for any number.
-    if (!isOffered) this.#levels.append(new Option(`${levels} levels`, `${levels}`));
-    this.#levels.value = `${levels}`;
+    if (!isOffered && levels !== undefined) {
+      this.#levels.append(new Option(`${levels} levels`, `${levels}`));
+    }
+    showShared(this.#levels, levels);
   }
+}
+
+function showNumber(field: NumberField, value: number | undefined): void {
+  if (value === undefined) field.showOpen();
+  else field.show(value);
 }
 
 /** A knot as it is shown; where it is left as it is, its own digits stay. */

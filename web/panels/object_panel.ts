@@ -13,6 +13,7 @@ import { byId, make, write } from './elements';
 import { kindNames } from './kind_names';
 import { ListDrag } from './list_drag';
 import { NumberField, positiveNumber } from './number_field';
+import { showShared } from './shared_settings';
 
 /** Colors that are told apart on light and dark surfaces; null is the theme's. */
 const colors: readonly [string | null, string][] = [
@@ -142,7 +143,8 @@ export class ObjectPanel {
 
   #showRows(state: State): void {
     const { drawing, chosen } = state;
-    const { objects } = drawing;
+    // What was only begun is in no list: a tool that is tried leaves nothing.
+    const objects = drawing.objects.filter(({ figure }) => !isEmpty(figure));
     const active = state.none ? null : drawing.active;
     while (this.#list.childElementCount > objects.length) this.#list.lastElementChild!.remove();
     for (const [i, object] of objects.toReversed().entries()) {
@@ -152,7 +154,7 @@ export class ObjectPanel {
   }
 
   #showRow(row: HTMLElement, object: DrawnObject, isActive: boolean, isChosen: boolean): void {
-    const { id, visible, locked, color, figure, group } = object;
+    const { id, visible, locked, color, group } = object;
     const [main, see, hold] = [...row.children] as HTMLButtonElement[];
     const name = nameOf(object);
     row.dataset.id = `${id}`;
@@ -163,7 +165,7 @@ export class ObjectPanel {
     else main!.removeAttribute('aria-current');
     const [dot, words, tag] = [...main!.children] as HTMLElement[];
     dot!.style.background = color ?? '';
-    write(words!, isEmpty(figure) ? `${name}, empty` : name);
+    write(words!, name);
     write(tag!, group ?? '');
     see!.setAttribute('aria-pressed', `${visible}`);
     see!.setAttribute('aria-label', `Show ${name}`);
@@ -229,7 +231,7 @@ export class ObjectPanel {
     const width = common('width');
     if (width === undefined) this.#width.showOpen();
     else this.#width.show(width);
-    this.#dash.value = common('dash') ?? '';
+    showShared(this.#dash, common('dash'));
     const color = selected > 0 ? common('color') : undefined;
     for (const swatch of this.#swatches) {
       const isShown = color !== undefined && (swatch.dataset.color || null) === color;

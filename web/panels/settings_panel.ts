@@ -1,9 +1,10 @@
 import type { Parametrization } from 'karcher';
 import type { CurveEdits } from '../editor/curve_edits';
-import { type Editor, type State, selectedObjects } from '../editor/editor';
+import type { Editor, State } from '../editor/editor';
 import { type CurveSettings, isCurve } from '../model/figure';
 import { type Joint, jointOf } from '../model/pen';
 import { byId, make } from './elements';
+import { sharedSettings, showShared } from './shared_settings';
 
 const degrees = ['1, linear', '2, quadratic', '3, cubic', '4, quartic', '5, quintic'];
 
@@ -42,21 +43,17 @@ export class SettingsPanel {
   }
 
   show(state: State): void {
-    const { figure, selection, drawing } = state;
+    const { figure, selection } = state;
     const { kind, settings, points } = figure;
     const anchor = points[typeof selection === 'number' ? selection : 0];
     this.#joint.value = jointOf(anchor?.tangents);
     this.#group.hidden = !isCurve(kind);
-    const ids = selectedObjects(state);
-    const curves = drawing.objects.filter(
-      ({ id, figure: { kind } }) => ids.includes(id) && isCurve(kind),
-    );
-    const isShared = curves.every((one) => one.figure.settings.closed === settings.closed);
-    this.#closed.checked = settings.closed && isShared;
-    this.#closed.indeterminate = !isShared;
-    this.#clamped.checked = settings.clamped && !settings.knots;
-    this.#degree.value = `${settings.degree}`;
-    this.#spacing.value = settings.parametrization;
+    const shared = sharedSettings(state);
+    showShared(this.#closed, shared('closed'));
+    const clamped = shared('clamped');
+    showShared(this.#clamped, clamped && !settings.knots);
+    showShared(this.#degree, shared('degree'));
+    showShared(this.#spacing, shared('parametrization'));
     const uses: [HTMLElement, boolean][] = [
       [this.#clamped, kind === 'bspline' && !settings.closed],
       [this.#degree, kind === 'bspline'],
