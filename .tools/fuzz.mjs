@@ -47,7 +47,7 @@ async function fuzz(name, minutes) {
   let problem;
   try {
     const env = { UBSAN_OPTIONS: 'print_stacktrace=1' };
-    output = await run(inRoot(`build/fuzz/fuzz_target_${name}`), args, {
+    output = await run(inRoot(`build/sanitize/fuzz_target_${name}`), args, {
       ...{ env, quiet: true, minutes: minutes + 10 },
     });
   } catch (error) {
@@ -70,8 +70,9 @@ try {
   const { minutes, names } = readArguments();
   const build = async () => {
     await setUp('build', 'fuzz');
-    await buildNative('fuzz');
-    await run(inRoot('build/fuzz/fuzz_corpus'), [folder('seeds')]);
+    // The engine is the one that the tests watch with the sanitizers.
+    await buildNative('sanitize', 'fuzz_corpus', ...targets.map((name) => `fuzz_target_${name}`));
+    await run(inRoot('build/sanitize/fuzz_corpus'), [folder('seeds')]);
   };
   closeWith(
     await runStages([

@@ -1,10 +1,11 @@
 // `npm run lint`: includes and imports against ARCHITECTURE.md, the benchmarks compiled without
-// warnings, clang-tidy on the engine and its bindings, biome and the TypeScript compiler on the rest.
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+// warnings, clang and clang-tidy on the engine and its bindings, biome and the TypeScript compiler on the rest.
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname } from 'node:path';
 import { buildNative, configureWasm } from './build.mjs';
 import { checkRooms } from './rooms.mjs';
 import { setUp } from './setup.mjs';
-import { closeWith, cores, filesBelow, inRoot, run, runStages } from './shell.mjs';
+import { closeWith, cores, inRoot, run, runStages } from './shell.mjs';
 
 /**
  * Writes how the bindings are compiled to build/clang-wasm, in clang's words: clang-tidy does not know
@@ -23,31 +24,118 @@ async function writeWasmCommands() {
   writeFileSync(inRoot('build/clang-wasm/lint/compile_commands.json'), JSON.stringify(commands));
 }
 
-/** Checks files one by one, `cores` at a time, and names each that fails. */
-async function clangTidy() {
-  await run('cmake', ['--preset', 'clang']);
+/** How each source file of the engine and of the bindings is compiled, in clang's words. */
+async function readCommands() {
+  await run('cmake', ['--preset', 'clang'], { quiet: true });
   await writeWasmCommands();
-  const counts = { passed: 0, failed: 0 };
-  const waiting = [
-    ...filesBelow('src', /\.cpp$/).map((file) => ({ file, commands: 'build/clang' })),
-    ...filesBelow('wasm', /\.cpp$/).map((file) => ({ file, commands: 'build/clang-wasm/lint' })),
+  const from = (path, folder) =>
+    JSON.parse(readFileSync(inRoot(path), 'utf8')).filter(
+      ({ file }) => file.startsWith(inRoot(folder)) && file.endsWith('.cpp'),
+    );
+  return [
+    ...from('build/clang/compile_commands.json', 'src/'),
+    ...from('build/clang-wasm/lint/compile_commands.json', 'wasm/'),
   ];
+}
+
+/** Calls `work` with each entry, `cores` at a time, and sums the checks that it counts. */
+async function countAll(entries, work) {
+  const counts = { passed: 0, failed: 0 };
+  const waiting = [...entries];
   const worker = async () => {
     for (let next = waiting.shift(); next; next = waiting.shift()) {
-      const { file, commands } = next;
-      try {
-        await run('clang-tidy', ['--quiet', '-p', commands, file], { quiet: true });
-        counts.passed += 1;
-      } catch (error) {
-        console.error(`${file}\n${error.output}${error.message}`);
-        counts.failed += 1;
-      }
-      const done = counts.passed + counts.failed;
-      if (done % 5 === 0) console.log(`${done} of ${done + waiting.length} files or more`);
+      const { passed, failed } = await work(next);
+      counts.passed += passed;
+      counts.failed += failed;
     }
   };
   await Promise.all(Array.from({ length: cores }, worker));
   return counts;
+}
+
+/** Runs a program on a file, which counts as one check, and prints what it found. */
+async function checkFile(file, program, args, options = {}) {
+  try {
+    await run(program, args, { ...options, quiet: true });
+    return { passed: 1, failed: 0 };
+  } catch (error) {
+    console.error(`${file}\n${error.output}${error.message}`);
+    return { passed: 0, failed: 1 };
+  }
+}
+
+/** Compiles each file on its own, without precompiled headers: a missing include is noticed. */
+async function compileAlone() {
+  return countAll(await readCommands(), ({ file, command, directory }) => {
+    const alone = `${command.replace(/ -o \S+/, '')} -fsyntax-only`;
+    return checkFile(file, 'sh', ['-c', `cd '${directory}' && exec ${alone}`]);
+  });
+}
+
+/** The names that a source file declares at its margin. */
+function namesOf(file) {
+  const text = readFileSync(file, 'utf8');
+  const declared = [
+    /^[A-Za-z[].*?(?<!::)\b(\w+)\(/gm,
+    /^(?:inline )?(?:constexpr|const) .*?\b(\w+)\b ?[={[]/gm,
+    /^(?:struct|class|enum class|enum|using) (\w+)/gm,
+  ];
+  return declared.flatMap((pattern) => [...text.matchAll(pattern)].map(([, name]) => name));
+}
+
+const mostInBatch = 12;
+
+/** Files of one folder, a dozen together, none with a name that another one of its batch has. */
+function batchesOf(commands) {
+  const batches = [];
+  for (const entry of commands) {
+    const folder = dirname(entry.file);
+    const names = namesOf(entry.file);
+    const fits = (batch) =>
+      batch.folder === folder &&
+      batch.entries.length < mostInBatch &&
+      !names.some((name) => batch.names.has(name));
+    let batch = batches.find(fits);
+    if (!batch) {
+      batch = { folder, entries: [], names: new Set() };
+      batches.push(batch);
+    }
+    batch.entries.push(entry);
+    for (const name of names) batch.names.add(name);
+  }
+  return batches;
+}
+
+/**
+ * Runs clang-tidy on the files, a batch at a time, as most of its time goes into the headers that all
+ * include. Of a batch that fails each file is checked on its own, and counts.
+ */
+async function clangTidy() {
+  const folder = inRoot('build/clang-tidy');
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  const batches = batchesOf(await readCommands()).map(({ entries }, i) => {
+    const file = `${folder}/batch_${i}.cpp`;
+    writeFileSync(file, entries.map((entry) => `#include "${entry.file}"\n`).join(''));
+    const [{ file: first, directory, command }] = entries;
+    return { entries, file, directory, command: command.replace(` -c ${first}`, ` -c ${file}`) };
+  });
+  const commands = batches.flatMap(({ entries, file, directory, command }) => [
+    ...entries,
+    { file, directory, command },
+  ]);
+  writeFileSync(`${folder}/compile_commands.json`, JSON.stringify(commands));
+  const tidy = ['--quiet', '-p', folder];
+  return countAll(batches, async ({ file, entries }) => {
+    try {
+      await run('clang-tidy', [...tidy, file], { quiet: true });
+      return { passed: entries.length, failed: 0 };
+    } catch {
+      return countAll(entries, (entry) =>
+        checkFile(entry.file, 'clang-tidy', [...tidy, entry.file]),
+      );
+    }
+  });
 }
 
 const npmProgram = (path, ...args) =>
@@ -58,6 +146,7 @@ closeWith(
   await runStages([
     { name: 'rooms', run: checkRooms },
     { name: 'build of the benchmarks', run: () => buildNative('native') },
+    { name: 'each file compiled on its own', run: compileAlone },
     { name: 'clang-tidy', run: clangTidy },
     {
       name: 'biome',

@@ -1,14 +1,15 @@
-// `npm test`: sets up, builds everything and runs every test. With --long none is left to the draw, and
-// tests take the large numbers of random cases that they keep for KARCHER_LONG=1, but not those of the
-// engine with the sanitizers, which would take hours.
+// `npm test`: sets up, builds everything and runs the tests, always the same ones. With --long it runs also
+// those that are too long for that, and tests take the large numbers of random cases that they keep for
+// KARCHER_LONG=1, but not those of the engine with the sanitizers, which would take hours. With names of
+// files of tests/wasm and tests/web it runs only these.
 import { mkdirSync } from 'node:fs';
-import { part } from '../tests/web/part.mjs';
 import { buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
 import { runGoogleTest } from './gtest.mjs';
 import { runNodeTests } from './node_test.mjs';
 import { chromiumPath, setUp } from './setup.mjs';
 import { closeWith, filesBelow, inRoot, runStages } from './shell.mjs';
 
+const named = process.argv.slice(2).filter((name) => name !== '--long');
 const long = process.argv.includes('--long');
 const longCases = long ? { KARCHER_LONG: '1' } : {};
 // A stage that takes longer hangs, on a busy machine too.
@@ -21,44 +22,10 @@ const runNative = (preset, more) =>
     ...more,
   });
 
-/** Tests of numbers in many like cases, with the sanitizers two fifths of the time. */
-const longestSanitized = [
-  'Bridge.OverAPointThatTheCurveInterpolatesPassesIt',
-  'CurveInvariance.OfRefinedCurvesToRounding',
-  'CurveInvariance.WithTheFastSolverAndTiesWithinAPartOfAnEdge',
-  'CurveJoints.OfAutomaticLevelsAreSmoothOnASphere',
-  'CurveJoints.OfAutomaticLevelsAreSmoothOnATorus',
-  'CurveLevels.OfClosedCurvesMeetAtTheirEnds',
-  'CurveLevels.OfThePlaneAreTheSameCurve',
-  'CurveMeasure.TangentsAreContinuousUpToTheMesh',
-  'CurveNearest.NoOtherPointOfTheCurveIsNearer',
-  'CurveNearest.OfAPlaceOnTheCurveIsThatPlace',
-  'CurveTolerance.TheCurveKeepsToTheLineThatIsDrawnForIt',
-  'FindPath.isTheSameWhereverTheSurfaceLies',
-  'Levels.OfEveryTessellationOfThePlaneGiveTheEuclideanCurve',
-  'Mean.OfACapOfTheSphereComesNearerTheTruthUnderRefinement',
-  'Mean.ThatConvergedIsAMinimumByShortestPaths',
-  'MeanOfMany.IsAsLowAsThatOfFields',
-  'MeanOfMany.ThatConvergedIsAMinimumByShortestPaths',
-  'MeanWeights.MakeThePointTheCenterOfMassWhereTheHessianIsPositiveDefinite',
-  'PhongProjection.OfAPointOfTheSurfaceIsThePoint',
-  'PolygonFuzz.CurvesOfAutomaticLevelsHoldTogether',
-  'RepairMesh.MendsDefectsInPairs',
-  'Uniqueness.WhatIsCertainHoldsForAThousandStarts',
-];
+const nodeFiles = (folder) => filesBelow(folder, /\.test\.m?js$/);
 
-/** Of the longest tests the sanitizers watch three, which the commit draws; g++ runs all of them. */
-function runSanitized() {
-  const watched = long ? longestSanitized : part(longestSanitized, 3);
-  return runNative('sanitize', {
-    env: { UBSAN_OPTIONS: 'print_stacktrace=1' },
-    without: longestSanitized.filter((test) => !watched.includes(test)),
-  });
-}
-
-/** Runs the node:test files of a folder and returns what they counted. */
-function runNode(folder, env = {}) {
-  const files = filesBelow(folder, /\.test\.m?js$/);
+/** Runs files of node:test and returns what they counted. */
+function runNode(folder, env = {}, files = nodeFiles(folder)) {
   if (files.length === 0) throw new Error(`there are no tests in ${folder}`);
   return runNodeTests(files, {
     reports: `${reports}/${folder.replaceAll('/', '-')}`,
@@ -79,19 +46,40 @@ async function buildNativeTests(preset) {
   await buildNative(preset, 'karcher_tests');
 }
 
-mkdirSync(reports, { recursive: true });
-const stages = [
-  { name: 'set-up', run: () => setUp('build', 'test'), isBuild: true },
-  build('the engine’s tests, g++', () => buildNativeTests('native')),
-  build('the engine’s tests, clang++ with sanitizers', () => buildNativeTests('sanitize')),
+const longestSanitized = long ? { KARCHER_SANITIZED: 'all' } : {};
+const sanitized = { UBSAN_OPTIONS: 'print_stacktrace=1', ...longestSanitized };
+const setUpStage = { name: 'set-up', run: () => setUp('build', 'test'), isBuild: true };
+const packageBuilds = [
   build('the WebAssembly module', buildWasm),
   build('the facade', buildFacade),
   build('the page', buildPage),
+];
+const everything = [
+  setUpStage,
+  build('the engine’s tests, g++', () => buildNativeTests('native')),
+  build('the engine’s tests, clang++ with sanitizers', () => buildNativeTests('sanitize')),
+  ...packageBuilds,
   tests('the tools', () => runNode('tests/tools')),
   tests('the engine, g++', () => runNative('native', { env: longCases })),
-  tests('the engine, clang++ with sanitizers', runSanitized),
+  tests('the engine, clang++ with sanitizers', () => runNative('sanitize', { env: sanitized })),
   tests('the module and the command line', () => runNode('tests/wasm', longCases)),
   tests('the figures', () => runNode('tests/paper')),
   tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];
-closeWith(await runStages(stages));
+
+/** The stages of some files of tests/wasm and tests/web alone. */
+function stagesOf(files) {
+  const known = [...nodeFiles('tests/wasm'), ...nodeFiles('tests/web')];
+  const unknown = files.find((file) => !known.includes(inRoot(file)));
+  if (unknown) throw new Error(`${unknown} is no file of tests in tests/wasm or tests/web`);
+  const run = () =>
+    runNode(
+      'long',
+      { CHROMIUM_PATH: chromiumPath(), ...longCases },
+      files.map((file) => inRoot(file)),
+    );
+  return [setUpStage, ...packageBuilds, tests(files.join(', '), run)];
+}
+
+mkdirSync(reports, { recursive: true });
+closeWith(await runStages(named.length > 0 ? stagesOf(named) : everything));

@@ -120,6 +120,7 @@ TEST(Bridge, AroundTheSphereTheCurveHoldsTogether) {
 }
 
 TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
+  SKIP_WHERE_SANITIZED();
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
   const uint64_t seed = 8;

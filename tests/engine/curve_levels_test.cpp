@@ -54,6 +54,7 @@ void expectIdentical(const Curve& a, const Curve& b) {
 }
 
 TEST(CurveLevels, OfThePlaneAreTheSameCurve) {
+  SKIP_WHERE_SANITIZED();
   Surface surface(meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 2000, 7)));
   const Array<SurfacePoint> points = pointsNear(surface.mesh(), kPlaces);
   const double diagonal = surface.geometry().diagonal;
@@ -204,6 +205,7 @@ TEST(CurveLevels, RunBackwardsGiveTheSameCurve) {
 }
 
 TEST(CurveLevels, OfClosedCurvesMeetAtTheirEnds) {
+  SKIP_WHERE_SANITIZED();
   // A field that is fitted has its zero beside its point, so both ends are to have the same field.
   Surface surface(meshOf(randomSphere(20000, 4)));
   const TriangleMesh& mesh = surface.mesh();

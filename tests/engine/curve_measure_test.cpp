@@ -182,6 +182,7 @@ Jumps jumpsOf(Curve& curve) {
 }
 
 TEST(CurveMeasure, TangentsAreContinuousUpToTheMesh) {
+  SKIP_WHERE_SANITIZED();
   const Array<int> frequencies = longRun() ? Array<int>{10, 20, 40, 80} : Array<int>{10, 20, 40};
   for (const CurveKind kind : {CurveKind::kBSpline, CurveKind::kCatmullRom}) {
     double coarse = 0;

@@ -65,6 +65,7 @@ TEST(CurveNearest, OfAPlaceOnTheCurveIsThatPlace) {
 }
 
 TEST(CurveNearest, NoOtherPointOfTheCurveIsNearer) {
+  SKIP_WHERE_SANITIZED();
   const uint64_t seed = 12;
   forRandomCurves(seed, [](Curve& curve, Random& random) {
     const TriangleMesh& mesh = curve.surface().mesh();

@@ -73,6 +73,7 @@ Curve adaptiveCurve(Surface& surface, const CurveShape& shape, const Array<Surfa
 }
 
 TEST(CurveTolerance, TheCurveKeepsToTheLineThatIsDrawnForIt) {
+  SKIP_WHERE_SANITIZED();
   Surface bunny(bunnyMesh());
   Surface torus(importMesh(makeShape(Shape::kTorus, 3000)).mesh);
   Surface grid(planeGrid(30, 30));

@@ -33,6 +33,7 @@ TEST(Mean, OnARegularGridIsTheAverageWithItsEnergy) {
 }
 
 TEST(Mean, OfACapOfTheSphereComesNearerTheTruthUnderRefinement) {
+  SKIP_WHERE_SANITIZED();
   const SmoothSurface sphere = smoothSphere();
   const Array<double> weights{0.4, 0.15, 0.25, 0.2};
   // The largest error on the finest mesh, in mean edges.

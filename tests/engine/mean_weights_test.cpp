@@ -197,6 +197,7 @@ bool isDefiniteAt(FieldSet& set, const Array<SurfacePoint>& points, const Array<
 }
 
 TEST(MeanWeights, MakeThePointTheCenterOfMassWhereTheHessianIsPositiveDefinite) {
+  SKIP_WHERE_SANITIZED();
   const int cases = longRun() ? 400 : 100;
   Random random(17);
   int stay = 0;

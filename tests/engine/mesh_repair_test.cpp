@@ -12,6 +12,7 @@
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
+#include "support.h"
 
 namespace karcher {
 namespace {
@@ -98,6 +99,7 @@ TEST(RepairMesh, MendsEachDefectAlone) {
 /// In pairs they are mended as well; with the last, which takes the vertices of the others apart,
 /// some are mended by another repair than their own.
 TEST(RepairMesh, MendsDefectsInPairs) {
+  SKIP_WHERE_SANITIZED();
   uint64_t seed = 100;
   for (const Shape shape : kShapes) {
     const TriangleSoup sound = makeShape(shape, 1000);

@@ -100,6 +100,7 @@ TEST(MultidimensionalScaling, LowersTheStress) {
 }
 
 TEST(PhongProjection, OfAPointOfTheSurfaceIsThePoint) {
+  SKIP_WHERE_SANITIZED();
   const EmbeddedBunny& bunny = embeddedBunny();
   EXPECT_LE(bunny.embedding.foldedFaces, 2);
   EXPECT_GT(bunny.embedding.landmarks, 100);

@@ -45,6 +45,7 @@ TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheBunny) {
 }
 
 TEST(PolygonFuzz, CurvesOfAutomaticLevelsHoldTogether) {
+  SKIP_WHERE_SANITIZED();
   const int polygons = longRun() ? 200 : 5;
   expectNoFaults("bunny", bunnyMesh(), 200'000, polygons, 0, kAutomaticLevels);
   for (const Shape shape : {Shape::kTorus, Shape::kKnot}) {

@@ -39,6 +39,15 @@ TriangleMesh bunnyMesh();
 /// environment, as `npm run check:long` sets it.
 bool longRun();
 
+/// Whether the sanitizers watch, which makes the tests ten times as slow, and KARCHER_SANITIZED=all
+/// is not in the environment, as `npm run check:long` sets it.
+bool leavesLongestOut();
+
+/// The first line of the tests that take the longest: numbers in many like cases, which without the
+/// sanitizers are tested always.
+#define SKIP_WHERE_SANITIZED() \
+  if (leavesLongestOut()) GTEST_SKIP() << "in a long run, or without sanitizers"
+
 /// The code of the Error that the action throws; a failure of the test if it throws none.
 ErrorCode codeOf(const std::function<void()>& action);
 

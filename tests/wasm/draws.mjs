@@ -1,4 +1,4 @@
-// How many cases a test draws with fast-check, and from which seed: KARCHER_SEED, else the commit's.
+// How many cases a test draws with fast-check, and from which seed.
 import { long, seed } from '../web/part.mjs';
 
 /** A long run draws many times as many. */

@@ -15,9 +15,8 @@ const triples = (numbers) =>
   Array.from({ length: numbers.length / 3 }, (_, i) => [...numbers.slice(3 * i, 3 * i + 3)]);
 
 const drawn = (name) => {
-  const own = Number(process.env.KARCHER_SEED ?? seed);
-  console.log(`${name}: drawn with KARCHER_SEED=${own}`);
-  const random = randoms(own);
+  console.log(`${name}: drawn with KARCHER_SEED=${seed}`);
+  const random = randoms(seed);
   return () => random.next().value;
 };
 
@@ -26,6 +25,13 @@ const somewhere = (mesh, random) => {
   const [a, b] = u + v > 1 ? [1 - u, 1 - v] : [u, v];
   return { face: Math.floor(random() * mesh.info.triangles), bary: [1 - a - b, a, b] };
 };
+
+/**
+ * How far rounding may turn the direction in which a path of the plane grid leaves a point: the ends of its
+ * first piece are off by a few roundings of coordinates up to 12, and the piece may be as short as the
+ * point is near to an edge of its face, whose least height is the root of a half.
+ */
+const turnAt = ({ bary }) => (8 * Number.EPSILON * 12) / (Math.min(...bary) * Math.SQRT1_2);
 
 test('on a plane the maps are differences and sums, and nothing turns', () => {
   const random = drawn('a plane');
@@ -36,17 +42,30 @@ test('on a plane the maps are differences and sums, and nothing turns', () => {
   const to = somewhere(mesh, random);
   const log = mesh.logMap(from, points, directions);
   const here = mesh.position(from);
+  // What the sum of a path's pieces rounds, some 30 of them.
+  const sums = 1e-13;
+  const off = triples(log.vectors).map((vector) => sums + turnAt(from) * norm(vector));
+  const turned = points.map((point) => sums + turnAt(from) + turnAt(point));
+  const given = triples(directions);
   for (const [i, vector] of triples(log.vectors).entries()) {
-    assert.ok(norm(minus(add(here, vector), mesh.position(points[i]))) < 1e-12);
+    assert.ok(norm(minus(add(here, vector), mesh.position(points[i]))) < off[i]);
   }
-  assert.ok(norm(minus([...log.directions], directions)) < 1e-11);
-  assert.ok(norm(minus([...mesh.transport(from, to, log.vectors)], [...log.vectors])) < 1e-10);
+  for (const [i, direction] of triples(log.directions).entries()) {
+    assert.ok(norm(minus(direction, given[i])) < turned[i]);
+  }
+  const carried = mesh.transport(from, to, log.vectors);
+  for (const [i, vector] of triples(log.vectors).entries()) {
+    const bound = off[i] + turnAt(to) * norm(vector);
+    assert.ok(norm(minus([...carried.slice(3 * i, 3 * i + 3)], vector)) < bound);
+  }
   const back = mesh.expMap(from, log.vectors, log.directions);
   for (const [i, point] of back.points.entries()) {
-    assert.ok(norm(minus(mesh.position(point), mesh.position(points[i]))) < 1e-12);
+    assert.ok(norm(minus(mesh.position(point), mesh.position(points[i]))) < 2 * off[i]);
   }
-  assert.ok(norm(minus([...back.directions], directions)) < 1e-11);
-  assert.ok(back.remaining.every((left) => left < 1e-12));
+  for (const [i, direction] of triples(back.directions).entries()) {
+    assert.ok(norm(minus(direction, given[i])) < 2 * turned[i]);
+  }
+  for (const [i, left] of back.remaining.entries()) assert.ok(left < 2 * off[i]);
 });
 
 test('vectors are numbers in a row, triples, or what has x, y and z', () => {

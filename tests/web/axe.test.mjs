@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { sometimes } from './part.mjs';
+import { inLongRun } from './part.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const sizes = { desk: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } };
@@ -39,7 +39,7 @@ for (const [name, viewport] of Object.entries(sizes)) {
   for (const colorScheme of ['light', 'dark']) {
     // Both sizes and both schemes in every run.
     const isAlways = (name === 'phone') === (colorScheme === 'dark');
-    const check = isAlways ? test : sometimes;
+    const check = isAlways ? test : inLongRun;
     check(`axe finds nothing, ${colorScheme}, ${viewport.width} pixels wide`, async () => {
       const browser = await openBrowser({ viewport, colorScheme, hasTouch: name === 'phone' });
       try {

@@ -5,7 +5,7 @@ import { load } from '../../dist/index.js';
 import { openBrowser, Tab } from './browser.mjs';
 import { flatGrid, linesOf, typeRadius } from './circle_views.mjs';
 import { farthestFromSurface, nearestOnSurface } from './on_surface.mjs';
-import { sometimes } from './part.mjs';
+import { inLongRun } from './part.mjs';
 import { far, vertices } from './polylines.mjs';
 
 const onSurface = 2e-6;
@@ -62,7 +62,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  sometimes('are isolines with all their loops, on the surface and at the radius', async () => {
+  inLongRun('are isolines with all their loops, on the surface and at the radius', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=circle');
     // About the hole: near the radius of the tube's way around, the line is in two loops.
     await tab.click([0, 120]);
@@ -97,7 +97,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  sometimes('of each type follow their handles, and a drag shows a draft', async () => {
+  test('of each type follow their handles, and a drag shows a draft', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle');
     await tab.click([0, 40]);
     const surface = await tab.mesh();
@@ -128,7 +128,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  sometimes('have as many arcs as are asked for, live and as one step', async () => {
+  inLongRun('have as many arcs as are asked for, live and as one step', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=circle');
     await tab.click([0, 0]);
     const { radius } = (await typeRadius(tab, '0.8')).circle;
@@ -159,7 +159,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  sometimes('take a radius that is typed, and nothing else', async () => {
+  inLongRun('take a radius that is typed, and nothing else', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle');
     const field = tab.page.getByRole('textbox', { name: 'Radius' });
     assert.equal(await field.isDisabled(), true, 'there is no circle yet');
@@ -198,7 +198,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  sometimes('are saved with all their loops, and opened again', async () => {
+  inLongRun('are saved with all their loops, and opened again', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=circle');
     await tab.click([0, 120]);
     await choose(tab, 'exact');
@@ -238,7 +238,7 @@ describe('circles', () => {
     await tab.page.close();
   });
 
-  sometimes('come back with the link, and go back', async () => {
+  inLongRun('come back with the link, and go back', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle');
     await tab.click([0, 40]);
     await tab.page.getByRole('slider', { name: 'Arcs' }).fill('5');

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { farthestFromSurface, middles } from './on_surface.mjs';
-import { part, sometimes } from './part.mjs';
+import { inLongRun, part } from './part.mjs';
 
 /** Four places that are on every surface used here, as offsets from the stage's middle. */
 const places = [
@@ -189,7 +189,7 @@ describe('editing a curve', () => {
     await page.close();
   });
 
-  sometimes('another method prepares, can be cancelled, and traces another curve', async () => {
+  inLongRun('another method prepares, can be cancelled, and traces another curve', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0');
     await tab.click(...places);
     const usual = await tab.view();
@@ -249,7 +249,7 @@ describe('editing a curve', () => {
     await tab.page.close();
   });
 
-  sometimes('a circle wider than the surface is a sentence, and can be taken back', async () => {
+  test('a circle wider than the surface is a sentence, and can be taken back', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle&circle=0,0.3,0.3;9,1,0,0');
     const { problem, curve, legs } = await tab.view();
     assert.equal(curve, null);

@@ -4,7 +4,7 @@ import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { flatGrid, typeRadius } from './circle_views.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
-import { sometimes } from './part.mjs';
+import { inLongRun } from './part.mjs';
 import { far, vertices } from './polylines.mjs';
 
 const onSurface = 2e-6;
@@ -28,7 +28,7 @@ describe('ellipses', () => {
   });
   after(() => browser.close());
 
-  sometimes('on a plane are ellipses, and turn with their handle', async () => {
+  test('on a plane are ellipses, and turn with their handle', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
@@ -67,7 +67,7 @@ describe('ellipses', () => {
     await tab.page.close();
   });
 
-  sometimes('have a handle along, one across and a center, each undone in one step', async () => {
+  inLongRun('have a handle along, one across and a center, each undone in one step', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=ellipse');
     await tab.click([0, 40]);
     const surface = await tab.mesh();
@@ -117,7 +117,7 @@ describe('ellipses', () => {
     await tab.page.close();
   });
 
-  sometimes('are shaped with the keys alone', async () => {
+  inLongRun('are shaped with the keys alone', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=ellipse');
     await tab.page.locator('#stage').focus();
     await tab.page.keyboard.press('Enter');
@@ -140,7 +140,7 @@ describe('ellipses', () => {
     await tab.page.close();
   });
 
-  sometimes('share center and radius with circles, and come back with link and file', async () => {
+  test('share center and radius with circles, and come back with link and file', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle');
     await tab.click([0, 40]);
     const circle = await tab.view();
@@ -201,7 +201,7 @@ describe('ellipses', () => {
     await tab.page.close();
   });
 
-  sometimes('that cannot be, or go beyond shortest ways, are said so', async () => {
+  inLongRun('that cannot be, or go beyond shortest ways, are said so', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);

@@ -12,7 +12,7 @@ import {
   stlFile,
 } from '../wasm/mesh_files.mjs';
 import { openBrowser, Tab } from './browser.mjs';
-import { sometimes } from './part.mjs';
+import { inLongRun } from './part.mjs';
 import { fitsFile } from './schema.mjs';
 
 /** A cone that stands on z = 0, without a sole; its tip is the last vertex. */
@@ -42,7 +42,7 @@ describe('files of surfaces', () => {
       [high, low],
     );
 
-  sometimes('every format is opened', async () => {
+  test('every format is opened', async () => {
     const tab = await Tab.open(browser);
     for (const [name, bytes] of Object.entries(everyFile(cutBox))) {
       await tab.dropBytes(name, bytes);
@@ -230,7 +230,7 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
-  sometimes('of several parts one can be chosen', async () => {
+  inLongRun('of several parts one can be chosen', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('solids.stl', stlFile(cutBox, { text: true, solids: 3 }));
     await opened(tab, 'solids.stl');
@@ -331,7 +331,7 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
-  sometimes('names in a file are text', async () => {
+  inLongRun('names in a file are text', async () => {
     const tab = await Tab.open(browser);
     const nodes = [
       { mesh: 0, name: '<img src=x onerror="window.ran = true">' },

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { sometimes } from './part.mjs';
+import { inLongRun } from './part.mjs';
 
 const sizes = {
   wide: { width: 1280, height: 800 },
@@ -65,7 +65,7 @@ for (const [name, viewport] of Object.entries(sizes)) {
       await page.close();
     });
 
-    sometimes('a click on the surface adds nothing until a tool is chosen', async () => {
+    inLongRun('a click on the surface adds nothing until a tool is chosen', async () => {
       const tab = await visit(browser);
       const { page } = tab;
       const { x, y } = await tab.middle();
@@ -107,7 +107,7 @@ describe('the tour and the examples', () => {
   });
   after(() => browser.close());
 
-  sometimes('five steps lead through the page, once', async () => {
+  test('five steps lead through the page, once', async () => {
     const tab = await visit(browser);
     const { page } = tab;
     const card = page.locator('#tour');
@@ -163,7 +163,7 @@ describe('the tour and the examples', () => {
     await page.close();
   });
 
-  sometimes(
+  inLongRun(
     'each example opens whole, and undo brings back what it took the place of',
     async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:20000');

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { sometimes } from './part.mjs';
+import { inLongRun } from './part.mjs';
 
 /** Two rectangles beside each other, 4 and 4 wide and 6 high, with a gap between them. */
 const rectangle = (x) => `v ${x} 0 0\nv ${x + 4} 0 0\nv ${x + 4} 6 0\nv ${x} 6 0\n`;
@@ -64,7 +64,7 @@ describe('what is held', () => {
     await tab.page.close();
   });
 
-  sometimes(
+  inLongRun(
     'a press of the pen that begins an object, and is taken back, leaves nothing of it',
     async () => {
       const tab = await Tab.open(browser);
@@ -106,7 +106,7 @@ describe('what is held', () => {
     },
   );
 
-  sometimes(
+  inLongRun(
     'a nudge whose key is let go elsewhere takes no later edit back, and later ones move',
     async () => {
       const tab = await Tab.open(browser);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab, until } from './browser.mjs';
-import { part, sometimes } from './part.mjs';
+import { inLongRun, part } from './part.mjs';
 
 const places = [
   [-100, 30],
@@ -116,7 +116,7 @@ describe('nothing that was made is lost', () => {
       mesh,
     );
 
-  sometimes('a file is opened, reloaded, and left for a sample and back', async () => {
+  test('a file is opened, reloaded, and left for a sample and back', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('tetrahedron.obj', tetrahedron);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
@@ -248,7 +248,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
-  sometimes('a link pasted over the address is shown, and can be taken back', async () => {
+  inLongRun('a link pasted over the address is shown, and can be taken back', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { figure: document } = await tab.state();
@@ -269,7 +269,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
-  sometimes(
+  inLongRun(
     'a link to a file that is not here waits for it, through reloads and edits',
     async () => {
       const tab = await Tab.open(browser);
@@ -334,7 +334,7 @@ describe('nothing that was made is lost', () => {
     });
   }
 
-  sometimes('another detail of a surface takes the curve along', async () => {
+  inLongRun('another detail of a surface takes the curve along', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0');
     await tab.click(...places);
     const { polyline } = await tab.view();
@@ -350,7 +350,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
-  sometimes('opening a surface is cancelled, and the one before stays', async () => {
+  inLongRun('opening a surface is cancelled, and the one before stays', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { polyline } = await tab.view();

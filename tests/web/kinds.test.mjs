@@ -4,7 +4,7 @@ import { after, before, describe, test } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
 import { openBrowser, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
-import { part, sometimes } from './part.mjs';
+import { inLongRun, part } from './part.mjs';
 import { far, lengthOf, vertices } from './polylines.mjs';
 
 const places = [
@@ -41,7 +41,7 @@ describe('kinds of curves', () => {
   });
   after(() => browser.close());
 
-  sometimes('lie on the surface, go where they say, and come back with the link', async () => {
+  test('lie on the surface, go where they say, and come back with the link', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0');
     await tab.click(...places);
     const surface = await tab.mesh();
@@ -74,7 +74,7 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  sometimes('are closed and opened', async () => {
+  inLongRun('are closed and opened', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places.slice(0, 3));
     const { diagonal } = (await tab.mesh()).info;
@@ -93,7 +93,7 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  sometimes('have the degree and the ends that are asked for', async () => {
+  inLongRun('have the degree and the ends that are asked for', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const surface = await tab.mesh();
@@ -194,7 +194,7 @@ describe('kinds of curves', () => {
     });
   }
 
-  sometimes('a B-spline that took a knot takes every edit after it', async () => {
+  inLongRun('a B-spline that took a knot takes every edit after it', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -237,7 +237,7 @@ describe('kinds of curves', () => {
     await page.close();
   });
 
-  sometimes('are cut where they are clicked, and joined again', async () => {
+  test('are cut where they are clicked, and joined again', async () => {
     const tab = await Tab.open(browser, 'mesh=openSheet:1500');
     await tab.click(...places, [130, 80]);
     for (const kind of part(['bspline', 'catmullrom', 'polyline', 'bezier'], 2)) {
@@ -274,7 +274,7 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  sometimes('a B-spline has its knots as a list, and wrong ones lose nothing', async () => {
+  test('a B-spline has its knots as a list, and wrong ones lose nothing', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -317,7 +317,7 @@ describe('kinds of curves', () => {
     await page.close();
   });
 
-  sometimes('as many samples as a tolerance takes, and marks evenly along the curve', async () => {
+  inLongRun('as many samples as a tolerance takes, and marks evenly along the curve', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -354,7 +354,7 @@ describe('kinds of curves', () => {
     await page.close();
   });
 
-  sometimes('are measured where they are pointed at', async () => {
+  inLongRun('are measured where they are pointed at', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -393,7 +393,7 @@ describe('kinds of curves', () => {
     await page.close();
   });
 
-  sometimes('are run backwards', async () => {
+  inLongRun('are run backwards', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     for (const kind of ['bspline', 'catmullrom']) {
@@ -413,7 +413,7 @@ describe('kinds of curves', () => {
     await tab.page.close();
   });
 
-  sometimes('lie beside each other, and a click takes up another one', async () => {
+  inLongRun('lie beside each other, and a click takes up another one', async () => {
     const other = encodeURIComponent('kind=catmullrom&points=30,0.3,0.3;200,0.3,0.3;400,0.3,0.3');
     const tab = await Tab.open(browser, `mesh=openSheet:1500&kind=bspline&points=&other=${other}`);
     await tab.click([-110, 90], [-60, 40], [10, 90], [60, 40]);

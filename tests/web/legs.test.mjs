@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { sometimes } from './part.mjs';
 
 /** On the upper side of the torus, around its axis. */
 const onRing = (angle) => [Math.cos(angle), Math.sin(angle), 0.4];
@@ -77,7 +76,7 @@ describe('legs of the control polygon', () => {
     await tab.page.close();
   });
 
-  sometimes('of a drag are one step of the history with it', async () => {
+  test('of a drag are one step of the history with it', async () => {
     const tab = await drawnAround();
     const { figure: document } = await tab.state();
     await tab.page.keyboard.press('Control+z');

@@ -5,7 +5,6 @@ import fc from 'fast-check';
 import { draws } from '../wasm/draws.mjs';
 import { openBrowser, Tab } from './browser.mjs';
 import { load } from './figures.mjs';
-import { sometimes } from './part.mjs';
 
 const link =
   'mesh=sphere:1500&kind=bspline&method=karcher&points=1,0.2,0.3;40,0.1,0.1,2;90,0.3,0.3;7,0.5,0.25' +
@@ -219,7 +218,7 @@ describe('a page with a link', () => {
     await tab.page.close();
   });
 
-  sometimes('of wrong settings tells them', async () => {
+  test('of wrong settings tells them', async () => {
     const tab = await Tab.open(
       browser,
       'mesh=sphere:1500&kind=spiral&samples=5000000&points=1,0.2,0.3;40,0.1,0.1;90,0.3,0.3;7,0.5,0.25',

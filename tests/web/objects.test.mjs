@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { randoms, seed, sometimes } from './part.mjs';
+import { inLongRun, randoms, seed } from './part.mjs';
 
 const lines = [
   [
@@ -197,7 +197,7 @@ describe('a drawing of many objects', () => {
     await page.close();
   });
 
-  sometimes('and what was done to it come back after a reload', async () => {
+  test('and what was done to it come back after a reload', async () => {
     const tab = await drawn(browser);
     const { page } = tab;
     await page.getByRole('button', { name: 'Violet' }).click();
@@ -222,7 +222,7 @@ describe('a drawing of many objects', () => {
     await page.close();
   });
 
-  sometimes('is copied to another tab, and cut and pasted', async () => {
+  inLongRun('is copied to another tab, and cut and pasted', async () => {
     const tab = await drawn(browser);
     const { page } = tab;
     await clickRow(tab, 2);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { isComplaint, openBrowser } from './browser.mjs';
 import { Controls } from './controls.mjs';
-import { part, sometimes } from './part.mjs';
+import { inLongRun, part } from './part.mjs';
 
 const ids = [
   ...['means', 'paths', 'resolution', 'gallery', 'graph', 'averages', 'rational', 'circles'],
@@ -365,7 +365,7 @@ describe('the Paper page', () => {
     }
   });
 
-  sometimes('Table 1 is measured, saved and cancelled', async () => {
+  inLongRun('Table 1 is measured, saved and cancelled', async () => {
     const section = page.locator('#table');
     await section.scrollIntoViewIfNeeded();
     await section.getByLabel('Samples per segment').selectOption('128');

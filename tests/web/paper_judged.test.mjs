@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { isComplaint, openBrowser, until } from './browser.mjs';
-import { sometimes } from './part.mjs';
+import { inLongRun } from './part.mjs';
 
 describe('the paper, judged', () => {
   let browser;
@@ -208,7 +208,7 @@ describe('the paper, judged', () => {
     assert.equal(await section.locator('.handle').count(), 6);
   });
 
-  sometimes(
+  inLongRun(
     'what is plotted comes from the report, and is measured here when it is asked for',
     async () => {
       const section = page.locator('#plots');

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { part, sometimes } from './part.mjs';
+import { inLongRun, part } from './part.mjs';
 
 const places = [
   [-110, 40],
@@ -138,7 +138,7 @@ describe('the exact curve after the draft', () => {
     await tab.page.close();
   });
 
-  sometimes('is a circle too', async () => {
+  inLongRun('is a circle too', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle&method=karcher');
     await tab.click([0, 40]);
     const { quality, shift, curve } = await tab.view();

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { sometimes } from './part.mjs';
+import { inLongRun } from './part.mjs';
 import { fitsFile } from './schema.mjs';
 
 const places = [
@@ -82,7 +82,7 @@ describe('saving', () => {
     await tab.page.close();
   });
 
-  sometimes('a JSON file opens the curve again, elsewhere too', async () => {
+  test('a JSON file opens the curve again, elsewhere too', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('2');
     await tab.click(...places);
@@ -118,7 +118,7 @@ describe('saving', () => {
     }
   });
 
-  sometimes('a curve on a file waits for that file', async () => {
+  inLongRun('a curve on a file waits for that file', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('octahedron.obj', octahedron);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 8);

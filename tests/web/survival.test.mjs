@@ -2,7 +2,6 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
-import { sometimes } from './part.mjs';
 
 const places = [
   [-70, 30],
@@ -57,7 +56,7 @@ describe('the page survives', () => {
     }
   });
 
-  sometimes('where storage is full or blocked, it says that nothing is kept', async () => {
+  test('where storage is full or blocked, it says that nothing is kept', async () => {
     const browser = await openBrowser();
     try {
       await browser.context.addInitScript(() => {

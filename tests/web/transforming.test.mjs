@@ -5,7 +5,6 @@ import { Vector3 } from 'three';
 import { openBrowser, Tab, touchOf } from './browser.mjs';
 import { flatGrid } from './circle_views.mjs';
 import { openPage } from './engine_in_node.mjs';
-import { sometimes } from './part.mjs';
 
 /** Where surface points are. */
 const placesOf = (points, { positions, triangles }) =>
@@ -218,7 +217,7 @@ describe('the frame round what is selected', () => {
     await tab.page.close();
   });
 
-  sometimes('there and back in one drag is no step; the pivot is moved alone', async () => {
+  test('there and back in one drag is no step; the pivot is moved alone', async () => {
     const tab = await open();
     const whole = await bytesOf(tab);
     for (const name of ['Turn the selection', 'Scale the selection, first', 'Move the selection']) {

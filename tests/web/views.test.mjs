@@ -6,7 +6,6 @@ import fc from 'fast-check';
 import { runnerImport } from 'vite';
 import { draws } from '../wasm/draws.mjs';
 import { openBrowser, Tab, until } from './browser.mjs';
-import { sometimes } from './part.mjs';
 
 const load = async (path) => {
   const file = fileURLToPath(new URL(`../../web/${path}`, import.meta.url));
@@ -152,7 +151,7 @@ describe('links of the page', () => {
     await page.close();
   });
 
-  sometimes('and files of drawings open with the view that they were saved with', async () => {
+  test('and files of drawings open with the view that they were saved with', async () => {
     const tab = await Tab.open(browser, link);
     const { page } = tab;
     const usual = await seen(tab);
