@@ -258,8 +258,8 @@ export interface WeightsOptions extends FieldOptions {
 /** How the search for a center of mass starts. */
 export interface StartOptions {
   /**
-   * Where the search starts. By default at each control point in turn (`karcher`), or at the one of
-   * the largest weight (`paper`).
+   * Where the search starts. By default at an average of averages and at the points near which the
+   * energy may be lower (`karcher`), or at the point of the largest weight (`paper`).
    */
   start?: PointLike | undefined;
   /** Divide the weights by their sum, instead of an error when the sum is not 1. */

@@ -22,8 +22,7 @@ struct Mean {
   /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy), or
   /// of many points (mean_of_many.h) by exact distances; not below 0 where no weight is.
   double energy = 0;
-  /// kNotUnique is also said where nobody was asked to look for other minima, but searches from the
-  /// control points ended at some.
+  /// kNotUnique without `looksForOthers`, too, if the searches that were made found other minima.
   Uniqueness uniqueness = Uniqueness::kNotLooked;
   /// Other minima at which searches ended, checked as the center is: more than a tenth of the mean
   /// edge apart, from the lowest up. Where the uniqueness is certain they lie higher, and farther
@@ -34,8 +33,9 @@ struct Mean {
 struct MeanOptions {
   FieldOptions field;
   /// Where the search starts. By default at the control point of the largest weight with the
-  /// paper's method; at each control point in turn with kKarcher, which returns the lowest energy,
-  /// or at some of many points (mean_of_many.h).
+  /// paper's method. With kKarcher at an average of averages, then at the control points near which
+  /// K may be lower than there (first_start.h); the lowest energy is returned. Of many points at
+  /// some of them (mean_of_many.h).
   std::optional<SurfacePoint> start;
   bool normalize = false;  ///< divide the weights by their sum instead of requiring 1
   /// Search from the control points and from 32 places all over the surface, and tell whether the
