@@ -373,12 +373,12 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
     kept = std::move(set);
     return {points[only], Status::kConverged, 0, 0, Uniqueness::kCertain, {}};
   }
+  if (isOfMany(points, weights, options)) {
+    std::optional<Mean> mean = meanOfMany(surface, points, weights, options);
+    if (mean) return withSoundEnergy(std::move(*mean), weights);
+  }
   const double values = likelyValues(surface, points, options.looksForOthers);
   if (values > options.mostValues) {
-    if (isOfMany(points, weights, options)) {
-      std::optional<Mean> mean = meanOfMany(surface, points, weights, options);
-      if (mean) return withSoundEnergy(std::move(*mean), weights);
-    }
     ControlField sum = sumOfFields(surface, points, weights, options.field);
     FieldBlend field(surface.geometry(), {&sum});
     const Array<double> one{1};

@@ -44,10 +44,9 @@ struct MeanOptions {
   bool looksForOthers = false;
   /// Of the smooth surface that the mesh approximates, where that is known: for the uniqueness.
   std::optional<CurvatureBound> smooth = std::nullopt;
-  /// Fields are kept one by one, and only as far as they are read, while they are likely to hold no
-  /// more values than this; else none are made of many points (mean_of_many.h), and those of few
-  /// are summed one after the other (summed_field.h), which takes the memory of one over the whole
-  /// surface. A value takes about 150 bytes.
+  /// A limit of memory in values of fields, about 150 bytes each. Above it fields are not kept one
+  /// by one: they are summed one after the other (summed_field.h), which takes the memory of one
+  /// over the whole surface. Many points (mean_of_many.h) need no fields.
   double mostValues = 2e6;
   /// With kKarcher and fast or exact distances: kConverged only where K by exact distances has a
   /// local minimum (exact_minimum.h), to which the center is moved from a zero near by; else the
