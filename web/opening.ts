@@ -1,8 +1,8 @@
+import { sorted, whole } from './dropped';
 import type { Editor } from './editor/editor';
 import type { Session } from './editor/session';
 import { readJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
-import { sorted, whole } from './dropped';
 import { type Example, examples } from './model/examples';
 import type { History } from './model/history';
 import { fitting, formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';

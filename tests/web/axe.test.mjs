@@ -84,7 +84,6 @@ for (const [name, viewport] of Object.entries(sizes)) {
         await page.locator('#compare').selectOption('paper-exact');
         await page.locator('#comparison').waitFor();
         await look('comparison', tab);
-        await page.locator('#fine > summary').click();
         await look('samples, marks and knots', tab);
         await page.keyboard.press('k');
         await look('the frame', tab);

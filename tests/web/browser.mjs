@@ -90,13 +90,28 @@ function drawLess(pixelRatio) {
   };
 }
 
+/** Put into a page before its scripts: what is folded at first has been opened before. */
+function unfold() {
+  try {
+    for (const name of ['advanced', 'points']) localStorage[`karcher.${name}`] ??= 'open';
+  } catch {
+    // Some tests forbid storage.
+  }
+}
+
 /**
  * Serves the page and opens a browser with a storage of its own, in memory, or with `profile` on disk;
  * without a service worker, which would answer in place of what a test serves. Drawing without a
  * graphics card takes a third of the time of most tests, and more where lines are long: who looks at the
- * picture, or measures the time that it takes, asks for all of it, `pixelRatio: 1`.
+ * picture, or measures the time that it takes, asks for all of it, `pixelRatio: 1`. What is folded for a
+ * new user is open, but with `unfolded: false`.
  */
-export async function openBrowser({ profile = false, pixelRatio = 0.25, ...options } = {}) {
+export async function openBrowser({
+  profile = false,
+  pixelRatio = 0.25,
+  unfolded = true,
+  ...options
+} = {}) {
   const server = await servePage();
   const settings = { viewport: { width: 900, height: 640 }, serviceWorkers: 'block', ...options };
   const folder = profile ? mkdtempSync(join(tmpdir(), 'karcher-page-')) : null;
@@ -105,6 +120,7 @@ export async function openBrowser({ profile = false, pixelRatio = 0.25, ...optio
     : await (await chromium.launch(launching)).newContext(settings);
   context.setDefaultTimeout(patience);
   if (pixelRatio !== 1) await context.addInitScript(drawLess, pixelRatio);
+  if (unfolded) await context.addInitScript(unfold);
   const address = `http://127.0.0.1:${server.address().port}/`;
   return {
     context,

@@ -279,7 +279,6 @@ describe('kinds of curves', () => {
     const { page } = tab;
     await tab.click(...places);
     const before = await tab.view();
-    await page.locator('#fine summary').click();
     const knots = page.getByRole('textbox', { name: 'Knots' });
     assert.equal(await knots.inputValue(), '-3, -2, -1, 0, 1, 2, 3, 4, 5');
     const problem = page.locator('#knots-problem');
@@ -321,7 +320,6 @@ describe('kinds of curves', () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
-    await page.locator('#fine summary').click();
     await page.locator('#sampling').selectOption('tolerance');
     const fine = (await tab.view()).curve;
     assert.notEqual(fine.samples.count, 256);

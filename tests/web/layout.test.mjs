@@ -160,7 +160,8 @@ f 1 2 3 4\nf 5 6 7 8\n`,
       const tab = await Tab.open(browser, `mesh=sphere:1500&kind=${kind}`);
       await tab.click([-40, 0], [20, 30], [60, -20], [0, -50]);
       await tab.page.locator('#points button').first().click();
-      for (const summary of await tab.page.locator('summary:visible').all()) await summary.click();
+      const folded = tab.page.locator('details:not([open]) > summary').filter({ visible: true });
+      while ((await folded.count()) > 0) await folded.first().click();
       const small = await tab.page.evaluate(() => {
         const boxOf = (element) => {
           const label = element.closest('label');

@@ -148,9 +148,6 @@ describe('the selection', () => {
   test('of several what they do not share is said to be mixed, until it is set', async () => {
     const tab = await drawn();
     const set = async (id, value) => {
-      await tab.page.locator('#fine').evaluate((fine) => {
-        fine.open = true;
-      });
       await tab.page.locator(id).fill(value);
       await tab.page.keyboard.press('Enter');
     };
@@ -159,7 +156,6 @@ describe('the selection', () => {
     await tab.page.locator('#dash').selectOption('dashed');
     await tab.page.locator('#width').fill('9');
     await tab.page.keyboard.press('Enter');
-    await tab.page.locator('#fine summary').click();
     await tab.page.locator('#levels').selectOption('0');
     await set('#marks', '5');
     await set('#samples', '48');

@@ -7,6 +7,7 @@ import type { Joint } from '../model/pen';
 import { CircleSettings } from './circle_settings';
 import { byId, make, write } from './elements';
 import { FineSettings } from './fine_settings';
+import { Folds } from './folds';
 import { kindGroups, kindNames, kindNotes } from './kind_names';
 import { PointRows } from './point_rows';
 import { SettingsPanel } from './settings_panel';
@@ -33,6 +34,7 @@ export class CurvePanel {
   readonly #settings: SettingsPanel;
   readonly #circle: CircleSettings;
   readonly #fine: FineSettings;
+  readonly #folds = new Folds();
 
   constructor(
     private readonly editor: Editor,
@@ -64,18 +66,21 @@ export class CurvePanel {
     this.#pointsGroup.hidden = state.none;
     const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;
     write(byId('kind-title'), group.title);
-    byId('kind').hidden = group.kinds.length < 2;
+    this.#showKinds(group.kinds);
     for (const input of this.#kinds) {
       input.checked = input.value === kind;
       input.parentElement!.hidden = !group.kinds.includes(input.value as Kind);
     }
+    this.#folds.show(state);
     this.#method.value = state.method;
     const { tool } = state;
     this.#goOn.hidden = tool !== 'select' || isRound(kind) || isEmpty(state.figure);
-    byId('actions').hidden = (!isCurve(kind) || !view.curve) && this.#goOn.hidden;
+    byId('actions').hidden = !isCurve(kind) && this.#goOn.hidden;
     // Curves of the pen are edited by their anchors.
     for (const button of [this.#split, this.#reverse]) {
-      button.hidden = !isSpline(kind) || !view.curve;
+      button.hidden = !isSpline(kind);
+      // It stays where it is, so that nothing jumps while the first points are set.
+      button.disabled = !view.curve;
     }
     this.#split.setAttribute('aria-pressed', `${tool === 'split'}`);
     this.#join.setAttribute('aria-pressed', `${tool === 'join'}`);
@@ -86,6 +91,14 @@ export class CurvePanel {
     this.#settings.show(state);
     this.#circle.show(state, view);
     this.#fine.show(state, view);
+  }
+
+  /** Kinds of splines differ by their mathematics; circle or ellipse, center or points is plain. */
+  #showKinds(kinds: readonly Kind[]): void {
+    const row = byId('kind');
+    row.hidden = kinds.length < 2;
+    const place = byId(kinds.some(isSpline) ? 'kind-advanced' : 'kind-place');
+    if (row.parentElement !== place) place.append(row);
   }
 }
 

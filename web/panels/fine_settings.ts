@@ -21,7 +21,7 @@ const firstTolerance = 1e-4;
 
 /** How finely a curve is made: its samples, the marks along it, a B-spline's knots. */
 export class FineSettings {
-  readonly #group = byId('fine');
+  readonly #group = byId('fine-settings');
   readonly #sampling = byId<HTMLSelectElement>('sampling');
   readonly #levels = byId<HTMLSelectElement>('levels');
   readonly #samples: NumberField;
@@ -68,7 +68,6 @@ export class FineSettings {
     const shared = sharedSettings(state);
     this.#group.hidden = !isCurve(kind);
     const withKnots = kind === 'bspline';
-    write(byId('fine-title'), withKnots ? 'Samples, marks and knots' : 'Samples and marks');
     byId('levels-field').hidden = !mayHaveLevels(kind);
     this.#showLevels(shared('levels'));
     const tolerance = shared('tolerance');

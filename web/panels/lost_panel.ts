@@ -11,12 +11,30 @@ export const reasons: Record<LostReason, string> = {
   limit: 'the search took too long',
   lowerNearby: 'the surface is too rough there to tell a minimum',
 };
+/** What can be done about it. */
+const advice: Record<LostReason, string> = {
+  indefinite:
+    'The curve could go two ways here. Add a point between, or move points nearer together.',
+  jump: 'The curve jumps here from one way to another. Add a point between.',
+  boundary: 'The surface ends here. Move the points away from its rim.',
+  noProgress: 'The surface is rough here, and the curve is only bridged. Move a point, or add one.',
+  limit: 'The curve took too long here, and is only bridged. Move a point, or add one.',
+  lowerNearby:
+    'The surface is rough here, and the curve is only bridged. Move a point, or add one.',
+};
 const mostShown = 40;
 
-/** How many samples the intervals hold; where they are too short for any, how many they are. */
+/**
+ * The places that are seen: between two samples that are right a line is fine, unless it jumps from one to
+ * the other.
+ */
+const seenOf = (intervals: readonly LostInterval[]) =>
+  intervals.filter(({ samples, reason }) => samples > 0 || reason === 'jump');
+
+/** How many places there are to look at; empty where the line is fine. */
 export function countLost(intervals: readonly LostInterval[]): string {
-  const samples = lostSamples(intervals);
-  return samples > 0 ? formatCount(samples, 'sample') : formatCount(intervals.length, 'place');
+  const { length } = seenOf(intervals);
+  return length > 0 ? formatCount(length, 'place to check', 'places to check') : '';
 }
 
 /** The list of the places where the curve is no center of mass: a click goes there. */
@@ -30,13 +48,13 @@ export class LostPanel {
   constructor(private readonly goTo: (interval: LostInterval) => void) {}
 
   show({ curve }: View): void {
-    this.#intervals = curve?.lost ?? [];
+    this.#intervals = seenOf(curve?.lost ?? []);
     const text = JSON.stringify(this.#intervals);
     if (text === this.#shown) return;
     this.#shown = text;
     this.#next = 0;
     this.#group.hidden = this.#intervals.length === 0;
-    write(byId('lost-count'), countLost(this.#intervals));
+    write(byId('lost-count'), `${this.#intervals.length}`);
     const shown = this.#intervals.slice(0, mostShown);
     const all = [...new Set(shown.map(({ reason }) => reason))];
     this.#kinds.replaceChildren(...all.flatMap((reason) => this.#list(reason, shown)));
@@ -54,13 +72,14 @@ export class LostPanel {
 
   #list(reason: LostReason, shown: readonly LostInterval[]): HTMLElement[] {
     const all = this.#intervals.filter((interval) => interval.reason === reason);
-    const title = make('h3', reasons[reason]);
-    title.append(make('span', `${lostSamples(all) || ''}`));
+    const title = make('h3', advice[reason]);
+    title.title = `${reasons[reason]}: ${formatCount(lostSamples(all), 'sample')}`;
     const list = make('ol', '', { className: 'points' });
     for (const interval of shown.filter((one) => one.reason === reason)) {
       const button = make('button', '', { type: 'button' });
-      button.append(make('b', `Segment ${interval.segment + 1}`), make('span', rangeOf(interval)));
-      button.title = formatCount(interval.samples, 'sample');
+      const range = make('span', rangeOf(interval), { className: 'mathematics' });
+      button.append(make('b', `Place ${this.#intervals.indexOf(interval) + 1}`), range);
+      button.title = `Segment ${interval.segment + 1}, ${formatCount(interval.samples, 'sample')}`;
       button.addEventListener('click', () => this.goTo(interval));
       const row = make('li');
       row.append(button);
@@ -72,5 +91,5 @@ export class LostPanel {
 
 function rangeOf({ from, to }: LostInterval): string {
   const [a, b] = [from.toFixed(2), to.toFixed(2)];
-  return a === b ? `at t = ${a}` : `t = ${a} to ${b}`;
+  return a === b ? `t = ${a}` : `t = ${a} to ${b}`;
 }

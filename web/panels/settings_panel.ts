@@ -60,7 +60,8 @@ export class SettingsPanel {
       [this.#spacing, kind === 'catmullrom'],
       [this.#joint, kind === 'pen'],
     ];
-    for (const [element, used] of uses) element.closest('label')!.hidden = !used;
+    for (const [element, used] of uses)
+      element.closest<HTMLElement>('.field, .check')!.hidden = !used;
   }
 
   #set(part: Partial<CurveSettings>): void {

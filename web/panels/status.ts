@@ -92,10 +92,10 @@ export class Status {
 
   #showLost({ curve }: View): void {
     const badge = byId('status-lost');
-    const lost = curve?.lost ?? [];
-    badge.hidden = lost.length === 0;
-    write(badge, `${countLost(lost)} without a center`);
-    badge.title = 'Show the next place';
+    const count = countLost(curve?.lost ?? []);
+    badge.hidden = count === '';
+    write(badge, count);
+    badge.title = 'The curve may not be as it should there. Click to go to the next place.';
   }
 
   #showQuality({ quality, refining, shift, notRefined }: View): void {
@@ -172,7 +172,9 @@ function hintOf(
   if (tool === 'transform')
     return 'Drag a corner to scale, the round handle to turn; Shift keeps steps';
   if (tool === 'measure') {
-    return measured ? measuredText(measured) : 'Point at the curve, or tap it, to measure it there';
+    return measured
+      ? measuredText(measured, document.documentElement.hasAttribute('data-advanced'))
+      : 'Point at the curve, or tap it, to measure it there';
   }
   if (view.problem) return sentenceOf(view.problem);
   const { kind, points, circle } = figure;
@@ -263,12 +265,19 @@ function measureOf({ curve, isolines, center }: View): string {
   return drawn ? `length ${formatLength(drawn.length)}` : '';
 }
 
-function measuredText({ parameter, length, wholeLength, tangent }: Measured): string {
+/** The mathematics of it only for who asks for it. */
+function measuredText(
+  { parameter, length, wholeLength, tangent }: Measured,
+  advanced: boolean,
+): string {
   const speed = Math.hypot(...tangent);
   const unit = tangent.map((value) => (speed > 0 ? value / speed : 0).toFixed(2)).join(', ');
   const along = `length ${formatLength(length)} of ${formatLength(wholeLength)}`;
+  if (!advanced) return capitalized(along);
   return `Parameter ${parameter.toFixed(3)} · ${along} · tangent ${unit.replaceAll('-', '−')}`;
 }
+
+const capitalized = (words: string) => words[0]!.toUpperCase() + words.slice(1);
 
 const formatLength = (length: number) => length.toPrecision(4);
 

@@ -1,0 +1,112 @@
+// Plain words first: the mathematics is folded until it is asked for, and lists of numbers where they are long.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const places = [
+  [-110, 60],
+  [-40, 30],
+  [20, 60],
+  [90, 40],
+];
+
+describe('the panel of a new user', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, unfolded: false });
+  });
+  after(() => browser.close());
+
+  const mathematics = [
+    '#kind',
+    '#degree',
+    '#clamped',
+    '#levels',
+    '#samples',
+    '#method',
+    '#compare',
+  ];
+  const shown = async (tab, ids) => {
+    const seen = await Promise.all(ids.map((id) => tab.page.locator(id).isVisible()));
+    return ids.filter((_, i) => seen[i]);
+  };
+
+  test('has the mathematics folded, and as it was left after a reload', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const hidden = [...mathematics, '#status-samples', '#status-time'];
+    assert.deepEqual(await shown(tab, hidden), []);
+    assert.deepEqual(await shown(tab, ['#status-length', '#closed']), [
+      '#status-length',
+      '#closed',
+    ]);
+    await tab.page.locator('#fine > summary').click();
+    assert.deepEqual(await shown(tab, hidden), hidden);
+    await tab.page.reload();
+    await tab.settled();
+    assert.deepEqual(await shown(tab, hidden), hidden);
+    await tab.page.locator('#fine > summary').click();
+    // What is plain is not among it.
+    await tab.page.keyboard.press('n');
+    await tab.choose('circle');
+    await tab.choose('ellipse');
+    assert.equal((await tab.state()).figure.kind, 'ellipse');
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('measures in lengths alone until the mathematics is asked for', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    await tab.page.keyboard.press('m');
+    const { x, y } = await tab.onCurve(0.5);
+    const hint = tab.page.locator('#hint');
+    await tab.page.mouse.click(x, y);
+    await tab.page.waitForFunction(() =>
+      /^Length [\d.]+ of [\d.]+$/.test(document.getElementById('hint').textContent),
+    );
+    await tab.page.locator('#fine > summary').click();
+    await tab.page.mouse.click(x, y);
+    await tab.page.waitForFunction(() =>
+      /tangent/.test(document.getElementById('hint').textContent),
+    );
+    assert.match(await hint.textContent(), /^Parameter [\d.]+ · length/);
+    await tab.page.locator('#fine > summary').click();
+    await tab.page.close();
+  });
+
+  test('folds a long list of points, but not while it grows, and keeps what was said', async () => {
+    const tab = await Tab.open(browser);
+    const list = tab.page.locator('#points');
+    const many = Array.from({ length: 9 }, (_, i) => [25 * i - 100, 40 * (i % 2) - 60]);
+    await tab.click(many[0]);
+    const before = await tab.page.locator('#surface').boundingBox();
+    await tab.click(...many.slice(1));
+    assert.equal(await list.isVisible(), true, 'it is not folded under the hand');
+    assert.deepEqual(await tab.page.locator('#surface').boundingBox(), before, 'nothing jumps');
+    await tab.page.keyboard.press('Enter');
+    await tab.click(...places);
+    await tab.page.locator('#objects .object').last().click();
+    await tab.settled();
+    assert.equal(await list.isVisible(), false);
+    assert.equal(await tab.page.locator('#points-count').textContent(), '9');
+    await tab.page.locator('#points-group > summary').click();
+    await tab.page.locator('#objects .object').first().click();
+    await tab.page.locator('#objects .object').last().click();
+    await tab.settled();
+    assert.equal(await list.isVisible(), true);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('has two columns where there is room, objects beside what is set of them', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    await tab.page.setViewportSize({ width: 1920, height: 1080 });
+    const left = async (id) => (await tab.page.locator(id).boundingBox()).x;
+    assert.equal(await left('#objects-title'), await left('#surface-title'));
+    assert.ok((await left('#object-name')) > (await left('#objects-title')) + 200);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});

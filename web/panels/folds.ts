@@ -1,0 +1,45 @@
+import type { State } from '../editor/editor';
+import { isEmpty, isRound, parameterOf } from '../model/figure';
+import { recall, remember } from '../model/storage';
+import { byId, write } from './elements';
+
+/** Longer lists are folded until they are asked for. */
+const longest = 6;
+
+/**
+ * What is folded in the panel: the mathematics of curves, which is closed at first, and long lists of
+ * points. As it is left it is found again.
+ */
+export class Folds {
+  readonly #advanced = byId<HTMLDetailsElement>('fine');
+  readonly #points = byId<HTMLDetailsElement>('points-group');
+  #active = 0;
+
+  constructor() {
+    this.#advanced.open = recall('advanced') === 'open';
+    this.#showAdvanced();
+    this.#advanced.addEventListener('toggle', () => {
+      this.#showAdvanced();
+      remember('advanced', this.#advanced.open ? 'open' : 'closed');
+    });
+    this.#points.querySelector('summary')!.addEventListener('click', () => {
+      remember('points', this.#points.open ? 'closed' : 'open');
+    });
+  }
+
+  show({ drawing, figure }: State): void {
+    const count = isRound(figure.kind) || isEmpty(figure) ? 0 : figure.points.length;
+    write(byId('points-count'), count > 0 ? `${count}` : '');
+    // A list that grows is folded with the next object, not under the hand.
+    if (drawing.active === this.#active) return;
+    this.#active = drawing.active;
+    const said = recall('points');
+    const hasNumbers = isRound(figure.kind) || parameterOf(figure.kind) !== null;
+    this.#points.open = said ? said === 'open' : hasNumbers && count <= longest;
+  }
+
+  /** The status line tells samples and times to who has it open. */
+  #showAdvanced(): void {
+    document.documentElement.toggleAttribute('data-advanced', this.#advanced.open);
+  }
+}
