@@ -3,99 +3,106 @@
 #include <algorithm>
 #include <cmath>
 
+#include "intrinsic/straighten.h"
 #include "mesh/error.h"
 
 namespace karcher {
 namespace {
 
-/// Legs shorter than this, in mean edges, are not refined further: what is left is the mesh itself.
-constexpr double kShortestLeg = 1;
+/// The convexity of a safe piece, half of the plane's: on the sphere legs reach over 67 degrees.
+constexpr double kLeastConvexity = 0.5;
 
-/// The square of a leg's length times the absolute curvature per area of the faces that it crosses.
-double curvatureAlong(const Geometry& geometry, const SurfacePath& leg) {
-  const TriangleMesh& mesh = *geometry.mesh;
-  double curvature = 0;
-  double area = 0;
-  int last = -1;
-  for (int i = 1; i < leg.points.count(); ++i) {
-    const int face = commonFace(mesh, leg.points[i - 1], leg.points[i]);
-    if (face < 0 || face == last) continue;
-    last = face;
-    area += doubleArea(geometry, face) / 2;
-    for (int h = 3 * face; h < 3 * face + 3; ++h) {
-      const int vertex = mesh.tail(h);
-      // The boundary's own curvature is that of its line.
-      if (mesh.onBoundary[vertex]) continue;
-      // A vertex's defect is shared out by its corners.
-      const double defect = std::abs(2 * kPi - geometry.totalAngle[vertex]);
-      curvature += defect * geometry.cornerAngle[h] / geometry.totalAngle[vertex];
-    }
-  }
-  return area > 0 ? curvature / area * leg.length() * leg.length() : 0;
+/// Radians: the detail that a safe piece sees on a leg. By the study of steadiness curves begin to
+/// turn visibly more than their limit beyond it.
+constexpr double kMostDetail = 0.2;
+
+/// Edges that a leg of a quick curve crosses: about three edge lengths.
+constexpr double kFewEdges = 9;
+
+/// What the estimate of a deviation is multiplied by.
+constexpr double kDeviationMargin = 1.5;
+
+/// How much shorter the legs of a curve's pieces are than those of its polygon, before any level:
+/// a Catmull-Rom curve's Bezier polygons have legs of a third.
+double partOfLeg(const CurveShape& shape) {
+  return shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
 }
 
-/// How many legs a piece's points reach over.
-int reachOf(const CurveShape& shape, int points) {
-  if (shape.kind == CurveKind::kBSpline) return shape.degree;
-  if (shape.kind == CurveKind::kCatmullRom) return 3;
-  return legCount(shape, points);
-}
-
-bool isAllowed(const CurveShape& shape, int points, int levels) {
-  try {
-    checkLevels(shape, points, levels);
-  } catch (const Error&) {
-    return false;
-  }
-  return true;
+/// Writes the weights of a piece's points; none where they do not count.
+void takeWeights(const RefinedPolygon& polygon, const SegmentLayout& piece,
+                 Array<double>& weights) {
+  weights.clear();
+  if (!polygon.weighted) return;
+  for (const int point : piece.points) weights.push_back(polygon.points[point].weight);
 }
 
 }  // namespace
 
-int automaticLevels(const Geometry& geometry, const CurveShape& shape, int points,
-                    const Array<SurfacePath>& legs) {
-  double curvature = 0;
-  double longest = 0;
-  for (const SurfacePath& leg : legs) {
-    curvature = std::max(curvature, curvatureAlong(geometry, leg));
-    longest = std::max(longest, leg.length());
-  }
-  const double reach = reachOf(shape, points) / 3.0;
-  curvature *= reach * reach;
-  const double shortEnough = kSmallLeg * geometry.meanEdge;
-  if (curvature <= kSafeShare && longest <= shortEnough) return 0;
-  // A Catmull-Rom curve's Bezier polygons have legs of a third.
-  const double share = shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
-  curvature *= share * share;
-  longest *= share;
-  int levels = 1;
-  for (; levels < kMostLevels && isAllowed(shape, points, levels + 1); ++levels) {
-    const double part = std::ldexp(1.0, -levels);
-    const bool isSafe = curvature * part * part <= kSafeCurvature;
-    if (isSafe && longest * part <= shortEnough) break;
-    if (longest * part <= kShortestLeg * geometry.meanEdge) break;
-  }
-  return isAllowed(shape, points, levels) ? levels : 0;
+bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace) {
+  const auto hasDetail = [&](const SurfacePath& leg) {
+    return detailAlong(geometry, leg) > kMostDetail;
+  };
+  if (std::any_of(polygon.legs.begin(), polygon.legs.end(), hasDetail)) return false;
+  return std::all_of(polygon.pieces.begin(), polygon.pieces.end(), [&](const SegmentLayout& piece) {
+    takeWeights(polygon, piece, workspace.weights);
+    return leastConvexity(geometry, polygon.legs, piece, workspace.weights, workspace.convexity) >=
+           kLeastConvexity;
+  });
 }
 
-bool takesMoreLevels(const Geometry& geometry, const CurveShape& shape, int points,
-                     const RefinedPolygon& refined, int levels) {
-  if (!isAllowed(shape, points, levels + 1)) return false;
-  // A Catmull-Rom curve's pieces are cubic Bezier curves.
-  const double reach = reachOf(shape, points) / 3.0;
-  const double safe = std::ldexp(kSafeShare, levels);
-  return std::any_of(refined.legs.begin(), refined.legs.end(), [&](const SurfacePath& leg) {
-    return leg.length() > kShortestLeg * geometry.meanEdge &&
-           curvatureAlong(geometry, leg) * reach * reach > safe;
-  });
+int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
+                   const Array<SurfacePath>& legs) {
+  double detail = 0;
+  for (const SurfacePath& leg : legs) detail = std::max(detail, detailAlong(geometry, leg));
+  // The square of a leg falls by 4 a level.
+  detail *= partOfLeg(shape) * partOfLeg(shape);
+  int levels = 0;
+  while (mayTakeLevels(shape, points, levels + 1) &&
+         (levels == 0 || std::ldexp(detail, -2 * levels) > kMostDetail)) {
+    ++levels;
+  }
+  return levels;
+}
+
+int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs) {
+  double squares = 0;
+  for (const SurfacePath& leg : legs) {
+    const double edges = partOfLeg(shape) * leg.points.count();
+    squares += edges * edges / legs.count();
+  }
+  int levels = 0;
+  while (mayTakeLevels(shape, points, levels + 1) &&
+         std::ldexp(std::sqrt(squares), -levels) > kFewEdges) {
+    ++levels;
+  }
+  return levels;
+}
+
+double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
+                       LevelsWorkspace& workspace) {
+  double most = 0;
+  for (const SegmentLayout& segment : polygon.pieces) {
+    takeWeights(polygon, segment, workspace.weights);
+    most = std::max(most, segmentDeviation(geometry, polygon.legs, segment, workspace.weights,
+                                           workspace.deviation));
+  }
+  return kDeviationMargin * most;
+}
+
+double tightLength(const Geometry& geometry, const RefinedPolygon& polygon,
+                   const SegmentLayout& segment, int from, int to, LevelsWorkspace& workspace) {
+  Chain chain(*geometry.mesh, workspace.tight);
+  for (int k = from; k < to; ++k) chain.append(polygon.legs[segment.points[k]]);
+  straighten(geometry, workspace.tight, workspace.strip);
+  return workspace.tight.length();
 }
 
 int levelsToLimit(const Geometry& geometry, const CurveShape& shape, int points,
                   const Array<SurfacePath>& legs) {
   double longest = 0;
   for (const SurfacePath& leg : legs) longest = std::max(longest, leg.length());
-  int levels = isAllowed(shape, points, 2) ? 2 : 0;
-  while (levels > 0 && levels < kMostLevels && isAllowed(shape, points, levels + 1) &&
+  int levels = mayTakeLevels(shape, points, 2) ? 2 : 0;
+  while (levels > 0 && mayTakeLevels(shape, points, levels + 1) &&
          std::ldexp(longest, -levels) > 2 * geometry.meanEdge) {
     ++levels;
   }

@@ -1,39 +1,57 @@
 #pragma once
 
+#include "curves/polygon/convexity.h"
+#include "curves/polygon/deviation.h"
 #include "curves/polygon/levels.h"
 
+/// How many levels a curve takes that is asked for none:
+///
+/// - A curve is safe at some levels if all its pieces are: their centers of mass move continuously,
+///   and turn little more than the surface (convexity.h).
+/// - Where level 0 is safe, it is the curve of Mancinelli and Puppo, Eq. 4. If all levels lie within
+///   a tolerance of it (deviation.h), the curve takes as many as make it quickest, else none.
+/// - Where level 0 is not safe, as on rough surfaces, the curve takes the fewest levels at which it
+///   is, or as many as make it quickest.
+///
+/// All this follows from the control polygon and the faces that its legs cross, but for one thing:
+/// level 0 takes shortest paths between the points to be those to which the legs are pulled tight.
+/// On a tube that the legs go round they are not, and centers of mass jump to its other side.
 namespace karcher {
 
-/// Radians: a piece of a curve is a safe center of mass if its points reach no more total absolute
-/// curvature than this, which is the square of a cubic's leg times the absolute curvature per area.
-/// By the study of steadiness, curves begin to turn more than their limit at twice as much, and
-/// some shiver at four times as much.
-inline constexpr double kSafeCurvature = 0.5;
+/// Mean edges: how far levels may move a curve that is safe without them.
+inline constexpr double kLevelsTolerance = 0.02;
 
-/// Radians: a piece of one n-th of a segment may pass n times as much curvature. Beside the
-/// subdivision curve a segment is moved, as a part of its length, by about a fortieth of that or
-/// less: half a percent.
-inline constexpr double kSafeShare = 0.2;
+/// Scratch memory; reuse one to spare the allocations.
+struct LevelsWorkspace {
+  ConvexityWorkspace convexity;
+  DeviationWorkspace deviation;
+  Array<double> weights;
+  StripWorkspace strip;
+  SurfacePath tight;
+};
 
-/// Mean edges: a curve is refined until its legs are no longer than this. The fields of a piece's
-/// points hold about the square of its legs, and there are twice as many pieces a level, so each
-/// level down to here spares work; below, pieces cost more than their fields. At level 0 fields
-/// need a wavefront, and take longest. Where pieces are safe anyway, this moves the curve by a
-/// thousandth of its length at most.
-inline constexpr double kSmallLeg = 3;
+/// Whether all pieces of a polygon are safe; of the control polygon itself too, whose pieces are
+/// the curve's segments.
+bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace);
 
-/// How many levels a curve takes: the fewest at which its pieces are safe centers of mass and have
-/// small legs. None on smooth surfaces with near points. The curvature per area is estimated from
-/// the angle defects at the faces that the legs cross. `legs` are those of the whole control
-/// polygon. The result depends on these arguments alone.
-int automaticLevels(const Geometry& geometry, const CurveShape& shape, int points,
-                    const Array<SurfacePath>& legs);
+/// How many levels make a polygon safe, by what the legs of the control polygon tell; at least 1
+/// where a curve of the shape takes levels. Where the legs go round the rim of an ear, the curve
+/// goes over it: the refined polygon may need more.
+int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
+                   const Array<SurfacePath>& legs);
 
-/// Whether a polygon that was refined `levels` >= 1 times should be once more: a leg of it passes
-/// more curvature than is safe. The legs of the control polygon tell only of where they lie: where
-/// they go round the rim of an ear, the curve goes over it.
-bool takesMoreLevels(const Geometry& geometry, const CurveShape& shape, int points,
-                     const RefinedPolygon& refined, int levels);
+/// How many levels make a curve quickest: until legs cross few edges. A piece's fields cost about
+/// the square of the edges that its legs cross, and there are twice as many pieces a level.
+int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs);
+
+/// In the mesh's units: how far, by estimate, levels move the curve of a control polygon at most.
+/// The estimate is right to about a third of it; this is the upper end.
+double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
+                       LevelsWorkspace& workspace);
+
+/// The length of the way between two of a segment's points to which the legs are pulled tight.
+double tightLength(const Geometry& geometry, const RefinedPolygon& polygon,
+                   const SegmentLayout& segment, int from, int to, LevelsWorkspace& workspace);
 
 /// As many levels as make legs twice as long as edges, if the work allows that, and at least two.
 /// The averages then lie within a small fraction of an edge of the subdivision curve.

@@ -1,6 +1,7 @@
 #include "curves/curve.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "curves/automatic_levels.h"
@@ -21,6 +22,9 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
 bool areSame(const Array<SurfacePoint>& a, const Array<SurfacePoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
 }
+
+/// The promise of the fields of level 0: distances are right to this part.
+constexpr double kFieldError = 0.01;
 
 /// Whether what was traced with one still holds with the other.
 bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
@@ -301,66 +305,157 @@ void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   }
 }
 
-/// The legs, where the curve has a use for them, and with them the levels.
+/// The legs, where the curve has a use for them.
 void Curve::makeLegs(Next& next) const {
-  const CurveOptions& options = next.value.options;
-  next.levels = 0;
-  if (!usesLegs(options)) {
+  if (!usesLegs(next.value.options)) {
     next.legs.clear();
     return;
   }
   takeLegs(next.value, next.legs);
-  if (options.shape.kind != CurveKind::kPolyline) {
-    const Geometry& geometry = surface().geometry();
-    const int points = next.value.points.count();
-    next.levels = options.levels == kAutomaticLevels
-                      ? std::max(automaticLevels(geometry, options.shape, points, next.legs),
-                                 options.leastLevels)
-                  : options.levels == kLimitLevels
-                      ? levelsToLimit(geometry, options.shape, points, next.legs)
-                      : options.levels;
-  }
 }
 
-void Curve::makeSegments(Next& next) {
+/// The control polygon itself, whose pieces are the segments.
+void Curve::takeControlPolygon(Next& next) {
+  const CurveShape& shape = next.value.options.shape;
+  const int count = next.value.points.count();
+  next.polygon.points.clear();
+  next.polygon.legs.clear();
+  next.polygon.weighted = takesWeights(shape.kind) && !shape.weights.empty();
+  for (int i = 0; i < count; ++i) {
+    next.polygon.points.push_back(
+        {next.value.points[i], next.polygon.weighted ? shape.weights[i] : 1});
+  }
+  Workspace& known = *workspace_;
+  if (known.layoutPoints != count || !layAlike(shape, known.layoutShape)) {
+    known.layoutPoints = 0;
+    known.layout = layOut(shape, count);
+    known.layoutShape = shape;
+    known.layoutPoints = count;
+  }
+  next.polygon.pieces = known.layout;
+}
+
+/// The control polygon with its legs, by which levels are chosen.
+RefinedPolygon& Curve::leggedPolygon(Next& next) {
+  takeControlPolygon(next);
+  const CurveShape& shape = next.value.options.shape;
+  RefinedPolygon& polygon = next.polygon;
+  polygon.legs = next.legs;
+  if (shape.kind == CurveKind::kCatmullRom) {
+    // By the legs, which are there, and not by the distances of fields.
+    Array<double>& gaps = workspace_->gaps;
+    gaps.clear();
+    for (const SurfacePath& leg : next.legs) gaps.push_back(leg.length());
+    catmullRomSpacings(gaps, shape.centripetal, workspace_->spacings);
+    spaceKnots(workspace_->spacings, shape.closed, polygon.pieces);
+  }
+  return polygon;
+}
+
+/// Whether the shortest paths between the points of a segment and its ends are those to which the
+/// legs are pulled tight, by the fields of level 0.
+bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
+  const Geometry& geometry = surface().geometry();
+  const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
+    const double tight = tightLength(geometry, polygon, segment, from, to, workspace_->levels);
+    const SurfacePoint& start = polygon.points[segment.points[from]].point;
+    const SurfacePoint& end = polygon.points[segment.points[to]].point;
+    // A path that is shorter by less passes other vertices on the same side.
+    return (1 - kFieldError) * tight - distanceBetween(start, end) < geometry.meanEdge;
+  };
+  return std::all_of(
+      polygon.pieces.begin(), polygon.pieces.end(), [&](const SegmentLayout& segment) {
+        const int last = segment.points.count() - 1;
+        for (int k = 1; k < last; ++k) {
+          if (!isShortest(segment, 0, k) || !isShortest(segment, k, last)) return false;
+        }
+        return isShortest(segment, 0, last);
+      });
+}
+
+/// By the field of the first point, which is kept until the curve has its own.
+double Curve::distanceBetween(const SurfacePoint& from, const SurfacePoint& to) {
+  workspace_->far.push_back(fieldSet_->at(from));
+  workspace_->fields.assign(1, workspace_->far.back().get());
+  constexpr double kOne[] = {1};
+  return std::sqrt(std::max(blendFields().blend.energy(to, kOne), 0.0));
+}
+
+/// The levels of a curve that leaves them to itself; a refined polygon may need more.
+int Curve::levelsOf(Next& next) {
+  const CurveOptions& options = next.value.options;
+  const Geometry& geometry = surface().geometry();
+  const int points = next.value.points.count();
+  LevelsWorkspace& workspace = workspace_->levels;
+  const RefinedPolygon& polygon = leggedPolygon(next);
+  const int quick = quickLevels(options.shape, points, next.legs);
+  if (!isSafe(geometry, polygon, workspace)) {
+    return std::max(levelsToSafety(geometry, options.shape, points, next.legs), quick);
+  }
+  const auto isNearIt = [&] {
+    return levelsDeviation(geometry, polygon, workspace) <=
+           options.levelsTolerance * geometry.meanEdge;
+  };
+  const bool takesLevels =
+      quick > 0 && (isNearIt() || !joinsByShortestPaths(polygon));
+  return takesLevels ? quick : 0;
+}
+
+double Curve::deviation() {
+  if (levels_ == 0) return 0;
+  Next next;
+  next.value = value_;
+  next.legs = legs();
+  const Geometry& geometry = surface().geometry();
+  LevelsWorkspace& workspace = workspace_->levels;
+  const RefinedPolygon& polygon = leggedPolygon(next);
+  const double deviation = levelsDeviation(geometry, polygon, workspace);
+  const bool isFar = deviation > kLevelsTolerance * geometry.meanEdge;
+  const bool hasOne = isSafe(geometry, polygon, workspace) &&
+                      !(isFar && !joinsByShortestPaths(polygon));
+  workspace_->far.clear();
+  return hasOne ? deviation : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The polygon of the pieces, with the levels.
+void Curve::makePolygon(Next& next) {
   const CurveOptions& options = next.value.options;
   const CurveShape& shape = options.shape;
   const int count = next.value.points.count();
   const Geometry& geometry = surface().geometry();
+  const bool isAutomatic = options.levels == kAutomaticLevels;
+  next.levels = 0;
+  if (mayHaveLevels(options)) {
+    next.levels = isAutomatic ? std::max(levelsOf(next), options.leastLevels)
+                  : options.levels == kLimitLevels
+                      ? levelsToLimit(geometry, shape, count, next.legs)
+                      : options.levels;
+  }
   while (next.levels > 0) {
     if (!refinePolygon(geometry, shape, next.value.points, next.legs, next.levels,
                        workspace_->averaging, next.polygon)) {
       // A curve whose handles lie beyond the boundary is the center of all its points.
       next.levels = 0;
-    } else if (options.levels == kAutomaticLevels &&
-               takesMoreLevels(geometry, shape, count, next.polygon, next.levels)) {
+    } else if (isAutomatic && mayTakeLevels(shape, count, next.levels + 1) &&
+               !isSafe(geometry, next.polygon, workspace_->levels)) {
       ++next.levels;
     } else {
-      break;
+      return;
     }
   }
+  takeControlPolygon(next);
+}
+
+void Curve::makeSegments(Next& next) {
+  const CurveOptions& options = next.value.options;
+  const CurveShape& shape = options.shape;
+  makePolygon(next);
   workspace_->isSubdivided.clear();
-  if (next.levels > 0) {
-    if (isOfCenters(options, next.levels)) {
-      findSubdivided(next);
-    }
-  } else {
-    next.polygon.points.clear();
-    next.polygon.legs.clear();
-    next.polygon.weighted = takesWeights(shape.kind) && !shape.weights.empty();
-    for (int i = 0; i < count; ++i) {
-      next.polygon.points.push_back(
-          {next.value.points[i], next.polygon.weighted ? shape.weights[i] : 1});
-    }
-    Workspace& known = *workspace_;
-    if (known.layoutPoints != count || !layAlike(shape, known.layoutShape)) {
-      known.layoutPoints = 0;
-      known.layout = layOut(shape, count);
-      known.layoutShape = shape;
-      known.layoutPoints = count;
-    }
+  if (next.levels == 0) {
     if (shape.kind == CurveKind::kCatmullRom) layKnots(next);
-    next.polygon.pieces = known.layout;
+    next.polygon.pieces = workspace_->layout;
+  } else if (isOfCenters(options, next.levels)) {
+    findSubdivided(next);
   }
   const int pieces = 1 << next.levels;
   // Legs that are the curve are not part of what pieces are compared by.
@@ -433,17 +528,11 @@ void Curve::layKnots(const Next& next) {
   const int spans = legCount(shape, points.count());
   Array<double>& gaps = workspace_->gaps;
   gaps.assign(static_cast<size_t>(spans), 1);
-  const auto distance = [&](const SurfacePoint& from, const SurfacePoint& to) {
-    const std::shared_ptr<PointField> field = fieldSet_->at(from);
-    workspace_->fields.assign(1, field.get());
-    constexpr double kOne[] = {1};
-    return std::sqrt(std::max(blendFields().blend.energy(to, kOne), 0.0));
-  };
   if (shape.centripetal) {
     for (int i = 0; i < spans; ++i) {
       const SurfacePoint& from = points[i];
       const SurfacePoint& to = points[(i + 1) % points.count()];
-      gaps[i] = (distance(from, to) + distance(to, from)) / 2;
+      gaps[i] = (distanceBetween(from, to) + distanceBetween(to, from)) / 2;
     }
   }
   catmullRomSpacings(gaps, shape.centripetal, workspace_->spacings);

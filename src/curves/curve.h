@@ -110,6 +110,10 @@ class Curve {
   /// How many levels there are, also where the options leave it to the curve; none where a
   /// Catmull-Rom curve's handle would lie beyond the surface's boundary.
   int levels() const { return levels_; }
+  /// How far the levels move it at most from its curve of level 0 (Eq. 4), by estimate, in the
+  /// mesh's units: 0 without levels. Not a number where that curve is not safe
+  /// (automatic_levels.h), so that its distance means nothing.
+  double deviation();
   /// Whether its points are centers of mass; else they lie on legs or are averages of two points.
   bool isOfCenters() const { return isOfCenters(options(), levels()); }
 
@@ -164,9 +168,11 @@ class Curve {
     LeggedPolygon polygon;
     std::optional<SegmentFields> blend;
     Array<PointField*> fields;
+    LevelsWorkspace levels;
     FacesAlongLegs along;
     Array<char> isSubdivided;                 ///< of the pieces of the refined polygon
     Array<std::shared_ptr<PointField>> near;  ///< the fields that told that
+    Array<std::shared_ptr<PointField>> far;   ///< those that told of shortest paths
     /// The last layout of a curve of level 0, of so many points, but for the knots between them.
     Array<SegmentLayout> layout;
     CurveShape layoutShape;
@@ -189,6 +195,12 @@ class Curve {
   void make(Next& next);
   void makeLegs(Next& next) const;
   void makeSegments(Next& next);
+  void makePolygon(Next& next);
+  int levelsOf(Next& next);
+  void takeControlPolygon(Next& next);
+  RefinedPolygon& leggedPolygon(Next& next);
+  bool joinsByShortestPaths(const RefinedPolygon& polygon);
+  double distanceBetween(const SurfacePoint& from, const SurfacePoint& to);
   void layKnots(const Next& next);
   void findSubdivided(const Next& next);
   bool seesFaces(const Next& next, const SegmentLayout& piece);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "curves/automatic_levels.h"
 #include "curves/polygon/levels.h"
 #include "curves/spec/curve_shape.h"
 #include "curves/trace/joined_path.h"
@@ -30,6 +31,9 @@ struct CurveOptions {
   /// The fewest levels that kAutomaticLevels takes, 0 to 8. With it a drag does not lose levels
   /// that it once had.
   int leastLevels = 0;
+  /// Mean edges: how far kAutomaticLevels may move a curve that is a safe center of mass without
+  /// levels. 0: not at all. Infinity makes a draft, as quick as can be, of what is to be this curve.
+  double levelsTolerance = kLevelsTolerance;
 };
 
 struct CurveValue {

@@ -94,8 +94,11 @@ SteadyVariant refined(const std::string& name, int levels) {
             placePoint(value, i, place);
             curve->continueLegs(value, i);
           });
-          // As the page does: a drag keeps the most levels that it ever had.
-          if (levels == kAutomaticLevels) value.options.leastLevels = curve->levels();
+          // As the page does: a drag shows drafts, and keeps the most levels that it ever had.
+          if (levels == kAutomaticLevels) {
+            value.options.leastLevels = curve->levels();
+            value.options.levelsTolerance = kInfinity;
+          }
         });
       });
       TracedCurve traced = described(*curve, allocationsSoFar() - allocations);
@@ -108,6 +111,7 @@ SteadyVariant refined(const std::string& name, int levels) {
       CurveValue value = curve->value();
       value.options.levels = to;
       value.options.leastLevels = 0;
+      value.options.levelsTolerance = kLevelsTolerance;
       curve->set(value);
       return described(*curve);
     };

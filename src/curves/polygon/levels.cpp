@@ -109,13 +109,19 @@ void checkLevels(const CurveShape& shape, int points, int levels) {
                 std::string("a curve of the kind '") + curveKindName(shape.kind) +
                     "' takes no levels: it cannot be subdivided by averages of two points");
   }
-  const double legs = legCount(shape, points);
-  const double averages = (isBezier(shape.kind) ? legs * legs : 6 * legs) * std::pow(2.0, levels);
-  if (averages > kMostAverages) {
+  if (!mayTakeLevels(shape, points, levels)) {
     throw Error(ErrorCode::kBadArgument, "a curve of this kind with " + std::to_string(points) +
                                              " points takes fewer than " + std::to_string(levels) +
                                              " levels");
   }
+}
+
+bool mayTakeLevels(const CurveShape& shape, int points, int levels) {
+  if (levels == 0) return true;
+  if (levels < 0 || levels > kMostLevels || !takesLevels(shape.kind)) return false;
+  const double legs = legCount(shape, points);
+  const double averages = (isBezier(shape.kind) ? legs * legs : 6 * legs) * std::ldexp(1, levels);
+  return averages <= kMostAverages;
 }
 
 bool refinePolygon(const Geometry& geometry, const CurveShape& shape,

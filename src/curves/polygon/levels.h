@@ -39,6 +39,9 @@ struct RefinedPolygon {
 /// where the work would be out of all proportion (Bezier curves of very many points).
 void checkLevels(const CurveShape& shape, int points, int levels);
 
+/// Whether `checkLevels` does not throw.
+bool mayTakeLevels(const CurveShape& shape, int points, int levels);
+
 /// The two halves of a Bezier polygon, by de Casteljau's algorithm.
 struct BezierHalves {
   LeggedPolygon first;
