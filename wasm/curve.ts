@@ -236,6 +236,15 @@ export class Curve {
     return this.#told.levels;
   }
 
+  /**
+   * How far the levels move the curve at most from that of `levels: 0`, by estimate, in the mesh's
+   * units: 0 without levels. null where that curve is not safe, so that its distance means nothing.
+   */
+  get deviation(): number | null {
+    const deviation = this.#handle.call((curve) => curve.deviation());
+    return Number.isNaN(deviation) ? null : deviation;
+  }
+
   /** How many fields were computed since the curve was made: what edits should spare. */
   get fieldsComputed(): number {
     return this.#handle.call((curve) => curve.fieldsComputed());

@@ -19,7 +19,7 @@ import {
   curveOptionNames,
   engineFieldOptions,
   engineLeastLevels,
-  engineLevels,
+  engineCurveLevels,
 } from './options.js';
 import { toSurfacePoints, wirePoints } from './points.js';
 import type {
@@ -83,7 +83,7 @@ export class OwnBasis {
 /** How a curve is sampled and drawn, as the engine takes it. */
 function engineSampling(options: CurveOptions): EngineSampling {
   const { samples, tolerance } = options;
-  const levels = engineLevels(options);
+  const levels = engineCurveLevels(options);
   const leastLevels = engineLeastLevels(options);
   const geometry = options.geometry ?? 'geodesic';
   const exact = checkOneOf(geometry, geometries, 'the geometry of a curve') === 'exact';
@@ -92,8 +92,8 @@ function engineSampling(options: CurveOptions): EngineSampling {
       samples: checkInteger(samples ?? defaultSamples, 'the number of samples'),
       tolerance: 0,
       exact,
-      levels,
       leastLevels,
+      ...levels,
     };
   }
   if (samples !== 'adaptive' && samples !== undefined) {
@@ -103,7 +103,7 @@ function engineSampling(options: CurveOptions): EngineSampling {
     );
   }
   const part = checkPositive(tolerance ?? defaultTolerance, 'the tolerance');
-  return { samples: defaultSamples, tolerance: part, exact, levels, leastLevels };
+  return { samples: defaultSamples, tolerance: part, exact, leastLevels, ...levels };
 }
 
 /** Options that one kind alone has a use for; the engine refuses weights and betas. */

@@ -184,6 +184,8 @@ export interface EngineSampling {
   levels: number;
   /** Of those that fit. */
   leastLevels: number;
+  /** Mean edges. */
+  levelsTolerance: number;
 }
 
 /** Arrays are empty where there are none. */
@@ -281,6 +283,8 @@ export interface EngineCurve {
   joined(other: EngineCurve): EngineCurveParts;
   pointCount(): number;
   fieldsComputed(): number;
+  /** NaN where there is none. */
+  deviation(): number;
   pointAt(parameter: number): EngineCurvePoint;
   tangentAt(parameter: number): EngineCurvePoint & {
     inFace: [number, number, number];

@@ -18,6 +18,7 @@ import type {
   EllipseOptions,
   FieldOptions,
   IsolineOptions,
+  LevelsTolerance,
   LongWorkOptions,
   MeshOptions,
   Method,
@@ -105,15 +106,37 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
 /** What stands for `auto` and `limit` in the engine. */
 const namedLevels = { auto: -1, limit: -2 } as const;
 const mostLevels = 8;
+const defaultLevelsTolerance = 0.02;
 
 /** The levels of a curve or of a circle's arcs, as the engine takes them. */
-export function engineLevels({ levels = 'auto' }: { levels?: CurveLevels }): number {
+export function engineLevels({ levels = 'auto' }: { levels?: CurveLevels | undefined }): number {
   if (levels === 'auto' || levels === 'limit') return namedLevels[levels];
   const number = checkInteger(levels, "the levels, unless 'auto' or 'limit',");
   if (number >= 0 && number <= mostLevels) return number;
   throw new KarcherError(
     'badArgument',
     `a curve takes 0 to ${mostLevels} levels, 'auto' or 'limit', not ${number}`,
+  );
+}
+
+const hasTolerance = (levels: unknown): levels is LevelsTolerance =>
+  typeof levels === 'object' && levels !== null;
+
+/** The levels of a curve, and how far those that it takes by itself may move it, in mean edges. */
+export function engineCurveLevels({ levels = 'auto' }: CurveOptions): {
+  levels: number;
+  levelsTolerance: number;
+} {
+  if (!hasTolerance(levels)) {
+    return { levels: engineLevels({ levels }), levelsTolerance: defaultLevelsTolerance };
+  }
+  const { tolerance } = levels;
+  if (typeof tolerance === 'number' && tolerance >= 0) {
+    return { levels: namedLevels.auto, levelsTolerance: tolerance };
+  }
+  throw new KarcherError(
+    'badArgument',
+    `the tolerance of levels is a number from 0, in mean edges, not ${shown(tolerance)}`,
   );
 }
 
@@ -127,7 +150,7 @@ export function engineLeastLevels({ levels = 'auto', leastLevels }: CurveOptions
       `the least number of levels is 0 to ${mostLevels}, not ${number}`,
     );
   }
-  if (levels === 'auto') return number;
+  if (levels === 'auto' || hasTolerance(levels)) return number;
   throw new KarcherError(
     'badArgument',
     `a least number of levels is for levels: 'auto', not ${levels}`,

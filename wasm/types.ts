@@ -305,6 +305,15 @@ export type CurveGeometry = 'geodesic' | 'exact';
 
 export type CurveLevels = number | 'auto' | 'limit';
 
+/** Levels that a curve takes by itself, within a tolerance. */
+export interface LevelsTolerance {
+  /**
+   * How far levels may move a curve whose center of mass is safe without them, in mean edges: .02 is
+   * `auto`, 0 leaves that curve as it is, and Infinity makes a draft, as quick as can be, of it.
+   */
+  tolerance: number;
+}
+
 /**
  * The points that a leg of a control polygon goes through; null for the shortest path. Points that all
  * lie on edges, each in one face with the next one, also with the leg's ends, are the leg as it is.
@@ -343,15 +352,18 @@ export interface CurveOptions extends FieldOptions {
    * steadier on rough surfaces. On a plane all levels give the same curve.
    *
    * - 0: the curve of Mancinelli and Puppo, one center of mass of all the points that a segment blends;
-   * - `auto`, the default: the fewest that make the pieces safe centers of mass with legs of at most
-   *   three mean edges; 0 on smooth surfaces with near points;
+   * - `auto`, the default: that curve wherever it is safe, as on smooth surfaces: where its points
+   *   move continuously, and no more roughly than the surface. If all levels lie within .02 mean edges
+   *   of it by estimate, as many as make it quickest. Where it is not safe, as on scans with far
+   *   points, as many levels as make it so;
+   * - `{ tolerance }`: the same with another tolerance;
    * - `limit`: the subdivision curve that many levels approach, which needs no fields. It is traced at
    *   `samples` even parameters, joined by geodesics, whatever `tolerance` and `geometry` ask for.
    *
    * The method `paper` takes 0 only, its default. The kinds `barycentric`, `polyline` and `custom`
    * always have 0.
    */
-  levels?: CurveLevels | undefined;
+  levels?: CurveLevels | LevelsTolerance | undefined;
   /**
    * The fewest levels that `auto` takes, 0 to 8; 0 by default. A curve moves a little when its number
    * of levels changes. So that levels do not come and go while a point is dragged, give the most that

@@ -185,6 +185,7 @@ void Curve::becomeNext() {
   const int piecesBefore = segments_.count() * piecesPerSegment();
   std::swap(value_, next_.value);
   levels_ = next_.levels;
+  jumps_ = next_.jumps;
   legs_.swap(next_.legs);
   segments_.swap(next_.segments);
   releaseFields(next_.segments);
@@ -203,12 +204,28 @@ void Curve::make(Next& next) {
     stage = now - last;
     last = now;
   };
+  next.jumps = false;
   makeLegs(next);
   makeSegments(next);
   timed(times_.polygon);
   makeFields(next);
   timed(times_.fields);
   trace(next);
+  if (!jumpsAtLevelZero(next)) return;
+  // It is not safe after all.
+  next.jumps = true;
+  releaseFields(next.segments);
+  makeSegments(next);
+  makeFields(next);
+  trace(next);
+}
+
+/// Whether a curve that leaves its levels to itself has none, and bridges.
+bool Curve::jumpsAtLevelZero(const Next& next) const {
+  if (next.levels > 0 || !mayHaveLevels(next.value.options)) return false;
+  if (next.value.options.levels != kAutomaticLevels) return false;
+  return std::any_of(next.segments.begin(), next.segments.end(),
+                     [](const Segment& segment) { return !segment.whole->bridges.empty(); });
 }
 
 const Array<SurfacePath>& Curve::legs() {
@@ -389,20 +406,20 @@ int Curve::levelsOf(Next& next) {
   LevelsWorkspace& workspace = workspace_->levels;
   const RefinedPolygon& polygon = leggedPolygon(next);
   const int quick = quickLevels(options.shape, points, next.legs);
-  if (!isSafe(geometry, polygon, workspace)) {
+  if (next.jumps || !isSafe(geometry, polygon, workspace)) {
     return std::max(levelsToSafety(geometry, options.shape, points, next.legs), quick);
   }
   const auto isNearIt = [&] {
     return levelsDeviation(geometry, polygon, workspace) <=
            options.levelsTolerance * geometry.meanEdge;
   };
-  const bool takesLevels =
-      quick > 0 && (isNearIt() || !joinsByShortestPaths(polygon));
-  return takesLevels ? quick : 0;
+  if (quick == 0) return 0;
+  return isNearIt() || !joinsByShortestPaths(polygon) ? quick : 0;
 }
 
 double Curve::deviation() {
   if (levels_ == 0) return 0;
+  if (jumps_) return std::numeric_limits<double>::quiet_NaN();
   Next next;
   next.value = value_;
   next.legs = legs();

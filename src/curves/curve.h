@@ -158,6 +158,7 @@ class Curve {
   struct Next {
     CurveValue value;
     int levels = 0;
+    bool jumps = false;  ///< at level 0, which was judged safe
     Array<SurfacePath> legs;
     Array<Segment> segments;
     RefinedPolygon polygon;
@@ -196,6 +197,7 @@ class Curve {
   void makeLegs(Next& next) const;
   void makeSegments(Next& next);
   void makePolygon(Next& next);
+  bool jumpsAtLevelZero(const Next& next) const;
   int levelsOf(Next& next);
   void takeControlPolygon(Next& next);
   RefinedPolygon& leggedPolygon(Next& next);
@@ -226,6 +228,7 @@ class Curve {
   std::shared_ptr<FieldSet> fieldSet_;
   CurveValue value_;
   int levels_ = 0;
+  bool jumps_ = false;
   Array<SurfacePath> legs_;  ///< empty until they are asked for
   Array<Segment> segments_;
   Next next_;

@@ -22,6 +22,7 @@
 namespace karcher {
 namespace {
 
+constexpr double kFarthestOnSaddle = 0.2;
 constexpr double kSpacings[] = {0.05, 0.1, 0.2, 0.3};
 /// Samples of a curve that are compared, so that all pieces of up to 5 levels have one.
 constexpr int kSamples = 65;
@@ -119,6 +120,7 @@ void printRow(const Shape& shape, Surface& surface, const TurningMeasure& measur
   Array<double> ms;
   Array<double> msZero;
   int zeros = 0;
+  int jumping = 0;
   int unsafe = 0;
   int needlessly = 0;
   for (int i = 0; i < polygons; ++i) {
@@ -132,10 +134,15 @@ void printRow(const Shape& shape, Surface& surface, const TurningMeasure& measur
       if (times) times->push_back(processorMilliseconds() - start);
       return curve;
     };
-    Curve ours = traced(kAutomaticLevels, &ms);
-    const Curve zero = traced(0, &msZero);
+    // In turns, since the second finds memory that the first has used.
+    const auto first = i % 2 == 0 ? kAutomaticLevels : 0;
+    Curve one = traced(first, first == 0 ? &msZero : &ms);
+    Curve other = traced(kAutomaticLevels - first, first == 0 ? &ms : &msZero);
+    Curve& ours = first == 0 ? other : one;
+    const Curve& zero = first == 0 ? one : other;
     levels.push_back(ours.levels());
     zeros += ours.levels() == 0;
+    jumping += ours.levels() == 0 && !ours.bridges(0).empty();
     const Array<Vec3> oursAt = sampled(ours);
     const Array<Vec3> zeroAt = sampled(zero);
     const double distance = largestDistance(oursAt, zeroAt) / geometry.meanEdge;
@@ -157,9 +164,9 @@ void printRow(const Shape& shape, Surface& surface, const TurningMeasure& measur
     }
   }
   const auto inPercent = [&](int count) { return 100.0 * count / polygons; };
-  std::printf("| %s | %d | %g | %.1f | %.0f | %.0f (%.0f) |", shape.name.c_str(),
+  std::printf("| %s | %d | %g | %.1f | %.1f (%.1f) | %.1f (%.1f) |", shape.name.c_str(),
               surface.mesh().faceCount(), spacing, mean(levels), inPercent(zeros),
-              inPercent(unsafe), inPercent(needlessly));
+              inPercent(jumping), inPercent(unsafe), inPercent(needlessly));
   if (fromZero.empty()) {
     std::printf(" - | - | - | - |");
   } else {
@@ -208,7 +215,7 @@ Options parse(int argc, char** argv) {
 void study(const Options& options) {
   std::printf(
       "Cubic Bezier curves of %d random polygons a row, `levels: auto`. 'Level 0': the percentage "
-      "that takes none. 'Unsafe': the percentage for which level 0 is judged not to be safe, in "
+      "that takes none, in brackets where it has a bridge all the same. 'Unsafe': the percentage for which level 0 is judged not to be safe, in "
       "brackets where it then has no bridge and turns no more than the limit. 'From level 0': how "
       "far the others lie from the curve of level 0, mean edges, median, 99 of 100 and largest; "
       "'estimate': the largest that was told of it. 'From truth': how far from the curve on the "
@@ -224,6 +231,8 @@ void study(const Options& options) {
       Surface surface(importMesh(shape.mesh(triangles)).mesh);
       const TurningMeasure measure(surface.mesh());
       for (const double spacing : kSpacings) {
+        // On the saddle far points do not fit.
+        if (shape.name == "saddle" && spacing > kFarthestOnSaddle) continue;
         printRow(shape, surface, measure, spacing, options.polygons);
       }
     }

@@ -273,25 +273,88 @@ TEST(CurveLevels, AfterAnyEditsAreTheCurveTracedAnew) {
   }
 }
 
-TEST(CurveLevels, OfTheirOwnEndAtSmallLegs) {
-  // On a unit sphere a cubic's leg reaches its square of curvature, whatever the mesh.
-  for (const int triangles : {2000, 32000}) {
+/// The largest distance between points of two curves at even parameters.
+double largestDistance(Curve& a, Curve& b) {
+  double largest = 0;
+  for (int i = 0; i <= 32; ++i) {
+    const TriangleMesh& mesh = a.surface().mesh();
+    largest = std::max(largest, (position(mesh, pointAt(a, i / 32.0).point) -
+                                 position(mesh, pointAt(b, i / 32.0).point))
+                                    .norm());
+  }
+  return largest;
+}
+
+Array<SurfacePoint> pointsOnCircle(const TriangleMesh& mesh, double leg) {
+  Array<SurfacePoint> points;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 place(std::cos(leg * i), std::sin(leg * i), 0.4 * std::sin(2.0 * leg * i));
+    points.push_back(nearestPoint(mesh, place));
+  }
+  return points;
+}
+
+TEST(CurveLevels, OfTheirOwnAreNoneOnASmoothSurfaceWhereTheyWouldMoveTheCurve) {
+  // The sphere's far points have a level on no mesh, its near ones as many as are quick.
+  for (const int triangles : {8000, 32000}) {
     Surface surface(meshOf(makeShape(Shape::kSphere, triangles)));
     const double edge = surface.geometry().meanEdge;
-    for (const double leg : {0.1, 0.3, 0.6, 0.8, 0.9}) {
+    for (const double leg : {0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 0.9}) {
       SCOPED_TRACE(std::to_string(triangles) + " triangles, legs of " + std::to_string(leg));
-      Array<SurfacePoint> points;
-      for (int i = 0; i < 4; ++i) {
-        const Vec3 place(std::cos(leg * i), std::sin(leg * i), 0.05);
-        points.push_back(nearestPoint(surface.mesh(), place));
+      const Array<SurfacePoint> points = pointsOnCircle(surface.mesh(), leg);
+      const CurveOptions options = optionsOf({CurveKind::kBezier}, 65, kAutomaticLevels, kFast);
+      Curve curve(surface, options, points);
+      if (leg >= 0.4) {
+        EXPECT_EQ(curve.levels(), 0);
       }
-      const CurveOptions options = optionsOf({CurveKind::kBezier}, 9, kAutomaticLevels, kFast);
-      const int levels = Curve(surface, options, points).levels();
-      // The first level makes each of these safe; the others make legs small.
-      const double safe = leg * leg <= 0.2 ? 0 : 1;
-      EXPECT_EQ(levels, std::max(safe, std::ceil(std::log2(leg / (3 * edge)))));
+      EXPECT_LE(curve.deviation(), kLevelsTolerance * edge);
+      Curve centers(surface, optionsOf({CurveKind::kBezier}, 65, 0, kFast), points);
+      EXPECT_LE(largestDistance(curve, centers), 0.03 * edge);
+      // A draft of it is quick.
+      CurveOptions draft = options;
+      draft.levelsTolerance = kInfinity;
+      Curve quick(surface, draft, points);
+      if (leg > 5 * edge) {
+        EXPECT_GT(quick.levels(), 0);
+      }
+      // What is told of its distance is true, to second order in the curvature.
+      const double deviation = largestDistance(quick, centers);
+      if (leg <= 0.3 && quick.levels() > 0 && deviation > 0.01 * edge) {
+        EXPECT_LE(deviation, quick.deviation() + 0.01 * edge);
+        EXPECT_GE(deviation, 0.4 * quick.deviation());
+      }
     }
   }
+}
+
+TEST(CurveLevels, OfTheirOwnDependOnNoTrianglesWhereTheSurfaceUnrolls) {
+  // Nothing moves the curve there, and no point lies where nothing is safe.
+  const FlatCylinder cylinder = flatCylinder(24, 3, 5);
+  Surface surface(meshOf(cylinder.soup));
+  Random random(2);
+  for (int i = 0; i < 10; ++i) {
+    const Array<SurfacePoint> points =
+        randomControlPolygon(surface.geometry(), random, {.spacing = 0.12});
+    Curve curve(surface, optionsOf({CurveKind::kBezier}, 65, kAutomaticLevels, kExact), points);
+    EXPECT_LE(curve.deviation(), 1e-9);
+    Curve centers(surface, optionsOf({CurveKind::kBezier}, 65, 0, kExact), points);
+    EXPECT_LE(largestDistance(curve, centers), 1e-6 * surface.geometry().diagonal);
+  }
+}
+
+TEST(CurveLevels, OfTheirOwnMakeCurvesSafeWhoseLegsGoRoundATube) {
+  // The shortest path between its ends passes on the other side.
+  Surface surface(meshOf(makeShape(Shape::kTorus, 20000)));
+  Array<SurfacePoint> points;
+  for (const double angle : {0.0, 1.4, 2.8, 4.2}) {
+    const double out = 1 + 0.4 * std::cos(angle);
+    points.push_back(nearestPoint(
+        surface.mesh(), Vec3(out * std::cos(angle / 9), out * std::sin(angle / 9),
+                             0.4 * std::sin(angle))));
+  }
+  const Curve curve(surface, optionsOf({CurveKind::kBezier}, 65, kAutomaticLevels, kFast), points);
+  EXPECT_GT(curve.levels(), 1);
+  EXPECT_TRUE(curve.bridges(0).empty());
 }
 
 Array<Vec3> positionsOf(const Curve& curve) {
@@ -319,7 +382,11 @@ TEST(CurveLevels, OfTheirOwnAreEnoughAroundTheRimOfAnEar) {
     const double length = limit.path(0).line.length();
     const double moved = hausdorffDistance(MeasuredPolyline(positionsOf(curve)),
                                            MeasuredPolyline(positionsOf(limit)), 1e-4 * length);
-    EXPECT_LE(moved, 0.005 * length) << "polygon " << i << ", " << curve.levels() << " levels";
+    EXPECT_TRUE(curve.bridges(0).empty()) << "polygon " << i;
+    // The curve of level 0 is another one.
+    if (curve.levels() > 0) {
+      EXPECT_LE(moved, 0.005 * length) << "polygon " << i << ", " << curve.levels() << " levels";
+    }
     const auto isAtRim = [](const Vec3& p) { return std::abs(p.z()) < 0.05; };
     const Array<Vec3> line = positionsOf(limit);
     atRims += static_cast<int>(std::any_of(line.begin(), line.end(), isAtRim));

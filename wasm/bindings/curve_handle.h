@@ -48,6 +48,7 @@ class CurveHandle {
 
   int pointCount() const { return curve_.pointCount(); }
   int fieldsComputed() const { return curve_.fieldsMade(); }
+  double deviation() { return curve_.deviation(); }
 
   /// {parameter, point, position, status}
   val pointAt(double parameter);

@@ -59,6 +59,7 @@ CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs
       sampling["exact"].as<bool>() ? CurveGeometry::kExact : CurveGeometry::kGeodesic};
   options.levels = sampling["levels"].as<int>();
   options.leastLevels = sampling["leastLevels"].as<int>();
+  options.levelsTolerance = sampling["levelsTolerance"].as<double>();
   Array<SurfacePoint> points = pointsFromJs(mesh.numbering(), mesh.mesh(), value["points"]);
   Array<SurfacePath> paths = legs.fromJs(mesh, value["legs"], points);
   return {std::move(options), std::move(points), std::move(paths)};

@@ -12,7 +12,7 @@ CurveKind curveKind(const std::string& name);
 /// `shape` {kind, closed, degree, clamped, knots, weights, betas, centripetal, basis} with the
 /// numbers as Float64Arrays, empty where there are none, and `basis` a function of the number of
 /// points and t that gives a Float64Array, or undefined; `sampling` {samples, tolerance, exact,
-/// levels, leastLevels}, `field` as for `fieldOptionsFromJs`.
+/// levels, leastLevels, levelsTolerance}, `field` as for `fieldOptionsFromJs`.
 CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs);
 
 /// {points} with the shape's properties, but for the basis.

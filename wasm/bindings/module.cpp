@@ -102,6 +102,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("setWeights", &Guarded<&CurveHandle::setWeights>::call)
       .function("setBetas", &Guarded<&CurveHandle::setBetas>::call)
       .function("fieldsComputed", &Guarded<&CurveHandle::fieldsComputed>::call)
+      .function("deviation", &Guarded<&CurveHandle::deviation>::call)
       .function("pointAt", &Guarded<&CurveHandle::pointAt>::call)
       .function("tangentAt", &Guarded<&CurveHandle::tangentAt>::call)
       .function("nearest", &Guarded<&CurveHandle::nearest>::call)

@@ -120,6 +120,7 @@ const curveFacts = namesOf<Record<CurveFact, true>>({
   parametrization: true,
   segmentCount: true,
   levels: true,
+  deviation: true,
   fieldsComputed: true,
 });
 
