@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bench_support.h"
+#include "curves/curve_value.h"
 #include "curves/spec/bases.h"
 #include "generators/accuracy.h"
 #include "mesh/mesh_import.h"
@@ -25,12 +26,14 @@ struct FieldMethod {
   const char* name;
   FieldOptions options;
   bool byAuthors = false;  ///< searches start as in the program of the paper's authors
+  int levels = 0;
 };
 
 const FieldMethod kMethods[] = {
     {"paper, exact", {Method::kPaper, Solver::kExact, 6}},
     {"paper, exact, authors' seeds", {Method::kPaper, Solver::kExact, 6}, true},
     {"paper, graph", {Method::kPaper, Solver::kGraph, 6}},
+    {"default", {Method::kKarcher, Solver::kFast, 6}, false, kAutomaticLevels},
     {"log, fast", {Method::kKarcher, Solver::kFast, 6}},
     {"log, exact", {Method::kKarcher, Solver::kExact, 6}},
 };
@@ -87,7 +90,8 @@ void study(const std::string& folder, double scale) {
       const TriangleMesh& mesh = example.surface.mesh();
       for (int i = 0; i < static_cast<int>(std::size(kMethods)); ++i) {
         const Accuracy m = kMethods[i].byAuthors ? measureByAuthors(example, kMethods[i].options)
-                                                 : measureAccuracy(example, kMethods[i].options);
+                                                 : measureAccuracy(example, kMethods[i].options,
+                                                                 kMethods[i].levels);
         const std::string line =
             row(family, mesh.faceCount(), kMethods[i], m, size > 0 ? &coarser[i] : nullptr);
         std::printf("%s", line.c_str());

@@ -48,7 +48,8 @@ Array<int64_t> allocationsOfDrag(Surface& surface, const CurveOptions& options, 
       curve.edit([&](CurveValue& value) {
         placePoint(value, kDragged, path[i]);
         curve.continueLegs(value, kDragged);
-        // As the page does: a drag keeps the most levels that it ever had.
+        // As the page does: a drag shows drafts, and keeps the most levels that it ever had.
+        value.options.levelsTolerance = kInfinity;
         value.options.leastLevels = curve.levels();
       });
     }

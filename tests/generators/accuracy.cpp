@@ -147,8 +147,10 @@ Accuracy measured(const AccuracyCase& example, const Array<Array<CurveSample>>& 
 
 }  // namespace
 
-Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options) {
-  const Curve curve(example.surface, {{CurveKind::kBSpline}, kSamples, options}, example.points);
+Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options, int levels) {
+  CurveOptions curveOptions{{CurveKind::kBSpline}, kSamples, options};
+  curveOptions.levels = levels;
+  const Curve curve(example.surface, curveOptions, example.points);
   Array<Array<CurveSample>> segments;
   for (int j = 0; j < curve.segmentCount(); ++j) segments.push_back(curve.samples(j));
   return measured(example, segments, true);

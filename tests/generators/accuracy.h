@@ -43,8 +43,8 @@ struct Accuracy {
   double diagonal = 0;
 };
 
-/// Of the engine's curve: where samples are lost, its bridges are measured.
-Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options);
+/// Of the engine's curve of some levels: where samples are lost, its bridges are measured.
+Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options, int levels = 0);
 
 /// Of a curve's samples, segment by segment, only of those that converged.
 Accuracy accuracyOfFound(const AccuracyCase& example, const Array<Array<CurveSample>>& segments);

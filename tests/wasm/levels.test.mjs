@@ -74,6 +74,40 @@ test('automatic levels are at least as many as are asked for', () => {
   mesh.dispose();
 });
 
+test('levels stay within a tolerance of the curve that has none, and tell by how much they move it', () => {
+  const mesh = karcher.shape('sphere', 20_000);
+  // Legs of some .3: far points.
+  const points = [0, 1, 2, 3].map((i) => {
+    const at = [Math.cos(0.4 * i), Math.sin(0.4 * i), 0.3 * (i % 2)];
+    return mesh.nearestPoint(at).point;
+  });
+  const bezier = { kind: 'bezier', points, samples: 33 };
+  const asked = (levels) => mesh.curve({ ...bezier, levels });
+  const centers = asked(0);
+  assert.deepEqual([centers.levels, centers.deviation], [0, 0]);
+  const edge = mesh.info.meanEdge;
+  const from = (curve) =>
+    Math.max(...curve.samples().position.map((x, i) => Math.abs(x - centers.samples().position[i])));
+  for (const tolerance of [0, 0.02]) {
+    const exact = asked({ tolerance });
+    assert.equal(exact.levels, 0);
+    assert.deepEqual(exact.value().levels, { tolerance });
+  }
+  const draft = asked({ tolerance: Infinity });
+  assert.ok(draft.levels > 1);
+  assert.ok(from(draft) < draft.deviation && draft.deviation < 3 * edge, `${draft.deviation}`);
+  assert.ok(from(draft) > 0.02 * edge);
+  // As much as it moves the curve is as much as is asked for.
+  assert.equal(asked({ tolerance: (1.01 * draft.deviation) / edge }).levels, draft.levels);
+  assert.equal(asked({ tolerance: (0.99 * draft.deviation) / edge }).levels, 0);
+  for (const tolerance of [-1, Number.NaN, '1', null, undefined]) {
+    assert.throws(() => asked({ tolerance }), badArgument, `${tolerance}`);
+  }
+  const around = { center: points[0], radius: 0.3, levels: { tolerance: 1 } };
+  assert.throws(() => mesh.circle(around.center, around), badArgument);
+  mesh.dispose();
+});
+
 test('a dragged point takes its legs along, a moved one has the shortest', () => {
   // Half around the tube there are two ways; the hand goes on around it.
   const mesh = karcher.shape('torus', 2000);

@@ -77,7 +77,7 @@ test('a mesh and a curve in a worker have all that those here have', async () =>
       if (!own.includes(name)) assert.ok(name in remotely, `there is no ${String(name)}`);
     }
   }
-  assert.equal(propertiesOf(expected).length, 8);
+  assert.equal(propertiesOf(expected).length, 9);
   curve[Symbol.dispose]();
   expected.dispose();
   for (const name of ['points', 'polyline']) await assert.rejects(curve[name](), gone);
@@ -108,7 +108,10 @@ test('a curve in a worker is edited as one here', async () => {
     assert.deepEqual(await curve.samples(), expected.samples());
     assert.deepEqual(await curve.polyline(), expected.polyline());
     assert.deepEqual(await curve.polyline({ bits: 64 }), expected.polyline({ bits: 64 }));
-    for (const name of propertiesOf(expected)) assert.equal(await curve[name], expected[name]);
+    for (const name of propertiesOf(expected)) {
+      // How many fields a curve makes depends on what other curves of its mesh have left.
+      if (name !== 'fieldsComputed') assert.equal(await curve[name], expected[name], name);
+    }
   };
   await same();
   const place = { face: 30, bary: [0.2, 0.3, 0.5] };

@@ -70,6 +70,8 @@ export class Session {
   #manySamples = false;
   /** Of a curve whose levels are automatic: how many it has between drags, in a drag the most so far. */
   #levels: number | 'limit' = 0;
+  /** Whether a curve of no levels is dragged as a draft, which takes some: its own steps were slow. */
+  #draft = false;
   /** How many steps of the drag, one after the other, were slow. */
   #slow = 0;
   readonly #drags = new Drags();
@@ -298,8 +300,7 @@ export class Session {
       if (state.dragging) this.#keepLevels(shown);
       const slow = state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft;
       this.#slow = slow ? this.#slow + 1 : 0;
-      // A draft of averages alone needs no fields.
-      if (this.#slow >= slowSteps && !isRound(figure.kind)) this.#levels = 'limit';
+      if (this.#slow >= slowSteps && !isRound(figure.kind)) this.#makeQuicker();
       this.#showTraced(state, shown, quality);
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
@@ -310,6 +311,17 @@ export class Session {
   #took(figure: Figure, { curve }: Shown): void {
     this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
     this.#levels = curve?.levels ?? 0;
+    this.#draft = false;
+  }
+
+  /** Far points' means are slow, those of near points are not, and averages alone need no fields. */
+  #makeQuicker(): void {
+    if (this.#levels === 0 && !this.#draft) {
+      this.#draft = true;
+      this.#slow = 0;
+    } else {
+      this.#levels = 'limit';
+    }
   }
 
   /** Levels that a drag needed stay while it lasts. */
@@ -385,10 +397,12 @@ export class Session {
     const fewer = dragging && this.#manySamples && settings.tolerance !== null;
     // Circles have no choice of levels.
     const isAutomatic = settings.levels === 'auto' || isRound(figure.kind);
-    const keeps = dragging && this.#levels !== 0 && isAutomatic;
+    const keeps = dragging && (this.#levels !== 0 || this.#draft) && isAutomatic;
     if (!fewer && !keeps) return { figure, coarse: false };
     const levels =
-      this.#levels === 'limit' ? { levels: this.#levels } : { leastLevels: this.#levels };
+      this.#levels === 'limit'
+        ? { levels: this.#levels }
+        : { leastLevels: this.#levels, draft: this.#draft };
     const held = {
       ...settings,
       ...(fewer && { tolerance: null }),

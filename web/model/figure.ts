@@ -75,6 +75,8 @@ export interface CurveSettings {
   readonly levels: CurveLevels;
   /** Of a drag, which keeps the most levels that it has had; never saved. */
   readonly leastLevels?: number;
+  /** Of a drag, whether levels may move the curve as far as they do; never saved. */
+  readonly draft?: boolean;
 }
 
 /** A curve with control points. */
@@ -107,8 +109,10 @@ export const defaultSettings: CurveSettings = {
 };
 
 /** The levels of a curve, as the engine is asked for them. */
-export const askedLevels = ({ levels, leastLevels = 0 }: CurveSettings) =>
-  leastLevels > 0 ? { levels, leastLevels } : { levels };
+export const askedLevels = ({ levels, leastLevels = 0, draft = false }: CurveSettings) => ({
+  levels: draft ? { tolerance: Infinity } : levels,
+  ...(leastLevels > 0 && { leastLevels }),
+});
 
 /** What the numbers of the settings lie between. */
 export const samplesRange = { least: 2, most: 5000 };
