@@ -8,7 +8,8 @@
 ///
 /// - A curve is safe at some levels if all its pieces are: their centers of mass move continuously,
 ///   and turn little more than the surface (convexity.h).
-/// - Where level 0 is safe, it is the curve of Mancinelli and Puppo, Eq. 4. If all levels lie within
+/// - Where level 0 is safe, it is the curve of Mancinelli and Puppo, Eq. 4. If all levels lie
+/// within
 ///   a tolerance of it (deviation.h), the curve takes as many as make it quickest, else none.
 /// - Where level 0 is not safe, as on rough surfaces, the curve takes the fewest levels at which it
 ///   is, or as many as make it quickest.

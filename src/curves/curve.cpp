@@ -331,16 +331,14 @@ void Curve::makeLegs(Next& next) const {
   takeLegs(next.value, next.legs);
 }
 
-/// The control polygon itself, whose pieces are the segments.
-void Curve::takeControlPolygon(Next& next) {
-  const CurveShape& shape = next.value.options.shape;
-  const int count = next.value.points.count();
-  next.polygon.points.clear();
-  next.polygon.legs.clear();
-  next.polygon.weighted = takesWeights(shape.kind) && !shape.weights.empty();
+/// The control polygon itself, whose pieces are the segments, but for its legs.
+void Curve::takeControlPolygon(const CurveValue& value, RefinedPolygon& polygon) {
+  const CurveShape& shape = value.options.shape;
+  const int count = value.points.count();
+  polygon.points.clear();
+  polygon.weighted = takesWeights(shape.kind) && !shape.weights.empty();
   for (int i = 0; i < count; ++i) {
-    next.polygon.points.push_back(
-        {next.value.points[i], next.polygon.weighted ? shape.weights[i] : 1});
+    polygon.points.push_back({value.points[i], polygon.weighted ? shape.weights[i] : 1});
   }
   Workspace& known = *workspace_;
   if (known.layoutPoints != count || !layAlike(shape, known.layoutShape)) {
@@ -349,20 +347,20 @@ void Curve::takeControlPolygon(Next& next) {
     known.layoutShape = shape;
     known.layoutPoints = count;
   }
-  next.polygon.pieces = known.layout;
+  polygon.pieces = known.layout;
 }
 
 /// The control polygon with its legs, by which levels are chosen.
-RefinedPolygon& Curve::leggedPolygon(Next& next) {
-  takeControlPolygon(next);
-  const CurveShape& shape = next.value.options.shape;
-  RefinedPolygon& polygon = next.polygon;
-  polygon.legs = next.legs;
+RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<SurfacePath>& legs) {
+  const CurveShape& shape = value.options.shape;
+  RefinedPolygon& polygon = workspace_->control;
+  takeControlPolygon(value, polygon);
+  polygon.legs = legs;
   if (shape.kind == CurveKind::kCatmullRom) {
     // By the legs, which are there, and not by the distances of fields.
     Array<double>& gaps = workspace_->gaps;
     gaps.clear();
-    for (const SurfacePath& leg : next.legs) gaps.push_back(leg.length());
+    for (const SurfacePath& leg : legs) gaps.push_back(leg.length());
     catmullRomSpacings(gaps, shape.centripetal, workspace_->spacings);
     spaceKnots(workspace_->spacings, shape.closed, polygon.pieces);
   }
@@ -380,14 +378,15 @@ bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
     // A path that is shorter by less passes other vertices on the same side.
     return (1 - kFieldError) * tight - distanceBetween(start, end) < geometry.meanEdge;
   };
-  return std::all_of(
-      polygon.pieces.begin(), polygon.pieces.end(), [&](const SegmentLayout& segment) {
-        const int last = segment.points.count() - 1;
-        for (int k = 1; k < last; ++k) {
-          if (!isShortest(segment, 0, k) || !isShortest(segment, k, last)) return false;
-        }
-        return isShortest(segment, 0, last);
-      });
+  return std::all_of(polygon.pieces.begin(), polygon.pieces.end(),
+                     [&](const SegmentLayout& segment) {
+                       const int last = segment.points.count() - 1;
+                       for (int k = 1; k < last; ++k) {
+                         if (!isShortest(segment, 0, k) || !isShortest(segment, k, last))
+                           return false;
+                       }
+                       return isShortest(segment, 0, last);
+                     });
 }
 
 /// By the field of the first point, which is kept until the curve has its own.
@@ -399,12 +398,12 @@ double Curve::distanceBetween(const SurfacePoint& from, const SurfacePoint& to) 
 }
 
 /// The levels of a curve that leaves them to itself; a refined polygon may need more.
-int Curve::levelsOf(Next& next) {
+int Curve::levelsOf(const Next& next) {
   const CurveOptions& options = next.value.options;
   const Geometry& geometry = surface().geometry();
   const int points = next.value.points.count();
   LevelsWorkspace& workspace = workspace_->levels;
-  const RefinedPolygon& polygon = leggedPolygon(next);
+  const RefinedPolygon& polygon = leggedPolygon(next.value, next.legs);
   const int quick = quickLevels(options.shape, points, next.legs);
   if (next.jumps || !isSafe(geometry, polygon, workspace)) {
     return std::max(levelsToSafety(geometry, options.shape, points, next.legs), quick);
@@ -420,16 +419,13 @@ int Curve::levelsOf(Next& next) {
 double Curve::deviation() {
   if (levels_ == 0) return 0;
   if (jumps_) return std::numeric_limits<double>::quiet_NaN();
-  Next next;
-  next.value = value_;
-  next.legs = legs();
   const Geometry& geometry = surface().geometry();
   LevelsWorkspace& workspace = workspace_->levels;
-  const RefinedPolygon& polygon = leggedPolygon(next);
+  const RefinedPolygon& polygon = leggedPolygon(value_, legs());
   const double deviation = levelsDeviation(geometry, polygon, workspace);
   const bool isFar = deviation > kLevelsTolerance * geometry.meanEdge;
-  const bool hasOne = isSafe(geometry, polygon, workspace) &&
-                      !(isFar && !joinsByShortestPaths(polygon));
+  const bool hasOne =
+      isSafe(geometry, polygon, workspace) && !(isFar && !joinsByShortestPaths(polygon));
   workspace_->far.clear();
   return hasOne ? deviation : std::numeric_limits<double>::quiet_NaN();
 }
@@ -460,7 +456,8 @@ void Curve::makePolygon(Next& next) {
       return;
     }
   }
-  takeControlPolygon(next);
+  takeControlPolygon(next.value, next.polygon);
+  next.polygon.legs.clear();
 }
 
 void Curve::makeSegments(Next& next) {

@@ -170,6 +170,7 @@ class Curve {
     std::optional<SegmentFields> blend;
     Array<PointField*> fields;
     LevelsWorkspace levels;
+    RefinedPolygon control;  ///< the control polygon, by which levels are chosen
     FacesAlongLegs along;
     Array<char> isSubdivided;                 ///< of the pieces of the refined polygon
     Array<std::shared_ptr<PointField>> near;  ///< the fields that told that
@@ -198,9 +199,9 @@ class Curve {
   void makeSegments(Next& next);
   void makePolygon(Next& next);
   bool jumpsAtLevelZero(const Next& next) const;
-  int levelsOf(Next& next);
-  void takeControlPolygon(Next& next);
-  RefinedPolygon& leggedPolygon(Next& next);
+  int levelsOf(const Next& next);
+  void takeControlPolygon(const CurveValue& value, RefinedPolygon& polygon);
+  RefinedPolygon& leggedPolygon(const CurveValue& value, const Array<SurfacePath>& legs);
   bool joinsByShortestPaths(const RefinedPolygon& polygon);
   double distanceBetween(const SurfacePoint& from, const SurfacePoint& to);
   void layKnots(const Next& next);

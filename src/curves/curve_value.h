@@ -32,7 +32,8 @@ struct CurveOptions {
   /// that it once had.
   int leastLevels = 0;
   /// Mean edges: how far kAutomaticLevels may move a curve that is a safe center of mass without
-  /// levels. 0: not at all. Infinity makes a draft, as quick as can be, of what is to be this curve.
+  /// levels. 0: not at all. Infinity makes a draft, as quick as can be, of what is to be this
+  /// curve.
   double levelsTolerance = kLevelsTolerance;
 };
 

@@ -89,9 +89,9 @@ void study(const std::string& folder, double scale) {
       AccuracyCase example(family, triangles);
       const TriangleMesh& mesh = example.surface.mesh();
       for (int i = 0; i < static_cast<int>(std::size(kMethods)); ++i) {
-        const Accuracy m = kMethods[i].byAuthors ? measureByAuthors(example, kMethods[i].options)
-                                                 : measureAccuracy(example, kMethods[i].options,
-                                                                 kMethods[i].levels);
+        const Accuracy m = kMethods[i].byAuthors
+                               ? measureByAuthors(example, kMethods[i].options)
+                               : measureAccuracy(example, kMethods[i].options, kMethods[i].levels);
         const std::string line =
             row(family, mesh.faceCount(), kMethods[i], m, size > 0 ? &coarser[i] : nullptr);
         std::printf("%s", line.c_str());

@@ -48,8 +48,7 @@ Array<Shape> shapes() {
     return soup;
   };
   const auto saddle = [](int triangles) {
-    TriangleSoup soup =
-        tessellatedPlane(PlaneTessellation::kJitteredDelaunay, triangles, kSeed);
+    TriangleSoup soup = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, triangles, kSeed);
     for (Vec3& p : soup.positions) {
       const double x = 2 * p.x() - 1;
       const double y = 2 * p.y() - 1;
@@ -124,8 +123,7 @@ void printRow(const Shape& shape, Surface& surface, const TurningMeasure& measur
   int unsafe = 0;
   int needlessly = 0;
   for (int i = 0; i < polygons; ++i) {
-    const Array<SurfacePoint> points =
-        randomControlPolygon(geometry, random, {.spacing = spacing});
+    const Array<SurfacePoint> points = randomControlPolygon(geometry, random, {.spacing = spacing});
     CurveOptions options{{CurveKind::kBezier}, kSamples, {}};
     const auto traced = [&](int asked, Array<double>* times) {
       options.levels = asked;
@@ -215,13 +213,15 @@ Options parse(int argc, char** argv) {
 void study(const Options& options) {
   std::printf(
       "Cubic Bezier curves of %d random polygons a row, `levels: auto`. 'Level 0': the percentage "
-      "that takes none, in brackets where it has a bridge all the same. 'Unsafe': the percentage for which level 0 is judged not to be safe, in "
+      "that takes none, in brackets where it has a bridge all the same. 'Unsafe': the percentage "
+      "for which level 0 is judged not to be safe, in "
       "brackets where it then has no bridge and turns no more than the limit. 'From level 0': how "
       "far the others lie from the curve of level 0, mean edges, median, 99 of 100 and largest; "
       "'estimate': the largest that was told of it. 'From truth': how far from the curve on the "
       "smooth surface, diagonals, median and largest. Milliseconds of the processor: the median "
       "first trace, beside that of level 0.\n\n"
-      "| surface | triangles | spacing | levels | level 0 | unsafe | from level 0 | estimate | from "
+      "| surface | triangles | spacing | levels | level 0 | unsafe | from level 0 | estimate | "
+      "from "
       "truth | level 0 from truth | ms |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
       options.polygons);

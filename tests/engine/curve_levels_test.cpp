@@ -349,8 +349,8 @@ TEST(CurveLevels, OfTheirOwnMakeCurvesSafeWhoseLegsGoRoundATube) {
   for (const double angle : {0.0, 1.4, 2.8, 4.2}) {
     const double out = 1 + 0.4 * std::cos(angle);
     points.push_back(nearestPoint(
-        surface.mesh(), Vec3(out * std::cos(angle / 9), out * std::sin(angle / 9),
-                             0.4 * std::sin(angle))));
+        surface.mesh(),
+        Vec3(out * std::cos(angle / 9), out * std::sin(angle / 9), 0.4 * std::sin(angle))));
   }
   const Curve curve(surface, optionsOf({CurveKind::kBezier}, 65, kAutomaticLevels, kFast), points);
   EXPECT_GT(curve.levels(), 1);

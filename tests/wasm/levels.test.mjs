@@ -87,7 +87,9 @@ test('levels stay within a tolerance of the curve that has none, and tell by how
   assert.deepEqual([centers.levels, centers.deviation], [0, 0]);
   const edge = mesh.info.meanEdge;
   const from = (curve) =>
-    Math.max(...curve.samples().position.map((x, i) => Math.abs(x - centers.samples().position[i])));
+    Math.max(
+      ...curve.samples().position.map((x, i) => Math.abs(x - centers.samples().position[i])),
+    );
   for (const tolerance of [0, 0.02]) {
     const exact = asked({ tolerance });
     assert.equal(exact.levels, 0);
