@@ -148,6 +148,18 @@ export async function start(): Promise<void> {
     shorten: () => shorten(0),
     stop: () => session.stop(),
   });
+  /** What is painted, in the drawing's order. */
+  const showRegions = () => {
+    const { state } = editor;
+    const { fill, others } = session.view;
+    const painted = state.drawing.objects.flatMap((object) => {
+      const own = object.id === state.drawing.active && object.visible && object.fill > 0;
+      const region = own ? fill?.region : others.find(({ id }) => id === object.id)?.region;
+      const { id, color, locked } = object;
+      return region ? [{ id, region, style: object, color, locked }] : [];
+    });
+    viewer.showRegions(painted);
+  };
   let besideShown: readonly Beside[] = [];
   let surfaceShown: Surface | null = null;
   const comparison = new Comparison(session);
@@ -177,6 +189,7 @@ export async function start(): Promise<void> {
       [besideShown, surfaceShown] = [view.others, viewer.surface];
       showBeside();
     }
+    showRegions();
     comparison.update(editor.state, view);
     viewer.showShorter(view.shorter.map(({ polyline }) => polyline));
     viewer.showMarks(view.curve?.marks?.position ?? []);

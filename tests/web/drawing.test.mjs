@@ -86,6 +86,8 @@ describe('a drawing', () => {
           color: random() < 0.3 ? null : '#0b8457',
           width: 1 + below(9),
           dash: one(['solid', 'dashed', 'dotted']),
+          fill: one([0, 0.3, 1]),
+          fillColor: random() < 0.5 ? null : '#d9480f',
         }),
       show: () => editor.setProperties(some(), { visible: random() < 0.7 }),
       lock: () => editor.setProperties(some(), { locked: random() < 0.2 }),

@@ -2,8 +2,17 @@ import type { SurfacePoint } from 'karcher';
 import { type DrawnObject, type LineStyle, othersOf } from '../model/drawing';
 import { type Figure, isEmpty } from '../model/figure';
 import { type MethodId, methodOptions, type Quality } from '../model/methods';
+import type { Region } from '../model/traced';
 import type { EngineClient } from '../worker/client';
-import { compute, messageOf, nothing, polylinesOf, qualityShown, type Shown } from './compute';
+import {
+  compute,
+  messageOf,
+  noFill,
+  nothing,
+  polylinesOf,
+  qualityShown,
+  type Shown,
+} from './compute';
 import type { State } from './editor';
 
 /** An object that lies beside the edited one, as it is drawn. */
@@ -17,6 +26,8 @@ export interface Beside {
   points: readonly SurfacePoint[];
   /** A center of mass. */
   center: SurfacePoint | null;
+  /** What its lines enclose, where that is painted. */
+  region: Region | null;
 }
 
 /** What the engine made of a figure by a method, and how good it is. */
@@ -54,9 +65,10 @@ export class BesideObjects {
   }
 
   /** What was made of a figure by a method. */
-  known(figure: Figure, method: MethodId): Traced | null {
+  known(figure: Figure, method: MethodId, { fill = 0 } = {}): Traced | null {
     const traced = this.#traced.get(figure);
-    return traced?.method === method ? traced : null;
+    if (traced?.method !== method) return null;
+    return fill > 0 && !traced.shown.fill ? null : traced;
   }
 
   /** What lies beside the edited object; the very same list where nothing of it has changed. */
@@ -69,11 +81,14 @@ export class BesideObjects {
 
   /** Traces one that is missing; false when there is none. */
   async trace(client: EngineClient, { drawing, method }: State): Promise<boolean> {
-    const missing = shownBeside(drawing).find(({ figure }) => !this.known(figure, method));
+    const missing = shownBeside(drawing).find(
+      (object) => !this.known(object.figure, method, object),
+    );
     if (!missing) return false;
     const { id, figure } = missing;
-    const shown = await compute(client, figure, methodOptions(method), { object: id }).catch(
-      (error) => ({ ...nothing, problem: messageOf(error) }),
+    const fill = missing.fill > 0;
+    const shown = await compute(client, figure, methodOptions(method), { object: id, fill }).catch(
+      (error) => ({ ...nothing, problem: messageOf(error), fill: fill ? noFill : null }),
     );
     if (client.closed) return false;
     this.keep(figure, { method, shown, quality: qualityShown(shown, method) }, drawing);
@@ -86,11 +101,12 @@ export class BesideObjects {
     const traced = this.known(figure, method);
     const lines = traced ? polylinesOf(traced.shown) : [];
     const center = traced?.shown.center?.point ?? null;
+    const region = object.fill > 0 ? (traced?.shown.fill?.region ?? null) : null;
     const sameLines =
       known?.lines.length === lines.length && lines.every((line, i) => line === known.lines[i]);
-    if (known && sameLines && known.center === center) return known;
+    if (known && sameLines && known.center === center && known.region === region) return known;
     const points = figure.kind === 'points' ? figure.points : [];
-    const beside = { id, style: { color, width, dash }, locked, lines, points, center };
+    const beside = { id, style: { color, width, dash }, locked, lines, points, center, region };
     this.#drawn.set(object, beside);
     return beside;
   }

@@ -88,19 +88,27 @@ export async function drawCircle(
   { radius, direction, across }: ShownCircle,
   { type, arcs }: CircleForm,
   options: FieldOptions,
-  { draft, leastLevels = 0 }: { draft: boolean; leastLevels?: number | undefined },
+  {
+    draft,
+    leastLevels = 0,
+    fill = false,
+  }: { draft: boolean; leastLevels?: number | undefined; fill?: boolean },
 ): Promise<{ curve: TracedCurve } | { isolines: ShownIsolines }> {
   if (across) {
     const radii = [radius, across.radius] as const;
     const ellipse = { ...options, radii, direction, arcs };
     return {
-      curve: await atLeast(leastLevels, (part) => client.ellipse(center, { ...ellipse, ...part })),
+      curve: await atLeast(leastLevels, (part) =>
+        client.ellipse(center, { ...ellipse, ...part }, fill),
+      ),
     };
   }
   if (type === 'arcs') {
     const circle = { ...options, radius, arcs };
     return {
-      curve: await atLeast(leastLevels, (part) => client.circle(center, { ...circle, ...part })),
+      curve: await atLeast(leastLevels, (part) =>
+        client.circle(center, { ...circle, ...part }, fill),
+      ),
     };
   }
   const { solver, rings } = options;
@@ -108,6 +116,7 @@ export async function drawCircle(
   const isolines = await client.isolines(
     center,
     exact ? { radius, type: 'exact' } : { radius, type: 'linear', solver, rings },
+    fill,
   );
   if (isolines.lines.length === 0) {
     throw new Error(`no point of the surface lies ${radius.toPrecision(4)} from the center`);

@@ -3,7 +3,7 @@ import { type Figure, isRound, pointsNeeded } from '../model/figure';
 import { type MethodId, type Quality, qualityOf } from '../model/methods';
 import { controlPointsOf, type DrawnTangents, penOptions } from '../model/pen';
 import { curveOptions, splineOf } from '../model/splines';
-import type { TracedCurve } from '../model/traced';
+import type { Fill, TracedCurve } from '../model/traced';
 import { type CurveRequest, type EngineClient, KarcherError, Stopped } from '../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
 import { drawnTangents, missingHandle } from './pen_drawing';
@@ -19,6 +19,8 @@ export interface Shown {
   tangents: readonly DrawnTangents[] | null;
   /** Why there is less than was asked for, as a sentence. */
   problem: string | null;
+  /** What its lines enclose; null where that was not asked for. */
+  fill: Fill | null;
 }
 
 export interface ShownCenter extends CenterOfMass {
@@ -32,6 +34,7 @@ export const nothing: Shown = {
   center: null,
   tangents: null,
   problem: null,
+  fill: null,
 };
 
 /** The polylines of what is shown. */
@@ -50,27 +53,45 @@ export interface Computation {
   dragged?: readonly number[];
   /** Whether to look for other minima than a center of mass, where that is quickly done. */
   uniqueness?: boolean;
+  /** Whether what its lines enclose is asked for. */
+  fill?: boolean;
 }
+
+/** What encloses nothing, as a center does. */
+export const noFill: Fill = { region: null, problem: null };
 
 /** Other minima are looked for where fields have no more values than these: some 60 ms. */
 const mostLooked = { fast: 120_000, others: 20_000 };
 
-export function compute(
+export async function compute(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { object, draft = false, dragged: points = [], uniqueness = false }: Computation,
+  computation: Computation,
 ): Promise<Shown> {
-  if (isRound(figure.kind)) return computeCircle(client, figure, options, draft);
+  const shown = await computeFigure(client, figure, options, computation);
+  if (!computation.fill) return shown;
+  return { ...shown, fill: shown.curve?.fill ?? shown.isolines?.fill ?? noFill };
+}
+
+function computeFigure(
+  client: EngineClient,
+  figure: Figure,
+  options: FieldOptions,
+  { object, draft = false, dragged: points = [], uniqueness = false, fill = false }: Computation,
+): Promise<Shown> {
+  if (isRound(figure.kind)) return computeCircle(client, figure, options, { draft, fill });
   const dragged = points.length > 0 ? movedBy(figure, points) : undefined;
-  if (figure.kind === 'pen') return computePen(client, figure, options, { object, dragged });
+  if (figure.kind === 'pen') {
+    return computePen(client, figure, options, { object, dragged, fill });
+  }
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
   const spline = splineOf(figure);
   if (!spline) return computeCenter(client, figure, options, uniqueness);
   const { marks } = spline.settings;
   return client
-    .curve(curveOptions(spline, options), { object, marks, dragged })
+    .curve(curveOptions(spline, options), { object, marks, dragged, fill })
     .then((curve) => ({ ...nothing, curve }));
 }
 
@@ -98,7 +119,7 @@ async function computePen(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  request: Pick<CurveRequest, 'object' | 'dragged'>,
+  request: Pick<CurveRequest, 'object' | 'dragged' | 'fill'>,
 ): Promise<Shown> {
   const tangents = await drawnTangents(client, figure);
   const problem = missingHandle(figure, tangents);
@@ -153,13 +174,13 @@ async function computeCircle(
   client: EngineClient,
   { kind, circle: shape, circleForm, settings }: Figure,
   options: FieldOptions,
-  draft: boolean,
+  { draft, fill }: { draft: boolean; fill: boolean },
 ): Promise<Shown> {
   if (!shape) return nothing;
   const circle = await resolveCircle(client, shape, kind === 'ellipse');
   try {
     const { leastLevels } = settings;
-    const detail = { draft, ...(options.method !== 'paper' && { leastLevels }) };
+    const detail = { draft, fill, ...(options.method !== 'paper' && { leastLevels }) };
     const drawn = await drawCircle(client, shape, circle, circleForm, options, detail);
     return { ...nothing, circle, ...drawn };
   } catch (error) {

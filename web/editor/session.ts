@@ -19,6 +19,7 @@ import {
   compute,
   curveValueOf,
   messageOf,
+  noFill,
   nothing,
   qualityShown,
   type Shown,
@@ -261,7 +262,9 @@ export class Session {
       }
       const ids = state.drawing.objects.map(({ id }) => id);
       for (const one of [client, this.#refinement.client]) one?.keepCurves(ids);
-      const known = state.dragging ? null : this.#others.known(state.figure, method);
+      const active = activeObject(state.drawing);
+      const fill = active.fill > 0;
+      const known = state.dragging ? null : this.#others.known(state.figure, method, active);
       if (known) {
         this.#coarse = false;
         this.#took(state.figure, known.shown);
@@ -280,6 +283,7 @@ export class Session {
           draft: refinedOptions(method) !== null,
           dragged: state.dragged,
           uniqueness: true,
+          fill,
         });
         // Of too few points for a curve: the next one has no legs to go on from.
         if (!answer.curve && !answer.problem) client.forget(object);
@@ -289,7 +293,8 @@ export class Session {
         if (client.closed) throw error;
         this.#drags.made = null;
         stopped = error instanceof Stopped;
-        return { ...nothing, problem: stopped ? stoppedHint : messageOf(error) };
+        const problem = stopped ? stoppedHint : messageOf(error);
+        return { ...nothing, problem, fill: fill ? noFill : null };
       });
       if (!this.#current(client, state)) return;
       const quality = qualityShown(shown, method);
@@ -420,7 +425,10 @@ export class Session {
     const unit = this.#client!.info.meanEdge;
     this.#refinement.request({
       revision: state.revision,
-      compute: (client) => compute(client, state.figure, options, { object: state.drawing.active }),
+      compute: (client) => {
+        const { id, fill } = activeObject(state.drawing);
+        return compute(client, state.figure, options, { object: id, fill: fill > 0 });
+      },
       done: (found) => {
         const exact = { ...found, center: withUniqueness(found.center, draft.center) };
         const refined = { quality: 'exact', refining: false } as const;

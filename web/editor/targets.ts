@@ -40,7 +40,9 @@ export function targetAt(
     const { id, locked } = activeObject(drawing);
     if (!locked && viewer.pickOwn(place.x, place.y, within)) return { type: 'other', id };
     const other = viewer.pickObject(place.x, place.y, within);
-    return other === null ? null : { type: 'other', id: other };
+    if (other !== null) return { type: 'other', id: other };
+    const painted = pick && viewer.pickRegion(pick.point);
+    return painted === null ? null : { type: 'other', id: painted };
   }
   // The pen edits its own path: over another line it goes on as over the surface.
   if (kind === 'pen' && tool === 'insert') {

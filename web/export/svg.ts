@@ -9,9 +9,18 @@ export interface DrawnLine extends SeenLine {
   lost?: { color: string; has(segment: number): boolean };
 }
 
+/** A region as it is seen: six numbers a triangle, x and y of its corners, all turning alike. */
+export interface DrawnFill {
+  color: string;
+  opacity: number;
+  triangles: Float32Array;
+}
+
 export interface Drawing {
   width: number;
   height: number;
+  /** Below all lines. */
+  fills?: DrawnFill[];
   lines: DrawnLine[];
   points: { x: number; y: number; color: string; filled?: boolean; hidden?: boolean }[];
   /** The surface's, as it is seen: x, y of each line's points. What the surface hides is then left out. */
@@ -25,10 +34,19 @@ export interface Drawing {
 export const svgOf = (drawing: Drawing): string => [...partsOfSvg(drawing)].join('');
 
 /** The file's text, a part for each line. */
-export function* partsOfSvg({ width, height, lines, points, outline }: Drawing): Generator<string> {
+export function* partsOfSvg({
+  width,
+  height,
+  fills = [],
+  lines,
+  points,
+  outline,
+}: Drawing): Generator<string> {
   const [w, h] = [Math.round(width), Math.round(height)];
   yield `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${w} ${h}" width="${w}" height="${h}">
-<g fill="none" stroke-linecap="round" stroke-linejoin="round">
+`;
+  for (const fill of fills) yield* fillPath(fill);
+  yield `<g fill="none" stroke-linecap="round" stroke-linejoin="round">
 `;
   if (outline) for (const path of outlinePaths(outline)) yield `${path}\n`;
   for (const line of lines) {
@@ -45,6 +63,17 @@ export function* partsOfSvg({ width, height, lines, points, outline }: Drawing):
 }
 
 const short = (value: number) => `${Number(value.toFixed(2))}`;
+
+/** One path: where triangles of one path meet no seam shows. */
+function* fillPath({ color, opacity, triangles }: DrawnFill): Generator<string> {
+  yield `<path fill="${color}" fill-opacity="${short(opacity)}" d="`;
+  for (let i = 0; i < triangles.length; i += 6) {
+    const at = (corner: number) =>
+      `${short(triangles[i + 2 * corner]!)} ${short(triangles[i + 2 * corner + 1]!)}`;
+    yield `M${at(0)}L${at(1)}L${at(2)}Z`;
+  }
+  yield '"/>\n';
+}
 
 const outlineWidth = 1.5;
 

@@ -18,8 +18,16 @@ export interface LineStyle {
   readonly dash: Dash;
 }
 
+/** How what a closed line encloses is painted. */
+export interface FillStyle {
+  /** How opaque it is, from 0, which is not at all, to 1. */
+  readonly fill: number;
+  /** `#rrggbb`; null is the line's color. */
+  readonly fillColor: string | null;
+}
+
 /** What an object has beside its figure. */
-export interface Properties extends LineStyle {
+export interface Properties extends LineStyle, FillStyle {
   /** Empty where the user gave none. */
   readonly name: string;
   readonly visible: boolean;
@@ -44,12 +52,14 @@ export interface Drawing {
 
 export const widthRange = { least: 0.5, most: 20 };
 export const defaultStyle: LineStyle = { color: null, width: 4, dash: 'solid' };
+export const defaultFill: FillStyle = { fill: 0, fillColor: null };
 
 const defaultProperties: Properties = {
   name: '',
   visible: true,
   locked: false,
   ...defaultStyle,
+  ...defaultFill,
   group: null,
 };
 
@@ -94,8 +104,8 @@ export const isBlank = ({ objects }: Drawing) => objects.every(({ figure }) => i
 
 /** An object of the same style for what comes next, of the same kind and settings. */
 export function successorOf(drawing: Drawing, figure: Figure): DrawnObject {
-  const { color, width, dash } = activeObject(drawing);
-  return newObject(freeId(drawing), figure, { color, width, dash });
+  const { color, width, dash, fill, fillColor } = activeObject(drawing);
+  return newObject(freeId(drawing), figure, { color, width, dash, fill, fillColor });
 }
 
 /** The drawing with each of its places on the surface taken to another one. */

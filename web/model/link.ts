@@ -132,13 +132,15 @@ function objectFields({ figure, ...properties }: DrawnObject): string[] {
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
-  const { name, visible, locked, color, width, dash, group } = properties;
+  const { name, visible, locked, color, width, dash, fill, fillColor, group } = properties;
   if (name) parts.push(`name=${encodeName(name)}`);
   if (!visible) parts.push('hidden=1');
   if (locked) parts.push('locked=1');
   if (color) parts.push(`color=${color.slice(1)}`);
   if (width !== defaultStyle.width) parts.push(`width=${width}`);
   if (dash !== defaultStyle.dash) parts.push(`dash=${dash}`);
+  if (fill > 0) parts.push(`fill=${fill}`);
+  if (fillColor) parts.push(`fillcolor=${fillColor.slice(1)}`);
   if (group !== null) parts.push(`group=${encodeName(group)}`);
   return parts;
 }
@@ -299,6 +301,8 @@ function parseProperties(fragment: string): Partial<Properties> {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const color = `#${fields.get('color')}`;
   const width = Number(fields.get('width') ?? defaultStyle.width);
+  const fill = Number(fields.get('fill') ?? 0);
+  const fillColor = `#${fields.get('fillcolor')}`;
   const fits = width >= widthRange.least && width <= widthRange.most;
   return {
     name: shortened(fields.get('name') ?? '', longestName),
@@ -307,6 +311,8 @@ function parseProperties(fragment: string): Partial<Properties> {
     color: isColor(color) ? color : null,
     width: fits ? width : defaultStyle.width,
     dash: dashes.find((one) => one === fields.get('dash')) ?? defaultStyle.dash,
+    fill: fill >= 0 && fill <= 1 ? fill : 0,
+    fillColor: isColor(fillColor) ? fillColor : null,
     group: shortened(fields.get('group') ?? '', longestName) || null,
   };
 }

@@ -86,6 +86,12 @@ const rules: Readonly<Record<string, Rule>> = {
     range: 'six hexadecimal digits in lower case, as d9560b',
     instead: 'the default color',
   },
+  fill: within(0, 1, false, 'no fill'),
+  fillcolor: {
+    allows: (text) => isColor(`#${text}`),
+    range: 'six hexadecimal digits in lower case, as d9560b',
+    instead: "the line's color",
+  },
   knots: { allows: (text) => areNumbers(text), range: 'a list of numbers', instead: 'even ones' },
   legs: {
     allows: byPoint(

@@ -8,6 +8,7 @@ import {
   type Drawing,
   type DrawnObject,
   dashes,
+  type FillStyle,
   type LineStyle,
   widthRange,
 } from './drawing';
@@ -91,16 +92,26 @@ function readObject(value: unknown, what: string): DrawnObject {
 }
 
 function readStyle(
-  { color, width, dash }: Partial<Record<keyof LineStyle, unknown>>,
+  {
+    color,
+    width,
+    dash,
+    fill = 0,
+    fillColor = null,
+  }: Partial<Record<keyof (LineStyle & FillStyle), unknown>>,
   what: string,
 ) {
   if (color !== null && !isColor(color))
     throw new Error(`the color of ${what} is ${shown(color)}, which is not a color`);
+  if (fillColor !== null && !isColor(fillColor))
+    throw new Error(`the fill of ${what} is ${shown(fillColor)}, which is not a color`);
   const { least, most } = widthRange;
   return {
     color,
     width: number(width, least, most, `the width of ${what}`),
     dash: oneOf<Dash>(dash, dashes, `the dash of ${what}`),
+    fill: number(fill, 0, 1, `the fill of ${what}`),
+    fillColor,
   };
 }
 

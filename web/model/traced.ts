@@ -2,6 +2,19 @@
 import type { CurvePoints, CurveSamples, SurfacePoint } from 'karcher';
 import type { LostInterval } from './lost';
 
+/** A region as it is painted: faces that lie in it as a whole, and triangles that fill its part of others. */
+export interface Region {
+  whole: Int32Array;
+  /** The face of each triangle, in order. */
+  parts: Int32Array;
+  /** Of each triangle's corners the second and the third weight in its face. */
+  corners: Float32Array;
+  area: number;
+}
+
+/** What closed lines enclose, or why they enclose nothing, as a sentence. */
+export type Fill = { region: Region; problem: null } | { region: null; problem: string | null };
+
 /** A curve as the page draws it. */
 export interface TracedCurve {
   polyline: Float32Array;
@@ -23,6 +36,8 @@ export interface TracedCurve {
   arcsNotShortest: number;
   length: number;
   milliseconds: number;
+  /** Null where it was not asked for. */
+  fill: Fill | null;
 }
 
 /** A shorter way from a control point to the next than the one that the curve takes. */
@@ -41,6 +56,8 @@ export interface TracedIsolines {
   /** Of all of them. */
   length: number;
   milliseconds: number;
+  /** Null where it was not asked for. */
+  fill: Fill | null;
 }
 
 /** A point of a curve, with what is worth knowing there. */

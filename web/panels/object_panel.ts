@@ -12,7 +12,7 @@ import { EditedField } from './edited_field';
 import { byId, make, write } from './elements';
 import { kindNames } from './kind_names';
 import { ListDrag } from './list_drag';
-import { NumberField, positiveNumber } from './number_field';
+import { NumberField, positiveNumber, wholeNumbers } from './number_field';
 import { showShared } from './shared_settings';
 
 /** Colors that are told apart on light and dark surfaces; null is the theme's. */
@@ -26,6 +26,14 @@ const colors: readonly [string | null, string][] = [
   ['#222831', 'Black'],
   ['#f8f9fa', 'White'],
 ];
+
+/** How opaque a fill is at first. */
+const firstFill = 0.5;
+
+const selectedFills = (state: State) => {
+  const ids = selectedObjects(state);
+  return state.drawing.objects.filter(({ id }) => ids.includes(id)).map(({ fill }) => fill);
+};
 
 const eye =
   '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M2.500 10S5.200 5 10 5s7.500 5 7.500 5-2.700 5-7.500 5-7.500-5-7.500-5z" /><circle cx="10" cy="10" r="2.200" /><path class="off" d="m4 16 12-12" /></svg>';
@@ -45,6 +53,8 @@ export class ObjectPanel {
   readonly #custom = byId<HTMLInputElement>('color');
   readonly #swatches = colors.map(([color, name]) => this.#makeSwatch(color, name));
   readonly #width: NumberField;
+  readonly #fill: NumberField;
+  readonly #fillColor = byId<HTMLInputElement>('fill-color');
   readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
   #shown: State | null = null;
 
@@ -67,6 +77,17 @@ export class ObjectPanel {
     });
     this.#custom.addEventListener('change', () => set({ color: this.#custom.value }));
     this.#dash.addEventListener('change', () => set({ dash: this.#dash.value as Dash }));
+    this.#fill = new NumberField(
+      byId<HTMLInputElement>('fill'),
+      (percent) => set({ fill: percent / 100 }),
+      wholeNumbers({ least: 0, most: 100 }),
+    );
+    this.#fillColor.addEventListener('change', () => {
+      const fillColor = this.#fillColor.value;
+      const none = selectedFills(editor.state).every((fill) => fill === 0);
+      // A color of what is not painted asks for it.
+      set(none ? { fillColor, fill: firstFill } : { fillColor });
+    });
     this.#width = new NumberField(byId<HTMLInputElement>('width'), (width) => set({ width }), {
       read(text) {
         const value = positiveNumber(text);
@@ -217,7 +238,7 @@ export class ObjectPanel {
   /** What the selected objects have in common; what they have not is left open. */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
-    const common = <Key extends 'color' | 'width' | 'dash'>(key: Key) =>
+    const common = <Key extends 'color' | 'width' | 'dash' | 'fill' | 'fillColor'>(key: Key) =>
       objects.every((object) => object[key] === last[key]) ? last[key] : undefined;
     const { id, name } = last;
     this.#named.show(selected === 1 ? name : '', selected === 1 ? id : null);
@@ -231,6 +252,11 @@ export class ObjectPanel {
     const width = common('width');
     if (width === undefined) this.#width.showOpen();
     else this.#width.show(width);
+    const fill = common('fill');
+    if (fill === undefined) this.#fill.showOpen();
+    else this.#fill.show(Math.round(100 * fill));
+    const fillColor = common('fillColor') ?? common('color');
+    if (fillColor) this.#fillColor.value = fillColor;
     showShared(this.#dash, common('dash'));
     const color = selected > 0 ? common('color') : undefined;
     for (const swatch of this.#swatches) {
@@ -240,7 +266,8 @@ export class ObjectPanel {
     const isOwn = color !== undefined && colors.every(([one]) => one !== color);
     this.#custom.classList.toggle('chosen', isOwn);
     if (color) this.#custom.value = color;
-    const controls = [...this.#swatches, this.#custom, this.#dash, byId<HTMLInputElement>('width')];
+    const inputs = ['width', 'fill'].map((id) => byId<HTMLInputElement>(id));
+    const controls = [...this.#swatches, this.#custom, this.#dash, this.#fillColor, ...inputs];
     for (const control of controls) control.disabled = selected === 0;
   }
 

@@ -4,7 +4,12 @@ import type { Editor } from '../editor/editor';
 import type { Session } from '../editor/session';
 import type { View } from '../editor/view';
 import { jsonOf, longestInside, partsOfObj, partsWithFile } from '../export/curve_file';
-import { type DrawnLine, partsOfSvg, type Drawing as SvgDrawing } from '../export/svg';
+import {
+  type DrawnFill,
+  type DrawnLine,
+  partsOfSvg,
+  type Drawing as SvgDrawing,
+} from '../export/svg';
 import { type DrawnObject, isBlank, type LineStyle } from '../model/drawing';
 import { isEmpty, isRound } from '../model/figure';
 import { gathered } from '../model/gathered';
@@ -189,7 +194,15 @@ export class SaveMenu {
       }
     }
     const lines = await gathered(seenLines(view, active, vantage, colors));
-    return { ...vantage.size, lines, points: dots };
+    const fills = await gathered(seenFills(viewer, vantage, colors));
+    return { ...vantage.size, fills, lines, points: dots };
+  }
+}
+
+function* seenFills(viewer: Viewer, vantage: Vantage, colors: ViewerColors): Generator<DrawnFill> {
+  for (const { painted, triangles } of viewer.seenRegions(vantage)) {
+    const { style, color } = painted;
+    yield { color: style.fillColor ?? color ?? colors.curve, opacity: style.fill, triangles };
   }
 }
 

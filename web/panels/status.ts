@@ -177,6 +177,7 @@ function hintOf(
       : 'Point at the curve, or tap it, to measure it there';
   }
   if (view.problem) return sentenceOf(view.problem);
+  if (view.fill?.problem) return `Nothing is filled: ${view.fill.problem}`;
   const { kind, points, circle } = figure;
   if (tool === 'select' && chosen.length === 0 && selection === null) {
     const blank = isEmpty(figure) && view.others.length === 0;

@@ -19,6 +19,7 @@ import {
 import { MeshBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/figure';
 import type { MeshBlobs } from '../model/mesh_blobs';
+import type { Region } from '../model/traced';
 import { rampForShader } from './color_ramp';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
@@ -47,16 +48,19 @@ export interface SurfaceColors {
   edges: string;
 }
 
+/** The light, which is the surface's and that of what is painted on it. */
+const light = { sky: { value: new Color() }, ground: { value: new Color() } };
+
 /** Clay lit by a soft sky and a key light that goes with the camera. */
-const material = new ShaderMaterial({
+const clay = {
   uniforms: {
     front: { value: new Color() },
     back: { value: new Color() },
-    sky: { value: new Color() },
-    ground: { value: new Color() },
+    ...light,
     frontIsOutside: { value: true },
     ramp: { value: rampForShader() },
     most: { value: 0 },
+    opacity: { value: 1 },
   },
   vertexShader: `
     attribute float value;
@@ -78,6 +82,7 @@ const material = new ShaderMaterial({
     uniform bool frontIsOutside;
     uniform vec3 ramp[5];
     uniform float most;
+    uniform float opacity;
     varying vec3 vNormal;
     varying vec3 vEye;
     varying float vValue;
@@ -97,10 +102,36 @@ const material = new ShaderMaterial({
         for (int i = 0; i < 4; i++) clay = mix(clay, ramp[i + 1], clamp(at - float(i), 0.0, 1.0));
       }
       vec3 light = mix(ground, sky, up) * 0.64 + vec3(0.56) * lit * lit;
-      gl_FragColor = vec4(clay * light + sky * (0.05 * gloss + 0.1 * rim), 1.0);
+      gl_FragColor = vec4(clay * light + sky * (0.05 * gloss + 0.1 * rim), opacity);
       #include <colorspace_fragment>
     }`,
-});
+};
+const material = new ShaderMaterial(clay);
+
+/** The same clay of another color, over the surface that it lies on. */
+export function paint(color: Color, opacity: number): ShaderMaterial {
+  return new ShaderMaterial({
+    ...clay,
+    uniforms: {
+      ...clay.uniforms,
+      ...{ front: { value: color }, back: { value: color } },
+      ...{ most: { value: 0 }, opacity: { value: opacity } },
+    },
+    side: material.side,
+    // Opaque ones, too: else they would be drawn before all that are not.
+    transparent: true,
+    depthWrite: false,
+    polygonOffset: true,
+    polygonOffsetFactor: -1,
+    polygonOffsetUnits: -4,
+  });
+}
+
+const unitWeights = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+] as const;
 
 /** Only the sides that are seen are drawn: the others would show as specks at the silhouette. */
 const sides = { front: FrontSide, back: BackSide, both: DoubleSide };
@@ -172,6 +203,36 @@ export class Surface {
     material.uniforms.most!.value = colored?.most ?? 0;
     if (colored) this.#geometry.setAttribute('value', new BufferAttribute(colored.values, 1));
     else this.#geometry.deleteAttribute('value');
+  }
+
+  /** The triangles of a region. */
+  regionGeometry({ whole, parts, corners }: Region): BufferGeometry {
+    const count = 3 * (whole.length + parts.length);
+    const [positions, normals] = [new Float32Array(3 * count), new Float32Array(3 * count)];
+    let to = 0;
+    const add = (face: number, weights: readonly [number, number, number]) => {
+      for (let corner = 0; corner < 3; corner++) {
+        const from = 3 * this.#triangles[3 * face + corner]!;
+        const weight = weights[corner]!;
+        for (let axis = 0; axis < 3; axis++) {
+          positions[to + axis]! += weight * this.#positions[from + axis]!;
+          normals[to + axis]! += weight * this.#normals[from + axis]!;
+        }
+      }
+      to += 3;
+    };
+    for (const face of whole) for (const corner of unitWeights) add(face, corner);
+    for (const [i, face] of parts.entries()) {
+      for (let at = 6 * i; at < 6 * i + 6; at += 2) {
+        const [b, c] = [corners[at]!, corners[at + 1]!];
+        add(face, [1 - b - c, b, c]);
+      }
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+    geometry.boundingSphere = new Sphere(new Vector3(), 1);
+    return geometry;
   }
 
   /** Where a ray of the scene meets the surface first. */

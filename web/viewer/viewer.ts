@@ -12,6 +12,7 @@ import { dashLengths, dotAt, type ObjectDrawing, ObjectLines } from './object_li
 import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
+import { type PaintedRegion, Regions } from './regions';
 import { colorSurface, type Pick, Surface } from './surface';
 import { type SeenLine, Vantage } from './vantage';
 
@@ -33,6 +34,7 @@ export class Viewer {
   readonly #stroke = new FatLine({ width: 3, hidden: 0.25 }, 4);
   readonly #band = new FatLine({ width: 2, dash: fineDash, hidden: 0.2 }, 4);
   readonly #beside = new ObjectLines(2);
+  readonly #regions = new Regions();
   /** Around what is selected, below it. */
   readonly #halo = new FatLine({ width: 10, hidden: 0 }, 1);
   readonly #shorter = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.3 }, 2);
@@ -80,7 +82,7 @@ export class Viewer {
     this.#renderer = new WebGLRenderer({ canvas, context });
     const redraw = () => this.requestFrame();
     outliveContextLoss(canvas, () => [this.#scene], redraw);
-    this.#scene.add(...this.#lines.map((line) => line.object));
+    this.#scene.add(this.#regions.object, ...this.#lines.map((line) => line.object));
     this.#view = new OrbitView(stage, redraw);
     new ResizeObserver(() => this.#resize()).observe(stage);
     this.#resize();
@@ -136,6 +138,7 @@ export class Viewer {
     this.showMarks([]);
     this.showTangent(null);
     this.showObjects([]);
+    this.showRegions([]);
     this.showShorter([]);
     this.showPlaces([]);
     this.showStroke(new Float32Array());
@@ -152,6 +155,7 @@ export class Viewer {
     for (const line of [this.#lost, this.#places]) line.setColor(lost, surface);
     this.#polygon.setColor(new Color(colors.polygon), surface);
     this.#beside.setColors(new Color(colors.curve), surface);
+    this.#regions.setColor(new Color(colors.curve));
     this.#halo.setColor(new Color(colors.chosen).lerp(surface, 0.35), surface);
     this.#showStyle();
     const center = new Color(colors.center);
@@ -263,6 +267,22 @@ export class Viewer {
     this.#beside.show(objects);
     this.#showHalo();
     this.requestFrame();
+  }
+
+  /** What is painted, from the lowest to the topmost. */
+  showRegions(painted: readonly PaintedRegion[]): void {
+    this.#regions.show(painted, this.#surface);
+    this.requestFrame();
+  }
+
+  /** What is seen of it. */
+  seenRegions(vantage: Vantage): ReturnType<Regions['seen']> {
+    return this.#regions.seen(vantage);
+  }
+
+  /** The id of the topmost object that is painted at a point; null without one. */
+  pickRegion(point: SurfacePoint): number | null {
+    return this.#regions.at(point);
   }
 
   /** Which objects are selected, by their ids, and whether the edited one is. */

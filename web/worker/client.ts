@@ -9,6 +9,7 @@ import type {
   LongWorkOptions,
   MappedPoints,
   MeshInfo,
+  Path,
   PointLike,
   SetOptions,
 } from 'karcher';
@@ -18,6 +19,7 @@ import type { Vector } from '../model/figure';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
 import type {
+  Fill,
   Measured,
   ShorterLeg,
   TracedCurve,
@@ -67,6 +69,8 @@ export interface CurveRequest {
   marks?: number;
   /** The numbers of points that are dragged: the legs that meet there are continued. */
   dragged?: SetOptions['dragged'];
+  /** Whether what it encloses is asked for, too. */
+  fill?: boolean;
 }
 
 /** A curve that is tried elsewhere again and again: its legs are continued. */
@@ -176,17 +180,20 @@ export class EngineClient {
   /** The curve of a value. */
   async curve(
     value: CurveOptions,
-    { object, marks = 0, dragged }: CurveRequest = {},
+    { object, marks = 0, dragged, fill = false }: CurveRequest = {},
   ): Promise<TracedCurve> {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
     try {
       // Both are asked at once: nothing comes in between.
-      const [view, marked] = await both(
-        before ? curve.set(value, dragged === undefined ? {} : { dragged }) : curve.view(),
-        marks > 0 ? curve.equallySpaced(marks) : null,
+      const [[view, marked], filled] = await both(
+        both(
+          before ? curve.set(value, dragged === undefined ? {} : { dragged }) : curve.view(),
+          marks > 0 ? curve.equallySpaced(marks) : null,
+        ),
+        fill ? this.#fill(curve) : null,
       );
-      return tracedCurve(view, marked);
+      return tracedCurve(view, marked, filled);
     } finally {
       if (object === undefined) void curve.dispose();
     }
@@ -259,22 +266,29 @@ export class EngineClient {
     return edited(this.mesh, await this.#curveOf(object, value), value, edit);
   }
 
-  async circle(center: PointLike, options: CircleOptions): Promise<TracedCurve> {
-    return timed(() => this.mesh.circle(center, options));
+  async circle(center: PointLike, options: CircleOptions, fill = false): Promise<TracedCurve> {
+    return this.#timed(() => this.mesh.circle(center, options), fill);
   }
 
-  async ellipse(center: PointLike, options: EllipseOptions): Promise<TracedCurve> {
-    return timed(() => this.mesh.ellipse(center, options));
+  async ellipse(center: PointLike, options: EllipseOptions, fill = false): Promise<TracedCurve> {
+    return this.#timed(() => this.mesh.ellipse(center, options), fill);
   }
 
-  async isolines(center: PointLike, options: IsolineOptions): Promise<TracedIsolines> {
+  async isolines(
+    center: PointLike,
+    options: IsolineOptions,
+    fill = false,
+  ): Promise<TracedIsolines> {
     const started = performance.now();
-    const lines = (await this.mesh.isolines(center, options)).map((line) => ({
+    const paths = await this.mesh.isolines(center, options);
+    const milliseconds = performance.now() - started;
+    const lines = paths.map((line) => ({
       ...{ closed: line.closed, length: line.length },
       polyline: line.polyline(),
     }));
     const length = lines.reduce((sum, line) => sum + line.length, 0);
-    return { lines, length, milliseconds: performance.now() - started };
+    const filled = fill && lines.length > 0 ? await this.#fill(paths) : null;
+    return { lines, length, milliseconds, fill: filled };
   }
 
   /** Distances along the surface from a point to all of it. */
@@ -309,6 +323,18 @@ export class EngineClient {
     this.#worker.dispose();
   }
 
+  #fill(lines: RemoteCurve | Path[]): Promise<Fill> {
+    return this.#worker.call('fill', [this.mesh, lines]) as Promise<Fill>;
+  }
+
+  async #timed(trace: () => Promise<Circle>, fill: boolean): Promise<TracedCurve> {
+    const started = performance.now();
+    const circle = await trace();
+    const milliseconds = performance.now() - started;
+    const filled = fill ? await this.#fill([circle.path]) : null;
+    return tracedCircle(circle, () => milliseconds, filled);
+  }
+
   async #curveOf(object: number, value: CurveOptions): Promise<RemoteCurve> {
     return (await this.#curves.get(object)) ?? (await this.#first(object, value));
   }
@@ -326,8 +352,3 @@ export class EngineClient {
 
 /** Both answers; where one fails the other's failure is no other one. */
 const both = <A, B>(a: Promise<A>, b: Promise<B> | B): Promise<[A, B]> => Promise.all([a, b]);
-
-async function timed(trace: () => Promise<Circle>): Promise<TracedCurve> {
-  const started = performance.now();
-  return tracedCircle(await trace(), () => performance.now() - started);
-}

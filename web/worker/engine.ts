@@ -13,6 +13,7 @@ import { serve } from 'karcher/own-worker';
 import { arraysOf, blobsOf, type MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
 import { tracedDistances } from './distances';
+import { fillOf } from './fills';
 
 interface Loaded {
   mesh: Mesh;
@@ -58,6 +59,7 @@ const calls = {
   },
   distances: (mesh: Mesh, from: PointLike, options: DistanceOptions) =>
     tracedDistances(mesh, from, options),
+  fill: fillOf,
   putDown(
     mesh: Mesh,
     from: PointLike,

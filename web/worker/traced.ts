@@ -1,9 +1,13 @@
 /** What the engine gives, as the page draws it. */
 import type { Circle, CurvePoints, CurveView } from 'karcher';
 import { lostIntervals } from '../model/lost';
-import type { TracedCurve } from '../model/traced';
+import type { Fill, TracedCurve } from '../model/traced';
 
-export function tracedCurve(view: CurveView, marks: CurvePoints | null): TracedCurve {
+export function tracedCurve(
+  view: CurveView,
+  marks: CurvePoints | null,
+  fill: Fill | null,
+): TracedCurve {
   const { samples, bridged, knots, levels, legs, length, times } = view;
   return {
     polyline: view.polyline as Float32Array,
@@ -17,10 +21,15 @@ export function tracedCurve(view: CurveView, marks: CurvePoints | null): TracedC
     arcsNotShortest: 0,
     length,
     milliseconds: Object.values(times).reduce((sum, time) => sum + time, 0),
+    fill,
   };
 }
 
-export function tracedCircle(circle: Circle, milliseconds: () => number): TracedCurve {
+export function tracedCircle(
+  circle: Circle,
+  milliseconds: () => number,
+  fill: Fill | null,
+): TracedCurve {
   const { path, unconverged, samples, bridged, levels, notShortest } = circle;
   return {
     polyline: path.polyline(),
@@ -34,5 +43,6 @@ export function tracedCircle(circle: Circle, milliseconds: () => number): Traced
     arcsNotShortest: notShortest.length,
     length: path.length,
     milliseconds: milliseconds(),
+    fill,
   };
 }

@@ -1,0 +1,202 @@
+// What closed lines enclose is painted: it follows every edit, is picked, kept, and in the files.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
+
+describe('fills', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  });
+  after(() => browser.close());
+
+  const square = [
+    [-80, -80],
+    [80, -80],
+    [80, 80],
+    [-80, 80],
+  ];
+  const close = async (tab) => {
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  };
+  async function set(tab, percent) {
+    await tab.page.locator('#fill').fill(`${percent}`);
+    await tab.page.keyboard.press('Enter');
+    await tab.page.locator('#fill').blur();
+    await tab.settled();
+  }
+  /** Of a region the sum of its triangles, from the mesh alone. */
+  async function areaOf(tab, { whole, parts, corners }) {
+    const { positions, triangles } = await tab.mesh();
+    const corner = (face, i) => {
+      const at = 3 * triangles[3 * face + i];
+      return positions.slice(at, at + 3);
+    };
+    const cross = (a, b) =>
+      [0, 1, 2].map((i) => {
+        const [j, k] = [(i + 1) % 3, (i + 2) % 3];
+        return a[j] * b[k] - a[k] * b[j];
+      });
+    const minus = (a, b) => a.map((value, i) => value - b[i]);
+    const area = (face) => {
+      const [a, b, c] = [0, 1, 2].map((i) => corner(face, i));
+      return Math.hypot(...cross(minus(b, a), minus(c, a))) / 2;
+    };
+    const part = (face, [ax, ay, bx, by, cx, cy]) =>
+      area(face) * Math.abs((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
+    let sum = Object.values(whole).reduce((total, face) => total + area(face), 0);
+    Object.values(parts).forEach((face, i) => {
+      sum += part(face, Object.values(corners).slice(6 * i, 6 * i + 6));
+    });
+    return sum;
+  }
+  /** The color in the middle of the stage, of a picture of the page. */
+  async function pixel(tab, [dx, dy]) {
+    await tab.still();
+    const { x, y } = await tab.middle();
+    const clip = { x: x + dx, y: y + dy, width: 1, height: 1 };
+    const png = (await tab.page.screenshot({ clip })).toString('base64');
+    return tab.page.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(1, 1).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+    }, png);
+  }
+
+  test('are painted, follow a drag and undo, and are as large as their triangles together', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
+    await tab.click(...square);
+    await tab.page.locator('#closed').check();
+    await tab.settled();
+    const before = JSON.stringify((await tab.state()).drawing);
+    const bare = await pixel(tab, [0, 0]);
+    await set(tab, 100);
+    const painted = await pixel(tab, [0, 0]);
+    assert.ok(Math.hypot(...painted.map((value, i) => value - bare[i])) > 60, `${painted}`);
+    const { fill } = await tab.view();
+    assert.equal(fill.problem, null);
+    const area = await areaOf(tab, fill.region);
+    assert.ok(Math.abs(area - fill.region.area) < 1e-6 * area, `${area} ${fill.region.area}`);
+    const from = await tab.handle('Control point 1 of 4');
+    await tab.page.mouse.move(from.x, from.y);
+    await tab.page.mouse.down();
+    await tab.page.mouse.move(from.x - 30, from.y - 20, { steps: 4 });
+    await tab.settled();
+    const held = (await tab.view()).fill.region;
+    assert.ok(held.area > 1.05 * area, 'it follows while the hand drags');
+    await tab.page.mouse.up();
+    await tab.settled();
+    const dragged = (await tab.view()).fill.region;
+    assert.ok(Math.abs((await areaOf(tab, dragged)) - dragged.area) < 1e-6 * dragged.area);
+    for (let step = 0; step < 2; step++) await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), before);
+    const back = await pixel(tab, [0, 0]);
+    assert.deepEqual(back, bare);
+    await close(tab);
+  });
+
+  test('are picked by a click inside, moved by a drag there, and come back with the page', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle');
+    await tab.page.keyboard.press('o');
+    const { x, y } = await tab.middle();
+    await tab.drag({ x, y }, { x: x + 60, y });
+    await set(tab, 50);
+    await tab.page.keyboard.press('Enter');
+    await tab.page.keyboard.press('b');
+    await tab.click([-150, 120], [-100, 150], [-40, 140]);
+    await tab.page.keyboard.press('v');
+    await tab.page.mouse.click(x + 25, y + 15);
+    await tab.settled();
+    assert.equal((await tab.state()).drawing.active, 1);
+    assert.ok(!(await tab.state()).none);
+    const before = (await tab.view()).fill.region;
+    await tab.drag({ x: x + 25, y: y + 15 }, { x: x + 45, y: y - 15 });
+    const after = (await tab.view()).fill.region;
+    assert.notDeepEqual(Object.values(after.whole), Object.values(before.whole));
+    await tab.pastSaving();
+    await tab.page.reload();
+    await tab.settled();
+    const { fill } = await tab.view();
+    assert.deepEqual(Object.values(fill.region.whole), Object.values(after.whole));
+    await close(tab);
+  });
+
+  test('have a color of their own, and are in the SVG as they are seen', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
+    await tab.click(...square);
+    await tab.page.locator('#closed').check();
+    await tab.page.locator('#fill-color').fill('#0b8457');
+    await tab.settled();
+    const [{ fill, fillColor }] = (await tab.state()).drawing.objects;
+    assert.deepEqual([fill, fillColor], [0.5, '#0b8457']);
+    const { text } = await tab.save('SVG');
+    const [, path] = /<path fill="#0b8457" fill-opacity="0.5" d="([^"]+)"/.exec(text);
+    const triangles = path.split('Z').slice(0, -1);
+    const area = triangles.reduce((sum, triangle) => {
+      const [ax, ay, bx, by, cx, cy] = triangle.match(/-?[\d.]+/g).map(Number);
+      return sum + ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2;
+    }, 0);
+    const around = await tab.page.evaluate(() => {
+      const { polyline } = window.karcherPage.view().curve;
+      let sum = 0;
+      for (let i = 3; i < polyline.length; i += 3) {
+        const [a, b] = [i - 3, i].map((at) =>
+          window.karcherPage.seen(polyline.subarray(at, at + 3)),
+        );
+        sum += (a.x * b.y - b.x * a.y) / 2;
+      }
+      return Math.abs(sum);
+    });
+    assert.ok(Math.abs(area - around) < 0.002 * around, `${area} of ${around} pixels`);
+    await close(tab);
+  });
+
+  test('of an open line are none, and that is said', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...square);
+    await set(tab, 40);
+    const { fill } = await tab.view();
+    assert.equal(fill.region, null);
+    assert.match(await tab.page.locator('#hint').textContent(), /^Nothing is filled: /);
+    await tab.page.locator('#closed').check();
+    await tab.settled();
+    assert.ok((await tab.view()).fill.region);
+    assert.doesNotMatch(await tab.page.locator('#hint').textContent(), /filled/);
+    await close(tab);
+  });
+});
+
+describe('fills on a phone', () => {
+  test('are picked by a tap inside', async () => {
+    const browser = await openPhone();
+    try {
+      const tab = await Tab.open(browser);
+      const { page } = tab;
+      const { touch } = await touchOf(page);
+      const { x, y } = await tab.middle();
+      await page.locator('#tool-circle').tap();
+      await touch('touchStart', { x, y: y - 60 });
+      for (let step = 1; step < 6; step++) await touch('touchMove', { x: x + 9 * step, y: y - 60 });
+      await touch('touchEnd');
+      await tab.settled();
+      await page.locator('#fill').fill('60');
+      await page.keyboard.press('Enter');
+      await page.locator('#tool-select').tap();
+      await tab.settled();
+      assert.ok((await tab.view()).fill.region);
+      for (let tap = 0; tap < 2; tap++) await page.touchscreen.tap(x - 180, y - 190);
+      await tab.settled();
+      assert.equal((await tab.state()).none, true, 'beside the surface a tap lets go');
+      await page.touchscreen.tap(x + 22, y - 50);
+      await tab.settled();
+      assert.equal((await tab.state()).none, false);
+      assert.deepEqual(tab.logged, []);
+    } finally {
+      await browser.close();
+    }
+  });
+});

@@ -1,0 +1,140 @@
+import type { SurfacePoint } from 'karcher';
+import { type BufferGeometry, Color, Group, Mesh, type ShaderMaterial, Vector3 } from 'three';
+import type { FillStyle } from '../model/drawing';
+import type { Region } from '../model/traced';
+import { paint, type Surface } from './surface';
+import type { Vantage } from './vantage';
+
+/** A region of an object as it is painted. */
+export interface PaintedRegion {
+  id: number;
+  region: Region;
+  style: FillStyle;
+  /** The line's, which a fill without one of its own has. */
+  color: string | null;
+  locked: boolean;
+}
+
+/** What is painted on the surface, from the lowest to the topmost; the lines lie above it. */
+export class Regions {
+  readonly object = new Group();
+  #painted: readonly PaintedRegion[] = [];
+  #surface: Surface | null = null;
+  #color = new Color();
+  readonly #geometries = new Map<Region, BufferGeometry>();
+
+  /** The color of lines that have none of their own. */
+  setColor(color: Color): void {
+    this.#color = color;
+    this.#paint();
+  }
+
+  /** Whether something else is painted than before. */
+  show(painted: readonly PaintedRegion[], surface: Surface | null): void {
+    if (surface === this.#surface && `${painted.map(keyOf)}` === `${this.#painted.map(keyOf)}`) {
+      if (painted.every(({ region }, i) => region === this.#painted[i]!.region)) return;
+    }
+    if (surface !== this.#surface) this.#forget([]);
+    [this.#painted, this.#surface] = [painted, surface];
+    this.#forget(painted.map(({ region }) => region));
+    this.#paint();
+  }
+
+  /** The id of the topmost object that is painted at a point. */
+  at(point: SurfacePoint): number | null {
+    const found = this.#painted.findLast(({ region, locked }) => !locked && holds(region, point));
+    return found?.id ?? null;
+  }
+
+  /** What is seen of each, as a drawing on paper has it: the triangles that the surface does not hide. */
+  *seen(vantage: Vantage): Generator<{ painted: PaintedRegion; triangles: Float32Array }> {
+    for (const painted of this.#painted) {
+      const places = this.#geometryOf(painted.region).getAttribute('position')
+        .array as Float32Array;
+      yield { painted, triangles: seenTriangles(places, vantage) };
+    }
+  }
+
+  #paint(): void {
+    for (const mesh of this.object.children) ((mesh as Mesh).material as ShaderMaterial).dispose();
+    this.object.clear();
+    for (const [i, { region, style, color }] of this.#painted.entries()) {
+      const own = style.fillColor ?? color;
+      const mesh = new Mesh(
+        this.#geometryOf(region),
+        paint(own ? new Color(own) : this.#color, style.fill),
+      );
+      // After the surface, and before all lines.
+      mesh.renderOrder = 0.1 + i * 1e-4;
+      this.object.add(mesh);
+    }
+  }
+
+  #geometryOf(region: Region): BufferGeometry {
+    const geometry = this.#geometries.get(region) ?? this.#surface!.regionGeometry(region);
+    this.#geometries.set(region, geometry);
+    return geometry;
+  }
+
+  #forget(kept: readonly Region[]): void {
+    for (const [region, geometry] of this.#geometries) {
+      if (kept.includes(region)) continue;
+      geometry.dispose();
+      this.#geometries.delete(region);
+    }
+  }
+}
+
+function seenTriangles(places: Float32Array, vantage: Vantage): Float32Array {
+  const count = places.length / 9;
+  const triangles: number[] = [];
+  const [place, middle] = [new Vector3(), new Vector3()];
+  for (let i = 0; i < count; i++) {
+    middle.set(0, 0, 0);
+    for (let at = 9 * i; at < 9 * i + 9; at += 3) {
+      middle.addScaledVector(place.fromArray(places, at), 1 / 3);
+    }
+    if (vantage.project(middle).hidden) continue;
+    const [a, b, c] = [0, 3, 6].map((corner) => {
+      const { x, y } = vantage.onStage(place.fromArray(places, 9 * i + corner));
+      return [x, y] as const;
+    }) as [Place, Place, Place];
+    // All turn alike: where they meet they add up, and do not cancel.
+    const turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    triangles.push(...a, ...(turn < 0 ? [...c, ...b] : [...b, ...c]));
+  }
+  return Float32Array.from(triangles);
+}
+
+type Place = readonly [number, number];
+
+const keyOf = ({ id, style: { fill, fillColor }, color, locked }: PaintedRegion) =>
+  `${id} ${fill} ${fillColor} ${color} ${locked}`;
+
+/** Whether a point lies in a region. */
+export function holds({ whole, parts, corners }: Region, { face, bary }: SurfacePoint): boolean {
+  if (whole[firstOf(whole, face)] === face) return true;
+  const [, x, y] = bary;
+  for (let i = firstOf(parts, face); parts[i] === face; i++) {
+    const [ax, ay, bx, by, cx, cy] = corners.subarray(6 * i, 6 * i + 6) as unknown as Six;
+    const side = (px: number, py: number, qx: number, qy: number) =>
+      (qx - px) * (y - py) - (qy - py) * (x - px);
+    const signs = [side(ax, ay, bx, by), side(bx, by, cx, cy), side(cx, cy, ax, ay)];
+    if (signs.every((sign) => sign >= 0) || signs.every((sign) => sign <= 0)) return true;
+  }
+  return false;
+}
+
+type Six = [number, number, number, number, number, number];
+
+/** Where a number begins in sorted ones. */
+function firstOf(sorted: Int32Array, value: number): number {
+  let low = 0;
+  let high = sorted.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle]! < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
