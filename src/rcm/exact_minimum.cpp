@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "distance/exact_distance.h"
 #include "intrinsic/straightest.h"
@@ -9,12 +10,14 @@
 namespace karcher {
 namespace {
 
-/// The circles round a center, in mean edges, the checked one first.
+/// Circles round a center of few points, in mean edges, the checked one first.
 struct Circle {
   double radius;
   int count;
 };
 constexpr Circle kCircles[] = {{kCheckedRadius, 64}, {0.1, 16}, {0.03, 16}};
+/// Of many points.
+constexpr Circle kCircleOfMany{kCheckedRadius, 12};
 
 /// A center is moved where a point is lower by this part of a square mean edge: less than what is
 /// promised, since points lie between those that are tried.
@@ -123,58 +126,195 @@ double circleStart(const Geometry& geometry, const SurfacePoint& center) {
                                               : farthestCorner(geometry, center);
 }
 
-Array<StraightestPath> circleRadii(const Geometry& geometry, const SurfacePoint& center,
-                                   double radius, int count) {
+StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
+                             double part) {
   const PointLocation location = locate(*geometry.mesh, center);
   const StraightestOptions options{.maxCrossings = kMostCrossings};
   const bool isVertex = location.simplex == Simplex::kVertex;
   const double all = isVertex ? geometry.totalAngle[location.vertex] : 2 * kPi;
-  const double first = circleStart(geometry, center);
-  Array<StraightestPath> radii;
-  for (int k = 0; k < count; ++k) {
-    const double direction = std::fmod(first + all * (k + 0.5) / count, all);
-    radii.push_back(
-        isVertex ? traceFromVertex(geometry, location.vertex, direction, radius, options)
-                 : traceStraightest(geometry, center, radius * unitVector(direction), options));
-  }
-  return radii;
+  const double direction = std::fmod(circleStart(geometry, center) + all * part, all);
+  return isVertex ? traceFromVertex(geometry, location.vertex, direction, radius, options)
+                  : traceStraightest(geometry, center, radius * unitVector(direction), options);
 }
 
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
                                  double radius, int count) {
   Array<SurfacePoint> points;
-  for (const StraightestPath& path : circleRadii(geometry, center, radius, count)) {
-    points.push_back(path.path.end());
+  for (int k = 0; k < count; ++k) {
+    points.push_back(circleRadius(geometry, center, radius, (k + 0.5) / count).path.end());
   }
   return points;
 }
 
+namespace {
+
+/// Places that were compared, the center first, then those of its checked circle.
+struct Compared {
+  Array<SurfacePoint> places;
+  Array<double> values;
+  int checked = 0;  ///< how many are the center and its circle
+  /// Whether the lowest place, if none of the circle is lower than the center, is itself known to
+  /// be a minimum.
+  bool isSettled = false;
+
+  void take(const SurfacePoint& place, double value) {
+    places.push_back(place);
+    values.push_back(value);
+  }
+  /// The number of the lowest of the first `count`.
+  int lowestOf(int count) const {
+    return static_cast<int>(std::min_element(values.begin(), values.begin() + count) -
+                            values.begin());
+  }
+};
+
+/// Moves from a point to the lowest place until none is lower. `compare` gives the places about the
+/// point that the result has.
+template <class Compare>
+ExactMinimum descend(const Geometry& geometry, ExactMinimum result, const Compare& compare) {
+  const double squareEdge = square(geometry.meanEdge);
+  bool isSettled = false;
+  while (!isSettled) {
+    const Compared compared = compare(result);
+    const double here = compared.values[0];
+    const int lowest = compared.lowestOf(compared.values.count());
+    result.energy = here;
+    result.isLowest =
+        here - compared.values[compared.lowestOf(compared.checked)] <= kLowerBy * squareEdge;
+    if (here - compared.values[lowest] <= kMovedFor * squareEdge) break;
+    if (result.moves == kMostMoves) break;
+    result.point = compared.places[lowest];
+    result.energy = compared.values[lowest];
+    ++result.moves;
+    isSettled = compared.isSettled && result.isLowest;
+  }
+  return result;
+}
+
+/// The quadratic here + first . x + bowl |x|^2 + second . (x^2 - y^2, 2 x y), with the circle's
+/// radius for 1, that is nearest to values on a circle, by Fourier's coefficients.
+struct Quadratic {
+  Vec2 first = Vec2::Zero();
+  Vec2 second = Vec2::Zero();
+  double bowl = 0;
+
+  Quadratic(double here, std::span<const double> onCircle) : bowl(-here) {
+    const double count = static_cast<double>(onCircle.size());
+    for (size_t k = 0; k < onCircle.size(); ++k) {
+      const Vec2 direction = unitVector(2 * kPi * (static_cast<double>(k) + 0.5) / count);
+      bowl += onCircle[k] / count;
+      first += 2 * onCircle[k] / count * direction;
+      second += 2 * onCircle[k] / count * rotate(direction, direction);
+    }
+  }
+
+  /// Where it is lowest. Where it rises by less than `leastBowl` in some direction, it is taken to
+  /// rise by that.
+  Vec2 minimum(double leastBowl) const {
+    const double rise = std::max(bowl, second.norm() + leastBowl);
+    return Vec2(second.y() * first.y() - (rise - second.x()) * first.x(),
+                second.y() * first.x() - (rise + second.x()) * first.y()) /
+           (2 * (square(rise) - second.squaredNorm()));
+  }
+
+  /// By how much it is lower at x than at the center.
+  double gainAt(const Vec2& x) const {
+    return -(first.dot(x) + bowl * x.squaredNorm() + second.dot(rotate(x, x)));
+  }
+};
+
+/// The place, in parts of the circle, where the parabola through the lowest value of a circle and
+/// its neighbors is lowest, and its value there.
+struct Dip {
+  double part = 0;
+  double value = 0;
+};
+Dip dipOf(std::span<const double> onCircle) {
+  const auto count = static_cast<int>(onCircle.size());
+  const auto k =
+      static_cast<int>(std::min_element(onCircle.begin(), onCircle.end()) - onCircle.begin());
+  const auto at = [&](int i) { return onCircle[static_cast<size_t>((i + count) % count)]; };
+  const double slope = (at(k + 1) - at(k - 1)) / 2;
+  const double curvature = at(k + 1) - 2 * at(k) + at(k - 1);
+  const double beside = curvature > 0 ? -slope / curvature : 0;
+  return {(k + 0.5 + beside) / count, at(k) + slope * beside / 2};
+}
+
+/// Whether the boundary cuts no point of a circle off. On the steepest cones a point lies nearer in
+/// space than along the surface.
+bool isWhole(const TriangleMesh& mesh, const Array<SurfacePoint>& places, double radius) {
+  constexpr double kNearest = 0.5;
+  const Vec3 center = position(mesh, places[0]);
+  return std::all_of(places.begin(), places.end(), [&](const SurfacePoint& place) {
+    return &place == &places[0] || (position(mesh, place) - center).norm() >= kNearest * radius;
+  });
+}
+
+}  // namespace
+
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
                               const SurfacePoint& start) {
   const double edge = geometry.meanEdge;
-  ExactMinimum result{start, true, 0};
-  for (;; ++result.moves) {
-    Array<SurfacePoint> places{result.point};
+  return descend(geometry, {start}, [&](const ExactMinimum& at) {
+    Compared compared;
+    compared.places.push_back(at.point);
     for (const Circle& circle : kCircles) {
       for (const SurfacePoint& point :
-           circleAround(geometry, result.point, circle.radius * edge, circle.count)) {
-        places.push_back(point);
+           circleAround(geometry, at.point, circle.radius * edge, circle.count)) {
+        compared.places.push_back(point);
       }
       // The smaller circles only where the center is moved.
-      if (result.moves == 0) break;
+      if (at.moves == 0) break;
     }
-    const Array<double> values = energy.at(result.point, kCheckedRadius * edge, places);
-    const auto lowestOf = [&](int count) {
-      return static_cast<int>(std::min_element(values.begin(), values.begin() + count) -
-                              values.begin());
+    compared.checked = 1 + kCircles[0].count;
+    compared.values = energy.at(at.point, kCheckedRadius * edge, compared.places);
+    return compared;
+  });
+}
+
+ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
+                              const SurfacePoint& start) {
+  const double radius = kCircleOfMany.radius * geometry.meanEdge;
+  // A step by the exact gradient spares a circle about the wrong place.
+  const EnergyAt here = energy.at(start);
+  const Vec2 way = here.step * std::min(1.0, geometry.meanEdge / here.step.norm());
+  const SurfacePoint there =
+      traceStraightest(geometry, start, way, {.maxCrossings = kMostCrossings}).path.end();
+  const double energyThere = energy.energyAt(there);
+  const bool isLower = energyThere < here.energy;
+  const ExactMinimum first =
+      isLower ? ExactMinimum{there, energyThere} : ExactMinimum{start, here.energy};
+  return descend(geometry, first, [&](const ExactMinimum& at) {
+    Compared compared;
+    const auto take = [&](const SurfacePoint& place) {
+      compared.take(place, energy.energyAt(place));
     };
-    const int onCircle = lowestOf(1 + kCircles[0].count);
-    const int lowest = lowestOf(places.count());
-    const double mostLower = kMovedFor * square(edge);
-    result.isLowest = values[0] - values[onCircle] <= kLowerBy * square(edge);
-    if (values[0] - values[lowest] <= mostLower || result.moves == kMostMoves) return result;
-    result.point = places[lowest];
-  }
+    compared.take(at.point, at.energy);
+    Array<double> onCircle;
+    for (const SurfacePoint& place :
+         circleAround(geometry, at.point, radius, kCircleOfMany.count)) {
+      take(place);
+      onCircle.push_back(compared.values.back());
+    }
+    const Dip dip = dipOf(onCircle);
+    if (dip.value < at.energy) take(circleRadius(geometry, at.point, radius, dip.part).path.end());
+    compared.checked = compared.values.count();
+    if (!isWhole(*geometry.mesh, compared.places, radius)) return compared;
+    // In square mean edges; on a plane a circle of this radius is higher by 0.09.
+    constexpr double kLeastBowl = 0.04;
+    constexpr double kFarthest = 3;
+    const double squareEdge = square(geometry.meanEdge);
+    const Quadratic quadratic(at.energy, onCircle);
+    Vec2 lowest = quadratic.minimum(kLeastBowl * squareEdge);
+    lowest *= std::min(1.0, kFarthest / lowest.norm());
+    compared.isSettled = lowest.norm() <= 1;
+    if (!compared.isSettled || quadratic.gainAt(lowest) > kMovedFor * squareEdge) {
+      const double part = std::atan2(lowest.y(), lowest.x()) / (2 * kPi);
+      const double length = lowest.norm() * radius;
+      take(circleRadius(geometry, at.point, length, part < 0 ? part + 1 : part).path.end());
+    }
+    return compared;
+  });
 }
 
 }  // namespace karcher

@@ -2,6 +2,7 @@
 
 #include "intrinsic/straightest.h"
 #include "rcm/field_blend.h"
+#include "rcm/one_source_energy.h"
 
 /// Whether a center is a minimum of the energy K(p) = sum_i w_i d(p, p_i)^2 by exact distances.
 ///
@@ -43,17 +44,19 @@ class ExactEnergy {
 /// faces are.
 double circleStart(const Geometry& geometry, const SurfacePoint& center);
 
-/// The `count` radii of the circle round a point, straightest geodesics, in equal parts of the
-/// total angle, half a part beside `circleStart` first; shorter ones where the boundary is in the
-/// way.
-Array<StraightestPath> circleRadii(const Geometry& geometry, const SurfacePoint& center,
-                                   double radius, int count);
-/// Where they end.
+/// The radius of the circle round a point, a straightest geodesic, that lies at this part of the
+/// total angle from `circleStart`, 0 to 1; shorter where the boundary is in the way.
+StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
+                             double part);
+
+/// The ends of `count` radii, in equal parts of the total angle, half a part beside `circleStart`
+/// first.
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
                                  double radius, int count);
 
 struct ExactMinimum {
   SurfacePoint point;
+  double energy = 0;
   /// Whether no point on a circle of kCheckedRadius mean edges round it is lower by more than
   /// kLowerBy square mean edges.
   bool isLowest = true;
@@ -61,8 +64,15 @@ struct ExactMinimum {
 };
 
 /// `start` itself where it is lowest so; else what is found from there, by a bounded number of
-/// moves to the lowest point on circles.
+/// moves to the lowest place that was compared. Of few points those places are many, as their
+/// distances are found for all places at once.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
+                              const SurfacePoint& start);
+
+/// The same for many points, whose distances are found for one place after another. So few places
+/// of a circle are compared: the energy of many points is smooth, but for creases that are small
+/// beside it, and the quadratic that fits these places tells where it is lower.
+ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start);
 
 }  // namespace karcher

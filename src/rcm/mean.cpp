@@ -212,20 +212,43 @@ struct Blended {
   Weights weights;
 };
 
-/// A zero that is a minimum by exact distances too.
+/// A zero, moved to the minimum that exact distances have near it. Its energy is left.
+Mean heldTo(const ExactMinimum& exact, Mean zero) {
+  zero.iterations += exact.moves;
+  if (!exact.isLowest) zero.status = Status::kLowerNearby;
+  zero.point = exact.point;
+  return zero;
+}
+
 Mean heldToExact(const Mean& zero, const Blended& in) {
   const Geometry& geometry = in.blend.geometry();
   ExactEnergy energy(geometry, in.points, in.weights);
   if (!in.fields.empty()) energy.guesses = distancesNear(geometry, in.fields, zero.point);
-  const ExactMinimum found = exactMinimumNear(geometry, energy, zero.point);
-  Mean held = zero;
-  held.iterations += found.moves;
-  if (!found.isLowest) held.status = Status::kLowerNearby;
-  if (found.moves > 0) {
-    held.point = found.point;
-    held.energy = in.blend.energy(found.point, in.ofBlend);
-  }
+  const ExactMinimum exact = exactMinimumNear(geometry, energy, zero.point);
+  Mean held = heldTo(exact, zero);
+  if (exact.moves > 0) held.energy = in.blend.energy(exact.point, in.ofBlend);
   return held;
+}
+
+/// The exact energy of so many points is smooth enough to be compared at few places.
+constexpr int kSmooth = 200;
+
+/// The mean of many points; none where fields do better.
+std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint>& points,
+                                      const Array<double>& weights, const MeanOptions& options) {
+  const WeightedPoints merged = mergedPoints(points, weights);
+  std::optional<Mean> mean = meanOfMany(surface, merged, options);
+  if (!mean || !options.isChecked) return mean;
+  const Geometry& geometry = surface.geometry();
+  const auto held = [&](auto energy) {
+    const ExactMinimum exact = exactMinimumNear(geometry, energy, mean->point);
+    Mean result = heldTo(exact, *mean);
+    result.energy = exact.energy;
+    return result;
+  };
+  return merged.points.count() < kSmooth
+             ? held(ExactEnergy(geometry, merged.points, merged.weights))
+             : held(ExactOneSourceEnergy(geometry, merged));
 }
 
 /// The same of a mean and its other minima. Of these, zeros that are no minima are left out, and
@@ -374,7 +397,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
     return {points[only], Status::kConverged, 0, 0, Uniqueness::kCertain, {}};
   }
   if (isOfMany(points, weights, options)) {
-    std::optional<Mean> mean = meanOfMany(surface, points, weights, options);
+    std::optional<Mean> mean = checkedMeanOfMany(surface, points, weights, options);
     if (mean) return withSoundEnergy(std::move(*mean), weights);
   }
   const double values = likelyValues(surface, points, options.looksForOthers);

@@ -5,7 +5,6 @@
 #include "distance/edge_dijkstra.h"
 #include "intrinsic/straightest.h"
 #include "mesh/sorted_numbers.h"
-#include "rcm/energy_ring.h"
 #include "rcm/one_source_energy.h"
 
 namespace karcher {
@@ -21,26 +20,6 @@ constexpr double kLongestStep = 0.25;  ///< of the mesh's extent
 constexpr double kLastStep = 0.1;
 /// A descent that comes so near to where another one ended, in mean edges, would end there too.
 constexpr double kSameDescent = 2;
-
-/// Of the first step by exact distances, in mean edges: a shorter one is not worth its solve, and a
-/// longer one is by more than the fast solver's error.
-constexpr double kLeastStep = 0.02;
-constexpr double kLongestExactStep = 1;
-/// A center is moved where K is lower by this part of a square mean edge, as with few points.
-constexpr double kGain = kLowerBy / 4;
-/// So many creases make K smooth: as few places of a circle tell what it is like there as foretell
-/// those between them.
-constexpr int kSmooth = 500;
-constexpr int kOnCircle = 12;
-constexpr int kOnRoughCircle = 16;
-/// Where a point of the circle is higher than the center by no more square mean edges, more points
-/// beside it are compared: creases make narrow grooves.
-constexpr double kNearBound = 0.02;
-/// Where K is less curved on the circle, by the energy of a point of the circle over that of its
-/// center in square mean edges, a way is as long as if it were curved so. On a plane it is 0.09.
-constexpr double kLeastBowl = 0.04;
-/// Most centers are moved once; more often where K is all creases.
-constexpr int kMostMoves = 12;
 
 /// A symmetric matrix: of the natural step it makes the Newton step, as far as is known.
 struct Scale {
@@ -67,8 +46,8 @@ struct Scale {
   }
 };
 
-/// Where a descent stands.
-struct Stand {
+/// A place on the way of a descent, and what is known there.
+struct State {
   SurfacePoint place;
   EnergyAt here;
   Scale scale;
@@ -77,54 +56,54 @@ struct Stand {
 };
 
 enum class Ended {
-  kThere,
-  kStuck,  ///< K is higher all around, as far as the gradient tells
-  kBoundary,
+  kAtMinimum,  ///< the next step is shorter than what the gradient can tell
+  kStuck,      ///< K is higher all around, as far as the gradient tells
+  kAtBoundary,
   kKnown,  ///< where another descent ended
 };
 
 struct Descent {
-  Stand stand;
+  State end;
   Ended ended = Ended::kStuck;
 };
 
 /// Goes down from a place. `energyAt` gives K and the natural step, or none where the descent may
 /// as well end.
 template <class EnergyFunction>
-Descent descend(const Geometry& geometry, Stand stand, const EnergyFunction& energyAt) {
+Descent descend(const Geometry& geometry, State state, const EnergyFunction& energyAt) {
   double most = kLongestStep * geometry.extent;
   int crossingsLeft = mostCrossingsOfSearch(*geometry.mesh);
   for (int solve = 0; solve < kMostSolves && crossingsLeft > 0; ++solve) {
-    Vec2 step = stand.step();
+    Vec2 step = state.step();
     const double wanted = step.norm();
-    if (wanted <= kLastStep * geometry.meanEdge) return {stand, Ended::kThere};
+    if (wanted <= kLastStep * geometry.meanEdge) return {state, Ended::kAtMinimum};
     step *= std::min(1.0, most / wanted);
     const StraightestPath path =
-        traceStraightest(geometry, stand.place, step, {.maxCrossings = crossingsLeft});
+        traceStraightest(geometry, state.place, step, {.maxCrossings = crossingsLeft});
     crossingsLeft -= path.path.points.count() / 2;
     const double length = step.norm() - path.remaining;
     if (path.stop == TraceStop::kBoundary && length < kLastStep * geometry.meanEdge) {
-      return {stand, Ended::kBoundary};
+      return {state, Ended::kAtBoundary};
     }
     const Vec2 before = step / step.norm();
     const std::optional<EnergyAt> there = energyAt(path.path.end());
-    if (!there) return {stand, Ended::kKnown};
+    if (!there) return {state, Ended::kKnown};
     // Both in the frame of the way.
     const Vec2 change =
-        rotateBack(before, stand.here.step) - rotateBack(path.direction, there->step);
-    Scale scale = stand.scale.turned(Vec2(before.x(), -before.y()));
+        rotateBack(before, state.here.step) - rotateBack(path.direction, there->step);
+    Scale scale = state.scale.turned(Vec2(before.x(), -before.y()));
     scale.learn(length, change);
-    if (there->energy < stand.here.energy) {
-      stand = {path.path.end(), *there, scale.turned(path.direction)};
+    if (there->energy < state.here.energy) {
+      state = {path.path.end(), *there, scale.turned(path.direction)};
       most = std::min(2 * std::max(most, length), kLongestStep * geometry.extent);
     } else {
-      stand.scale = scale.turned(before);
+      state.scale = scale.turned(before);
       constexpr double kShorter = 0.5;
       most = kShorter * length;
       if (most <= kLastStep * geometry.meanEdge) break;
     }
   }
-  return {stand, Ended::kStuck};
+  return {state, Ended::kStuck};
 }
 
 /// The points where equal parts of the weight are reached, in the points' order, which is one of
@@ -188,134 +167,6 @@ Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints&
   return chosen;
 }
 
-StraightestPath walk(const Geometry& geometry, const SurfacePoint& from, const Vec2& way) {
-  return traceStraightest(geometry, from, way,
-                          {.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)});
-}
-
-Mean meanAt(const SurfacePoint& place, double energy, int solves) {
-  return {place, Status::kConverged, solves, energy, Uniqueness::kNotLooked, {}};
-}
-
-/// A minimum by the solver's distances, and the scale of steps there.
-struct RoughMean {
-  Mean mean;
-  Scale scale;
-};
-
-/// None where descents end at a boundary.
-std::optional<RoughMean> roughMean(Surface& surface, const WeightedPoints& points,
-                                   const MeanOptions& options) {
-  const Geometry& geometry = surface.geometry();
-  const std::unique_ptr<DistanceSolver> solver = makeDistanceSolver(surface, options.field);
-  OneSourceEnergy energy(geometry, points, *solver);
-  const Array<SurfacePoint> starts =
-      options.start ? Array<SurfacePoint>{*options.start} : lowestStarts(geometry, points);
-  Stand best;
-  best.here.energy = kInfinity;
-  Ended ended = Ended::kThere;
-  for (int k = 0; k < starts.count(); ++k) {
-    const Vec3 known = position(surface.mesh(), best.place);
-    const Stand start{starts[k], energy.at(starts[k]), {}};
-    const Descent descent = descend(geometry, start, [&](const SurfacePoint& place) {
-      const bool isKnown = k > 0 && (position(surface.mesh(), place) - known).norm() <=
-                                        kSameDescent * geometry.meanEdge;
-      return isKnown ? std::nullopt : std::optional<EnergyAt>(energy.at(place));
-    });
-    if (descent.ended == Ended::kKnown || descent.stand.here.energy >= best.here.energy) continue;
-    best = descent.stand;
-    ended = descent.ended;
-  }
-  if (ended == Ended::kBoundary) return std::nullopt;
-  const double energyThere = best.here.energy;
-  if (ended != Ended::kThere || best.step() == Vec2::Zero()) {
-    return RoughMean{meanAt(best.place, energyThere, energy.solved()), best.scale};
-  }
-  const Vec2 last = best.step();
-  const StraightestPath way = walk(geometry, best.place, last);
-  const Vec2 direction = last.normalized();
-  const Scale scale = best.scale.turned(Vec2(direction.x(), -direction.y())).turned(way.direction);
-  return RoughMean{meanAt(way.path.end(), energyThere - best.here.step.dot(last), energy.solved()),
-                   scale};
-}
-
-/// A minimum by exact distances near a rough one.
-Mean heldToExact(const Geometry& geometry, const WeightedPoints& points, const RoughMean& rough) {
-  const double radius = kCheckedRadius * geometry.meanEdge;
-  const double squareEdge = square(geometry.meanEdge);
-  ExactOneSourceEnergy exact(geometry, points);
-  const bool isSmooth = points.points.count() >= kSmooth;
-  const int count = isSmooth ? kOnCircle : kOnRoughCircle;
-  // The lowest place so far.
-  SurfacePoint place = rough.mean.point;
-  const EnergyAt here = exact.at(place);
-  double energy = here.energy;
-  // A step by the exact gradient spares a circle about the wrong place.
-  const Vec2 step = rough.scale * here.step;
-  if (step.norm() > kLeastStep * geometry.meanEdge) {
-    const double part = std::min(1.0, kLongestExactStep * geometry.meanEdge / step.norm());
-    const SurfacePoint there = walk(geometry, place, part * step).path.end();
-    const double thereEnergy = exact.at(there).energy;
-    if (thereEnergy < energy) {
-      place = there;
-      energy = thereEnergy;
-    }
-  }
-  for (int move = 0;; ++move) {
-    EnergyRing ring(geometry, place, energy, count, exact);
-    const double bound = energy - kLowerBy * squareEdge;
-    const double nearBound = energy + kNearBound * squareEdge;
-    SurfacePoint lower;
-    double lowerEnergy = kInfinity;
-    bool isLowest = false;
-    const auto compare = [&](const Vec2& to) {
-      const SurfacePoint there = walk(geometry, place, to).path.end();
-      const double thereEnergy = exact.at(there).energy;
-      if (!(thereEnergy < lowerEnergy)) return;
-      lower = there;
-      lowerEnergy = thereEnergy;
-    };
-    for (;;) {
-      const auto margin = [&] { return std::min(ring.least(), ring.value(ring.lowest())) - bound; };
-      while (!ring.isRefined() && margin() >= 0 && !(isSmooth && ring.error() <= margin())) {
-        ring.refine();
-      }
-      const int lowest = ring.lowest();
-      if (!isSmooth && ring.isRefined() && ring.value(lowest) < nearBound) ring.lookBesideLowest();
-      isLowest = margin() >= 0;
-      if (ring.value(lowest) < lowerEnergy) {
-        lower = ring.place(lowest);
-        lowerEnergy = ring.value(lowest);
-      }
-      // Where K is smooth the circle round a minimum of the quadratic within this one is higher
-      // than it, too.
-      const Vec2 way = ring.wayToMinimum(kLeastBowl * squareEdge);
-      const bool isNear = way.norm() <= radius;
-      if (!isLowest || (isNear && ring.gainOf(way) > kGain * squareEdge)) compare(way);
-      // What the polynomial promises may not be there.
-      if (lowerEnergy >= bound && ring.least() < nearBound)
-        compare(radius * ring.lowestDirection());
-      if (isLowest || ring.isRefined() || lowerEnergy < bound) break;
-      ring.refine();
-    }
-    const bool isMinimum = isLowest || lowerEnergy >= bound;
-    const bool isLast = move == kMostMoves;
-    const double gain = energy - lowerEnergy;
-    // Where K is not smooth what is moved is compared anew, and a minimum stays in the end.
-    const bool isDone = isMinimum && (isSmooth || isLast || gain <= kGain * squareEdge);
-    const bool isMoved = gain > 0 && (isSmooth || !isDone);
-    if (isMoved) {
-      place = lower;
-      energy = lowerEnergy;
-    }
-    Mean mean = meanAt(place, energy, rough.mean.iterations + exact.solved());
-    if (isDone) return mean;
-    if (!isLast) continue;
-    mean.status = Status::kLowerNearby;
-    return mean;
-  }
-}
-
 }  // namespace
 
 bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
@@ -325,13 +176,41 @@ bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
          mergedPoints(points, weights).points.count() >= kMany;
 }
 
-std::optional<Mean> meanOfMany(Surface& surface, const Array<SurfacePoint>& points,
-                               const Array<double>& weights, const MeanOptions& options) {
-  const WeightedPoints merged = mergedPoints(points, weights);
-  const std::optional<RoughMean> rough = roughMean(surface, merged, options);
-  if (!rough) return std::nullopt;
-  if (!options.isChecked) return rough->mean;
-  return heldToExact(surface.geometry(), merged, *rough);
+std::optional<Mean> meanOfMany(Surface& surface, const WeightedPoints& points,
+                               const MeanOptions& options) {
+  const Geometry& geometry = surface.geometry();
+  const std::unique_ptr<DistanceSolver> solver = makeDistanceSolver(surface, options.field);
+  OneSourceEnergy energy(geometry, points, *solver);
+  const Array<SurfacePoint> starts =
+      options.start ? Array<SurfacePoint>{*options.start} : lowestStarts(geometry, points);
+  State best;
+  best.here.energy = kInfinity;
+  Ended ended = Ended::kAtMinimum;
+  for (int k = 0; k < starts.count(); ++k) {
+    const Vec3 known = position(surface.mesh(), best.place);
+    const State start{starts[k], energy.at(starts[k]), {}};
+    const Descent descent = descend(geometry, start, [&](const SurfacePoint& place) {
+      const bool isKnown = k > 0 && (position(surface.mesh(), place) - known).norm() <=
+                                        kSameDescent * geometry.meanEdge;
+      return isKnown ? std::nullopt : std::optional<EnergyAt>(energy.at(place));
+    });
+    if (descent.ended == Ended::kKnown || descent.end.here.energy >= best.here.energy) continue;
+    best = descent.end;
+    ended = descent.ended;
+  }
+  if (ended == Ended::kAtBoundary) return std::nullopt;
+  Mean mean;
+  mean.iterations = energy.solved();
+  mean.energy = best.here.energy;
+  mean.point = best.place;
+  const Vec2 last = best.step();
+  if (ended == Ended::kAtMinimum && last != Vec2::Zero()) {
+    mean.energy -= best.here.step.dot(last);
+    mean.point = traceStraightest(geometry, best.place, last,
+                                  {.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)})
+                     .path.end();
+  }
+  return mean;
 }
 
 }  // namespace karcher

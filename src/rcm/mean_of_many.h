@@ -3,15 +3,13 @@
 #include <optional>
 
 #include "rcm/mean.h"
+#include "rcm/one_source_energy.h"
 
 /// The center of mass of many points without a field for each. K and its gradient are found only
 /// where the search is (one_source_energy.h), so the work hardly grows with the number of points.
 ///
 /// K is compared at some of the points, spread evenly by weight. Descents (BFGS) start at the
-/// lowest few; their distances are those of the options' solver. From the end of the best descent a
-/// step by the exact gradient is made. About where it leads, K by exact distances is compared on
-/// the circle that decides `converged` (energy_ring.h). Only as many places are compared as predict
-/// those between them. A quadratic leads to the minimum.
+/// lowest few; their distances are those of the options' solver.
 namespace karcher {
 
 /// With this many different points, near or far, it is as fast as their fields or faster: of 200
@@ -23,10 +21,10 @@ inline constexpr int kMany = 64;
 bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
               const MeanOptions& options);
 
-/// The center of points on one component with weights that sum to 1. With `isChecked` it is checked
-/// by exact distances, which also give its energy. None if the search ends at a boundary, where
-/// fields do better. The order of the points makes no difference.
-std::optional<Mean> meanOfMany(Surface& surface, const Array<SurfacePoint>& points,
-                               const Array<double>& weights, const MeanOptions& options);
+/// A minimum by the solver's distances, of points on one component with weights that sum to 1 (the
+/// points merged, one_source_energy.h), and its energy. None if the search ends at a boundary,
+/// where fields do better. The order of the points makes no difference.
+std::optional<Mean> meanOfMany(Surface& surface, const WeightedPoints& points,
+                               const MeanOptions& options);
 
 }  // namespace karcher

@@ -119,11 +119,9 @@ ExactOneSourceEnergy::ExactOneSourceEnergy(const Geometry& geometry, const Weigh
 }
 
 EnergyAt ExactOneSourceEnergy::at(const SurfacePoint& place) {
-  grow(movedInside(place));
-  measure();
-  ++solved_;
-  directions_.assign(geometry_.mesh->positions.size(), Vec2::Zero());
   EnergyAt result;
+  result.energy = energyAt(place);
+  directions_.assign(geometry_.mesh->positions.size(), Vec2::Zero());
   for (int i = 0; i < points_.points.count(); ++i) {
     const Way& way = ways_[i];
     if (!(way.length > 0)) continue;
@@ -131,10 +129,20 @@ EnergyAt ExactOneSourceEnergy::at(const SurfacePoint& place) {
         way.pseudoSource >= 0
             ? directionTo(way.pseudoSource)
             : directionBefore(traceStraightest(geometry_, points_.points[i], way.toSource));
-    result.energy += points_.weights[i] * square(way.length);
     result.step += points_.weights[i] * way.length * direction;
   }
   return result;
+}
+
+double ExactOneSourceEnergy::energyAt(const SurfacePoint& place) {
+  grow(movedInside(place));
+  measure();
+  ++solved_;
+  double energy = 0;
+  for (int i = 0; i < points_.points.count(); ++i) {
+    energy += points_.weights[i] * square(ways_[i].length);
+  }
+  return energy;
 }
 
 /// In which the shortest path to a vertex leaves the source.

@@ -53,6 +53,7 @@ class ExactOneSourceEnergy {
   ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points);
 
   EnergyAt at(const SurfacePoint& place);
+  double energyAt(const SurfacePoint& place);
 
   int solved() const { return solved_; }
 

@@ -38,13 +38,6 @@ double exactEnergy(const Geometry& geometry, const Cloud& cloud, const SurfacePo
   return ExactEnergy(geometry, cloud.points, cloud.weights).at(place, 0, {place})[0];
 }
 
-/// As for points whose fields would be too large.
-MeanOptions withoutFields() {
-  MeanOptions options;
-  options.mostValues = 0;
-  return options;
-}
-
 void expectSame(const Mean& a, const Mean& b) {
   EXPECT_EQ(a.point.face, b.point.face);
   EXPECT_EQ(a.point.bary, b.point.bary);
@@ -127,7 +120,7 @@ TEST(MeanOfMany, IsTheAverageOnAPlane) {
           cloud.weights[i] * (position(surface.mesh(), cloud.points[i]) - average).squaredNorm();
     }
     for (const Solver solver : {Solver::kFast, Solver::kExact}) {
-      MeanOptions options = withoutFields();
+      MeanOptions options;
       options.field.solver = solver;
       ASSERT_TRUE(isOfMany(cloud.points, cloud.weights, options));
       const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, options);
@@ -157,7 +150,7 @@ TEST(MeanOfMany, OfASymmetricSetOnTheSphereIsItsPole) {
       cloud.weights.push_back(0.5 / kPairs);
     }
   }
-  const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, withoutFields());
+  const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, {});
   EXPECT_EQ(mean.status, Status::kConverged);
   // As near as the polyhedron is to the sphere, and as exact distances tell.
   EXPECT_LT((position(surface.mesh(), mean.point).normalized() - pole.normalized()).norm(),
@@ -169,8 +162,8 @@ TEST(MeanOfMany, DoesNotDependOnTheOrderOfPoints) {
   Random random(7);
   SCOPED_TRACE("seed 7");
   const Cloud cloud = randomCloud(surface.mesh(), random, 150);
-  const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, withoutFields());
-  expectSame(centerOfMass(surface, cloud.points, cloud.weights, withoutFields()), mean);
+  const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, {});
+  expectSame(centerOfMass(surface, cloud.points, cloud.weights, {}), mean);
   Array<int> order;
   for (int i = 0; i < cloud.points.count(); ++i) order.push_back(i);
   random.shuffle(order);
@@ -179,7 +172,7 @@ TEST(MeanOfMany, DoesNotDependOnTheOrderOfPoints) {
     shuffled.points.push_back(cloud.points[i]);
     shuffled.weights.push_back(cloud.weights[i]);
   }
-  expectSame(centerOfMass(surface, shuffled.points, shuffled.weights, withoutFields()), mean);
+  expectSame(centerOfMass(surface, shuffled.points, shuffled.weights, {}), mean);
 }
 
 TEST(MeanOfMany, IsAsLowAsThatOfFields) {
@@ -189,7 +182,7 @@ TEST(MeanOfMany, IsAsLowAsThatOfFields) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(static_cast<uint64_t>(seed));
     const Cloud cloud = randomCloud(surface.mesh(), random, 80);
-    const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, withoutFields());
+    const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, {});
     EXPECT_EQ(mean.status, Status::kConverged);
     const double energy = exactEnergy(geometry, cloud, mean.point);
     EXPECT_NEAR(mean.energy, energy, 1e-3 * square(geometry.meanEdge));
@@ -213,7 +206,7 @@ TEST(MeanOfMany, ThatConvergedIsAMinimumByShortestPaths) {
       SCOPED_TRACE("seed " + std::to_string(seed));
       Random random(static_cast<uint64_t>(seed));
       const Cloud cloud = randomCloud(surface.mesh(), random, seed % 4 == 0 ? 600 : 100);
-      const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, withoutFields());
+      const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, {});
       if (mean.status != Status::kConverged) continue;
       ++converged;
       const double radius = kCheckedRadius * edge;
@@ -255,8 +248,8 @@ TEST(MeanOfMany, KeepsToWhereItStarts) {
   Random random(9);
   SCOPED_TRACE("seed 9");
   const Cloud cloud = randomCloud(surface.mesh(), random, 100);
-  const Mean lowest = centerOfMass(surface, cloud.points, cloud.weights, withoutFields());
-  MeanOptions options = withoutFields();
+  const Mean lowest = centerOfMass(surface, cloud.points, cloud.weights, {});
+  MeanOptions options;
   options.start = lowest.point;
   const Mean again = centerOfMass(surface, cloud.points, cloud.weights, options);
   EXPECT_EQ(again.status, Status::kConverged);
