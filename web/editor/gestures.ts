@@ -303,6 +303,7 @@ export class Gestures {
         'choosing',
         target?.type === 'other' || target?.type === 'shorter',
       );
+      this.#showHovered(target);
       const snapped = this.#hover && this.#snapAt({ ...this.#hover, touch: false }, target);
       const added = snapped ?? (target?.type === 'surface' ? target.pick : null);
       this.#band.aim(added?.point ?? null);
@@ -318,6 +319,15 @@ export class Gestures {
     });
   }
 
+  /** Marks the line that a click would take. */
+  #showHovered(target: Target | null): void {
+    if (target?.type !== 'other') this.viewer.showHovered(undefined);
+    else {
+      const { active } = this.editor.state.drawing;
+      this.viewer.showHovered(target.id === active ? null : target.id);
+    }
+  }
+
   /** Tells what the pen would do where the pointer is. */
   #showAction(target: Target | null): void {
     const { figure, tool } = this.editor.state;
@@ -327,12 +337,14 @@ export class Gestures {
     const under = this.#overHandle ?? (drawsThere ? { type: target.type } : null);
     const draws =
       tool === 'freehand' && this.#hover && this.viewer.pick(this.#hover.x, this.#hover.y);
+    const moves = (tool === 'select' || tool === 'transform') && target?.type === 'other';
     const action = draws
       ? 'draw'
       : isPen && under
         ? penActionAt(under, this.#pen.state(this.#keys.alt))
         : null;
     if (action) this.stage.dataset.action = action;
+    else if (moves) this.stage.dataset.action = 'move';
     else delete this.stage.dataset.action;
     this.events.aimed(action ? penWords[action] : '');
   }

@@ -10,7 +10,7 @@ import {
   partsOfSvg,
   type Drawing as SvgDrawing,
 } from '../export/svg';
-import { type DrawnObject, isBlank, type LineStyle } from '../model/drawing';
+import { type DrawnObject, defaultStyle, isBlank, type LineStyle } from '../model/drawing';
 import { isEmpty, isRound } from '../model/figure';
 import { gathered } from '../model/gathered';
 import { madeSource, meshLabel } from '../model/meshes';
@@ -227,6 +227,7 @@ function* seenLines(
 
 /** A line's style in an SVG, where dashes are told in pixels. */
 function drawnStyle({ color, width, dash }: LineStyle, curve: string) {
-  const dashes = { solid: undefined, dashed: '12 8', dotted: '2 6' }[dash];
+  const lengths = { solid: null, dashed: [12, 8], dotted: [2, 6] }[dash];
+  const dashes = lengths?.map((one) => (one * width) / defaultStyle.width).join(' ');
   return { color: color ?? curve, width, ...(dashes && { dashes }) };
 }

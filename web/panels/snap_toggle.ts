@@ -19,6 +19,7 @@ export class SnapToggle {
 
   #show(): void {
     this.#button.setAttribute('aria-pressed', `${this.#on}`);
+    this.#button.dataset.tip = `Snapping is ${this.#on ? 'on' : 'off'} (G)`;
     this.changed(this.#on);
   }
 }

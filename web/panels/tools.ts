@@ -169,6 +169,7 @@ export class Tools {
     home: () => this.viewer.resetView({ animated: true }),
     g: () => this.events.toggleSnapping(),
     t: () => this.viewMenu.toggleEdges(),
+    h: () => this.viewMenu.toggleHidden(),
     d: () => this.events.toggleDistances(),
     u: () => this.events.toggleComb(),
     c: () => this.#toggleClosed(),

@@ -16,6 +16,7 @@ const labels: Record<ViewName, string> = {
 /** How the surface is looked at: from where, with its triangles, light or dark. */
 export class ViewMenu {
   readonly #edges = byId<HTMLButtonElement>('edges');
+  readonly #hidden = byId<HTMLButtonElement>('hidden-lines');
 
   constructor(
     private readonly viewer: Viewer,
@@ -43,8 +44,14 @@ export class ViewMenu {
       viewer.resetView({ animated: true });
     });
     this.#edges.addEventListener('click', () => this.toggleEdges());
+    this.#hidden.addEventListener('click', () => this.toggleHidden());
     byId('theme').addEventListener('click', toggleTheme);
     onTheme((theme) => byId('theme').setAttribute('aria-checked', `${theme === 'dark'}`));
+  }
+
+  toggleHidden(): void {
+    this.viewer.hiddenLines = !this.viewer.hiddenLines;
+    this.#hidden.setAttribute('aria-checked', `${this.viewer.hiddenLines}`);
   }
 
   toggleEdges(): void {

@@ -24,6 +24,9 @@ export interface LineStyle {
 /** Lines are drawn this part of the way to the camera nearer, so that the surface cuts none. */
 const nearer = 0.003;
 
+/** How wide a line is where the surface hides it, as a part of its width. */
+const hiddenWidth = 0.55;
+
 /** Of what stands in for something else, as a part of a curve without a center. */
 export const fineDash = [0.009, 0.006] as const;
 const smallest = 256;
@@ -78,7 +81,8 @@ export class FatLine {
 
   setStyle({ width, dash }: Pick<LineStyle, 'width' | 'dash'>): void {
     for (const material of this.#materials) {
-      material.linewidth = width;
+      // What is hidden is thin beside what is seen.
+      material.linewidth = material === this.#materials[0] ? hiddenWidth * width : width;
       material.dashed = Boolean(dash);
       if (dash) [material.dashSize, material.gapSize] = dash;
     }
@@ -89,6 +93,11 @@ export class FatLine {
     const [hidden, seen] = this.#materials;
     seen!.color.copy(color);
     hidden!.color.copy(surface).lerp(color, this.#left);
+  }
+
+  /** Whether what the surface hides shows through. */
+  showHidden(shown: boolean): void {
+    this.#materials[0]!.visible = shown && this.#left > 0;
   }
 
   /** Takes the lines nearer to the camera, each point along its own ray. */

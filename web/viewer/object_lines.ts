@@ -1,5 +1,5 @@
 import { Color, Group, type Vector3 } from 'three';
-import type { Dash, LineStyle } from '../model/drawing';
+import { type Dash, defaultStyle, type LineStyle } from '../model/drawing';
 import { FatLine } from './fat_line';
 
 /** An object as it is drawn: lines and single points, in the scene. */
@@ -12,17 +12,24 @@ export interface ObjectDrawing {
   dots: readonly Vector3[];
 }
 
-/** Dash and gap in the scene's units; a surface's diagonal is 2. */
-export const dashLengths: Record<Dash, readonly [number, number] | null> = {
+/** Dash and gap of a line of the usual width, in the scene's units; a surface's diagonal is 2. */
+const usualDashes: Record<Dash, readonly [number, number] | null> = {
   solid: null,
   dashed: [0.032, 0.02],
   dotted: [0.007, 0.013],
 };
 
+/** Dash and gap of a line, which are as long as the line is wide. */
+export function dashOf({ dash, width }: LineStyle): readonly [number, number] | null {
+  const usual = usualDashes[dash];
+  const scale = width / defaultStyle.width;
+  return usual && [usual[0] * scale, usual[1] * scale];
+}
+
 /** How much of the color is left where the surface hides a line. */
-const hidden = 0.22;
+const usuallyHidden = 0.22;
 /** A point is so many times as wide as a line. */
-const dotWidth = 2.4;
+export const dotWidth = 2.4;
 
 /** A line so short that its round ends are a dot. */
 export const dotAt = ({ x, y, z }: Vector3) => Float32Array.of(x, y, z, x + 1e-4, y, z);
@@ -35,7 +42,12 @@ export class ObjectLines {
   #color = new Color();
   #surface = new Color();
 
-  constructor(private readonly order: number) {}
+  #hiddenShown = true;
+
+  constructor(
+    private readonly order: number,
+    private readonly hidden = usuallyHidden,
+  ) {}
 
   get objects(): readonly ObjectDrawing[] {
     return this.#objects;
@@ -78,8 +90,16 @@ export class ObjectLines {
     for (const line of this.#lines.values()) line.follow(camera);
   }
 
-  #make(key: string, { width, dash }: LineStyle): FatLine {
-    const line = new FatLine({ width, dash: dashLengths[dash], hidden }, this.order);
+  /** Whether what the surface hides shows through. */
+  showHidden(shown: boolean): void {
+    this.#hiddenShown = shown;
+    for (const line of this.#lines.values()) line.showHidden(shown);
+  }
+
+  #make(key: string, style: LineStyle): FatLine {
+    const { width } = style;
+    const line = new FatLine({ width, dash: dashOf(style), hidden: this.hidden }, this.order);
+    line.showHidden(this.#hiddenShown);
     this.#lines.set(key, line);
     this.object.add(line.object);
     return line;

@@ -58,6 +58,8 @@ export class OrbitView {
       });
     }
     this.#controls = new OrbitControls(this.camera, stage);
+    // The controls set a cursor of their own, which would hide those that tell what a gesture does.
+    stage.style.cursor = '';
     this.#controls.zoomToCursor = true;
     this.#controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.ROTATE };
     this.#controls.minDistance = nearest;

@@ -8,7 +8,7 @@ import { nearestOnScreen } from './curve_pick';
 import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine, fineDash } from './fat_line';
 import type { Layer } from './layer';
-import { dashLengths, dotAt, type ObjectDrawing, ObjectLines } from './object_lines';
+import { dashOf, dotAt, dotWidth, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
@@ -20,6 +20,19 @@ type Vector = [number, number, number];
 
 /** How long a tangent is drawn, in the scene; a surface's diagonal is 2. */
 const tangentLength = 0.16;
+
+/** Lines so many CSS pixels wider than what they are drawn around, in the color of all of them. */
+function around(
+  objects: readonly Omit<ObjectDrawing, 'id' | 'locked'>[],
+  wider: number,
+): ObjectDrawing[] {
+  const wide = (width: number): LineStyle => ({ color: null, width: width + wider, dash: 'solid' });
+  const plain = { id: 0, locked: true, dots: [] };
+  return objects.flatMap(({ style: { width }, lines, dots }) => [
+    { ...plain, style: wide(width), lines },
+    { ...plain, style: wide(dotWidth * width), lines: dots.map(dotAt) },
+  ]);
+}
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
 export class Viewer {
@@ -35,8 +48,11 @@ export class Viewer {
   readonly #band = new FatLine({ width: 2, dash: fineDash, hidden: 0.2 }, 4);
   readonly #beside = new ObjectLines(2);
   readonly #regions = new Regions();
-  /** Around what is selected, below it. */
-  readonly #halo = new FatLine({ width: 10, hidden: 0 }, 1);
+  /** Around what is selected, and within that a seam, so that it is seen beside any color. */
+  readonly #halo = new ObjectLines(0.2, 0);
+  readonly #seam = new ObjectLines(0.5, 0);
+  /** Around what a click would take. */
+  readonly #hover = new ObjectLines(0.8, 0);
   readonly #shorter = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.3 }, 2);
   readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
   readonly #tangent = new FatLine({ width: 2.5, hidden: 0.5 }, 7);
@@ -44,7 +60,8 @@ export class Viewer {
   readonly #places = new FatLine({ width: 3, hidden: 0.45 }, 5);
   readonly #lines = [
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
-    ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#halo, this.#stroke],
+    ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#stroke],
+    ...[this.#halo, this.#seam, this.#hover],
     this.#frameLines,
     this.#band,
   ];
@@ -59,6 +76,8 @@ export class Viewer {
   #colors: ViewerColors | null = null;
   #chosen: readonly number[] = [];
   #isChosen = false;
+  #hovered: number | null | undefined = undefined;
+  #hiddenLines = true;
   #shorterLines: Float32Array[] = [];
   #edges = false;
   /** The stage's, in CSS pixels: to ask the stage lays the page out, which a thousand handles cannot bear. */
@@ -156,7 +175,9 @@ export class Viewer {
     this.#polygon.setColor(new Color(colors.polygon), surface);
     this.#beside.setColors(new Color(colors.curve), surface);
     this.#regions.setColor(new Color(colors.curve));
-    this.#halo.setColor(new Color(colors.chosen).lerp(surface, 0.35), surface);
+    this.#halo.setColors(new Color(colors.chosen), surface);
+    this.#seam.setColors(new Color('#fff'), surface);
+    this.#hover.setColors(new Color(colors.frame), surface);
     this.#showStyle();
     const center = new Color(colors.center);
     for (const line of [this.#shorter, this.#tangent]) line.setColor(center, surface);
@@ -259,6 +280,7 @@ export class Viewer {
     if (color === style.color && width === style.width && dash === style.dash) return;
     this.#style = style;
     this.#showStyle();
+    this.#showHalo();
     this.requestFrame();
   }
 
@@ -293,20 +315,44 @@ export class Viewer {
     this.requestFrame();
   }
 
+  /** Which object a click would take, by its id, the edited one with null; none with undefined. */
+  showHovered(id: number | null | undefined): void {
+    if (id === this.#hovered) return;
+    this.#hovered = id;
+    this.#showHalo();
+    this.requestFrame();
+  }
+
+  /** Whether lines show through the surface. */
+  get hiddenLines(): boolean {
+    return this.#hiddenLines;
+  }
+
+  set hiddenLines(shown: boolean) {
+    this.#hiddenLines = shown;
+    for (const line of [this.#curve, this.#lost, this.#beside]) line.showHidden(shown);
+    this.requestFrame();
+  }
+
   #showHalo(): void {
+    const own = { style: this.#style, lines: this.#own, dots: [] };
     const others = this.#beside.objects.filter(({ id }) => this.#chosen.includes(id));
-    const lines = others.flatMap(({ lines: all, dots }) => [...all, ...dots.map(dotAt)]);
-    this.#halo.set([...lines, ...(this.#isChosen ? this.#own : [])]);
+    const chosen = [...others, ...(this.#isChosen ? [own] : [])];
+    this.#halo.show(around(chosen, 8));
+    this.#seam.show(around(chosen, 3));
+    const id = this.#hovered;
+    const hovered = id === null ? [own] : this.#beside.objects.filter((one) => one.id === id);
+    this.#hover.show(around(hovered, 3));
   }
 
   #showStyle(): void {
-    const { color, width, dash } = this.#style;
+    const { color, width } = this.#style;
     const colors = this.#colors;
     if (!colors) return;
     const surface = litSurface(colors);
     const own = new Color(color ?? colors.curve);
     this.#curve.setColor(own, surface);
-    this.#curve.setStyle({ width, dash: dashLengths[dash] });
+    this.#curve.setStyle({ width, dash: dashOf(this.#style) });
     this.#lost.setStyle({ width, dash: fineDash });
     for (const line of [this.#sketch, this.#stroke, this.#band]) line.setColor(own, surface);
   }

@@ -1,0 +1,162 @@
+// Lines answer: what a click would take is marked, what is selected is seen beside any line, what the surface hides is
+// thin and can be left out, dashes are as long as the line is wide, and the magnet tells whether it is on.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+const upper = [
+  [-120, -90],
+  [120, -90],
+];
+const lower = [
+  [-120, 70],
+  [120, 70],
+];
+
+describe('lines', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+  });
+  after(() => browser.close());
+
+  const close = async (tab) => {
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  };
+  /** Colors of the stage, red, green and blue each, of a column of pixels through a place of the window. */
+  async function column(tab, { x, y }, reach = 16) {
+    await tab.still();
+    const clip = { x: Math.round(x), y: Math.round(y) - reach, width: 1, height: 2 * reach };
+    const png = (await tab.page.screenshot({ clip })).toString('base64');
+    return tab.page.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(1, bitmap.height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, 1, bitmap.height);
+      return Array.from({ length: bitmap.height }, (_, i) => [...data.slice(4 * i, 4 * i + 3)]);
+    }, png);
+  }
+  const yellow = ([red, green, blue]) => red > 200 && green > 150 && blue < 90;
+  const unlike = (a, b, by = 40) =>
+    a.filter((color, i) => Math.hypot(...color.map((one, k) => one - b[i][k])) > by);
+
+  async function two() {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
+    await tab.click(...upper);
+    await tab.page.keyboard.press('Enter');
+    await tab.click(...lower);
+    await tab.page.keyboard.press('v');
+    await tab.page.keyboard.press('Escape');
+    await tab.page.keyboard.press('Escape');
+    await tab.settled();
+    return tab;
+  }
+
+  test('that a click would take are marked, and the pointer says that they are moved', async () => {
+    const tab = await two();
+    for (const other of [0, null]) {
+      const place = await tab.onCurve(0.5, other);
+      await tab.page.mouse.move(place.x, place.y + 200);
+      const bare = await column(tab, place);
+      await tab.page.mouse.move(place.x, place.y, { steps: 3 });
+      await tab.page.locator('.stage[data-action="move"]').waitFor();
+      assert.equal(
+        await tab.page.locator('#stage').evaluate((stage) => getComputedStyle(stage).cursor),
+        'move',
+      );
+      assert.ok(unlike(await column(tab, place), bare).length >= 2, 'it is marked');
+      await tab.page.mouse.move(place.x, place.y + 200);
+      await tab.page.locator('.stage:not([data-action])').waitFor();
+      assert.deepEqual(unlike(await column(tab, place), bare), []);
+    }
+    await close(tab);
+  });
+
+  test('that are selected are seen to be, whatever their width and color', async () => {
+    const tab = await two();
+    await tab.page.keyboard.press('Control+a');
+    for (const width of ['1', '20']) {
+      await tab.page.locator('#width').fill(width);
+      await tab.page.keyboard.press('Enter');
+      // The color of the mark itself.
+      await tab.page.locator('#color').fill('#f2b705');
+      await tab.page.locator('#color').blur();
+      await tab.settled();
+      for (const other of [0, null]) {
+        const place = await tab.onCurve(0.5, other);
+        const colors = await column(tab, place, 24);
+        const marked = colors.map(yellow);
+        // Yellow, a seam, the yellow line, a seam and yellow again.
+        const runs = marked.filter((is, i) => is && !marked[i - 1]).length;
+        assert.equal(runs, 3, `${width}: ${marked.map(Number).join('')}`);
+      }
+    }
+    await close(tab);
+  });
+
+  test('that the surface hides show through until that is switched off', async () => {
+    const tab = await two();
+    const place = await tab.onCurve(0.5);
+    await tab.page.locator('#view').click();
+    await tab.page.getByRole('menuitem', { name: 'Back' }).click();
+    await tab.still();
+    const { x } = await tab.middle();
+    const at = { x, y: place.y };
+    const shown = await column(tab, at, 110);
+    await tab.page.locator('#view').click();
+    const item = tab.page.locator('#hidden-lines');
+    assert.equal(await item.getAttribute('aria-checked'), 'true');
+    await item.click();
+    assert.equal(await item.getAttribute('aria-checked'), 'false');
+    await tab.page.keyboard.press('Escape');
+    const without = await column(tab, at, 110);
+    // Faint and thin, of lines 4 pixels wide: both of them lie there.
+    const seen = unlike(shown, without, 8).length;
+    assert.ok(seen >= 2 && seen <= 7, `${seen} pixels`);
+    await tab.page.locator('#stage').focus();
+    await tab.page.keyboard.press('h');
+    assert.equal(await item.getAttribute('aria-checked'), 'true');
+    assert.deepEqual(unlike(await column(tab, at, 110), shown), []);
+    await close(tab);
+  });
+
+  test('have dashes as long as they are wide, in the SVG too', async () => {
+    const tab = await two();
+    await tab.page.keyboard.press('Control+a');
+    await tab.page.locator('#dash').selectOption('dashed');
+    const dashes = [];
+    for (const width of ['4', '12']) {
+      await tab.page.locator('#width').fill(width);
+      await tab.page.keyboard.press('Enter');
+      await tab.settled();
+      const { text } = await tab.save('SVG');
+      dashes.push(/stroke-dasharray="([\d. ]+)" stroke-width/.exec(text)[1].split(' ').map(Number));
+    }
+    assert.deepEqual(
+      dashes[1],
+      dashes[0].map((length) => 3 * length),
+    );
+    await close(tab);
+  });
+
+  test('snap to a magnet that tells whether it is on', async () => {
+    const tab = await two();
+    const magnet = tab.page.locator('#snap');
+    const look = () =>
+      magnet.evaluate((button) => [
+        button.getAttribute('aria-pressed'),
+        button.dataset.tip,
+        getComputedStyle(button).color,
+      ]);
+    await tab.page.mouse.move(5, 5);
+    const [off, offTip, offColor] = await look();
+    await tab.page.keyboard.press('g');
+    const [on, onTip, onColor] = await look();
+    assert.deepEqual([off, on], ['false', 'true']);
+    assert.deepEqual([offTip, onTip], ['Snapping is off (G)', 'Snapping is on (G)']);
+    assert.notEqual(offColor, onColor);
+    await close(tab);
+  });
+});
