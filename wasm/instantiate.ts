@@ -39,13 +39,26 @@ async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
   if (typeof Response === 'function' && source instanceof Response) {
     return compiledResponse(source, source.url || 'the response');
   }
-  if (!(source instanceof ArrayBuffer) && !ArrayBuffer.isView(source)) {
+  const bytes = bytesOf(source);
+  if (!bytes) {
     throw new KarcherError(
       'badArgument',
       `wasm must be an address, bytes, a Response or a WebAssembly.Module, not ${shown(source)}`,
     );
   }
-  return compiledBytes(source as BufferSource, 'the array of bytes');
+  return compiledBytes(bytes, 'the array of bytes');
+}
+
+/** Bytes that WebAssembly takes: those in shared memory are copied, as another thread may write there. */
+function bytesOf(source: unknown): BufferSource | undefined {
+  const isShared = (buffer: unknown) =>
+    typeof SharedArrayBuffer === 'function' && buffer instanceof SharedArrayBuffer;
+  if (isShared(source)) return new Uint8Array(source as SharedArrayBuffer).slice();
+  if (source instanceof ArrayBuffer) return source;
+  if (!ArrayBuffer.isView(source)) return undefined;
+  const { buffer, byteOffset, byteLength } = source;
+  if (!isShared(buffer)) return source as ArrayBufferView<ArrayBuffer>;
+  return new Uint8Array(buffer, byteOffset, byteLength).slice();
 }
 
 async function compiledFrom(address: string | URL): Promise<WebAssembly.Module> {
@@ -78,7 +91,8 @@ async function compiledResponse(response: Response, what: string): Promise<WebAs
       `the engine cannot be loaded from ${what}: the answer is ${response.status} ${response.statusText}`.trim(),
     );
   }
-  const isWasm = /^application\/wasm\b/.test(response.headers.get('content-type') ?? '');
+  // `compileStreaming` takes this type alone, without a charset, and in Node not in capitals.
+  const isWasm = response.headers.get('content-type') === 'application/wasm';
   if (!isWasm) return compiledBytes(await response.arrayBuffer(), what);
   // While it arrives; browsers keep what they compiled so.
   return whole(WebAssembly.compileStreaming(response), what);

@@ -585,6 +585,7 @@ export type WasmSource =
   | URL
   | Response
   | ArrayBuffer
+  | SharedArrayBuffer
   | ArrayBufferView
   | WebAssembly.Module;
 

@@ -18,6 +18,11 @@ before(async () => {
     if (request.url === '/engine.wasm') response.end(bytes);
     else if (request.url === '/typed.wasm') {
       response.writeHead(200, { 'content-type': 'application/wasm' }).end(bytes);
+    } else if (request.url === '/charset.wasm') {
+      const type = 'application/wasm; charset=utf-8';
+      response.writeHead(200, { 'content-type': type }).end(bytes);
+    } else if (request.url === '/spelled.wasm') {
+      response.writeHead(200, { 'content-type': 'Application/Wasm' }).end(bytes);
     } else if (request.url === '/wrong.wasm') {
       response.writeHead(200, { 'content-type': 'application/wasm' }).end('no wasm');
     } else if (request.url === '/page.wasm') response.end('<!doctype html>');
@@ -28,6 +33,13 @@ before(async () => {
 });
 after(() => server.close());
 
+/** The bytes in shared memory, behind `before` others. */
+function shared(before) {
+  const copy = new Uint8Array(new SharedArrayBuffer(before + bytes.length));
+  copy.set(bytes, before);
+  return copy;
+}
+
 const works = (karcher) => karcher.shape('sphere', 500).info.components === 1;
 
 test('it is an address, bytes, an answer or a compiled module', async () => {
@@ -37,7 +49,13 @@ test('it is an address, bytes, an answer or a compiled module', async () => {
     'a path': file,
     'an address of the network': `${address}/engine.wasm`,
     'an address that says what it has': `${address}/typed.wasm`,
+    'an address that says it with a charset': `${address}/charset.wasm`,
+    'an address that says it in capitals': `${address}/spelled.wasm`,
+    'an answer with a charset': await fetch(`${address}/charset.wasm`),
     bytes: bytes,
+    'bytes in shared memory': shared(3).subarray(3),
+    'shared memory': shared(0).buffer,
+    'a view of it': new DataView(shared(3).buffer, 3),
     'an array buffer': bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length),
     'an answer': await fetch(`${address}/engine.wasm`),
     'a module': await WebAssembly.compile(bytes),

@@ -1,5 +1,10 @@
 import assert from 'node:assert/strict';
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { Worker } from 'node:worker_threads';
 import { CurveView, KarcherError, load, Path } from 'karcher';
 import { WorkerClient } from 'karcher/own-worker';
 import { loadInWorker, CurveView as ViewOfWorker } from 'karcher/worker';
@@ -245,6 +250,50 @@ test('a worker that ends, or whose engine breaks, ends every call with the reaso
     await assert.rejects(client.call('third', []), { code: 'internal' });
     assert.deepEqual(told, ['out of memory']);
     assert.ok(worker.ended && client.disposed);
+  }
+});
+
+test('a worker that does not start is told, with its address and what to do', async () => {
+  const notLoaded =
+    (...parts) =>
+    (error) => {
+      assert.equal(error.name, 'KarcherError');
+      assert.equal(error.code, 'notLoaded');
+      for (const part of parts) assert.match(error.message, part);
+      return true;
+    };
+  const missing = () => new Worker(new URL('./missing_worker.mjs', import.meta.url));
+  await assert.rejects(
+    loadInWorker({ worker: missing }),
+    notLoaded(/missing_worker\.mjs/, /karcher\/worker-thread/),
+  );
+  // Browsers tell no reason.
+  const blocked = scripted();
+  const loading = loadInWorker({ worker: () => blocked });
+  blocked.tell('error', new Event('error'));
+  await assert.rejects(loading, notLoaded(/does not start\. See/, /karcher\/worker-thread/));
+  assert.ok(blocked.ended);
+  // One that has answered has started.
+  const broken = scripted();
+  const breaking = loadInWorker({ worker: () => broken });
+  broken.tell('message', { id: 1, begun: true });
+  broken.tell('error', new Error('out of memory'));
+  await assert.rejects(breaking, { code: 'internal', message: 'out of memory' });
+
+  const folder = mkdtempSync(join(tmpdir(), 'karcher-'));
+  try {
+    const dist = dirname(fileURLToPath(import.meta.resolve('karcher')));
+    cpSync(dist, folder, { recursive: true });
+    rmSync(join(folder, 'worker/thread.js'));
+    writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
+    const own = await import(pathToFileURL(join(folder, 'worker/index.js')));
+    const address = pathToFileURL(join(folder, 'worker/thread.js')).href;
+    await assert.rejects(own.loadInWorker(), (error) => {
+      assert.ok(error.message.includes(`See that its script ${address} can be loaded`));
+      return notLoaded(/worker-src/)(error);
+    });
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
   }
 });
 

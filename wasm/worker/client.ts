@@ -45,6 +45,9 @@ interface Cancelled {
   timer?: ReturnType<typeof setTimeout>;
 }
 
+/** Of a worker that tells none why it ended. */
+export const unknownReason = 'the engine could not go on in its worker';
+
 /** Milliseconds that a worker has at least to hear that a call is cancelled. */
 const leastPatience = 200;
 
@@ -71,6 +74,7 @@ export class WorkerClient {
   /** Whether all of them can be. */
   #keepsAll = true;
   #isRestarting = false;
+  #hasAnswered = false;
   #calls = 0;
   #end: KarcherError | null = null;
 
@@ -100,6 +104,11 @@ export class WorkerClient {
   /** Whether it ended, or was disposed of. */
   get disposed(): boolean {
     return this.#end !== null;
+  }
+
+  /** Whether the worker has answered anything. */
+  get hasAnswered(): boolean {
+    return this.#hasAnswered;
   }
 
   /**
@@ -317,7 +326,7 @@ export class WorkerClient {
     if (this.#end) return;
     (error as Partial<Event>).preventDefault?.();
     const { message } = error as Partial<Error>;
-    const end = new KarcherError('internal', message || 'the engine could not go on in its worker');
+    const end = new KarcherError('internal', message || unknownReason);
     this.#stop(end);
     this.onFatal?.(end);
   }
@@ -333,6 +342,7 @@ export class WorkerClient {
   }
 
   #receive(reply: Reply): void {
+    this.#hasAnswered = true;
     const pending = this.#pending.get(reply.id);
     if ('callback' in reply) {
       try {

@@ -1,6 +1,7 @@
 import { checkOptions } from '../check.js';
+import { KarcherError } from '../errors.js';
 import { checkLongWork, namesOf } from '../options.js';
-import { WorkerClient, type WorkerLike } from './client.js';
+import { unknownReason, WorkerClient, type WorkerLike } from './client.js';
 import { type RemoteKarcher, remoteKarcher } from './remote.js';
 
 export { KarcherError } from '../errors.js';
@@ -49,6 +50,7 @@ const workerOptionNames = namesOf<WorkerOptions>({ worker: true, signal: true })
  *
  * In Node the worker keeps the process alive only while a call is under way.
  *
+ * Rejects with `KarcherError` notLoaded where the worker's script cannot be had, naming its address.
  * Every call rejects with the engine's `KarcherError`: with `internal` if the worker ended by itself,
  * with `disposed` after `dispose`.
  */
@@ -56,7 +58,7 @@ export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteK
   checkOptions(options, workerOptionNames);
   const { worker = startWorker, signal } = options;
   checkLongWork(signal === undefined ? {} : { signal });
-  const client = new WorkerClient(worker);
+  const client = new WorkerClient(worker === startWorker ? startOwnWorker : worker);
   const abort = () => client.dispose();
   signal?.addEventListener('abort', abort, { once: true });
   try {
@@ -66,8 +68,48 @@ export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteK
     return karcher;
   } catch (error) {
     client.dispose();
-    throw signal?.aborted ? signal.reason : error;
+    if (signal?.aborted) throw signal.reason;
+    throw client.hasAnswered ? error : notStarted(worker === startWorker, error);
   } finally {
     signal?.removeEventListener('abort', abort);
   }
 }
+
+/** `startWorker`, where a page may not: of an address of another origin `Worker` throws. */
+function startOwnWorker(): WorkerLike {
+  try {
+    return startWorker();
+  } catch (error) {
+    throw notStarted(true, error);
+  }
+}
+
+/** Of a worker that has answered nothing. Browsers tell no reason where a script is missing or blocked. */
+function notStarted(isOwn: boolean, cause: unknown): unknown {
+  if (cause instanceof KarcherError && cause.code !== 'internal') return cause;
+  const { message } = cause as Partial<Error>;
+  const reason = message && message !== unknownReason ? `: ${message}` : '';
+  return new KarcherError(
+    'notLoaded',
+    `the worker does not start${reason}. ${isOwn ? adviceOnOwn() : adviceOnGiven}`,
+    { cause },
+  );
+}
+
+/** A bundler names the script as it likes, and an address that was written as such would be bundled once more. */
+function adviceOnOwn(): string {
+  const here = import.meta.url;
+  const address = here.replace(/\/worker\/index\.js([?#].*)?$/, '/worker/thread.js');
+  const script =
+    address === here
+      ? `what the bundler made of 'karcher/worker-thread' for ${here}`
+      : `its script ${address}`;
+  return (
+    `See that ${script} can be loaded, from the origin of the page and by its ` +
+    "Content-Security-Policy (worker-src), or give `worker`: a module worker of 'karcher/worker-thread'"
+  );
+}
+
+const adviceOnGiven =
+  "See that the script of the worker that was given can be loaded, and runs 'karcher/worker-thread' " +
+  'as a module';
