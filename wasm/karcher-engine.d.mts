@@ -9,6 +9,7 @@ import type {
   MeshInfo,
   Method,
   Solver,
+  Star,
   Status,
   StraightestPath,
   Uniqueness,
@@ -41,6 +42,7 @@ export interface EngineFieldOptions {
   method: Method;
   solver: Solver;
   rings: number;
+  star: Star;
 }
 
 export interface EngineRegion {

@@ -25,6 +25,7 @@ import type {
   RegionOptions,
   RegionShape,
   Solver,
+  Star,
   StartOptions,
   WeightsOptions,
 } from './types.js';
@@ -33,7 +34,7 @@ import type {
 export const namesOf = <Options>(all: Record<keyof Options, true>): readonly string[] =>
   Object.keys(all);
 
-const field = { method: true, solver: true, rings: true } as const;
+const field = { method: true, solver: true, rings: true, star: true } as const;
 export const fieldOptionNames = namesOf<FieldOptions>(field);
 export const distanceOptionNames = namesOf<DistanceOptions>({ solver: true, rings: true });
 const longWorkOptionNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
@@ -89,6 +90,7 @@ export const regionShapeNames = namesOf<RegionShape>({ outlines: true, inside: t
 /** The names that callers may give; the first method is the default. */
 export const methods: readonly Method[] = ['karcher', 'paper'];
 const solvers: readonly Solver[] = ['fast', 'exact', 'graph'];
+const stars: readonly Star[] = ['wide', 'ring'];
 const defaultRings = 6;
 
 /** Field options with every default filled in, as the engine takes them. */
@@ -100,7 +102,11 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
   if (options.rings !== undefined && solver !== 'graph') {
     throw new KarcherError('badArgument', `the solver '${solver}' has no rings; 'graph' has`);
   }
-  return { method, solver, rings };
+  const star = checkOneOf(options.star ?? stars[0]!, stars, 'the star');
+  if (options.star !== undefined && method !== 'paper') {
+    throw new KarcherError('badArgument', `the method '${method}' has no star; 'paper' has`);
+  }
+  return { method, solver, rings, star };
 }
 
 /** What stands for `auto` and `limit` in the engine. */

@@ -74,6 +74,17 @@ export type Solver = 'fast' | 'exact' | 'graph';
 export type Method = 'karcher' | 'paper';
 
 /**
+ * Of the method `paper`: the faces whose gradients its Eq. 3 averages at a vertex.
+ *
+ * - `wide`, the default: those around the vertex and those across their outer edges, as the program of
+ *   the paper's authors has it, whose curves and figures these are;
+ * - `ring`: those around the vertex, the 1-ring, as the paper prints it. On fine smooth meshes curves of
+ *   the two lie a few hundredths of a mean edge apart; on coarse and uneven ones farther, and either may
+ *   be the nearer one to the truth.
+ */
+export type Star = 'wide' | 'ring';
+
+/**
  * How the search for a center of mass ended. Only `converged` means that the point is one; otherwise
  * the point is where the search stopped.
  *
@@ -174,6 +185,8 @@ export interface FieldOptions {
   solver?: Solver | undefined;
   /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
   rings?: number | undefined;
+  /** Of the method `paper`: Eq. 3 as its authors' program has it (`wide`, the default) or as printed. */
+  star?: Star | undefined;
 }
 
 export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;

@@ -9,16 +9,8 @@
 #include "curves/polygon/subdivision.h"
 #include "distance/exact_distance.h"
 #include "mesh/error.h"
-#include "peers/ring_gradients.h"
 
 namespace karcher {
-namespace {
-
-bool takesRing(const ComparedOptions& options) {
-  return options.star == GradientStar::kRing && options.field.method == Method::kPaper;
-}
-
-}  // namespace
 
 PreparedMethod::PreparedMethod(Surface& surface, const ComparedOptions& options)
     : surface_(surface), options_(options) {
@@ -84,7 +76,6 @@ ComparedCurve::ComparedCurve(PreparedMethod& method, ComparedPlan plan)
   if (options.method == ComparedMethod::kFields) {
     for (int i = 0; i < plan_.points.count(); ++i) {
       fields_.push_back(std::make_unique<PointField>(method.surface(), options.field));
-      ringFields_.push_back(ControlField());
     }
   } else if (options.method == ComparedMethod::kVectorHeat ||
              options.method == ComparedMethod::kAffineHeat) {
@@ -159,7 +150,7 @@ bool ComparedCurve::makeNextField() {
   const int i = static_cast<int>(next - moved_.begin());
   moved_[i] = 0;
   if (!fields_.empty()) {
-    makeField(i);
+    fields_[i]->setPoint(plan_.points[i]);
     return true;
   }
   if (method_.options().method != ComparedMethod::kDescent) return makeNextField();
@@ -172,26 +163,6 @@ bool ComparedCurve::makeNextField() {
   return true;
 }
 
-void ComparedCurve::makeField(int i) {
-  const ComparedOptions& options = method_.options();
-  if (!takesRing(options)) {
-    fields_[i]->setPoint(plan_.points[i]);
-    return;
-  }
-  Surface& surface = method_.surface();
-  auto squares = std::make_shared<Array<double>>(distancesFrom(
-      *makeDistanceSolver(surface, options.field), plan_.points[i], surface.mesh().vertexCount()));
-  for (double& d : *squares) d = d == kInfinity ? 0 : d * d;
-  auto gradients = std::make_shared<Array<Vec2>>(ringGradients(surface.geometry(), *squares));
-  ringFields_[i].reset([squares, gradients](int v) {
-    return FieldValue{(*gradients)[v], (*squares)[v]};
-  });
-}
-
-ControlField& ComparedCurve::fieldOf(int i) {
-  return takesRing(method_.options()) ? ringFields_[i] : fields_[i]->field();
-}
-
 void ComparedCurve::traceOn(int segment, int samples) {
   Array<CurveSample>& traced = segments_[segment];
   if (traced.empty()) {
@@ -201,7 +172,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
   if (!fields_.empty() && !blend_) {
     Array<ControlField*> fields;
     for (int i = 0; i < plan_.table.points; ++i) {
-      fields.push_back(&fieldOf(plan_.first[segment] + i));
+      fields.push_back(&fields_[plan_.first[segment] + i]->field());
     }
     blend_.emplace(method_.surface().geometry(), std::move(fields));
   }

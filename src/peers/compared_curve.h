@@ -35,16 +35,9 @@ enum class Seeds {
   kAuthors,
 };
 
-/// Which faces the paper's Eq. 3 averages at a vertex.
-enum class GradientStar {
-  kWide,  ///< as the authors' program, those beyond its ring too (gradient_operator.h)
-  kRing,  ///< those around it, as the paper prints it (ring_gradients.h)
-};
-
 struct ComparedOptions {
   ComparedMethod method = ComparedMethod::kFields;
-  FieldOptions field;                       ///< of kFields
-  GradientStar star = GradientStar::kWide;  ///< of the paper's method
+  FieldOptions field;  ///< of kFields
   Seeds seeds = Seeds::kHeaviest;
   bool delaunay = false;  ///< of the heat methods: on the intrinsic Delaunay triangulation
   AffineVariant variant = AffineVariant::kLocal;
@@ -117,8 +110,6 @@ class ComparedCurve {
  private:
   void check() const;
   bool makeNextField();
-  void makeField(int i);
-  ControlField& fieldOf(int i);
   void traceOn(int segment, int samples);
   CenterOfMass center(int segment, Weights weights, const SurfacePoint& start);
   CenterOfMass centerAgain(int segment, Weights weights, bool isEnd, CenterOfMass found);
@@ -135,7 +126,6 @@ class ComparedCurve {
   SurfacePoint last_;                   ///< where the next search starts
   bool hasFound_ = false;               ///< whether that is a sample that converged
   Array<std::unique_ptr<PointField>> fields_;
-  Array<ControlField> ringFields_;   ///< in their place, where Eq. 3 is as the paper prints it
   std::optional<FieldBlend> blend_;  ///< of the segment that is traced
   std::unique_ptr<LogMapMean> mean_;
   DescentPath path_;

@@ -15,10 +15,14 @@ void checkFieldOptions(const FieldOptions& options) {
     throw Error(ErrorCode::kBadArgument,
                 "the paper's method takes the solver 'exact' or 'graph', not 'fast'");
   }
+  if (options.method != Method::kPaper && options.star != Star::kWide) {
+    throw Error(ErrorCode::kBadArgument,
+                "the paper's method alone averages gradients over a star; others have none");
+  }
 }
 
 void prepareFields(Surface& surface, const FieldOptions& options) {
-  if (options.method == Method::kPaper) surface.gradientOperator();
+  if (options.method == Method::kPaper) surface.gradientOperator(options.star);
   if (options.solver == Solver::kGraph) surface.ringGraph(options.rings);
   if (options.solver == Solver::kFast) solverOn(surface, options.solver);
 }

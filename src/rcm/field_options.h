@@ -25,7 +25,8 @@ enum class Solver {
 struct FieldOptions {
   Method method = Method::kKarcher;
   Solver solver = Solver::kFast;
-  int rings = 6;  ///< of the graph, 1 to 10
+  int rings = 6;            ///< of the graph, 1 to 10
+  Star star = Star::kWide;  ///< of kPaper (gradient_operator.h)
 
   bool operator==(const FieldOptions&) const = default;
 };

@@ -55,7 +55,7 @@ void addOuterFace(const Geometry& geometry, int h, Row& row) {
 
 }  // namespace
 
-GradientOperator buildGradientOperator(const Geometry& geometry) {
+GradientOperator buildGradientOperator(const Geometry& geometry, Star star) {
   const TriangleMesh& mesh = *geometry.mesh;
   const int vertexCount = mesh.vertexCount();
   GradientOperator result(2 * vertexCount, vertexCount);
@@ -74,7 +74,7 @@ GradientOperator buildGradientOperator(const Geometry& geometry) {
     row.area = 0;
     for (const int h : outgoingHalfedges(mesh, v)) {
       addFace(geometry, h, row);
-      addOuterFace(geometry, h, row);
+      if (star == Star::kWide) addOuterFace(geometry, h, row);
     }
     for (int component = 0; component < 2; ++component) {
       for (const auto& [column, value] : row.entries) {

@@ -40,7 +40,7 @@ void PointField::makePaperField() {
   squaredDistances_ =
       distancesFrom(*makeDistanceSolver(surface_, options_), point_, surface_.mesh().vertexCount());
   for (double& d : squaredDistances_) d = d == kInfinity ? 0 : d * d;
-  gradients_ = applyGradient(surface_.gradientOperator(), squaredDistances_);
+  gradients_ = applyGradient(surface_.gradientOperator(options_.star), squaredDistances_);
   field_.reset([this](int v) { return FieldValue{gradients_[v], squaredDistances_[v]}; });
 }
 

@@ -78,7 +78,8 @@ ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
 
   ControlField field;
   if (paper) {
-    sums->logVectors = applyGradient(surface.gradientOperator(), sums->squaredDistances);
+    sums->logVectors =
+        applyGradient(surface.gradientOperator(options.star), sums->squaredDistances);
     field.reset([sums](int v) {
       return FieldValue{sums->logVectors[v], sums->squaredDistances[v]};
     });

@@ -25,9 +25,10 @@ void Surface::takeRingGraph(int rings, RingGraph graph) {
   ringGraphs_.insert_or_assign(rings, std::move(graph));
 }
 
-const GradientOperator& Surface::gradientOperator() {
-  if (!gradientOperator_) gradientOperator_ = buildGradientOperator(geometry_);
-  return *gradientOperator_;
+const GradientOperator& Surface::gradientOperator(Star star) {
+  const auto found = gradientOperators_.find(star);
+  if (found != gradientOperators_.end()) return found->second;
+  return gradientOperators_.emplace(star, buildGradientOperator(geometry_, star)).first->second;
 }
 
 StencilTable& Surface::stencils(Estimator estimator) {

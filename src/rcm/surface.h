@@ -33,7 +33,7 @@ class Surface {
   /// Keeps a graph that was built in slices.
   void takeRingGraph(int rings, RingGraph graph);
 
-  const GradientOperator& gradientOperator();
+  const GradientOperator& gradientOperator(Star star = Star::kWide);
 
   /// The stencils of an estimator, made as they are read.
   StencilTable& stencils(Estimator estimator);
@@ -52,7 +52,7 @@ class Surface {
   Geometry geometry_;
   Array<int> components_;
   std::map<int, RingGraph> ringGraphs_;
-  std::optional<GradientOperator> gradientOperator_;
+  std::map<Star, GradientOperator> gradientOperators_;
   std::map<Estimator, StencilTable> stencils_;
   std::shared_ptr<const VertexFans> vertexFans_;
   std::shared_ptr<PagePool> pages_ = newPagePool();

@@ -191,6 +191,7 @@ test('weights: their sum must be 1, or they are normalised', () => {
     [inner, [0.1, 0.2, 0.3, 0.4], { start: { vertex: -1 } }, 'badIndex', /vertex -1/],
     [inner, [0.1, 0.2, 0.3, 0.4], { method: 'guess' }, 'badArgument', /the method/],
     [inner, [0.1, 0.2, 0.3, 0.4], { solver: 'fast' }, 'badArgument', /paper's method takes/],
+    [inner, [0.1, 0.2, 0.3, 0.4], { star: 'wider' }, 'badArgument', /the star/],
   ];
   for (const [points, numbers, options, code, message] of wrong) {
     assert.throws(() => mesh.centerOfMass(points, numbers, { ...paper, ...options }), {
@@ -199,6 +200,26 @@ test('weights: their sum must be 1, or they are normalised', () => {
     });
     closeTo(mesh.centerOfMass(inner, [0.1, 0.2, 0.3, 0.4], paper).position, same.position, 1e-15);
   }
+});
+
+test('the paper’s method takes Eq. 3 as printed, too; others have no star', () => {
+  const torus = karcher.shape('torus', 2000);
+  const points = [3, 5, 9, 12].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
+  const weights = [0.1, 0.2, 0.3, 0.4];
+  const at = (options) => {
+    const center = torus.centerOfMass(points, weights, { ...paper, ...options });
+    assert.equal(center.status, 'converged');
+    return center.position;
+  };
+  const [wide, ring] = [at({ star: 'wide' }), at({ star: 'ring' })];
+  assert.deepEqual(at({}), wide);
+  const apart = Math.hypot(...wide.map((value, k) => value - ring[k]));
+  assert.ok(apart > 0 && apart < 0.3 * torus.info.meanEdge, `${apart}`);
+  assert.throws(() => torus.centerOfMass(points, weights, { star: 'ring' }), {
+    code: 'badArgument',
+    message: /'karcher' has no star/,
+  });
+  torus.dispose();
 });
 
 test('points on several components have no center of mass', () => {

@@ -78,6 +78,8 @@ test('mean prints the center of mass', async () => {
   assert.deepEqual(mean, mesh.centerOfMass(points, masses));
   const papers = await printed(...args, '--weights', weights, '--method', 'paper');
   assert.deepEqual(papers, mesh.centerOfMass(points, masses, paper));
+  const ring = await printed(...args, '--weights', weights, '--method', 'paper', '--star', 'ring');
+  assert.deepEqual(ring, mesh.centerOfMass(points, masses, { ...paper, star: 'ring' }));
   const scaled = await printed(...args, '--weights', '1,2,3,4,0', '--normalize');
   assert.ok(Math.abs(scaled.position[0] - mean.position[0]) < 1e-12);
   // A list that begins with a negative weight.

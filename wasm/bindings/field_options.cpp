@@ -16,13 +16,14 @@ struct Named {
 constexpr Named<Method> kMethods[] = {{"karcher", Method::kKarcher}, {"paper", Method::kPaper}};
 constexpr Named<Solver> kSolvers[] = {
     {"fast", Solver::kFast}, {"exact", Solver::kExact}, {"graph", Solver::kGraph}};
+constexpr Named<Star> kStars[] = {{"wide", Star::kWide}, {"ring", Star::kRing}};
 
 template <class Value, size_t count>
 Value valueOf(const Named<Value> (&list)[count], const std::string& name) {
   for (const Named<Value>& named : list) {
     if (name == named.name) return named.value;
   }
-  throw Error(ErrorCode::kBadArgument, "there is no method or solver '" + name + "'");
+  throw Error(ErrorCode::kBadArgument, "there is no method, solver or star '" + name + "'");
 }
 
 }  // namespace
@@ -32,6 +33,7 @@ FieldOptions fieldOptionsFromJs(const emscripten::val& options) {
   result.method = valueOf(kMethods, options["method"].as<std::string>());
   result.solver = valueOf(kSolvers, options["solver"].as<std::string>());
   result.rings = options["rings"].as<int>();
+  result.star = valueOf(kStars, options["star"].as<std::string>());
   checkFieldOptions(result);
   return result;
 }

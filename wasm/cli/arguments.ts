@@ -12,6 +12,7 @@ import type {
   Method,
   PointLike,
   Solver,
+  Star,
   SurfacePoint,
 } from '../types.js';
 import type { Command, Option } from './command.js';
@@ -133,6 +134,7 @@ export class Arguments {
       // Which solver is the default depends on the method.
       ...(this.given('solver') && { solver }),
       ...this.whereGiven(['rings'], () => this.integer('rings')),
+      ...(this.given('star') && { star: this.choice<Star>('star') }),
     };
   }
 

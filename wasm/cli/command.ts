@@ -91,4 +91,10 @@ export const fieldOptions: readonly Option[] = [
     help: 'rings of the graph solver, 1 to 10; it joins vertices that see each other straight',
     default: '6',
   },
+  {
+    name: 'star',
+    value: 'wide|ring',
+    help: "of --method paper: Eq. 3 as in its authors' program (wide) or as printed, the 1-ring",
+    default: 'wide',
+  },
 ];

@@ -46,7 +46,6 @@ export interface EngineBenchmark {
 export interface EngineMethodOptions {
   method: string;
   field: EngineFieldOptions;
-  star: string;
   seeds: string;
   delaunay: boolean;
   adaptive: boolean;

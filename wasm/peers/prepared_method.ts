@@ -170,13 +170,12 @@ function engineOptions(options: MethodOptions): EngineMethodOptions {
   checkOptions(options, methodOptionNames);
   const method = checkOneOf(options.method, comparedMethods, 'a method');
   const ours = method === 'paper' || method === 'karcher';
-  const { solver, rings } = options;
+  const { solver, rings, star } = options;
   checkMeant('seeds', options.seeds, ours, "'paper' and 'karcher'");
   checkMeant('star', options.star, method === 'paper', "'paper'");
   return {
     method,
-    field: engineFieldOptions(ours ? { method, solver, rings } : {}),
-    star: checkOneOf(options.star ?? 'wide', ['wide', 'ring'] as const, 'a star'),
+    field: engineFieldOptions(ours ? { method, solver, rings, star } : {}),
     seeds: checkOneOf(options.seeds ?? 'heaviest', ['heaviest', 'authors'] as const, 'seeds'),
     delaunay: checkBoolean(options.delaunay ?? false, 'delaunay'),
     adaptive: checkBoolean(options.adaptive ?? false, 'adaptive'),

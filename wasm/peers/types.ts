@@ -1,5 +1,12 @@
 import type { Path } from '../path.js';
-import type { CenterOfMass, CurveSamples, LongWorkOptions, PointLike, Solver } from '../types.js';
+import type {
+  CenterOfMass,
+  CurveSamples,
+  LongWorkOptions,
+  PointLike,
+  Solver,
+  Star,
+} from '../types.js';
 
 /**
  * The methods that are compared: the vector heat method (Sharp, Soliman, Crane 2019), the affine
@@ -21,12 +28,8 @@ export interface MethodOptions {
   /** `paper` and `karcher`: how distances are found; by default as in `FieldOptions`. */
   solver?: Solver;
   rings?: number;
-  /**
-   * `paper`: the faces whose gradients Eq. 3 averages at a vertex: those around it, as the paper prints
-   * it (`ring`), or also those across their outer edges, as its authors' program has it (`wide`, the
-   * default).
-   */
-  star?: 'wide' | 'ring';
+  /** `paper`: as in `FieldOptions`. */
+  star?: Star;
   /**
    * `paper` and `karcher`: where searches start. `heaviest` (the default), as the engine's: the ends of a
    * segment at the control point of the largest weight, other samples at the last that converged, and

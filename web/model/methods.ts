@@ -27,6 +27,11 @@ const list = [
     options: { method: 'paper', solver: 'exact' },
   },
   {
+    id: 'paper-ring',
+    label: 'Paper (exact, 1-ring)',
+    options: { method: 'paper', solver: 'exact', star: 'ring' },
+  },
+  {
     id: 'paper-graph',
     label: 'Paper (graph)',
     options: { method: 'paper', solver: 'graph' },

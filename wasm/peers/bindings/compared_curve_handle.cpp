@@ -81,7 +81,6 @@ std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val&
   ComparedOptions result;
   result.method = comparedMethod(options["method"].as<std::string>());
   result.field = fieldOptionsFromJs(options["field"]);
-  if (options["star"].as<std::string>() == "ring") result.star = GradientStar::kRing;
   if (options["seeds"].as<std::string>() == "authors") result.seeds = Seeds::kAuthors;
   result.delaunay = options["delaunay"].as<bool>();
   result.variant =
