@@ -33,7 +33,7 @@ const list = [
   },
   {
     id: 'paper-graph',
-    label: 'Paper (graph)',
+    label: 'Paper (graph of straight lines)',
     options: { method: 'paper', solver: 'graph' },
   },
 ] as const satisfies MethodEntry[];
