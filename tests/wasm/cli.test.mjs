@@ -37,6 +37,24 @@ test('help, of the program and of each command', async () => {
   }
 });
 
+test('control characters of names never reach a terminal', async () => {
+  const solids = new TextDecoder().decode(stlFile(cutBox, { text: true }));
+  const named = folder.write(
+    'named.stl',
+    new TextEncoder().encode(solids.replace('part 0', 'a\x1b[31m\x9b\x7f\u202eb')),
+  );
+  for (const args of [
+    ['info', named],
+    ['info', folder.write('bad\x1b[2J.obj', 'f 1')],
+    ['info', 'none\x1b]0;title\x07.obj'],
+    ['a\x1b[31m'],
+  ]) {
+    const { stdout, stderr } = await karcher(...args);
+    assert.ok(stdout.length + stderr.length > 0);
+    assert.doesNotMatch(stdout + stderr, /(?![\t\n])[\p{Cc}\p{Bidi_Control}]/u);
+  }
+});
+
 test("the version is the package's", async () => {
   const { default: own } = await import('karcher/package.json', { with: { type: 'json' } });
   assert.deepEqual((await karcher('--version')).stdout, `${own.version}\n`);

@@ -11,7 +11,7 @@ import { UsageError } from './errors.js';
 import { commandHelp, generalHelp } from './help.js';
 import { info } from './info.js';
 import { mean } from './mean.js';
-import { jsonLine, polylinesAsObj, print } from './output.js';
+import { jsonLine, polylinesAsObj, print, printable } from './output.js';
 import { path } from './path.js';
 import { trace } from './trace.js';
 import { weights } from './weights.js';
@@ -40,7 +40,7 @@ export interface Streams {
 export async function main(args: readonly string[], { stdout, stderr }: Streams): Promise<number> {
   // A closed standard error leaves nobody to tell.
   stderr.on('error', () => {});
-  const tell = (sentence: string) => stderr.write(`karcher: ${sentence}\n`);
+  const tell = (sentence: string) => stderr.write(`karcher: ${printable(sentence)}\n`);
   try {
     await print(await run(args, tell), stdout);
     return 0;

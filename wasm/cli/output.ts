@@ -125,6 +125,13 @@ export async function print(pieces: Iterable<string>, stdout: Writable): Promise
   await write(text, stdout);
 }
 
+/**
+ * A text whose control characters, but for tabs and line ends, are question marks: names of files and
+ * of their parts may hold what changes a terminal.
+ */
+export const printable = (text: string) =>
+  text.replace(/(?![\t\n])[\p{Cc}\p{Bidi_Control}]/gu, '?');
+
 function write(text: string, stdout: Writable): Promise<void> {
   return new Promise((resolve, reject) => {
     const fail = (cause: NodeJS.ErrnoException) => {
@@ -133,7 +140,7 @@ function write(text: string, stdout: Writable): Promise<void> {
       reject(new UsageError(`cannot write to standard output: ${reason}`, { cause }));
     };
     stdout.once('error', fail);
-    stdout.write(text, (error) => {
+    stdout.write(printable(text), (error) => {
       if (error) return fail(error);
       stdout.off('error', fail);
       resolve();
