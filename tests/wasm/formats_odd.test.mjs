@@ -271,3 +271,133 @@ test('glTF: a node of very many children', async () => {
   const { mesh } = await open(files.glbFile(cutBox, { nodes }));
   assert.equal(mesh.info.triangles, 12);
 });
+
+/** A glTF file of a triangle, with more nodes, accessors or skins. */
+function triangleWith(change, rows = []) {
+  const { json, buffer } = files.gltfParts({
+    positions: [0, 0, 0, 1, 0, 0, 0, 1, 0],
+    faces: [[0, 1, 2]],
+  });
+  const bytes = rows.map((numbers) => new Uint8Array(Float32Array.from(numbers).buffer));
+  const whole = new Uint8Array(bytes.reduce((sum, { length }) => sum + length, buffer.length));
+  whole.set(buffer);
+  let at = buffer.length;
+  const views = bytes.map((one) => {
+    whole.set(one, at);
+    const view = { buffer: 0, byteOffset: at, byteLength: one.length };
+    at += one.length;
+    return view;
+  });
+  const all = { ...json, bufferViews: [...json.bufferViews, ...views] };
+  return files.glbOf({ json: { ...all, ...change(all, json.bufferViews.length) }, buffer: whole });
+}
+
+const rounded = (mesh) => [...mesh.positions()].map((x) => Math.round(1e6 * x) / 1e6 + 0);
+
+test('glTF: a mesh with a skin is not where its node is', async () => {
+  const nodes = [
+    { mesh: 0, skin: 0, scale: [100, 100, 100], translation: [5, 5, 5], children: [1] },
+    { mesh: 0 },
+  ];
+  const skins = [{ joints: [1] }];
+  const { mesh } = await open(triangleWith(() => ({ nodes, skins, scenes: [{ nodes: [0] }] })));
+  const same = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+  assert.deepEqual(rounded(mesh).slice(0, 9), same);
+  assert.deepEqual(
+    rounded(mesh).slice(9),
+    same.map((x) => 100 * x + 5),
+    'its child is',
+  );
+});
+
+test('glTF: instances of a mesh, each with its place, and counted before they are made', async () => {
+  const instanced =
+    (count = 3) =>
+    (all, view) => ({
+      nodes: [
+        {
+          mesh: 0,
+          translation: [0, 0, 1],
+          extensions: {
+            EXT_mesh_gpu_instancing: {
+              attributes: {
+                TRANSLATION: all.accessors.length,
+                ROTATION: all.accessors.length + 1,
+                SCALE: all.accessors.length + 2,
+              },
+            },
+          },
+        },
+      ],
+      extensionsUsed: ['EXT_mesh_gpu_instancing'],
+      extensionsRequired: ['EXT_mesh_gpu_instancing'],
+      scenes: [{ nodes: [0] }],
+      accessors: [
+        ...all.accessors,
+        { bufferView: view, componentType: 5126, count, type: 'VEC3' },
+        { bufferView: view + 1, componentType: 5126, count: 3, type: 'VEC4' },
+        { bufferView: view + 2, componentType: 5126, count: 3, type: 'VEC3' },
+      ],
+    });
+  const half = Math.SQRT1_2;
+  const rows = [
+    [0, 0, 0, 5, 0, 0, 0, 7, 0],
+    [0, 0, 0, 1, 0, 0, half, half, 0, 0, 0, 1],
+    [1, 1, 1, 1, 1, 1, 2, 2, 2],
+  ];
+  const { mesh, file } = await open(triangleWith(instanced(), rows));
+  assert.deepEqual(
+    rounded(mesh),
+    [
+      [0, 0, 1, 1, 0, 1, 0, 1, 1],
+      [5, 0, 1, 5, 1, 1, 4, 0, 1],
+      [0, 7, 1, 2, 7, 1, 0, 9, 1],
+    ].flat(),
+  );
+  assert.equal(file.parts.length, 3);
+  assert.match(file.parts[2].name, /, instance 3$/);
+  await assert.rejects(open(triangleWith(instanced(2), rows)), {
+    code: 'badFile',
+    message: /lists of 2 and 3 and 3 rows/,
+  });
+  // A sparse list of zeros takes no bytes: there could be any number of instances.
+  const many = triangleWith((all, view) => {
+    const change = instanced()(all, view);
+    for (const accessor of change.accessors.slice(-3)) {
+      delete accessor.bufferView;
+      accessor.count = 2 ** 31;
+      accessor.sparse = {
+        count: 0,
+        indices: { bufferView: view, componentType: 5125 },
+        values: { bufferView: view },
+      };
+    }
+    return change;
+  }, rows);
+  await assert.rejects(open(many), { code: 'badFile', message: /more than 250,000 parts/ });
+});
+
+test('glTF: sparse places without a view are zeros but for those that are told', async () => {
+  const bytes = triangleWith(
+    (all, view) => ({
+      bufferViews: [...all.bufferViews, { buffer: 0, byteOffset: 0, byteLength: 0 }],
+      accessors: all.accessors.map((accessor) =>
+        accessor.type === 'VEC3'
+          ? {
+              componentType: 5126,
+              type: 'VEC3',
+              count: 3,
+              sparse: {
+                count: 2,
+                indices: { bufferView: view, componentType: 5125 },
+                values: { bufferView: view + 1 },
+              },
+            }
+          : accessor,
+      ),
+    }),
+    [new Float32Array(Uint32Array.of(1, 2).buffer), [3, 0, 0, 0, 4, 0]],
+  );
+  const { mesh } = await open(bytes);
+  assert.deepEqual(rounded(mesh), [0, 0, 0, 3, 0, 0, 0, 4, 0]);
+});

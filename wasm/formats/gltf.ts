@@ -26,7 +26,8 @@ const mostParts = 250_000;
 const identity: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** Extensions that change nothing of where triangles are. */
-const harmless = /^(KHR_(materials|texture|lights|mesh_quantization|xmp)|EXT_texture|MSFT_texture)/;
+const harmless =
+  /^(KHR_(materials|texture|lights|mesh_quantization|xmp)|EXT_(texture|mesh_gpu_instancing)|MSFT_texture)/;
 
 /** How a compressed file is named to a person. */
 const compressions = new Map([
@@ -96,7 +97,7 @@ async function stripsOf(
   slices: Slices,
 ): Promise<{ parts: FilePart[]; chosen: Strip[]; notRead: string[] }> {
   const { json } = accessors;
-  const nodes = placedMeshes(json);
+  const nodes = placedMeshes(accessors);
   const meshes = new Map<Json, Primitives>();
   const others = { points: 0, lines: 0, morphed: 0 };
   let count = 0;
@@ -179,7 +180,8 @@ interface PlacedMesh {
 }
 
 /** The meshes of the scene's nodes. Throws where nodes are no tree. */
-function placedMeshes(json: Json): PlacedMesh[] {
+function placedMeshes(accessors: Accessors): PlacedMesh[] {
+  const { json } = accessors;
   const nodes = listOf(json, 'nodes');
   const scenes = listOf(json, 'scenes');
   const roots =
@@ -199,12 +201,55 @@ function placedMeshes(json: Json): PlacedMesh[] {
     if (node.mesh !== undefined) {
       const mesh = entryOf(json, 'meshes', node.mesh);
       const name = [node.name, mesh.name].find((one) => typeof one === 'string' && one !== '');
-      placed.push({ mesh, matrix, name: (name as string | undefined) ?? `mesh ${node.mesh}` });
+      const told = (name as string | undefined) ?? `mesh ${node.mesh}`;
+      // By glTF a mesh with a skin is where its joints are, and not where its node is.
+      const place = node.skin === undefined ? matrix : identity;
+      addInstances({ mesh, matrix: place, name: told }, node, accessors, placed);
     }
     const children = listOf(node, 'children');
     for (let i = children.length - 1; i >= 0; i--) waiting.push({ node: children[i], matrix });
   }
   return placed;
+}
+
+/** Adds a node's mesh: once, or as often as the node's instances tell (EXT_mesh_gpu_instancing). */
+function addInstances(mesh: PlacedMesh, node: Json, accessors: Accessors, placed: PlacedMesh[]) {
+  const extensions = objectOf(node, 'extensions');
+  if (extensions.EXT_mesh_gpu_instancing === undefined) {
+    placed.push(mesh);
+    return;
+  }
+  const attributes = objectOf(objectOf(extensions, 'EXT_mesh_gpu_instancing'), 'attributes');
+  const rows = {
+    TRANSLATION: new Float64Array(3),
+    ROTATION: new Float64Array(4),
+    SCALE: new Float64Array(3),
+  };
+  const given = (Object.keys(rows) as (keyof typeof rows)[])
+    .filter((name) => attributes[name] !== undefined)
+    .map((name) => ({
+      name: name.toLowerCase(),
+      row: rows[name],
+      accessor: accessors.vectors(attributes[name], rows[name].length as 3 | 4),
+    }));
+  const counts = given.map(({ accessor }) => accessor.count);
+  const count = counts[0] ?? 0;
+  if (counts.some((other) => other !== count)) {
+    throw badFile(
+      `the instances of '${mesh.name}' are told of by lists of ${counts.join(' and ')} rows`,
+    );
+  }
+  if (placed.length + count > mostParts) {
+    throw badFile(
+      `the glTF file's nodes place more than ${counted(mostParts)} parts; so many are read`,
+    );
+  }
+  for (let i = 0; i < count; i++) {
+    for (const { accessor, row } of given) accessor.fill(i, row);
+    const place = Object.fromEntries(given.map(({ name, row }) => [name, [...row]]));
+    const matrix = product(mesh.matrix, matrixOf(place));
+    placed.push({ ...mesh, matrix, name: `${mesh.name}, instance ${i + 1}` });
+  }
 }
 
 /** Nodes that are no other's children. */

@@ -52,7 +52,7 @@ const most = new Map([
 /** The types of numbers that count: whole and at least 0. */
 const counting: readonly unknown[] = [5121, 5123, 5125];
 
-const components = { SCALAR: 1, VEC3: 3 } as const;
+const components = { SCALAR: 1, VEC3: 3, VEC4: 4 } as const;
 type RowType = keyof typeof components;
 
 export interface Accessor {
@@ -90,6 +90,11 @@ export class Accessors {
   /** An accessor of places, whose rows are all in their buffers. */
   places(number: unknown): Accessor {
     return this.#accessor(number, 'VEC3');
+  }
+
+  /** One of rows of three or four numbers. */
+  vectors(number: unknown, size: 3 | 4): Accessor {
+    return this.#accessor(number, size === 3 ? 'VEC3' : 'VEC4');
   }
 
   /** One of numbers of vertices. */
@@ -135,9 +140,10 @@ export class Accessors {
 
   /** Rows that stand instead of others: `find` gives the place among `values`, or -1. */
   #sparse(accessor: Json, what: string, type: RowType, componentType: number, rows: number) {
-    // Zeros take no bytes: there could be any number of them.
-    if (accessor.bufferView === undefined && rows > 0) throw badFile(`${what} has no values`);
-    if (accessor.sparse === undefined) return null;
+    if (accessor.sparse === undefined) {
+      if (accessor.bufferView === undefined && rows > 0) throw badFile(`${what} has no values`);
+      return null;
+    }
     const sparse = objectOf(accessor, 'sparse');
     const name = `the sparse part of ${what}`;
     const count = countOf(sparse, 'count', name);
