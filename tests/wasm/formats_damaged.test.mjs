@@ -40,11 +40,6 @@ const damaged = {
     'badFile',
     /^line 22 ends where there must be a coordinate/,
   ],
-  'a PLY row that is long': [
-    replaceIn(files.plyFile(box), '2 200 3 4', '2 200 3 4 5'),
-    'badFile',
-    /^line 22: there must be the end of the line, not '5'/,
-  ],
   'a PLY vertex that is not there': [
     files.plyFile({ ...box, faces: [[0, 1, 8]] }),
     'badIndex',
@@ -100,7 +95,11 @@ const damaged = {
     /^line 11: face 0 uses vertex 8/,
   ],
   'an OFF of another dimension': [files.offFile(box, '4OFF\n'), 'badFile', /another dimension/],
-  'a binary OFF': [encode('OFF BINARY\n\0\0'), 'badFile', /binary OFF/],
+  'a binary OFF that is cut off': [
+    encode('OFF BINARY\n\0\0'),
+    'badFile',
+    /^the file ends at byte 11, where there must be the number of vertices/,
+  ],
   'an OFF with more than it tells': [
     encode(`${new TextDecoder().decode(files.offFile(box))}3 0 1 2\n`),
     'badFile',

@@ -36,7 +36,7 @@ const optionNames = namesOf<FileOptions>({
 });
 
 /**
- * Makes a mesh of a file: OBJ, PLY (text or binary), STL (text or binary), OFF, or glTF 2 (GLB, or text
+ * Makes a mesh of a file: OBJ, PLY (text or binary), STL or OFF (text or binary), or glTF 2 (GLB, or text
  * with its buffers in `beside`). The format is told by the content, or else by the name's ending.
  *
  * Vertices and faces keep the file's order, faces counting triangles; in an STL file, which has no

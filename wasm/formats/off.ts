@@ -3,72 +3,240 @@ import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
 import { badFile, counted } from './failures.js';
 import { GrowingPolygons } from './growing.js';
-import { Words } from './text.js';
+import { isLineEnd, lineEndAt, longerRows, TextRows, Words } from './text.js';
 import type { Polygons } from './types.js';
 
-/** A keyword such as OFF, COFF, STNOFF, 4OFF: what a vertex has beside its place. */
-const keyword = /^(ST)?(C)?(N)?(4)?(n)?OFF$/;
+/** A keyword such as OFF, COFF, STNOFF, 4OFF: what a vertex has beside its place; a count may follow. */
+const keyword = /^(ST)?(C)?(N)?(4)?(n)?OFF(\d+)?$/;
 
 export const isOff = (start: string) => keyword.test(/^\s*(?:#.*\s+)*(\S+)/.exec(start)?.[1] ?? '');
 
+/** What reads an OFF file's numbers, of text or binary. */
+interface Source {
+  /** The next coordinate. */
+  coordinate(what: string): number;
+  /** The next whole number of at least 0. */
+  count(what: string): number;
+  /** Ends the counts, which are followed by so many rows. */
+  endHeader(rows: number): void;
+  /** Ends a vertex of three coordinates, by what follows them. */
+  endVertex(): void;
+  /** Ends a face, by its color. */
+  endFace(): void;
+  /** Throws where the file goes on. */
+  end(): void;
+  /** "line 12", "byte 240". */
+  place(): string;
+  /** How many bytes a vertex and a face without corners take at least, and how many follow. */
+  least: { vertex: number; face: number };
+  room(): number;
+  notRead(): string[];
+}
+
 /**
- * Reads an OFF file of text; colors, normals and texture coordinates are left out.
+ * Reads an OFF file, of text or binary; colors, normals and texture coordinates are left out.
  *
- * Rejects with `KarcherError` badFile or badIndex, naming the line, or the signal's reason.
+ * Rejects with `KarcherError` badFile or badIndex, naming the line or byte, or the signal's reason.
  */
 export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise<Polygons> {
   const words = new Words(bytes);
   words.next();
-  const [, texture, color, normal, four, many] = keyword.exec(words.word) ?? words.fail("'OFF'");
+  const [, texture, color, normal, four, many, glued] =
+    keyword.exec(words.word) ?? words.fail("'OFF'");
   if (four || many) {
     throw badFile(`the file is ${words.word}, of another dimension than 3, which is not read`);
   }
-  if (!words.next()) words.fail('the number of vertices');
-  if (words.word === 'BINARY') {
-    throw badFile('the file is a binary OFF, which is not read: save it as text, or as PLY');
-  }
-  const vertices = words.asNumber('the number of vertices');
-  if (!Number.isInteger(vertices) || vertices < 0) words.fail('the number of vertices');
-  const faces = words.count('the number of faces');
-  if (words.nextInLine()) words.asNumber('the number of edges');
-  // A vertex takes three digits with what is between them, a face of no corners one.
-  const room = bytes.length - words.at;
-  if (6 * vertices + 2 * faces - 1 > room) {
+  // OFF3 is a keyword and a number.
+  if (glued) words.back(glued.length);
+  const more = (normal ? 3 : 0) + (texture ? 2 : 0);
+  const isBinary = words.nextIs('BINARY');
+  const source = isBinary
+    ? new BinarySource(bytes, words, more + (color ? 4 : 0))
+    : new TextSource(bytes, words, more, color !== undefined);
+  const vertices = source.count('the number of vertices');
+  const faces = source.count('the number of faces');
+  source.endHeader(vertices + faces);
+  const { least } = source;
+  const room = source.room();
+  if (least.vertex * vertices + least.face * faces - 1 > room) {
     throw badFile(
       `the OFF file tells of ${counted(vertices)} vertices and ${counted(faces)} faces, but only ${counted(room)} bytes follow`,
     );
   }
   const slices = new Slices(work, 'reading');
-  const more = (normal ? 3 : 0) + (texture ? 2 : 0);
+  const done = () => 1 - source.room() / bytes.length;
   const positions = new Float64Array(3 * vertices);
   for (let vertex = 0; vertex < vertices; vertex++) {
-    if ((vertex & batchMask) === 0 && slices.over) await slices.rest(words.at / bytes.length);
+    if ((vertex & batchMask) === 0 && slices.over) await slices.rest(done());
     for (let axis = 0; axis < 3; axis++) {
-      positions[3 * vertex + axis] = words.number(`a coordinate of vertex ${vertex}`);
+      positions[3 * vertex + axis] = source.coordinate(`a coordinate of vertex ${vertex}`);
     }
-    for (let i = 0; i < more; i++) words.number(`a number of vertex ${vertex}`);
-    // A color has three or four numbers, and ends with the line.
-    if (color) words.restOfLine();
+    source.endVertex();
   }
   const polygons = new GrowingPolygons();
   for (let face = 0; face < faces; face++) {
-    if ((face & batchMask) === 0 && slices.over) await slices.rest(words.at / bytes.length);
-    const size = words.count(`the number of corners of face ${face}`);
-    for (let corner = 0; size >= 3 && corner < size; corner++) {
-      const vertex = words.count(`a vertex of face ${face}`);
+    if ((face & batchMask) === 0 && slices.over) await slices.rest(done());
+    const size = source.count(`the number of corners of face ${face}`);
+    for (let corner = 0; corner < size; corner++) {
+      const vertex = source.count(`a vertex of face ${face}`);
       if (vertex >= vertices) {
         throw new KarcherError(
           'badIndex',
-          `line ${words.line}: face ${face} uses vertex ${vertex}, but the file has ${counted(vertices)}`,
+          `${source.place()}: face ${face} uses vertex ${vertex}, but the file has ${counted(vertices)}`,
         );
       }
-      polygons.corner(vertex);
+      if (size >= 3) polygons.corner(vertex);
     }
     polygons.end(size);
-    words.restOfLine();
+    source.endFace();
   }
-  if (words.next()) words.fail('the end of the file');
+  source.end();
   const parts = [{ name: 'mesh', triangles: polygons.triangles }];
-  const info = { format: 'off', parts, notRead: polygons.notRead } as const;
+  const notRead = [...polygons.notRead, ...source.notRead()];
+  const info = { format: 'off', parts, notRead } as const;
   return { positions, corners: polygons.corners, sizes: polygons.sizes, info };
+}
+
+class TextSource implements Source {
+  readonly #bytes: Uint8Array;
+  readonly #words: Words;
+  readonly #more: number;
+  readonly #colored: boolean;
+  readonly #rows: TextRows;
+  /** Whether each vertex and face has lines of its own, or else the vertices' numbers have any. */
+  #inRows = true;
+  #longer = 0;
+  /** A vertex takes three digits with what is between them, a face of no corners one. */
+  readonly least = { vertex: 6, face: 2 };
+
+  /** Of `more` numbers after a vertex's coordinates, then of a color. */
+  constructor(bytes: Uint8Array, words: Words, more: number, colored: boolean) {
+    this.#bytes = bytes;
+    this.#words = words;
+    this.#more = more;
+    this.#colored = colored;
+    this.#rows = new TextRows(words);
+  }
+
+  coordinate(what: string): number {
+    return this.#inRows ? this.#rows.number(what) : this.#words.number(what);
+  }
+
+  count(what: string): number {
+    this.#rows.next(what);
+    return this.#words.asCount(what);
+  }
+
+  /** The number of edges is of no use, and may be missing where both others are on a line. */
+  endHeader(rows: number): void {
+    if (this.#rows.isSplit) this.#words.skip('the number of edges');
+    else this.#words.nextInLine();
+    this.#rows.restart();
+    this.#inRows = this.#hasLines(rows);
+  }
+
+  endVertex(): void {
+    const what = 'a number of a vertex';
+    for (let i = 0; i < this.#more; i++) {
+      if (this.#inRows) this.#rows.next(what);
+      else this.#words.skip(what);
+    }
+    if (this.#inRows) this.#rows.end();
+    else if (this.#colored) this.#words.restOfLine();
+    this.#longer = this.#rows.longer;
+  }
+
+  endFace = () => this.#rows.end();
+
+  end(): void {
+    if (this.#words.next()) this.#words.fail('the end of the file');
+  }
+
+  place = () => `line ${this.#words.line}`;
+  room = () => this.#bytes.length - this.#words.at;
+
+  notRead(): string[] {
+    if (this.#longer === 0 || this.#colored) return [];
+    return [longerRows(this.#longer, 'the places of vertices')];
+  }
+
+  /** Whether so many lines follow that are neither empty nor comments. */
+  #hasLines(wanted: number): boolean {
+    const bytes = this.#bytes;
+    let lines = 0;
+    let isEmpty = true;
+    let isComment = false;
+    for (let at = this.#words.at; at < bytes.length && lines < wanted; at++) {
+      const byte = bytes[at]!;
+      if (isLineEnd(byte)) [isEmpty, isComment] = [true, false];
+      else if (byte > 32 && isEmpty && !isComment) {
+        isComment = byte === 35;
+        if (isComment) continue;
+        isEmpty = false;
+        lines++;
+      }
+    }
+    return lines >= wanted;
+  }
+}
+
+/** Numbers of four bytes, the greatest first, as the line that says BINARY is followed by. */
+class BinarySource implements Source {
+  readonly #view: DataView;
+  readonly #more: number;
+  #at: number;
+  readonly least: { vertex: number; face: number };
+
+  constructor(bytes: Uint8Array, words: Words, more: number) {
+    this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    words.restOfLine();
+    this.#at = words.at + lineEndAt(bytes, words.at);
+    this.#more = more;
+    this.least = { vertex: 4 * (3 + more), face: 8 };
+  }
+
+  #next(what: string): number {
+    const at = this.#at;
+    if (at + 4 > this.#view.byteLength) {
+      throw badFile(`the file ends at byte ${at}, where there must be ${what}`);
+    }
+    this.#at += 4;
+    return at;
+  }
+
+  coordinate(what: string): number {
+    return this.#view.getFloat32(this.#next(what));
+  }
+
+  count(what: string): number {
+    const value = this.#view.getInt32(this.#next(what));
+    if (value < 0) throw badFile(`byte ${this.#at - 4}: there must be ${what}, not ${value}`);
+    return value;
+  }
+
+  /** By the number of edges. */
+  endHeader(): void {
+    this.#next('the number of edges');
+  }
+
+  endVertex(): void {
+    for (let i = 0; i < this.#more; i++) this.#next('a number of a vertex');
+  }
+
+  /** By as many numbers of a color as are told. */
+  endFace(): void {
+    const count = this.count('the number of components of a color');
+    if (4 * count > this.room()) {
+      throw badFile(`byte ${this.#at - 4}: a color cannot have ${counted(count)} components`);
+    }
+    this.#at += 4 * count;
+  }
+
+  end(): void {
+    if (this.room() > 0) throw badFile(`byte ${this.#at}: there must be the end of the file`);
+  }
+
+  place = () => `byte ${this.#at - 4}`;
+  room = () => this.#view.byteLength - this.#at;
+  notRead = (): string[] => [];
 }

@@ -4,52 +4,43 @@ import type { LongWorkOptions } from '../types.js';
 import { badFile, counted } from './failures.js';
 import { GrowingPolygons } from './growing.js';
 import { type PlyElement, type PlyProperty, plyHeader } from './ply_header.js';
-import { Words } from './text.js';
+import { longerRows, TextRows, Words } from './text.js';
 import type { Polygons } from './types.js';
 
 /** Reads numbers of an element's rows, one after the other. */
 interface Rows {
   /** The next number; `length` where it is that of a list. */
   number(property: PlyProperty, what: string, length?: boolean): number;
+  /** Goes on by a number that is not used: it need not be one. */
+  skip(property: PlyProperty, what: string): void;
   /** Ends a row. */
   endRow(): void;
+  /** How many rows had more numbers than the header declares. */
+  longer: number;
   /** Where the reading stands: "line 12", "byte 240". */
   place(): string;
   /** A part of 1. */
   done(): number;
 }
 
-class TextRows implements Rows {
-  readonly #words: Words;
+class AsciiRows implements Rows {
+  readonly #rows: TextRows;
   readonly #length: number;
-  #inRow = false;
 
   constructor(bytes: Uint8Array, at: number, line: number) {
-    this.#words = new Words(bytes, at, line);
+    this.#rows = new TextRows(new Words(bytes, at, line));
     this.#length = bytes.length;
   }
 
-  number(_: PlyProperty, what: string): number {
-    // A row is a line: a number that is missing is not taken from the next one.
-    const found = this.#inRow ? this.#words.nextInLine() : this.#words.next();
-    if (!found) {
-      throw badFile(
-        this.#inRow
-          ? `line ${this.#words.line} ends where there must be ${what}`
-          : `line ${this.#words.line}: the file ends where there must be ${what}`,
-      );
-    }
-    this.#inRow = true;
-    return this.#words.asNumber(what);
-  }
+  number = (_: PlyProperty, what: string) => this.#rows.number(what);
+  skip = (_: PlyProperty, what: string) => this.#rows.next(what);
+  endRow = () => this.#rows.end();
+  place = () => `line ${this.#rows.words.line}`;
+  done = () => this.#rows.words.at / this.#length;
 
-  endRow(): void {
-    if (this.#words.nextInLine()) this.#words.fail('the end of the line');
-    this.#inRow = false;
+  get longer(): number {
+    return this.#rows.longer;
   }
-
-  place = () => `line ${this.#words.line}`;
-  done = () => this.#words.at / this.#length;
 }
 
 class BinaryRows implements Rows {
@@ -90,7 +81,10 @@ class BinaryRows implements Rows {
     }
   }
 
+  skip = this.number;
+
   endRow(): void {}
+  readonly longer = 0;
   place = () => `byte ${this.#at}`;
   done = () => this.#at / this.#view.byteLength;
 }
@@ -106,7 +100,7 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
   checkElements(elements);
   const rows =
     encoding === 'ascii'
-      ? new TextRows(bytes, end, line)
+      ? new AsciiRows(bytes, end, line)
       : new BinaryRows(bytes, end, encoding === 'little');
   const slices = new Slices(work, 'reading');
   let positions = new Float64Array();
@@ -121,6 +115,7 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
   }
   const notRead = [
     ...polygons.notRead,
+    ...(rows.longer > 0 ? [longerRows(rows.longer, 'those of the header')] : []),
     ...elements
       .filter(({ name, count }) => !['vertex', 'face'].includes(name) && count > 0)
       .map(({ name, count }) => `The file’s '${name}' (${counted(count)}) was left out.`),
@@ -233,12 +228,12 @@ async function skip(element: PlyElement, rows: Rows, slices: Slices): Promise<vo
 function skipProperty(property: PlyProperty, rows: Rows): void {
   const what = `a number of '${property.name}'`;
   if (property.length === null) {
-    rows.number(property, what);
+    rows.skip(property, what);
     return;
   }
   const size = rows.number(property, what, true);
   if (!(size >= 0 && Number.isInteger(size))) {
     throw badFile(`${rows.place()}: the list '${property.name}' cannot have ${size} entries`);
   }
-  for (let i = 0; i < size; i++) rows.number(property, what);
+  for (let i = 0; i < size; i++) rows.skip(property, what);
 }

@@ -13,13 +13,34 @@ const triangleBytes = 50;
 /** Whether bytes are a binary STL file, by their number; text may begin with anything. */
 export function isBinaryStl(bytes: Uint8Array): boolean {
   if (bytes.length < headerBytes) return false;
-  const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
-  return count > 0 && bytes.length === headerBytes + triangleBytes * count;
+  const count = viewOf(bytes).getUint32(80, true);
+  return count > 0 && (bytes.length === headerBytes + triangleBytes * count || hasMore(bytes));
 }
 
-/** Whether they begin as one of text does. */
+const viewOf = (bytes: Uint8Array) =>
+  new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+
+/**
+ * Whether each triangle is followed by as many bytes as its last two say: they then lead from one to the
+ * next, and from the last to the file's end. Where the triangles fill the file alone, some programs have
+ * a color in those two.
+ */
+function hasMore(bytes: Uint8Array): boolean {
+  const view = viewOf(bytes);
+  const count = view.getUint32(80, true);
+  if (bytes.length <= headerBytes + triangleBytes * count) return false;
+  let at = headerBytes;
+  for (let face = 0; face < count; face++) {
+    if (at + triangleBytes > bytes.length) return false;
+    at += triangleBytes + view.getUint16(at + triangleBytes - 2, true);
+  }
+  return at === bytes.length;
+}
+
+/** Whether they begin as one of text does: comments may come first, and `solid` may be missing. */
 export function isTextStl(start: string): boolean {
-  return /^\s*solid\b/i.test(start) && /\b(facet|endsolid)\b/i.test(start);
+  const begin = /^\s*(?:#[^\r\n]*[\r\n]\s*)*(solid|facet\s+normal)\b/i.exec(start);
+  return begin !== null && /\b(facet|endsolid)\b/i.test(start.slice(begin.index));
 }
 
 /**
@@ -57,8 +78,9 @@ const readBinary: Reader = async (bytes, wanted, places, corners, slices) => {
       `the file ends at byte ${bytes.length}; a binary STL file has at least ${headerBytes} bytes`,
     );
   }
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const view = viewOf(bytes);
   const count = view.getUint32(80, true);
+  const withMore = hasMore(bytes);
   const end = headerBytes + triangleBytes * count;
   if (end > bytes.length) {
     throw badFile(
@@ -67,16 +89,18 @@ const readBinary: Reader = async (bytes, wanted, places, corners, slices) => {
   }
   const parts = [{ name: 'solid', triangles: count }];
   const more = bytes.length - end;
-  const notRead = more > 0 ? [`${counted(more)} bytes after the last triangle were left out.`] : [];
+  const where = withMore ? 'the triangles' : 'the last triangle';
+  const notRead = more > 0 ? [`${counted(more)} bytes after ${where} were left out.`] : [];
   if (!wanted(0)) return { parts, notRead };
   checkMeshFits(0, count, 'the STL file has');
+  let at = headerBytes;
   for (let face = 0; face < count; face++) {
     if ((face & batchMask) === 0 && slices.over) await slices.rest(face / count);
     for (let corner = 1; corner <= 3; corner++) {
-      const at = headerBytes + triangleBytes * face + 12 * corner;
-      const [x, y, z] = [0, 4, 8].map((axis) => view.getFloat32(at + axis, true));
+      const [x, y, z] = [0, 4, 8].map((axis) => view.getFloat32(at + 12 * corner + axis, true));
       corners.push(places.number(x!, y!, z!));
     }
+    at += triangleBytes + (withMore ? view.getUint16(at + triangleBytes - 2, true) : 0);
   }
   return { parts, notRead };
 };
@@ -86,14 +110,17 @@ const readText: Reader = async (bytes, wanted, places, corners, slices) => {
   const parts: FilePart[] = [];
   const coordinate = 'a coordinate';
   while (words.next()) {
-    if (!isWord(words, 'solid')) words.fail("'solid'");
-    const name = words.restOfLine() || `solid ${parts.length + 1}`;
+    // Some programs write facets alone.
+    const isSolid = isWord(words, 'solid');
+    if (!isSolid && (parts.length > 0 || !isWord(words, 'facet'))) words.fail("'solid'");
+    const name = (isSolid && words.restOfLine()) || `solid ${parts.length + 1}`;
+    if (isSolid) words.next();
     const isWanted = wanted(parts.length);
     let triangles = 0;
-    while (words.next() && isWord(words, 'facet')) {
+    for (; isWord(words, 'facet'); words.next()) {
       if ((triangles & batchMask) === 0 && slices.over) await slices.rest(words.at / bytes.length);
       expect(words, 'normal');
-      for (let axis = 0; axis < 3; axis++) words.number('a component of a normal');
+      for (let axis = 0; axis < 3; axis++) words.skip('a component of a normal');
       expect(words, 'outer');
       expect(words, 'loop');
       for (let corner = 0; corner < 3; corner++) {
@@ -107,7 +134,8 @@ const readText: Reader = async (bytes, wanted, places, corners, slices) => {
       expect(words, 'endfacet');
       triangles++;
     }
-    if (!isWord(words, 'endsolid')) words.fail("'facet' or 'endsolid'");
+    const isEnd = isWord(words, 'endsolid') || (!isSolid && words.word === '');
+    if (!isEnd) words.fail("'facet' or 'endsolid'");
     words.restOfLine();
     parts.push({ name, triangles });
   }

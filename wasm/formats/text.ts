@@ -1,15 +1,12 @@
-import { badFile } from './failures.js';
+import { badFile, counted } from './failures.js';
 
 const [newline, space, hash, carriageReturn] = [10, 32, 35, 13];
 const longestWord = 200;
 /** Powers of ten that are doubles. */
 const powers = Float64Array.from({ length: 23 }, (_, power) => Number(`1e${power}`));
 const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-const named = new Map([
-  ['nan', Number.NaN],
-  ['inf', Infinity],
-  ['infinity', Infinity],
-]);
+/** What C, Python and Windows print for what is not finite: nan, -nan(ind), inf, 1.#QNAN. */
+const notFinite = /^[+-]?(nan|inf$|infinity$|1\.#)/i;
 
 /** A line ends as any system ends it: by \n, \r\n or \r. */
 export const isLineEnd = (byte: number | undefined) => byte === newline || byte === carriageReturn;
@@ -74,6 +71,19 @@ export class Words {
     return this.next();
   }
 
+  /** Goes on to the next word if that is this one. */
+  nextIs(word: string): boolean {
+    const { at, line } = this;
+    if (this.next() && this.word === word) return true;
+    [this.at, this.line] = [at, line];
+    return false;
+  }
+
+  /** Goes back by the last bytes of the last word, which are then a word. */
+  back(bytes: number): void {
+    this.at -= bytes;
+  }
+
   /** The rest of the line, which is skipped. */
   restOfLine(): string {
     const from = this.at;
@@ -92,7 +102,12 @@ export class Words {
     throw badFile(`line ${this.line}: there must be ${wanted}, ${met}`);
   }
 
-  /** The next word as a number; NaN and infinity, written out, are numbers here. */
+  /** Goes on to the next word, of which nothing is used: it need not be a number. */
+  skip(what: string): void {
+    if (!this.next()) this.fail(what);
+  }
+
+  /** The next word as a number; what is written for a number that is not finite is NaN. */
   number(what: string): number {
     if (!this.next()) this.fail(what);
     return this.asNumber(what);
@@ -104,14 +119,19 @@ export class Words {
     if (!Number.isNaN(short)) return short;
     const text = this.word;
     if (text.length < longestWord && decimal.test(text)) return Number(text);
-    const value = named.get(text.replace(/^[+-]/, '').toLowerCase());
-    if (value === undefined) this.fail(what);
-    return text.startsWith('-') ? -value : value;
+    if (!notFinite.test(text)) this.fail(what);
+    return Number.NaN;
   }
 
   /** The next word as a whole number of at least 0. */
   count(what: string): number {
-    const value = this.number(what);
+    this.skip(what);
+    return this.asCount(what);
+  }
+
+  /** The last word as a whole number of at least 0. */
+  asCount(what: string): number {
+    const value = this.asNumber(what);
     if (!Number.isInteger(value) || value < 0 || value > 0x7fffffff) this.fail(what);
     return value;
   }
@@ -159,6 +179,64 @@ export class Words {
     return first === 45 ? -size : size;
   }
 }
+
+/**
+ * The rows of a table in a text. A row is a line, of which what follows the row's numbers is left out; or
+ * it is several lines, and ends with the last of them: with more in that, a number was missing before.
+ */
+export class TextRows {
+  readonly words: Words;
+  #inRow = false;
+  /** What was missing where the row's first line ended, if it goes on on others. */
+  #missing: string | null = null;
+  /** How many rows had more than their numbers. */
+  longer = 0;
+
+  constructor(words: Words) {
+    this.words = words;
+  }
+
+  /** Whether the row has gone on on another line. */
+  get isSplit(): boolean {
+    return this.#missing !== null;
+  }
+
+  /** Goes on to the row's next word. */
+  next(what: string): void {
+    const { words } = this;
+    if (this.#inRow) {
+      if (words.nextInLine()) return;
+      this.#missing ??= `line ${words.line} ends where there must be ${what}`;
+    }
+    this.#inRow = true;
+    if (words.next()) return;
+    throw badFile(`line ${words.line}: the file ends where there must be ${what}`);
+  }
+
+  number(what: string): number {
+    this.next(what);
+    return this.words.asNumber(what);
+  }
+
+  /** Begins a row, wherever the last one has ended. */
+  restart(): void {
+    this.#inRow = false;
+    this.#missing = null;
+  }
+
+  end(): void {
+    if (this.words.nextInLine()) {
+      if (this.#missing) throw badFile(this.#missing);
+      this.words.restOfLine();
+      this.longer++;
+    }
+    this.restart();
+  }
+}
+
+/** A sentence about rows that have more than their numbers. */
+export const longerRows = (rows: number, numbers: string) =>
+  `Numbers beyond ${numbers} were left out, in ${counted(rows)} ${rows === 1 ? 'row' : 'rows'}.`;
 
 const shortened = (text: string) => (text.length > 30 ? `${text.slice(0, 27)}...` : text);
 
