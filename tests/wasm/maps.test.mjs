@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
-import { randoms, seed } from '../web/part.mjs';
+import { randomFrom, seed } from '../web/part.mjs';
 import { grid } from './meshes.mjs';
 
 const karcher = await load();
@@ -16,8 +16,7 @@ const triples = (numbers) =>
 
 const drawn = (name) => {
   console.log(`${name}: drawn with KARCHER_SEED=${seed}`);
-  const random = randoms(seed);
-  return () => random.next().value;
+  return randomFrom(seed);
 };
 
 const somewhere = (mesh, random) => {

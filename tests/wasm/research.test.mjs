@@ -3,24 +3,13 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { load } from 'karcher';
 import { loadInWorker } from 'karcher/worker';
-import { seed } from '../web/part.mjs';
+import { randomFrom, seed } from '../web/part.mjs';
 import { grid, square } from './meshes.mjs';
 
 let karcher;
 before(async () => {
   karcher = await load();
 });
-
-/** Numbers in [0, 1) that a seed gives (mulberry32). */
-function randomFrom(start) {
-  let state = start >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
-    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const difference = (a, b) => a.map((x, i) => x - b[i]);

@@ -15,24 +15,13 @@ import {
 import { loadInWorker } from 'karcher/worker';
 import * as THREE from 'three';
 import { acceleratedRaycast, CENTER, MeshBVH, SAH } from 'three-mesh-bvh';
-import { long, seed } from '../web/part.mjs';
+import { long, randomFrom, seed } from '../web/part.mjs';
 import { geometries } from './geometries.mjs';
 
 let karcher;
 before(async () => {
   karcher = await load();
 });
-
-/** Numbers in [0, 1) that a seed gives (mulberry32). */
-function randomFrom(start) {
-  let state = start >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
-    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 const vector = (random) => new THREE.Vector3().set(...[0, 0, 0].map(() => 2 * random() - 1));
 

@@ -17,6 +17,12 @@ export function* randoms(start) {
   }
 }
 
+/** The same as a function that gives the next one. */
+export function randomFrom(start) {
+  const numbers = randoms(start);
+  return () => numbers.next().value;
+}
+
 /** All cases in a long run (`npm run check:long`), else `count` of them: the first, the last and what lies evenly between. */
 export function part(cases, count) {
   if (long || cases.length <= count) return cases;
