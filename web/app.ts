@@ -7,6 +7,7 @@ import { Editor, type State } from './editor/editor';
 import { Gestures } from './editor/gestures';
 import { Measure } from './editor/measure';
 import { MirrorTool } from './editor/mirror_tool';
+import { Ruler } from './editor/ruler';
 import { Session } from './editor/session';
 import { exposeState } from './inspection';
 import { isEmpty } from './model/figure';
@@ -38,6 +39,7 @@ import { drawingTools, ToolRail } from './panels/tool_list';
 import { Tools } from './panels/tools';
 import { Tour } from './panels/tour';
 import { TransformPanel } from './panels/transform_panel';
+import { UnitChoice } from './panels/unit_choice';
 import { ViewMenu } from './panels/view_menu';
 import { addressOf, linkOf, longestLink, saveChanges } from './saving';
 import { CombLayer } from './viewer/comb_layer';
@@ -122,12 +124,18 @@ export async function start(): Promise<void> {
     view: session.view,
     meanEdge: session.client?.info.meanEdge ?? 0,
   }));
+  const ruler = new Ruler(editor, session, viewer);
   const mirror = new MirrorTool(editor, session, viewer, showNote);
   const gestures = new Gestures(editor, session, viewer, stage, byId('handles'), {
     surfaceClicked: (point) => edits.append(point),
     curveClicked: (tool, position, within) =>
       edits.atCurve(tool, viewer.surface!.fromScene(position), within),
     curveMeasured: (position) => measure.at(viewer.surface!.fromScene(position)),
+    rulerAimed: (point) => ruler.aim(point),
+    rulerClicked: (point) => {
+      measure.clear();
+      ruler.click(point);
+    },
     anchorRemoved: (index) => edits.removeAnchor(index),
     aimed: (words) => status.showAim(words, editor.state, session.view),
     otherClicked: (tool, id) => edits.atOther(tool, id),
@@ -212,6 +220,8 @@ export async function start(): Promise<void> {
     gestures.showMeasured(measured?.position ?? null);
     status.showMeasured(measured, editor.state, session.view);
   };
+  ruler.onChange = (ruled, begun) => status.showRuled(ruled, begun, editor.state, session.view);
+  const units = new UnitChoice((unit) => status.showUnit(unit, editor.state, session.view));
   session.onLegs = (told) => editor.keepLegs(told);
   editor.onRefusal = showNote;
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
@@ -230,6 +240,7 @@ export async function start(): Promise<void> {
   opening.onEnd = () => {
     if (!session.client) return;
     surfacePanel.show(editor.state.mesh, session.client);
+    units.show(editor.state.mesh);
     checkUpPanel.show(session.client);
   };
   const curvePanel = new CurvePanel(editor, edits, {

@@ -287,8 +287,6 @@ export class CurveEdits {
 
   /** Makes ready to measure the curve, until something else is chosen or done. */
   chooseMeasure(): void {
-    const { tool } = this.editor.state;
-    if (tool !== 'measure' && !this.#hasCurve()) return;
     this.editor.select(null);
     this.#toggle('measure');
   }

@@ -34,6 +34,9 @@ export interface CurveClicks {
   curveClicked(tool: CurveTool, position: Vector3, within: number): void;
   /** The pointer is over the curve that is measured, or a click was there. */
   curveMeasured(position: Vector3): void;
+  /** The pointer is over the surface while the tool measures, or a click was there. */
+  rulerAimed(point: SurfacePoint): void;
+  rulerClicked(point: SurfacePoint): void;
   /** An anchor of the pen, by its number. */
   anchorRemoved(index: number): void;
   /** What the pointer does where it is, in words; empty where that is not told. */
@@ -80,6 +83,8 @@ export class Gestures {
   /** Whether the pointer is over the stage, and over which handle of the pen. */
   #isOver = false;
   #overHandle: UnderPointer | null = null;
+  /** Whether the pointer's place on the surface was marked last. */
+  #rules = false;
   #drag: { id: string; x: number; y: number } | null = null;
   #frame = 0;
 
@@ -307,14 +312,21 @@ export class Gestures {
       const snapped = this.#hover && this.#snapAt({ ...this.#hover, touch: false }, target);
       const added = snapped ?? (target?.type === 'surface' ? target.pick : null);
       this.#band.aim(added?.point ?? null);
-      if (snapped?.kind) this.#showSnap(snapped);
-      else if (target?.type === 'surface') {
+      if (snapped?.kind) {
+        this.#showSnap(snapped);
+        if (this.editor.state.tool === 'measure') this.events.rulerAimed(snapped.point);
+      } else if (target?.type === 'surface') {
         this.#handles.showPreview(target.pick.position, 'surface');
+        this.#rules = true;
         if (this.editor.state.tool === 'mirror') this.events.mirrorAimed(target.pick.point);
+        if (this.editor.state.tool === 'measure') this.events.rulerAimed(target.pick.point);
       } else if (this.editor.state.tool === 'measure') {
         if (target?.type === 'curve') this.events.curveMeasured(target.position);
+        // What is measured of the curve stays marked; where the ruler was aimed does not.
+        else if (this.#rules) this.#handles.showPreview(null, 'surface');
       } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
       else this.#handles.showPreview(null, 'surface');
+      if (target?.type !== 'surface') this.#rules = false;
       this.#dragNow();
     });
   }
@@ -417,6 +429,10 @@ export class Gestures {
     const { figure, tool } = this.editor.state;
     if (tool === 'mirror') {
       this.events.mirrorClicked(point);
+      return;
+    }
+    if (tool === 'measure') {
+      this.events.rulerClicked(point);
       return;
     }
     if (!isRound(figure.kind)) {

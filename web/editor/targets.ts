@@ -19,7 +19,7 @@ export type Target =
 export const reach = { mouse: 7, touch: 16 };
 
 /** What is measured need not be hit. */
-const measuredWithin = 48;
+const measuredWithin = { mouse: 16, touch: 28 };
 
 export function targetAt(
   viewer: Viewer,
@@ -29,9 +29,11 @@ export function targetAt(
   // A stroke goes over all there is.
   if (tool === 'freehand') return null;
   const pick = viewer.pick(place.x, place.y);
-  if (isCurve(kind) && tool === 'measure') {
-    const position = viewer.pickCurve(place.x, place.y, measuredWithin);
-    return position && { type: 'curve', position };
+  if (tool === 'measure') {
+    const near = place.touch ? measuredWithin.touch : measuredWithin.mouse;
+    const position = isCurve(kind) && !none ? viewer.pickCurve(place.x, place.y, near) : null;
+    if (position) return { type: 'curve', position };
+    return pick && { type: 'surface', pick };
   }
   const within = place.touch ? reach.touch : reach.mouse;
   if (tool === 'mirror') return pick && { type: 'surface', pick };

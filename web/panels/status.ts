@@ -1,6 +1,7 @@
 import type { MeshInfo, Uniqueness } from 'karcher';
 import type { ShownCenter } from '../editor/compute';
 import type { Editor, Selection, State } from '../editor/editor';
+import type { Ruled } from '../editor/ruler';
 import { type Shift, unseenShift } from '../editor/shift';
 import type { View } from '../editor/view';
 import {
@@ -15,6 +16,7 @@ import type { LostReason } from '../model/lost';
 import type { Quality } from '../model/methods';
 import { penWords } from '../model/pen_hints';
 import type { Measured } from '../model/traced';
+import { formatArea, formatLength, type Unit } from '../model/units';
 import { byId, formatCount, formatInteger, write } from './elements';
 import { kindNames } from './kind_names';
 import { countLost, reasons } from './lost_panel';
@@ -40,6 +42,9 @@ export class Status {
   #timers: number[] = [];
   #measured: Measured | null = null;
   #again = false;
+  #ruled: Ruled | null = null;
+  #begun = false;
+  #unit: Unit = '';
   #aim = '';
 
   readonly #slider: HTMLInputElement;
@@ -58,7 +63,7 @@ export class Status {
     write(byId('status-triangles'), info ? formatCount(info.triangles, 'triangle') : '');
     const { curve, isolines, center } = view;
     write(byId('status-samples'), countOf(view));
-    write(byId('status-length'), measureOf(view));
+    write(byId('status-length'), measureOf(view, this.#unit));
     const time = (curve ?? isolines ?? center)?.milliseconds;
     write(byId('status-time'), time === undefined ? '' : `${formatMilliseconds(time)} ms`);
     this.#showLost(view);
@@ -116,6 +121,19 @@ export class Status {
     this.showHint(state, view);
   }
 
+  /** Says how far it is from one point of the surface to the other, or that one is there. */
+  showRuled(ruled: Ruled | null, begun: boolean, state: State, view: View): void {
+    [this.#ruled, this.#begun] = [ruled, begun];
+    this.showHint(state, view);
+  }
+
+  /** The unit of lengths from now on. */
+  showUnit(unit: Unit, state: State, view: View): void {
+    this.#unit = unit;
+    write(byId('status-length'), measureOf(view, unit));
+    this.showHint(state, view);
+  }
+
   /** Whether the first of two clicks that mirror is done. */
   showMirroring(again: boolean, state: State, view: View): void {
     this.#again = again;
@@ -129,10 +147,18 @@ export class Status {
     this.showHint(state, view);
   }
 
+  #ruling({ tool }: State): string {
+    if (tool !== 'measure' || !this.#begun) return '';
+    return this.#ruled ? ruledText(this.#ruled, this.#unit) : 'Click where to measure to';
+  }
+
   showHint(state: State, view: View): void {
     // What is measured has the room.
     const selection = state.tool === 'measure' ? null : state.selection;
-    const hint = hintOf(state, view, this.#measured, this.#again) || this.#aim;
+    const hint =
+      this.#ruling(state) ||
+      hintOf(state, view, this.#measured, this.#again, this.#unit) ||
+      this.#aim;
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
     byId('shorten').hidden = hint === '' || hint !== shorterHint(state.figure, view);
@@ -146,6 +172,10 @@ export class Status {
   }
 }
 
+function ruledText({ along, straight }: Ruled, unit: Unit): string {
+  return `${formatLength(along, unit)} along the surface · ${formatLength(straight, unit)} straight`;
+}
+
 function nameOf(kind: Kind, selection: Selection): string {
   if (selection === null) return '';
   if (kind === 'pen') return `Anchor ${Number(selection) + 1}`;
@@ -157,6 +187,7 @@ function hintOf(
   view: View,
   measured: Measured | null,
   again: boolean,
+  unit: Unit,
 ): string {
   if (!mesh) return '';
   if (tool === 'freehand') return penWords.draw;
@@ -173,8 +204,8 @@ function hintOf(
     return 'Drag a corner to scale, the round handle to turn; Shift keeps steps';
   if (tool === 'measure') {
     return measured
-      ? measuredText(measured, document.documentElement.hasAttribute('data-advanced'))
-      : 'Point at the curve, or tap it, to measure it there';
+      ? measuredText(measured, unit, document.documentElement.hasAttribute('data-advanced'))
+      : 'Point at the curve to measure it there, or click two points of the surface';
   }
   if (view.problem) return sentenceOf(view.problem);
   if (view.fill?.problem) return `Nothing is filled: ${view.fill.problem}`;
@@ -256,30 +287,30 @@ function countOf({ curve, isolines }: View): string {
   return formatCount(lines.length, lines.every(({ closed }) => closed) ? 'loop' : 'line');
 }
 
-function measureOf({ curve, isolines, center }: View): string {
+function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string {
   if (center) {
     const { status, energy, uniqueness } = center;
     const only = status === 'converged' ? uniquenessWords[uniqueness] : '';
     return `energy ${formatLength(energy)}${only}`;
   }
   const drawn = curve ?? isolines;
-  return drawn ? `length ${formatLength(drawn.length)}` : '';
+  const area = fill?.region ? ` · area ${formatArea(fill.region.area, unit)}` : '';
+  return drawn ? `length ${formatLength(drawn.length, unit)}${area}` : '';
 }
 
 /** The mathematics of it only for who asks for it. */
 function measuredText(
   { parameter, length, wholeLength, tangent }: Measured,
+  unit: Unit,
   advanced: boolean,
 ): string {
   const speed = Math.hypot(...tangent);
-  const unit = tangent.map((value) => (speed > 0 ? value / speed : 0).toFixed(2)).join(', ');
-  const along = `length ${formatLength(length)} of ${formatLength(wholeLength)}`;
+  const direction = tangent.map((value) => (speed > 0 ? value / speed : 0).toFixed(2)).join(', ');
+  const along = `length ${formatLength(length, unit)} of ${formatLength(wholeLength, unit)}`;
   if (!advanced) return capitalized(along);
-  return `Parameter ${parameter.toFixed(3)} · ${along} · tangent ${unit.replaceAll('-', '−')}`;
+  return `Parameter ${parameter.toFixed(3)} · ${along} · tangent ${direction.replaceAll('-', '−')}`;
 }
 
 const capitalized = (words: string) => words[0]!.toUpperCase() + words.slice(1);
-
-const formatLength = (length: number) => length.toPrecision(4);
 
 const formatMilliseconds = (value: number) => (value < 10 ? value.toFixed(1) : value.toFixed(0));

@@ -1,7 +1,7 @@
 import type { CurveEdits } from '../editor/curve_edits';
 import type { Editor, State } from '../editor/editor';
 import type { View } from '../editor/view';
-import { isCurve, isEmpty, type Kind } from '../model/figure';
+import { isEmpty, type Kind } from '../model/figure';
 import { byId, make } from './elements';
 import { kindGroups } from './kind_names';
 
@@ -85,8 +85,6 @@ export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
       ...{ id: 'measure', name: 'Measure', key: 'm' },
       icon: '<path d="M2.800 13.200 13.200 2.800l4 4L6.800 17.200zM6 10l1.800 1.800M8.700 7.300l1.800 1.800M11.400 4.600l1.800 1.800" />',
       isActive: ({ tool }) => tool === 'measure',
-      isPossible: ({ tool, figure }, { curve }) =>
-        tool === 'measure' || (curve !== null && isCurve(figure.kind)),
       choose: () => edits.chooseMeasure(),
     },
   ];

@@ -1,0 +1,92 @@
+// Lengths: the surface's unit is guessed and can be chosen, and a ruler measures along the surface and straight.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { cutBox, stlFile } from '../wasm/mesh_files.mjs';
+import { openBrowser, Tab } from './browser.mjs';
+
+describe('lengths', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  });
+  after(() => browser.close());
+
+  const hint = (tab) => tab.page.locator('#hint');
+  const ruled = (unit = '') =>
+    new RegExp(`^([\\d.]+)${unit} along the surface · ([\\d.]+)${unit} straight$`);
+  const told = async (tab, unit) => {
+    await tab.page.waitForFunction(
+      (source) => new RegExp(source).test(document.getElementById('hint').textContent),
+      ruled(unit).source,
+    );
+    const [, along, straight] = ruled(unit).exec(await hint(tab).textContent());
+    return [Number(along), Number(straight)];
+  };
+
+  test('between two clicks on a sphere are an arc and its chord', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:20000');
+    const { x, y } = await tab.middle();
+    await tab.page.locator('#tool-measure').click();
+    await tab.page.mouse.click(x - 120, y + 20);
+    await tab.page.waitForFunction(() =>
+      /Click where/.test(document.getElementById('hint').textContent),
+    );
+    // It follows the pointer until the second click.
+    await tab.page.mouse.move(x - 20, y, { steps: 3 });
+    const [short] = await told(tab);
+    await tab.page.mouse.move(x + 130, y - 60, { steps: 3 });
+    await tab.page.mouse.click(x + 130, y - 60);
+    await tab.settled();
+    await tab.page.waitForFunction(
+      ([source, before]) => {
+        const found = new RegExp(source).exec(document.getElementById('hint').textContent);
+        return found && Number(found[1]) > 1.5 * before;
+      },
+      [ruled().source, short],
+    );
+    const [along, straight] = await told(tab);
+    // Of a sphere of the mesh's radius; facets are within 1 part in 1000 of it.
+    const { positions } = await tab.mesh();
+    const radius = Math.hypot(...positions.slice(0, 3));
+    const arc = 2 * radius * Math.asin(straight / (2 * radius));
+    assert.ok(Math.abs(along - arc) < 2e-3 * arc, `${along} is not ${arc}`);
+    assert.equal(await tab.page.locator('.preview:visible').count(), 0, 'no mark is left behind');
+    // What was measured stays while the pointer goes on, and nothing is drawn by it.
+    await tab.page.mouse.move(x, y, { steps: 3 });
+    await tab.still();
+    assert.deepEqual(await told(tab), [along, straight]);
+    assert.equal((await tab.state()).figure.points.length, 0);
+    await tab.page.keyboard.press('Escape');
+    await tab.page.keyboard.press('v');
+    assert.doesNotMatch(await hint(tab).textContent(), /straight/);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('have the unit of the file, which is guessed, chosen, and kept', async () => {
+    const tab = await Tab.open(browser);
+    const unit = tab.page.locator('#unit');
+    assert.equal(await unit.inputValue(), '');
+    await tab.dropBytes('part.stl', stlFile(cutBox));
+    await tab.page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('part.stl'));
+    await tab.settled();
+    assert.equal(await unit.inputValue(), 'mm');
+    await tab.click([-40, 20], [0, -20], [40, 10], [20, 40]);
+    const length = tab.page.locator('#status-length');
+    assert.match(await length.textContent(), /^length [\d.]+ mm$/);
+    await unit.selectOption('in');
+    assert.match(await length.textContent(), /^length [\d.]+ in$/);
+    await tab.page.locator('#closed').check();
+    await tab.page.locator('#fill').fill('50');
+    await tab.page.keyboard.press('Enter');
+    await tab.settled();
+    assert.match(await length.textContent(), /^length [\d.]+ in · area [\d.]+ in²$/);
+    await tab.pastSaving();
+    await tab.page.reload();
+    await tab.settled();
+    await tab.page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('part.stl'));
+    assert.equal(await unit.inputValue(), 'in');
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+});

@@ -1,0 +1,19 @@
+/** What a surface's coordinates are in: files seldom say it. */
+export const units = ['', 'mm', 'cm', 'm', 'in'] as const;
+export type Unit = (typeof units)[number];
+
+export const isUnit = (text: string | null): text is Unit => units.some((unit) => unit === text);
+
+/** The unit that files of a name are mostly in: glTF says meters, STL is printed in millimeters. */
+export function guessUnit(name: string): Unit {
+  if (/\.stl$/i.test(name)) return 'mm';
+  return /\.(glb|gltf)$/i.test(name) ? 'm' : '';
+}
+
+const withUnit = (number: string, unit: string) => (unit ? `${number} ${unit}` : number);
+
+export const formatLength = (length: number, unit: Unit = '') =>
+  withUnit(length.toPrecision(4), unit);
+
+export const formatArea = (area: number, unit: Unit = '') =>
+  withUnit(area.toPrecision(4), unit && `${unit}²`);
