@@ -278,7 +278,8 @@ export async function start(): Promise<void> {
   );
   new ExamplesMenu((example) => void opening.example(example));
   const objectPanel = new ObjectPanel(editor);
-  new ContextMenu(editor, viewer, stage, () => gestures.letGo());
+  const clipboard = new Clipboard(editor, () => session.client?.info.triangles ?? 0);
+  new ContextMenu(editor, viewer, stage, () => gestures.letGo(), clipboard);
   const snap = new SnapToggle((on) => {
     gestures.snapping.on = on;
   });
@@ -287,7 +288,6 @@ export async function start(): Promise<void> {
   });
   const transformPanel = new TransformPanel(editor, (numbers) => gestures.place(numbers), mirror);
   mirror.onChange = () => status.showMirroring(mirror.hasFirst, editor.state, session.view);
-  new Clipboard(editor, () => session.client?.info.triangles ?? 0);
 
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;

@@ -133,4 +133,38 @@ describe('the order of objects, and the menu at a place', () => {
       await phone.close();
     }
   });
+
+  test('are copied, cut and pasted by the menu of the other button', async () => {
+    await browser.context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    const tab = await Tab.open(browser);
+    await tab.click([-60, 10], [-20, -50], [30, 10], [70, -50]);
+    await tab.page.keyboard.press('v');
+    await tab.settled();
+    const ask = async (name) => {
+      const { x, y } = await tab.onCurve(0.5);
+      await tab.page.mouse.click(x, y, { button: 'right' });
+      await tab.page.getByRole('menuitem', { name, exact: true }).click();
+      await tab.settled();
+    };
+    const drawn = async () =>
+      (await tab.state()).drawing.objects.filter(({ figure }) => figure.points.length > 0);
+    const count = (many) =>
+      tab.page.waitForFunction(
+        (wanted) =>
+          window.karcherPage
+            .state()
+            .drawing.objects.filter(({ figure }) => figure.points.length > 0).length === wanted,
+        many,
+      );
+    const [first] = await drawn();
+    await ask('Copy');
+    await ask('Paste');
+    await count(2);
+    await tab.settled();
+    assert.deepEqual((await drawn())[1].figure, first.figure);
+    await ask('Cut');
+    await count(1);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
 });

@@ -25,16 +25,48 @@ export class Clipboard {
     return selectedObjects(this.editor.state);
   }
 
-  #copy(event: ClipboardEvent): boolean {
-    const words = getSelection()?.toString();
-    if (words || isTyping(event)) return false;
+  /** Copies what is selected, from a menu; whether the browser allowed it. */
+  async copy(): Promise<boolean> {
+    const text = this.#text;
+    if (text === null) return false;
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch {
+      showNote('This browser lets no menu copy. Press Ctrl C instead.');
+      return false;
+    }
+  }
+
+  async cut(): Promise<void> {
+    this.editor.interrupt();
+    const ids = this.#ids;
+    if (await this.copy()) this.editor.deleteObjects(ids);
+  }
+
+  /** Pastes what was copied, from a menu. */
+  async paste(): Promise<void> {
+    const text = await navigator.clipboard?.readText().catch(() => null);
+    if (typeof text !== 'string')
+      showNote('This browser lets no menu paste. Press Ctrl V instead.');
+    else if (!this.#add(text)) showNote('Nothing of a drawing was copied.');
+  }
+
+  /** What is selected, as text; null where that is nothing. */
+  get #text(): string | null {
     const { mesh, drawing } = this.editor.state;
     const ids = this.#ids;
     const objects = drawing.objects.filter(
       ({ id, figure }) => ids.includes(id) && !isEmpty(figure),
     );
-    if (objects.length === 0) return false;
-    event.clipboardData?.setData('text/plain', copiedText(mesh, objects));
+    return objects.length > 0 ? copiedText(mesh, objects) : null;
+  }
+
+  #copy(event: ClipboardEvent): boolean {
+    const words = getSelection()?.toString();
+    const text = this.#text;
+    if (words || isTyping(event) || text === null) return false;
+    event.clipboardData?.setData('text/plain', text);
     event.preventDefault();
     return true;
   }
@@ -42,15 +74,20 @@ export class Clipboard {
   #paste(event: ClipboardEvent): void {
     if (isTyping(event)) return;
     const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (this.#add(text)) event.preventDefault();
+  }
+
+  /** Adds what a text tells of objects; false where it tells of none. */
+  #add(text: string): boolean {
     try {
       const objects = pastedObjects(text, this.editor.state.mesh, this.triangles());
-      if (!objects) return;
-      event.preventDefault();
-      this.editor.addObjects(objects);
+      if (objects) this.editor.addObjects(objects);
+      return objects !== null;
     } catch (error) {
       showNote(
         `Nothing was pasted: ${sentenceOf(error).replace(/^./, (letter) => letter.toLowerCase())}`,
       );
+      return true;
     }
   }
 }

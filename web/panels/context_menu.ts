@@ -3,6 +3,7 @@ import { clickSlop } from '../editor/stage_pointer';
 import { targetAt } from '../editor/targets';
 import { isEmpty } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
+import type { Clipboard } from './clipboard';
 import { make } from './elements';
 import { Menu } from './menu';
 
@@ -23,6 +24,7 @@ export class ContextMenu {
     private readonly viewer: Viewer,
     private readonly stage: HTMLElement,
     private readonly letGo: () => void,
+    private readonly clipboard: Clipboard,
   ) {
     // By itself the browser would close it as soon as the finger that opened it is lifted.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
@@ -125,6 +127,9 @@ export class ContextMenu {
     const grouped = objects.some(({ id, group }) => group !== null && ids.includes(id));
     const [lone] = ids.length === 1 ? ids : [];
     const actions: [boolean, string, () => void][] = [
+      [ids.length > 0, 'Cut', () => void this.clipboard.cut()],
+      [ids.length > 0, 'Copy', () => void this.clipboard.copy()],
+      [true, 'Paste', () => void this.clipboard.paste()],
       [ids.length > 0, 'Duplicate', () => editor.duplicate(ids)],
       [ids.length > 1, 'Group', () => editor.group(ids)],
       [grouped, 'Ungroup', () => editor.ungroup(ids)],
