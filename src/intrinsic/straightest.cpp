@@ -77,7 +77,9 @@ FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
   // A walk along an edge stays in the face: its rate of leaving is rounding noise.
   const double threshold = -1e-13 * rates.cwiseAbs().maxCoeff();
   for (int k = 0; k < 3; ++k) {
-    if (rates[k] >= threshold) continue;
+    // Nor does it leave by the edge that it starts on: on slivers that noise is above the
+    // threshold, and a walk would turn round its vertex without end.
+    if (bary[k] == 0 || rates[k] >= threshold) continue;
     const double length = bary[k] / -rates[k];
     if (length < exit.length) exit = {length, k};
   }

@@ -9,6 +9,7 @@
 #include "distance_meshes.h"
 #include "generators/gallery.h"
 #include "generators/grid.h"
+#include "generators/renumbered.h"
 #include "support.h"
 
 /// Shortest paths, and log and exp maps along them, on small random meshes: of lattices with
@@ -33,14 +34,24 @@ TriangleSoup roughSheet(Random& random) {
   return soup;
 }
 
+/// Thin triangles, up to 10,000 times as long as wide.
+TriangleSoup slivers(Random& random) {
+  TriangleSoup soup = roughSheet(random);
+  const double thin = std::pow(10, random.uniform(-4, -1));
+  for (Vec3& p : soup.positions) p = {p.x(), thin * p.y(), thin * p.z()};
+  return soup;
+}
+
 TriangleSoup randomSurface(Random& random) {
-  switch (random.index(4)) {
+  switch (random.index(5)) {
     case 0:
       return ringTube(random.uniform(0.2, 0.7), 4 + random.index(6), 6 + random.index(12));
     case 1:
       return plateWithHoles(3 + 2 * random.index(2), 3 + 2 * random.index(2));
     case 2:
       return wheel(5 + random.index(20), random.index(3), random.uniform(0, 2));
+    case 3:
+      return slivers(random);
     default:
       return roughSheet(random);
   }
@@ -101,6 +112,123 @@ TEST(RandomPaths, AreAsLongAsTheirPointsBothWaysScaledAndTurned) {
       const SurfacePoint other = randomPlace(surface.mesh, random);
       EXPECT_LE(path.length(), shortestPath(surface.geometry, from, other).length() +
                                    shortestPath(surface.geometry, other, to).length() + tolerance);
+    }
+  }
+}
+
+/// Along edges, to each vertex.
+Array<double> distancesAlongEdges(const Geometry& geometry, int from) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  Array<double> distance(mesh.vertexCount(), kInfinity);
+  distance[from] = 0;
+  // A path of edges has fewer edges than there are vertices.
+  bool changes = true;
+  for (int round = 0; round < mesh.vertexCount() && changes; ++round) {
+    changes = false;
+    for (int h = 0; h < 3 * mesh.faceCount(); ++h) {
+      const double length = geometry.edgeLength[h];
+      double& tail = distance[mesh.tail(h)];
+      double& head = distance[mesh.head(h)];
+      changes = changes || tail + length < head || head + length < tail;
+      head = std::min(head, tail + length);
+      tail = std::min(tail, head + length);
+    }
+  }
+  return distance;
+}
+
+TEST(RandomPaths, LieBetweenTheChordAndTheEdgesHoweverTheMeshIsNumbered) {
+  const int count = longRun() ? 3000 : 60;
+  for (int i = 0; i < count; ++i) {
+    const uint64_t seed = 8000 + static_cast<uint64_t>(i);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const MeasuredMesh surface(randomSurface(random));
+    const Renumbered other = renumbered(surface.mesh, seed);
+    const MeasuredMesh numberedAnew(other.mesh);
+    const int source = random.index(surface.mesh.vertexCount());
+    const Array<double> alongEdges = distancesAlongEdges(surface.geometry, source);
+    const SurfacePoint from = vertexPoint(surface.mesh, source);
+    for (int k = 0; k < 10; ++k) {
+      const int vertex = random.index(surface.mesh.vertexCount());
+      const SurfacePoint to = vertexPoint(surface.mesh, vertex);
+      const double length = shortestPath(surface.geometry, from, to).length();
+      const double tolerance = 1e-9 * (length + surface.geometry.meanEdge);
+      const double chord = (position(surface.mesh, from) - position(surface.mesh, to)).norm();
+      EXPECT_GE(length, chord - tolerance);
+      EXPECT_LE(length, alongEdges[vertex] + tolerance);
+      const SurfacePoint place = randomPlace(surface.mesh, random);
+      const double toPlace = shortestPath(surface.geometry, from, place).length();
+      EXPECT_NEAR(shortestPath(numberedAnew.geometry, other.at(from), other.at(place)).length(),
+                  toPlace, 1e-9 * (toPlace + surface.geometry.meanEdge));
+    }
+  }
+}
+
+TEST(RandomPaths, TransportKeepsLengthsAndAnglesAndComesBackAsItWent) {
+  const int count = longRun() ? 3000 : 60;
+  for (int i = 0; i < count; ++i) {
+    const uint64_t seed = 6000 + static_cast<uint64_t>(i);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const MeasuredMesh surface(randomSurface(random));
+    FindPathWorkspace workspace;
+    for (int k = 0; k < 20; ++k) {
+      const SurfacePoint from = randomPlace(surface.mesh, random);
+      const SurfacePoint to = randomPlace(surface.mesh, random);
+      SurfacePath path = pathBetween(surface.geometry, from, to, workspace);
+      const Vec2 u = random.uniform(0.5, 2) * unitVector(random.uniform(0, 7));
+      const Vec2 v = random.uniform(0.5, 2) * unitVector(random.uniform(0, 7));
+      const Vec2 there = transportAlong(surface.geometry, path, u);
+      const Vec2 beside = transportAlong(surface.geometry, path, v);
+      EXPECT_NEAR(there.norm(), u.norm(), 1e-12);
+      EXPECT_NEAR(there.dot(beside), u.dot(v), 1e-12);
+      std::reverse(path.points.begin(), path.points.end());
+      measure(surface.mesh, path);
+      EXPECT_LT((transportAlong(surface.geometry, path, there) - u).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(RandomPaths, AtAVertexOfTenThousandFacesAreTheSameBothWays) {
+  constexpr uint64_t kSeed = 5000;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  Random random(kSeed);
+  const MeasuredMesh surface(wheel(10'000, 0, 0.3));
+  for (int k = 0; k < (longRun() ? 100 : 3); ++k) {
+    const SurfacePoint from = randomPlace(surface.mesh, random);
+    const SurfacePoint to = randomPlace(surface.mesh, random);
+    const SurfacePath path = shortestPath(surface.geometry, from, to);
+    const double chord = (position(surface.mesh, from) - position(surface.mesh, to)).norm();
+    EXPECT_GE(path.length(), chord - 1e-9);
+    EXPECT_NEAR(lengthOfPoints(surface.mesh, path), path.length(), 1e-9);
+    EXPECT_NEAR(shortestPath(surface.geometry, to, from).length(), path.length(), 1e-9);
+  }
+}
+
+TEST(RandomPaths, ExpAlongAnEdgeOfSliversIsItsOtherEnd) {
+  const int count = longRun() ? 3000 : 100;
+  for (int i = 0; i < count; ++i) {
+    const uint64_t seed = 4000 + static_cast<uint64_t>(i);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const MeasuredMesh surface(slivers(random));
+    const TriangleMesh& mesh = surface.mesh;
+    for (int h = 0; h < 3 * mesh.faceCount(); ++h) {
+      // Beyond a full turn a vector does not tell the direction.
+      if (mesh.onBoundary[mesh.tail(h)] &&
+          surface.geometry.totalAngle[mesh.tail(h)] > 2 * kPi - 1e-6) {
+        continue;
+      }
+      SurfacePath edge;
+      edge.points = {edgePoint(h, 0), edgePoint(h, 1)};
+      measure(mesh, edge);
+      const SurfacePath walk =
+          expAlong(surface.geometry, edge.start(), logAlong(surface.geometry, edge));
+      ASSERT_LT(walk.points.count(), 50) << "half-edge " << h;
+      EXPECT_LT((position(mesh, walk.end()) - position(mesh, edge.end())).norm(),
+                1e-8 * surface.geometry.diagonal)
+          << "half-edge " << h;
     }
   }
 }
