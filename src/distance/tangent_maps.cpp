@@ -106,7 +106,7 @@ LogMapped logMap(const Geometry& geometry, const SurfacePoint& from, const Surfa
 ExpMapped expMap(const Geometry& geometry, const SurfacePoint& from, const Vec2& vector,
                  const Vec2& direction) {
   const SurfacePath path = expAlong(geometry, from, vector);
-  const double remaining = std::max(0.0, vector.norm() - path.length());
+  const double remaining = std::max(0.0, vector.stableNorm() - path.length());
   return {path.end(), transportAlong(geometry, path, direction), remaining};
 }
 

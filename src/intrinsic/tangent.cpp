@@ -57,11 +57,11 @@ bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& v
   const PointLocation at = locate(mesh, point);
   StraightestPath traced;
   std::swap(traced.path, path);
-  if (at.simplex != Simplex::kVertex || !(vector.norm() > 0)) {
+  if (at.simplex != Simplex::kVertex || !(vector.stableNorm() > 0)) {
     traceStraightest(geometry, point, vector, traced);
   } else {
     const double direction = angleOf(vector) / geometry.angleScale[at.vertex];
-    traceFromVertex(geometry, at.vertex, direction, vector.norm(), traced);
+    traceFromVertex(geometry, at.vertex, direction, vector.stableNorm(), traced);
   }
   std::swap(traced.path, path);
   return traced.stop == TraceStop::kComplete;

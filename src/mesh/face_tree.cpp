@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/nearest_in_triangle.h"
+#include "mesh/positions.h"
 
 namespace karcher {
 namespace {
@@ -29,6 +30,7 @@ FaceTree::FaceTree(const TriangleMesh& mesh) : mesh_(mesh) {
 }
 
 FaceTree::Nearest FaceTree::nearest(const Vec3& place) const {
+  checkPlace(place);
   Nearest best;
   search(1, place, best);
   return best;

@@ -17,7 +17,8 @@ class FaceTree {
     double distance = kInfinity;
   };
 
-  /// Of several that are as near the one of the smallest face number.
+  /// Of several that are as near the one of the smallest face number. Throws Error kNotFinite, and
+  /// kBadArgument for a place beyond 1e30.
   Nearest nearest(const Vec3& place) const;
 
  private:

@@ -56,6 +56,18 @@ double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices) 
   return count == 0 ? 0 : check.diagonal();
 }
 
+void checkPlace(const Vec3& place) {
+  if (!place.allFinite()) {
+    throw Error(ErrorCode::kNotFinite, "the place has a coordinate that is not a finite number");
+  }
+  const double largest = place.cwiseAbs().maxCoeff();
+  if (largest > kLargestCoordinate) {
+    throw Error(ErrorCode::kBadArgument, "the place has a coordinate of size " +
+                                             inSentence(largest) + "; at most " +
+                                             inSentence(kLargestCoordinate) + " is allowed");
+  }
+}
+
 Vec3 middleOf(const Array<Vec3>& positions) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : positions) middle += p / static_cast<double>(positions.count());

@@ -10,6 +10,9 @@ namespace karcher {
 /// kBadArgument.
 double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices = nullptr);
 
+/// Checks a place beside a mesh as `checkPositions` does. Throws Error kNotFinite, kBadArgument.
+void checkPlace(const Vec3& place);
+
 /// The middle of all; 0 without any.
 Vec3 middleOf(const Array<Vec3>& positions);
 

@@ -11,6 +11,9 @@ namespace karcher {
 
 namespace {
 
+/// Of a caller's own. Its square and products of several are doubles, on the smallest faces too.
+constexpr double kLargestDistance = 1e60;
+
 [[noreturn]] void throwUnreachable() {
   throw Error(ErrorCode::kUnreachable,
               "a field was read on another component than its control point's");
@@ -149,6 +152,11 @@ ControlField fieldFromDistances(Surface& surface, const Array<double>& distances
       throw Error(ErrorCode::kNotFinite, "the distance at vertex " + std::to_string(v) +
                                              " must be a finite number of at least 0, not " +
                                              inSentence(distances[v]));
+    }
+    if (distances[v] > kLargestDistance) {
+      throw Error(ErrorCode::kBadArgument, "the distance at vertex " + std::to_string(v) + " is " +
+                                               inSentence(distances[v]) + "; at most " +
+                                               inSentence(kLargestDistance) + " is allowed");
     }
     (*squares)[v] *= distances[v];
   }

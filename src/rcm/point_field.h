@@ -81,8 +81,8 @@ class PointField {
 Array<ControlField*> controlFields(const Array<PointField*>& points);
 
 /// A field from a caller's own distances, one a vertex, by the paper's gradient (Eq. 3). The result
-/// holds all it needs but the surface's frames. Throws Error kBadArgument (not one a vertex) or
-/// kNotFinite (NaN or negative).
+/// holds all it needs but the surface's frames. Throws Error kBadArgument (not one a vertex, or
+/// beyond 1e60) or kNotFinite (NaN or negative).
 ControlField fieldFromDistances(Surface& surface, const Array<double>& distances);
 
 }  // namespace karcher

@@ -7,6 +7,7 @@
 #include "mesh/nearest_in_triangle.h"
 #include "mesh/shapes.h"
 #include "mesh/triangle_mesh.h"
+#include "support.h"
 
 namespace karcher {
 namespace {
@@ -29,6 +30,17 @@ TEST(FaceTree, FindsWhatAllFacesTell) {
     }
     EXPECT_EQ(tree.nearest(place).distance, least) << "seed " << kSeed << ", place " << i;
   }
+}
+
+TEST(FaceTree, RefusesPlacesWhoseSquaresAreNoNumbers) {
+  TriangleSoup soup = makeShape(Shape::kKnot, 700);
+  const TriangleMesh mesh = buildMesh(std::move(soup.positions), std::move(soup.triangles));
+  const FaceTree tree(mesh);
+  EXPECT_LT(tree.nearest(Vec3::Constant(1e30)).distance, 1e31);
+  for (const double far : {1e31, 1e160, -1e308}) {
+    EXPECT_EQ(codeOf([&] { tree.nearest(Vec3::Constant(far)); }), ErrorCode::kBadArgument);
+  }
+  EXPECT_EQ(codeOf([&] { tree.nearest(Vec3::Constant(kInfinity)); }), ErrorCode::kNotFinite);
 }
 
 }  // namespace

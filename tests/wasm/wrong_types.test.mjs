@@ -182,6 +182,37 @@ test('what was transferred, what is too long and what holds itself are no argume
   worker.dispose();
 });
 
+test('numbers whose squares are none are refused with the limit, or have their answer', () => {
+  const sphere = karcher.shape('sphere', 500);
+  const vertices = sphere.info.vertices;
+  const refused = (limit) => (error) => {
+    assert.equal(error.name, 'KarcherError');
+    assert.equal(error.code, 'badArgument');
+    assert.match(error.message, limit);
+    return true;
+  };
+  for (const size of [1e155, 1e200, 1e308]) {
+    for (const place of [
+      [size, size, size],
+      [-size, 0, 0],
+    ]) {
+      assert.throws(() => sphere.nearestPoint(place), refused(/1e\+30 is allowed/));
+    }
+    const distances = [new Float64Array(vertices).fill(size), new Float64Array(vertices)];
+    assert.throws(
+      () => sphere.centerOfMassOfDistances(distances, [0.5, 0.5]),
+      refused(/1e\+60 is allowed/),
+    );
+    // A walk ends at a boundary, or has as many crossings as are allowed.
+    for (const point of [{ vertex: 3 }, { face: 3, bary: [0.2, 0.3, 0.5] }]) {
+      const { remaining } = sphere.expMap(point, [size / 4, size / 8, 0]);
+      assert.ok(remaining[0] > 0 && remaining[0] < size, `${size}: ${remaining[0]}`);
+    }
+  }
+  assert.ok(sphere.nearestPoint([1e30, 0, 0]).distance > 9e29);
+  sphere.dispose();
+});
+
 test('a wrong worker or signal is refused, and no worker is left running', async () => {
   const { code, stdout } = await new Promise((resolve) => {
     const program = `
