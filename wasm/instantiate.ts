@@ -33,7 +33,8 @@ export async function instantiate<Module>(
   });
 }
 
-async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
+/** The module of a source: compiled, unless it is one. Rejects as `instantiate` does. */
+export async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
   if (typeof source === 'string' || source instanceof URL) return compiledFrom(source);
   if (typeof Response === 'function' && source instanceof Response) {

@@ -6,6 +6,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { KarcherError, load } from 'karcher';
 import { loadPeers } from 'karcher/peers';
+import { loadInWorker } from 'karcher/worker';
 
 const exported = import.meta.resolve('karcher/karcher-engine.wasm');
 const file = fileURLToPath(exported);
@@ -66,6 +67,30 @@ test('it is an address, bytes, an answer or a compiled module', async () => {
   assert.ok(
     works((await loadPeers({ wasm: import.meta.resolve('karcher/karcher-peers.wasm') })).karcher),
   );
+});
+
+test('a worker takes the same sources', async () => {
+  for (const wasm of [
+    exported,
+    `${address}/charset.wasm`,
+    shared(0),
+    await WebAssembly.compile(bytes),
+  ]) {
+    const karcher = await loadInWorker({ wasm });
+    const sphere = await karcher.shape('sphere', 500);
+    assert.equal(sphere.info.components, 1);
+    karcher.dispose();
+  }
+  await assert.rejects(loadInWorker({ wasm: `${address}/missing.wasm` }), {
+    code: 'notLoaded',
+    message: /missing\.wasm: the answer is 404/,
+  });
+  await assert.rejects(loadInWorker({ wasm: 5 }), { code: 'badArgument' });
+  const empty = await WebAssembly.compile(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
+  await assert.rejects(loadInWorker({ wasm: empty }), {
+    code: 'notLoaded',
+    message: /does not start/,
+  });
 });
 
 test('what is none is told, with its address', async () => {

@@ -1,7 +1,10 @@
 import { checkOptions } from '../check.js';
 import { KarcherError } from '../errors.js';
+import { compiled } from '../instantiate.js';
 import { checkLongWork, namesOf } from '../options.js';
+import type { WasmSource } from '../types.js';
 import { unknownReason, WorkerClient, type WorkerLike } from './client.js';
+import type { FirstRequest } from './protocol.js';
 import { type RemoteKarcher, remoteKarcher } from './remote.js';
 
 export { KarcherError } from '../errors.js';
@@ -30,11 +33,13 @@ export interface WorkerOptions {
    * interrupted.
    */
   worker?: WorkerLike | (() => WorkerLike) | undefined;
+  /** Where the engine is, as of `load`; the worker gets it compiled. */
+  wasm?: WasmSource | undefined;
   /** Ends the loading. */
   signal?: AbortSignal | undefined;
 }
 
-const workerOptionNames = namesOf<WorkerOptions>({ worker: true, signal: true });
+const workerOptionNames = namesOf<WorkerOptions>({ worker: true, wasm: true, signal: true });
 
 /**
  * Loads the engine in a worker of its own. All names are those of `load`'s engine; methods return
@@ -56,9 +61,13 @@ const workerOptionNames = namesOf<WorkerOptions>({ worker: true, signal: true })
  */
 export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteKarcher> {
   checkOptions(options, workerOptionNames);
-  const { worker = startWorker, signal } = options;
+  const { worker = startWorker, wasm, signal } = options;
   checkLongWork(signal === undefined ? {} : { signal });
-  const client = new WorkerClient(worker === startWorker ? startOwnWorker : worker);
+  const module = wasm === undefined ? undefined : await compiled(wasm);
+  const start = worker === startWorker ? startOwnWorker : worker;
+  const client = new WorkerClient(
+    typeof start === 'function' ? () => supplied(start(), module) : supplied(start, module),
+  );
   const abort = () => client.dispose();
   signal?.addEventListener('abort', abort, { once: true });
   try {
@@ -73,6 +82,14 @@ export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteK
   } finally {
     signal?.removeEventListener('abort', abort);
   }
+}
+
+/** A worker that has been sent the engine's module; what is no worker is refused by its client. */
+function supplied(worker: WorkerLike, wasm: WebAssembly.Module | undefined): WorkerLike {
+  const { postMessage } = (worker ?? {}) as Partial<WorkerLike>;
+  if (wasm && typeof postMessage === 'function')
+    worker.postMessage({ wasm } satisfies FirstRequest);
+  return worker;
 }
 
 /** `startWorker`, where a page may not: of an address of another origin `Worker` throws. */

@@ -23,7 +23,12 @@ export interface Call {
  * which number 0 is the one that is served. Arguments and results travel as structured clones, but
  * for what is written as `Sent`.
  */
-export type Request = Call | { cancel: number };
+export type Request = Call | { cancel: number } | FirstRequest;
+
+/** What a worker may hear before all else: the engine that it is to take. */
+export interface FirstRequest {
+  wasm: WebAssembly.Module;
+}
 
 export type Reply =
   /** With what the curve is that the call edited, where that was asked; of `set` that comes after it. */

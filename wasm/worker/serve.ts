@@ -22,7 +22,7 @@ interface Scope {
   addEventListener(type: 'message', hear: (event: { data: unknown }) => void): void;
 }
 
-function ownScope(): Scope {
+export function ownScope(): Scope {
   const { process } = globalThis as { process?: NodeJS.Process };
   const threads = process?.getBuiltinModule?.('node:worker_threads');
   return (threads?.parentPort ?? globalThis) as unknown as Scope;
@@ -80,6 +80,7 @@ class Server {
   listen(): void {
     this.#scope.addEventListener('message', ({ data }) => {
       const request = data as Request;
+      if ('wasm' in request) return;
       if ('cancel' in request) this.#cancel(request.cancel);
       else {
         this.#waiting.push(request);

@@ -2,10 +2,19 @@
 
 import type { FileOptions } from '../formats/index.js';
 import { load } from '../load.js';
-import { serve } from './serve.js';
+import type { LoadOptions } from '../types.js';
+import type { FirstRequest, Request } from './protocol.js';
+import { ownScope, serve } from './serve.js';
+
+/** The first message may bring the engine's module. */
+const options = new Promise<LoadOptions>((resolve) => {
+  ownScope().addEventListener('message', ({ data }) => {
+    resolve('wasm' in (data as Request) ? (data as FirstRequest) : {});
+  });
+});
 
 /** Files are read here, by readers that are loaded with the first one. */
-const withFiles = load().then((karcher) =>
+const withFiles = options.then(load).then((karcher) =>
   Object.assign(karcher, {
     async meshFromFile(bytes: Uint8Array, options?: FileOptions) {
       const { meshFromFile } = await import('../formats/index.js');
