@@ -50,16 +50,13 @@ export async function compiled(source: WasmSource): Promise<WebAssembly.Module> 
   return compiledBytes(bytes, 'the array of bytes');
 }
 
-/** Bytes that WebAssembly takes: those in shared memory are copied, as another thread may write there. */
-function bytesOf(source: unknown): BufferSource | undefined {
-  const isShared = (buffer: unknown) =>
-    typeof SharedArrayBuffer === 'function' && buffer instanceof SharedArrayBuffer;
-  if (isShared(source)) return new Uint8Array(source as SharedArrayBuffer).slice();
-  if (source instanceof ArrayBuffer) return source;
-  if (!ArrayBuffer.isView(source)) return undefined;
-  const { buffer, byteOffset, byteLength } = source;
-  if (!isShared(buffer)) return source as ArrayBufferView<ArrayBuffer>;
-  return new Uint8Array(buffer, byteOffset, byteLength).slice();
+/** A copy of bytes: WebAssembly takes none in shared memory, where another thread may write. */
+function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {
+  if (ArrayBuffer.isView(source)) {
+    return new Uint8Array(source.buffer, source.byteOffset, source.byteLength).slice();
+  }
+  const isShared = globalThis.SharedArrayBuffer && source instanceof SharedArrayBuffer;
+  return isShared || source instanceof ArrayBuffer ? new Uint8Array(source).slice() : undefined;
 }
 
 async function compiledFrom(address: string | URL): Promise<WebAssembly.Module> {
@@ -73,7 +70,6 @@ async function compiledFrom(address: string | URL): Promise<WebAssembly.Module> 
     }
     return await compiledResponse(await fetch(address), `${address}`);
   } catch (cause) {
-    if (cause instanceof KarcherError) throw cause;
     throw notLoaded(`the engine cannot be loaded from ${address}`, cause);
   }
 }
@@ -93,8 +89,9 @@ async function compiledResponse(response: Response, what: string): Promise<WebAs
     );
   }
   // `compileStreaming` takes this type alone, without a charset, and in Node not in capitals.
-  const isWasm = response.headers.get('content-type') === 'application/wasm';
-  if (!isWasm) return compiledBytes(await response.arrayBuffer(), what);
+  if (response.headers.get('content-type') !== 'application/wasm') {
+    return compiledBytes(await response.arrayBuffer(), what);
+  }
   // While it arrives; browsers keep what they compiled so.
   return whole(WebAssembly.compileStreaming(response), what);
 }

@@ -103,9 +103,6 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
     throw new KarcherError('badArgument', `the solver '${solver}' has no rings; 'graph' has`);
   }
   const star = checkOneOf(options.star ?? stars[0]!, stars, 'the star');
-  if (options.star !== undefined && method !== 'paper') {
-    throw new KarcherError('badArgument', `the method '${method}' has no star; 'paper' has`);
-  }
   return { method, solver, rings, star };
 }
 
