@@ -163,4 +163,38 @@ describe('objects that are moved', () => {
     assert.deepEqual(tab.logged, []);
     await page.close();
   });
+
+  test('with Alt held a drag leaves a copy, as one step, and elsewhere turns the view', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    await tab.click([-60, 10], [-20, -50], [30, 10], [70, -50]);
+    await page.keyboard.press('v');
+    await tab.settled();
+    const before = await tab.state();
+    const place = await tab.onCurve(0.5);
+    await page.keyboard.down('Alt');
+    await page.mouse.move(place.x, place.y, { steps: 2 });
+    await page.locator('.stage[data-action="copy"]').waitFor();
+    await tab.drag(place, { x: place.x - 20, y: place.y + 60 });
+    const { drawing } = await tab.state();
+    const [copy, moved] = drawing.objects;
+    assert.equal(drawing.objects.length, 2);
+    assert.deepEqual(copy.figure, before.figure, 'the copy stays where it was');
+    assert.equal(moved.id, before.drawing.active);
+    assert.equal(drawing.active, moved.id);
+    assert.notDeepEqual(moved.figure, before.figure);
+    const middle = await tab.middle();
+    const seen = await tab.onCurve(0.5, 0);
+    await tab.drag({ x: middle.x, y: middle.y + 190 }, { x: middle.x + 40, y: middle.y + 190 });
+    await tab.still();
+    const turned = await tab.onCurve(0.5, 0);
+    assert.ok(Math.hypot(turned.x - seen.x, turned.y - seen.y) > 5, 'the view has turned');
+    assert.equal((await tab.state()).drawing.objects.length, 2);
+    await page.keyboard.up('Alt');
+    await page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.deepEqual((await tab.state()).drawing, before.drawing);
+    assert.deepEqual(tab.logged, []);
+    await page.close();
+  });
 });

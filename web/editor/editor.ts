@@ -241,6 +241,11 @@ export class Editor {
     return this.#state.dragging;
   }
 
+  /** The drawing without the drag that is going on. */
+  get baseDrawing(): Drawing {
+    return this.#drag?.base ?? this.#state.drawing;
+  }
+
   /** The edited figure without the drag that is going on. */
   get base(): Figure {
     return activeObject(this.#drag?.base ?? this.#state.drawing).figure;

@@ -131,7 +131,7 @@ export class Gestures {
     this.freehand = new FreehandGestures(editor, session, viewer, this.snapping);
     for (const one of [box, this.freehand, pen]) pointer.offer((press) => one.take(press));
     pointer.offer((press) => this.#takeRound(press));
-    pointer.offer((press) => moves.take(press));
+    pointer.offer((press) => moves.take(press), { withAlt: true });
     const transforms = new TransformGestures(editor, session, viewer, stage, severalFingers, {
       stopped: () => events.moveStopped(),
     });
@@ -331,6 +331,11 @@ export class Gestures {
     });
   }
 
+  /** Whether a drag of a line leaves a copy. */
+  get #copies(): boolean {
+    return this.#keys.alt && this.editor.state.tool === 'select';
+  }
+
   /** Marks the line that a click would take. */
   #showHovered(target: Target | null): void {
     if (target?.type !== 'other') this.viewer.showHovered(undefined);
@@ -356,7 +361,7 @@ export class Gestures {
         ? penActionAt(under, this.#pen.state(this.#keys.alt))
         : null;
     if (action) this.stage.dataset.action = action;
-    else if (moves) this.stage.dataset.action = 'move';
+    else if (moves) this.stage.dataset.action = this.#copies ? 'copy' : 'move';
     else delete this.stage.dataset.action;
     this.events.aimed(action ? penWords[action] : '');
   }

@@ -1,3 +1,5 @@
+import { leavingCopies } from '../model/arranging';
+import type { Command } from '../model/commands';
 import { placesOf } from '../model/moving';
 import type { Viewer } from '../viewer/viewer';
 import type { Editor } from './editor';
@@ -12,6 +14,8 @@ import { isResting } from './tool';
 interface HeldLine {
   move: Promise<Move | null>;
   stopped: boolean;
+  /** Whether copies stay where it was. */
+  copies: boolean;
 }
 
 /** A move by keys: where it has come to, and the revision of the drawing that it made. */
@@ -43,12 +47,14 @@ export class MoveGestures {
     const { editor } = this;
     if (press.shift || press.control || this.#held) return null;
     if (!isResting(editor.state.tool)) return null;
+    // With other tools Alt is the view's.
+    if (press.alt && editor.state.tool !== 'select') return null;
     const id = this.#lineAt(press);
     // A finger turns the view wherever it lies, but on what is selected.
     if (id === null || (press.touch && !editor.state.chosen.includes(id))) return null;
     return {
       drag: (place) => {
-        this.#held ??= { move: this.#begin(press), stopped: false };
+        this.#held ??= { move: this.#begin(press), stopped: false, copies: press.alt };
         this.#newest.push(place);
       },
       release: (place, dragged) => {
@@ -158,11 +164,19 @@ export class MoveGestures {
     if (this.#held !== held || !held || !move || !point) return;
     const command = await move.to(point).catch(() => null);
     if (this.#held !== held) return;
-    if (command) this.editor.previewCommand(command);
+    if (command) this.editor.previewCommand(held.copies ? this.#leaving(command) : command);
     else if (!held.stopped) {
       held.stopped = true;
       this.events.stopped();
     }
+  }
+
+  /** The move, with copies of what is moved that stay: one step. */
+  #leaving(command: Command): Command {
+    const { drawing, chosen } = this.editor.state;
+    const ids = chosen.length > 0 ? chosen : [drawing.active];
+    const copies = leavingCopies(this.editor.baseDrawing, ids);
+    return copies ? { type: 'steps', steps: [copies, command] } : command;
   }
 
   async #end(last: Place): Promise<void> {

@@ -72,9 +72,9 @@ export class StagePointer implements Held {
     window.addEventListener('keydown', (event) => this.#key(event), { capture: true });
   }
 
-  /** Presses are offered in the order of these calls. */
-  offer(taker: Taker): void {
-    this.#takers.push(taker);
+  /** Presses are offered in the order of these calls; with Alt only where that is asked for. */
+  offer(taker: Taker, { withAlt = false } = {}): void {
+    this.#takers.push((press) => (press.alt && !withAlt ? null : taker(press)));
   }
 
   get heldBy(): number | null {
@@ -91,8 +91,8 @@ export class StagePointer implements Held {
     const { stage } = this;
     const free = event.target === stage || event.target instanceof HTMLCanvasElement;
     if (!free || event.button !== 0 || this.#pressed || this.severalFingers()) return;
-    // With Alt or the space bar held the view has it.
-    if (event.altKey || stage.classList.contains('moving')) return;
+    // With the space bar held the view has it, and with Alt where nobody takes it.
+    if (stage.classList.contains('moving')) return;
     const from = placeOf(event);
     for (const taker of this.#takers) {
       const hold = taker(from);

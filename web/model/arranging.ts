@@ -177,6 +177,22 @@ export function duplication(drawing: Drawing, ids: readonly number[]) {
   return addition(drawing, named);
 }
 
+/** Copies of objects, each below its own, which stay where those were when they are moved. */
+export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command | null {
+  const copied = drawing.objects.filter(({ id, figure }) => ids.includes(id) && !isEmpty(figure));
+  const groups = freshGroups(drawing, copied);
+  const taken = new Set(drawing.objects.map(({ name }) => name));
+  const first = freeId(drawing);
+  const steps = copied.map((object, i): Command => {
+    const name = object.name && freeName(object.name, taken);
+    taken.add(name);
+    const group = object.group === null ? null : groups.get(object.group)!;
+    const index = indexOf(drawing, object.id) + i;
+    return { type: 'add', index, object: { ...object, id: first + i, name, group } };
+  });
+  return together(steps);
+}
+
 /** Changes properties of objects, each of which may say what it becomes. */
 export function restyling(
   drawing: Drawing,
