@@ -15,6 +15,11 @@
 namespace karcher {
 namespace {
 
+bool isCornerOf(const TriangleMesh& mesh, int face, int vertex) {
+  return mesh.corner(face, 0) == vertex || mesh.corner(face, 1) == vertex ||
+         mesh.corner(face, 2) == vertex;
+}
+
 bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.bary == b.bary;
 }
@@ -517,6 +522,7 @@ void Curve::findSubdivided(const Next& next) {
 
 /// Whether the points of a piece see all corners of the faces along its legs.
 bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
+  const TriangleMesh& mesh = surface().mesh();
   const FacesAlongLegs& along = workspace_->along;
   Array<std::shared_ptr<PointField>>& near = workspace_->near;
   for (const int point : piece.points) {
@@ -524,8 +530,12 @@ bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
     for (int k = 1; k < piece.points.count(); ++k) {
       const int leg = piece.points[k - 1];
       for (int i = along.begin[leg]; i < along.begin[leg + 1]; ++i) {
+        // A face along a leg has two corners of the one before, which are seen.
+        const int before = i > along.begin[leg] ? along.faces[i - 1] : -1;
         for (int corner = 0; corner < 3; ++corner) {
-          if (!near.back()->sees(surface().mesh().corner(along.faces[i], corner))) return false;
+          const int vertex = mesh.corner(along.faces[i], corner);
+          if (before >= 0 && isCornerOf(mesh, before, vertex)) continue;
+          if (!near.back()->sees(vertex)) return false;
         }
       }
     }
