@@ -119,7 +119,7 @@ TEST(RandomPaths, AreAsLongAsTheirPointsBothWaysScaledAndTurned) {
 /// Along edges, to each vertex.
 Array<double> distancesAlongEdges(const Geometry& geometry, int from) {
   const TriangleMesh& mesh = *geometry.mesh;
-  Array<double> distance(mesh.vertexCount(), kInfinity);
+  Array<double> distance(static_cast<size_t>(mesh.vertexCount()), kInfinity);
   distance[from] = 0;
   // A path of edges has fewer edges than there are vertices.
   bool changes = true;
