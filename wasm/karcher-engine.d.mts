@@ -35,6 +35,13 @@ export interface EngineModule {
     repair: boolean,
     weld: number,
   ): EngineMesh;
+  meshFromPolygons(
+    positions: Float64Array,
+    corners: Int32Array,
+    sizes: Int32Array,
+    repair: boolean,
+    weld: number,
+  ): EngineMesh;
   builtInShape(name: string, triangles: number): EngineMesh;
 }
 

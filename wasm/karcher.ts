@@ -67,6 +67,29 @@ export class Karcher {
   }
 
   /**
+   * The same of polygons: `corners` holds the vertices of one after the other, `sizes` how many each has,
+   * at least 3. They are cut into triangles as those of an OBJ file, and faces count triangles.
+   */
+  meshFromPolygons(
+    positions: ArrayLike<number>,
+    corners: ArrayLike<number>,
+    sizes: ArrayLike<number>,
+    options: MeshOptions = {},
+  ): Mesh {
+    const coordinates = toFloat64(positions, 'the positions');
+    checkLength(coordinates, 3, 'the positions');
+    const vertices = toInt32(corners, 'the corners');
+    const counts = toInt32(sizes, 'the sizes');
+    const { repair, weld } = engineMeshOptions(options);
+    checkMeshFits(coordinates.length / 3, vertices.length - 2 * counts.length, 'a mesh of', () =>
+      this.allocatedBytes(),
+    );
+    return this.#mesh((engine) =>
+      engine.meshFromPolygons(coordinates, vertices, counts, repair, weld),
+    );
+  }
+
+  /**
    * A built-in shape of about that many triangles. Throws `KarcherError` badArgument for an unknown
    * name or a number out of range.
    */

@@ -20,6 +20,8 @@ export interface MeshOptions {
  * What was repaired while a mesh was read, in this order; `count` counts what is in brackets.
  *
  * - `triangulated`: polygons were cut into triangles (polygons);
+ * - `leftOut`: faces that have fewer than three corners, cross themselves or have no area were left out;
+ *   the message names the first (faces);
  * - `contracted`: edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge, were
  *   contracted to a point (vertices);
  * - `welded`: vertices at one place became one where their faces share an edge (vertices);
@@ -36,6 +38,7 @@ export interface MeshOptions {
  */
 export type RepairKind =
   | 'triangulated'
+  | 'leftOut'
   | 'contracted'
   | 'welded'
   | 'keptApart'

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <string>
 #include <utility>
 
+#include "mesh/error.h"
 #include "mesh/mesh_repair.h"
 #include "mesh/obj_reader.h"
+#include "mesh/positions.h"
 
 namespace karcher {
 namespace {
@@ -17,8 +21,10 @@ struct Words {
 };
 
 /// By their kind.
-constexpr std::array<Words, 11> kWords = {{
+constexpr std::array<Words, 12> kWords = {{
     {"triangulated", "polygon was cut into triangles", "polygons were cut into triangles"},
+    {"leftOut", "face was left out: it has fewer than three corners, crosses itself or has no area",
+     "faces were left out: they have fewer than three corners, cross themselves or have no area"},
     {"contracted",
      "vertex was merged with a neighbour: the edge between them was at most 1e-14 of the diagonal, "
      "or 1e-12 of its face's longest edge",
@@ -49,6 +55,68 @@ constexpr std::array<Words, 11> kWords = {{
 
 const Words& wordsOf(Repair::Kind kind) { return kWords[static_cast<size_t>(kind)]; }
 
+/// What was mended while polygons were cut.
+struct CutRepairs {
+  int polygonsCut;
+  int repeatedCorners;
+  int leftOut;
+  std::string firstLeftOut;  ///< where the first is that was left out
+};
+
+void addRepairs(const CutRepairs& cut, Array<Repair>& repairs) {
+  const auto add = [&](Repair::Kind kind, int count, const std::string& more = {}) {
+    if (count == 0) return;
+    auto place = std::find_if(repairs.begin(), repairs.end(),
+                              [&](const Repair& repair) { return repair.kind >= kind; });
+    if (place != repairs.end() && place->kind == kind) {
+      *place = repairOf(kind, place->count + count);
+    } else {
+      place = repairs.insert(place, repairOf(kind, count));
+    }
+    place->sentence += more;
+  };
+  add(Repair::Kind::kTriangulated, cut.polygonsCut);
+  add(Repair::Kind::kLeftOut, cut.leftOut, " (the first: " + cut.firstLeftOut + ")");
+  add(Repair::Kind::kRepeatedCorner, cut.repeatedCorners);
+}
+
+/// That faces have corners, each of them a vertex with a finite position.
+void checkFaces(const PolygonSoup& polygons) {
+  int64_t corners = 0;
+  for (int face = 0; face < polygons.cornerCount.count(); ++face) {
+    const int count = polygons.cornerCount[face];
+    if (count < 3) {
+      throw Error(ErrorCode::kBadArgument, "face " + std::to_string(face) +
+                                               " must have at least 3 corners, not " +
+                                               std::to_string(count));
+    }
+    corners += count;
+  }
+  if (corners != polygons.corners.count()) {
+    throw Error(ErrorCode::kBadArgument,
+                "the faces have " + std::to_string(corners) + " corners, but " +
+                    std::to_string(polygons.corners.count()) + " are given");
+  }
+  const int vertices = polygons.positions.count();
+  Array<uint8_t> isUsed(polygons.positions.size(), 0);
+  const int* corner = polygons.corners.data();
+  for (int face = 0; face < polygons.cornerCount.count(); ++face) {
+    for (int k = 0; k < polygons.cornerCount[face]; ++k, ++corner) {
+      if (*corner < 0 || *corner >= vertices) {
+        throw Error(ErrorCode::kBadIndex, "face " + std::to_string(face) + " uses vertex " +
+                                              std::to_string(*corner) + ", but the mesh has " +
+                                              std::to_string(vertices));
+      }
+      isUsed[*corner] = 1;
+    }
+  }
+  Array<int> used;
+  for (int v = 0; v < vertices; ++v) {
+    if (isUsed[v]) used.push_back(v);
+  }
+  if (!used.empty()) checkPositions(polygons.positions, &used);
+}
+
 }  // namespace
 
 const char* repairName(Repair::Kind kind) { return wordsOf(kind).name; }
@@ -66,21 +134,24 @@ ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options) {
   return result;
 }
 
+ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options) {
+  checkFaces(polygons);
+  CutPolygons cut = cutPolygons(std::move(polygons), options.repair, [](PolygonNumber number) {
+    return "face " + std::to_string(number.face);
+  });
+  ImportedMesh result = importMesh(std::move(cut.soup), options);
+  addRepairs({cut.polygonsCut, cut.repeatedCorners, cut.leftOut,
+              "face " + std::to_string(cut.firstLeftOut.face)},
+             result.repairs);
+  return result;
+}
+
 ImportedMesh importObj(std::string_view bytes, const ImportOptions& options) {
   ObjContents contents = readObj(bytes, options.repair);
   ImportedMesh result = importMesh(std::move(contents.soup), options);
-  const auto add = [&](Repair::Kind kind, int count) {
-    if (count == 0) return;
-    auto place = std::find_if(result.repairs.begin(), result.repairs.end(),
-                              [&](const Repair& repair) { return repair.kind >= kind; });
-    if (place != result.repairs.end() && place->kind == kind) {
-      *place = repairOf(kind, place->count + count);
-    } else {
-      result.repairs.insert(place, repairOf(kind, count));
-    }
-  };
-  add(Repair::Kind::kTriangulated, contents.polygonsCut);
-  add(Repair::Kind::kRepeatedCorner, contents.repeatedCorners);
+  addRepairs({contents.polygonsCut, contents.repeatedCorners, contents.leftOut,
+              "line " + std::to_string(contents.firstLineLeftOut)},
+             result.repairs);
   return result;
 }
 

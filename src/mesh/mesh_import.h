@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "mesh/numbering.h"
+#include "mesh/polygon_soup.h"
 #include "mesh/triangle_mesh.h"
 #include "mesh/triangle_soup.h"
 
@@ -14,6 +15,7 @@ namespace karcher {
 struct Repair {
   enum class Kind {
     kTriangulated,  ///< polygons were cut into triangles
+    kLeftOut,       ///< faces of few corners, or that cannot be cut, were left out
     kContracted,    ///< vertices were merged with a neighbour, so near that the edge has no length
     kWelded,        ///< vertices at the same place became one
     kKeptApart,     ///< vertices at the same place stayed several: parts only touch there
@@ -64,6 +66,10 @@ struct ImportedMesh {
 /// Throws Error as `buildMesh` does, and kNotOrientable, kBadArgument (a weld that is not finite);
 /// errors name the caller's vertices and triangles. Vertices that no face uses may be anything.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
+
+/// Cuts polygons as `cutPolygons` does, and imports the triangles; face numbers count those. Throws
+/// as both do, and kBadArgument for counts of corners below 3, or that are not those of `corners`.
+ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options = {});
 
 /// Reads an OBJ file's content and imports it; face numbers count triangles. Throws as `readObj`
 /// and `importMesh` do.

@@ -103,6 +103,7 @@ class LineCheck {
     }
     if (found_.faces == 0) {
       if (!found_.notFinite.empty()) fail(ErrorCode::kNotFinite, found_.notFinite[0].sentence);
+      if (!found_.shortLines.empty()) fail(ErrorCode::kBadFile, shortFace(found_.shortLines[0]));
       fail(ErrorCode::kBadFile, "the file has no faces");
     }
     if (greatest_ > found_.vertices) {
@@ -148,7 +149,10 @@ class LineCheck {
       checkCorner(word);
       ++corners;
     }
-    if (corners < 3) fail(ErrorCode::kBadFile, place() + "a face needs three corners");
+    if (corners < 3) {
+      found_.shortLines.push_back(line_);
+      return;
+    }
     if (corners > 3) found_.polygonLines.push_back(line_);
     ++found_.faces;
   }
@@ -226,6 +230,10 @@ std::string_view takeObjWord(std::string_view& line) {
   const std::string_view word = line.substr(begin, end - begin);
   line.remove_prefix(end);
   return word;
+}
+
+std::string shortFace(int line) {
+  return "line " + std::to_string(line) + ": a face needs three corners";
 }
 
 ObjLines checkObjLines(std::string_view text) { return LineCheck().check(text); }

@@ -27,11 +27,15 @@ struct ObjLines {
   int vertices = 0;
   int faces = 0;
   Array<int> polygonLines;     ///< for each face with more than three corners, its line from 1
+  Array<int> shortLines;       ///< those of faces with fewer than three corners, which are no faces
   Array<NotFinite> notFinite;  ///< in the file's order
 };
 
 /// Checks that every vertex line has three decimal numbers, or some that are not finite, and that
-/// every face line names three or more of the file's vertices. Throws Error as `readObj` does.
+/// every face line names vertices of the file. Throws Error as `readObj` does.
 ObjLines checkObjLines(std::string_view text);
+
+/// That the face in that line has too few corners, as a sentence.
+std::string shortFace(int line);
 
 }  // namespace karcher

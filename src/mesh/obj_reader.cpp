@@ -1,6 +1,5 @@
 #include "mesh/obj_reader.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -8,9 +7,8 @@
 
 #include "mesh/error.h"
 #include "mesh/obj_lines.h"
-#include "mesh/polygon.h"
+#include "mesh/polygon_soup.h"
 #include "mesh/positions.h"
-#include "mesh/triangle_mesh.h"
 
 // Under another name: a program that links this library may have a tinyobjloader of its own.
 #define tinyobj karcherTinyobj
@@ -20,24 +18,6 @@
 
 namespace karcher {
 namespace {
-
-[[noreturn]] void throwUncut(int line, int corners) {
-  const std::string face =
-      "line " + std::to_string(line) + ": the face with " + std::to_string(corners) + " corners ";
-  if (corners > kMostPolygonCorners) {
-    throw Error(ErrorCode::kDegenerateFace,
-                face + "is too large: at most " + std::to_string(kMostPolygonCorners) + " are cut");
-  }
-  throw Error(ErrorCode::kDegenerateFace,
-              face + "cannot be cut into triangles: it crosses itself or has no area");
-}
-
-/// The faces as the file has them, in flat arrays.
-struct Faces {
-  Array<Vec3> positions;
-  Array<int> corners;
-  Array<int> cornerCount;  ///< per face
-};
 
 /// The line in one piece, and ended by a zero, as tinyobjloader wants it: line ends are in it where
 /// a backslash continues it.
@@ -52,8 +32,8 @@ void terminate(std::string_view line, std::string& result) {
 
 /// Reads lines that were checked. Their numbers are read by tinyobjloader's own functions: its
 /// reader of streams would take them apart once more.
-Faces parse(std::string_view text, const ObjLines& lines) {
-  Faces faces;
+PolygonSoup parse(std::string_view text, const ObjLines& lines) {
+  PolygonSoup faces;
   faces.positions.reserve(static_cast<size_t>(lines.vertices));
   faces.corners.reserve(3 * static_cast<size_t>(lines.faces));
   faces.cornerCount.reserve(static_cast<size_t>(lines.faces));
@@ -68,13 +48,19 @@ Faces parse(std::string_view text, const ObjLines& lines) {
       Vec3& position = faces.positions.emplace_back();
       tinyobj::parseReal3(&position[0], &position[1], &position[2], &token);
     } else {
+      const size_t before = faces.corners.size();
       int corners = 0;
       for (token += std::strspn(token, " \t"); *token != 0; token += std::strspn(token, " \t")) {
         const int v = tinyobj::parseRawTriple(&token).v_idx;
         faces.corners.push_back(v > 0 ? v - 1 : faces.positions.count() + v);
         ++corners;
       }
-      faces.cornerCount.push_back(corners);
+      // A point or a line, which the check has counted.
+      if (corners < 3) {
+        faces.corners.resize(before);
+      } else {
+        faces.cornerCount.push_back(corners);
+      }
     }
   }
   for (const NotFinite& bad : lines.notFinite) {
@@ -83,69 +69,8 @@ Faces parse(std::string_view text, const ObjLines& lines) {
   return faces;
 }
 
-/// Leaves one of each vertex that a polygon names several times in a row, but three corners at
-/// least. Returns whether there was one.
-bool takeOnce(Array<int>& corners) {
-  Array<int> ring;
-  for (const int v : corners) {
-    if (ring.empty() || ring.back() != v) ring.push_back(v);
-  }
-  while (ring.count() > 1 && ring.back() == ring.front()) ring.pop_back();
-  if (ring.size() == corners.size()) return false;
-  while (ring.count() < 3) ring.push_back(int(ring.back()));
-  corners = std::move(ring);
-  return true;
-}
-
-/// A fan of triangles, each without area, where all corners lie on a line.
-Array<Triangle> fanOnALine(const Array<Vec3>& corners) {
-  if (corners.count() > kMostPolygonCorners) return {};
-  Array<Triangle> fan;
-  for (int k = 2; k < corners.count(); ++k) {
-    if (!isDegenerate(corners[0], corners[k - 1], corners[k])) return {};
-    fan.emplace_back(0, k - 1, k);
-  }
-  return fan;
-}
-
-/// tinyobjloader's own cutting of polygons is not used: where they are not convex it loses
-/// triangles or turns some over.
-void cutFaces(const Faces& faces, const ObjLines& lines, bool mend, ObjContents& contents) {
-  Array<Triangle>& triangles = contents.soup.triangles;
-  triangles.reserve(faces.cornerCount.size());
-  Array<Vec3> polygon;
-  Array<int> ring;
-  int polygons = 0;
-  const int* corner = faces.corners.data();
-  for (const int count : faces.cornerCount) {
-    if (count == 3) {
-      triangles.emplace_back(corner[0], corner[1], corner[2]);
-      corner += count;
-      continue;
-    }
-    ring.assign(corner, corner + count);
-    corner += count;
-    const int line = lines.polygonLines[polygons++];
-    if (mend && takeOnce(ring)) {
-      // The importer counts a face that has lost all but two corners.
-      contents.repeatedCorners += ring[1] != ring[2] ? 1 : 0;
-      if (ring.count() == 3) {
-        triangles.emplace_back(ring[0], ring[1], ring[2]);
-        continue;
-      }
-    }
-    polygon.clear();
-    for (const int v : ring) polygon.push_back(faces.positions[v]);
-    Array<Triangle> cut = cutPolygon(polygon);
-    if (cut.empty() && mend) cut = fanOnALine(polygon);
-    if (cut.empty()) throwUncut(line, count);
-    for (const Triangle& t : cut) triangles.emplace_back(ring[t[0]], ring[t[1]], ring[t[2]]);
-    ++contents.polygonsCut;
-  }
-}
-
 /// That no face uses a vertex that is not finite.
-void checkUses(const Faces& faces, const ObjLines& lines) {
+void checkUses(const PolygonSoup& faces, const ObjLines& lines) {
   if (lines.notFinite.empty()) return;
   Array<uint8_t> used(faces.positions.size(), 0);
   for (const int v : faces.corners) used[v] = 1;
@@ -166,12 +91,26 @@ ObjContents readObj(std::string_view bytes, bool mend) {
   if (!mend && !lines.notFinite.empty()) {
     throw Error(ErrorCode::kNotFinite, lines.notFinite[0].sentence);
   }
-  Faces faces = parse(bytes, lines);
+  if (!mend && !lines.shortLines.empty()) {
+    throw Error(ErrorCode::kBadFile, shortFace(lines.shortLines[0]));
+  }
+  PolygonSoup faces = parse(bytes, lines);
   checkUses(faces, lines);
   if (lines.notFinite.empty()) checkPositions(faces.positions);
+  const auto lineOf = [&](PolygonNumber number) { return lines.polygonLines[number.polygon]; };
+  CutPolygons cut = cutPolygons(std::move(faces), mend, [&](PolygonNumber number) {
+    return "line " + std::to_string(lineOf(number));
+  });
   ObjContents contents;
-  cutFaces(faces, lines, mend, contents);
-  contents.soup.positions = std::move(faces.positions);
+  contents.soup = std::move(cut.soup);
+  contents.polygonsCut = cut.polygonsCut;
+  contents.repeatedCorners = cut.repeatedCorners;
+  contents.leftOut = cut.leftOut + lines.shortLines.count();
+  if (cut.leftOut > 0) contents.firstLineLeftOut = lineOf(cut.firstLeftOut);
+  if (!lines.shortLines.empty() &&
+      (cut.leftOut == 0 || lines.shortLines[0] < contents.firstLineLeftOut)) {
+    contents.firstLineLeftOut = lines.shortLines[0];
+  }
   return contents;
 }
 

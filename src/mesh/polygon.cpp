@@ -83,20 +83,29 @@ class EarClipping {
   explicit EarClipping(const Array<Vec3>& corners)
       : corners_(corners), plane_(projected(corners)), grid_(plane_) {
     isLeft_.assign(corners.size(), 1);
-    for (int i = 0; i < corners.count(); ++i) ring_.push_back(i);
+    for (int i = 0; i < corners.count(); ++i) {
+      ring_.push_back(i);
+      next_.push_back((i + 1) % corners.count());
+      previous_.push_back((i + corners.count() - 1) % corners.count());
+    }
     for (int i = 0; i < corners.count(); ++i) diagonal_.push_back(earDiagonal(i));
   }
 
   Array<Triangle> clip() {
     Array<Triangle> triangles;
     while (ring_.count() >= 3) {
-      int ear = 0;
-      for (int i = 1; i < ring_.count(); ++i) {
-        if (diagonal_[i] < diagonal_[ear]) ear = i;
+      int ear = shortest();
+      if (diagonal_[ear] == kInfinity) {
+        // A corner that was in the way of another may be gone.
+        for (int i = 0; i < ring_.count(); ++i) diagonal_[i] = earDiagonal(i);
+        ear = shortest();
+        if (diagonal_[ear] == kInfinity) return {};
       }
-      if (diagonal_[ear] == kInfinity) return {};
       triangles.emplace_back(at(ear - 1), at(ear), at(ear + 1));
-      isLeft_[ring_[ear]] = 0;
+      const int corner = ring_[ear];
+      isLeft_[corner] = 0;
+      next_[previous_[corner]] = next_[corner];
+      previous_[next_[corner]] = previous_[corner];
       ring_.erase(ring_.begin() + ear);
       diagonal_.erase(diagonal_.begin() + ear);
       const int n = ring_.count();
@@ -106,6 +115,11 @@ class EarClipping {
   }
 
  private:
+  int shortest() const {
+    return static_cast<int>(std::min_element(diagonal_.begin(), diagonal_.end()) -
+                            diagonal_.begin());
+  }
+
   int at(int i) const {
     const int n = ring_.count();
     return ring_[(i + n) % n];
@@ -125,7 +139,10 @@ class EarClipping {
       const Vec2& p = plane_[k];
       const bool inside = cross(b - a, p - a) >= -flat && cross(c - b, p - b) >= -flat &&
                           cross(a - c, p - c) >= -flat;
-      return inside && p != a && p != c;
+      if (!inside || p == a || p == c) return false;
+      // At the end of a bridge to a hole the ring comes by twice: there it is in the way only where
+      // it goes into the ear.
+      return p != b || isBetween(next_[k], a, b, c, flat) || isBetween(previous_[k], a, b, c, flat);
     };
     // The slack of `flat` reaches a little beyond the triangle.
     const Vec2 low = a.cwiseMin(b).cwiseMin(c);
@@ -135,10 +152,18 @@ class EarClipping {
     return (corners_[at(i + 1)] - corners_[at(i - 1)]).squaredNorm();
   }
 
+  /// Whether a corner lies within the angle at b of the ear a, b, c.
+  bool isBetween(int k, const Vec2& a, const Vec2& b, const Vec2& c, double flat) const {
+    const Vec2 d = plane_[k] - b;
+    return cross(c - b, d) > flat && cross(d, a - b) > flat;
+  }
+
   const Array<Vec3>& corners_;
   Array<Vec2> plane_;
   PointGrid grid_;
   Array<uint8_t> isLeft_;   ///< per corner, whether it is in the ring
+  Array<int> next_;         ///< of each corner that is left, the one after it
+  Array<int> previous_;     ///< and before it
   Array<int> ring_;         ///< the corners that are left
   Array<double> diagonal_;  ///< for each of them, its earDiagonal
 };

@@ -11,6 +11,7 @@
 
 #include "generators/random.h"
 #include "mesh/error.h"
+#include "mesh/mesh_import.h"
 #include "mesh/polygon.h"
 #include "support.h"
 
@@ -278,9 +279,80 @@ TEST(ReadObj, CutsAPolygonOnALineIntoTrianglesWithoutArea) {
   const std::string line = kThree + "v 2 0 0\nv 3 0 0\nf 1 2 3\nf 1 2 4 5\n";
   EXPECT_EQ(readObj(line).soup.triangles.count(), 3);
   EXPECT_EQ(errorOf(line, false).substr(0, 15), "degenerateFace:");
-  // One that crosses itself is no such polygon.
-  EXPECT_EQ(errorOf(kThree + "v 1 1 0\nf 1 4 2 3\nf 1 4 3 2\nf 1 2 3 4\n").substr(0, 20),
-            "degenerateFace: line");
+}
+
+/// A five-pointed star, drawn in one line, which no cuts make a polygon of.
+const std::string kCrossing = "v 0 3 0\nv 2 -3 0\nv -3 1 0\nv 3 1 0\nv -2 -3 0\nf 1 2 3 4 5\n";
+
+TEST(ReadObj, CutsAQuadThatCrossesItselfAlongItsShorterDiagonal) {
+  // 0 and 2 are a unit apart, 1 and 3 two.
+  const std::string quad = "v 0 0 0\nv 2 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n";
+  const ObjContents obj = readObj(quad);
+  EXPECT_TRUE(obj.soup.triangles == (Array<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(obj.polygonsCut, 1);
+  EXPECT_EQ(obj.leftOut, 0);
+  EXPECT_EQ(errorOf(quad, false).substr(0, 15), "degenerateFace:");
+}
+
+TEST(ReadObj, LeavesOutWhatCannotBeCut) {
+  const ObjContents obj = readObj(kCrossing + "f 1 2 3\nf 5 4 3 2 1\nf 1 5\n");
+  EXPECT_TRUE(obj.soup.triangles == (Array<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(obj.leftOut, 3);
+  EXPECT_EQ(obj.firstLineLeftOut, 6);
+  EXPECT_EQ(errorOf(kCrossing).substr(0, 23), "degenerateFace: line 6:");
+  EXPECT_EQ(errorOf(kCrossing + "f 1 2 3\n", false).substr(0, 23), "degenerateFace: line 6:");
+  const ImportedMesh mesh = importObj(kCrossing + "f 1 2 3\n");
+  ASSERT_FALSE(mesh.repairs.empty());
+  EXPECT_EQ(mesh.repairs[0].kind, Repair::Kind::kLeftOut);
+  EXPECT_EQ(mesh.repairs[0].sentence,
+            "1 face was left out: it has fewer than three corners, crosses itself or has no area "
+            "(the first: line 6)");
+}
+
+TEST(ReadObj, LeavesOutFacesOfOneOrTwoCorners) {
+  const ObjContents obj = readObj("v 9 9 9\nf 1\n" + kThree + "f 2 3\nf -3 -2 -1\nf\n");
+  EXPECT_TRUE(obj.soup.triangles == (Array<Triangle>{{1, 2, 3}}));
+  EXPECT_EQ(obj.leftOut, 3);
+  EXPECT_EQ(obj.firstLineLeftOut, 2);
+  EXPECT_EQ(errorOf(kThree + "f 1 2 3\nf 1 2\n", false),
+            "badFile: line 5: a face needs three corners");
+  EXPECT_EQ(errorOf(kThree + "f 1 2 3\nf 1 9\n").substr(0, 9), "badIndex:");
+}
+
+TEST(ImportPolygons, GivesTheMeshOfTheSameObjFile) {
+  PolygonSoup soup;
+  for (const auto& [x, y] : {std::pair{0, 3}, {2, -3}, {-3, 1}, {3, 1}, {-2, -3}}) {
+    soup.positions.emplace_back(x, y, 0);
+  }
+  soup.corners = {0, 2, 4, 1, 3, 0, 1, 2, 3, 4};
+  soup.cornerCount = {5, 5};
+  const ImportedMesh mesh = importPolygons(soup);
+  const ImportedMesh wanted = importObj(kCrossing + "f 1 3 5 2 4\n");
+  EXPECT_EQ(mesh.mesh.faceCount(), 3);
+  EXPECT_EQ(mesh.mesh.faceCount(), wanted.mesh.faceCount());
+  ASSERT_EQ(mesh.repairs.count(), 2);
+  EXPECT_EQ(mesh.repairs[1].kind, Repair::Kind::kLeftOut);
+  EXPECT_TRUE(mesh.repairs[1].sentence.ends_with("(the first: face 1)"));
+  const auto error = [&](const PolygonSoup& bad) -> std::string {
+    try {
+      importPolygons(bad);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  PolygonSoup bad = soup;
+  bad.corners[7] = 5;
+  EXPECT_EQ(error(bad), "face 1 uses vertex 5, but the mesh has 5");
+  bad = soup;
+  bad.cornerCount[0] = 2;
+  EXPECT_EQ(error(bad), "face 0 must have at least 3 corners, not 2");
+  bad = soup;
+  bad.cornerCount[0] = 6;
+  EXPECT_EQ(error(bad), "the faces have 11 corners, but 10 are given");
+  bad = soup;
+  bad.positions[2].x() = std::nan("");
+  EXPECT_TRUE(error(bad).starts_with("vertex 2 has a coordinate"));
 }
 
 TEST(ReadObj, LeavesAVertexThatIsNoNumberWhereNoFaceUsesIt) {
@@ -303,6 +375,60 @@ TEST(ReadObj, LeavesOutComments) {
 
 double doubleArea(const Array<Vec3>& corners, const Triangle& t) {
   return (corners[t[1]] - corners[t[0]]).cross(corners[t[2]] - corners[t[0]]).z();
+}
+
+double areaOf(const Array<Vec3>& corners, const Array<Triangle>& triangles) {
+  double area = 0;
+  for (const Triangle& t : triangles) {
+    EXPECT_GT(doubleArea(corners, t), 0);
+    area += doubleArea(corners, t) / 2;
+  }
+  return area;
+}
+
+/// A square of side 4 with a square hole of side 2, whose ring a bridge joins: at any of its
+/// corners, however it is turned.
+TEST(CutPolygon, CutsAFaceWhoseHoleABridgeJoins) {
+  const Array<Vec2> outer = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const Array<Vec2> hole = {{1, 1}, {1, 3}, {3, 3}, {3, 1}};
+  const int opposite[4] = {0, 3, 2, 1};
+  for (int start = 0; start < 4; ++start) {
+    for (int turn = 0; turn < 7; ++turn) {
+      Array<Vec3> ring;
+      const double angle = 0.3 * turn;
+      const auto add = [&](const Vec2& p) {
+        ring.emplace_back(std::cos(angle) * p.x() - std::sin(angle) * p.y(),
+                          std::sin(angle) * p.x() + std::cos(angle) * p.y(), 0);
+      };
+      for (int i = 0; i <= 4; ++i) add(outer[(start + i) % 4]);
+      for (int i = 0; i <= 4; ++i) add(hole[(opposite[start] + i) % 4]);
+      const Array<Triangle> triangles = cutPolygon(ring);
+      ASSERT_EQ(triangles.count(), 8) << start << ' ' << turn;
+      EXPECT_NEAR(areaOf(ring, triangles), 12, 1e-12);
+    }
+  }
+}
+
+/// A wheel of 24 teeth with a hole of 24 corners.
+TEST(CutPolygon, CutsACoggedRing) {
+  Array<Vec3> ring;
+  double area = 0;
+  const int n = 48;
+  const auto at = [](double radius, int i) {
+    // The ends of the bridge are the same to the last bit, as those of one vertex are.
+    const Vec2 p = radius * unitVector(2 * kPi * (i % n) / n);
+    return Vec3(p.x(), p.y(), 1);
+  };
+  const auto radius = [](int i) { return i % n / 2 % 2 == 0 ? 2.0 : 1.7; };
+  for (int i = 0; i <= n; ++i) ring.push_back(at(radius(i), i));
+  for (int i = n; i >= 0; i -= 2) ring.push_back(at(1, i));
+  for (int i = 0; i < n; ++i) {
+    area += radius(i) * radius(i + 1) * std::sin(2 * kPi / n) / 2;
+    if (i % 2 == 0) area -= std::sin(4 * kPi / n) / 2;
+  }
+  const Array<Triangle> triangles = cutPolygon(ring);
+  ASSERT_EQ(triangles.count(), ring.count() - 2);
+  EXPECT_NEAR(areaOf(ring, triangles), area, 1e-12);
 }
 
 /// A star with 9 points, far from the origin; every second corner is pulled in.

@@ -65,11 +65,21 @@ test('polygons are cut as those of an OBJ file', async () => {
     assert.deepEqual(mesh.info.repairs, wanted.mesh.info.repairs);
     assert.equal(file.parts[0].triangles, 12);
   }
-  const crossed = { positions: [0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1, 0], faces: [[0, 1, 2, 3]] };
+  // A star, drawn in one line, and a triangle.
+  const crossed = {
+    positions: [0, 3, 0, 2, -3, 0, -3, 1, 0, 3, 1, 0, -2, -3, 0],
+    faces: [[0, 1, 2, 3, 4]],
+  };
   await assert.rejects(open(files.offFile(crossed)), {
     code: 'degenerateFace',
-    message: /^face 0: the face with 4 corners cannot be cut/,
+    message: /^face 0: the face with 5 corners cannot be cut/,
   });
+  const more = { ...crossed, faces: [[0, 1, 2], ...crossed.faces] };
+  for (const bytes of [files.offFile(more), files.plyFile(more, { encoding: 'big' })]) {
+    const { mesh } = await open(bytes);
+    assert.equal(mesh.info.triangles, 1);
+    assert.match(mesh.info.repairs[0].message, /^1 face was left out: .* \(the first: face 1\)$/);
+  }
 });
 
 test('numbers of a text are the nearest doubles, however they are written', async () => {

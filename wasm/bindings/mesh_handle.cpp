@@ -297,14 +297,34 @@ std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, bool repair, double we
   return std::make_unique<MeshHandle>(importObj({text.data(), text.size()}, {repair, weld}));
 }
 
+namespace {
+
+Array<Vec3> positionsOf(const Array<double>& coordinates) {
+  Array<Vec3> positions;
+  positions.reserve(coordinates.size() / 3);
+  for (int i = 0; i < coordinates.count(); i += 3) {
+    positions.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+  }
+  return positions;
+}
+
+}  // namespace
+
+std::unique_ptr<MeshHandle> meshFromPolygons(const val& positions, const val& corners,
+                                             const val& sizes, bool repair, double weld) {
+  PolygonSoup soup;
+  soup.positions = positionsOf(fromJs<double>(positions));
+  soup.corners = fromJs<int>(corners);
+  soup.cornerCount = fromJs<int>(sizes);
+  return std::make_unique<MeshHandle>(importPolygons(std::move(soup), {repair, weld}));
+}
+
 std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles, bool repair,
                                            double weld) {
   const Array<double> coordinates = fromJs<double>(positions);
   const Array<int> corners = fromJs<int>(triangles);
   TriangleSoup soup;
-  for (int i = 0; i < coordinates.count(); i += 3) {
-    soup.positions.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
-  }
+  soup.positions = positionsOf(coordinates);
   for (int i = 0; i < corners.count(); i += 3) {
     soup.triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
   }

@@ -112,6 +112,10 @@ std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, bool repair, double we
 /// `positions` is a Float64Array, `triangles` an Int32Array, each three numbers an item.
 std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles, bool repair,
                                            double weld);
+/// The same of polygons: `corners` has the vertices of one after the other, `sizes` their numbers
+/// of corners.
+std::unique_ptr<MeshHandle> meshFromPolygons(const val& positions, const val& corners,
+                                             const val& sizes, bool repair, double weld);
 /// A built-in shape, by its name in the JavaScript API.
 std::unique_ptr<MeshHandle> builtInShape(const std::string& name, int triangles);
 

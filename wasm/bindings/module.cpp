@@ -46,6 +46,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
   function("statusNames", &Guarded<&statusNames>::call);
   function("meshFromObj", &Guarded<&meshFromObj>::call);
   function("meshFromArrays", &Guarded<&meshFromArrays>::call);
+  function("meshFromPolygons", &Guarded<&meshFromPolygons>::call);
   function("builtInShape", &Guarded<&builtInShape>::call);
   class_<MeshHandle>("Mesh")
       .function("info", &Guarded<&MeshHandle::info>::call)

@@ -4,7 +4,7 @@ import { checkLongWork, namesOf } from '../options.js';
 import type { MeshOptions } from '../types.js';
 import { formatOf, withoutMark } from './format.js';
 import { gltfBeside, readGltf } from './gltf.js';
-import { objOf, objParts } from './obj.js';
+import { objParts } from './obj.js';
 import { readOff } from './off.js';
 import { readPly } from './ply.js';
 import { readStl } from './stl.js';
@@ -21,6 +21,12 @@ export interface MeshMaker<Mesh> {
   meshFromArrays(
     positions: Float64Array,
     triangles: Int32Array,
+    options?: MeshOptions,
+  ): Mesh | Promise<Mesh>;
+  meshFromPolygons(
+    positions: Float64Array,
+    corners: Int32Array,
+    sizes: Int32Array,
     options?: MeshOptions,
   ): Mesh | Promise<Mesh>;
 }
@@ -74,9 +80,8 @@ export async function meshFromFile<Mesh>(
   checkParts(wantedParts, polygons.info);
   const { positions, corners, sizes, info: file } = polygons;
   if (sizes) {
-    const text = await objOf(polygons, work);
     progress?.(1, 'making');
-    return { mesh: await cut(karcher, text, positions.length / 3, meshOptions), file };
+    return { mesh: await karcher.meshFromPolygons(positions, corners, sizes, meshOptions), file };
   }
   progress?.(1, 'making');
   return { mesh: await karcher.meshFromArrays(positions, corners, meshOptions), file };
@@ -123,23 +128,4 @@ function checkParts(wanted: readonly number[] | undefined, { parts }: FileInfo):
     'badArgument',
     `there is no part ${missing}: the file has ${parts.length}, numbered from 0`,
   );
-}
-
-/** The mesh of polygons, as the OBJ file that was made of them: its lines are theirs. */
-async function cut<Mesh>(
-  karcher: MeshMaker<Mesh>,
-  text: Uint8Array,
-  vertices: number,
-  options: MeshOptions,
-): Promise<Mesh> {
-  try {
-    return await karcher.meshFromObj(text, options);
-  } catch (error) {
-    const [head, line] =
-      (error instanceof KarcherError && /^line (\d+): /.exec(error.message)) || [];
-    if (!(error instanceof KarcherError) || head === undefined) throw error;
-    const row = Number(line) - 1;
-    const place = row < vertices ? `vertex ${row}` : `face ${row - vertices}`;
-    throw new KarcherError(error.code, `${place}: ${error.message.slice(head.length)}`);
-  }
 }

@@ -1,7 +1,7 @@
 import { Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
 import { isLineEnd, lineEndAt } from './text.js';
-import type { FilePart, Polygons } from './types.js';
+import type { FilePart } from './types.js';
 
 const [tab, space, hash, backslash] = [9, 32, 35, 92];
 const [letterF, letterG, letterO] = [102, 103, 111];
@@ -115,37 +115,4 @@ function isGap(bytes: Uint8Array, at: number): boolean {
   const byte = bytes[at];
   if (byte === undefined || byte === space || byte === tab || isLineEnd(byte)) return true;
   return byte === backslash && lineEndAt(bytes, at + 1) > 0;
-}
-
-/** Polygons as an OBJ file, so that the engine cuts them as it cuts those of any. */
-export async function objOf(polygons: Polygons, work: LongWorkOptions): Promise<Uint8Array> {
-  const { positions, corners, sizes } = polygons;
-  const slices = new Slices(work, 'cutting');
-  const encoder = new TextEncoder();
-  const chunks: Uint8Array[] = [];
-  let text = '';
-  const flush = async (done: number) => {
-    chunks.push(encoder.encode(text));
-    text = '';
-    if (slices.over) await slices.rest(done);
-  };
-  for (let at = 0; at < positions.length; at += 3) {
-    text += `v ${positions[at]} ${positions[at + 1]} ${positions[at + 2]}\n`;
-    if (text.length > 1 << 16) await flush((0.5 * at) / positions.length);
-  }
-  let corner = 0;
-  for (const [face, size] of sizes!.entries()) {
-    text += 'f';
-    for (const end = corner + size; corner < end; corner++) text += ` ${corners[corner]! + 1}`;
-    text += '\n';
-    if (text.length > 1 << 16) await flush(0.5 + (0.5 * face) / sizes!.length);
-  }
-  await flush(1);
-  const bytes = new Uint8Array(chunks.reduce((sum, chunk) => sum + chunk.length, 0));
-  let at = 0;
-  for (const chunk of chunks) {
-    bytes.set(chunk, at);
-    at += chunk.length;
-  }
-  return bytes;
 }

@@ -158,6 +158,7 @@ const karcherMethods = namesOf<Record<MethodsOf<Karcher> | 'meshFromFile', true>
   meshFromFile: true,
   meshFromObj: true,
   meshFromArrays: true,
+  meshFromPolygons: true,
   shape: true,
   allocatedBytes: true,
 });

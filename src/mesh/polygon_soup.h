@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "mesh/triangle_soup.h"
+
+namespace karcher {
+
+/// Polygons as a file or a caller gives them, in flat arrays.
+struct PolygonSoup {
+  Array<Vec3> positions;
+  Array<int> corners;
+  Array<int> cornerCount;  ///< per face, at least 3
+};
+
+/// A face by its number among all, and among those of more than three corners.
+struct PolygonNumber {
+  int face = -1;
+  int polygon = -1;
+};
+
+struct CutPolygons {
+  /// Vertices as given; triangles in the faces' order, those of a polygon one after another.
+  TriangleSoup soup;
+  int polygonsCut = 0;      ///< faces with more than three corners
+  int repeatedCorners = 0;  ///< of those that named a vertex twice in a row; it was taken once
+  int leftOut = 0;          ///< faces that cannot be cut
+  PolygonNumber firstLeftOut;
+};
+
+/// Cuts polygons into triangles; their corners are vertices that are there, with finite positions.
+/// With `mend` a vertex that a polygon names twice in a row counts once, a polygon whose corners
+/// all lie on a line becomes a fan of triangles without area, a quad that crosses itself is cut
+/// along its shorter diagonal, and others that cannot be cut are left out, unless no face would be
+/// left. Throws Error kDegenerateFace for one that cannot be cut, naming it by `placeOf`: "line
+/// 12".
+CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
+                        const std::function<std::string(PolygonNumber)>& placeOf);
+
+}  // namespace karcher
