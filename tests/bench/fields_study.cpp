@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "bench_support.h"
+#include "distance/bounded_distance.h"
+#include "distance/edge_dijkstra.h"
+#include "distance/exact_distance.h"
+#include "distance/fast_distance.h"
+#include "generators/gallery.h"
+#include "mesh/triangle_mesh.h"
+#include "rcm/surface.h"
+
+/// Whole fields: how far distances to all vertices are from exact ones, relative, and what a vertex
+/// takes beside a Dijkstra along edges in the same run. Of virtual sources (fast_distance.h) and
+/// held to paths (bounded_distance.h); the last column counts fields with exact values from
+/// somewhere on.
+///
+///   fields_study tubes [COUNT [SEED]]    ring tubes of random proportions
+///   fields_study [MESH.obj ...]          meshes, or without any the gallery's
+namespace karcher {
+namespace {
+
+constexpr uint64_t kSeed = 17;
+constexpr int kSources = 4;
+constexpr double kWrong = 0.01;
+
+struct Row {
+  double mean = 0;
+  double longest = 0;   ///< the largest error of values that are too long
+  double shortest = 0;  ///< of those that are too short
+  double wrong = 0;     ///< part of the vertices that are off by more than kWrong
+  double time = 0;      ///< processor's, in Dijkstra's
+};
+
+struct Tally {
+  Row row;
+  int count = 0;
+
+  void add(double value, double truth) {
+    const double error = value / truth - 1;
+    row.mean += std::abs(error);
+    row.longest = std::max(row.longest, error);
+    row.shortest = std::max(row.shortest, -error);
+    row.wrong += std::abs(error) > kWrong ? 1 : 0;
+    ++count;
+  }
+  Row result(double time) const {
+    Row averaged = row;
+    averaged.mean /= std::max(count, 1);
+    averaged.wrong /= std::max(count, 1);
+    averaged.time = time;
+    return averaged;
+  }
+};
+
+void print(const Row& row) {
+  std::printf(" %.3f %% | +%.2f -%.2f %% | %.2f %% | %.1f |", 100 * row.mean, 100 * row.longest,
+              100 * row.shortest, 100 * row.wrong, row.time);
+}
+
+/// Prints a row; returns the worst error of what is held to paths.
+double study(const std::string& name, TriangleMesh given) {
+  Surface surface(std::move(given));
+  const TriangleMesh& mesh = surface.mesh();
+  const int count = mesh.vertexCount();
+  Random random(kSeed);
+  Tally raw;
+  Tally asked;
+  double edges = 0;
+  double exactTime = 0;
+  double rawTime = 0;
+  double askedTime = 0;
+  int exactFields = 0;
+  FastDistance fast(surface.geometry(), surface.vertexFans());
+  ExactDistance exact(surface.geometry());
+  BoundedDistance bounded(surface.geometry(), surface.vertexFans());
+  const auto once = [&](DistanceSolver& grown, const SurfacePoint& source) {
+    return processorTimed([&] {
+      grown.setSource(source);
+      grown.grow(kInfinity);
+    });
+  };
+  for (int i = 0; i < kSources; ++i) {
+    const int vertex = random.index(count);
+    const SurfacePoint source = i % 2 == 0 ? vertexPoint(mesh, vertex) : randomPoint(mesh, random);
+    edges += processorTimed([&] { edgeDijkstra(surface.geometry(), vertex); });
+    exactTime += once(exact, source);
+    rawTime += once(fast, source);
+    askedTime += once(bounded, source);
+    exactFields += bounded.trusted() < kInfinity ? 1 : 0;
+    for (int v = 0; v < count; ++v) {
+      const double truth = exact.distance(v);
+      if (truth == kInfinity || truth < 1e-12 * surface.geometry().diagonal) continue;
+      raw.add(fast.distance(v), truth);
+      asked.add(bounded.distance(v), truth);
+    }
+  }
+  const Row row = asked.result(askedTime / edges);
+  std::printf("| %s | %d | %.0f | %.1f |", name.c_str(), mesh.faceCount(),
+              1e6 * edges / (kSources * count), exactTime / edges);
+  print(raw.result(rawTime / edges));
+  print(row);
+  std::printf(" %d |\n", exactFields);
+  std::fflush(stdout);
+  return std::max(row.longest, row.shortest);
+}
+
+double studyTubes(int count, uint64_t seed) {
+  Random random(seed);
+  double worst = 0;
+  for (int i = 0; i < count; ++i) {
+    const double radius = std::exp(random.uniform(std::log(0.004), std::log(0.6)));
+    const int around = 4 + random.index(28);
+    const int along = 20 + random.index(140);
+    const TriangleSoup soup = ringTube(radius, around, along);
+    char name[64];
+    std::snprintf(name, sizeof name, "%.4f, %d x %d", radius, along, around);
+    worst = std::max(worst, study(name, buildMesh(soup.positions, soup.triangles)));
+  }
+  return worst;
+}
+
+}  // namespace
+}  // namespace karcher
+
+int main(int argc, char** argv) {
+  using namespace karcher;
+  try {
+    const Array<std::string> names(argv + 1, argv + argc);
+    std::printf("%d sources a mesh, seed %d. Wrong: off by more than %.0f %%.\n", kSources,
+                static_cast<int>(kSeed), 100 * kWrong);
+    std::printf(
+        "| mesh | triangles | edge Dijkstra, ns a vertex | exact, in these | virtual sources: mean "
+        "| too long, too short | wrong | time | held to paths: mean | too long, too short | wrong "
+        "| time | gone on exactly |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+    double worst = 0;
+    if (!names.empty() && names[0] == "tubes") {
+      worst = studyTubes(names.count() > 1 ? std::stoi(names[1]) : 200,
+                         names.count() > 2 ? std::stoull(names[2]) : kSeed);
+    } else {
+      forEachMesh(names, [&](const std::string& name, const TriangleMesh& mesh, bool) {
+        worst = std::max(worst, study(name, mesh));
+      });
+    }
+    std::printf("\nThe worst held to paths: %.2f %%.\n", 100 * worst);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
