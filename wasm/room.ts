@@ -10,8 +10,8 @@ const largeBytes = 2 ** 26;
  * of which the half-edges, lengths and angles alone take so many.
  */
 const triangleBytes = 330;
-/** The same of a vertex that no face uses: its place, twice while the mesh is made. */
-const vertexBytes = 48;
+/** The same of a vertex that no face uses: its place, three times while the mesh is made. */
+const vertexBytes = 72;
 
 /** The least bytes that a solver keeps of a vertex once it went over the whole surface, and its answer. */
 const distanceBytes = 56;

@@ -250,6 +250,12 @@ test('glTF: a mesh that many nodes place is read once, and what does not fit is 
   const positions = Array.from({ length: 120_000 }, (_, i) => i % 17);
   const vertices = files.glbFile({ positions, faces: [[0, 1, 3]] }, { nodes, scenes });
   await assert.rejects(open(vertices), { code: 'outOfMemory', message: /of 100,040,000 vertices/ });
+  // As many as the engine's memory holds twice, but not what is made of them beside.
+  const fewer = { nodes: nodes.slice(0, 2000), scenes: [{ nodes: [...Array(2000).keys()] }] };
+  await assert.rejects(open(files.glbFile({ positions, faces: [[0, 1, 3]] }, fewer)), {
+    code: 'outOfMemory',
+    message: /of 80,000,000 vertices, which take at least 5\.3\d GB/,
+  });
   // A thousand nodes of a mesh of a thousand primitives, in some kilobytes.
   const { json, buffer } = files.gltfParts(cutBox);
   const primitives = Array.from({ length: 1000 }, () => json.meshes[0].primitives[0]);
