@@ -27,7 +27,7 @@ struct CurveOptions {
   /// How often the control polygon is subdivided before pieces of it are averaged (levels.h): 0 to
   /// 8, kAutomaticLevels or kLimitLevels. 0 is the curve of Mancinelli and Puppo, one center of
   /// mass of all the points of a segment.
-  int levels = 0;
+  int levels = kAutomaticLevels;
   /// The fewest levels that kAutomaticLevels takes, 0 to 8. With it a drag does not lose levels
   /// that it once had.
   int leastLevels = 0;

@@ -5,6 +5,7 @@
 #include "bench_support.h"
 #include "curves/curve.h"
 #include "generators/control_polygons.h"
+#include "generators/curve_shapes.h"
 #include "rcm/exact_minimum.h"
 
 /// Where curves of level 0 break, by both solvers: whether the energy by exact distances breaks
@@ -38,7 +39,7 @@ struct Tally {
 };
 
 Curve trace(Surface& surface, const Array<SurfacePoint>& points, Solver solver) {
-  CurveOptions options{{CurveKind::kBezier}, kSamples, {Method::kKarcher, solver, 6}};
+  CurveOptions options = ofLevelZero({CurveKind::kBezier}, kSamples, {Method::kKarcher, solver, 6});
   return Curve(surface, options, points);
 }
 

@@ -3,6 +3,7 @@
 
 #include "bench_support.h"
 #include "curves/curve.h"
+#include "generators/curve_shapes.h"
 
 /// The crossings of edges of uniform cubic B-splines (128 samples a segment, the fast solver): how
 /// many, how often a geodesic had to fill in, what a crossing costs, and how far beside the edge's
@@ -27,7 +28,7 @@ void study(const std::string& meshPath, const std::string& pointsPath) {
   BenchMesh input = loadBenchMesh(meshPath, pointsPath);
   Surface surface(std::move(input.mesh));
   const TriangleMesh& mesh = surface.mesh();
-  Curve curve(surface, {{CurveKind::kBSpline}, kSamples, kField}, input.points);
+  Curve curve(surface, ofLevelZero({CurveKind::kBSpline}, kSamples, kField), input.points);
   Array<double> gaps;
   int filled = 0;
   double ms = 0;

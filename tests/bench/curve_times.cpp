@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include "generators/curve_shapes.h"
+
 namespace karcher {
 namespace {
 
@@ -17,7 +19,7 @@ SurfacePoint neighbour(const SurfacePoint& p) {
 CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int samples,
                      const FieldOptions& field) {
   CurveTimes result;
-  Curve curve(surface, {{CurveKind::kBSpline}, samples, field}, points);
+  Curve curve(surface, ofLevelZero({CurveKind::kBSpline}, samples, field), points);
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
       ++result.samples;
@@ -60,7 +62,7 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
 }
 
 SteadyTimes timeSteadyDrag(Surface& surface, const Array<SurfacePoint>& points, int samples) {
-  CurveOptions options{{CurveKind::kBSpline}, samples, {}};
+  CurveOptions options = ofLevelZero({CurveKind::kBSpline}, samples, {});
   options.levels = kAutomaticLevels;
   options.levels = Curve(surface, options, points).levels();
   Curve curve(surface, options, points);

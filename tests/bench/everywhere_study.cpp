@@ -7,6 +7,7 @@
 
 #include "bench_support.h"
 #include "distance/sight.h"
+#include "generators/curve_shapes.h"
 #include "measures/allocations.h"
 #include "steadiness.h"
 
@@ -42,7 +43,7 @@ struct Options {
 };
 
 CurveOptions defaultBezier() {
-  CurveOptions options{{CurveKind::kBezier}, kSteadySamples, {}};
+  CurveOptions options = ofLevelZero({CurveKind::kBezier}, kSteadySamples, {});
   options.levels = kAutomaticLevels;
   return options;
 }

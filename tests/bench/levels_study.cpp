@@ -6,6 +6,7 @@
 #include "bench_support.h"
 #include "curves/curve.h"
 #include "generators/control_polygons.h"
+#include "generators/curve_shapes.h"
 #include "generators/plane.h"
 #include "generators/smooth_surface.h"
 #include "generators/sphere.h"
@@ -124,7 +125,7 @@ void printRow(const Shape& shape, Surface& surface, const TurningMeasure& measur
   int needlessly = 0;
   for (int i = 0; i < polygons; ++i) {
     const Array<SurfacePoint> points = randomControlPolygon(geometry, random, {.spacing = spacing});
-    CurveOptions options{{CurveKind::kBezier}, kSamples, {}};
+    CurveOptions options = ofLevelZero({CurveKind::kBezier}, kSamples, {});
     const auto traced = [&](int asked, Array<double>* times) {
       options.levels = asked;
       const double start = processorMilliseconds();

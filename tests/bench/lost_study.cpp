@@ -3,6 +3,7 @@
 
 #include "bench_support.h"
 #include "curves/curve.h"
+#include "generators/curve_shapes.h"
 
 /// Samples whose search did not converge, on uniform cubic B-splines of 256 samples a segment, of
 /// level 0 and of automatic levels: with the control points where the file has them, and snapped to
@@ -23,7 +24,8 @@ SurfacePoint snapped(const SurfacePoint& p) {
 }
 
 int lost(Surface& surface, const Array<SurfacePoint>& points, Solver solver, int levels) {
-  CurveOptions options{{CurveKind::kBSpline}, kSamples, {Method::kKarcher, solver, 6}};
+  CurveOptions options =
+      ofLevelZero({CurveKind::kBSpline}, kSamples, {Method::kKarcher, solver, 6});
   options.levels = levels;
   Curve curve(surface, options, points);
   int count = 0;

@@ -52,7 +52,8 @@ Array<Vec3> polygonOn(const SmoothSurface& smooth, const Vec3& start, double leg
 /// The samples of the curve on the mesh, moved onto the smooth surface.
 Array<Vec3> samplesOf(Surface& surface, const SmoothSurface& smooth,
                       const Array<SurfacePoint>& points, int levels) {
-  CurveOptions options{{CurveKind::kBezier}, kSamples, {Method::kKarcher, Solver::kExact, 6}};
+  CurveOptions options =
+      ofLevelZero({CurveKind::kBezier}, kSamples, {Method::kKarcher, Solver::kExact, 6});
   options.levels = levels;
   const Curve curve(surface, options, points);
   Array<Vec3> places;
@@ -110,7 +111,7 @@ void studyPlanes(int triangles) {
       double largest = 0;
       for (const CurveShape& shape : everyShape(points.count())) {
         if (!takesLevels(shape.kind)) continue;
-        CurveOptions options{shape, kSamples, {}};
+        CurveOptions options = ofLevelZero(shape, kSamples, {});
         options.levels = levels;
         const double part = planeDeviation(surface, options, points) / surface.geometry().diagonal;
         largest = std::max(largest, part);

@@ -6,6 +6,7 @@
 #include "bench_support.h"
 #include "curves/polygon/subdivision.h"
 #include "distance/geodesic_line.h"
+#include "generators/curve_shapes.h"
 #include "measures/allocations.h"
 #include "measures/corner.h"
 
@@ -13,7 +14,7 @@ namespace karcher {
 namespace {
 
 CurveOptions cubicBezier(int levels) {
-  CurveOptions options{{CurveKind::kBezier}, kSteadySamples, {}};
+  CurveOptions options = ofLevelZero({CurveKind::kBezier}, kSteadySamples, {});
   options.levels = levels;
   return options;
 }

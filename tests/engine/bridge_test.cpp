@@ -10,6 +10,7 @@
 #include "curves/curve.h"
 #include "curves/query/evaluate.h"
 #include "curves/spec/bases.h"
+#include "generators/curve_shapes.h"
 #include "generators/random_points.h"
 #include "intrinsic/straightest.h"
 #include "intrinsic/strip_path.h"
@@ -97,7 +98,7 @@ TEST(Bridge, CloseTogetherThereIsNone) {
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(),
                  {{1.4, 0, 0}, {1.35, 0.2, 0.1}, {1.3, 0.35, 0.1}, {1.2, 0.5, 0}, {1, 0.7, 0}});
-  Curve curve(surface, {{CurveKind::kBSpline}, 40, kFast}, points);
+  Curve curve(surface, ofLevelZero({CurveKind::kBSpline}, 40, kFast), points);
   for (int j = 0; j < curve.segmentCount(); ++j) EXPECT_TRUE(curve.bridges(j).empty());
   expectWhole(curve, surface);
 }
@@ -112,7 +113,7 @@ TEST(Bridge, AroundTheSphereTheCurveHoldsTogether) {
   }
   int bridges = 0;
   for (const CurveKind kind : {CurveKind::kBSpline, CurveKind::kBezier}) {
-    Curve curve(surface, {{kind}, 64, kFast}, pointsNear(surface.mesh(), corners));
+    Curve curve(surface, ofLevelZero({kind}, 64, kFast), pointsNear(surface.mesh(), corners));
     for (int j = 0; j < curve.segmentCount(); ++j) bridges += curve.bridges(j).count();
     expectWhole(curve, surface);
   }
@@ -133,7 +134,7 @@ TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
     for (int k = 0; k < 5; ++k) points.push_back(randomPoint(mesh, random));
     for (int k = 0; k < 5; ++k) shape.betas.push_back(k % 2 == 0 ? 1 : 16);
     for (const double tolerance : {0.0, 1e-3}) {
-      Curve curve(surface, {shape, 64, kFast, tolerance}, points);
+      Curve curve(surface, ofLevelZero(shape, 64, kFast, tolerance), points);
       expectWhole(curve, surface);
       const int nodes = shape.closed ? 5 : 4;
       for (int k = 0; k < 5; ++k) {
@@ -172,7 +173,7 @@ TEST(Bridge, EvaluationHasNoGapWithoutAMark) {
     for (int i = 0; i < points.count(); ++i) {
       shape.weights.push_back(std::exp(random.uniform(-1.6, 3.2)));
     }
-    Curve curve(surface, {shape, 3, kFast}, points);
+    Curve curve(surface, ofLevelZero(shape, 3, kFast), points);
     const auto at = [&](double t) { return pointAt(curve, SegmentParameter{0, t}); };
     const auto converged = [](const CurvePoint& p) { return p.status == SampleStatus::kConverged; };
     const auto gap = [&](const CurvePoint& a, const CurvePoint& b) {
@@ -207,7 +208,7 @@ TEST(Bridge, RoundACornerOfTheBoundaryItIsMarked) {
   Surface surface(gridWithCorner());
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{2.1, 11.3, 0}, {3.6, 8.2, 0}, {8.2, 3.7, 0}, {11.2, 2.2, 0}});
-  Curve curve(surface, {{CurveKind::kBezier}, 64, kFast}, points);
+  Curve curve(surface, ofLevelZero({CurveKind::kBezier}, 64, kFast), points);
   ASSERT_FALSE(curve.bridges(0).empty());
   EXPECT_EQ(curve.bridges(0)[0].reason, SampleStatus::kBoundary);
   expectWhole(curve, surface);

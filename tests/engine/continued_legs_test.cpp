@@ -4,6 +4,7 @@
 
 #include "curve_support.h"
 #include "curves/curve.h"
+#include "generators/curve_shapes.h"
 #include "generators/flat.h"
 #include "support.h"
 
@@ -18,7 +19,7 @@ class ContinuedLegs : public testing::Test {
   }
 
   Curve curveOf(const Array<SurfacePoint>& points) {
-    CurveOptions options{{CurveKind::kBezier}, 9, kFast};
+    CurveOptions options = ofLevelZero({CurveKind::kBezier}, 9, kFast);
     options.levels = 2;
     return Curve(surface_, options, points);
   }

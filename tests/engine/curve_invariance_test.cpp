@@ -8,6 +8,7 @@
 #include "curve_support.h"
 #include "curves/curve.h"
 #include "generators/control_polygons.h"
+#include "generators/curve_shapes.h"
 #include "generators/random_points.h"
 #include "generators/renumbered.h"
 #include "intrinsic/straightest.h"
@@ -24,7 +25,7 @@ constexpr int kLevels[] = {0, kAutomaticLevels, 3};
 
 /// 17 samples a segment.
 CurveOptions optionsOf(const CurveShape& shape, Solver solver, int levels) {
-  CurveOptions options{shape, 17, {Method::kKarcher, solver, 6}};
+  CurveOptions options = ofLevelZero(shape, 17, {Method::kKarcher, solver, 6});
   options.levels = levels;
   return options;
 }

@@ -7,6 +7,7 @@
 #include "curve_support.h"
 #include "curves/curve.h"
 #include "generators/control_polygons.h"
+#include "generators/curve_shapes.h"
 #include "generators/sphere.h"
 #include "generators/torus.h"
 #include "intrinsic/straightest.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr double kSpacings[] = {0.05, 0.1, 0.2, 0.3};
 
 CurveOptions automatic(const CurveShape& shape) {
-  CurveOptions options{shape, 17, kFast};
+  CurveOptions options = ofLevelZero(shape, 17, kFast);
   options.levels = kAutomaticLevels;
   return options;
 }

@@ -5,6 +5,7 @@
 
 #include "curve_support.h"
 #include "curves/curve.h"
+#include "generators/curve_shapes.h"
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "mesh/mesh_import.h"
@@ -54,7 +55,7 @@ TEST(CurveKinds, OnThePlaneAreTheAffineAverages) {
   for (const Vec3& place : places) points.push_back(nearestPoint(surface.mesh(), place));
   for (const CurveShape& shape : everyShape(6)) {
     SCOPED_TRACE(describe(shape));
-    Curve curve(surface, {shape, 17, kExact}, points);
+    Curve curve(surface, ofLevelZero(shape, 17, kExact), points);
     for (int j = 0; j < curve.segmentCount(); ++j) {
       for (const CurveSample& sample : curve.samples(j)) {
         const Array<double> weights = curve.weights(j, sample.t);
@@ -78,7 +79,7 @@ TEST(CurveKinds, SegmentsMeetOnAnyMesh) {
   for (const FieldOptions& field : {kFast, kExact}) {
     for (const CurveShape& shape : everyShape(7)) {
       SCOPED_TRACE(describe(shape));
-      Curve curve(surface, {shape, 24, field}, points);
+      Curve curve(surface, ofLevelZero(shape, 24, field), points);
       const int count = curve.segmentCount();
       for (int j = shape.closed ? 0 : 1; j < count; ++j) {
         const CurveSample& before = curve.samples((j + count - 1) % count).back();
@@ -99,6 +100,7 @@ TEST(CurveKinds, CurvesAndCentersOfMassShareFields) {
   const Array<SurfacePoint> points = ring(surface.mesh(), 6, 1);
   const auto sets = std::make_shared<FieldSets>(surface);
   CurveValue value;
+  value.options.levels = 0;
   value.options.field = kFast;
   value.points = points;
   Curve first(sets, value);
@@ -136,7 +138,7 @@ TEST(CurveKinds, WeightsAndBetasComputeNoField) {
   for (const CurveKind kind :
        {CurveKind::kBSpline, CurveKind::kRational, CurveKind::kBarycentric}) {
     SCOPED_TRACE(curveKindName(kind));
-    Curve curve(surface, {{kind}, 16, kFast}, ring(surface.mesh(), 6, 1));
+    Curve curve(surface, ofLevelZero({kind}, 16, kFast), ring(surface.mesh(), 6, 1));
     EXPECT_EQ(curve.fieldsMade(), 6);
     for (const double value : {0.25, 4.0}) {
       if (takesBetas(kind)) curve.setBeta(2, value);
@@ -162,7 +164,7 @@ TEST(CurveKinds, AfterAnyEditsAreTheCurveTracedAnew) {
       const double x = random.uniform(-4, -2);
       return nearestPoint(mesh, Vec3(x, random.uniform(6.5, 8.5), 4));
     };
-    CurveOptions options{{CurveKind::kBSpline}, 12, seed % 2 == 0 ? kFast : kExact};
+    CurveOptions options = ofLevelZero({CurveKind::kBSpline}, 12, seed % 2 == 0 ? kFast : kExact);
     if (seed == 4) options.tolerance = 1e-3;
     Curve curve(surface, options, ring(mesh, 6, 1));
     for (int edit = 0; edit < 60; ++edit) {
@@ -213,7 +215,7 @@ TEST(CurveKinds, AnOwnBasisIsUsedAsItIs) {
   const Array<Vec3> places{{3, 4, 0}, {6, 8, 0}, {9, 5, 0}};
   Array<SurfacePoint> points;
   for (const Vec3& place : places) points.push_back(nearestPoint(surface.mesh(), place));
-  Curve curve(surface, {shape, 5, kExact}, points);
+  Curve curve(surface, ofLevelZero(shape, 5, kExact), points);
   ASSERT_EQ(curve.segmentCount(), 1);
   EXPECT_LT((position(surface.mesh(), curve.samples(0)[2].point) - places[1]).norm(), 1e-9);
   // The basis has no fourth weight: refused, and the curve stays.
@@ -229,10 +231,10 @@ TEST(CurveKinds, AdaptiveSamplesKeepTheirTolerance) {
   for (const CurveShape& shape : everyShape(7)) {
     SCOPED_TRACE(describe(shape));
     if (shape.kind == CurveKind::kPolyline) continue;
-    Curve dense(surface, {shape, 600, kFast}, points);
+    Curve dense(surface, ofLevelZero(shape, 600, kFast), points);
     int last = 0;
     for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
-      Curve curve(surface, {shape, 2, kFast, tolerance}, points);
+      Curve curve(surface, ofLevelZero(shape, 2, kFast, tolerance), points);
       int count = 0;
       double worst = 0;
       for (int j = 0; j < curve.segmentCount(); ++j) {

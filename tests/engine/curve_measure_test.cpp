@@ -4,6 +4,7 @@
 
 #include "curve_support.h"
 #include "curves/query/measure.h"
+#include "generators/curve_shapes.h"
 #include "generators/plane.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -41,7 +42,7 @@ TEST(CurveMeasure, PointsAndTangentsOnThePlaneAreThoseOfThePlane) {
   const TriangleMesh& mesh = surface.mesh();
   for (const CurveShape& shape : plainShapes()) {
     SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
-    Curve curve(surface, {shape, 9, kExact}, pointsNear(mesh, kPlaces));
+    Curve curve(surface, ofLevelZero(shape, 9, kExact), pointsNear(mesh, kPlaces));
     for (const double part : {0.0, 0.123, 0.5, 0.77, 0.999, 1.0}) {
       const double parameter = part * curve.segmentCount();
       const SegmentParameter at = segmentParameter(curve, parameter);
@@ -67,13 +68,13 @@ TEST(CurveMeasure, TakesTheParametersThatTheCurveHas) {
   Surface surface(planeGrid(12, 12));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{3, 3, 0}, {5, 8, 0}, {8, 7, 0}, {9, 4, 0}, {6, 3, 0}});
-  Curve open(surface, {{CurveKind::kBSpline}, 9, kFast}, points);
+  Curve open(surface, ofLevelZero({CurveKind::kBSpline}, 9, kFast), points);
   EXPECT_EQ(segmentParameter(open, 2).segment, 1);
   EXPECT_EQ(segmentParameter(open, 2).t, 1);
   for (const double outside : {-0.01, 2.01, kInfinity, std::nan("")}) {
     EXPECT_EQ(codeOf([&] { pointAt(open, outside); }), ErrorCode::kBadArgument);
   }
-  Curve closed(surface, {{CurveKind::kBSpline, true}, 9, kFast}, points);
+  Curve closed(surface, ofLevelZero({CurveKind::kBSpline, true}, 9, kFast), points);
   const Vec3 start = position(surface.mesh(), pointAt(closed, 0.25).point);
   for (const double round : {5.25, -4.75, 50.25}) {
     EXPECT_LT((position(surface.mesh(), pointAt(closed, round).point) - start).norm(), 1e-12);
@@ -89,7 +90,7 @@ TEST(CurveMeasure, DividesCurvesEvenly) {
   }
   for (const CurveShape& shape : plainShapes()) {
     SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
-    Curve curve(surface, {shape, 2, kFast, 1e-4}, pointsNear(surface.mesh(), places));
+    Curve curve(surface, ofLevelZero(shape, 2, kFast, 1e-4), pointsNear(surface.mesh(), places));
     const CurveLine line = lineOf(curve);
     double length = 0;
     for (int j = 0; j < curve.segmentCount(); ++j) length += curve.path(j).line.length();
@@ -124,7 +125,7 @@ TEST(CurveMeasure, FindsTheNearestPoint) {
   const TriangleMesh& mesh = surface.mesh();
   for (const CurveShape& shape : plainShapes()) {
     SCOPED_TRACE(std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : ""));
-    Curve curve(surface, {shape, 40, kExact}, pointsNear(mesh, kPlaces));
+    Curve curve(surface, ofLevelZero(shape, 40, kExact), pointsNear(mesh, kPlaces));
     const CurveLine line = lineOf(curve);
     for (const double part : {0.0, 0.21, 0.5, 0.83, 1.0}) {
       const CurvePoint point = pointAt(curve, part * curve.segmentCount());
@@ -194,7 +195,7 @@ TEST(CurveMeasure, TangentsAreContinuousUpToTheMesh) {
         points.push_back(
             nearestPoint(surface.mesh(), Vec3(around.x(), around.y(), 0.8).normalized()));
       }
-      Curve curve(surface, {{kind, true}, 64, kExact}, points);
+      Curve curve(surface, ofLevelZero({kind, true}, 64, kExact), points);
       const Jumps jumps = jumpsOf(curve);
       std::printf(
           "%-10s %7d triangles: tangent's jump at knots %.1e by derivatives, %.1e by steps "

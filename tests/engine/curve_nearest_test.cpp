@@ -4,6 +4,7 @@
 
 #include "curve_support.h"
 #include "curves/query/measure.h"
+#include "generators/curve_shapes.h"
 #include "generators/random_points.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
@@ -32,7 +33,7 @@ void forRandomCurves(uint64_t seed, const Action& action) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", " + describe(shape) + ", " +
                      std::to_string(surface->mesh().faceCount()) + " faces, samples " +
                      std::to_string(samples));
-        CurveOptions options{shape, samples, kFast};
+        CurveOptions options = ofLevelZero(shape, samples, kFast);
         if (samples == 0) options.samples = 2, options.tolerance = 1e-3;
         Curve curve(*surface, options, points);
         action(curve, random);
@@ -92,7 +93,7 @@ TEST(CurveNearest, LooksAcrossTheStartOfAClosedCurve) {
   const Array<SurfacePoint> points =
       pointsNear(mesh, {{4, 4, 0}, {6, 9, 0}, {9, 10, 0}, {10, 6, 0}, {7, 4, 0}, {5, 2, 0}});
   for (const CurveKind kind : {CurveKind::kBSpline, CurveKind::kCatmullRom}) {
-    Curve curve(surface, {{kind, true}, 9, kFast}, points);
+    Curve curve(surface, ofLevelZero({kind, true}, 9, kFast), points);
     const CurveLine line = lineOf(curve);
     for (const double t : {-1e-3, -1e-9, 1e-9, 1e-3}) {
       const Vec3 place = position(mesh, pointAt(curve, t).point);
@@ -107,7 +108,7 @@ TEST(CurveMeasure, LengthsOfAClosedCurveEndWithTheWhole) {
       pointsNear(surface.mesh(), {{4, 4, 0}, {6, 9, 0}, {9, 10, 0}, {10, 6, 0}});
   for (const CurveShape& shape : everyShape(4)) {
     if (shape.kind == CurveKind::kBSpline && shape.degree > 3 && !shape.closed) continue;
-    Curve curve(surface, {shape, 9, kFast}, points);
+    Curve curve(surface, ofLevelZero(shape, 9, kFast), points);
     const CurveLine line = lineOf(curve);
     EXPECT_EQ(lengthAt(curve, line, 0), 0);
     EXPECT_EQ(lengthAt(curve, line, curve.segmentCount()), line.path.lengths.back());
@@ -121,7 +122,7 @@ TEST(CurveMeasure, ErrorsGiveTheWholeNumber) {
   Surface surface(planeGrid(14, 14));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{4, 4, 0}, {6, 9, 0}, {9, 10, 0}, {10, 6, 0}});
-  Curve curve(surface, {{CurveKind::kCatmullRom}, 9, kFast}, points);
+  Curve curve(surface, ofLevelZero({CurveKind::kCatmullRom}, 9, kFast), points);
   try {
     pointAt(curve, 3.000000000001);
     FAIL() << "a parameter beyond the end was taken";

@@ -6,6 +6,7 @@
 #include "curves/query/evaluate.h"
 #include "curves/refine/refine.h"
 #include "curves/spec/knots.h"
+#include "generators/curve_shapes.h"
 #include "generators/plane.h"
 #include "mesh/mesh_import.h"
 #include "support.h"
@@ -29,7 +30,7 @@ class CurveRefine : public testing::Test {
   }
 
   Curve curveOf(const CurveShape& shape, const Array<SurfacePoint>& where) {
-    Curve curve(surface, {shape, 5, kExact}, where);
+    Curve curve(surface, ofLevelZero(shape, 5, kExact), where);
     return curve;
   }
 
@@ -143,7 +144,7 @@ TEST_F(CurveRefine, CurvesThroughPointsTakePointsUntilTheirBetasEnd) {
   }
   std::string refusal;
   while (refusal.empty() && parts.points.count() < 200) {
-    Curve curve(small, {parts.shape, 2, kFast}, parts.points);
+    Curve curve(small, ofLevelZero(parts.shape, 2, kFast), parts.points);
     try {
       parts = withPointOnCurve(curve, 0.4).curve;
       checkShape(parts.shape, parts.points.count());
@@ -338,7 +339,7 @@ TEST_F(CurveRefine, OnACurvedSurfaceTheNewPointsStayNear) {
     const Vec2 around = unitVector(2 * kPi * i / 6);
     where.push_back(nearestPoint(bunny.mesh(), Vec3(-3 + around.x(), 7.5 + around.y(), 4)));
   }
-  Curve curve(bunny, {{CurveKind::kBSpline, true}, 9, kExact}, where);
+  Curve curve(bunny, ofLevelZero({CurveKind::kBSpline, true}, 9, kExact), where);
   const RefinedCurve refined = withPointOnCurve(curve, 2.4);
   Curve more(bunny, {refined.curve.shape, 9, kExact}, refined.curve.points);
   double worst = 0;

@@ -5,6 +5,7 @@
 
 #include "curve_support.h"
 #include "curves/query/evaluate.h"
+#include "generators/curve_shapes.h"
 #include "generators/random_points.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -66,7 +67,7 @@ Array<SurfacePoint> pointsWithin(const Surface& surface, double reach, int count
 
 Curve adaptiveCurve(Surface& surface, const CurveShape& shape, const Array<SurfacePoint>& points,
                     double tolerance) {
-  CurveOptions options{shape, 2, kFast};
+  CurveOptions options = ofLevelZero(shape, 2, kFast);
   options.tolerance = tolerance;
   Curve curve(surface, options, points);
   return curve;

@@ -8,6 +8,7 @@
 #include "curves/curve.h"
 #include "distance/paged_array.h"
 #include "generators/control_polygons.h"
+#include "generators/curve_shapes.h"
 #include "measures/allocations.h"
 #include "mesh/shapes.h"
 #include "support.h"
@@ -68,7 +69,7 @@ void expectFew(Array<int64_t> counts, int64_t half, int64_t nine, const std::str
 }
 
 CurveOptions optionsOf(const CurveShape& shape, int levels) {
-  CurveOptions options{shape, 128, kFast};
+  CurveOptions options = ofLevelZero(shape, 128, kFast);
   options.levels = levels;
   return options;
 }
@@ -172,7 +173,7 @@ TEST(DragMemory, IsNoPartOfTheCurve) {
   Surface surface(planeGrid(8, 8));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{1, 1, 0}, {3, 6, 0}, {5, 2, 0}, {7, 7, 0}});
-  CurveOptions options{{CurveKind::kBezier}, 17, kFast};
+  CurveOptions options = ofLevelZero({CurveKind::kBezier}, 17, kFast);
   options.levels = 2;
   Curve curve(surface, options, points);
   const SurfacePoint elsewhere = nearestPoint(surface.mesh(), {4, 5, 0});
@@ -199,7 +200,7 @@ TEST(DragMemory, OfAPlacedPointAreTheLegsOfOthers) {
   Surface surface(planeGrid(8, 8));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{1, 1, 0}, {3, 6, 0}, {5, 2, 0}, {7, 7, 0}});
-  CurveOptions options{{CurveKind::kBezier}, 17, kFast};
+  CurveOptions options = ofLevelZero({CurveKind::kBezier}, 17, kFast);
   options.levels = 1;
   options.shape.closed = true;
   Curve curve(surface, options, points);

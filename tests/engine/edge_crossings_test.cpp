@@ -6,6 +6,7 @@
 
 #include "curve_support.h"
 #include "curves/curve.h"
+#include "generators/curve_shapes.h"
 #include "generators/plane.h"
 #include "mesh/mesh_import.h"
 #include "support.h"
@@ -14,7 +15,7 @@ namespace karcher {
 namespace {
 
 CurveOptions exactOptions(int samples) {
-  CurveOptions options{{CurveKind::kBSpline}, samples, kFast};
+  CurveOptions options = ofLevelZero({CurveKind::kBSpline}, samples, kFast);
   options.geometry = CurveGeometry::kExact;
   return options;
 }

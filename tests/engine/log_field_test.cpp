@@ -6,6 +6,7 @@
 #include "curves/spec/bases.h"
 #include "distance/exact_distance.h"
 #include "distance/fast_distance.h"
+#include "generators/curve_shapes.h"
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
@@ -31,7 +32,7 @@ TEST_P(LogFields, GiveTheBSplineOfThePlaneOnAnyTessellation) {
          {Vec2(0.3, 0.35), Vec2(0.42, 0.62), Vec2(0.52, 0.4), Vec2(0.7, 0.66), Vec2(0.74, 0.45)}) {
       points.push_back(nearestPoint(surface.mesh(), Vec3(p.x() + shear * p.y(), p.y(), 0)));
     }
-    Curve curve(surface, {{CurveKind::kBSpline}, 40, options()}, points);
+    Curve curve(surface, ofLevelZero({CurveKind::kBSpline}, 40, options()), points);
     for (int j = 0; j < curve.segmentCount(); ++j) {
       for (const CurveSample& sample : curve.samples(j)) {
         const Array<double> weights = uniformCubicBasis(sample.t);
@@ -53,7 +54,7 @@ TEST_P(LogFields, LeaveAnEditedCurveAsTracedAnew) {
   for (int i = 0; i < 7; ++i) {
     points.push_back(nearestPoint(mesh, Vec3(-3 + 0.9 * i, 7.5 + (i % 2), 4)));
   }
-  const CurveOptions curveOptions{{CurveKind::kBSpline}, 32, options()};
+  const CurveOptions curveOptions = ofLevelZero({CurveKind::kBSpline}, 32, options());
   Curve edited(surface, curveOptions, points);
   for (int edit = 0; edit < 10; ++edit) {
     const int i = (3 * edit) % points.count();
@@ -91,7 +92,7 @@ TEST_P(LogFields, LoseNoSampleOnTheBunny) {
       }
       place = position(mesh, points.back()) + step;
     }
-    Curve curve(surface, {{CurveKind::kBSpline}, 256, options()}, points);
+    Curve curve(surface, ofLevelZero({CurveKind::kBSpline}, 256, options()), points);
     for (int j = 0; j < curve.segmentCount(); ++j) {
       for (const CurveSample& sample : curve.samples(j)) {
         EXPECT_EQ(sample.status, SampleStatus::kConverged) << curveNumber << " at " << j + sample.t;

@@ -21,7 +21,7 @@ TEST(Levels, OfEveryTessellationOfThePlaneGiveTheEuclideanCurve) {
       if (!takesLevels(shape.kind)) continue;
       SCOPED_TRACE(describe(shape));
       for (const int levels : {1, 4}) {
-        CurveOptions options{shape, 9, {}};
+        CurveOptions options = ofLevelZero(shape, 9, {});
         options.levels = levels;
         EXPECT_LE(planeDeviation(surface, options, points), 1e-12 * surface.geometry().diagonal)
             << levels;

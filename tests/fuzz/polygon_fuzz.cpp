@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "generators/curve_shapes.h"
 #include "generators/random.h"
 #include "intrinsic/straightest.h"
 #include "intrinsic/strip_path.h"
@@ -102,7 +103,7 @@ class Fuzz {
   void check(const CurveShape& shape, const Array<SurfacePoint>& points) {
     // Every fourth with exact fields, which are cut finer than faces and cost more.
     const Solver solver = seed_ % 4 == 3 ? Solver::kExact : Solver::kFast;
-    CurveOptions options{shape, kSamples, {Method::kKarcher, solver, 6}};
+    CurveOptions options = ofLevelZero(shape, kSamples, {Method::kKarcher, solver, 6});
     options.levels = levels_;
     try {
       Curve curve(surface_, options, points);

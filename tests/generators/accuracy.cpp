@@ -5,6 +5,7 @@
 
 #include "curves/curve.h"
 #include "curves/spec/bases.h"
+#include "generators/curve_shapes.h"
 #include "generators/plane.h"
 #include "generators/sphere.h"
 #include "generators/torus.h"
@@ -148,7 +149,7 @@ Accuracy measured(const AccuracyCase& example, const Array<Array<CurveSample>>& 
 }  // namespace
 
 Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options, int levels) {
-  CurveOptions curveOptions{{CurveKind::kBSpline}, kSamples, options};
+  CurveOptions curveOptions = ofLevelZero({CurveKind::kBSpline}, kSamples, options);
   curveOptions.levels = levels;
   const Curve curve(example.surface, curveOptions, example.points);
   Array<Array<CurveSample>> segments;

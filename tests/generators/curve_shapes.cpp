@@ -21,6 +21,13 @@ Array<CurveShape> everyShape(int points) {
   return all;
 }
 
+CurveOptions ofLevelZero(const CurveShape& shape, int samples, const FieldOptions& field,
+                         double tolerance) {
+  CurveOptions options{shape, samples, field, tolerance};
+  options.levels = 0;
+  return options;
+}
+
 std::string describe(const CurveShape& shape) {
   return std::string(curveKindName(shape.kind)) + (shape.closed ? " closed" : "") + " degree " +
          std::to_string(shape.degree) + " rule " + std::to_string(static_cast<int>(shape.knotRule));

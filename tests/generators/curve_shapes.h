@@ -2,12 +2,16 @@
 
 #include <string>
 
-#include "curves/spec/curve_shape.h"
+#include "curves/curve_value.h"
 
 namespace karcher {
 
 /// Every kind, open and closed where it can be, with uneven weights and betas for that many points.
 Array<CurveShape> everyShape(int points);
+
+/// What makes each segment one center of mass, whatever is safe.
+CurveOptions ofLevelZero(const CurveShape& shape, int samples, const FieldOptions& field,
+                         double tolerance = 0);
 
 /// "bspline closed degree 3 rule 0"
 std::string describe(const CurveShape& shape);
