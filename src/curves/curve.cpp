@@ -28,8 +28,8 @@ bool areSame(const Array<SurfacePoint>& a, const Array<SurfacePoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
 }
 
-/// The promise of the fields of level 0: distances are right to this part.
-constexpr double kFieldError = 0.01;
+/// By how large a part a field's distance may differ from the length of the same path.
+constexpr double kSameLength = 0.02;
 
 /// Whether what was traced with one still holds with the other.
 bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
@@ -373,15 +373,15 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
 }
 
 /// Whether the shortest paths between the points of a segment and its ends are those to which the
-/// legs are pulled tight, by the fields of level 0.
+/// legs are pulled tight, by the fields of level 0. Where a field tells of longer ones it is wrong,
+/// as that of the fast solver may be on a mesh that does not suit it: these are paths.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
     const double tight = tightLength(geometry, polygon, segment, from, to, workspace_->levels);
     const SurfacePoint& start = polygon.points[segment.points[from]].point;
     const SurfacePoint& end = polygon.points[segment.points[to]].point;
-    // A path that is shorter by less passes other vertices on the same side.
-    return (1 - kFieldError) * tight - distanceBetween(start, end) < geometry.meanEdge;
+    return std::abs(distanceBetween(start, end) - tight) <= kSameLength * tight;
   };
   return std::all_of(polygon.pieces.begin(), polygon.pieces.end(),
                      [&](const SegmentLayout& segment) {
