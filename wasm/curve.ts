@@ -242,7 +242,7 @@ export class Curve {
    */
   get deviation(): number | null {
     const deviation = this.#handle.call((curve) => curve.deviation());
-    return Number.isNaN(deviation) ? null : deviation;
+    return deviation >= 0 ? deviation : null;
   }
 
   /** How many fields were computed since the curve was made: what edits should spare. */

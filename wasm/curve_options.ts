@@ -15,12 +15,7 @@ import type {
   EngineCurveValue,
   EngineSampling,
 } from './karcher-engine.mjs';
-import {
-  curveOptionNames,
-  engineFieldOptions,
-  engineLeastLevels,
-  engineCurveLevels,
-} from './options.js';
+import { curveOptionNames, engineCurveLevels, engineFieldOptions } from './options.js';
 import { toSurfacePoints, wirePoints } from './points.js';
 import type {
   CurveBasis,
@@ -84,7 +79,6 @@ export class OwnBasis {
 function engineSampling(options: CurveOptions): EngineSampling {
   const { samples, tolerance } = options;
   const levels = engineCurveLevels(options);
-  const leastLevels = engineLeastLevels(options);
   const geometry = options.geometry ?? 'geodesic';
   const exact = checkOneOf(geometry, geometries, 'the geometry of a curve') === 'exact';
   if (samples !== 'adaptive' && tolerance === undefined) {
@@ -92,7 +86,6 @@ function engineSampling(options: CurveOptions): EngineSampling {
       samples: checkInteger(samples ?? defaultSamples, 'the number of samples'),
       tolerance: 0,
       exact,
-      leastLevels,
       ...levels,
     };
   }
@@ -103,7 +96,7 @@ function engineSampling(options: CurveOptions): EngineSampling {
     );
   }
   const part = checkPositive(tolerance ?? defaultTolerance, 'the tolerance');
-  return { samples: defaultSamples, tolerance: part, exact, leastLevels, ...levels };
+  return { samples: defaultSamples, tolerance: part, exact, ...levels };
 }
 
 /** Options that one kind alone has a use for; the engine refuses weights and betas. */

@@ -122,42 +122,31 @@ export function engineLevels({ levels = 'auto' }: { levels?: CurveLevels | undef
   );
 }
 
-const hasTolerance = (levels: unknown): levels is LevelsTolerance =>
-  typeof levels === 'object' && levels !== null;
-
-/** The levels of a curve, and how far those that it takes by itself may move it, in mean edges. */
-export function engineCurveLevels({ levels = 'auto' }: CurveOptions): {
+/** What a curve's levels follow from: tolerances are in mean edges. */
+export function engineCurveLevels({ levels = 'auto', leastLevels = 0 }: CurveOptions): {
   levels: number;
   levelsTolerance: number;
+  leastLevels: number;
 } {
-  if (!hasTolerance(levels)) {
-    return { levels: engineLevels({ levels }), levelsTolerance: defaultLevelsTolerance };
-  }
-  const { tolerance } = levels;
-  if (typeof tolerance === 'number' && tolerance >= 0) {
-    return { levels: namedLevels.auto, levelsTolerance: tolerance };
-  }
-  throw new KarcherError(
-    'badArgument',
-    `the tolerance of levels is a number from 0, in mean edges, not ${shown(tolerance)}`,
-  );
-}
-
-/** The fewest levels that `auto` takes. */
-export function engineLeastLevels({ levels = 'auto', leastLevels }: CurveOptions): number {
-  if (leastLevels === undefined) return 0;
-  const number = checkInteger(leastLevels, 'the least number of levels');
-  if (number < 0 || number > mostLevels) {
+  const tolerance = (levels as Partial<LevelsTolerance> | null)?.tolerance;
+  const automatic = levels === 'auto' || tolerance !== undefined;
+  checkInteger(leastLevels, 'the least number of levels');
+  if (leastLevels !== 0 && !automatic) {
     throw new KarcherError(
       'badArgument',
-      `the least number of levels is 0 to ${mostLevels}, not ${number}`,
+      `a least number of levels is for levels: 'auto', not ${levels}`,
     );
   }
-  if (levels === 'auto' || hasTolerance(levels)) return number;
-  throw new KarcherError(
-    'badArgument',
-    `a least number of levels is for levels: 'auto', not ${levels}`,
-  );
+  return {
+    levels: automatic ? namedLevels.auto : engineLevels({ levels: levels as CurveLevels }),
+    levelsTolerance:
+      tolerance === undefined
+        ? defaultLevelsTolerance
+        : tolerance === Infinity
+          ? tolerance
+          : checkNumber(tolerance, 'the tolerance of levels'),
+    leastLevels,
+  };
 }
 
 /** How a mesh is read, as the engine takes it. */

@@ -13,7 +13,7 @@ import { exposeState } from './inspection';
 import { isEmpty } from './model/figure';
 import { formatLink } from './model/link';
 import { readAs } from './model/meshes';
-import { isMethod } from './model/methods';
+import { isMethod, type MethodId } from './model/methods';
 import { onKeeping, recall, recallInTab, remember, rememberInTab } from './model/storage';
 import { workOffline } from './offline';
 import { Opening } from './opening';
@@ -243,10 +243,14 @@ export async function start(): Promise<void> {
     units.show(editor.state.mesh);
     checkUpPanel.show(session.client);
   };
+  let chosen: MethodId | null = null;
   const curvePanel = new CurvePanel(editor, edits, {
     setJoint: (joint) => gestures.setJoint(joint),
     async chooseMethod(id) {
-      if (await opening.prepare(id)) editor.setMethod(id);
+      chosen = id;
+      const isReady = await opening.prepare(id);
+      // What takes long to prepare gives way to what was chosen since.
+      if (isReady && chosen === id) editor.setMethod(id);
       else curvePanel.show(editor.state, session.view);
     },
   });

@@ -53,6 +53,10 @@ void checkOptions(const CurveOptions& options) {
                                              " samples, not " + std::to_string(options.samples));
   }
   if (options.tolerance != 0) checkTolerance(options.tolerance);
+  if (!(options.levelsTolerance >= 0)) {
+    throw Error(ErrorCode::kBadArgument, "the tolerance of levels is at least 0 mean edges, not " +
+                                             inSentence(options.levelsTolerance));
+  }
   if (options.field.method == Method::kPaper && options.levels != 0 &&
       options.levels != kAutomaticLevels) {
     throw Error(ErrorCode::kBadArgument,

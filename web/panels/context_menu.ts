@@ -29,12 +29,16 @@ export class ContextMenu {
     // By itself the browser would close it as soon as the finger that opened it is lifted.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
     window.addEventListener('blur', () => this.#close(null));
-    this.#menu.element.addEventListener('keydown', (event) => {
+    // Of the window: the menu has the keys a moment after it is seen.
+    const byKey = (event: KeyboardEvent) => {
       if (event.key !== 'Escape' && event.key !== 'Tab') return;
+      if (!this.#menu.element.matches(':popover-open')) return;
       event.preventDefault();
+      event.stopPropagation();
       this.#close(null);
       stage.focus({ preventScroll: true });
-    });
+    };
+    window.addEventListener('keydown', byKey, { capture: true });
     stage.addEventListener('pointerdown', (event) => this.#down(event), { capture: true });
     window.addEventListener('pointermove', ({ pointerId, clientX, clientY }) => {
       const press = this.#press;
