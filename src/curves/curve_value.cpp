@@ -23,6 +23,11 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
 
 }  // namespace
 
+bool mayHaveLevels(const CurveOptions& options) {
+  return options.levels != 0 && options.field.method == Method::kKarcher &&
+         takesLevels(options.shape.kind);
+}
+
 void checkIndex(const CurveValue& value, int i) { checkIndexBelow(value, i, value.points.count()); }
 
 void placePoint(CurveValue& value, int i, const SurfacePoint& point) {

@@ -46,6 +46,9 @@ struct CurveValue {
   Array<SurfacePath> legs;
 };
 
+/// Whether a curve may be refined: its kind and method take levels, and it is not asked for none.
+bool mayHaveLevels(const CurveOptions& options);
+
 /// Throws Error kBadIndex for a control point that is not there.
 void checkIndex(const CurveValue& value, int i);
 

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "curves/automatic_levels.h"
+#include "curves/curve.h"
+
+// Which levels a curve has, and the polygon of its pieces.
+namespace karcher {
+namespace {
+
+/// By how large a part a field's distance may differ from the length of the same path.
+constexpr double kSameLength = 0.02;
+
+}  // namespace
+
+/// The control polygon itself, whose pieces are the segments, but for its legs.
+void Curve::takeControlPolygon(const CurveValue& value, RefinedPolygon& polygon) {
+  const CurveShape& shape = value.options.shape;
+  const int count = value.points.count();
+  polygon.points.clear();
+  polygon.weighted = takesWeights(shape.kind) && !shape.weights.empty();
+  for (int i = 0; i < count; ++i) {
+    polygon.points.push_back({value.points[i], polygon.weighted ? shape.weights[i] : 1});
+  }
+  Workspace& known = *workspace_;
+  if (known.layoutPoints != count || !layAlike(shape, known.layoutShape)) {
+    known.layoutPoints = 0;
+    known.layout = layOut(shape, count);
+    known.layoutShape = shape;
+    known.layoutPoints = count;
+  }
+  polygon.pieces = known.layout;
+}
+
+/// The control polygon with its legs, by which levels are chosen.
+RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<SurfacePath>& legs) {
+  const CurveShape& shape = value.options.shape;
+  RefinedPolygon& polygon = workspace_->control;
+  takeControlPolygon(value, polygon);
+  polygon.legs = legs;
+  if (shape.kind == CurveKind::kCatmullRom) {
+    // By the legs, which are there, and not by the distances of fields.
+    Array<double>& gaps = workspace_->gaps;
+    gaps.clear();
+    for (const SurfacePath& leg : legs) gaps.push_back(leg.length());
+    catmullRomSpacings(gaps, shape.centripetal, workspace_->spacings);
+    spaceKnots(workspace_->spacings, shape.closed, polygon.pieces);
+  }
+  return polygon;
+}
+
+/// Whether the shortest paths between the points of a segment and its ends are those to which the
+/// legs are pulled tight, by the fields of level 0. Where a field tells of longer ones it is wrong,
+/// as that of the fast solver may be on a mesh that does not suit it: these are paths.
+bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
+  const Geometry& geometry = surface().geometry();
+  const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
+    const double tight = tightLength(geometry, polygon, segment, from, to, workspace_->levels);
+    const SurfacePoint& start = polygon.points[segment.points[from]].point;
+    const SurfacePoint& end = polygon.points[segment.points[to]].point;
+    return std::abs(distanceBetween(start, end) - tight) <= kSameLength * tight;
+  };
+  return std::all_of(polygon.pieces.begin(), polygon.pieces.end(),
+                     [&](const SegmentLayout& segment) {
+                       const int last = segment.points.count() - 1;
+                       for (int k = 1; k < last; ++k) {
+                         if (!isShortest(segment, 0, k) || !isShortest(segment, k, last))
+                           return false;
+                       }
+                       return isShortest(segment, 0, last);
+                     });
+}
+
+/// By the field of the first point, which is kept until the curve has its own.
+double Curve::distanceBetween(const SurfacePoint& from, const SurfacePoint& to) {
+  workspace_->far.push_back(fieldSet_->at(from));
+  workspace_->fields.assign(1, workspace_->far.back().get());
+  constexpr double kOne[] = {1};
+  return std::sqrt(std::max(blendFields().blend.energy(to, kOne), 0.0));
+}
+
+/// The levels of a curve that leaves them to itself; a refined polygon may need more.
+int Curve::levelsOf(const Next& next) {
+  const CurveOptions& options = next.value.options;
+  const Geometry& geometry = surface().geometry();
+  const int points = next.value.points.count();
+  LevelsWorkspace& workspace = workspace_->levels;
+  const RefinedPolygon& polygon = leggedPolygon(next.value, next.legs);
+  const int quick = quickLevels(options.shape, points, next.legs);
+  if (next.jumps || !isSafe(geometry, polygon, workspace)) {
+    return std::max(levelsToSafety(geometry, options.shape, points, next.legs), quick);
+  }
+  const auto isNearIt = [&] {
+    return levelsDeviation(geometry, polygon, workspace) <=
+           options.levelsTolerance * geometry.meanEdge;
+  };
+  if (quick == 0) return 0;
+  return isNearIt() || !joinsByShortestPaths(polygon) ? quick : 0;
+}
+
+double Curve::deviation() {
+  if (levels_ == 0) return 0;
+  if (jumps_) return std::numeric_limits<double>::quiet_NaN();
+  const Geometry& geometry = surface().geometry();
+  LevelsWorkspace& workspace = workspace_->levels;
+  const RefinedPolygon& polygon = leggedPolygon(value_, legs());
+  const double deviation = levelsDeviation(geometry, polygon, workspace);
+  const bool isFar = deviation > kLevelsTolerance * geometry.meanEdge;
+  const bool hasOne =
+      isSafe(geometry, polygon, workspace) && !(isFar && !joinsByShortestPaths(polygon));
+  workspace_->far.clear();
+  return hasOne ? deviation : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The polygon of the pieces, with the levels.
+void Curve::makePolygon(Next& next) {
+  const CurveOptions& options = next.value.options;
+  const CurveShape& shape = options.shape;
+  const int count = next.value.points.count();
+  const Geometry& geometry = surface().geometry();
+  const bool isAutomatic = options.levels == kAutomaticLevels;
+  next.levels = 0;
+  if (mayHaveLevels(options)) {
+    next.levels = isAutomatic ? std::max(levelsOf(next), options.leastLevels)
+                  : options.levels == kLimitLevels
+                      ? levelsToLimit(geometry, shape, count, next.legs)
+                      : options.levels;
+  }
+  while (next.levels > 0) {
+    if (!refinePolygon(geometry, shape, next.value.points, next.legs, next.levels,
+                       workspace_->averaging, next.polygon)) {
+      // A curve whose handles lie beyond the boundary is the center of all its points.
+      next.levels = 0;
+    } else if (isAutomatic && mayTakeLevels(shape, count, next.levels + 1) &&
+               !isSafe(geometry, next.polygon, workspace_->levels)) {
+      ++next.levels;
+    } else {
+      return;
+    }
+  }
+  takeControlPolygon(next.value, next.polygon);
+  next.polygon.legs.clear();
+}
+
+/// Whether a curve that leaves its levels to itself has none, and bridges.
+bool Curve::jumpsAtLevelZero(const Next& next) const {
+  if (next.levels > 0 || !mayHaveLevels(next.value.options)) return false;
+  if (next.value.options.levels != kAutomaticLevels) return false;
+  return std::any_of(next.segments.begin(), next.segments.end(),
+                     [](const Segment& segment) { return !segment.whole->bridges.empty(); });
+}
+
+}  // namespace karcher
