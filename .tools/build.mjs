@@ -63,11 +63,35 @@ export async function buildFacade() {
     ...[typescript, '-p', 'wasm', '--declaration', 'false', '--removeComments', '--noCheck'],
   );
   // The declarations name types of the modules, whose own declarations the compiler does not write.
-  for (const name of ['karcher-engine.d.mts', 'peers/karcher-peers.d.mts']) {
-    copyFileSync(inRoot(`wasm/${name}`), inRoot(`dist/${name}`));
+  const modules = ['karcher-engine', 'peers/karcher-peers'];
+  for (const name of [...modules, 'formats/draco_decoder', 'formats/meshopt_decoder']) {
+    copyFileSync(inRoot(`wasm/${name}.d.mts`), inRoot(`dist/${name}.d.mts`));
   }
+  writeDecoders();
   chmodSync(inRoot('dist/cli.js'), 0o755);
   writeFileSync(inRoot('dist/third-party-notices.txt'), notices('package'));
+}
+
+/**
+ * The decoders of compressed glTF files, as modules that need nothing beside them, in Node and in browsers.
+ * Draco's is a script for either: it gets what it requires of Node, and its WebAssembly module as text.
+ */
+function writeDecoders() {
+  const from = (path) => inRoot(`node_modules/${path}`);
+  copyFileSync(
+    from('meshoptimizer/meshopt_decoder.mjs'),
+    inRoot('dist/formats/meshopt_decoder.mjs'),
+  );
+  const script = readFileSync(from('draco3d/draco_decoder_nodejs.js'), 'utf8');
+  const wasm = readFileSync(from('draco3d/draco_decoder.wasm')).toString('base64');
+  const module = [
+    `const create = ((require, __dirname, __filename, module, exports, define) => {\n${script}`,
+    "return DracoDecoderModule;\n})((name) => process.getBuiltinModule(name), '');",
+    `const wasm = '${wasm}';`,
+    'export default () =>',
+    '  create({ wasmBinary: Uint8Array.from(atob(wasm), (one) => one.charCodeAt(0)) });\n',
+  ];
+  writeFileSync(inRoot('dist/formats/draco_decoder.mjs'), module.join('\n'));
 }
 
 /** The page in build/page. */

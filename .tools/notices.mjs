@@ -3,6 +3,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { inRoot } from './shell.mjs';
 
 const mpl = 'Mozilla Public License, version 2.0: https://www.mozilla.org/MPL/2.0/';
+const apache = 'Apache License, version 2.0: https://www.apache.org/licenses/LICENSE-2.0';
 const mit = 'MIT License: https://opensource.org/license/mit';
 const llvm = 'Apache License, version 2.0, with LLVM exceptions: https://llvm.org/LICENSE.txt';
 
@@ -24,31 +25,38 @@ const ofEngine = [
   },
 ];
 
+/** Decoders of compressed glTF files: packages of npm. */
+const ofFormats = ['draco3d', 'meshoptimizer'];
+
 /** Of the page; `bunny` is the mesh that it opens with. */
 const ofPage = [
-  ...['three', 'three-mesh-bvh', 'uplot', 'meshoptimizer', 'delaunator', 'robust-predicates'],
+  ...['three', 'three-mesh-bvh', 'uplot', 'delaunator', 'robust-predicates'],
   'bunny',
 ];
 
 function termsOf(name) {
   const folder = inRoot(`node_modules/${name}`);
   const file = readdirSync(folder).find((one) => /^licen[cs]e(\.|$)/i.test(one));
-  const { license, homepage = '' } = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
-  return { where: homepage, terms: file ? readFileSync(`${folder}/${file}`, 'utf8') : license };
+  const { license, homepage, repository } = JSON.parse(
+    readFileSync(`${folder}/package.json`, 'utf8'),
+  );
+  const where = homepage ?? repository?.url ?? '';
+  const named = license === 'Apache-2.0' ? apache : license;
+  return { where, terms: file ? readFileSync(`${folder}/${file}`, 'utf8') : named };
 }
 
 const entry = (name, where, terms) =>
   [`${'='.repeat(78)}\n${name}`, where, '', terms.trim(), ''].join('\n');
 
-/** As text: of the package's engine, or of the page, which has the engine, too. */
+/** As text: of the package, or of the page, which has all of it, too. */
 export function notices(what) {
   const engine = ofEngine.map(({ name, where, file, otherwise }) =>
     entry(name, where, existsSync(file) ? readFileSync(file, 'utf8') : otherwise),
   );
-  const page = ofPage.map((name) => {
+  const packages = [...ofFormats, ...(what === 'page' ? ofPage : [])].map((name) => {
     const { where, terms } = termsOf(name);
     return entry(name, where, terms);
   });
   const head = `What others wrote of Karcher's ${what}, and the terms that it is under.\n`;
-  return [head, ...engine, ...(what === 'page' ? page : [])].join('\n');
+  return [head, ...engine, ...packages].join('\n');
 }

@@ -6,15 +6,13 @@ import { notices } from '../../.tools/notices.mjs';
 import { inRoot } from '../../.tools/shell.mjs';
 
 const engine = ['Eigen', 'tinyobjloader', 'Emscripten', 'musl', 'libc\\+\\+'];
-const page = [
-  ...['three', 'three-mesh-bvh', 'uplot', 'meshoptimizer', 'delaunator', 'robust-predicates'],
-  'bunny',
-];
+const formats = ['draco3d', 'meshoptimizer'];
+const page = [...['three', 'three-mesh-bvh', 'uplot', 'delaunator', 'robust-predicates'], 'bunny'];
 
 test('the package and the page have the terms of what others wrote', () => {
   for (const [what, names, file] of [
-    ['package', engine, 'dist/third-party-notices.txt'],
-    ['page', [...engine, ...page], 'build/page/third-party-notices.txt'],
+    ['package', [...engine, ...formats], 'dist/third-party-notices.txt'],
+    ['page', [...engine, ...formats, ...page], 'build/page/third-party-notices.txt'],
   ]) {
     const text = notices(what);
     for (const name of names) assert.match(text, new RegExp(`^.*\\b${name}`, 'm'), name);

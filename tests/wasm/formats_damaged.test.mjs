@@ -123,11 +123,6 @@ const damaged = {
   ],
   'glTF that is no JSON': [encode('{"asset"'), 'badFile', /JSON cannot be read/],
   'glTF 1': [json({ asset: { version: '1.0' } }), 'badFile', /version 1\.0/],
-  'glTF compressed by Draco': [
-    json({ extensionsRequired: ['KHR_draco_mesh_compression'] }),
-    'badFile',
-    /compressed by Draco/,
-  ],
   'glTF with an unknown extension': [
     json({ extensionsRequired: ['ACME_mesh'] }),
     'badFile',

@@ -5,18 +5,12 @@ import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
 import { badFile, counted } from './failures.js';
 import { gltfContent } from './glb.js';
-import {
-  type Accessor,
-  Accessors,
-  buffersBeside,
-  countOf,
-  entryOf,
-  listOf,
-  objectOf,
-} from './gltf_accessors.js';
+import { type Accessor, Accessors } from './gltf_accessors.js';
+import { buffersBeside } from './gltf_buffers.js';
+import { compressions, decodersFor, dracoOf } from './gltf_decoders.js';
+import { countOf, entryOf, isJson, type Json, listOf, objectOf } from './gltf_json.js';
 import type { FilePart, Polygons } from './types.js';
 
-type Json = Readonly<Record<string, unknown>>;
 /** A matrix's 16 numbers, column by column. */
 type Matrix = readonly number[];
 
@@ -29,12 +23,6 @@ const identity: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const harmless =
   /^(KHR_(materials|texture|lights|mesh_quantization|xmp)|EXT_(texture|mesh_gpu_instancing)|MSFT_texture)/;
 
-/** How a compressed file is named to a person. */
-const compressions = new Map([
-  ['KHR_draco_mesh_compression', 'Draco'],
-  ['EXT_meshopt_compression', 'meshoptimizer'],
-]);
-
 const modes = ['points', 'lines', 'lines', 'lines', 'triangles', 'strip', 'fan'] as const;
 
 /** Files that a glTF file's buffers are in, by names relative to its own. Throws badFile. */
@@ -42,9 +30,10 @@ export const gltfBeside = (bytes: Uint8Array) => buffersBeside(gltfContent(bytes
 
 /**
  * Reads the triangles of a glTF 2 file's scene, GLB or text with its buffers beside it, where its nodes
- * put them. Each primitive of a node's mesh is a part. Skins and morph targets stay at rest.
+ * put them. Each primitive of a node's mesh is a part. Skins and morph targets stay at rest. What Draco or
+ * meshoptimizer compressed is decompressed.
  *
- * Rejects with `KarcherError` badFile or badIndex, or the signal's reason.
+ * Rejects with `KarcherError` badFile, badIndex or notLoaded, or the signal's reason.
  */
 export async function readGltf(
   bytes: Uint8Array,
@@ -52,9 +41,11 @@ export async function readGltf(
   beside: Readonly<Record<string, Uint8Array>>,
   work: LongWorkOptions,
 ): Promise<Polygons> {
-  const accessors = new Accessors(gltfContent(bytes), beside);
-  const { json } = accessors;
+  const content = gltfContent(bytes);
+  const { json } = content;
+  if (!isJson(json)) throw badFile("the glTF file's JSON is no object");
   checkVersion(json);
+  const accessors = new Accessors(json, content, beside, await decodersFor(json));
   const slices = new Slices(work, 'reading');
   const { parts, chosen, notRead } = await stripsOf(accessors, wanted, slices);
   if (parts.length === 0) throw badFile('the glTF file has no triangles in its scene');
@@ -138,15 +129,16 @@ async function primitivesOf(mesh: Json, accessors: Accessors, slices: Slices): P
   for (const i of primitives.keys()) {
     if (slices.over) await slices.rest(0);
     const primitive = entryOf(mesh, 'primitives', i);
-    const mode = modes[countOf(primitive, 'mode', 'a primitive of the glTF file', 4)];
-    if (mode === undefined) throw badFile('a primitive of the glTF file has a mode above 6');
-    if (mode === 'points' || mode === 'lines') {
-      found[mode]++;
+    const told = modes[countOf(primitive, 'mode', 'a primitive of the glTF file', 4)];
+    if (told === undefined) throw badFile('a primitive of the glTF file has a mode above 6');
+    if (told === 'points' || told === 'lines') {
+      found[told]++;
       continue;
     }
+    // Draco has triangles only, whatever they were made of.
+    const mode = dracoOf(primitive) ? 'triangles' : told;
     if (listOf(primitive, 'targets').length > 0) found.morphed++;
-    const places = accessors.places(objectOf(primitive, 'attributes').POSITION);
-    const indices = primitive.indices === undefined ? null : accessors.indices(primitive.indices);
+    const { places, indices } = accessors.ofPrimitive(primitive);
     const count = indices?.count ?? places.count;
     const triangles = mode === 'triangles' ? Math.floor(count / 3) : Math.max(0, count - 2);
     if (triangles === 0) continue;
@@ -163,13 +155,9 @@ function checkVersion(json: Json): void {
     throw badFile(`the file is glTF of ${told}; version 2 is read`);
   }
   for (const name of listOf(json, 'extensionsRequired')) {
+    if (compressions.includes(name)) continue;
     if (typeof name === 'string' && harmless.test(name)) continue;
-    const compression = typeof name === 'string' ? compressions.get(name) : undefined;
-    throw badFile(
-      compression
-        ? `the glTF file is compressed by ${compression}, which is not read: save it uncompressed`
-        : `the glTF file needs the extension ${shown(name)}, which is not read`,
-    );
+    throw badFile(`the glTF file needs the extension ${shown(name)}, which is not read`);
   }
 }
 

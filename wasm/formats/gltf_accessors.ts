@@ -1,38 +1,9 @@
+import { decodeDraco } from './draco.js';
 import { badFile, counted } from './failures.js';
 import type { GltfContent } from './glb.js';
-
-type Json = Readonly<Record<string, unknown>>;
-
-const isJson = (value: unknown): value is Json =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
-
-/** Member `name` of an object, or an empty one. */
-export const objectOf = (json: Json, name: string): Json => {
-  const value = json[name];
-  return isJson(value) ? value : {};
-};
-
-export function listOf(json: Json, name: string): unknown[] {
-  const value = json[name] ?? [];
-  if (!Array.isArray(value)) throw badFile(`the glTF file's '${name}' is no list`);
-  return value;
-}
-
-/** Entry `number` of a list of objects. Throws where there is none. */
-export function entryOf(json: Json, list: string, number: unknown): Json {
-  const entry = Number.isInteger(number) ? listOf(json, list)[number as number] : undefined;
-  if (isJson(entry)) return entry;
-  if (typeof number === 'number')
-    throw badFile(`the glTF file has no entry ${number} of '${list}'`);
-  throw badFile(`the glTF file names no entry of '${list}' where one is needed`);
-}
-
-/** A whole number of at least 0. */
-export function countOf(json: Json, name: string, what: string, otherwise?: number): number {
-  const value = json[name] ?? otherwise;
-  if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0) return value;
-  throw badFile(`${what} has no whole number '${name}'`);
-}
+import { Buffers } from './gltf_buffers.js';
+import { type Decoders, dracoOf } from './gltf_decoders.js';
+import { countOf, entryOf, type Json, objectOf } from './gltf_json.js';
 
 const componentBytes = new Map([
   [5120, 1],
@@ -71,25 +42,34 @@ interface Rows {
 /** Reads the accessors of a glTF file: lists of numbers in its buffers. */
 export class Accessors {
   readonly #json: Json;
-  readonly #content: GltfContent;
-  readonly #beside: Readonly<Record<string, Uint8Array>>;
-  readonly #buffers = new Map<unknown, Uint8Array>();
+  readonly #buffers: Buffers;
+  readonly #draco: Decoders['draco'];
   readonly #known = new Map<string, Accessor>();
 
-  constructor(content: GltfContent, beside: Readonly<Record<string, Uint8Array>>) {
-    if (!isJson(content.json)) throw badFile("the glTF file's JSON is no object");
-    this.#json = content.json;
-    this.#content = content;
-    this.#beside = beside;
+  constructor(
+    json: Json,
+    content: GltfContent,
+    beside: Readonly<Record<string, Uint8Array>>,
+    { draco, meshopt }: Decoders,
+  ) {
+    this.#json = json;
+    this.#buffers = new Buffers(json, content, beside, meshopt);
+    this.#draco = draco;
   }
 
   get json(): Json {
     return this.#json;
   }
 
-  /** An accessor of places, whose rows are all in their buffers. */
-  places(number: unknown): Accessor {
-    return this.#accessor(number, 'VEC3');
+  /** The places of a primitive's vertices, and their numbers where it has a list of them. */
+  ofPrimitive(primitive: Json): { places: Accessor; indices: Accessor | null } {
+    const { POSITION } = objectOf(primitive, 'attributes');
+    const draco = this.#draco && dracoOf(primitive);
+    if (draco) return this.#ofDraco(draco, POSITION, primitive.indices);
+    return {
+      places: this.#accessor(POSITION, 'VEC3'),
+      indices: primitive.indices === undefined ? null : this.#accessor(primitive.indices, 'SCALAR'),
+    };
   }
 
   /** One of rows of three or four numbers. */
@@ -97,9 +77,45 @@ export class Accessors {
     return this.#accessor(number, size === 3 ? 'VEC3' : 'VEC4');
   }
 
-  /** One of numbers of vertices. */
-  indices(number: unknown): Accessor {
-    return this.#accessor(number, 'SCALAR');
+  /**
+   * What Draco compressed: accessors tell of it, and of how much it is. It is decoded when a first row is
+   * asked for, after what they tell was found to fit.
+   */
+  #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
+    const what = `buffer view ${of.bufferView}`;
+    const id = countOf(objectOf(of, 'attributes'), 'POSITION', `${what}, which Draco compressed,`);
+    const key = (number: unknown) => `Draco ${of.bufferView} ${id} ${number}`;
+    const known = [this.#known.get(key(places)), this.#known.get(key(indices))];
+    if (known[0] && known[1]) return { places: known[0], indices: known[1] };
+    const [place, index] = [places, indices].map((one) => entryOf(this.#json, 'accessors', one));
+    const type = place!.componentType as number;
+    checkType(type, `accessor ${places}`);
+    const count = countOf(place!, 'count', `accessor ${places}`);
+    const corners = countOf(index!, 'count', `accessor ${indices}`);
+    let columns: { places: Rows; corners: Rows } | undefined;
+    const decoded = () => {
+      if (columns) return columns;
+      const { bytes } = this.#buffers.view(of.bufferView);
+      const mesh = decodeDraco(this.#draco!, bytes, [{ id, type, size: 3 }], what);
+      const triangles = mesh.corners.length / 12;
+      if (mesh.points !== count || 3 * triangles !== corners) {
+        throw badFile(
+          `${what}, which Draco compressed, has ${counted(triangles)} triangles of ${counted(mesh.points)} vertices, but its accessors tell of ${counted(corners / 3)} and ${counted(count)}`,
+        );
+      }
+      columns = {
+        places: rowsOf(mesh.columns.get(id)!, type, 3),
+        corners: rowsOf(mesh.corners, 5125, 1),
+      };
+      return columns;
+    };
+    const made = {
+      places: this.#made(place!, `accessor ${places}`, 'VEC3', () => decoded().places),
+      indices: this.#made(index!, `accessor ${indices}`, 'SCALAR', () => decoded().corners),
+    };
+    this.#known.set(key(places), made.places);
+    this.#known.set(key(indices), made.indices);
+    return made;
   }
 
   #accessor(number: unknown, type: RowType): Accessor {
@@ -113,7 +129,8 @@ export class Accessors {
     return known;
   }
 
-  #made(accessor: Json, what: string, type: RowType): Accessor {
+  /** `decoded` gives its rows where they are in no buffer as they are. */
+  #made(accessor: Json, what: string, type: RowType, decoded?: () => Rows): Accessor {
     if (accessor.type !== type) throw badFile(`${what} has to be of type ${type}`);
     const count = countOf(accessor, 'count', what);
     const componentType = accessor.componentType as number;
@@ -122,12 +139,13 @@ export class Accessors {
       if (accessor.normalized === true) throw badFile(`${what} is normalized, and has to count`);
     }
     const divisor = accessor.normalized === true ? (most.get(componentType) ?? 1) : 1;
-    const rows =
-      accessor.bufferView === undefined
+    let rows: Rows | null =
+      decoded || accessor.bufferView === undefined
         ? null
         : this.#rows(accessor, what, type, componentType, count);
-    const sparse = this.#sparse(accessor, what, type, componentType, count);
+    const sparse = decoded ? null : this.#sparse(accessor, what, type, componentType, count);
     const fillRow = (row: number, values: Float64Array) => {
+      if (decoded) rows ??= decoded();
       const instead = sparse ? sparse.find(row) : -1;
       if (instead >= 0) fill(values, sparse!.values, instead);
       else if (rows) fill(values, rows, row);
@@ -176,46 +194,33 @@ export class Accessors {
   }
 
   #rows(of: Json, what: string, type: RowType, componentType: number, count: number): Rows {
-    const bytes = componentBytes.get(componentType);
-    if (bytes === undefined) throw badFile(`${what} has numbers of no type that is known`);
-    const view = entryOf(this.#json, 'bufferViews', of.bufferView);
-    const offset = countOf(view, 'byteOffset', `buffer view ${of.bufferView}`, 0);
-    const length = countOf(view, 'byteLength', `buffer view ${of.bufferView}`);
-    const row = bytes * components[type];
-    const stride = countOf(view, 'byteStride', `buffer view ${of.bufferView}`, row);
+    const width = checkType(componentType, what);
+    const { bytes, stride: told } = this.#buffers.view(of.bufferView);
+    const row = width * components[type];
+    const stride = told ?? row;
     const start = countOf(of, 'byteOffset', what, 0);
-    const buffer = this.#buffer(view.buffer);
     const end = count === 0 ? start : start + stride * (count - 1) + row;
-    if (stride < row || end > length || offset + length > buffer.length) {
+    if (stride < row || end > bytes.length) {
       throw badFile(
-        `${what} tells of ${counted(count)} rows, up to byte ${counted(offset + end)} of a buffer of ${counted(buffer.length)} bytes`,
+        `${what} tells of ${counted(count)} rows, up to byte ${counted(end)} of a buffer view of ${counted(bytes.length)} bytes`,
       );
     }
-    const data = new DataView(buffer.buffer, buffer.byteOffset + offset, length);
-    return { view: data, at: start, stride, type: componentType };
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    return { view, at: start, stride, type: componentType };
   }
+}
 
-  #buffer(number: unknown): Uint8Array {
-    const known = this.#buffers.get(number);
-    if (known) return known;
-    const { uri } = entryOf(this.#json, 'buffers', number);
-    let buffer: Uint8Array | null | undefined;
-    if (uri === undefined) buffer = this.#content.buffer;
-    else if (typeof uri === 'string') {
-      const name = uri.startsWith('data:') ? null : nameBeside(uri);
-      if (name === null) buffer = embedded(uri);
-      else if (Object.hasOwn(this.#beside, name)) buffer = this.#beside[name];
-    }
-    if (!buffer) {
-      throw badFile(
-        typeof uri === 'string'
-          ? `the glTF file needs '${nameBeside(uri)}', which lies beside it: give both, or save it as one GLB file`
-          : `buffer ${number} of the glTF file has no bytes`,
-      );
-    }
-    this.#buffers.set(number, buffer);
-    return buffer;
-  }
+/** How many bytes a number of this type has. */
+function checkType(componentType: number, what: string): number {
+  const bytes = componentBytes.get(componentType);
+  if (bytes === undefined) throw badFile(`${what} has numbers of no type that is known`);
+  return bytes;
+}
+
+/** Rows of so many numbers, one after the other. */
+function rowsOf(bytes: Uint8Array, type: number, size: number): Rows {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  return { view, at: 0, stride: size * componentBytes.get(type)!, type };
 }
 
 function checkCounting(componentType: unknown, what: string): void {
@@ -248,35 +253,4 @@ function fill(values: Float64Array, { view, at, stride, type }: Rows, row: numbe
         break;
     }
   }
-}
-
-function embedded(uri: string): Uint8Array {
-  const [head = '', data] = uri.split(',', 2);
-  try {
-    if (data === undefined || !head.endsWith(';base64')) throw new Error();
-    return Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-  } catch {
-    throw badFile('a buffer within the glTF file is not in base64');
-  }
-}
-
-/** The names of the files beside a glTF file that its buffers are in. */
-export function buffersBeside(json: unknown): string[] {
-  if (!isJson(json)) return [];
-  const uris = listOf(json, 'buffers').map((buffer) => (isJson(buffer) ? buffer.uri : undefined));
-  const names = uris.filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
-  return [...new Set(names.map((uri) => nameBeside(uri as string)))];
-}
-
-function nameBeside(uri: string): string {
-  let name = uri;
-  try {
-    name = decodeURIComponent(uri);
-  } catch {
-    // As it is written.
-  }
-  if (/^[a-z][a-z+.-]*:|^[\\/]|(^|[\\/])\.\.([\\/]|$)/i.test(name)) {
-    throw badFile(`the glTF file names '${name.slice(0, 60)}', which does not lie beside it`);
-  }
-  return name;
 }

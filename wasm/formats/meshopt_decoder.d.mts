@@ -1,0 +1,13 @@
+/** The decoder of the package `meshoptimizer`, which the build copies beside what reads it. */
+export const MeshoptDecoder: {
+  readonly supported: boolean;
+  readonly ready: Promise<void>;
+  decodeGltfBuffer(
+    target: Uint8Array,
+    count: number,
+    size: number,
+    source: Uint8Array,
+    mode: string,
+    filter?: string,
+  ): void;
+};
