@@ -1,8 +1,17 @@
 import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { cutBox, everyFile, gltfParts, stlFile } from './mesh_files.mjs';
 import { badFiles, grid, square } from './meshes.mjs';
-import { failure, karcher, karcherProcess, printed, temporaryFolder } from './run_cli.mjs';
+import {
+  failure,
+  karcher,
+  karcherProcess,
+  karcherReading,
+  printed,
+  temporaryFolder,
+} from './run_cli.mjs';
 
 const folder = temporaryFolder();
 after(() => folder.remove());
@@ -30,11 +39,51 @@ test('help, of the program and of each command', async () => {
   for (const command of commands) {
     const { status, stdout, stderr } = await karcher(command, '--help');
     assert.equal((await karcher(command, '-h')).stdout, stdout);
+    assert.equal((await karcher('help', command)).stdout, stdout);
     assert.equal(status, 0);
     assert.equal(stderr, '');
     assert.match(stdout, new RegExp(`^karcher ${command} MESH `));
     assert.equal((await karcher(command, 'anything', '--more', '--help')).stdout, stdout);
   }
+});
+
+test('help of a command that there is not', async () => {
+  assert.match(await failure('help', 'fly'), /^karcher has no command 'fly'; it has info, /);
+});
+
+test('a dash is standard input, once', async () => {
+  const pathOf = ['--from', 'v:0', '--to', 'v:2'];
+  const named = await karcher('path', squareFile, ...pathOf);
+  assert.deepEqual(await karcherReading(square, 'path', '-', ...pathOf), named);
+
+  const points = '0 0 0\n1 0.25 0.5\n';
+  const weights = ['--weights', '0.5,0.5'];
+  const file = folder.write('two_points.txt', points);
+  const mean = await karcher('mean', squareFile, '--points', file, ...weights);
+  assert.equal(mean.status, 0, mean.stderr);
+  assert.deepEqual(
+    await karcherReading(points, 'mean', squareFile, '--points', '-', ...weights),
+    mean,
+  );
+
+  const twice = await karcherReading(square, 'mean', '-', '--points', '-', ...weights);
+  assert.equal(twice.status, 1);
+  assert.match(twice.stderr, /standard input can be read once, and '-' is given twice/);
+});
+
+test('a result goes to the file of --out, or nothing is written', async () => {
+  const pathOf = ['path', squareFile, '--from', 'v:0', '--to', 'v:2'];
+  const { stdout } = await karcher(...pathOf);
+  const out = join(folder.path, 'path.json');
+  const written = await karcher(...pathOf, '--out', out);
+  assert.deepEqual(written, { status: 0, stdout: '', stderr: '' });
+  assert.equal(readFileSync(out, 'utf8'), stdout);
+
+  const unwritten = join(folder.path, 'none.json');
+  await failure('path', squareFile, '--from', 'v:0', '--to', 'v:99', '--out', unwritten);
+  assert.ok(!existsSync(unwritten), 'a command that failed wrote a file');
+  const nowhere = join(folder.path, 'no folder', 'path.json');
+  assert.match(await failure(...pathOf, '--out', nowhere), /^cannot write to .*no folder/);
 });
 
 test('control characters of names never reach a terminal', async () => {

@@ -2,7 +2,7 @@ import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { Writable } from 'node:stream';
+import { Readable, Writable } from 'node:stream';
 import { fileURLToPath } from 'node:url';
 
 const { main } = await import(new URL('./cli/main.js', import.meta.resolve('karcher')));
@@ -22,9 +22,13 @@ function written() {
 }
 
 /** Runs `karcher` in this process, as a shell would in one of its own: {status, stdout, stderr}. */
-export async function karcher(...args) {
+export const karcher = (...args) => karcherReading('', ...args);
+
+/** Runs it with a text as standard input. */
+export async function karcherReading(text, ...args) {
+  const stdin = Readable.from([Buffer.from(text)]);
   const [stdout, stderr] = [written(), written()];
-  const status = await main(args, { stdout: stdout.stream, stderr: stderr.stream });
+  const status = await main(args, { stdin, stdout: stdout.stream, stderr: stderr.stream });
   return { status, stdout: stdout.text(), stderr: stderr.text() };
 }
 

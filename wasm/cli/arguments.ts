@@ -1,5 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
+import type { Readable } from 'node:stream';
+import { buffer } from 'node:stream/consumers';
 import { parseArgs } from 'node:util';
 import type { FileInfo } from '../formats/index.js';
 import type { Karcher } from '../karcher.js';
@@ -24,8 +26,9 @@ export class Arguments {
   readonly #meshPath: string;
   readonly #command: Command;
   readonly #values: ReadonlyMap<string, string>;
+  readonly #stdin: Readable;
 
-  constructor(command: Command, args: string[]) {
+  constructor(command: Command, args: string[], stdin: Readable) {
     const { values, positionals } = readTokens(command, args);
     for (const option of command.options) {
       if (option.required && !values.has(option.name)) {
@@ -39,9 +42,15 @@ export class Arguments {
         `${command.name} takes one mesh; '${extra[0]}' is one argument too many`,
       );
     }
+    const files = command.options.filter(({ name, value }) => value === 'FILE' && name !== 'out');
+    const read = [meshPath, ...files.map(({ name }) => values.get(name))];
+    if (read.filter((path) => path === '-').length > 1) {
+      throw new UsageError("standard input can be read once, and '-' is given twice");
+    }
     this.#meshPath = meshPath;
     this.#command = command;
     this.#values = values;
+    this.#stdin = stdin;
   }
 
   /** The name of the command. */
@@ -122,7 +131,7 @@ export class Arguments {
     return parsePoints(await this.file('points'), this.text('points'));
   }
 
-  /** The text of the file that an option names. */
+  /** The text of the file that an option names, or of standard input for '-'. */
   async file(name: string): Promise<string> {
     return (await this.#read(this.text(name))).toString('utf8');
   }
@@ -176,9 +185,10 @@ export class Arguments {
 
   async #read(path: string): Promise<Buffer> {
     try {
-      return await readFile(path);
+      if (path !== '-') return await readFile(path);
+      return await buffer(this.#stdin);
     } catch (cause) {
-      throw fileError(path, cause);
+      throw fileError(path === '-' ? 'standard input' : path, cause);
     }
   }
 }

@@ -46,6 +46,15 @@ export const pointsOption: Option = {
   required: true,
 };
 
+/** Where the result goes, for every command. */
+export const outOption: Option = {
+  name: 'out',
+  value: 'FILE',
+  help: 'where the result is written',
+  // What is said of it, not what is given.
+  default: 'standard output',
+};
+
 /** How the mesh is read, for every command. */
 export const meshOptions: readonly Option[] = [
   {

@@ -112,17 +112,21 @@ export function* jsonLine(value: unknown): Generator<string> {
   yield '\n';
 }
 
-/** Writes pieces of a text to standard output, each when those before it have gone. */
-export async function print(pieces: Iterable<string>, stdout: Writable): Promise<void> {
+/** Writes pieces of a text to a stream, each when those before it have gone; `name` is the stream's. */
+export async function print(
+  pieces: Iterable<string>,
+  stream: Writable,
+  name = 'standard output',
+): Promise<void> {
   const enough = 1 << 16;
   let text = '';
   for (const piece of pieces) {
     text += piece;
     if (text.length < enough) continue;
-    await write(text, stdout);
+    await write(text, stream, name);
     text = '';
   }
-  await write(text, stdout);
+  await write(text, stream, name);
 }
 
 /**
@@ -132,17 +136,17 @@ export async function print(pieces: Iterable<string>, stdout: Writable): Promise
 export const printable = (text: string) =>
   text.replace(/(?![\t\n])[\p{Cc}\p{Bidi_Control}]/gu, '?');
 
-function write(text: string, stdout: Writable): Promise<void> {
+function write(text: string, stream: Writable, name: string): Promise<void> {
   return new Promise((resolve, reject) => {
     const fail = (cause: NodeJS.ErrnoException) => {
       const reason =
         cause.code === 'EPIPE' ? 'it was closed before everything was written' : cause.message;
-      reject(new UsageError(`cannot write to standard output: ${reason}`, { cause }));
+      reject(new UsageError(`cannot write to ${name}: ${reason}`, { cause }));
     };
-    stdout.once('error', fail);
-    stdout.write(printable(text), (error) => {
+    stream.once('error', fail);
+    stream.write(printable(text), (error) => {
       if (error) return fail(error);
-      stdout.off('error', fail);
+      stream.off('error', fail);
       resolve();
     });
   });
