@@ -1,34 +1,38 @@
 // Files of random bytes, and files that were good before bytes of them changed: each makes a mesh with
-// finite places, or is refused with a KarcherError.
+// finite places, or is refused with a KarcherError, soon and without much memory.
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { after, before, test } from 'node:test';
 import fc from 'fast-check';
 import { load } from 'karcher';
 import { meshFromFile, namesBeside } from 'karcher/formats';
+import { dracoParts, meshoptParts } from './compressed_files.mjs';
 import { checkMeant, draws } from './draws.mjs';
 import {
   box,
   cutBox,
   everyFile,
+  glbOf,
   gltfParts,
   objFile,
   offFile,
   plyFile,
   stlFile,
 } from './mesh_files.mjs';
+import { watchdog } from './watchdog.mjs';
 
+const watch = watchdog({ after });
 let karcher;
 before(async () => {
   karcher = await load();
 });
 
 const encode = (text) => new TextEncoder().encode(text);
-/** Long for so few bytes, on a busy machine. */
-const longest = 20_000;
+/** What this process may take, for small files only. */
+const mostMemory = 1.5e9;
 
 /** Opens a file, or sees it refused; true where it was opened. */
 async function opens(bytes, options) {
-  const started = performance.now();
+  watch(bytes);
   try {
     namesBeside(bytes, options.name);
     const { mesh, file } = await meshFromFile(karcher, bytes, options);
@@ -44,7 +48,9 @@ async function opens(bytes, options) {
     checkMeant(error, /undefined|\[object|Aborted|internal/);
     return false;
   } finally {
-    assert.ok(performance.now() - started < longest);
+    watch(null);
+    const peak = 1024 * process.resourceUsage().maxRSS;
+    assert.ok(peak <= mostMemory, `${peak} bytes were taken for small files`);
   }
 }
 
@@ -180,39 +186,141 @@ test('text files with other numbers, words and counts', async () => {
   assert.ok(opened > 20, 'some words matter little');
 });
 
-test('glTF whose JSON has something else in any place', async () => {
-  const { json } = gltfParts(cutBox);
-  const paths = [];
-  (function walk(value, path) {
-    if (path.length > 0) paths.push(path);
-    if (typeof value !== 'object' || value === null) return;
-    for (const key of Object.keys(value)) walk(value[key], [...path, key]);
-  })(json, []);
+/** Every place in a JSON value, as the keys that lead there. */
+function placesIn(value, path = []) {
+  const below =
+    typeof value === 'object' && value !== null
+      ? Object.keys(value).flatMap((key) => placesIn(value[key], [...path, key]))
+      : [];
+  return path.length > 0 ? [path, ...below] : below;
+}
+
+const jsonValue = fc.oneof(
+  fc.jsonValue(),
+  fc.constantFrom('constructor', '__proto__', 'toString'),
+  fc.constantFrom(
+    -1,
+    1e15,
+    2 ** 53,
+    0.5,
+    '0',
+    [],
+    {},
+    { toString: 1 },
+    null,
+    [[]],
+    [0, 0],
+    2 ** 31,
+  ),
+);
+
+function withOthers(json, changes) {
+  const copy = structuredClone(json);
+  for (const [path, instead] of changes) {
+    const owner = path
+      .slice(0, -1)
+      .reduce((at, key) => (typeof at === 'object' && at !== null ? at[key] : undefined), copy);
+    if (typeof owner === 'object' && owner !== null) owner[path.at(-1)] = structuredClone(instead);
+  }
+  return copy;
+}
+
+for (const [name, count, parts] of [
+  ['glTF', 600, () => gltfParts(cutBox)],
+  ['glTF that Draco compressed', 60, () => dracoParts(cutBox)],
+  ['glTF that meshoptimizer compressed', 600, () => meshoptParts(cutBox)],
+]) {
+  test(`${name} whose JSON has something else in any place`, async () => {
+    const { json, buffer } = await parts();
+    let opened = 0;
+    const path = fc.constantFrom(...placesIn(json));
+    await fc.assert(
+      fc.asyncProperty(
+        fc.array(fc.tuple(path, jsonValue), { minLength: 1, maxLength: 2 }),
+        async (changes) => {
+          if (await opens(glbOf({ json: withOthers(json, changes), buffer }), {})) opened++;
+        },
+      ),
+      draws(count),
+    );
+    assert.ok(opened > count / 30, 'some places matter little');
+  });
+}
+
+/** Numbers that say too much, or nothing, in bytes as files have them. */
+const extremes = [
+  ...[0, 1, 0x7f, 0x80, 0xff].map((byte) => [byte]),
+  ...[0x7fff, 0x8000, 0xffff].map((number) => [...new Uint8Array(Uint16Array.of(number).buffer)]),
+  ...[0, 1, 2 ** 24, 2 ** 28, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1].map((number) => [
+    ...new Uint8Array(Uint32Array.of(number).buffer),
+  ]),
+  ...[Number.NaN, Number.POSITIVE_INFINITY, -3e38, 1e-45].map((number) => [
+    ...new Uint8Array(Float32Array.of(number).buffer),
+  ]),
+  ...[Number.NaN, 1e308].map((number) => [...new Uint8Array(Float64Array.of(number).buffer)]),
+  // Draco writes counts in parts of seven bits.
+  ...[
+    [0xff, 0xff, 0xff, 0xff, 0x0f],
+    [0x80, 0x80, 0x80, 0x01],
+  ],
+];
+
+/** A bit turned, a number that is extreme, a part of another file, or an end too early. */
+const damage = fc.record({
+  at: fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true }),
+  from: fc.double({ min: 0, max: 1, noNaN: true }),
+  kind: fc.constantFrom('bit', 'bit', 'number', 'number', 'turned', 'splice', 'end'),
+  which: fc.nat(),
+  length: fc.integer({ min: 1, max: 64 }),
+});
+
+function damaged(bytes, other, damages) {
+  return damages.reduce((file, { at, from, kind, which, length }) => {
+    const place = Math.floor(at * file.length);
+    const start = Math.floor(from * other.length);
+    const number = extremes[which % extremes.length];
+    const flipped = [(file[place] ?? 0) ^ (1 << (which % 8))];
+    const instead = {
+      ...{ bit: flipped, number, turned: number.toReversed(), end: [] },
+      splice: other.subarray(start, start + length),
+    }[kind];
+    const end = kind === 'end' ? file.length : place + instead.length;
+    return Uint8Array.of(...file.subarray(0, place), ...instead, ...file.subarray(end));
+  }, bytes);
+}
+
+test('files with turned bits, extreme numbers, parts of others, and ends too early', async () => {
   let opened = 0;
-  const value = fc.oneof(
-    fc.jsonValue(),
-    fc.constantFrom('constructor', '__proto__', 'toString'),
-    fc.constantFrom(-1, 1e15, 2 ** 53, 0.5, '0', [], {}, null, [[]], [0, 0], 2 ** 31),
-  );
+  const good = fc.constantFrom(...goodFiles);
   await fc.assert(
     fc.asyncProperty(
-      fc.array(fc.tuple(fc.constantFrom(...paths), value), { minLength: 1, maxLength: 3 }),
-      async (changes) => {
-        const copy = JSON.parse(text(gltf({})));
-        for (const [path, instead] of changes) {
-          const owner = path
-            .slice(0, -1)
-            .reduce(
-              (at, key) => (typeof at === 'object' && at !== null ? at[key] : undefined),
-              copy,
-            );
-          if (typeof owner === 'object' && owner !== null)
-            owner[path.at(-1)] = structuredClone(instead);
-        }
-        if (await opens(encode(JSON.stringify(copy)), {})) opened++;
+      ...[good, good, fc.array(damage, { minLength: 1, maxLength: 4 })],
+      async (file, other, damages) => {
+        if (await opens(damaged(file, other, damages), { repair: 'none' })) opened++;
       },
     ),
-    draws(600),
+    draws(2000),
   );
-  assert.ok(opened > 20, 'some places matter little');
+  assert.ok(opened > 20, 'some damages matter little');
 });
+
+for (const [name, count, parts] of [
+  ['Draco', 60, () => [dracoParts(cutBox), dracoParts(cutBox, { bits: 11 })]],
+  ['meshoptimizer', 1000, () => [meshoptParts(cutBox)]],
+]) {
+  test(`what ${name} compressed, with the same damages`, async () => {
+    let opened = 0;
+    const good = fc.constantFrom(...(await Promise.all(parts())));
+    await fc.assert(
+      fc.asyncProperty(
+        ...[good, good, fc.array(damage, { minLength: 1, maxLength: 2 })],
+        async ({ json, buffer }, other, damages) => {
+          const file = { json, buffer: damaged(buffer, other.buffer, damages) };
+          if (await opens(glbOf(file), {})) opened++;
+        },
+      ),
+      draws(count),
+    );
+    assert.ok(opened > count / 30, 'some damages matter little');
+  });
+}

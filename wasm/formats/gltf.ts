@@ -157,6 +157,9 @@ function checkVersion(json: Json): void {
   for (const name of listOf(json, 'extensionsRequired')) {
     if (compressions.includes(name)) continue;
     if (typeof name === 'string' && harmless.test(name)) continue;
+    if (typeof name !== 'string') {
+      throw badFile("the glTF file's 'extensionsRequired' has an entry that is no name");
+    }
     throw badFile(`the glTF file needs the extension ${shown(name)}, which is not read`);
   }
 }

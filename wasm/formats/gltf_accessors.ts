@@ -82,12 +82,14 @@ export class Accessors {
    * asked for, after what they tell was found to fit.
    */
   #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
+    // First, as what is no number may have no text.
+    entryOf(this.#json, 'bufferViews', of.bufferView);
+    const [place, index] = [places, indices].map((one) => entryOf(this.#json, 'accessors', one));
     const what = `buffer view ${of.bufferView}`;
     const id = countOf(objectOf(of, 'attributes'), 'POSITION', `${what}, which Draco compressed,`);
     const key = (number: unknown) => `Draco ${of.bufferView} ${id} ${number}`;
     const known = [this.#known.get(key(places)), this.#known.get(key(indices))];
     if (known[0] && known[1]) return { places: known[0], indices: known[1] };
-    const [place, index] = [places, indices].map((one) => entryOf(this.#json, 'accessors', one));
     const type = place!.componentType as number;
     checkType(type, `accessor ${places}`);
     const count = countOf(place!, 'count', `accessor ${places}`);
