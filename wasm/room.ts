@@ -6,10 +6,11 @@ const memoryBytes = 2 ** 32;
 const largeBytes = 2 ** 26;
 
 /**
- * The least bytes that a mesh takes, with what is derived from it at once: 380 a triangle are measured,
- * of which the half-edges, lengths and angles alone take so many.
+ * The least bytes that a mesh takes, with what is derived from it at once, beside its vertices: a GLB file of
+ * 500 instances of a torus of 20,000 triangles grows the engine's memory to 419 a triangle, of which half
+ * a vertex takes 36.
  */
-const triangleBytes = 330;
+const triangleBytes = 380;
 /** The same of a vertex that no face uses: its place, three times while the mesh is made. */
 const vertexBytes = 72;
 

@@ -5,7 +5,10 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
 const dist = fileURLToPath(new URL('.', import.meta.resolve('karcher')));
-/** Gzipped, of the module and of the JavaScript around it. */
+/**
+ * Gzipped, of the module and of the JavaScript around it: what lies in dist itself. Its folders are other
+ * entries and what they load when it is needed, as decoders, which a user of `karcher` alone does not download.
+ */
 const mostBytes = { wasm: 450_000, js: 30_000 };
 
 test('bundlers that do not read its exports find the same file', () => {
