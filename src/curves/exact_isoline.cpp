@@ -247,7 +247,9 @@ class ArcChains {
     return clampedPoint(arc.face, bary / bary.sum());
   }
 
-  /// Each end with the nearest other one that is free, the nearest pairs first.
+  /// Each end with the nearest other one that is free, the nearest pairs first. Those that are
+  /// nearer than a radius are paired before the radius grows: most ends meet at rounding, and few
+  /// are left where it is so large that every end of a narrow face lies within it.
   void pairEnds() {
     const int count = 2 * arcs_.count();
     partner_.assign(static_cast<size_t>(count), -1);
@@ -258,13 +260,22 @@ class ArcChains {
       if (!arcs_[end / 2].isCircle) order.push_back(end);
     }
     sortNumbers(order, [&](int a, int b) { return places[a].x() < places[b].x(); });
+    for (const double part : {1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, kMeet}) {
+      pairWithin(part * geometry_.meanEdge, places, order);
+      order.erase(
+          std::remove_if(order.begin(), order.end(), [&](int end) { return partner_[end] >= 0; }),
+          order.end());
+    }
+  }
+
+  /// Pairs ends, in the order of x, that are free.
+  void pairWithin(double meet, const Array<Vec3>& places, const Array<int>& order) {
     struct Pair {
       double distance;
       int a;
       int b;
     };
     Array<Pair> pairs;
-    const double meet = kMeet * geometry_.meanEdge;
     for (int i = 0; i < order.count(); ++i) {
       for (int j = i + 1; j < order.count(); ++j) {
         const Vec3 apart = places[order[j]] - places[order[i]];

@@ -27,6 +27,18 @@ void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour&
   ++ways[number - begin];
 }
 
+/// Whether a vertex has so many edges that it joins what is not near to each other. Rings do not go
+/// beyond one, and its own log vector is its estimate: stencils through hubs would take as much as
+/// the square of their edges, and so many values are paths round all of them.
+bool isHub(const TriangleMesh& mesh, int vertex) {
+  constexpr int kMostEdges = 64;
+  int edges = 0;
+  for ([[maybe_unused]] const int h : outgoingHalfedges(mesh, vertex)) {
+    if (++edges > kMostEdges) return true;
+  }
+  return false;
+}
+
 /// The vertex itself, then its ring by ring neighbours, each carried along all edges from the ring
 /// before: the mean of these ways, so that it does not depend on the numbers of vertices and faces.
 /// Writes to `ring`.
@@ -41,6 +53,7 @@ void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>
     ways.clear();
     for (; begin < end; ++begin) {
       const Neighbour from = ring[begin];
+      if (r > 0 && isHub(mesh, from.vertex)) continue;
       const double scale = geometry.angleScale[from.vertex];
       for (const int h : outgoingHalfedges(mesh, from.vertex)) {
         const int to = mesh.head(h);
@@ -168,11 +181,15 @@ Stencil StencilTable::at(int vertex) {
   Place& place = places_.touch(vertex);
   if (place.begin < 0) {
     const int64_t begin = static_cast<int64_t>(terms_.size());
-    findRings(geometry_, vertex, estimator_ == Estimator::kLinear1 ? 1 : 2, ring_, ways_);
-    const double share = logVectorShareOf(geometry_, vertex);
-    const bool quadratic =
-        estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring_, share, terms_);
-    if (!quadratic) linearTerms(ring_, share, terms_);
+    const double share = isHub(*geometry_.mesh, vertex) ? 1 : logVectorShareOf(geometry_, vertex);
+    bool quadratic = false;
+    if (share < 1) {
+      findRings(geometry_, vertex, estimator_ == Estimator::kLinear1 ? 1 : 2, ring_, ways_);
+      quadratic = estimator_ == Estimator::kQuadratic2 && quadraticTerms(ring_, share, terms_);
+      if (!quadratic) linearTerms(ring_, share, terms_);
+    } else {
+      terms_.push_back({1, 0, vertex});
+    }
     place.count = static_cast<int>(static_cast<int64_t>(terms_.size()) - begin);
     place.ofVectors = quadratic ? 1 : place.count;
     place.logVectorShare = share;

@@ -45,7 +45,7 @@ struct StencilTerm {
 
 /// (1 - r) times the fit plus r times the vertex's own log vector: r = s^2 / (s^2 + m^2 + 0.003^2),
 /// with m the mean and s the standard deviation of the angle defects, in radians, of the vertex and
-/// its neighbours.
+/// its neighbours. At a hub, a vertex of more than 64 edges, r is 1.
 struct Stencil {
   const StencilTerm* begin = nullptr;  ///< terms of log vectors
   const StencilTerm* ofDistances = nullptr;

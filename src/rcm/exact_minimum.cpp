@@ -97,7 +97,9 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     // What the fast solver finds is seldom shorter than the truth by more than this.
     constexpr double kTooShort = 1.002;
     double most = kTooShort * std::max(guesses[i], straight) + 2 * radius;
-    // A search that is aimed too short ends with a path that is long enough, or goes further.
+    // A search that is aimed too short ends with a path that is long enough, or goes further. That
+    // ends: no path is longer after a further search, and without one the searches soon are as wide
+    // as the mesh.
     for (;;) {
       distance.aimAt(ExactDistance::Aim{middle, radius, most});
       distance.setSource(points_[i]);
@@ -111,7 +113,7 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
       constexpr double kFurther = 1.5;
       constexpr double kRounding = 1 + 1e-9;
       most = longest < kInfinity            ? kRounding * longest
-             : most < 10 * geometry_.extent ? kFurther * most
+             : most < 10 * geometry_.extent ? kFurther * std::max(most, geometry_.meanEdge)
                                             : kInfinity;
     }
     guesses[i] = lengths[0];

@@ -178,6 +178,8 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   for (const SurfacePoint& point : points_.points) {
     radius = std::max(radius, (position(mesh, point) - position(mesh, place)).norm());
   }
+  // That ends: no corner is farther after more is grown, and a radius that grows for ever reaches
+  // all of the mesh.
   for (;;) {
     solver_.grow(radius);
     if (solver_.reached() == kInfinity) break;

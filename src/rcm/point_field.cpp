@@ -107,7 +107,7 @@ FieldValue PointField::estimate(int vertex) {
   const double own = squaredDistanceAt(vertex);
   const Vec2 gradient = stencil.apply(
       own, [&](int v) -> const Vec2& { return logVectorAt(v); }, squaredDistanceAt);
-  if (isLinear(estimator_)) return {gradient, own};
+  if (isLinear(estimator_) || stencil.logVectorShare == 1) return {gradient, own};
   const Vec2& log = logVectorAt(vertex);
   // The fit is what the stencil makes of the rest.
   const Vec2 difference = (log - gradient) / (1 - stencil.logVectorShare);

@@ -109,5 +109,30 @@ TEST(StencilTable, GivesWayToTheOwnLogVectorOnARoughSurface) {
   EXPECT_GT(sum / inner, 0.8);
 }
 
+TEST(StencilTable, DoesNotGoThroughAHub) {
+  // A disc round one vertex: through it all the others are two edges apart.
+  const int faces = 3'000;
+  Array<Vec3> positions{Vec3(0, 0, 0)};
+  Array<Triangle> triangles;
+  for (int i = 0; i < faces; ++i) {
+    const double angle = 2 * kPi * i / faces;
+    positions.push_back(Vec3(std::cos(angle), std::sin(angle), 0));
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % faces});
+  }
+  const TriangleMesh mesh = buildMesh(positions, triangles);
+  const Geometry geometry = buildGeometry(mesh);
+  const Vec3 p(0.3, -0.2, 0);
+  for (const Estimator estimator :
+       {Estimator::kLinear1, Estimator::kLinear2, Estimator::kQuadratic2}) {
+    StencilTable table(geometry, estimator);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const Stencil stencil = table.at(v);
+      ASSERT_LE(stencil.end - stencil.begin, 64) << "vertex " << v;
+      const Vec2 expected = inVertexFrame(geometry, v, 2 * (mesh.positions[v] - p));
+      ASSERT_LT((estimate(geometry, table, v, p) - expected).norm(), 1e-9) << "vertex " << v;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace karcher

@@ -134,6 +134,26 @@ TEST(Isoline, FarExactOnesAreClosedOnAClosedSurface) {
   }
 }
 
+TEST(Isoline, RoundTheTipOfANeedleIsAsLongAsItsAngle) {
+  // Every face is narrower than the ends of arcs are known to where they graze an edge.
+  const int faces = 5'000;
+  const double height = 1e4;
+  Array<Vec3> positions{Vec3(0, 0, height)};
+  Array<Triangle> triangles;
+  for (int i = 0; i < faces; ++i) {
+    const double angle = 2 * kPi * i / faces;
+    positions.push_back(Vec3(std::cos(angle), std::sin(angle), 0));
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % faces});
+  }
+  const TriangleMesh mesh = buildMesh(positions, triangles);
+  const Geometry geometry = buildGeometry(mesh);
+  const double radius = 0.3 * height;
+  const Array<Isoline> lines = exactIsolines(geometry, vertexPoint(mesh, 0), radius);
+  ASSERT_EQ(lines.count(), 1);
+  EXPECT_TRUE(lines[0].closed);
+  EXPECT_NEAR(lines[0].length, radius * geometry.totalAngle[0], 1e-6 * lines[0].length);
+}
+
 TEST(Isoline, ExactOnesLeaveNoScraps) {
   // Around saddle vertices, where paths bend and faces may lie nearer as a whole by one corner.
   const TriangleMesh mesh = importMesh(makeShape(Shape::kGenus3, 1000)).mesh;
