@@ -32,6 +32,7 @@ test('help, of the program and of each command', async () => {
     'edit',
     'circle',
     'ellipse',
+    'regions',
     'bench',
     'compare',
   ]);

@@ -69,21 +69,30 @@ export const curveOptions: readonly Option[] = [
 
 /** The curve that the arguments describe, not yet checked against a mesh. */
 export async function readCurve(args: Arguments): Promise<CurveRecord> {
+  const [curve, ...more] = await readCurves(args);
+  if (more.length === 0) return curve;
+  throw new UsageError(
+    `${args.text('curve')} holds ${more.length + 1} curves: --number says which, from 0`,
+  );
+}
+
+/** The same, or all curves of the file if none is chosen. */
+export async function readCurves(args: Arguments): Promise<[CurveRecord, ...CurveRecord[]]> {
   if (args.given('curve')) {
     const names = partOptions.map(({ name }) => name);
     args.refuse(names, 'with --curve, which says it all');
     const path = args.text('curve');
     const curves = curvesOfFile(await args.file('curve'), path);
-    if (args.given('number')) return curveOf(curves, args.integer('number'), path);
-    if (curves.length < 2) return curveOf(curves, 0, path);
-    throw new UsageError(`${path} holds ${curves.length} curves: --number says which, from 0`);
+    if (args.given('number')) return [curveOf(curves, args.integer('number'), path)];
+    const [, ...others] = curves.keys();
+    return [curveOf(curves, 0, path), ...others.map((number) => curveOf(curves, number, path))];
   }
   args.refuse(['number'], 'without --curve');
   const shape = shapeOf(args);
   if (!args.given('points')) {
     throw new UsageError(`${args.command} needs --points FILE or --curve FILE`);
   }
-  return { ...shape, points: await args.points() };
+  return [{ ...shape, points: await args.points() }];
 }
 
 function shapeOf(args: Arguments): Omit<CurveRecord, 'points'> {

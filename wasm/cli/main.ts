@@ -15,6 +15,7 @@ import { info } from './info.js';
 import { mean } from './mean.js';
 import { jsonLine, polylinesAsObj, print, printable } from './output.js';
 import { path } from './path.js';
+import { regions } from './regions.js';
 import { trace } from './trace.js';
 import { weights } from './weights.js';
 
@@ -28,6 +29,7 @@ const commands: readonly Command[] = [
   edit,
   circle,
   ellipse,
+  regions,
   bench,
   compare,
 ].map((command) => ({ ...command, options: [...command.options, ...meshOptions, outOption] }));

@@ -1,12 +1,11 @@
 import type { Curve } from '../curve.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
-import type { CurveGeometry, CurveOptions } from '../types.js';
 import type { Arguments } from './arguments.js';
-import { type Command, fieldOptions, formatOption, levelsOption } from './command.js';
+import { type Command, fieldOptions, formatOption } from './command.js';
 import { curveOptions, readCurve } from './curve_arguments.js';
-import { UsageError } from './errors.js';
 import { pointRecords, sampleRecords, triples } from './output.js';
+import { samplingOf, samplingOptions } from './sampling.js';
 
 export const trace: Command = {
   name: 'trace',
@@ -15,25 +14,7 @@ export const trace: Command = {
     '{levels, samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, polygon, fields, trace, bridge, join}, at: [{parameter, point: {face, bary}, position, status, tangent: {inFace: changes of bary, inSpace}, length: from the start}, …] with --at, nearest: {parameter, point, position, status, distance} with --nearest, spaced: [{parameter, point, position}, …] with --spaced}',
   options: [
     ...curveOptions,
-    {
-      name: 'samples',
-      value: 'N|adaptive',
-      help: 'samples a segment, at t = i / (N - 1), or as many as the tolerance needs',
-      default: '128',
-    },
-    {
-      name: 'tolerance',
-      value: 'T',
-      help: "of adaptive samples: the curve's distance from the geodesics between them, as a part of the diagonal",
-      default: '1e-4',
-    },
-    {
-      name: 'geometry',
-      value: 'geodesic|exact',
-      help: "what lies between the samples: geodesics, or the curve's own crossings of edges",
-      default: 'geodesic',
-    },
-    levelsOption,
+    ...samplingOptions,
     {
       name: 'at',
       value: 't1,t2,…',
@@ -79,22 +60,6 @@ export const trace: Command = {
     };
   },
 };
-
-function samplingOf(
-  args: Arguments,
-): Pick<CurveOptions, 'samples' | 'tolerance' | 'geometry' | 'levels'> {
-  const adaptive = args.given('tolerance') || args.text('samples') === 'adaptive';
-  if (args.given('tolerance') && args.given('samples') && args.text('samples') !== 'adaptive') {
-    throw new UsageError('trace takes --samples or --tolerance, not both');
-  }
-  return {
-    geometry: args.choice<CurveGeometry>('geometry'),
-    levels: args.levels(),
-    ...(adaptive
-      ? { samples: 'adaptive' as const, tolerance: args.number('tolerance') }
-      : { samples: args.integer('samples') }),
-  };
-}
 
 /** Checks what is asked of the curve, before it is traced. */
 function measuresOf(args: Arguments): (mesh: Mesh, curve: Curve) => object {

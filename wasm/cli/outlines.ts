@@ -1,0 +1,31 @@
+import { load } from '../load.js';
+import type { Mesh } from '../mesh.js';
+import type { Path } from '../path.js';
+import type { Arguments } from './arguments.js';
+import { fieldOptions, type Option } from './command.js';
+import { curveOptions, readCurves } from './curve_arguments.js';
+import { samplingOf, samplingOptions } from './sampling.js';
+
+/** The curves along which a surface is divided. */
+export const outlineOptions: readonly Option[] = [
+  ...curveOptions.map((option) =>
+    option.name === 'number' ? { ...option, default: 'all of them' } : option,
+  ),
+  ...samplingOptions,
+  ...fieldOptions,
+];
+
+/** The mesh, and the curves on it as paths. */
+export async function readOutlines(args: Arguments): Promise<{ mesh: Mesh; outlines: Path[] }> {
+  const how = { ...samplingOf(args), ...args.field() };
+  const records = await readCurves(args);
+  const read = await args.meshFile();
+  const { mesh } = await read(await load());
+  const outlines = records.map((record) => {
+    const curve = mesh.curve({ ...record, ...how });
+    const path = curve.path();
+    curve.dispose();
+    return path;
+  });
+  return { mesh, outlines };
+}

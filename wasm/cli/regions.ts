@@ -1,0 +1,58 @@
+import type { BooleanOperation, FillRule } from '../types.js';
+import { type Command, formatOption } from './command.js';
+import { triples } from './output.js';
+import { outlineOptions, readOutlines } from './outlines.js';
+
+export const regions: Command = {
+  name: 'regions',
+  summary: 'what closed curves, or curves from boundary to boundary, enclose',
+  output:
+    '{regions: [{area, perimeter, boundary: [{length, polyline: [[x, y, z], …]}, …]}, …]}: one a curve, or one of all with --combine or --inside; the boundary is closed lines, which have the region to their left: its outline and those of its holes',
+  options: [
+    ...outlineOptions,
+    {
+      name: 'inside',
+      value: 'POINT',
+      help: 'a point inside what all curves enclose together; without it the smaller side of each is inside',
+    },
+    {
+      name: 'rule',
+      value: 'evenOdd|nonZero',
+      help: 'what is inside where a curve crosses itself',
+      default: 'evenOdd',
+    },
+    {
+      name: 'combine',
+      value: 'none|union|intersection|difference|exclusion',
+      help: 'one region of those of all curves; of a difference the first without all others',
+      default: 'none',
+    },
+    formatOption,
+  ],
+  async run(args) {
+    const rule = args.choice<FillRule>('rule');
+    const combine = args.choice<BooleanOperation | 'none'>('combine');
+    const { inside } = args.whereGiven(['inside'], (name) => args.point(name));
+    if (inside) args.refuse(['combine'], 'with --inside, which makes one region of all curves');
+    const { mesh, outlines } = await readOutlines(args);
+    const found = mesh.regions(inside ? [{ outlines, inside }] : outlines, {
+      rule,
+      ...(combine !== 'none' && { combine }),
+    });
+    return {
+      json: {
+        regions: found.map((region) => ({
+          area: region.area,
+          perimeter: region.perimeter,
+          boundary: region.boundary().map((path) => ({
+            length: path.length,
+            polyline: triples(path.polyline({ bits: 64 })),
+          })),
+        })),
+      },
+      polylines: found.flatMap((region) =>
+        region.boundary().map((path) => path.polyline({ bits: 64 })),
+      ),
+    };
+  },
+};

@@ -1,0 +1,43 @@
+import type { CurveGeometry, CurveOptions } from '../types.js';
+import type { Arguments } from './arguments.js';
+import { levelsOption, type Option } from './command.js';
+import { UsageError } from './errors.js';
+
+/** How a curve is traced. */
+export const samplingOptions: readonly Option[] = [
+  {
+    name: 'samples',
+    value: 'N|adaptive',
+    help: 'samples a segment, at t = i / (N - 1), or as many as the tolerance needs',
+    default: '128',
+  },
+  {
+    name: 'tolerance',
+    value: 'T',
+    help: "of adaptive samples: the curve's distance from the geodesics between them, as a part of the diagonal",
+    default: '1e-4',
+  },
+  {
+    name: 'geometry',
+    value: 'geodesic|exact',
+    help: "what lies between the samples: geodesics, or the curve's own crossings of edges",
+    default: 'geodesic',
+  },
+  levelsOption,
+];
+
+export function samplingOf(
+  args: Arguments,
+): Pick<CurveOptions, 'samples' | 'tolerance' | 'geometry' | 'levels'> {
+  const adaptive = args.given('tolerance') || args.text('samples') === 'adaptive';
+  if (args.given('tolerance') && args.given('samples') && args.text('samples') !== 'adaptive') {
+    throw new UsageError(`${args.command} takes --samples or --tolerance, not both`);
+  }
+  return {
+    geometry: args.choice<CurveGeometry>('geometry'),
+    levels: args.levels(),
+    ...(adaptive
+      ? { samples: 'adaptive' as const, tolerance: args.number('tolerance') }
+      : { samples: args.integer('samples') }),
+  };
+}
