@@ -4,6 +4,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { notices } from './.tools/notices.mjs';
+import { sourcesDigest } from './.tools/sources.mjs';
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -102,7 +103,10 @@ export default defineConfig({
       { find: /^karcher\/own-worker$/, replacement: here('./dist/worker/own.js') },
     ],
   },
-  define: { __KARCHER_BUILD__: JSON.stringify(buildName()) },
+  define: {
+    __KARCHER_BUILD__: JSON.stringify(buildName()),
+    __KARCHER_SOURCES__: JSON.stringify(sourcesDigest()),
+  },
   worker: { format: 'es', rollupOptions: { checks: { pluginTimings: false } } },
   plugins: [policyInPages, thirdPartyNotices, filesInServiceWorker],
   preview: {

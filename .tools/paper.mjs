@@ -18,6 +18,7 @@ import { parseArgs } from 'node:util';
 import { buildFacade, buildWasm } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { inRoot } from './shell.mjs';
+import { sourcesDigest } from './sources.mjs';
 
 const usage =
   'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--points FOLDER] [--plots] [--save] [--built]';
@@ -120,6 +121,9 @@ const tellBusy = (what) => {
   tell(what);
 };
 
+/** Of what is measured, from the beginning: it may be edited meanwhile. */
+const sources = sourcesDigest();
+
 /** Where and when: what the numbers depend on; times also on what else the machine had to do. */
 function about(seed) {
   const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
@@ -130,6 +134,7 @@ function about(seed) {
     date: new Date().toISOString().slice(0, 10),
     machine: `${cores[0].model.trim()}, ${cores.length} cores, ${type()} ${arch()}, Node ${process.version}, load ${lookAtLoad().most.toFixed(1)}`,
     version: `${version}${commit}`,
+    sources,
     seed,
   };
 }

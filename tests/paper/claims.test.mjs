@@ -3,6 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
 import { loadPeers } from 'karcher/peers';
+import { loadConfigFromFile } from 'vite';
+import { digestOf, sourcesDigest } from '../../.tools/sources.mjs';
 import { inRoot, load } from './load.mjs';
 
 const verdicts = ['holds', 'does not', 'depends', 'settled here', 'open', 'not measured here'];
@@ -56,6 +58,53 @@ describe('claims', () => {
       assert.equal(verdict === 'depends', Boolean(on), id);
     }
     assert.doesNotMatch(JSON.stringify(report), /\/(home|work|tmp|Users)\//);
+  });
+});
+
+describe('numbers older than the code that they judge', () => {
+  test('are told by the digest of the sources, or by the commit where none was saved', async () => {
+    const { isOlder } = await load('claims/saved.ts');
+    const build = { version: '1.0.0 abc', sources: '12' };
+    assert.equal(isOlder({ version: '1.0.0 abc', sources: '12' }, build), false);
+    // Commits that leave the sources as they are make nothing older.
+    assert.equal(isOlder({ version: '0.9.0 def', sources: '12' }, build), false);
+    assert.equal(isOlder({ version: '1.0.0 abc', sources: '34' }, build), true);
+    assert.equal(isOlder({ version: '1.0.0 abc' }, build), false);
+    assert.equal(isOlder({ version: '0.9.0 def' }, build), true);
+  });
+
+  test('have a digest that depends on names and lines, not on the machine', () => {
+    const digest = digestOf([
+      ['a.h', 'x\ny\n'],
+      ['b.h', ''],
+    ]);
+    assert.equal(
+      digestOf([
+        ['b.h', ''],
+        ['a.h', 'x\r\ny\r\n'],
+      ]),
+      digest,
+    );
+    for (const other of [
+      [
+        ['a.h', 'x\n'],
+        ['b.h', 'y\n'],
+      ],
+      [
+        ['a.h', 'x\ny\n'],
+        ['c.h', ''],
+      ],
+      [['a.h', 'x\ny\n']],
+    ]) {
+      assert.notEqual(digestOf(other), digest);
+    }
+    assert.match(sourcesDigest(), /^[0-9a-f]{64}$/);
+  });
+
+  test('are told by the page, which is built with the digest of its sources', async () => {
+    const command = { command: 'build', mode: 'production' };
+    const { config } = await loadConfigFromFile(command, inRoot('vite.config.ts'));
+    assert.equal(config.define.__KARCHER_SOURCES__, JSON.stringify(sourcesDigest()));
   });
 });
 

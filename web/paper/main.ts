@@ -1,5 +1,6 @@
 import { byId, make } from '../panels/elements';
 import { applyTheme, onTheme, toggleTheme } from '../panels/theme';
+import { build } from './claims/build';
 import { ClaimsSection, savedReport } from './claims/claims_section';
 import { figures, smallFigures } from './figures';
 import { LabClient } from './lab/client';
@@ -15,9 +16,6 @@ import { TransportSection } from './view/transport_section';
 
 /** For tests: `?detail=0.05` has every mesh smaller, `?antialias=off` lines rougher. */
 const parameters = new URLSearchParams(location.search);
-
-/** The version and the commit (vite.config.ts). */
-declare const __KARCHER_BUILD__: string;
 
 declare global {
   interface Window {
@@ -44,7 +42,7 @@ function start(): void {
     claims.show(Object.assign({}, ...sections.map((section) => section.measured())));
   };
   const sections = shown.map((figure) => new FigureSection(context, figure, measured));
-  const table = new TableSection(detail < 1 ? smallRows(detail) : tableRows, __KARCHER_BUILD__);
+  const table = new TableSection(detail < 1 ? smallRows(detail) : tableRows, build.version);
   const carried = new CarriedSection(context, detail);
   const plots = new PlotsSection(
     savedReport?.plots ?? null,

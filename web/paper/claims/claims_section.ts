@@ -1,7 +1,8 @@
 import { make } from '../../panels/elements';
 import { sectionHead } from '../view/section';
+import { build } from './build';
 import { judge } from './judge';
-import type { SavedClaim, SavedReport } from './saved';
+import { isOlder, olderNote, type SavedClaim, type SavedReport } from './saved';
 import type { JudgedClaim, Measured, Verdict } from './types';
 
 /** The report in this checkout, if there is one: a page can be built without. */
@@ -41,10 +42,11 @@ export class ClaimsSection {
       const saved = this.#report?.claims.find(({ id }) => id === row.id);
       const { id, where, claim, figure } = row;
       if (saved && saved.verdict !== 'not measured here') {
-        return { ...saved, where, claim, figure, live: false };
+        const older = isOlder(saved.renewed ?? this.#report!, build);
+        return { ...saved, where, claim, figure, live: false, older };
       }
-      if (row.verdict !== 'not measured here') return { ...row, live: true };
-      return { ...unmeasured, id, where, claim, figure, live: false };
+      if (row.verdict !== 'not measured here') return { ...row, live: true, older: false };
+      return { ...unmeasured, id, where, claim, figure, live: false, older: false };
     });
     this.#card.replaceChildren(table(rows));
     this.#caption.textContent = captionOf(rows, this.#report);
@@ -54,6 +56,8 @@ export class ClaimsSection {
 interface ShownClaim extends SavedClaim {
   /** Whether it was judged by what this page measured. */
   live: boolean;
+  /** Whether the code has changed since. */
+  older: boolean;
 }
 
 function captionOf(rows: readonly ShownClaim[], report: SavedReport | null): string {
@@ -64,7 +68,9 @@ function captionOf(rows: readonly ShownClaim[], report: SavedReport | null): str
   const about = report
     ? `Measured on ${report.date} by version ${report.version} with seed ${report.seed} on ${report.machine}, by “npm run paper”.`
     : 'This build has no report: “npm run paper -- --save” makes one, with meshes that are not at hand here by “--meshes FOLDER”. Until then the claims are judged by the figures below as they are measured in your browser, where those are enough.';
-  return `Each claim of the paper in our words, what was measured of it, and what follows, also where that speaks against us: ${counts.join(', ')}. ${about}`;
+  const older = rows.filter((row) => row.older).length;
+  const ageing = older > 0 ? ` ${older} of the rows are ${olderNote}, and say so.` : '';
+  return `Each claim of the paper in our words, what was measured of it, and what follows, also where that speaks against us: ${counts.join(', ')}. ${about}${ageing}`;
 }
 
 function table(rows: readonly ShownClaim[]): HTMLElement {
@@ -79,7 +85,7 @@ function table(rows: readonly ShownClaim[]): HTMLElement {
 }
 
 function tableRow(row: ShownClaim): HTMLElement {
-  const { id, where, claim, figure, measured, verdict, on, live, renewed } = row;
+  const { id, where, claim, figure, measured, verdict, on, live, older, renewed } = row;
   const element = make('tr');
   element.dataset.claim = id;
   const place = make('th', '', { scope: 'row' });
@@ -94,6 +100,7 @@ function tableRow(row: ShownClaim): HTMLElement {
   if (renewed) {
     last.append(make('small', `measured on ${renewed.date} by version ${renewed.version}`));
   }
+  if (older) last.append(make('small', olderNote));
   element.append(place, make('td', claim), make('td', measured), last);
   return element;
 }

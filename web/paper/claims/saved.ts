@@ -7,6 +7,8 @@ interface Origin {
   date: string;
   machine: string;
   version: string;
+  /** Digest of the sources that decide the numbers; reports from before it was saved have none. */
+  sources?: string;
   /** Of the random numbers of its studies. */
   seed: number;
 }
@@ -15,7 +17,7 @@ export interface SavedPlots extends Origin, Pick<Studies, 'convergence' | 'rough
 
 /** A verdict; one whose numbers are of another day than the report's says of which. */
 export interface SavedClaim extends JudgedClaim {
-  renewed?: Pick<Origin, 'date' | 'version'>;
+  renewed?: Pick<Origin, 'date' | 'version' | 'sources'>;
 }
 
 /** The verdicts that `npm run paper -- --save` kept, with what they depend on. */
@@ -24,3 +26,21 @@ export interface SavedReport extends Origin {
   /** What the page plots; reports from before there were plots have none. */
   plots?: SavedPlots;
 }
+
+/** The code that a page was built from. */
+export interface Build {
+  /** The version and the commit. */
+  version: string;
+  sources: string;
+}
+
+/** Whether the code has changed since something was measured; without a digest the commit tells. */
+export function isOlder(
+  { version, sources }: Pick<Origin, 'version' | 'sources'>,
+  build: Build,
+): boolean {
+  return sources === undefined ? version !== build.version : sources !== build.sources;
+}
+
+/** What is said of it. */
+export const olderNote = 'of an older version of the code';

@@ -1,8 +1,9 @@
 import { WorkerClient } from 'karcher/own-worker';
 import { make } from '../../panels/elements';
+import { build } from '../claims/build';
 import { type ConvergencePoint, convergenceSizes, plottedMethods } from '../claims/convergence';
 import { noises, type RoughnessPoint } from '../claims/roughness';
-import type { SavedPlots } from '../claims/saved';
+import { isOlder, olderNote, type SavedPlots } from '../claims/saved';
 import { lineStyles } from '../figures/lines';
 import { type ChartAxis, LineChart } from '../view/line_chart';
 import { sectionHead } from '../view/section';
@@ -65,7 +66,7 @@ export class PlotsSection {
     controls.append(this.#run, this.#bar, this.#from);
     this.element.append(head, caption, controls, grid);
     this.#from.textContent = report
-      ? `Measured on ${report.date} by version ${report.version} with seed ${report.seed} on ${report.machine}.`
+      ? `Measured on ${report.date} by version ${report.version} with seed ${report.seed} on ${report.machine}${isOlder(report, build) ? `, ${olderNote}` : ''}.`
       : 'Nothing is measured yet.';
     this.#run.addEventListener('click', () => (this.#worker ? this.cancel() : this.start()));
     this.#show();

@@ -1,0 +1,28 @@
+// The sources that decide the Paper page's numbers, as one digest: numbers that were saved with another are
+// of another version of the code.
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { relative, sep } from 'node:path';
+import { filesBelow, root } from './shell.mjs';
+
+/** The engine, the methods that it is compared with, and the studies; the bindings between only pass on. */
+const folders = ['src', 'wasm/peers', 'web/paper'];
+
+/** The SHA-256 of files: `[name, text]` pairs, in any order and with any line ends. */
+export function digestOf(files) {
+  const hash = createHash('sha256');
+  const byName = (a, b) => (a[0] < b[0] ? -1 : 1);
+  for (const [name, text] of files.toSorted(byName)) {
+    const lines = text.replaceAll('\r\n', '\n');
+    // Lengths keep the end of one file from passing for the beginning of the next.
+    hash.update(`${name}\n${lines.length}\n${lines}`);
+  }
+  return hash.digest('hex');
+}
+
+/** The digest of this checkout's sources, which needs no Git: the same on every machine. */
+export function sourcesDigest() {
+  const paths = folders.flatMap((folder) => filesBelow(folder, /\.(cpp|h|ts)$/));
+  const nameOf = (path) => relative(root, path).replaceAll(sep, '/');
+  return digestOf(paths.map((path) => [nameOf(path), readFileSync(path, 'utf8')]));
+}

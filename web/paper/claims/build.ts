@@ -1,0 +1,8 @@
+import type { Build } from './saved';
+
+// Put in by vite.config.ts.
+declare const __KARCHER_BUILD__: string;
+declare const __KARCHER_SOURCES__: string;
+
+/** This page's. */
+export const build: Build = { version: __KARCHER_BUILD__, sources: __KARCHER_SOURCES__ };
