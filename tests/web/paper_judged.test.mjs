@@ -188,6 +188,8 @@ describe('the paper, judged', () => {
     const handle = (side) => section.locator(`[data-panel="${side}"] .handle`).first();
     for (const side of ['target', 'source']) {
       const earlier = await shown();
+      // The mouse reaches what is in view only.
+      await handle(side).scrollIntoViewIfNeeded();
       const box = await handle(side).boundingBox();
       await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
       await page.mouse.down();
