@@ -68,6 +68,21 @@ inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& windo
                        side.leftLength * side.along.y(), window.begin);
 }
 
+/// By how much the way through a window, taken as wide as need be, is longer than through another,
+/// at the other's ends and middle.
+struct Lengthening {
+  double least;
+  double most;
+};
+
+Lengthening lengthening(const Window& taken, const Window& other) {
+  const auto at = [&](double x) { return distanceAt(taken, x) - distanceAt(other, x); };
+  const double begin = at(other.begin);
+  const double middle = at((other.begin + other.end) / 2);
+  const double end = at(other.end);
+  return {std::min({begin, middle, end}), std::max({begin, middle, end})};
+}
+
 }  // namespace
 
 bool spreadsPaths(const Geometry& geometry, int vertex) {
@@ -80,9 +95,11 @@ bool spreadsPaths(const Geometry& geometry, int vertex) {
   return false;
 }
 
-ExactDistance::ExactDistance(const Geometry& geometry)
+ExactDistance::ExactDistance(const Geometry& geometry, double tolerance)
     : geometry_(geometry),
       mesh_(*geometry.mesh),
+      tolerance_(tolerance),
+      wedgeMargin_(std::max(kWedgeMargin, std::sqrt(2 * tolerance))),
       vertices_(mesh_.vertexCount()),
       faces_(mesh_.faceCount()),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
@@ -192,15 +209,15 @@ void ExactDistance::leaveVertex(int vertex) {
   const double total = geometry_.totalAngle[vertex];
   const bool isSource = vertices_.touch(vertex).via < 0;
   const double back = isSource ? 0 : direction(vertex);
-  const double ahead = back + kPi - kWedgeMargin;
-  const double width = total - 2 * kPi + 2 * kWedgeMargin;
+  const double ahead = back + kPi - wedgeMargin_;
+  const double width = total - 2 * kPi + 2 * wedgeMargin_;
   for (const int h : outgoingHalfedges(mesh_, vertex)) {
     const double right = geometry_.cumulatedAngle[h];
     if (isSource) {
       leaveThroughCorner(vertex, h, 0, geometry_.cornerAngle[h]);
     } else if (mesh_.onBoundary[vertex]) {
       leaveThroughCorner(vertex, h, ahead - right, kInfinity);
-      leaveThroughCorner(vertex, h, -kInfinity, back - kPi + kWedgeMargin - right);
+      leaveThroughCorner(vertex, h, -kInfinity, back - kPi + wedgeMargin_ - right);
     } else {
       leaveThroughCorner(vertex, h, ahead - right, ahead + width - right);
       leaveThroughCorner(vertex, h, ahead - right - total, ahead + width - right - total);
@@ -262,6 +279,7 @@ void ExactDistance::takeWaiting(int h) {
     index = after;
   }
   waiting = {};
+  if (tolerance_ > 0) mergeBatch(h);
   windowsLeft_ -= batch_.count();
   if (windowsLeft_ < 0) {
     throw Error(ErrorCode::kBadArgument,
@@ -269,6 +287,42 @@ void ExactDistance::takeWaiting(int h) {
                     " windows a face on this mesh (10 to 100 are usual); the solver 'graph' needs "
                     "none");
   }
+}
+
+/// Of windows that overlap or follow each other on an edge, one goes on for both where it is no
+/// longer than a window that lies in it, or as long over all of the other, up to the tolerance.
+void ExactDistance::mergeBatch(int h) {
+  const double longest = std::max(
+      {geometry_.edgeLength[h], geometry_.edgeLength[next(h)], geometry_.edgeLength[previous(h)]});
+  const double height = oppositeOverHalfedge(geometry_, h).y() * geometry_.edgeLength[h] / longest;
+  const double most = tolerance_ * height;
+  std::sort(batch_.begin(), batch_.end(), [](const Window& a, const Window& b) {
+    return std::tie(a.begin, a.end, a.sourceX, a.depth, a.offset) <
+           std::tie(b.begin, b.end, b.sourceX, b.depth, b.offset);
+  });
+  int last = 0;
+  for (int i = 1; i < batch_.count(); ++i) {
+    Window& before = batch_[last];
+    const Window& window = batch_[i];
+    const Lengthening along = lengthening(before, window);
+    const bool lies = window.end <= before.end;
+    const bool isWider = window.end - window.begin <= before.end - before.begin;
+    if (along.most <= most && (lies || (isWider && along.least >= -most))) {
+      before.end = std::max(before.end, window.end);
+      continue;
+    }
+    const Lengthening back = lengthening(window, before);
+    if (back.most <= most && back.least >= -most) {
+      const double begin = before.begin;
+      const double end = std::max(before.end, window.end);
+      before = window;
+      before.begin = begin;
+      before.end = end;
+      continue;
+    }
+    batch_[++last] = window;
+  }
+  if (!batch_.empty()) batch_.resize(static_cast<size_t>(last + 1));
 }
 
 /// Carries the windows that wait at half-edge h across its face: first to the apex, so that then

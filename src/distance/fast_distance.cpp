@@ -47,7 +47,6 @@ FastDistance::FastDistance(const Geometry& geometry, std::shared_ptr<const Verte
 void FastDistance::setSource(const SurfacePoint& source) {
   vertices_.clear();
   queue_.clear();
-  settled_.clear();
   front_ = 0;
   longestDelay_ = 0;
   const TriangleMesh& mesh = *geometry_.mesh;
@@ -103,7 +102,6 @@ double FastDistance::growTo(int vertex) {
 
 void FastDistance::settle(int vertex) {
   VertexRecord& from = vertices_.touch(vertex);
-  if (keepsSettled_ && from.times == 1) settled_.push_back(vertex);
   from.settled = true;
   from.place = kNotWaiting;
   front_ = std::max(front_, from.distance);
@@ -485,14 +483,6 @@ PathStep FastDistance::stepTo(int vertex) const {
   const int next = fans_->edges[fans_->after(vertex, record->corner)].head;
   const double part = before / (before + behind);
   return {right.head, next, std::isfinite(part) ? std::clamp(part, 0.0, 1.0) : 0};
-}
-
-double FastDistance::agreement(int vertex, int number) const {
-  const FanEdge& edge = fans_->edges[number];
-  const Vec2& back = fans_->edges[edge.reverse].vector;
-  const Vec2 turned = rotateBack(back, vertices_.find(edge.head)->toSource);
-  const Vec2 atVertex = rotate(edge.vector, turned) / (edge.length * edge.length);
-  return -vertices_.find(vertex)->toSource.dot(atVertex);
 }
 
 Vec2 FastDistance::logVector(int vertex) const {

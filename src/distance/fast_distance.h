@@ -58,21 +58,6 @@ class FastDistance final : public DistanceSolver {
   Vec2 logVector(int vertex) const override;
   PathStep stepTo(int vertex) const override;
 
-  /// The cosine of the angle between the paths that arrive at both ends of an edge of a vertex's
-  /// fan, which has this number. Of a path that crosses the cut of a fan it is that of another
-  /// angle.
-  double agreement(int vertex, int number) const;
-  const VertexFans& fans() const { return *fans_; }
-
-  /// From the next `setSource` on keeps the order in which vertices are settled.
-  void keepSettled() { keepsSettled_ = true; }
-  /// Appends the vertices that were settled since the last call, each for the first time, in their
-  /// order.
-  void takeSettled(Array<int>& vertices) {
-    vertices.insert(vertices.end(), settled_.begin(), settled_.end());
-    settled_.clear();
-  }
-
  private:
   static constexpr int kNotWaiting = -1;
   /// A vertex is settled so often at most. Ordinary ones are a few times, but in slivers rounding
@@ -156,10 +141,8 @@ class FastDistance final : public DistanceSolver {
   PagedArray<VertexRecord, 4> vertices_;
   OrderedQueue queue_;
   Ring ring_{};
-  VertexRecord nowhere_;  ///< takes what is not wanted
-  double front_ = 0;      ///< the largest distance settled so far
-  bool keepsSettled_ = false;
-  Array<int> settled_;      ///< for the first time, and not yet taken
+  VertexRecord nowhere_;    ///< takes what is not wanted
+  double front_ = 0;        ///< the largest distance settled so far
   bool hasTied_ = false;    ///< it has replaced a path by another one of the same length
   float longestDelay_ = 0;  ///< the largest delay of the vertices met so far
 };
