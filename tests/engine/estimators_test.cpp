@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "generators/gallery.h"
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "mesh/mesh_import.h"
@@ -111,15 +112,8 @@ TEST(StencilTable, GivesWayToTheOwnLogVectorOnARoughSurface) {
 
 TEST(StencilTable, DoesNotGoThroughAHub) {
   // A disc round one vertex: through it all the others are two edges apart.
-  const int faces = 3'000;
-  Array<Vec3> positions{Vec3(0, 0, 0)};
-  Array<Triangle> triangles;
-  for (int i = 0; i < faces; ++i) {
-    const double angle = 2 * kPi * i / faces;
-    positions.push_back(Vec3(std::cos(angle), std::sin(angle), 0));
-    triangles.push_back({0, 1 + i, 1 + (i + 1) % faces});
-  }
-  const TriangleMesh mesh = buildMesh(positions, triangles);
+  const TriangleSoup disc = wheel(3'000, 0, 0);
+  const TriangleMesh mesh = buildMesh(disc.positions, disc.triangles);
   const Geometry geometry = buildGeometry(mesh);
   const Vec3 p(0.3, -0.2, 0);
   for (const Estimator estimator :

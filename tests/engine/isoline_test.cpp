@@ -7,6 +7,7 @@
 
 #include "distance/exact_distance.h"
 #include "distance/shortest_path.h"
+#include "generators/gallery.h"
 #include "generators/random.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
@@ -136,16 +137,9 @@ TEST(Isoline, FarExactOnesAreClosedOnAClosedSurface) {
 
 TEST(Isoline, RoundTheTipOfANeedleIsAsLongAsItsAngle) {
   // Every face is narrower than the ends of arcs are known to where they graze an edge.
-  const int faces = 5'000;
   const double height = 1e4;
-  Array<Vec3> positions{Vec3(0, 0, height)};
-  Array<Triangle> triangles;
-  for (int i = 0; i < faces; ++i) {
-    const double angle = 2 * kPi * i / faces;
-    positions.push_back(Vec3(std::cos(angle), std::sin(angle), 0));
-    triangles.push_back({0, 1 + i, 1 + (i + 1) % faces});
-  }
-  const TriangleMesh mesh = buildMesh(positions, triangles);
+  const TriangleSoup needle = wheel(5'000, 0, height);
+  const TriangleMesh mesh = buildMesh(needle.positions, needle.triangles);
   const Geometry geometry = buildGeometry(mesh);
   const double radius = 0.3 * height;
   const Array<Isoline> lines = exactIsolines(geometry, vertexPoint(mesh, 0), radius);

@@ -75,7 +75,7 @@ TEST(MergedWindows, AreNearExactOnTheGallery) {
   }
 }
 
-TEST(MergedWindows, OfAPlaneAreExact) {
+TEST(MergedWindows, LoseNothingWhereTheyAreEqual) {
   const TriangleMesh mesh = galleryMesh("plate with 50 holes");
   const Geometry geometry = buildGeometry(mesh);
   ExactDistance merged(geometry, 1e-300);
