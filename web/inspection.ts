@@ -1,8 +1,8 @@
 import type { MeshInfo } from 'karcher';
-import type { Distances, ShownDistances } from './editor/distances';
-import type { Editor, State } from './editor/editor';
-import type { Session } from './editor/session';
-import type { View } from './editor/view';
+import type { Distances, ShownDistances } from './editor/engine/distances';
+import type { Editor, State } from './editor/state/editor';
+import type { Session } from './editor/engine/session';
+import type { View } from './editor/engine/view';
 import type { Vector } from './model/figure';
 import { arraysOf, type MeshArrays } from './model/mesh_blobs';
 import type { Viewer } from './viewer/viewer';

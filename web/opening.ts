@@ -1,6 +1,6 @@
 import { sorted, whole } from './dropped';
-import type { Editor } from './editor/editor';
-import type { Session } from './editor/session';
+import type { Editor } from './editor/state/editor';
+import type { Session } from './editor/engine/session';
 import { readJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
 import { type Example, examples } from './model/examples';

@@ -1,4 +1,4 @@
-import type { Editor, State } from './editor/editor';
+import type { Editor, State } from './editor/state/editor';
 import type { History } from './model/history';
 import { formatLink, type Link, parseLink, viewFields } from './model/link';
 import { linkOfWork, readWork, savedLink, savedWork } from './model/saved_work';

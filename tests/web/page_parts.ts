@@ -1,12 +1,12 @@
 /** What the tests take of the page's parts: of one import, so that they are the same ones. */
 
-export { Bend } from '../../web/editor/bend';
-export { curveValueOf } from '../../web/editor/compute';
-export { CurveEdits } from '../../web/editor/curve_edits';
-export { Editor } from '../../web/editor/editor';
-export { mirroredFigures, mirrorLine } from '../../web/editor/mirroring';
-export { Move } from '../../web/editor/moving';
-export { Session } from '../../web/editor/session';
+export { Bend } from '../../web/editor/engine/bend';
+export { curveValueOf } from '../../web/editor/engine/compute';
+export { CurveEdits } from '../../web/editor/engine/curve_edits';
+export { Editor } from '../../web/editor/state/editor';
+export { mirroredFigures, mirrorLine } from '../../web/editor/engine/mirroring';
+export { Move } from '../../web/editor/engine/moving';
+export { Session } from '../../web/editor/engine/session';
 export { copiedText, pastedObjects } from '../../web/model/copied';
 export { cornersOf, cubicAt, fittedCubics } from '../../web/model/cubic_fit';
 export { activeObject, emptyDrawing, othersOf } from '../../web/model/drawing';

@@ -6,7 +6,7 @@ import { circle, ellipse, figure, load, point, settings } from './figures.mjs';
 
 describe('what was traced', () => {
   test('is remembered of what is in the drawing and the last 64 beside that', async () => {
-    const { BesideObjects, mostRemembered } = await load('editor/beside.ts');
+    const { BesideObjects, mostRemembered } = await load('editor/engine/beside.ts');
     const traced = { method: 'karcher', shown: {}, quality: 'draft' };
     const beside = new BesideObjects();
     const figures = Array.from({ length: 200 }, (_, i) => ({ ...figure, points: [point(i)] }));
@@ -242,7 +242,7 @@ describe('the shape of a circle and an ellipse', () => {
 
 describe('the newest request', () => {
   test('waits for the running one, and older ones are dropped', async () => {
-    const { Newest } = await load('editor/newest.ts');
+    const { Newest } = await load('editor/engine/newest.ts');
     const ran = [];
     let idle = 2;
     let release;
@@ -298,7 +298,7 @@ describe('parts of a curve without a center', () => {
 
 describe('the shift between two curves', () => {
   test('has a median and a largest value in the unit given', async () => {
-    const { shiftBetween } = await load('editor/shift.ts');
+    const { shiftBetween } = await load('editor/engine/shift.ts');
     const to = Float64Array.of(1, 0, 0, 0, 2, 0, 0, 0, 6, 3, 4, 0);
     assert.deepEqual(shiftBetween(new Float64Array(12), to, 2), { median: 1.75, largest: 3 });
     assert.equal(shiftBetween(new Float64Array(9), to, 1), null);

@@ -1,7 +1,7 @@
 /** What the page makes, as text for other programs. */
 import type { CurvePoints } from 'karcher';
-import type { State } from '../editor/editor';
-import type { View } from '../editor/view';
+import type { State } from '../editor/state/editor';
+import type { View } from '../editor/engine/view';
 import { isRound } from '../model/figure';
 import { gathered } from '../model/gathered';
 import { formatLink, type Link, parseLink } from '../model/link';

@@ -1,5 +1,5 @@
-import type { Editor, State } from '../editor/editor';
-import type { View } from '../editor/view';
+import type { Editor, State } from '../editor/state/editor';
+import type { View } from '../editor/engine/view';
 import { handleNames, withRadius } from '../model/circle';
 import { type CircleType, isRound } from '../model/figure';
 import { byId, make, write } from './elements';

@@ -1,4 +1,4 @@
-import { type Editor, selectedObjects } from '../editor/editor';
+import { type Editor, selectedObjects } from '../editor/state/editor';
 import { copiedText, pastedObjects } from '../model/copied';
 import { isEmpty } from '../model/figure';
 import { sentenceOf, showNote } from './messages';

@@ -1,6 +1,6 @@
-import { polylinesOf } from '../editor/compute';
-import type { State } from '../editor/editor';
-import type { View } from '../editor/view';
+import { polylinesOf } from '../editor/engine/compute';
+import type { State } from '../editor/state/editor';
+import type { View } from '../editor/engine/view';
 import { activeObject } from '../model/drawing';
 import type { CombFacts, CombLayer } from '../viewer/comb_layer';
 import type { Surface } from '../viewer/surface';

@@ -1,5 +1,5 @@
-import type { Compared, Comparison } from '../editor/comparison';
-import type { Editor, State } from '../editor/editor';
+import type { Compared, Comparison } from '../editor/engine/comparison';
+import type { Editor, State } from '../editor/state/editor';
 import type { Gap } from '../model/gap';
 import { isMethod, type MethodId, methods } from '../model/methods';
 import { byId, write } from './elements';

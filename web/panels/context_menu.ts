@@ -1,6 +1,6 @@
-import { type Editor, type State, selectedObjects } from '../editor/editor';
-import { clickSlop } from '../editor/stage_pointer';
-import { targetAt } from '../editor/targets';
+import { type Editor, type State, selectedObjects } from '../editor/state/editor';
+import { clickSlop } from '../editor/hand/stage_pointer';
+import { targetAt } from '../editor/hand/targets';
 import { isEmpty } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import type { Clipboard } from './clipboard';

@@ -1,6 +1,6 @@
-import { type CurveEdits, joinable } from '../editor/curve_edits';
-import type { Editor, State } from '../editor/editor';
-import type { View } from '../editor/view';
+import { type CurveEdits, joinable } from '../editor/engine/curve_edits';
+import type { Editor, State } from '../editor/state/editor';
+import type { View } from '../editor/engine/view';
 import { isCurve, isEmpty, isRound, isSpline, type Kind } from '../model/figure';
 import { type MethodId, methods } from '../model/methods';
 import type { Joint } from '../model/pen';

@@ -1,5 +1,5 @@
-import type { ShownDistances } from '../editor/distances';
-import type { State } from '../editor/editor';
+import type { ShownDistances } from '../editor/engine/distances';
+import type { State } from '../editor/state/editor';
 import { objectOf } from '../model/drawing';
 import { methodOptions } from '../model/methods';
 import { rampAsCss } from '../viewer/color_ramp';

@@ -1,7 +1,7 @@
 import type { CurveLevels } from 'karcher';
-import type { CurveEdits } from '../editor/curve_edits';
-import type { Editor, State } from '../editor/editor';
-import type { View } from '../editor/view';
+import type { CurveEdits } from '../editor/engine/curve_edits';
+import type { Editor, State } from '../editor/state/editor';
+import type { View } from '../editor/engine/view';
 import {
   defaultSettings,
   isCurve,

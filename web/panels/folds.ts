@@ -1,4 +1,4 @@
-import type { State } from '../editor/editor';
+import type { State } from '../editor/state/editor';
 import { isEmpty, isRound, parameterOf } from '../model/figure';
 import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';

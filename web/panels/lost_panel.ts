@@ -1,4 +1,4 @@
-import type { View } from '../editor/view';
+import type { View } from '../editor/engine/view';
 import { type LostInterval, type LostReason, lostSamples } from '../model/lost';
 import { byId, formatCount, make, write } from './elements';
 

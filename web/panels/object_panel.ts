@@ -1,4 +1,4 @@
-import { type Editor, type State, selectedObjects } from '../editor/editor';
+import { type Editor, type State, selectedObjects } from '../editor/state/editor';
 import {
   activeObject,
   type Dash,

@@ -1,6 +1,6 @@
 import type { SurfacePoint } from 'karcher';
-import type { Editor, Selection, State } from '../editor/editor';
-import type { View } from '../editor/view';
+import type { Editor, Selection, State } from '../editor/state/editor';
+import type { View } from '../editor/engine/view';
 import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle';
 import {
   type ControlPoint,

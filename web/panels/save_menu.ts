@@ -1,8 +1,8 @@
 import type { SurfacePoint } from 'karcher';
-import { polylinesOf } from '../editor/compute';
-import type { Editor } from '../editor/editor';
-import type { Session } from '../editor/session';
-import type { View } from '../editor/view';
+import { polylinesOf } from '../editor/engine/compute';
+import type { Editor } from '../editor/state/editor';
+import type { Session } from '../editor/engine/session';
+import type { View } from '../editor/engine/view';
 import { jsonOf, longestInside, partsOfObj, partsWithFile } from '../export/curve_file';
 import {
   type DrawnFill,

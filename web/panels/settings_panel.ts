@@ -1,6 +1,6 @@
 import type { Parametrization } from 'karcher';
-import type { CurveEdits } from '../editor/curve_edits';
-import type { Editor, State } from '../editor/editor';
+import type { CurveEdits } from '../editor/engine/curve_edits';
+import type { Editor, State } from '../editor/state/editor';
 import { type CurveSettings, isCurve } from '../model/figure';
 import { type Joint, jointOf } from '../model/pen';
 import { byId, make } from './elements';

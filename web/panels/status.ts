@@ -1,9 +1,9 @@
 import type { MeshInfo, Uniqueness } from 'karcher';
-import type { ShownCenter } from '../editor/compute';
-import type { Editor, Selection, State } from '../editor/editor';
-import type { Ruled } from '../editor/ruler';
-import { type Shift, unseenShift } from '../editor/shift';
-import type { View } from '../editor/view';
+import type { ShownCenter } from '../editor/engine/compute';
+import type { Editor, Selection, State } from '../editor/state/editor';
+import type { Ruled } from '../editor/hand/ruler';
+import { type Shift, unseenShift } from '../editor/engine/shift';
+import type { View } from '../editor/engine/view';
 import {
   type Figure,
   isEmpty,

@@ -1,6 +1,6 @@
-import type { CurveEdits } from '../editor/curve_edits';
-import type { Editor, State } from '../editor/editor';
-import type { View } from '../editor/view';
+import type { CurveEdits } from '../editor/engine/curve_edits';
+import type { Editor, State } from '../editor/state/editor';
+import type { View } from '../editor/engine/view';
 import { isEmpty, type Kind } from '../model/figure';
 import { byId, make } from './elements';
 import { kindGroups } from './kind_names';

@@ -1,7 +1,7 @@
-import type { CurveEdits } from '../editor/curve_edits';
-import { type Editor, selectedObjects } from '../editor/editor';
-import { toggleMirror, toggleTransform } from '../editor/mirror_tool';
-import { isResting } from '../editor/tool';
+import type { CurveEdits } from '../editor/engine/curve_edits';
+import { type Editor, selectedObjects } from '../editor/state/editor';
+import { toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
+import { isResting } from '../editor/state/tool';
 import { isCurve, isEmpty, kinds } from '../model/figure';
 import { placesOf } from '../model/moving';
 import type { Viewer } from '../viewer/viewer';

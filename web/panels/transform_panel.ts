@@ -1,6 +1,6 @@
-import type { Editor, State } from '../editor/editor';
-import { type MirrorTool, toggleMirror, toggleTransform } from '../editor/mirror_tool';
-import type { Numbers } from '../editor/transform_gestures';
+import type { Editor, State } from '../editor/state/editor';
+import { type MirrorTool, toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
+import type { Numbers } from '../editor/hand/transform_gestures';
 import { isEmpty } from '../model/figure';
 import { byId } from './elements';
 import { NumberField } from './number_field';

@@ -1,0 +1,120 @@
+/** A segment of the pen that is bent by a drag: the curve goes through the pointer, at one parameter. */
+import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
+import type { Figure, Vector } from '../../model/figure';
+import type { FigureCommand } from '../../model/figure_commands';
+import { type DrawnTangents, penOptions } from '../../model/pen';
+import { bendingParts, type OnSegment, withBentSegment } from '../../model/pen_shape';
+import type { Surface } from '../../viewer/surface';
+import type { EngineClient, LooseCurve } from '../../worker/client';
+import { directionOf } from './circle_drawing';
+import { drawnTangents } from './pen_drawing';
+
+/** How near the curve is brought to the pointer, as a part of the surface's diagonal. */
+const nearEnough = 1e-7;
+
+const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
+const sum = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+
+export class Bend {
+  /** What is to be added to the way to the pointer, as the surface is curved: learnt as it is dragged. */
+  #correction: Vector = [0, 0, 0];
+
+  private constructor(
+    private readonly client: EngineClient,
+    private readonly surface: Pick<Surface, 'carry'>,
+    private readonly figure: Figure,
+    private readonly drawn: readonly DrawnTangents[],
+    private readonly options: FieldOptions,
+    private readonly at: OnSegment,
+    private readonly curve: LooseCurve,
+    private readonly place: SurfacePoint,
+  ) {}
+
+  /**
+   * Holds a figure's segment, whose handles are drawn, where it is at a parameter of the segment. To be
+   * ended.
+   */
+  static async of(
+    client: EngineClient,
+    surface: Pick<Surface, 'carry'>,
+    figure: Figure,
+    drawn: readonly DrawnTangents[],
+    options: FieldOptions,
+    at: OnSegment,
+  ): Promise<Bend> {
+    const curve = await client.looseCurve(await segmentValue(client, figure, options, at));
+    try {
+      const { point } = await curve.pointAt(at.t);
+      return new Bend(client, surface, figure, drawn, options, at, curve, plain(point));
+    } catch (error) {
+      curve.dispose();
+      throw error;
+    }
+  }
+
+  end(): void {
+    this.curve.dispose();
+  }
+
+  /**
+   * The command that takes the segment through a point. On a plane it goes there at once; elsewhere its
+   * place is looked up, and corrected so many times at most.
+   */
+  async through(point: SurfacePoint, corrections: number): Promise<FigureCommand> {
+    const { client, surface, figure, place } = this;
+    const enough = nearEnough * client.info.diagonal;
+    const wanted = await this.#way(place, point);
+    let best: { figure: Figure; off: number; correction: Vector } | null = null;
+    for (let step = 0; step <= corrections; step++) {
+      const correction = this.#correction;
+      const bent = this.#bent(sum(wanted, correction));
+      const value = await segmentValue(client, bent, this.options, this.at);
+      const there = plain((await this.curve.placeOn(value, this.at.t)).point);
+      const off = await this.#way(there, point);
+      const length = Math.hypot(...off);
+      if (best && length >= best.off) {
+        this.#correction = best.correction;
+        break;
+      }
+      best = { figure: bent, off: length, correction };
+      this.#correction = sum(correction, surface.carry(there, place)(off));
+      if (length <= enough) break;
+    }
+    return { type: 'replace', from: figure, to: best!.figure };
+  }
+
+  /** The anchors whose handles are moved. */
+  get anchors(): number[] {
+    return [this.at.from, this.at.to];
+  }
+
+  #bent(by: Vector): Figure {
+    const { surface, figure, at, place, drawn } = this;
+    const parts = bendingParts(at.t);
+    const vectors = [at.from, at.to].map((index, i) => {
+      const carried = surface.carry(place, figure.points[index]!)(by);
+      return carried.map((value) => parts[i]! * value) as Vector;
+    });
+    return withBentSegment(figure, drawn, at, vectors as [Vector, Vector]);
+  }
+
+  /** The vector at a point along the shortest path to another one. */
+  async #way(from: SurfacePoint, to: SurfacePoint): Promise<Vector> {
+    const path = await this.client.mesh.shortestPath(from, plain(to));
+    if (!(path.length > 0)) return [0, 0, 0];
+    return directionOf(path.polyline({ bits: 64 })).map((value) => path.length * value) as Vector;
+  }
+}
+
+/** The value of one segment, as a curve. */
+async function segmentValue(
+  client: EngineClient,
+  figure: Figure,
+  options: FieldOptions,
+  { from, to }: OnSegment,
+): Promise<CurveOptions> {
+  const points = [figure.points[from]!, figure.points[to]!];
+  const settings = { ...figure.settings, closed: false, samples: 2, tolerance: null };
+  const segment: Figure = { ...figure, points, settings };
+  return penOptions(segment, await drawnTangents(client, segment), options);
+}

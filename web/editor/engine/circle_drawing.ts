@@ -1,0 +1,144 @@
+/** What the engine makes of a circle or an ellipse: where its handles are, and its lines. */
+import type { FieldOptions, SurfacePoint } from 'karcher';
+import { acrossDirection, defaultAcross, reachAlong } from '../../model/circle';
+import type { Across, CircleForm, CircleShape, Vector } from '../../model/figure';
+import type { TracedCurve, TracedIsolines } from '../../model/traced';
+import type { EngineClient } from '../../worker/client';
+
+/** A radius that has a handle. */
+export interface ShownRadius {
+  radius: number;
+  direction: Vector;
+  rim: SurfacePoint;
+  /** The geodesic from the center to the rim. */
+  path: Float32Array;
+}
+
+export interface ShownCircle extends ShownRadius {
+  /** An ellipse's other radius. */
+  across: ShownRadius | null;
+}
+
+/** The least radius across that a handle gives, as a part of the surface's diagonal. */
+const leastAcross = 1e-3;
+
+export interface ShownIsolines extends TracedIsolines {
+  /** Whether they are exact, however good the method is. */
+  exact: boolean;
+}
+
+/** Where the handles of a circle or an ellipse are, and the radii that they say. */
+export async function resolveCircle(
+  client: EngineClient,
+  { center, rim, across }: CircleShape,
+  isEllipse: boolean,
+): Promise<ShownCircle> {
+  const along =
+    'face' in rim
+      ? await radiusTo(client, center, rim)
+      : await radiusOf(client, center, rim.direction, rim.radius);
+  if (!isEllipse) return { ...along, across: null };
+  const direction = acrossDirection(along.direction, await client.corners(center.face));
+  const radius = await acrossRadius(client, center, across, along.radius, direction);
+  return { ...along, across: await radiusOf(client, center, direction, radius) };
+}
+
+async function radiusTo(
+  client: EngineClient,
+  center: SurfacePoint,
+  rim: SurfacePoint,
+): Promise<ShownRadius> {
+  const path = await client.mesh.shortestPath(center, rim);
+  const polyline = path.polyline();
+  return { radius: path.length, direction: directionOf(polyline), rim, path: polyline };
+}
+
+async function radiusOf(
+  client: EngineClient,
+  center: SurfacePoint,
+  direction: Vector,
+  radius: number,
+): Promise<ShownRadius> {
+  const { end, path } = await client.mesh.straightest(center, direction, radius);
+  return { radius, direction, rim: end, path: path.polyline() };
+}
+
+async function acrossRadius(
+  client: EngineClient,
+  center: SurfacePoint,
+  across: Across | undefined,
+  along: number,
+  direction: Vector,
+): Promise<number> {
+  if (!across) return defaultAcross * along;
+  if ('radius' in across) return across.radius;
+  const to = await radiusTo(client, center, across);
+  const least = leastAcross * client.info.diagonal;
+  // A mirror image has the point on the other side.
+  return Math.max(least, Math.abs(reachAlong(to.radius, to.direction, direction)));
+}
+
+/**
+ * Rejects where there is no circle or ellipse of these radii. The draft of an exact isoline is the linear one,
+ * which is as quick far from the center as near it.
+ */
+export async function drawCircle(
+  client: EngineClient,
+  { center }: CircleShape,
+  { radius, direction, across }: ShownCircle,
+  { type, arcs }: CircleForm,
+  options: FieldOptions,
+  {
+    draft,
+    leastLevels = 0,
+    fill = false,
+  }: { draft: boolean; leastLevels?: number | undefined; fill?: boolean },
+): Promise<{ curve: TracedCurve } | { isolines: ShownIsolines }> {
+  if (across) {
+    const radii = [radius, across.radius] as const;
+    const ellipse = { ...options, radii, direction, arcs };
+    return {
+      curve: await atLeast(leastLevels, (part) =>
+        client.ellipse(center, { ...ellipse, ...part }, fill),
+      ),
+    };
+  }
+  if (type === 'arcs') {
+    const circle = { ...options, radius, arcs };
+    return {
+      curve: await atLeast(leastLevels, (part) =>
+        client.circle(center, { ...circle, ...part }, fill),
+      ),
+    };
+  }
+  const { solver, rings } = options;
+  const exact = type === 'exact' && !draft;
+  const isolines = await client.isolines(
+    center,
+    exact ? { radius, type: 'exact' } : { radius, type: 'linear', solver, rings },
+    fill,
+  );
+  if (isolines.lines.length === 0) {
+    throw new Error(`no point of the surface lies ${radius.toPrecision(4)} from the center`);
+  }
+  return { isolines: { ...isolines, exact } };
+}
+
+/** With the levels that the engine gives, or else with this many. */
+async function atLeast(
+  levels: number,
+  trace: (part: { levels?: number }) => Promise<TracedCurve>,
+): Promise<TracedCurve> {
+  const traced = await trace({});
+  return traced.levels < levels ? trace({ levels }) : traced;
+}
+
+/** The first step of a polyline that is no repeated point; any direction when all are. */
+export function directionOf(polyline: Float32Array | Float64Array): Vector {
+  for (let i = 3; i < polyline.length; i += 3) {
+    const step = [0, 1, 2].map((axis) => polyline[i + axis]! - polyline[axis]!) as Vector;
+    const length = Math.hypot(...step);
+    if (length > 0) return step.map((value) => value / length) as Vector;
+  }
+  return [1, 0, 0];
+}

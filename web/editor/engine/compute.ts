@@ -1,0 +1,221 @@
+import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions } from 'karcher';
+import { type Figure, isRound, pointsNeeded } from '../../model/figure';
+import { type MethodId, type Quality, qualityOf } from '../../model/methods';
+import { controlPointsOf, type DrawnTangents, penOptions } from '../../model/pen';
+import { curveOptions, splineOf } from '../../model/splines';
+import type { Fill, TracedCurve } from '../../model/traced';
+import { type CurveRequest, type EngineClient, KarcherError, Stopped } from '../../worker/client';
+import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
+import { drawnTangents, missingHandle } from './pen_drawing';
+import { type Shift, shiftBetween } from './shift';
+
+/** What the engine makes of a figure: a curve, isolines or a center, with a circle's handles. */
+export interface Shown {
+  curve: TracedCurve | null;
+  isolines: ShownIsolines | null;
+  circle: ShownCircle | null;
+  center: ShownCenter | null;
+  /** Of a curve of the pen, the handles of its anchors. */
+  tangents: readonly DrawnTangents[] | null;
+  /** Why there is less than was asked for, as a sentence. */
+  problem: string | null;
+  /** What its lines enclose; null where that was not asked for. */
+  fill: Fill | null;
+}
+
+export interface ShownCenter extends CenterOfMass {
+  milliseconds: number;
+}
+
+export const nothing: Shown = {
+  curve: null,
+  isolines: null,
+  circle: null,
+  center: null,
+  tangents: null,
+  problem: null,
+  fill: null,
+};
+
+/** The polylines of what is shown. */
+export function polylinesOf({ curve, isolines }: Shown): Float32Array[] {
+  if (curve) return [curve.polyline];
+  return isolines?.lines.map(({ polyline }) => polyline) ?? [];
+}
+
+/** How a figure is computed. */
+export interface Computation {
+  /** The id of its object, of which the engine keeps the curve. */
+  object: number;
+  /** Whether a better answer is to follow, by other options. */
+  draft?: boolean;
+  /** Of a drag, the numbers of its points, or of its anchors. */
+  dragged?: readonly number[];
+  /** Whether to look for other minima than a center of mass, where that is quickly done. */
+  uniqueness?: boolean;
+  /** Whether what its lines enclose is asked for. */
+  fill?: boolean;
+}
+
+/** What encloses nothing, as a center does. */
+export const noFill: Fill = { region: null, problem: null };
+
+/** Other minima are looked for where fields have no more values than these: some 60 ms. */
+const mostLooked = { fast: 120_000, others: 20_000 };
+
+export async function compute(
+  client: EngineClient,
+  figure: Figure,
+  options: FieldOptions,
+  computation: Computation,
+): Promise<Shown> {
+  const shown = await computeFigure(client, figure, options, computation);
+  if (!computation.fill) return shown;
+  return { ...shown, fill: shown.curve?.fill ?? shown.isolines?.fill ?? noFill };
+}
+
+function computeFigure(
+  client: EngineClient,
+  figure: Figure,
+  options: FieldOptions,
+  { object, draft = false, dragged: points = [], uniqueness = false, fill = false }: Computation,
+): Promise<Shown> {
+  if (isRound(figure.kind)) return computeCircle(client, figure, options, { draft, fill });
+  const dragged = points.length > 0 ? movedBy(figure, points) : undefined;
+  if (figure.kind === 'pen') {
+    return computePen(client, figure, options, { object, dragged, fill });
+  }
+  const few = figure.points.length < pointsNeeded(figure);
+  if (few || figure.kind === 'points') return Promise.resolve(nothing);
+  const spline = splineOf(figure);
+  if (!spline) return computeCenter(client, figure, options, uniqueness);
+  const { marks } = spline.settings;
+  return client
+    .curve(curveOptions(spline, options), { object, marks, dragged, fill })
+    .then((curve) => ({ ...nothing, curve }));
+}
+
+/** The numbers of the control points that a drag of a figure's points moves. */
+export const movedBy = (figure: Figure, points: readonly number[]): number[] => [
+  ...new Set(points.flatMap((i) => (figure.kind === 'pen' ? controlPointsOf(figure, i) : i))),
+];
+
+/** The value that a figure's curve is traced of; null where it is none. */
+export async function curveValueOf(
+  client: EngineClient,
+  figure: Figure,
+  options: FieldOptions,
+): Promise<CurveOptions | null> {
+  if (figure.points.length < pointsNeeded(figure)) return null;
+  if (figure.kind === 'pen') {
+    const tangents = await drawnTangents(client, figure);
+    return missingHandle(figure, tangents) ? null : penOptions(figure, tangents, options);
+  }
+  const spline = splineOf(figure);
+  return spline && curveOptions(spline, options);
+}
+
+async function computePen(
+  client: EngineClient,
+  figure: Figure,
+  options: FieldOptions,
+  request: Pick<CurveRequest, 'object' | 'dragged' | 'fill'>,
+): Promise<Shown> {
+  const tangents = await drawnTangents(client, figure);
+  const problem = missingHandle(figure, tangents);
+  const few = figure.points.length < pointsNeeded(figure);
+  // The handles stay, so that they can be taken back.
+  if (few || problem) return { ...nothing, tangents, problem };
+  try {
+    const { marks } = figure.settings;
+    const value = penOptions(figure, tangents, options);
+    const curve = await client.curve(value, { ...request, marks });
+    return { ...nothing, tangents, curve };
+  } catch (error) {
+    if (client.closed || error instanceof Stopped) throw error;
+    return { ...nothing, tangents, problem: messageOf(error) };
+  }
+}
+
+async function computeCenter(
+  client: EngineClient,
+  { points }: Figure,
+  options: FieldOptions,
+  looks: boolean,
+): Promise<Shown> {
+  const started = performance.now();
+  const weights = points.map(({ weight = 1 }) => weight);
+  const { vertices, fastSolver } = client.info;
+  const isFast = options.solver === 'fast' && fastSolver === 'fast';
+  const uniqueness =
+    looks && points.length * vertices <= (isFast ? mostLooked.fast : mostLooked.others);
+  const center = await client.mesh.centerOfMass([...points], weights, {
+    ...options,
+    normalize: true,
+    uniqueness,
+  });
+  return { ...nothing, center: { ...center, milliseconds: performance.now() - started } };
+}
+
+/**
+ * A center with what its draft tells of others: the engine of exact answers does not look for them, and
+ * has a copy of the surface that it does not know as a built-in shape.
+ */
+export function withUniqueness(
+  exact: ShownCenter | null,
+  draft: ShownCenter | null,
+): ShownCenter | null {
+  if (exact?.status !== 'converged' || draft?.status !== 'converged') return exact;
+  const { uniqueness, otherMinima } = draft;
+  return { ...exact, uniqueness, otherMinima };
+}
+
+async function computeCircle(
+  client: EngineClient,
+  { kind, circle: shape, circleForm, settings }: Figure,
+  options: FieldOptions,
+  { draft, fill }: { draft: boolean; fill: boolean },
+): Promise<Shown> {
+  if (!shape) return nothing;
+  const circle = await resolveCircle(client, shape, kind === 'ellipse');
+  try {
+    const { leastLevels } = settings;
+    const detail = { draft, fill, ...(options.method !== 'paper' && { leastLevels }) };
+    const drawn = await drawCircle(client, shape, circle, circleForm, options, detail);
+    return { ...nothing, circle, ...drawn };
+  } catch (error) {
+    if (error instanceof Stopped) throw error;
+    // The handles stay, so that the radius can be taken back.
+    return { ...nothing, circle, problem: messageOf(error) };
+  }
+}
+
+/** How good the first answer is; an exact isoline is exact by any method. */
+export function qualityShown({ curve, isolines, center }: Shown, method: MethodId): Quality | null {
+  if (isolines?.exact) return 'exact';
+  return curve || isolines || center ? qualityOf(method) : null;
+}
+
+/** How far what is shown moved from one quality to the other, in a unit of length. */
+export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
+  if (from.center && to.center) {
+    return shiftBetween(
+      Float64Array.from(from.center.position),
+      Float64Array.from(to.center.position),
+      unit,
+    );
+  }
+  if (!from.curve || !to.curve) return null;
+  return shiftBetween(from.curve.samples.position, to.curve.samples.position, unit);
+}
+
+/** Failures that the engine tells by the numbers of points or arcs, which it counts from 0. */
+const withoutNumbers: Partial<Record<ErrorCode, string>> = {
+  unreachable: 'the points lie on different components of the surface; no path joins them all',
+  boundary: 'a geodesic from the center to its arc meets the surface’s boundary',
+};
+
+export function messageOf(error: unknown): string {
+  const told = error instanceof KarcherError && withoutNumbers[error.code];
+  return told || (error instanceof Error ? error.message : `${error}`);
+}

@@ -1,0 +1,322 @@
+import type { SurfacePoint } from 'karcher';
+import type { Command } from '../../model/commands';
+import { activeObject, freeId, indexOf, objectOf, othersOf } from '../../model/drawing';
+import {
+  type Figure,
+  isCurve,
+  isEmpty,
+  isSpline,
+  knotsFit,
+  type Spline,
+  type Vector,
+} from '../../model/figure';
+import { applyToFigure, type FigureCommand } from '../../model/figure_commands';
+import { withFittingLegs } from '../../model/legs';
+import { withAnchorAt } from '../../model/pen';
+import { splineOf, withSpline } from '../../model/splines';
+import type { Edit } from '../../worker/edits';
+import type { Editor, Selection, State } from '../state/editor';
+import { withoutAnchor } from './pen_removal';
+import type { Session } from './session';
+import type { CurveTool } from '../state/tool';
+
+/** How often an edit is begun anew because another one, as a drag, overtook it. */
+const mostAttempts = 20;
+
+/** A command, and what is selected after it. */
+interface Step {
+  command: FigureCommand;
+  selection: Selection;
+}
+
+/** What a command is to a B-spline's own knots; null where they have nothing to do with it. */
+function editOf(command: FigureCommand): Edit | null {
+  switch (command.type) {
+    case 'insert':
+      return { type: 'insertPoint', index: command.index, point: command.point };
+    case 'remove':
+      return { type: 'removePoint', index: command.index };
+    case 'settings':
+      return { type: 'setClosed', closed: command.to.closed };
+    default:
+      return null;
+  }
+}
+
+/**
+ * Edits that the engine works out, some or all: each is one step of the history. They are made one
+ * after the other, however fast they are asked for.
+ */
+export class CurveEdits {
+  /** While edits are under way, the end of the last one. */
+  #last: Promise<void> | null = null;
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+  ) {}
+
+  /** Adds a control point after the others; what is locked or not shown gets none. */
+  append(point: SurfacePoint): Promise<void> {
+    if (!this.editor.isOpen) this.editor.begin();
+    return this.#edit(({ points }) => ({
+      command: { type: 'insert', index: points.length, point },
+      selection: points.length,
+    }));
+  }
+
+  /** Removes the selected control point, or the circle. */
+  removeSelected(): Promise<void> {
+    this.editor.interrupt();
+    const { figure, selection } = this.editor.state;
+    if (figure.kind === 'pen' && typeof selection === 'number') return this.removeAnchor(selection);
+    return this.#edit((figure) => {
+      const { selection } = this.editor.state;
+      if (selection === null) return null;
+      if (typeof selection === 'string') {
+        return { command: { type: 'circle', from: figure.circle, to: null }, selection: null };
+      }
+      const point = figure.points[selection];
+      if (!point) return null;
+      const left = figure.points.length - 1;
+      const next = left === 0 ? null : Math.min(selection, left - 1);
+      return { command: { type: 'remove', index: selection, point }, selection: next };
+    });
+  }
+
+  /** Removes an anchor of the pen; the curve stays as near to what it was as it can. */
+  removeAnchor(index: number): Promise<void> {
+    this.editor.interrupt();
+    return this.#inOrder(async () => {
+      const { drawing, figure } = this.editor.state;
+      const { client } = this.session;
+      if (!client || !figure.points[index] || this.editor.refuses()) return;
+      for (let attempt = 0, from = figure; attempt < mostAttempts; attempt++) {
+        const to = await withoutAnchor(client, from, index);
+        const { state } = this.editor;
+        if (state.figure === from) {
+          const left = to.points.length;
+          this.editor.replace(to, left === 0 ? null : Math.min(index, left - 1));
+          return;
+        }
+        // The legs that a drag drew may have come; where it is another curve, the anchor is, too.
+        from = state.figure;
+        const isSame = from.points.length === figure.points.length;
+        if (!isSame || state.drawing.active !== drawing.active) return;
+      }
+    });
+  }
+
+  setClosed(closed: boolean): Promise<void> {
+    this.editor.interrupt();
+    if (this.editor.state.chosen.length > 1) {
+      this.editor.setSettings({ closed });
+      return Promise.resolve();
+    }
+    return this.#edit(({ settings: from }) => {
+      if (from.closed === closed) return null;
+      const { selection } = this.editor.state;
+      return { command: { type: 'settings', from, to: { ...from, closed } }, selection };
+    });
+  }
+
+  /** Gives a B-spline knots; resolves with the engine's sentence where these can be none of its. */
+  async setKnots(knots: readonly number[]): Promise<string | null> {
+    let problem: string | null = null;
+    await this.#inOrder(async () => {
+      const { figure, revision } = this.editor.state;
+      const spline = splineOf(figure);
+      if (!spline) return;
+      const settings = { ...spline.settings, clamped: false, knots };
+      problem = await this.session.problemWith({ ...spline, settings });
+      if (!problem && this.editor.state.revision === revision) this.editor.setSettings(settings);
+    });
+    return problem;
+  }
+
+  undo(): Promise<void> {
+    return this.#inOrder(async () => this.editor.undo());
+  }
+
+  redo(): Promise<void> {
+    return this.#inOrder(async () => this.editor.redo());
+  }
+
+  /**
+   * What a click on the edited curve does, at a place in the surface's coordinates; a knot within
+   * that distance is meant itself.
+   */
+  atCurve(tool: CurveTool, near: Vector, within = 0): Promise<void> {
+    return this.#inOrder(() => this.#atCurve(tool, near, within));
+  }
+
+  async #atCurve(tool: CurveTool, near: Vector, within: number): Promise<void> {
+    const { figure } = this.editor.state;
+    if (figure.kind === 'pen') {
+      await this.#putAnchor(near);
+      return;
+    }
+    if (tool === 'split') {
+      const made = await this.session.reshaped({ type: 'split', near, within });
+      if (made) this.#cut(made.splines);
+      else this.editor.rest();
+      return;
+    }
+    const made = await this.session.reshaped({ type: 'insert', near, within });
+    const spline = made?.splines[0];
+    if (spline) this.editor.replace(withSpline(figure, spline), made.point);
+  }
+
+  /** Puts an anchor in where the curve of the pen is nearest to a place. */
+  async #putAnchor(near: Vector): Promise<void> {
+    const { figure } = this.editor.state;
+    const { tangents, curve } = this.session.view;
+    const measured = await this.session.measured(near);
+    if (!measured || !tangents || !curve || this.editor.state.figure !== figure) return;
+    const { parameter, point, tangent } = measured;
+    const { points, index } = withAnchorAt(
+      figure,
+      tangents,
+      parameter,
+      point,
+      tangent,
+      curve.samples,
+    );
+    this.editor.replace({ ...figure, points }, index);
+  }
+
+  /** The edited object becomes the first piece; the others lie above it, of the same style. */
+  #cut([first, ...rest]: readonly Spline[]): void {
+    const { drawing, figure } = this.editor.state;
+    if (!first) return;
+    const object = activeObject(drawing);
+    const at = indexOf(drawing, object.id);
+    const to = withSpline(figure, first);
+    const steps: Command[] = [
+      { type: 'figure', id: object.id, edit: { type: 'replace', from: figure, to } },
+      ...rest.map((piece, i): Command => {
+        const made = { ...object, id: freeId(drawing) + i, figure: withSpline(figure, piece) };
+        return { type: 'add', index: at + 1 + i, object: made };
+      }),
+    ];
+    this.editor.perform({ type: 'steps', steps }, { selection: null });
+  }
+
+  /** What a click on another object does. */
+  async atOther(tool: CurveTool, id: number): Promise<void> {
+    if (tool === 'join') await this.join(id);
+    else this.editor.activate(id);
+  }
+
+  /** Makes one curve of the edited object and another one. */
+  join(id: number): Promise<void> {
+    this.editor.interrupt();
+    return this.#inOrder(() => this.#join(id));
+  }
+
+  async #join(id: number): Promise<void> {
+    const { drawing, figure } = this.editor.state;
+    const object = objectOf(drawing, id);
+    const other = object && splineOf(object.figure);
+    const made = other && (await this.session.reshaped({ type: 'join', other }));
+    const whole = made?.splines[0];
+    if (!object || !whole) {
+      this.editor.rest();
+      return;
+    }
+    const to = withSpline(figure, whole);
+    const steps: Command[] = [
+      { type: 'figure', id: drawing.active, edit: { type: 'replace', from: figure, to } },
+      { type: 'delete', index: indexOf(drawing, id), object },
+    ];
+    this.editor.perform({ type: 'steps', steps }, { selection: null });
+  }
+
+  reverse(): Promise<void> {
+    this.editor.interrupt();
+    return this.#inOrder(() => this.#reverse());
+  }
+
+  async #reverse(): Promise<void> {
+    const { figure } = this.editor.state;
+    const made = await this.session.reshaped({ type: 'reverse' });
+    const spline = made?.splines[0];
+    if (spline) this.editor.replace(withSpline(figure, spline));
+  }
+
+  /**
+   * Carries out a step, at once where it needs no engine. A B-spline's own knots go on as those of
+   * the engine's curve; where there is none, they go.
+   */
+  #edit(stepOn: (figure: Figure) => Step | null): Promise<void> {
+    return this.#inOrder(async () => {
+      const { mesh } = this.editor.state;
+      for (let attempt = 0; ; attempt++) {
+        const { figure, revision } = this.editor.state;
+        const step = stepOn(figure);
+        if (!step || this.editor.state.mesh !== mesh) return;
+        const to = withFittingLegs(applyToFigure(figure, step.command), figure);
+        const [before, after] = [splineOf(figure), splineOf(to)];
+        const asks = before?.kind === 'bspline' && after && !knotsFit(to);
+        const edit = asks && editOf(step.command);
+        const knots = edit ? await this.session.knotsAfter(before, edit) : null;
+        // Something else was done in the meantime: the step comes after it.
+        const late = this.editor.state.revision !== revision;
+        if (late && attempt < mostAttempts) continue;
+        if (knots && !late)
+          this.editor.replace({ ...to, settings: { ...to.settings, knots } }, step.selection);
+        else this.editor.run(step.command, step.selection);
+        return;
+      }
+    });
+  }
+
+  #inOrder(work: () => Promise<void>): Promise<void> {
+    const last: Promise<void> = (this.#last?.then(work) ?? work()).finally(() => {
+      if (this.#last === last) this.#last = null;
+    });
+    this.#last = last;
+    return last;
+  }
+
+  /** Makes ready for a click on the curve to cut. */
+  chooseSplit(): void {
+    if (!this.#hasSpline() || this.editor.refuses()) return;
+    this.#toggle('split');
+  }
+
+  /** Makes ready to measure the curve, until something else is chosen or done. */
+  chooseMeasure(): void {
+    this.editor.select(null);
+    this.#toggle('measure');
+  }
+
+  /** Joins the only other curve, or makes ready for a click on one of them. */
+  chooseJoin(): void {
+    const others = joinable(this.editor.state);
+    if (!this.#hasSpline() || others.length === 0 || this.editor.refuses()) return;
+    if (others.length === 1) void this.join(others[0]!);
+    else this.#toggle('join');
+  }
+
+  #toggle(tool: CurveTool): void {
+    if (this.editor.state.tool === tool) this.editor.rest();
+    else this.editor.setTool(tool);
+  }
+
+  #hasSpline(): boolean {
+    return this.#hasCurve() && isSpline(this.editor.state.figure.kind);
+  }
+
+  #hasCurve(): boolean {
+    const { figure, none } = this.editor.state;
+    return this.session.view.curve !== null && isCurve(figure.kind) && !none;
+  }
+}
+
+/** The ids of the curves that the edited one could be joined with. */
+export const joinable = ({ drawing }: State): number[] =>
+  othersOf(drawing)
+    .filter(({ figure, visible, locked }) => visible && !locked && !isEmpty(figure))
+    .filter(({ figure }) => isSpline(figure.kind))
+    .map(({ id }) => id);

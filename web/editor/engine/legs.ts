@@ -1,0 +1,61 @@
+import type { SurfacePoint } from 'karcher';
+import { type Figure, isRound } from '../../model/figure';
+import type { EngineClient } from '../../worker/client';
+
+export type Ends = readonly [SurfacePoint, SurfacePoint];
+
+/** What geodesics join beside a curve: neighbouring points, or a center of mass and its points. */
+export function endsOf(figure: Figure, center: SurfacePoint | null): Ends[] {
+  const { kind, points, settings } = figure;
+  if (isRound(kind) || kind === 'points' || kind === 'pen') return [];
+  if (kind === 'center') return center ? points.map((point) => [center, point]) : [];
+  const ends = points.slice(1).map((point, i): Ends => [points[i]!, point]);
+  if (settings.closed && points.length > 2) ends.push([points.at(-1)!, points[0]!]);
+  return ends;
+}
+
+const keyOf = (ends: Ends) =>
+  ends.map(({ face, bary }) => `${face},${bary[1]},${bary[2]}`).join(';');
+
+const fewestKept = 64;
+
+/** Shortest paths that were traced once, by their ends. */
+export class Legs {
+  /** Null where there is none. */
+  readonly #known = new Map<string, Float32Array | null>();
+  /** What is shown, by its place, for while a drag outruns the paths. */
+  #shown: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
+
+  clear(): void {
+    this.#known.clear();
+    this.#shown = { epoch: -1, legs: [] };
+  }
+
+  /** The paths between these ends that are known, or what a drag of the same epoch left there. */
+  between(pairs: readonly Ends[], epoch: number): Float32Array[] {
+    const before = this.#shown.epoch === epoch ? this.#shown.legs : [];
+    const legs = pairs.map((ends, i) => {
+      const leg = this.#known.get(keyOf(ends));
+      return leg === undefined ? (before[i] ?? null) : leg;
+    });
+    this.#shown = { epoch, legs };
+    return legs.filter((leg) => leg !== null);
+  }
+
+  /** Traces one path that is missing; false when there is none. */
+  async trace(client: EngineClient, pairs: readonly Ends[]): Promise<boolean> {
+    const missing = pairs.find((ends) => !this.#known.has(keyOf(ends)));
+    if (!missing) return false;
+    if (this.#known.size > fewestKept + 4 * pairs.length) this.#forget(pairs);
+    // Points on two components have no path between them: that leg stays away.
+    const path = await client.mesh.shortestPath(...missing).catch(() => null);
+    this.#known.set(keyOf(missing), path?.polyline() ?? null);
+    return true;
+  }
+
+  /** Forgets the paths between what is no longer there. */
+  #forget(pairs: readonly Ends[]): void {
+    const used = new Set(pairs.map(keyOf));
+    for (const key of this.#known.keys()) if (!used.has(key)) this.#known.delete(key);
+  }
+}

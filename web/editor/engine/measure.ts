@@ -1,0 +1,40 @@
+import type { Vector } from '../../model/figure';
+import type { Measured } from '../../model/traced';
+import { Newest } from './newest';
+import type { Session } from './session';
+
+/** What is measured of the edited curve, at the newest place that was asked for. */
+export class Measure {
+  #shown: Measured | null = null;
+  readonly #newest: Newest<Vector>;
+
+  /** Called with every change of what is measured. */
+  onChange: (measured: Measured | null) => void = () => {};
+
+  constructor(session: Session) {
+    this.#newest = new Newest<Vector>(async (near) => {
+      const measured = await session.measured(near);
+      if (measured) this.#show(measured);
+    });
+  }
+
+  get shown(): Measured | null {
+    return this.#shown;
+  }
+
+  /** Measures the curve where it is nearest to a place in the surface's coordinates. */
+  at(near: Vector): void {
+    this.#newest.push(near);
+  }
+
+  /** What was measured holds no more. */
+  clear(): void {
+    this.#newest.drop();
+    if (this.#shown) this.#show(null);
+  }
+
+  #show(measured: Measured | null): void {
+    this.#shown = measured;
+    this.onChange(measured);
+  }
+}

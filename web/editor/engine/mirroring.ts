@@ -1,0 +1,89 @@
+/** Mirror images of objects in the geodesic through two points. */
+import type { SurfacePoint } from 'karcher';
+import type { DrawnObject } from '../../model/drawing';
+import type { Figure, Vector } from '../../model/figure';
+import { carriedOf, movedFigures } from '../../model/moving';
+import { type EngineClient, KarcherError } from '../../worker/client';
+import { directionOf } from './circle_drawing';
+import { directionsOf, plain } from './moving';
+
+/**
+ * How far the geodesic goes on beyond the two points, in the surface's diagonals. Round a closed surface a
+ * longer one comes back to where it began, and may end near what is mirrored.
+ */
+const beyond = 0.8;
+/** How far it goes on where that is too short to have all of it beside it. */
+const farther = 1.5;
+
+/** The locally shortest path between two points, gone on with at both ends; ends at the boundary. */
+export async function mirrorLine(
+  client: EngineClient,
+  from: SurfacePoint,
+  to: SurfacePoint,
+  by = beyond,
+): Promise<SurfacePoint[]> {
+  const { mesh, info } = client;
+  const path = await mesh.shortestPath(plain(from), plain(to));
+  if (!(path.length > 0)) throw new Error('The line to mirror in goes through two points.');
+  const points = path.points();
+  const polyline = path.polyline({ bits: 64 });
+  const onward = async (at: SurfacePoint, direction: Vector) => {
+    const line = await mesh.straightest(plain(at), direction, by * info.diagonal);
+    return line.path.points();
+  };
+  const back = (direction: Vector) => direction.map((value) => -value) as Vector;
+  const [before, after] = await Promise.all([
+    onward(points[0]!, back(directionOf(polyline))),
+    onward(points.at(-1)!, back(directionOf(reversed(polyline)))),
+  ]);
+  return [...before.slice(1).reverse(), ...points, ...after.slice(1)];
+}
+
+/** The figures of objects mirrored in the geodesic of two points; null where one would leave the surface. */
+export async function mirroredAcross(
+  client: EngineClient,
+  from: SurfacePoint,
+  to: SurfacePoint,
+  objects: readonly DrawnObject[],
+): Promise<Figure[] | null> {
+  const mirrored = async (by: number) =>
+    mirroredFigures(client, await mirrorLine(client, from, to, by), objects);
+  try {
+    return await mirrored(beyond);
+  } catch (error) {
+    if (client.closed || !(error instanceof KarcherError)) throw error;
+    return mirrored(farther);
+  }
+}
+
+/** The figures of objects mirrored in a geodesic; null where one would leave the surface. */
+export async function mirroredFigures(
+  client: EngineClient,
+  line: readonly SurfacePoint[],
+  objects: readonly DrawnObject[],
+): Promise<Figure[] | null> {
+  const figures = objects.map(({ figure }) => figure);
+  const carried = carriedOf(figures);
+  const mapped = await client.mesh.mirror(
+    line,
+    carried.map(({ place }) => plain(place)),
+    directionsOf(carried),
+  );
+  const most = 1e-9 * client.info.diagonal;
+  if (mapped.remaining.some((left) => left > most)) return null;
+  return movedFigures(figures, carried, mapped, 1);
+}
+
+function reversed(polyline: Float64Array): Float64Array {
+  const turned = new Float64Array(polyline.length);
+  for (let i = 0; i < polyline.length; i += 3) {
+    turned.set(polyline.subarray(i, i + 3), polyline.length - 3 - i);
+  }
+  return turned;
+}
+
+/** Objects that a command adds as copies of others. */
+export const copiesOf = (
+  objects: readonly DrawnObject[],
+  figures: readonly Figure[],
+): DrawnObject[] => objects.map((object, i) => ({ ...object, figure: figures[i]! }));

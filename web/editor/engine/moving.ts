@@ -1,0 +1,150 @@
+/** Selected objects moved, turned and scaled as a whole, by log and exponential maps at a pivot. */
+import type { SurfacePoint } from 'karcher';
+import { Vector3 } from 'three';
+import type { Command } from '../../model/commands';
+import { type Drawing, type DrawnObject, objectOf } from '../../model/drawing';
+import { type Figure, isEmpty, type Vector } from '../../model/figure';
+import { type Carried, type CarriedTo, carriedOf, movedFigures } from '../../model/moving';
+import type { Surface } from '../../viewer/surface';
+import type { EngineClient } from '../../worker/client';
+
+/** How much of a geodesic may be left at the boundary, as a part of the surface's diagonal. */
+const leftAtMost = 1e-9;
+
+/** Where the pivot goes, by how much all turns round it (counterclockwise, in radians), and grows. */
+export interface Placement {
+  point?: SurfacePoint;
+  angle?: number;
+  scale?: number;
+}
+
+/** What a placement leads to. */
+export interface Placed {
+  command: Command;
+  /** What was carried along beside the objects: where it went, and its directions there. */
+  beside: CarriedTo;
+}
+
+export const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
+
+const samePoint = (a: SurfacePoint, b: SurfacePoint) =>
+  a.face === b.face && `${a.bary}` === `${b.bary}`;
+
+/** x, y, z of the directions of what is carried; 0 where it is a place. */
+export const directionsOf = (carried: readonly Carried[]): Float64Array =>
+  Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
+
+/** Those of the objects of a drawing that may be moved. */
+export const movableObjects = (drawing: Drawing, ids: readonly number[]): DrawnObject[] =>
+  ids
+    .map((id) => objectOf(drawing, id))
+    .filter((object) => object !== undefined)
+    .filter(({ locked, visible, figure }) => visible && !locked && !isEmpty(figure));
+
+/** Replaces the figures of objects, as one step. */
+export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]): Command => ({
+  type: 'steps',
+  steps: objects.map(({ id, figure }, i) => ({
+    ...{ type: 'figure', id },
+    edit: { type: 'replace', from: figure, to: to[i]! },
+  })),
+});
+
+/**
+ * The unit normal of a point's face in the surface's coordinates, on the side that is outside: turns
+ * are counterclockwise as it is seen from there.
+ */
+export async function faceNormal(
+  client: EngineClient,
+  surface: Surface,
+  point: SurfacePoint,
+): Promise<Vector3> {
+  const corners = await client.corners(point.face);
+  const [a, b, c] = corners.map((corner) => new Vector3(...corner));
+  const normal = b!.sub(a!).cross(c!.sub(a!)).normalize();
+  const outside = surface.directionFromScene(surface.normal(point));
+  return normal.dot(new Vector3(...outside)) < 0 ? normal.negate() : normal;
+}
+
+/**
+ * A move of objects that are held at a pivot. Each place is told by its log vector in the tangent
+ * plane there, each direction by what it becomes when it is carried to the pivot along the same path.
+ * Wherever the pivot goes, the plane is carried along the shortest path from where it was, and the exp
+ * map puts everything down again: positions of a drag do not add up, and back at the pivot the objects
+ * are the ones they were.
+ */
+export class Move {
+  private constructor(
+    private readonly client: EngineClient,
+    private readonly normal: Vector3,
+    private readonly objects: readonly DrawnObject[],
+    private readonly pivot: SurfacePoint,
+    private readonly carried: readonly Carried[],
+    private readonly beside: readonly Carried[],
+    private readonly logs: { vectors: Float64Array; directions: Float64Array },
+  ) {}
+
+  /**
+   * `beside` goes along with the objects. Rejects where no path leads from the pivot to a place.
+   */
+  static async of(
+    client: EngineClient,
+    surface: Surface,
+    objects: readonly DrawnObject[],
+    pivot: SurfacePoint,
+    beside: readonly Carried[] = [],
+  ): Promise<Move> {
+    const carried = carriedOf(objects.map(({ figure }) => figure));
+    const all = [...carried, ...beside];
+    const logs = await client.mesh.logMap(
+      plain(pivot),
+      all.map(({ place }) => plain(place)),
+      directionsOf(all),
+    );
+    const normal = await faceNormal(client, surface, pivot);
+    return new Move(client, normal, objects, plain(pivot), carried, beside, logs);
+  }
+
+  /** The command that takes the pivot to a point; null where something would leave the surface. */
+  async to(point: SurfacePoint): Promise<Command | null> {
+    return (await this.placed({ point }))?.command ?? null;
+  }
+
+  /** Null where something would leave the surface. */
+  async placed({ point = this.pivot, angle = 0, scale = 1 }: Placement): Promise<Placed | null> {
+    const { client, pivot, carried, objects } = this;
+    const stays = samePoint(point, pivot);
+    if (stays && angle === 0 && scale === 1) return this.#unmoved;
+    const vectors = this.#turned(this.logs.vectors, angle, scale);
+    const ways = this.#turned(this.logs.directions, angle, 1);
+    const { points, directions, remaining } = stays
+      ? await client.mesh.expMap(pivot, vectors, ways)
+      : await client.putDown(pivot, plain(point), vectors, ways);
+    if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return null;
+    const figures = objects.map(({ figure }) => figure);
+    const own = carried.length;
+    return {
+      command: replacing(objects, movedFigures(figures, carried, { points, directions }, scale)),
+      beside: { points: points.slice(own), directions: directions.slice(3 * own) },
+    };
+  }
+
+  get #unmoved(): Placed {
+    const { beside } = this;
+    return {
+      command: { type: 'steps', steps: [] },
+      beside: { points: beside.map(({ place }) => place), directions: directionsOf(beside) },
+    };
+  }
+
+  #turned(vectors: Float64Array, angle: number, scale: number): Float64Array {
+    if (angle === 0 && scale === 1) return vectors;
+    const turned = new Float64Array(vectors.length);
+    const vector = new Vector3();
+    for (let i = 0; i < vectors.length; i += 3) {
+      vector.fromArray(vectors, i).applyAxisAngle(this.normal, angle).multiplyScalar(scale);
+      turned.set(vector.toArray() as Vector, i);
+    }
+    return turned;
+  }
+}

@@ -1,0 +1,116 @@
+/** Where the handles of the pen's anchors are on the surface. */
+import type { SurfacePoint } from 'karcher';
+import type { ControlPoint, Figure, Vector } from '../../model/figure';
+import {
+  type DrawnTangent,
+  type DrawnTangents,
+  isOpposite,
+  otherSide,
+  type Side,
+  type Tangent,
+} from '../../model/pen';
+import { throughOf } from '../../model/pen_legs';
+import type { EngineClient } from '../../worker/client';
+import { directionOf } from './circle_drawing';
+
+/** By the engine that found them: anchors are values, so only those that changed are looked for. */
+const found = new WeakMap<EngineClient, WeakMap<ControlPoint, DrawnTangents>>();
+
+/** The handles of each anchor of a figure. */
+export async function drawnTangents(
+  client: EngineClient,
+  { points }: Figure,
+): Promise<DrawnTangents[]> {
+  return Promise.all(points.map((point) => tangentsAt(client, point)));
+}
+
+async function tangentsAt(client: EngineClient, anchor: ControlPoint): Promise<DrawnTangents> {
+  const { tangents } = anchor;
+  if (!tangents) return {};
+  const known = found.get(client) ?? new WeakMap<ControlPoint, DrawnTangents>();
+  found.set(client, known);
+  const before = known.get(anchor);
+  if (before) return before;
+  const side: Side = isOpposite(tangents.after) || !tangents.after ? 'before' : 'after';
+  const [lead, other] = [tangents[side], tangents[otherSide(side)]];
+  const led = lead && (await tangentOf(client, anchor, lead));
+  const followed = other && (await otherOf(client, anchor, other, led));
+  const drawn = {
+    ...(led && { [side]: led }),
+    ...(followed && { [otherSide(side)]: followed }),
+  };
+  known.set(anchor, drawn);
+  return drawn;
+}
+
+/**
+ * Which handle of a figure's anchors was not found on the surface, as a sentence; null where all were.
+ */
+export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[]): string | null {
+  for (const [i, { tangents }] of points.entries()) {
+    for (const side of ['before', 'after'] as const) {
+      const told = tangents?.[side];
+      if (!told || isOpposite(told) || drawn[i]?.[side]) continue;
+      return `no path leads from anchor ${i + 1} to the handle ${side} it`;
+    }
+  }
+  return null;
+}
+
+/** A handle where it is told; nothing where no way leads there: the others are found without it. */
+async function tangentOf(
+  client: EngineClient,
+  anchor: SurfacePoint,
+  tangent: Tangent,
+): Promise<DrawnTangent | undefined> {
+  try {
+    return await foundTangent(client, anchor, tangent);
+  } catch (error) {
+    if (client.closed) throw error;
+    return undefined;
+  }
+}
+
+async function foundTangent(
+  client: EngineClient,
+  anchor: SurfacePoint,
+  tangent: Tangent,
+): Promise<DrawnTangent | undefined> {
+  const at = { face: anchor.face, bary: anchor.bary };
+  if ('face' in tangent) {
+    const path = await client.mesh.shortestPath(at, tangent);
+    return {
+      point: tangent,
+      direction: directionOf(path.polyline({ bits: 64 })),
+      length: path.length,
+      path: path.polyline(),
+      through: throughOf(path.points()),
+    };
+  }
+  return 'direction' in tangent ? along(client, at, tangent.direction, tangent.length) : undefined;
+}
+
+function otherOf(
+  client: EngineClient,
+  anchor: SurfacePoint,
+  tangent: Tangent,
+  lead: DrawnTangent | undefined,
+): Promise<DrawnTangent | undefined> {
+  if (!isOpposite(tangent)) return tangentOf(client, anchor, tangent);
+  if (!lead) return Promise.resolve(undefined);
+  const back = lead.direction.map((value) => -value) as Vector;
+  const at = { face: anchor.face, bary: anchor.bary };
+  return along(client, at, back, tangent.length ?? lead.length);
+}
+
+/** Where a straightest geodesic ends; at the boundary, if it meets that first. */
+async function along(
+  client: EngineClient,
+  anchor: SurfacePoint,
+  direction: Vector,
+  length: number,
+): Promise<DrawnTangent> {
+  const { end, path } = await client.mesh.straightest(anchor, direction, length);
+  const through = throughOf(path.points());
+  return { point: end, direction, length, path: path.polyline(), through };
+}

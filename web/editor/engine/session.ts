@@ -1,0 +1,502 @@
+import type { CurveOptions } from 'karcher';
+import { activeObject } from '../../model/drawing';
+import {
+  type Figure,
+  isCurve,
+  isRound,
+  pointsNeeded,
+  type Spline,
+  type Vector,
+} from '../../model/figure';
+import { methodOptions, type Quality, refinedOptions } from '../../model/methods';
+import { curveOptions, splineFrom, splineOf, usesLegs } from '../../model/splines';
+import { legsAt, type ToldLegs } from '../../model/told_legs';
+import type { Measured, TracedCurve } from '../../model/traced';
+import { type EngineClient, Stopped } from '../../worker/client';
+import type { Edit, Edited } from '../../worker/edits';
+import { BesideObjects } from './beside';
+import {
+  compute,
+  curveValueOf,
+  messageOf,
+  noFill,
+  nothing,
+  qualityShown,
+  type Shown,
+  shiftOf,
+  withUniqueness,
+} from './compute';
+import { type Drag, Drags } from './drags';
+import { drawnLegs, shorterLegs } from './drawn_legs';
+import type { State } from '../state/editor';
+import { type Ends, endsOf, Legs } from './legs';
+import { Newest } from './newest';
+import { Refinement } from './refinement';
+import { emptyView, type View } from './view';
+
+/**
+ * Steps of a drag for which the engine takes longer, in milliseconds, are followed by drafts without
+ * fields: of a frame's 16 as much is left for the page.
+ */
+const longestDraft = 8;
+/** So many in a row: the first step also makes what later ones keep. */
+const slowSteps = 2;
+
+/** A shorter way is shown where it is shorter by more than this part. */
+const leastGain = 0.02;
+
+/** Whether a curve by tolerance has more samples than it would have by their number. */
+function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean {
+  const segments = (samples.segment.at(-1) ?? 0) + 1;
+  return settings.tolerance !== null && samples.count > settings.samples * segments;
+}
+
+/** What is said in place of a curve whose computation was stopped. */
+const stoppedHint = 'it was stopped; an edit or another method computes it again';
+
+/** Legs are shown again after so many times as long as it took to show them. */
+const restPart = 5;
+
+/**
+ * Keeps the view up to date with the editor: the newest state first, then the geodesics beside it,
+ * and once the edit is done the exact curve.
+ */
+export class Session {
+  #client: EngineClient | null = null;
+  #state: State | null = null;
+  #view: View = emptyView;
+  /** The newest state that was given to the engine. */
+  #asked: State | null = null;
+  /** Of a curve by tolerance, whether a fixed number of samples were fewer. */
+  #manySamples = false;
+  /** Of a curve whose levels are automatic: how many it has between drags, in a drag the most so far. */
+  #levels: number | 'limit' = 0;
+  /** Whether a curve of no levels is dragged as a draft, which takes some: its own steps were slow. */
+  #draft = false;
+  /** How many steps of the drag, one after the other, were slow. */
+  #slow = 0;
+  readonly #drags = new Drags();
+  /** The figure whose legs were compared with the shortest ones. */
+  #compared: Figure | null = null;
+  /** Whether what is shown has other samples or levels for the time of a drag. */
+  #coarse = false;
+  readonly #legs = new Legs();
+  /** Until when legs that are traced are not shown, and whether there are some. */
+  #legsRest = 0;
+  #legsUnseen = false;
+  readonly #others = new BesideObjects();
+  readonly #refinement = new Refinement<Shown>();
+  readonly #newest = new Newest<State>(
+    (state) => this.#trace(state),
+    async () =>
+      (await this.#traceLeg()) ||
+      (await this.#traceOther()) ||
+      (await this.#compareLegs()) ||
+      this.#refine(),
+  );
+
+  /** Called with every change of the view. */
+  onView: (view: View) => void = () => {};
+  /** Called when the engine begins to work, and when it has ended. */
+  onBusy: (busy: boolean) => void = () => {};
+  /** Called with the legs that a drag drew out: those that meet at its point. */
+  onLegs: (told: ToldLegs) => void = () => {};
+  /** Called when an edit that was asked for can't be made. */
+  onFailure: (error: unknown) => void = () => {};
+
+  get view(): View {
+    return this.#view;
+  }
+
+  /** Whether the newest state is traced, the geodesics and the exact curve included. */
+  get settled(): boolean {
+    return !this.#newest.busy && !this.#refinement.busy;
+  }
+
+  /** Another surface: what was traced on the one before is dropped. */
+  use(client: EngineClient): void {
+    if (this.#client) {
+      this.#client.onBusy = () => {};
+      this.#client.close();
+    }
+    this.#client = client;
+    this.onBusy(false);
+    client.onBusy = (busy) => this.onBusy(busy);
+    this.#refinement.use(client);
+    this.#legs.clear();
+    this.#others.clear();
+    this.#state = null;
+    this.#asked = null;
+    this.#drags.clear();
+    this.#compared = null;
+    this.#newest.drop();
+    this.#show(emptyView);
+  }
+
+  get client(): EngineClient | null {
+    return this.#client;
+  }
+
+  /** Gives up what the engine is at. What it was to be is asked for again with another figure or method. */
+  stop(): void {
+    this.#drags.unfollow();
+    this.#client?.stop();
+  }
+
+  update(state: State): void {
+    const epoch = this.#state?.epoch;
+    if (state.drawing.active !== this.#state?.drawing.active) {
+      this.#manySamples = false;
+      this.#levels = 0;
+      this.#drags.made = null;
+    }
+    const goesOn = this.#state?.dragging ?? false;
+    this.#state = state;
+    if (state.dragged.length > 0 && usesLegs(state.figure.kind)) this.#drags.hold(state, goesOn);
+    else if (state.epoch !== epoch && goesOn) this.#drags.drop();
+    else if (state.epoch !== epoch) this.#drags.end();
+    if (!this.#client) return;
+    if (state.revision !== this.#asked?.revision) {
+      this.#asked = state;
+      this.#refinement.drop();
+      this.#newest.push(state);
+    } else if ((this.#coarse || this.#drags.held !== null) && !state.dragging)
+      this.#newest.push(state);
+    else if (!this.#newest.busy) {
+      // A drag has ended: what it left is already traced.
+      this.#refine();
+    }
+  }
+
+  /** The curve that is shown, where it is nearest to a place; null where that cannot be said. */
+  async measured(near: Vector): Promise<Measured | null> {
+    const [state, view] = [this.#state, this.#view];
+    const isShown = view.curve && view.revision === state?.revision;
+    if (!state || !isShown || state.dragging || !isCurve(state.figure.kind)) return null;
+    const refined = view.quality === 'exact' ? refinedOptions(state.method) : null;
+    const client = refined ? this.#refinement.client : this.#client;
+    const options = refined ?? methodOptions(state.method);
+    const value = client && (await curveValueOf(client, state.figure, options).catch(() => null));
+    if (!value) return null;
+    if (client === this.#client) this.#drags.made = state.figure;
+    const measured = await client.measure(state.drawing.active, value, near).catch(() => null);
+    return this.#state?.revision === state.revision ? (measured ?? null) : null;
+  }
+
+  /**
+   * The problem with a spline that is not shown, as a sentence; null where there is none. What is
+   * shown stays.
+   */
+  async problemWith(spline: Spline): Promise<string | null> {
+    const [client, state] = [this.#client, this.#state];
+    if (!client || !state) return null;
+    const options = curveOptions(spline, methodOptions(state.method));
+    return client.curve(options).then(() => null, messageOf);
+  }
+
+  /**
+   * The curves that an edit makes of the figure's curve, and the number of a point that it put in;
+   * null where it can't be made, or the figure has changed in the meantime.
+   */
+  async reshaped(
+    edit: Exclude<Edit, { type: 'join' }> | { type: 'join'; other: Spline },
+  ): Promise<{ splines: Spline[]; point: number | null } | null> {
+    const [client, state] = [this.#client, this.#state];
+    const spline = state && splineOf(state.figure);
+    if (!client || !spline) return null;
+    const options = (one: Spline) => curveOptions(one, methodOptions(state.method));
+    const wanted = edit.type === 'join' ? { ...edit, other: options(edit.other) } : edit;
+    const made = await this.#edited(client, state, options(spline), wanted).catch((error) => {
+      if (!client.closed) this.onFailure(error);
+      return null;
+    });
+    if (this.#state?.revision !== state.revision || client !== this.#client) return null;
+    return made && { ...made, splines: made.curves.map((curve) => splineFrom(curve, spline)) };
+  }
+
+  /**
+   * How the knots of a B-spline with knots of its own go on after an edit; null where the engine
+   * cannot say, as where the points make no curve.
+   */
+  async knotsAfter(spline: Spline, edit: Edit): Promise<number[] | null> {
+    const [client, state] = [this.#client, this.#state];
+    if (!client || !state) return null;
+    const options = curveOptions(spline, methodOptions(state.method));
+    const made = await this.#edited(client, state, options, edit).catch(() => null);
+    const knots = made?.curves[0]?.knots;
+    return knots === undefined || typeof knots === 'string' ? null : Array.from(knots);
+  }
+
+  async #edited(
+    client: EngineClient,
+    { drawing }: State,
+    value: CurveOptions,
+    edit: Parameters<EngineClient['edited']>[2],
+  ): Promise<Edited> {
+    this.#drags.unfollow();
+    try {
+      return await client.edited(drawing.active, value, edit);
+    } finally {
+      this.#drags.unfollow();
+    }
+  }
+
+  #show(part: Partial<View>): void {
+    this.#view = { ...this.#view, ...part };
+    this.onView(this.#view);
+  }
+
+  /** Whether an answer to a state may still be shown. */
+  #current(client: EngineClient, state: State): boolean {
+    return client === this.#client && state.epoch === this.#state?.epoch;
+  }
+
+  async #trace(state: State): Promise<void> {
+    const client = this.#client;
+    if (!client || client.closed) return;
+    const { method } = state;
+    try {
+      const drag = state.dragged.length > 0 ? this.#drags.held : null;
+      for (const ended of this.#drags.takeEnded(state)) {
+        if (await this.#keepLegs(client, state, ended)) return;
+      }
+      const ids = state.drawing.objects.map(({ id }) => id);
+      for (const one of [client, this.#refinement.client]) one?.keepCurves(ids);
+      const active = activeObject(state.drawing);
+      const fill = active.fill > 0;
+      const known = state.dragging ? null : this.#others.known(state.figure, method, active);
+      if (known) {
+        this.#coarse = false;
+        this.#took(state.figure, known.shown);
+        this.#showTraced(state, known.shown, known.quality);
+        return;
+      }
+      const { figure, coarse } = this.#asTraced(state);
+      let stopped = false;
+      this.#coarse = coarse;
+      const computed = async () => {
+        if (drag) await this.#follow(client, state, drag);
+        this.#drags.made = state.figure;
+        const { active: object } = state.drawing;
+        const answer = await compute(client, figure, methodOptions(method), {
+          object,
+          draft: refinedOptions(method) !== null,
+          dragged: state.dragged,
+          uniqueness: true,
+          fill,
+        });
+        // Of too few points for a curve: the next one has no legs to go on from.
+        if (!answer.curve && !answer.problem) client.forget(object);
+        return answer;
+      };
+      const shown = await computed().catch((error) => {
+        if (client.closed) throw error;
+        this.#drags.made = null;
+        stopped = error instanceof Stopped;
+        const problem = stopped ? stoppedHint : messageOf(error);
+        return { ...nothing, problem, fill: fill ? noFill : null };
+      });
+      if (!this.#current(client, state)) return;
+      const quality = qualityShown(shown, method);
+      if (!coarse) this.#took(figure, shown);
+      if (!coarse && !state.dragging && !stopped) {
+        this.#others.keep(figure, { method, shown, quality }, state.drawing);
+      }
+      if (state.dragging) this.#keepLevels(shown);
+      const slow = state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft;
+      this.#slow = slow ? this.#slow + 1 : 0;
+      if (this.#slow >= slowSteps && !isRound(figure.kind)) this.#makeQuicker();
+      this.#showTraced(state, shown, quality);
+    } catch {
+      // The engine has stopped; what it owed is asked of the next one.
+    }
+  }
+
+  /** What a drag of the figure keeps to. */
+  #took(figure: Figure, { curve }: Shown): void {
+    this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
+    this.#levels = curve?.levels ?? 0;
+    this.#draft = false;
+  }
+
+  /** Far points' means are slow, those of near points are not, and averages alone need no fields. */
+  #makeQuicker(): void {
+    if (this.#levels === 0 && !this.#draft) {
+      this.#draft = true;
+      this.#slow = 0;
+    } else {
+      this.#levels = 'limit';
+    }
+  }
+
+  /** Levels that a drag needed stay while it lasts. */
+  #keepLevels({ curve }: Shown): void {
+    if (this.#levels !== 'limit' && curve) this.#levels = Math.max(this.#levels, curve.levels);
+  }
+
+  #showTraced(state: State, traced: Shown, quality: Quality | null): void {
+    const { visible } = activeObject(state.drawing);
+    const shown = visible ? traced : nothing;
+    // Those of another figure may be none any more.
+    const shorter = this.#compared === state.figure ? this.#view.shorter : [];
+    // What is hidden is of no quality, so that nothing better is asked for, which would be shown.
+    const fresh = {
+      ...{ quality: visible ? quality : null, refining: false },
+      ...{ shift: null, notRefined: null, shorter },
+    };
+    const { revision } = state;
+    this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
+  }
+
+  /** The engine continues the legs of the curve that it has: before a drag's first step its base. */
+  async #follow(client: EngineClient, state: State, drag: Drag): Promise<void> {
+    if (!this.#drags.begins(drag)) return;
+    const { figure } = this.#asTraced({ ...state, figure: drag.base, dragging: true });
+    const value = await curveValueOf(client, figure, methodOptions(state.method));
+    const { object } = drag;
+    // What is no curve has no legs to go on from.
+    if (!value) return client.forget(object);
+    await client.curve(value, { object }).catch((error) => {
+      if (error instanceof Stopped) throw error;
+      client.forget(object);
+    });
+  }
+
+  /** Asks for the legs that a drag drew out, once it has ended; whether they change the figure. */
+  async #keepLegs(client: EngineClient, state: State, drag: Drag): Promise<boolean> {
+    const { object, points, to } = drag;
+    const { figure } = this.#asTraced({ ...state, figure: to, dragging: true });
+    const drawn = await this.#follow(client, state, drag)
+      .then(() => drawnLegs(client, object, figure, methodOptions(state.method), points))
+      .catch(() => null);
+    this.#drags.made = drawn && object === this.#state?.drawing.active ? to : null;
+    if (!drawn || legsAt(to, points).every((leg) => !drawn[leg])) return false;
+    this.onLegs({ figure: to, dragged: points, legs: drawn });
+    return this.#state?.revision !== state.revision;
+  }
+
+  /** Looks for shorter ways than the legs of the newest figure. */
+  async #compareLegs(): Promise<boolean> {
+    const [client, state] = [this.#client, this.#state];
+    if (!client || !state || state.dragging || this.#compared === state.figure) return false;
+    if (!isCurve(state.figure.kind)) return false;
+    // Without a curve there are no legs of it.
+    if (this.#view.problem) return false;
+    const { figure, method, drawing } = state;
+    this.#compared = figure;
+    const options = methodOptions(method);
+    const found = await shorterLegs(client, drawing.active, figure, options).catch(() => null);
+    if (found) this.#drags.made = figure;
+    if (this.#state?.figure !== figure || client !== this.#client) return false;
+    const shorter = found?.filter(({ part }) => part < 1 - leastGain) ?? [];
+    if (shorter.length > 0 || this.#view.shorter.length > 0) this.#show({ shorter });
+    return true;
+  }
+
+  /**
+   * While something is dragged, fewer samples than a tolerance takes will do, and a curve keeps the
+   * most levels that it has had: on release both are asked for again.
+   */
+  #asTraced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
+    const { settings } = figure;
+    const fewer = dragging && this.#manySamples && settings.tolerance !== null;
+    // Circles have no choice of levels.
+    const isAutomatic = settings.levels === 'auto' || isRound(figure.kind);
+    const keeps = dragging && (this.#levels !== 0 || this.#draft) && isAutomatic;
+    if (!fewer && !keeps) return { figure, coarse: false };
+    const levels =
+      this.#levels === 'limit'
+        ? { levels: this.#levels }
+        : { leastLevels: this.#levels, draft: this.#draft };
+    const held = {
+      ...settings,
+      ...(fewer && { tolerance: null }),
+      ...(keeps && levels),
+    };
+    return { figure: { ...figure, settings: held }, coarse: true };
+  }
+
+  /** Asks for the exact form of what is shown, where it is a draft and nothing is dragged. */
+  #refine(): false {
+    const [state, draft] = [this.#state, this.#view];
+    if (!state || state.dragging || draft.revision !== state.revision) return false;
+    const options = refinedOptions(state.method);
+    if (!options || draft.quality !== 'draft' || draft.notRefined) return false;
+    const unit = this.#client!.info.meanEdge;
+    this.#refinement.request({
+      revision: state.revision,
+      compute: (client) => {
+        const { id, fill } = activeObject(state.drawing);
+        return compute(client, state.figure, options, { object: id, fill: fill > 0 });
+      },
+      done: (found) => {
+        const exact = { ...found, center: withUniqueness(found.center, draft.center) };
+        const refined = { quality: 'exact', refining: false } as const;
+        const { figure, method, drawing } = state;
+        this.#others.keep(figure, { method, shown: exact, quality: 'exact' }, drawing);
+        this.#show({ ...exact, ...refined, shift: shiftOf(draft, exact, unit) });
+        // A center has moved a little: its paths start elsewhere.
+        this.#newest.wake();
+      },
+      failed: (error) => this.#show({ refining: false, notRefined: messageOf(error) }),
+    });
+    if (!draft.refining) this.#show({ refining: true });
+    return false;
+  }
+
+  /** What joins the points of the newest figure. */
+  #ends(): Ends[] {
+    if (this.#view.curve && this.#view.curve.legs.length > 0) return [];
+    return this.#state ? endsOf(this.#state.figure, this.#view.center?.point ?? null) : [];
+  }
+
+  /** The geodesics beside what is shown, of the newest figure. */
+  #beside(shown: Shown): Partial<View> {
+    const state = this.#state;
+    if (!state) return {};
+    const { kind, points } = state.figure;
+    const others = this.#others.of(state);
+    if (!activeObject(state.drawing).visible) return { legs: [], others, polygonOnly: false };
+    if (isRound(kind)) {
+      const { circle } = shown;
+      // A radius that is refused may go around the surface any number of times.
+      const paths = shown.problem ? [] : [circle?.path, circle?.across?.path];
+      const legs = paths.filter((leg) => leg !== undefined);
+      return { legs, others, polygonOnly: false };
+    }
+    const ends = endsOf(state.figure, shown.center?.point ?? null);
+    if (kind === 'pen') return { legs: [], others, polygonOnly: false };
+    const own = shown.curve?.legs ?? [];
+    return {
+      legs: own.length > 0 ? own : this.#legs.between(ends, state.epoch),
+      others,
+      polygonOnly: points.length < pointsNeeded(state.figure),
+    };
+  }
+
+  async #traceOther(): Promise<boolean> {
+    const [client, state] = [this.#client, this.#state];
+    if (!client || client.closed || !state) return false;
+    const traced = await this.#others.trace(client, state);
+    if (client !== this.#client) return false;
+    if (traced) this.#show(this.#beside(this.#view));
+    return traced;
+  }
+
+  async #traceLeg(): Promise<boolean> {
+    const client = this.#client;
+    if (!client || client.closed) return false;
+    const traced = await this.#legs.trace(client, this.#ends());
+    if (client !== this.#client) return false;
+    // To show each of many takes longer than to trace it: those in between wait for the next.
+    const started = performance.now();
+    if (traced && started < this.#legsRest) this.#legsUnseen = true;
+    else if (traced || this.#legsUnseen) {
+      this.#legsUnseen = false;
+      this.#show(this.#beside(this.#view));
+      const ended = performance.now();
+      this.#legsRest = ended + restPart * (ended - started);
+    }
+    return traced;
+  }
+}

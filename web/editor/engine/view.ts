@@ -1,0 +1,40 @@
+import type { Quality } from '../../model/methods';
+import type { ShorterLeg } from '../../model/traced';
+import type { Beside } from './beside';
+import { nothing, type Shown } from './compute';
+import type { Shift } from './shift';
+
+/** What the engine made of a state of the editor. */
+export interface View extends Shown {
+  /** The revision that is shown. */
+  revision: number;
+  /** How good it is; null where the method knows no such words, or nothing is shown. */
+  quality: Quality | null;
+  /** Whether something better is awaited. */
+  refining: boolean;
+  /** How far the exact answer lies from the draft that it took the place of, in mean edges. */
+  shift: Shift | null;
+  /** Why a draft stays a draft, as a sentence. */
+  notRefined: string | null;
+  /** Geodesics between neighbouring points, from a center of mass to its points, or a radius. */
+  legs: readonly Float32Array[];
+  /** Ways from points to the next ones that are shorter than the curve's by more than is rounding. */
+  shorter: readonly ShorterLeg[];
+  /** The drawing's other objects, as far as they are shown. */
+  others: readonly Beside[];
+  /** The polygon stands for the curve, which has too few points yet. */
+  polygonOnly: boolean;
+}
+
+export const emptyView: View = {
+  ...nothing,
+  revision: 0,
+  quality: null,
+  refining: false,
+  shift: null,
+  notRefined: null,
+  legs: [],
+  shorter: [],
+  others: [],
+  polygonOnly: false,
+};

@@ -1,0 +1,68 @@
+import type { Viewer } from '../../viewer/viewer';
+import type { Editor } from '../state/editor';
+import type { Hold, Place } from './stage_pointer';
+
+/** How near to a line, in CSS pixels, a click means it. */
+const reach = 7;
+
+/**
+ * Selects objects with Shift held: a click puts one into the selection or takes it out, a drag selects
+ * all that is seen in a box.
+ */
+export class BoxSelection {
+  readonly #box = document.createElement('div');
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly viewer: Viewer,
+    stage: HTMLElement,
+  ) {
+    this.#box.className = 'selection-box';
+    this.#box.hidden = true;
+    stage.append(this.#box);
+  }
+
+  take(press: Place): Hold | null {
+    if (!press.shift) return null;
+    return {
+      drag: (place) => this.#show(press, place),
+      release: (place, dragged) => {
+        this.#box.hidden = true;
+        if (dragged) this.#chooseWithin(press, place);
+        else this.#toggleAt(press);
+      },
+      cancel: () => {
+        this.#box.hidden = true;
+      },
+    };
+  }
+
+  #show(from: Place, to: Place): void {
+    const { left, top, width, height } = rectangle(from, to);
+    const { box } = this.viewer;
+    this.#box.hidden = false;
+    this.#box.style.translate = `${left - box.left}px ${top - box.top}px`;
+    this.#box.style.width = `${width}px`;
+    this.#box.style.height = `${height}px`;
+  }
+
+  #chooseWithin(from: Place, to: Place): void {
+    const { left, top, width, height } = rectangle(from, to);
+    const { active } = this.editor.state.drawing;
+    const { others, edited } = this.viewer.objectsIn(left, top, width, height);
+    this.editor.choose(edited ? [...others, active] : others);
+  }
+
+  #toggleAt({ x, y }: Place): void {
+    const other = this.viewer.pickObject(x, y, reach);
+    if (other !== null) this.editor.toggle(other);
+    else if (this.viewer.pickOwn(x, y, reach)) this.editor.toggle(this.editor.state.drawing.active);
+  }
+}
+
+const rectangle = (from: Place, to: Place) => ({
+  left: Math.min(to.x, from.x),
+  top: Math.min(to.y, from.y),
+  width: Math.abs(to.x - from.x),
+  height: Math.abs(to.y - from.y),
+});

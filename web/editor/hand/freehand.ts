@@ -1,0 +1,149 @@
+import { drawnAtOnce } from '../../model/arranging';
+import { activeObject } from '../../model/drawing';
+import type { ControlPoint, Vector } from '../../model/figure';
+import { methodOptions } from '../../model/methods';
+import { penOptions } from '../../model/pen';
+import { anchorsOf, type StrokeSample } from '../../model/stroke';
+import type { Pick } from '../../viewer/surface';
+import type { SeenLine } from '../../viewer/vantage';
+import type { Viewer } from '../../viewer/viewer';
+import type { Editor } from '../state/editor';
+import { drawnTangents } from '../engine/pen_drawing';
+import type { Session } from '../engine/session';
+import type { Snapping } from './snapping';
+import type { Hold, Place } from './stage_pointer';
+
+/** Places of a stroke that are nearer to the last one, in CSS pixels, are left out. */
+const leastStep = 1.5;
+/** A stroke that comes back so near, in CSS pixels, to where it began closes, if it is so much longer. */
+const closesWithin = { mouse: 10, touch: 18 };
+const leastLoop = 6;
+/** How often a fit is made stricter where its curve is too far off on the surface. */
+const mostRounds = 4;
+const stricter = 0.5;
+
+/** A place of a stroke: on the surface, in the scene and on the stage. */
+interface Drawn extends Pick {
+  x: number;
+  y: number;
+}
+
+/** Freehand: a stroke on the surface becomes a curve of the pen, as one step of the history. */
+export class FreehandGestures {
+  /** How far the curve may be from the stroke, in CSS pixels. */
+  tolerance = 3;
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+    private readonly viewer: Viewer,
+    private readonly snapping: Snapping,
+  ) {}
+
+  take(press: Place): Hold | null {
+    if (this.editor.state.tool !== 'freehand' || press.shift) return null;
+    const first = this.#at(press, this.snapping.pick(press));
+    if (!first) return null;
+    const stroke = [first];
+    const show = () => {
+      const line = stroke.flatMap(({ position }) => position.toArray());
+      this.viewer.showStroke(Float32Array.from(line));
+    };
+    return {
+      drag: (_, way) => {
+        for (const place of way) {
+          const [last, next] = [
+            stroke.at(-1)!,
+            this.#at(place, this.viewer.pick(place.x, place.y)),
+          ];
+          if (next && Math.hypot(next.x - last.x, next.y - last.y) >= leastStep) stroke.push(next);
+        }
+        show();
+      },
+      release: async (place, dragged) => {
+        const end = this.#at(place, this.snapping.pick(place));
+        if (end && stroke.length > 1) stroke[stroke.length - 1] = end;
+        if (dragged && stroke.length > 1) await this.#draw(stroke, press.touch).catch(() => {});
+        this.viewer.showStroke(new Float32Array());
+      },
+      cancel: () => this.viewer.showStroke(new Float32Array()),
+    };
+  }
+
+  /** What was picked at a place, and where that is seen. */
+  #at({ x, y }: Place, pick: Pick | null): Drawn | null {
+    if (!pick) return null;
+    const { left, top } = this.viewer.box;
+    const { point, position } = pick;
+    return { point, position, x: x - left, y: y - top };
+  }
+
+  async #draw(stroke: Drawn[], touch: boolean): Promise<void> {
+    const { mesh } = this.editor.state;
+    const [first, last] = [stroke[0]!, stroke.at(-1)!];
+    const within = touch ? closesWithin.touch : closesWithin.mouse;
+    const length = stroke.reduce((sum, { x, y }, i) => {
+      const before = stroke[i - 1];
+      return before ? sum + Math.hypot(x - before.x, y - before.y) : 0;
+    }, 0);
+    const gap = Math.hypot(last.x - first.x, last.y - first.y);
+    const closed = gap <= within && length > leastLoop * within && stroke.length > 3;
+    if (closed) stroke[stroke.length - 1] = first;
+    const points = await this.#fitted(stroke, closed);
+    const { editor } = this;
+    if (editor.state.mesh !== mesh) return;
+    const command = drawnAtOnce(editor.state.drawing, points, closed);
+    editor.perform(command, { selection: null, chosen: [] });
+  }
+
+  /** The anchors of a curve that is seen within the tolerance of a stroke. */
+  async #fitted(stroke: readonly Drawn[], closed: boolean): Promise<ControlPoint[]> {
+    const { viewer, tolerance } = this;
+    const surface = viewer.surface!;
+    let samples = stroke.map(({ point, position }): StrokeSample => {
+      const pixel = viewer.reach(position, 1);
+      const normal = surface.directionFromScene(surface.normal(point)) as Vector;
+      const place = surface.fromScene(position);
+      return { point, place, normal, tolerance: tolerance * pixel, pixel };
+    });
+    let points = anchorsOf(samples, closed);
+    for (let round = 1; round < mostRounds; round++) {
+      const line = await this.#seen(points, closed);
+      const off = line && stroke.map((place) => distanceTo(line, place));
+      if (!off?.some((distance) => distance > tolerance)) break;
+      samples = samples.map((sample, i) => {
+        const near = off.slice(Math.max(0, i - 3), i + 4);
+        const isOff = near.some((distance) => distance > tolerance);
+        return isOff ? { ...sample, tolerance: stricter * sample.tolerance } : sample;
+      });
+      points = anchorsOf(samples, closed);
+    }
+    return points;
+  }
+
+  /** The curve of anchors as it would be seen; null where there is none. */
+  async #seen(points: readonly ControlPoint[], closed: boolean): Promise<SeenLine | null> {
+    const { editor, session, viewer } = this;
+    const { client } = session;
+    if (!client) return null;
+    const { figure } = activeObject(editor.state.drawing);
+    const drawn = { ...figure, points, settings: { ...figure.settings, closed } };
+    const options = methodOptions(editor.state.method);
+    const value = penOptions(drawn, await drawnTangents(client, drawn), options);
+    const curve = await client.curve(value).catch(() => null);
+    return curve && viewer.seen(curve.polyline);
+  }
+}
+
+/** How far a place of the stage is from a line there. */
+function distanceTo(line: SeenLine, place: { x: number; y: number }): number {
+  let least = Infinity;
+  for (let i = 1; i < line.x.length; i++) {
+    const [x, y] = [line.x[i - 1]!, line.y[i - 1]!];
+    const [dx, dy] = [line.x[i]! - x, line.y[i]! - y];
+    const along = ((place.x - x) * dx + (place.y - y) * dy) / (dx * dx + dy * dy || 1);
+    const part = Math.min(1, Math.max(0, along));
+    least = Math.min(least, Math.hypot(x + part * dx - place.x, y + part * dy - place.y));
+  }
+  return least;
+}

@@ -1,0 +1,586 @@
+import type { SurfacePoint } from 'karcher';
+import { Vector3 } from 'three';
+import { byRadii, newCircle, withHandle } from '../../model/circle';
+import { type CircleShape, isCurve, isRound, type Vector } from '../../model/figure';
+import type { FigureCommand } from '../../model/figure_commands';
+import type { DrawnTangents, Joint } from '../../model/pen';
+import { type PenAction, penActionAt, penWords, type UnderPointer } from '../../model/pen_hints';
+import { Handles } from '../../viewer/handles';
+import type { Pick } from '../../viewer/surface';
+import type { Viewer } from '../../viewer/viewer';
+import { BoxSelection } from './box_selection';
+import type { Editor, Selection } from '../state/editor';
+import { FreehandGestures } from './freehand';
+import { handlesOf, idOf, selectionOf, tangentOf, underHandle, underPointer } from './handle_list';
+import { MoveGestures } from './move_gestures';
+import { type HeldKeys, PenGestures } from './pen_gestures';
+import { RubberBand } from './rubber_band';
+import type { Session } from '../engine/session';
+import { type Snapped, Snapping } from './snapping';
+import { arrows, StageKeys } from './stage_keys';
+import { clickSlop, type Hold, type Place, StagePointer } from './stage_pointer';
+import { type Target, targetAt } from './targets';
+import type { CurveTool } from '../state/tool';
+import { type Numbers, TransformGestures } from './transform_gestures';
+import { twoFingersMeanTheView } from './two_fingers';
+
+/** How near to a knot, in CSS pixels, a click means the knot. */
+const nearKnot = { mouse: 6, touch: 12 };
+
+/** Clicks that ask for an edit that the engine has a part in. */
+export interface CurveClicks {
+  surfaceClicked(point: SurfacePoint): void;
+  /** `within` is as far as nearby things of the curve are meant too, in the surface's unit. */
+  curveClicked(tool: CurveTool, position: Vector3, within: number): void;
+  /** The pointer is over the curve that is measured, or a click was there. */
+  curveMeasured(position: Vector3): void;
+  /** The pointer is over the surface while the tool measures, or a click was there. */
+  rulerAimed(point: SurfacePoint): void;
+  rulerClicked(point: SurfacePoint): void;
+  /** An anchor of the pen, by its number. */
+  anchorRemoved(index: number): void;
+  /** What the pointer does where it is, in words; empty where that is not told. */
+  aimed(words: string): void;
+  /** Another object, by its id. */
+  otherClicked(tool: CurveTool, id: number): void;
+  /** By its number in the view. */
+  shorterClicked(index: number): void;
+  /** The pointer is over the surface while the tool mirrors, or a click was there. */
+  mirrorAimed(point: SurfacePoint): void;
+  mirrorClicked(point: SurfacePoint): void;
+  /** A move would take something off the surface. */
+  moveStopped(): void;
+}
+
+/** What a drag of a handle began with. */
+interface Grabbed {
+  x: number;
+  y: number;
+  circle: CircleShape | null;
+  /** Of an anchor of the pen. */
+  tangents: DrawnTangents;
+  /** What a click on an anchor of the pen does. */
+  action: PenAction | null;
+}
+
+/** Turns what the pointer and the keys do on the stage into commands. */
+export class Gestures {
+  readonly #handles: Handles;
+  #press: { id: number; x: number; y: number; slop: number } | null = null;
+  #grabbed: Grabbed | null = null;
+  /** Whether a handle is moved by keys. */
+  #nudges = false;
+  readonly #pointer: StagePointer;
+  #keys: HeldKeys = { alt: false, shift: false, control: false };
+  readonly freehand: FreehandGestures;
+  readonly snapping: Snapping;
+  readonly #pen: PenGestures;
+  readonly #transforms: TransformGestures;
+  readonly #moves: MoveGestures;
+  readonly #band: RubberBand;
+  #pointers = 0;
+  #hover: { x: number; y: number } | null = null;
+  /** Whether the pointer is over the stage, and over which handle of the pen. */
+  #isOver = false;
+  #overHandle: UnderPointer | null = null;
+  /** Whether the pointer's place on the surface was marked last. */
+  #rules = false;
+  #drag: { id: string; x: number; y: number } | null = null;
+  #frame = 0;
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+    private readonly viewer: Viewer,
+    private readonly stage: HTMLElement,
+    layer: HTMLElement,
+    private readonly events: CurveClicks,
+  ) {
+    this.#handles = new Handles(viewer, layer, {
+      grab: (id, x, y) => this.#grab(id, { x, y }),
+      drag: (id, x, y) => {
+        this.#drag = { id, x, y };
+        this.#schedule();
+      },
+      release: (_, cancelled) => this.#release(cancelled),
+      focus: (id) => editor.select(selectionOf(id)),
+      key: (id, event) => this.#nudge(id, event),
+    });
+    this.snapping = new Snapping(editor, viewer);
+    this.#band = new RubberBand(editor, session, viewer);
+    const handles = this.#handles;
+    const severalFingers = twoFingersMeanTheView(stage, {
+      get heldBy() {
+        return handles.heldBy ?? transforms.heldBy ?? pointer.heldBy;
+      },
+      letGo() {
+        handles.letGo();
+        transforms.letGo();
+        pointer.letGo();
+      },
+    });
+    const pointer = new StagePointer(stage, severalFingers);
+    handles.severalFingers = severalFingers;
+    const box = new BoxSelection(editor, viewer, stage);
+    const pen = new PenGestures(editor, session, viewer, this.snapping);
+    const moves = new MoveGestures(editor, session, viewer, {
+      clicked: (place) => this.#click(place),
+      stopped: () => events.moveStopped(),
+    });
+    this.#pointer = pointer;
+    this.freehand = new FreehandGestures(editor, session, viewer, this.snapping);
+    for (const one of [box, this.freehand, pen]) pointer.offer((press) => one.take(press));
+    pointer.offer((press) => this.#takeRound(press));
+    pointer.offer((press) => moves.take(press), { withAlt: true });
+    const transforms = new TransformGestures(editor, session, viewer, stage, severalFingers, {
+      stopped: () => events.moveStopped(),
+    });
+    this.#transforms = transforms;
+    this.#moves = moves;
+    this.#pen = pen;
+    const keys = ({ altKey, shiftKey, ctrlKey, metaKey }: PointerEvent) => {
+      this.#keys = { alt: altKey, shift: shiftKey, control: ctrlKey || metaKey };
+    };
+    for (const type of ['pointerdown', 'pointermove'] as const) {
+      window.addEventListener(type, keys, { capture: true });
+    }
+    new StageKeys(editor, viewer, stage, moves, {
+      clicked: (place) => this.#click({ ...place, touch: false }, { byKey: true }),
+      aimed: (place) => this.#aim(place),
+    });
+    stage.addEventListener('pointerdown', (event) => this.#down(event));
+    stage.addEventListener('pointermove', (event) => this.#move(event));
+    stage.addEventListener('pointerup', (event) => this.#up(event));
+    stage.addEventListener('pointercancel', () => this.#lift());
+    stage.addEventListener('pointerleave', () => {
+      this.#isOver = false;
+      this.#aim(null);
+    });
+    for (const type of ['keydown', 'keyup'] as const) {
+      window.addEventListener(type, ({ key, altKey }) => {
+        if (key !== 'Alt') return;
+        this.#keys.alt = altKey;
+        this.#schedule();
+      });
+    }
+    stage.addEventListener('dblclick', (event) => this.#doubleClick(event));
+    stage.addEventListener('contextmenu', (event) => event.preventDefault());
+    stage.addEventListener('blur', () => {
+      moves.endNudge();
+      stage.classList.remove('pointed');
+      this.#aim(null);
+    });
+    layer.addEventListener('keyup', (event) => {
+      if (event.key in arrows) this.#endNudge();
+    });
+    // Nobody would hear the key being let go.
+    layer.addEventListener('focusout', () => this.#endNudge());
+  }
+
+  /** Takes back what the pointer has begun; what it does until it is up is no click. */
+  letGo(): void {
+    this.#press = null;
+    if (this.#nudges) this.editor.cancelDrag();
+    this.#nudges = false;
+    this.#handles.letGo();
+    this.#transforms.letGo();
+    this.#pointer.letGo();
+    this.#moves.letGo();
+  }
+
+  /** Shows the handles of the editor's state. */
+  show(): void {
+    const { surface } = this.viewer;
+    const { view } = this.session;
+    const isEdited = this.editor.state.tool !== 'transform';
+    this.#handles.show(surface && isEdited ? handlesOf(this.editor.state, view, surface) : []);
+    this.#transforms.show();
+    this.#showTangents();
+    const { center } = view;
+    const others = center && center.otherMinima !== 'notLooked' ? center.otherMinima : [];
+    this.#handles.showCenter(surface && center ? surface.position(center.point) : null);
+    this.#handles.showMinima(
+      surface
+        ? others.map(({ point, energy }) => ({
+            position: surface.position(point),
+            tag: energy.toPrecision(4),
+          }))
+        : [],
+    );
+    // What is under the pointer may be something else now.
+    if (this.#hover) this.#schedule();
+  }
+
+  /** The selected anchor's handles are joined with it. */
+  #showTangents(): void {
+    const { figure, selection } = this.editor.state;
+    if (figure.kind !== 'pen') return;
+    const drawn = typeof selection === 'number' && this.editor.isOpen;
+    const { before, after } = (drawn && this.session.view.tangents?.[selection as number]) || {};
+    const paths = [before, after].flatMap((tangent) => (tangent ? [tangent.path] : []));
+    this.viewer.showPolygon(paths, false);
+  }
+
+  /** Places what is selected by numbers. */
+  place(numbers: Numbers): void {
+    void this.#transforms.place(numbers);
+  }
+
+  /** Makes the selected anchor of the pen, or else all of them, corners or smooth. */
+  setJoint(joint: Joint): void {
+    this.#pen.setJoint(joint);
+  }
+
+  /** Marks the place of the curve that is measured. */
+  showMeasured(position: Vector | null): void {
+    const { surface } = this.viewer;
+    const place = position && surface?.toScene(Float32Array.from(position));
+    this.#handles.showPreview(place ? new Vector3(...place) : null, 'measure');
+  }
+
+  /** Turns the view to a place in the surface's coordinates, and marks it for a moment. */
+  showPlace(position: Vector): void {
+    const { surface } = this.viewer;
+    if (!surface) return;
+    const place = new Vector3(...surface.toScene(Float32Array.from(position)));
+    this.viewer.lookAt(place);
+    this.#handles.showBeacon(place);
+  }
+
+  /** Whether the keys go to a handle; after a removal they go to the next one. */
+  async keepFocus(change: () => Promise<void>): Promise<void> {
+    const hadFocus = this.#handles.hasFocus;
+    await change();
+    const { selection } = this.editor.state;
+    if (!hadFocus) return;
+    if (selection === null) this.stage.focus({ preventScroll: true });
+    else this.#handles.focus(idOf(selection));
+  }
+
+  #down(event: PointerEvent): void {
+    this.#pointers++;
+    this.#aim(null);
+    this.stage.classList.add('pointed');
+    const slop = event.pointerType === 'mouse' ? clickSlop.mouse : clickSlop.touch;
+    const isView = event.altKey || this.stage.classList.contains('moving');
+    const alone = this.#pointers === 1 && event.button === 0 && !isView;
+    this.#press = alone ? { id: event.pointerId, x: event.clientX, y: event.clientY, slop } : null;
+  }
+
+  #move(event: PointerEvent): void {
+    const press = this.#press;
+    if (press) {
+      const moved = Math.hypot(event.clientX - press.x, event.clientY - press.y);
+      if (moved > press.slop) this.#press = null;
+    }
+    const hovers = event.pointerType !== 'touch' && event.buttons === 0;
+    const free = event.target === this.stage || event.target instanceof HTMLCanvasElement;
+    this.#isOver = event.pointerType !== 'touch';
+    this.#overHandle = underPointer(event.target);
+    this.#aim(hovers && free ? { x: event.clientX, y: event.clientY } : null);
+  }
+
+  #up(event: PointerEvent): void {
+    const press = this.#press;
+    this.#lift();
+    const touch = event.pointerType === 'touch';
+    if (press?.id === event.pointerId) this.#click({ x: press.x, y: press.y, touch });
+  }
+
+  #lift(): void {
+    this.#pointers = Math.max(0, this.#pointers - 1);
+    this.#press = null;
+  }
+
+  #aim(place: { x: number; y: number } | null): void {
+    this.#hover = place;
+    this.#schedule();
+  }
+
+  /** Rays are cast once a frame, for the pointer's newest place. */
+  #schedule(): void {
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0;
+      const target = this.#hover && this.#target({ ...this.#hover, touch: false });
+      this.#showAction(target);
+      this.stage.classList.toggle('aiming', target?.type === 'surface');
+      this.stage.classList.toggle(
+        'choosing',
+        target?.type === 'other' || target?.type === 'shorter',
+      );
+      this.#showHovered(target);
+      const snapped = this.#hover && this.#snapAt({ ...this.#hover, touch: false }, target);
+      const added = snapped ?? (target?.type === 'surface' ? target.pick : null);
+      this.#band.aim(added?.point ?? null);
+      if (snapped?.kind) {
+        this.#showSnap(snapped);
+        if (this.editor.state.tool === 'measure') this.events.rulerAimed(snapped.point);
+      } else if (target?.type === 'surface') {
+        this.#handles.showPreview(target.pick.position, 'surface');
+        this.#rules = true;
+        if (this.editor.state.tool === 'mirror') this.events.mirrorAimed(target.pick.point);
+        if (this.editor.state.tool === 'measure') this.events.rulerAimed(target.pick.point);
+      } else if (this.editor.state.tool === 'measure') {
+        if (target?.type === 'curve') this.events.curveMeasured(target.position);
+        // What is measured of the curve stays marked; where the ruler was aimed does not.
+        else if (this.#rules) this.#handles.showPreview(null, 'surface');
+      } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
+      else this.#handles.showPreview(null, 'surface');
+      if (target?.type !== 'surface') this.#rules = false;
+      this.#dragNow();
+    });
+  }
+
+  /** Whether a drag of a line leaves a copy. */
+  get #copies(): boolean {
+    return this.#keys.alt && this.editor.state.tool === 'select';
+  }
+
+  /** Marks the line that a click would take. */
+  #showHovered(target: Target | null): void {
+    if (target?.type !== 'other') this.viewer.showHovered(undefined);
+    else {
+      const { active } = this.editor.state.drawing;
+      this.viewer.showHovered(target.id === active ? null : target.id);
+    }
+  }
+
+  /** Tells what the pen would do where the pointer is. */
+  #showAction(target: Target | null): void {
+    const { figure, tool } = this.editor.state;
+    const isPen = figure.kind === 'pen' && this.#isOver;
+    const drawsThere =
+      tool === 'insert' && (target?.type === 'surface' || target?.type === 'curve');
+    const under = this.#overHandle ?? (drawsThere ? { type: target.type } : null);
+    const draws =
+      tool === 'freehand' && this.#hover && this.viewer.pick(this.#hover.x, this.#hover.y);
+    const moves = (tool === 'select' || tool === 'transform') && target?.type === 'other';
+    const action = draws
+      ? 'draw'
+      : isPen && under
+        ? penActionAt(under, this.#pen.state(this.#keys.alt))
+        : null;
+    if (action) this.stage.dataset.action = action;
+    else if (moves) this.stage.dataset.action = this.#copies ? 'copy' : 'move';
+    else delete this.stage.dataset.action;
+    this.events.aimed(action ? penWords[action] : '');
+  }
+
+  #target(place: { x: number; y: number; touch: boolean }): Target | null {
+    return targetAt(this.viewer, this.editor.state, place);
+  }
+
+  #click(place: { x: number; y: number; touch: boolean }, { byKey = false } = {}): void {
+    const target = this.#target(place);
+    const { tool, figure } = this.editor.state;
+    const snapped = target?.type === 'curve' ? null : this.#snapAt(place, target);
+    if (!target) {
+      // A slip beside the surface ends no curve that is being drawn.
+      if (tool === 'select' || tool === 'transform') this.editor.letGo();
+      else {
+        this.editor.select(null);
+        this.editor.choose([]);
+      }
+      if (tool !== 'measure') this.editor.rest();
+    } else if (snapped) this.#put(snapped);
+    else if (target.type === 'surface') this.#put(target.pick);
+    else if (target.type === 'curve' && tool === 'measure') {
+      this.events.curveMeasured(target.position);
+    } else if (target.type === 'curve' && figure.kind === 'pen' && !byKey) {
+      this.#pen.selectNear(target.position);
+    } else if (target.type === 'curve') {
+      const pixels = place.touch ? nearKnot.touch : nearKnot.mouse;
+      this.events.curveClicked(tool, target.position, this.viewer.reach(target.position, pixels));
+    } else if (target.type === 'shorter') this.events.shorterClicked(target.index);
+    else this.events.otherClicked(tool, target.id);
+  }
+
+  /**
+   * On the curve of the pen it adds an anchor, on an anchor it removes that. While objects are only
+   * selected, one goes on to be drawn.
+   */
+  #doubleClick({ clientX: x, clientY: y, target: element }: MouseEvent): void {
+    const { tool, figure } = this.editor.state;
+    const anchor = underPointer(element);
+    if (figure.kind === 'pen' && anchor?.type === 'anchor') {
+      this.events.anchorRemoved(anchor.index);
+      return;
+    }
+    const target = this.#target({ x, y, touch: false });
+    if (figure.kind === 'pen' && tool === 'insert' && target?.type === 'curve') {
+      this.events.curveClicked(tool, target.position, 0);
+    }
+    if (tool !== 'select') return;
+    if (target?.type === 'other' && !this.editor.refuses()) this.editor.setTool('insert');
+  }
+
+  /** Marks what a place is taken to. */
+  #showSnap(snapped: Snapped | null): void {
+    if (snapped?.kind) this.#handles.showPreview(snapped.position, 'snap', snapped.kind);
+    else this.#handles.showPreview(null, 'surface');
+  }
+
+  /** What a click there would be taken to; null where it places nothing. */
+  #snapAt(place: { x: number; y: number; touch: boolean }, target: Target | null): Snapped | null {
+    const { control } = this.#keys;
+    const places =
+      target?.type === 'surface' || (target?.type === 'other' && this.snapping.placesOn(control));
+    const draws = this.editor.state.tool === 'freehand';
+    return places || draws ? this.snapping.pick({ ...place, control }) : null;
+  }
+
+  /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */
+  #put({ point }: Pick): void {
+    const { figure, tool } = this.editor.state;
+    if (tool === 'mirror') {
+      this.events.mirrorClicked(point);
+      return;
+    }
+    if (tool === 'measure') {
+      this.events.rulerClicked(point);
+      return;
+    }
+    if (!isRound(figure.kind)) {
+      this.events.surfaceClicked(point);
+      return;
+    }
+    if (!this.editor.isOpen) this.editor.begin();
+    const from = this.editor.state.figure.circle;
+    const { diagonal } = this.session.client!.info;
+    const to = from
+      ? withHandle(from, byRadii(from, this.session.view.circle), 'rim', point)
+      : newCircle(point, diagonal, this.viewer.right);
+    this.editor.run({ type: 'circle', from, to }, 'rim');
+  }
+
+  #grab(id: string, place: { x: number; y: number }): void {
+    const { figure } = this.editor.state;
+    const selection = selectionOf(id);
+    const isPen = figure.kind === 'pen';
+    const under = isPen ? underHandle(id) : null;
+    const action = under
+      ? penActionAt(under, this.#pen.state(this.#keys.alt))
+      : this.#closesAt(selection)
+        ? 'close'
+        : null;
+    this.editor.select(selection);
+    const { view } = this.session;
+    const { circle } = figure;
+    this.#grabbed = {
+      ...place,
+      circle: circle && byRadii(circle, view.circle),
+      tangents: (isPen && typeof selection === 'number' && view.tangents?.[selection]) || {},
+      action,
+    };
+  }
+
+  /** Whether a click on a control point closes the curve that is drawn, as the pen's does. */
+  #closesAt(point: Selection): boolean {
+    const { figure, tool, selection, dragging } = this.editor.state;
+    const { kind, points, settings } = figure;
+    if (tool !== 'insert' || kind === 'pen' || !isCurve(kind) || settings.closed || dragging)
+      return false;
+    return point === 0 && points.length > 2 && selection === points.length - 1;
+  }
+
+  /** A drag draws a circle or an ellipse from its center. */
+  #takeRound(press: Place): Hold | null {
+    const { editor, session, viewer } = this;
+    const { figure, tool } = editor.state;
+    if (tool !== 'insert' || !isRound(figure.kind) || press.shift) return null;
+    if (!editor.isOpen || figure.circle || !session.client) return null;
+    const target = this.#target(press);
+    const center = this.#snapAt(press, target)?.point;
+    if (!center) return null;
+    const begun = newCircle(center, session.client.info.diagonal, viewer.right);
+    return {
+      drag: ({ x, y }) => {
+        const rim = viewer.pick(x, y)?.point;
+        if (!rim) return;
+        const to = withHandle(begun, begun, 'rim', rim);
+        editor.preview({ type: 'circle', from: null, to });
+      },
+      release: (_, dragged) => {
+        if (!dragged) {
+          this.#click(press);
+          return;
+        }
+        editor.commitDrag();
+        if (editor.state.figure.circle) editor.select('rim');
+      },
+      cancel: () => editor.cancelDrag(),
+    };
+  }
+
+  #dragNow(): void {
+    const drag = this.#drag;
+    const grabbed = this.#grabbed;
+    this.#drag = null;
+    if (!drag || !grabbed) return;
+    const moved = Math.hypot(drag.x - grabbed.x, drag.y - grabbed.y);
+    if (!this.editor.dragging && moved <= clickSlop.mouse / 2) return;
+    this.#moveTo(drag.id, drag.x, drag.y, grabbed);
+  }
+
+  /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
+  #moveTo(id: string, x: number, y: number, { circle, tangents }: Grabbed): void {
+    const selection = selectionOf(id);
+    // A handle of the pen gives a direction, and goes as it is drawn.
+    const control = this.#keys.control || tangentOf(id) !== null;
+    const picked = this.snapping.pick({ x, y, control }, selection);
+    if (!picked) return;
+    this.#showSnap(picked);
+    const { point } = picked;
+    const base = this.editor.base;
+    let command: FigureCommand | null = null;
+    if (typeof selection === 'number') {
+      const from = base.points[selection];
+      const side = tangentOf(id)?.side;
+      const to =
+        from && side
+          ? this.#pen.withHandle(from, tangents, side, { x, y }, this.#keys)
+          : from && base.kind === 'pen'
+            ? this.#pen.moved(from, tangents, point, this.#keys)
+            : from && { ...from, ...point };
+      if (from && to) command = { type: 'change', index: selection, from, to };
+    } else if (base.circle && circle) {
+      const to = withHandle(base.circle, circle, selection, point);
+      command = { type: 'circle', from: base.circle, to };
+    }
+    if (command) this.editor.preview(command);
+  }
+
+  #release(cancelled: boolean): void {
+    this.#dragNow();
+    this.#showSnap(null);
+    const action = cancelled || this.editor.dragging ? null : this.#grabbed?.action;
+    const { selection } = this.editor.state;
+    this.#grabbed = null;
+    if (action === 'close') this.editor.setSettings({ closed: true });
+    if (action === 'convert' && typeof selection === 'number') this.#pen.convert(selection);
+    if (cancelled) this.editor.cancelDrag();
+    else this.editor.commitDrag();
+  }
+
+  /** What keys have moved stays, as one step of the history. */
+  #endNudge(): void {
+    if (this.#nudges) this.editor.commitDrag();
+    this.#nudges = false;
+  }
+
+  #nudge(id: string, event: KeyboardEvent): void {
+    const arrow = arrows[event.key];
+    if (!arrow || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const step = event.shiftKey ? 16 : 4;
+    const place = this.#handles.place(id);
+    if (!place) return;
+    if (!this.editor.dragging) this.#grab(id, place);
+    const grabbed = this.#grabbed;
+    if (!grabbed) return;
+    this.#nudges = true;
+    this.#keys = { alt: false, shift: false, control: false };
+    this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], grabbed);
+  }
+}

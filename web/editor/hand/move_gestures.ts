@@ -1,0 +1,190 @@
+import { leavingCopies } from '../../model/arranging';
+import type { Command } from '../../model/commands';
+import { placesOf } from '../../model/moving';
+import type { Viewer } from '../../viewer/viewer';
+import type { Editor } from '../state/editor';
+import { Move, movableObjects } from '../engine/moving';
+import { Newest } from '../engine/newest';
+import type { Session } from '../engine/session';
+import type { Hold, Place } from './stage_pointer';
+import { reach, targetAt } from './targets';
+import { isResting } from '../state/tool';
+
+/** A line that is dragged, and what is moved with it. */
+interface HeldLine {
+  move: Promise<Move | null>;
+  stopped: boolean;
+  /** Whether copies stay where it was. */
+  copies: boolean;
+}
+
+/** A move by keys: where it has come to, and the revision of the drawing that it made. */
+interface KeyedMove {
+  move: Move;
+  x: number;
+  y: number;
+  revision: number;
+}
+
+/** Drags of a line of an object: it is moved, with all that are selected with it. */
+export class MoveGestures {
+  #held: HeldLine | null = null;
+  readonly #newest = new Newest<Place>((place) => this.#moveTo(place));
+  /** The move by keys that goes on. */
+  #keyed: KeyedMove | null = null;
+  #nudges: Promise<void> = Promise.resolve();
+
+  /** `clicked` is called where nothing was dragged; `stopped` where a move would leave the surface. */
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+    private readonly viewer: Viewer,
+    private readonly events: { clicked(place: Place): void; stopped(): void },
+  ) {}
+
+  /** Holds the line that is pressed. */
+  take(press: Place): Hold | null {
+    const { editor } = this;
+    if (press.shift || press.control || this.#held) return null;
+    if (!isResting(editor.state.tool)) return null;
+    // With other tools Alt is the view's.
+    if (press.alt && editor.state.tool !== 'select') return null;
+    const id = this.#lineAt(press);
+    // A finger turns the view wherever it lies, but on what is selected.
+    if (id === null || (press.touch && !editor.state.chosen.includes(id))) return null;
+    return {
+      drag: (place) => {
+        this.#held ??= { move: this.#begin(press), stopped: false, copies: press.alt };
+        this.#newest.push(place);
+      },
+      release: (place, dragged) => {
+        if (dragged) void this.#end(place);
+        else this.events.clicked(press);
+      },
+      cancel: () => this.letGo(),
+    };
+  }
+
+  /** Takes back what is moved, also where its last step is still under way. */
+  letGo(): void {
+    const keyed = this.#keyed?.revision === this.editor.state.revision;
+    const held = this.#held !== null;
+    this.#keyed = null;
+    this.#held = null;
+    this.#newest.drop();
+    if (keyed || held) this.editor.cancelDrag();
+  }
+
+  /** The id of the object whose line is seen at a place; null without one. */
+  #lineAt(place: Place): number | null {
+    const { state, isOpen } = this.editor;
+    const target = targetAt(this.viewer, state, place);
+    if (target?.type === 'other') return target.id;
+    const within = place.touch ? reach.touch : reach.mouse;
+    const own = target?.type === 'curve' || this.viewer.pickOwn(place.x, place.y, within);
+    return own && isOpen ? state.drawing.active : null;
+  }
+
+  /** Holds what is under the pointer, with what is selected with it. */
+  async #begin(press: Place): Promise<Move | null> {
+    const { editor, session, viewer } = this;
+    const id = this.#lineAt(press);
+    const pivot = viewer.pick(press.x, press.y)?.point;
+    const { client } = session;
+    if (id === null || !pivot || !client || !viewer.surface) return null;
+    if (!editor.state.chosen.includes(id)) editor.activate(id);
+    const { chosen } = editor.state;
+    const objects = movableObjects(editor.state.drawing, chosen.length > 0 ? chosen : [id]);
+    return Move.of(client, viewer.surface, objects, pivot).catch(() => null);
+  }
+
+  /** Moves what is selected by so many CSS pixels; nudges are one step until `endNudge`. */
+  nudge(dx: number, dy: number): void {
+    // A nudge that fails is dropped: the next one begins anew.
+    this.#nudges = this.#nudges
+      .then(() => this.#nudge(dx, dy))
+      .catch(() => {
+        this.#keyed = null;
+      });
+  }
+
+  /** The key was let go, or nobody would hear that it is. */
+  endNudge(): void {
+    this.#nudges = this.#nudges.then(() => {
+      if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();
+      this.#keyed = null;
+    });
+  }
+
+  async #nudge(dx: number, dy: number): Promise<void> {
+    const { editor, viewer } = this;
+    // Something else was done since: the move goes on from there.
+    if (this.#keyed?.revision !== editor.state.revision) this.#keyed = null;
+    // Whatever a pointer drags is none of the keys'.
+    if (!this.#keyed && editor.dragging) return;
+    this.#keyed ??= await this.#keyedMove();
+    const keyed = this.#keyed;
+    if (!keyed || keyed.revision !== editor.state.revision) return;
+    const [x, y] = [keyed.x + dx, keyed.y + dy];
+    const point = viewer.pick(x, y)?.point;
+    const command = point && (await keyed.move.to(point).catch(() => null));
+    if (this.#keyed !== keyed || keyed.revision !== editor.state.revision) return;
+    if (!command) {
+      this.events.stopped();
+      return;
+    }
+    editor.previewCommand(command);
+    [keyed.x, keyed.y, keyed.revision] = [x, y, editor.state.revision];
+  }
+
+  /** Holds what is selected at a place of it that is seen. */
+  async #keyedMove(): Promise<KeyedMove | null> {
+    const { editor, session, viewer } = this;
+    const { revision } = editor.state;
+    const { surface, box } = viewer;
+    const { client } = session;
+    const objects = movableObjects(editor.state.drawing, editor.state.chosen);
+    if (!surface || !client) return null;
+    for (const place of objects.flatMap(({ figure }) => placesOf(figure))) {
+      const { x, y, hidden } = viewer.project(surface.position(place));
+      if (hidden) continue;
+      const [left, top] = [box.left + x, box.top + y];
+      const pivot = viewer.pick(left, top)?.point;
+      if (!pivot) continue;
+      const move = await Move.of(client, surface, objects, pivot).catch(() => null);
+      return move && { move, x: left, y: top, revision };
+    }
+    return null;
+  }
+
+  async #moveTo({ x, y }: Place): Promise<void> {
+    const held = this.#held;
+    const move = await held?.move;
+    const point = this.viewer.pick(x, y)?.point;
+    if (this.#held !== held || !held || !move || !point) return;
+    const command = await move.to(point).catch(() => null);
+    if (this.#held !== held) return;
+    if (command) this.editor.previewCommand(held.copies ? this.#leaving(command) : command);
+    else if (!held.stopped) {
+      held.stopped = true;
+      this.events.stopped();
+    }
+  }
+
+  /** The move, with copies of what is moved that stay: one step. */
+  #leaving(command: Command): Command {
+    const { drawing, chosen } = this.editor.state;
+    const ids = chosen.length > 0 ? chosen : [drawing.active];
+    const copies = leavingCopies(this.editor.baseDrawing, ids);
+    return copies ? { type: 'steps', steps: [copies, command] } : command;
+  }
+
+  async #end(last: Place): Promise<void> {
+    const held = this.#held;
+    this.#newest.drop();
+    await this.#moveTo(last);
+    if (this.#held !== held) return;
+    this.#held = null;
+    this.editor.commitDrag();
+  }
+}

@@ -1,0 +1,68 @@
+import type { SurfacePoint } from 'karcher';
+import type { Viewer } from '../../viewer/viewer';
+import type { Editor } from '../state/editor';
+import { Newest } from '../engine/newest';
+import type { Session } from '../engine/session';
+
+/** How far it is from one point of the surface to another, in the surface's unit. */
+export interface Ruled {
+  along: number;
+  straight: number;
+}
+
+/** Two clicks on the surface: how far it is along it, and straight. A third click begins anew. */
+export class Ruler {
+  #from: SurfacePoint | null = null;
+  #to: SurfacePoint | null = null;
+  readonly #newest = new Newest<SurfacePoint>((to) => this.#show(to));
+
+  /** Called with what is measured; null while there is nothing, and whether one end is there. */
+  onChange: (ruled: Ruled | null, begun: boolean) => void = () => {};
+
+  constructor(
+    editor: Editor,
+    private readonly session: Session,
+    private readonly viewer: Viewer,
+  ) {
+    editor.subscribe(({ tool, mesh }, before) => {
+      if (this.#from && (tool !== 'measure' || mesh !== before.mesh)) this.#clear();
+    });
+  }
+
+  /** Leads to a point from the first click, until the second. */
+  aim(point: SurfacePoint): void {
+    if (this.#from && !this.#to) this.#newest.push(point);
+  }
+
+  click(point: SurfacePoint): void {
+    if (this.#from && !this.#to) {
+      this.#to = point;
+      this.#newest.push(point);
+      return;
+    }
+    this.#clear();
+    this.#from = point;
+    this.onChange(null, true);
+  }
+
+  #clear(): void {
+    [this.#from, this.#to] = [null, null];
+    this.#newest.drop();
+    this.viewer.showBand(new Float32Array());
+    this.onChange(null, false);
+  }
+
+  async #show(to: SurfacePoint): Promise<void> {
+    const from = this.#from;
+    const { client } = this.session;
+    const { surface } = this.viewer;
+    if (!from || !client || !surface) return;
+    const path = await client.mesh.shortestPath(from, to).catch(() => null);
+    if (!path || this.#from !== from || (this.#to && this.#to !== to)) return;
+    if (this.viewer.surface !== surface) return;
+    const line = path.polyline();
+    const straight = Math.hypot(...[0, 1, 2].map((axis) => line.at(axis - 3)! - line[axis]!));
+    this.viewer.showBand(surface.toScene(line));
+    this.onChange({ along: path.length, straight }, true);
+  }
+}

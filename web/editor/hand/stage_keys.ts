@@ -1,0 +1,77 @@
+import type { Viewer } from '../../viewer/viewer';
+import type { Editor } from '../state/editor';
+import type { MoveGestures } from './move_gestures';
+
+/** How far an arrow moves what is selected, in CSS pixels; with Shift ten times. */
+const nudgePixels = 4;
+/** Where the arrows point on the screen. */
+export const arrows: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+interface Place {
+  x: number;
+  y: number;
+}
+
+/** The stage's own keys: they turn and zoom the view, move what is selected and place points. */
+export class StageKeys {
+  /** `clicked` is called where a key clicks, and `aimed` for where the next one would. */
+  constructor(
+    private readonly editor: Editor,
+    private readonly viewer: Viewer,
+    private readonly stage: HTMLElement,
+    private readonly moves: MoveGestures,
+    private readonly events: { clicked(place: Place): void; aimed(place: Place): void },
+  ) {
+    stage.tabIndex = 0;
+    stage.addEventListener('keydown', (event) => this.#down(event));
+    stage.addEventListener('keyup', (event) => {
+      if (event.key in arrows) moves.endNudge();
+    });
+    window.addEventListener('keydown', (event) => this.#space(event));
+    window.addEventListener('keyup', ({ key }) => {
+      if (key === ' ') viewer.movesView = false;
+    });
+    window.addEventListener('blur', () => {
+      viewer.movesView = false;
+    });
+  }
+
+  /** While the space bar is held the pointer moves the view; on a button it presses that. */
+  #space(event: KeyboardEvent): void {
+    if (event.key !== ' ' || event.defaultPrevented) return;
+    const { target } = event;
+    const isTaken =
+      target instanceof Element &&
+      target.closest('button:not(.handle), input, select, textarea, a, summary, dialog, [popover]');
+    if (isTaken) return;
+    event.preventDefault();
+    this.viewer.movesView = true;
+  }
+
+  #down(event: KeyboardEvent): void {
+    const { stage, viewer } = this;
+    if (event.target !== stage || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = arrows[event.key];
+    const { left, top, width, height } = viewer.box;
+    const middle = { x: left + width / 2, y: top + height / 2 };
+    const nudge = event.shiftKey ? 10 * nudgePixels : nudgePixels;
+    if (arrow && this.editor.state.chosen.length > 0) {
+      this.moves.nudge(nudge * arrow[0], nudge * arrow[1]);
+    } else if (arrow) viewer.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
+    else if (event.key === '+' || event.key === '=') viewer.zoom(1 / 1.15);
+    else if (event.key === '-') viewer.zoom(1.15);
+    else if (event.key === 'Enter') {
+      // With a mouse points are placed where it is: the key is left to end the curve.
+      if (stage.classList.contains('pointed')) return;
+      this.events.clicked(middle);
+    } else return;
+    event.preventDefault();
+    stage.classList.remove('pointed');
+    this.events.aimed(middle);
+  }
+}

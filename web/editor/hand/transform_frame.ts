@@ -1,0 +1,200 @@
+/**
+ * The frame round selected objects: a rectangle in the tangent plane of the pivot, laid on the surface
+ * by the exp map.
+ */
+import type { SurfacePoint } from 'karcher';
+import { Vector3 } from 'three';
+import type { DrawnObject } from '../../model/drawing';
+import { isRound, type Vector } from '../../model/figure';
+import { type Carried, type CarriedTo, placesOf } from '../../model/moving';
+import type { Surface } from '../../viewer/surface';
+import type { EngineClient } from '../../worker/client';
+import { faceNormal, plain } from '../engine/moving';
+
+export interface TransformFrame {
+  pivot: SurfacePoint;
+  /** The frame's first axis, a unit vector in the plane of the pivot's face. */
+  right: Vector;
+  /** From the pivot along that axis, and across it to its left. */
+  box: { left: number; right: number; bottom: number; top: number };
+}
+
+export type FrameHandle = 'turn' | 'move' | 'pivot' | 'scale-1' | 'scale-2' | 'scale-3' | 'scale-4';
+
+export interface ShownFrame {
+  /** In the scene. */
+  lines: Float32Array[];
+  handles: { id: FrameHandle; position: Vector3 }[];
+}
+
+/** As parts of the surface's diagonal: around what is selected, and from there to the turning handle. */
+const margin = 0.02;
+const stalk = 0.05;
+/** Points of a side between its corners. */
+const piecesOfSide = 16;
+
+/** The second axis, to the left of the first one. */
+export async function acrossFrame(
+  client: EngineClient,
+  surface: Surface,
+  { pivot, right }: Pick<TransformFrame, 'pivot' | 'right'>,
+): Promise<Vector> {
+  const normal = await faceNormal(client, surface, pivot);
+  return normal.cross(new Vector3(...right)).toArray();
+}
+
+/** A direction in the plane of a point's face, of length 1. */
+async function inPlane(
+  client: EngineClient,
+  surface: Surface,
+  at: SurfacePoint,
+  along: Vector,
+): Promise<Vector> {
+  const normal = await faceNormal(client, surface, at);
+  const projected = new Vector3(...along).projectOnPlane(normal);
+  // A view from the side has no direction of its own there.
+  if (projected.length() < 1e-3) projected.set(normal.z, normal.x, normal.y).projectOnPlane(normal);
+  return projected.normalize().toArray();
+}
+
+/**
+ * The frame of objects, upright where `right` points to the right; round a pivot, or else round their
+ * middle.
+ */
+export async function frameOf(
+  client: EngineClient,
+  surface: Surface,
+  objects: readonly DrawnObject[],
+  right: Vector,
+  pivot: SurfacePoint | null,
+): Promise<TransformFrame> {
+  const around = objects.flatMap(extentsOf);
+  const boxAt = async (at: SurfacePoint) => {
+    const axis = await inPlane(client, surface, at, right);
+    const across = await acrossFrame(client, surface, { pivot: at, right: axis });
+    const places = around.map(({ place }) => plain(place));
+    const { vectors } = await client.mesh.logMap(plain(at), places);
+    const box = { left: 0, right: 0, bottom: 0, top: 0 };
+    for (const [i, { radius }] of around.entries()) {
+      const vector = vectors.subarray(3 * i, 3 * i + 3);
+      const [x, y] = [dot(vector, axis), dot(vector, across)];
+      const first = i === 0;
+      box.left = Math.min(first ? x - radius : box.left, x - radius);
+      box.right = Math.max(first ? x + radius : box.right, x + radius);
+      box.bottom = Math.min(first ? y - radius : box.bottom, y - radius);
+      box.top = Math.max(first ? y + radius : box.top, y + radius);
+    }
+    return { axis, across, box };
+  };
+  let at = pivot;
+  if (!at) {
+    const from = plain(around[0]!.place);
+    const { axis, across, box } = await boxAt(from);
+    const x = (box.left + box.right) / 2;
+    const y = (box.bottom + box.top) / 2;
+    const { points } = await client.mesh.expMap(
+      from,
+      [0, 1, 2].map((k) => x * axis[k]! + y * across[k]!),
+    );
+    at = points[0]!;
+  }
+  const { axis, box } = await boxAt(at);
+  const more = margin * client.info.diagonal;
+  return {
+    pivot: plain(at),
+    right: axis,
+    box: {
+      left: box.left - more,
+      right: box.right + more,
+      bottom: box.bottom - more,
+      top: box.top + more,
+    },
+  };
+}
+
+/** What of an object the frame goes round: its places, and how far it reaches around them. */
+function extentsOf({ figure }: DrawnObject): { place: SurfacePoint; radius: number }[] {
+  const { circle, kind } = figure;
+  if (!isRound(kind)) {
+    return placesOf({ ...figure, circle: null }).map((place) => ({ place, radius: 0 }));
+  }
+  return placesOf({ ...figure, points: [] }).map((place) => ({
+    place,
+    radius: circle && place === circle.center && 'radius' in circle.rim ? circle.rim.radius : 0,
+  }));
+}
+
+/** What a move carries along to carry the frame. */
+export const carriedFrame = ({ pivot, right }: TransformFrame): Carried[] => [
+  { place: pivot, direction: null },
+  { place: pivot, direction: right },
+];
+
+/** The frame where it was carried to, with all that is in it so many times as large. */
+export function frameAt(
+  { box }: TransformFrame,
+  { points, directions }: CarriedTo,
+  scale: number,
+): TransformFrame {
+  const right = new Vector3().fromArray(directions, 3).normalize().toArray();
+  return {
+    pivot: plain(points[0]!),
+    right,
+    box: {
+      left: scale * box.left,
+      right: scale * box.right,
+      bottom: scale * box.bottom,
+      top: scale * box.top,
+    },
+  };
+}
+
+/** The frame as it lies on the surface. */
+export async function shownFrame(
+  client: EngineClient,
+  surface: Surface,
+  frame: TransformFrame,
+): Promise<ShownFrame> {
+  const { pivot, right, box } = frame;
+  const across = await acrossFrame(client, surface, frame);
+  const corners: [number, number][] = [
+    [box.left, box.bottom],
+    [box.right, box.bottom],
+    [box.right, box.top],
+    [box.left, box.top],
+  ];
+  const middle = (box.left + box.right) / 2;
+  const tip = box.top + stalk * client.info.diagonal;
+  const between = ([x0, y0]: [number, number], [x1, y1]: [number, number]) =>
+    Array.from({ length: piecesOfSide + 1 }, (_, i): [number, number] => {
+      const part = i / piecesOfSide;
+      return [x0 + part * (x1 - x0), y0 + part * (y1 - y0)];
+    });
+  const sides = [
+    ...corners.map((corner, i) => between(corner, corners[(i + 1) % 4]!)),
+    between([middle, box.top], [middle, tip]),
+  ];
+  const places = [...sides.flat(), [middle, box.bottom] as const];
+  const vectors = places.flatMap(([x, y]) => [0, 1, 2].map((k) => x * right[k]! + y * across[k]!));
+  const { points } = await client.mesh.expMap(pivot, vectors);
+  const positions = points.map((point) => surface.position(point));
+  const count = piecesOfSide + 1;
+  const lines = sides.map((_, side) =>
+    Float32Array.from(
+      positions.slice(side * count, (side + 1) * count).flatMap((position) => position.toArray()),
+    ),
+  );
+  const handles: ShownFrame['handles'] = [
+    ...[0, 1, 2, 3].map((i) => ({
+      id: `scale-${i + 1}` as FrameHandle,
+      position: positions[i * count]!,
+    })),
+    { id: 'turn', position: positions[5 * count - 1]! },
+    { id: 'move', position: positions[5 * count]! },
+    { id: 'pivot', position: surface.position(pivot) },
+  ];
+  return { lines, handles };
+}
+
+const dot = (a: ArrayLike<number>, b: ArrayLike<number>) =>
+  a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;

@@ -1,0 +1,388 @@
+import type { SurfacePoint } from 'karcher';
+import { Vector3 } from 'three';
+import type { Drawing, DrawnObject } from '../../model/drawing';
+import type { Vector } from '../../model/figure';
+import { Handles } from '../../viewer/handles';
+import type { Viewer } from '../../viewer/viewer';
+import type { EngineClient } from '../../worker/client';
+import type { Editor } from '../state/editor';
+import { faceNormal, Move, movableObjects, type Placement } from '../engine/moving';
+import { Newest } from '../engine/newest';
+import type { Session } from '../engine/session';
+import {
+  acrossFrame,
+  carriedFrame,
+  type FrameHandle,
+  frameAt,
+  frameOf,
+  type ShownFrame,
+  shownFrame,
+  type TransformFrame,
+} from './transform_frame';
+
+/** With Shift held angles and parts are multiples of these. */
+const angleStep = Math.PI / 12;
+const scaleStep = 0.1;
+/** By a key; with Shift as above. */
+const keyedAngle = Math.PI / 180;
+const keyedScale = 0.01;
+const nudgePixels = 4;
+const leastScale = 0.01;
+
+const arrows: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+const labels: Record<FrameHandle, string> = {
+  turn: 'Turn the selection',
+  move: 'Move the selection',
+  pivot: 'Pivot of turning and scaling',
+  'scale-1': 'Scale the selection, first corner',
+  'scale-2': 'Scale the selection, second corner',
+  'scale-3': 'Scale the selection, third corner',
+  'scale-4': 'Scale the selection, fourth corner',
+};
+
+/** A placement told by numbers: lengths along the frame's axes. */
+export interface Numbers extends Omit<Placement, 'point'> {
+  x?: number;
+  y?: number;
+}
+
+interface Place {
+  x: number;
+  y: number;
+}
+
+/** A handle of the frame that is held. */
+interface Hold {
+  id: FrameHandle;
+  from: SurfacePoint;
+  frame: TransformFrame;
+  move: Promise<Move>;
+  /** The log vector of `from` at the pivot. */
+  log: Promise<Vector3>;
+  stopped: boolean;
+}
+
+/** The frame round what is selected while the tool is `transform`, and drags of its handles. */
+export class TransformGestures {
+  readonly #handles: Handles;
+  readonly #newest = new Newest<Place>((place) => this.#dragTo(place));
+  #frame: TransformFrame | null = null;
+  #shown: ShownFrame | null = null;
+  /** What the frame was made for. */
+  #made: { drawing: Drawing; chosen: string; client: EngineClient } | null = null;
+  /** Where the user put the pivot. */
+  #pivot: { point: SurfacePoint; chosen: string } | null = null;
+  #held: Hold | null = null;
+  /** What the arrow keys add up to, until they are let go. */
+  #keyed: {
+    id: FrameHandle;
+    frame: TransformFrame;
+    move: Move;
+    numbers: Required<Numbers>;
+  } | null = null;
+  #keys: Promise<void> = Promise.resolve();
+  #shift = false;
+
+  /** `stopped` is called where something would leave the surface. */
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+    private readonly viewer: Viewer,
+    stage: HTMLElement,
+    severalFingers: () => boolean,
+    private readonly events: { stopped(): void },
+  ) {
+    const layer = document.createElement('div');
+    layer.className = 'handles';
+    stage.append(layer);
+    this.#handles = new Handles(viewer, layer, {
+      grab: (id, x, y) => this.#grab(id as FrameHandle, { x, y }),
+      drag: (_, x, y) => this.#newest.push({ x, y }),
+      release: (_, cancelled) => void this.#release(cancelled),
+      focus: () => {},
+      key: (id, event) => this.#key(id as FrameHandle, event),
+    });
+    this.#handles.severalFingers = severalFingers;
+    layer.addEventListener('keyup', (event) => {
+      if (event.key in arrows) this.#endKeys();
+    });
+    for (const type of ['pointerdown', 'pointermove'] as const) {
+      window.addEventListener(type, ({ shiftKey }) => (this.#shift = shiftKey), { capture: true });
+    }
+  }
+
+  get heldBy(): number | null {
+    return this.#handles.heldBy;
+  }
+
+  /** Takes back what is held, also where its last step is still under way. */
+  letGo(): void {
+    if (this.#keyed) this.editor.cancelDrag();
+    this.#keyed = null;
+    this.#handles.letGo();
+    if (this.#held) void this.#release(true);
+  }
+
+  /** Shows the frame of the editor's state; it is made anew where something else has changed. */
+  show(): void {
+    const { tool, drawing, chosen, dragging } = this.editor.state;
+    const { client } = this.session;
+    const isShown = tool === 'transform' && this.#objects.length > 0 && client;
+    if (!isShown) {
+      this.#hide();
+      return;
+    }
+    const made = this.#made;
+    const same = made?.drawing === drawing && made.chosen === `${chosen}` && made.client === client;
+    if (same || dragging) return;
+    this.#made = { drawing, chosen: `${chosen}`, client };
+    void this.#makeFrame();
+  }
+
+  /** Places what is selected by numbers, as one step. Resolves when it is done. */
+  async place({ x = 0, y = 0, angle = 0, scale = 1 }: Numbers): Promise<void> {
+    const frame = this.#frame;
+    const move = frame && (await this.#moveAt(frame.pivot, frame));
+    if (!frame || !move || !(await this.#place(frame, move, { x, y, angle, scale }))) return;
+    this.#commit();
+  }
+
+  get #objects(): DrawnObject[] {
+    const { drawing, chosen } = this.editor.state;
+    return movableObjects(drawing, chosen);
+  }
+
+  #hide(): void {
+    if (!this.#made) return;
+    [this.#frame, this.#shown, this.#made] = [null, null, null];
+    this.#draw();
+  }
+
+  #draw(): void {
+    const { lines = [], handles = [] } = this.#shown ?? {};
+    this.viewer.showFrame(lines);
+    this.#handles.show(
+      handles.map(({ id, position }) => ({
+        ...{ id, position, label: labels[id], selected: this.#held?.id === id },
+        tag: '',
+        look: id.startsWith('scale') ? 'corner' : (id as 'turn' | 'move' | 'pivot'),
+      })),
+    );
+  }
+
+  async #makeFrame(): Promise<void> {
+    const { client } = this.session;
+    const { surface } = this.viewer;
+    const made = this.#made;
+    if (!client || !surface || !made) return;
+    const own = this.#pivot?.chosen === made.chosen ? this.#pivot.point : null;
+    const { right } = this.viewer;
+    const frame = await frameOf(client, surface, this.#objects, right, own).catch(() => null);
+    if (frame && this.#made === made) await this.#showFrame(frame);
+  }
+
+  async #showFrame(frame: TransformFrame): Promise<void> {
+    const { client } = this.session;
+    const { surface } = this.viewer;
+    if (!client || !surface) return;
+    this.#frame = frame;
+    const shown = await shownFrame(client, surface, frame).catch(() => null);
+    if (this.#frame !== frame) return;
+    this.#shown = shown;
+    this.#draw();
+  }
+
+  #moveAt(point: SurfacePoint, frame: TransformFrame): Promise<Move | null> {
+    const { client } = this.session;
+    const { surface } = this.viewer;
+    if (!client || !surface) return Promise.resolve(null);
+    const move = Move.of(client, surface, this.#objects, point, carriedFrame(frame));
+    return move.catch(() => null);
+  }
+
+  #grab(id: FrameHandle, { x, y }: Place): void {
+    const frame = this.#frame;
+    const { client } = this.session;
+    const { surface } = this.viewer;
+    const position = this.#shown?.handles.find((handle) => handle.id === id)?.position;
+    if (!frame || !client || !surface || !position) return;
+    const from = this.viewer.pick(x, y)?.point ?? surface.nearest(position);
+    const at = id === 'move' ? from : frame.pivot;
+    const move = this.#moveAt(at, frame).then((made) => {
+      if (!made) throw new Error('no path leads to what is selected');
+      return made;
+    });
+    const log = client.mesh
+      .logMap(frame.pivot, [from])
+      .then(({ vectors }) => new Vector3().fromArray(vectors));
+    // Where they fail, the drag does nothing.
+    for (const promise of [move, log]) promise.catch(() => {});
+    this.#held = { id, from, frame, move, log, stopped: false };
+  }
+
+  async #dragTo({ x, y }: Place): Promise<void> {
+    const held = this.#held;
+    const point = this.viewer.pick(x, y)?.point;
+    if (!held || !point) return;
+    if (held.id === 'pivot') {
+      await this.#putPivot(point);
+      return;
+    }
+    const placement = await this.#placementAt(held, point).catch(() => null);
+    const move = await held.move.catch(() => null);
+    const placed = placement && (await move?.placed(placement).catch(() => null));
+    if (this.#held !== held || !placement) return;
+    if (!placed) {
+      if (!held.stopped) this.events.stopped();
+      held.stopped = true;
+      return;
+    }
+    this.editor.previewCommand(placed.command);
+    await this.#showFrame(frameAt(held.frame, placed.beside, placement.scale ?? 1));
+  }
+
+  async #placementAt({ id, frame, log }: Hold, point: SurfacePoint): Promise<Placement> {
+    if (id === 'move') return { point };
+    const { client } = this.session;
+    const { surface } = this.viewer;
+    const { vectors } = await client!.mesh.logMap(frame.pivot, [point]);
+    const [from, to] = [await log, new Vector3().fromArray(vectors)];
+    if (id === 'turn') {
+      const normal = await faceNormal(client!, surface!, frame.pivot);
+      const angle = Math.atan2(from.clone().cross(to).dot(normal), from.dot(to));
+      return { angle: this.#shift ? Math.round(angle / angleStep) * angleStep : angle };
+    }
+    const scale = to.length() / (from.length() || 1);
+    const kept = this.#shift ? Math.round(scale / scaleStep) * scaleStep : scale;
+    return { scale: Math.max(leastScale, kept) };
+  }
+
+  /** Turns and scalings are round this point from now on. */
+  async #putPivot(point: SurfacePoint): Promise<void> {
+    const { client } = this.session;
+    const { surface } = this.viewer;
+    const frame = this.#held?.frame ?? this.#frame;
+    if (!client || !surface || !frame) return;
+    this.#pivot = { point, chosen: `${this.editor.state.chosen}` };
+    const moved = await client.mesh
+      .transport(frame.pivot, point, frame.right)
+      .then((right) => frameOf(client, surface, this.#objects, [...right] as Vector, point))
+      .catch(() => null);
+    if (moved) await this.#showFrame(moved);
+  }
+
+  async #release(cancelled: boolean): Promise<void> {
+    const held = this.#held;
+    if (!held) return;
+    if (cancelled) {
+      this.#held = null;
+      this.#newest.drop();
+      this.editor.cancelDrag();
+      await this.#showFrame(held.frame);
+      return;
+    }
+    await this.#newest.done();
+    if (this.#held !== held) return;
+    this.#held = null;
+    this.#commit();
+  }
+
+  /** Ends the drag as one step; the frame stays as it was carried. */
+  #commit(): void {
+    const { editor } = this;
+    const { client } = this.session;
+    const { drawing, chosen } = editor.state;
+    if (client) this.#made = { drawing, chosen: `${chosen}`, client };
+    const own = this.#pivot?.chosen === `${chosen}`;
+    if (own && this.#frame) this.#pivot = { point: this.#frame.pivot, chosen: `${chosen}` };
+    editor.commitDrag();
+    this.#draw();
+  }
+
+  /** Shows a placement by numbers, as a drag's next position; false where it leaves the surface. */
+  async #place(
+    frame: TransformFrame,
+    move: Move,
+    { x, y, angle, scale }: Required<Numbers>,
+    isWanted: () => boolean = () => true,
+  ): Promise<boolean> {
+    const { client } = this.session;
+    const point = await this.#pointAt(frame, x, y);
+    if (!client || !point) {
+      this.events.stopped();
+      return false;
+    }
+    const placed = await move.placed({ point, angle, scale }).catch(() => null);
+    if (!placed) {
+      this.events.stopped();
+      return false;
+    }
+    if (!isWanted()) return false;
+    this.editor.previewCommand(placed.command);
+    await this.#showFrame(frameAt(frame, placed.beside, scale));
+    return true;
+  }
+
+  /** The point so far along the frame's axes; null beyond the boundary. */
+  async #pointAt(frame: TransformFrame, x: number, y: number): Promise<SurfacePoint | null> {
+    const { client } = this.session;
+    const { surface } = this.viewer;
+    if (!client || !surface) return null;
+    if (x === 0 && y === 0) return frame.pivot;
+    const across = await acrossFrame(client, surface, frame);
+    const vector = frame.right.map((value, axis) => x * value + y * across[axis]!);
+    const { points, remaining } = await client.mesh.expMap(frame.pivot, vector);
+    return remaining[0]! > 1e-9 * client.info.diagonal ? null : points[0]!;
+  }
+
+  #key(id: FrameHandle, event: KeyboardEvent): void {
+    const arrow = arrows[event.key];
+    if (!arrow || event.altKey || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { shiftKey } = event;
+    this.#keys = this.#keys.then(() => this.#keyStep(id, arrow, shiftKey));
+  }
+
+  async #keyStep(id: FrameHandle, [dx, dy]: [number, number], shift: boolean): Promise<void> {
+    const position = this.#shown?.handles.find((handle) => handle.id === id)?.position;
+    const frame = this.#keyed?.frame ?? this.#frame;
+    if (!frame || !position) return;
+    const length = this.viewer.reach(position, shift ? 10 * nudgePixels : nudgePixels);
+    if (id === 'pivot') {
+      const point = await this.#pointAt(this.#frame!, dx * length, dy * length);
+      if (point) await this.#putPivot(point);
+      return;
+    }
+    if (!this.#keyed) {
+      const move = await this.#moveAt(frame.pivot, frame);
+      if (!move) return;
+      this.#keyed = { id, frame, move, numbers: { x: 0, y: 0, angle: 0, scale: 1 } };
+    }
+    const keyed = this.#keyed;
+    const { numbers, move } = keyed;
+    const [turn, grow] = shift ? [angleStep, scaleStep] : [keyedAngle, keyedScale];
+    const next = { ...numbers };
+    if (id === 'move') {
+      next.x += dx * length;
+      next.y += dy * length;
+    } else if (id === 'turn') next.angle += (dy - dx) * turn;
+    else next.scale = Math.max(leastScale, next.scale + (dx + dy) * grow);
+    const isWanted = () => this.#keyed === keyed;
+    if (await this.#place(frame, move, next, isWanted)) keyed.numbers = next;
+  }
+
+  #endKeys(): void {
+    this.#keys = this.#keys.then(() => {
+      if (!this.#keyed) return;
+      this.#keyed = null;
+      this.#commit();
+    });
+  }
+}

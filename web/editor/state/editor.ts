@@ -1,0 +1,585 @@
+import {
+  activation,
+  addition,
+  beginning,
+  deletion,
+  duplication,
+  grouping,
+  ofKind,
+  reordering,
+  restyling,
+  withGroups,
+} from '../../model/arranging';
+import type { CircleHandle } from '../../model/circle';
+import { apply, type Command, onlyEditOf } from '../../model/commands';
+import {
+  activeObject,
+  type Drawing,
+  type DrawnObject,
+  emptyDrawing,
+  indexOf,
+  objectOf,
+  type Properties,
+} from '../../model/drawing';
+import {
+  type CircleForm,
+  type CurveSettings,
+  cleared,
+  type Figure,
+  isCurve,
+  isEmpty,
+  isRound,
+  type Kind,
+  withLeg,
+} from '../../model/figure';
+import { applyToFigure, type FigureCommand, fitted } from '../../model/figure_commands';
+import {
+  type History,
+  historyOf,
+  record,
+  recordActivation,
+  stepBack,
+  stepForth,
+} from '../../model/history';
+import { defaultMethod, type MethodId } from '../../model/methods';
+import { type ToldLegs, tellLegs } from '../../model/told_legs';
+import { type CurveTool, isResting, type RestingTool } from './tool';
+
+/** A control point by its number, or one of a circle's or ellipse's handles. */
+export type Selection = number | CircleHandle | null;
+
+export interface State {
+  /** The key of the surface that is shown; empty before the first one. */
+  readonly mesh: string;
+  readonly drawing: Drawing;
+  /** Of the object that is edited. */
+  readonly figure: Figure;
+  /** The same without the drag that is going on. */
+  readonly base: Figure;
+  /** Whether this surface stands in for one that could not be opened, and nothing was done on it. */
+  readonly standIn: boolean;
+  /** What is selected of the edited object. */
+  readonly selection: Selection;
+  /** The objects that are selected, by their ids. */
+  readonly chosen: readonly number[];
+  /** Whether nothing is selected, the edited object neither: it has no handles, and what is drawn next is another. */
+  readonly none: boolean;
+  readonly method: MethodId;
+  /** Whether the drawing is a drag's, which may go on. */
+  readonly dragging: boolean;
+  /** The numbers of the points that are dragged, or of the anchor that is drawn out. */
+  readonly dragged: readonly number[];
+  /** What a click does; `split` and `join` are for one click. */
+  readonly tool: CurveTool;
+  /** Grows with every change of the drawing or the method. */
+  readonly revision: number;
+  /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
+  readonly epoch: number;
+}
+
+const none: readonly number[] = [];
+
+/** The one selection: the ids of the objects that panels, keys and files mean; the edited one is among them. */
+export function selectedObjects({ chosen, none, drawing }: State): readonly number[] {
+  if (none) return [];
+  return chosen.length > 0 ? chosen : [drawing.active];
+}
+
+/** The page's one state, and the only way to change it. */
+export class Editor {
+  #state: State = {
+    mesh: '',
+    drawing: emptyDrawing,
+    figure: activeObject(emptyDrawing).figure,
+    base: activeObject(emptyDrawing).figure,
+    standIn: false,
+    selection: null,
+    chosen: [],
+    none: false,
+    method: defaultMethod,
+    dragging: false,
+    dragged: none,
+    tool: 'insert',
+    revision: 0,
+    epoch: 0,
+  };
+  readonly #listeners: ((state: State, before: State) => void)[] = [];
+  /** The surfaces that were shown: what was done there, and the drawing it led to. */
+  readonly #histories = new Map<string, History>();
+  readonly #drawings = new Map<string, Drawing>();
+  /** The drawing before the drag that is going on, and the drag as one command. */
+  #drag: { base: Drawing; command: Command | null } | null = null;
+  #resting: RestingTool = 'insert';
+
+  /** Called where an edit is refused, with a sentence. */
+  onRefusal: (sentence: string) => void = () => {};
+
+  /** Called where something else is done: who drags lets go of it. */
+  onInterrupt: () => void = () => {};
+
+  get state(): State {
+    return this.#state;
+  }
+
+  subscribe(listener: (state: State, before: State) => void): void {
+    this.#listeners.push(listener);
+  }
+
+  /**
+   * Shows another surface, with the drawing it had when it was last shown, or else with this one and
+   * what was done to it. What was done there can still be undone.
+   */
+  open(
+    mesh: string,
+    drawing: Drawing,
+    { standIn = false, history }: { standIn?: boolean; history?: History | null } = {},
+  ): void {
+    this.cancelDrag();
+    this.#drawings.set(this.#state.mesh, this.#state.drawing);
+    const kept = this.#drawings.get(mesh) ?? drawing;
+    if (history && !this.#drawings.has(mesh)) this.#histories.set(mesh, history);
+    const part = { mesh, drawing: kept, standIn, selection: null, chosen: [] };
+    this.#change({ ...part, tool: this.#resting }, true);
+  }
+
+  /** Changes the whole drawing, as one step of the history. */
+  perform(
+    command: Command | null,
+    part: { selection?: Selection; chosen?: readonly number[]; none?: boolean } = {},
+  ): void {
+    if (!command) return;
+    this.cancelDrag();
+    const drawing = apply(this.#state.drawing, command);
+    record(this.#history, command);
+    this.#change({ drawing, ...part, tool: this.#resting }, true);
+  }
+
+  /**
+   * Changes the object that is edited. Knots of its own that do not fit any more go: `CurveEdits`
+   * knows how they go on.
+   */
+  run(edit: FigureCommand, selection: Selection = this.#state.selection): void {
+    this.cancelDrag();
+    if (this.refuses()) return;
+    this.perform(this.#commandOf(edit), { selection });
+  }
+
+  /**
+   * Shows the drawing as it is after an edit that is not yet done: a drag's next position. `dragged` are
+   * the points that an edit of several moves together.
+   */
+  preview(edit: FigureCommand, dragged: readonly number[] = none): void {
+    if (!this.#drag && this.refuses()) return;
+    this.#drag ??= { base: this.#state.drawing, command: null };
+    const { base } = this.#drag;
+    this.#drag.command = this.#commandOf(edit);
+    const drawing = apply(base, this.#drag.command);
+    const single = edit.type === 'change' || edit.type === 'insert';
+    this.#change({ drawing, dragging: true, dragged: single ? [edit.index] : dragged }, false);
+  }
+
+  /** Shows the drawing as it is after a command on whole objects, as a drag's next position. */
+  previewCommand(command: Command): void {
+    this.#drag ??= { base: this.#state.drawing, command: null };
+    this.#drag.command = command;
+    const drawing = apply(this.#drag.base, command);
+    this.#change({ drawing, dragging: true, dragged: none }, false);
+  }
+
+  /** Shows an edit of an object of a kind that begins with it: both are one step, or none. */
+  previewBegun(kind: Kind, edit: FigureCommand): void {
+    const base = this.#drag?.base ?? this.#state.drawing;
+    const begin = beginning(base, kind);
+    if (!begin) {
+      this.preview(edit);
+      return;
+    }
+    const { id } = activeObject(apply(base, begin));
+    this.previewCommand({ type: 'steps', steps: [begin, { type: 'figure', id, edit }] });
+  }
+
+  /** Makes the drag one step of the history. */
+  commitDrag(): void {
+    const { command = null, base = null } = this.#drag ?? {};
+    if (command && base !== this.#state.drawing) record(this.#history, command);
+    const dragged = this.#drag !== null;
+    this.#drag = null;
+    if (dragged) this.#change({ dragging: false, dragged: none }, false);
+  }
+
+  cancelDrag(): void {
+    const drag = this.#drag;
+    this.#drag = null;
+    if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: none }, true);
+  }
+
+  /**
+   * Ends whatever is dragged, which goes back to where it was: what is done next is done to the drawing
+   * as it was before the drag.
+   */
+  interrupt(): void {
+    this.onInterrupt();
+    this.cancelDrag();
+  }
+
+  /** Makes the legs that one of the last drags drew out part of it, and of what was done since. */
+  keepLegs(told: ToldLegs): void {
+    const kept = tellLegs(this.#history, this.#drag?.base ?? this.#state.drawing, told);
+    if (!kept) return;
+    const { none } = this.#state;
+    if (!this.#drag) this.#change({ drawing: kept, none }, false);
+    else this.#drag.base = kept;
+  }
+
+  /** Replaces the leg from a control point to the next by the shortest path. */
+  takeShortest(index: number): void {
+    const from = this.#state.figure.points[index];
+    if (from?.leg) this.run({ type: 'change', index, from, to: withLeg(from, null) });
+  }
+
+  get dragging(): boolean {
+    return this.#state.dragging;
+  }
+
+  /** The drawing without the drag that is going on. */
+  get baseDrawing(): Drawing {
+    return this.#drag?.base ?? this.#state.drawing;
+  }
+
+  /** The edited figure without the drag that is going on. */
+  get base(): Figure {
+    return activeObject(this.#drag?.base ?? this.#state.drawing).figure;
+  }
+
+  get active(): DrawnObject {
+    return activeObject(this.#state.drawing);
+  }
+
+  get canUndo(): boolean {
+    return this.#history.done.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#history.undone.length > 0;
+  }
+
+  /** What was done on the surface that is shown. */
+  get history(): Readonly<History> {
+    return this.#history;
+  }
+
+  /** Takes the newest step back, or what is dragged. */
+  undo(): void {
+    const dragged = this.#drag !== null;
+    this.interrupt();
+    if (dragged) return;
+    const command = stepBack(this.#history);
+    if (command) this.#step(command);
+  }
+
+  redo(): void {
+    if (this.#drag) return;
+    const command = stepForth(this.#history);
+    if (command) this.#step(command);
+  }
+
+  setTool(tool: CurveTool): void {
+    if (isResting(tool)) this.#resting = tool;
+    if (tool === 'select') this.#dropBegun();
+    if (tool !== this.#state.tool) this.#change({ tool }, false);
+  }
+
+  /** Who only tried a tool is left with nothing of it, and with nothing selected. */
+  #dropBegun(): void {
+    const { drawing, figure } = this.#state;
+    const drawn = drawing.objects.findLast((object) => !isEmpty(object.figure));
+    const command = drawn && isEmpty(figure) ? activation(drawing, drawn.id) : null;
+    if (!command) return;
+    this.cancelDrag();
+    recordActivation(this.#history, command);
+    const part = { selection: null, chosen: [], none: true };
+    this.#change({ drawing: apply(drawing, command), ...part }, true);
+  }
+
+  /** Ends the tool that cuts, joins or measures. */
+  rest(): void {
+    this.setTool(this.#resting);
+  }
+
+  select(selection: Selection): void {
+    if (selection !== this.#state.selection) this.#change({ selection }, false);
+  }
+
+  /** Selects a place of the edited object, and objects, without editing another one. */
+  setSelection(selection: Selection, chosen: readonly number[]): void {
+    this.#change({ selection, chosen }, false);
+  }
+
+  /** Selects objects, of which the last one is edited: no step of the history (`recordActivation`). */
+  choose(ids: readonly number[]): void {
+    const chosen = withGroups(this.#state.drawing, ids);
+    const edited = ids.findLast((id) => objectOf(this.#state.drawing, id));
+    const command = edited === undefined ? null : activation(this.#state.drawing, edited);
+    if (command) {
+      this.cancelDrag();
+      const drawing = apply(this.#state.drawing, command);
+      recordActivation(this.#history, command);
+      this.#change({ drawing, selection: null, chosen, tool: this.#resting }, true);
+    } else if (`${chosen}` !== `${this.#state.chosen}`) {
+      this.#change({ chosen, selection: null, none: false }, false);
+    } else if (chosen.length > 0 && this.#state.none) this.#change({ none: false }, false);
+  }
+
+  /** Edits another object, which alone is selected with those of its group. */
+  activate(id: number): void {
+    this.choose([id]);
+  }
+
+  /** Selects an object, or takes it out of the selection. */
+  toggle(id: number): void {
+    const { drawing } = this.#state;
+    const selected = selectedObjects(this.#state).filter(
+      (one) => !isEmpty(objectOf(drawing, one)!.figure),
+    );
+    if (!selected.includes(id)) {
+      this.choose([...selected, id]);
+      return;
+    }
+    const group = withGroups(drawing, [id]);
+    const left = selected.filter((one) => !group.includes(one));
+    if (left.length > 0) this.choose(left);
+    else this.letGo();
+  }
+
+  /** Selects nothing. */
+  letGo(): void {
+    const { none, selection, chosen, figure } = this.#state;
+    if (isEmpty(figure)) this.#change({ selection: null, chosen: [] }, false);
+    else if (!none || selection !== null || chosen.length > 0) {
+      this.#change({ selection: null, chosen: [], none: true }, false);
+    }
+  }
+
+  /** Selects the edited object where nothing is selected. */
+  chooseSome(): void {
+    const { chosen, none, drawing, figure } = this.#state;
+    if (none) return;
+    if (chosen.length === 0 && !isEmpty(figure)) this.choose([drawing.active]);
+  }
+
+  chooseAll(): void {
+    const { objects, active } = this.#state.drawing;
+    const ids = objects.filter(({ figure, locked }) => !isEmpty(figure) && !locked);
+    const chosen = ids.map(({ id }) => id);
+    const last = chosen.includes(active) ? active : chosen.at(-1);
+    if (last !== undefined) this.choose([...chosen.filter((id) => id !== last), last]);
+  }
+
+  /** What is drawn next is another object. */
+  begin(kind?: Kind): void {
+    this.interrupt();
+    this.setTool('insert');
+    this.perform(beginning(this.#state.drawing, kind), { selection: null, chosen: [] });
+    if (this.#state.chosen.length > 0) this.#change({ chosen: [] }, false);
+  }
+
+  /** Chooses the kind of what is drawn next; a curve with points becomes another kind of curve. */
+  setKind(kind: Kind): void {
+    this.interrupt();
+    this.setTool('insert');
+    if (this.#state.none) {
+      this.begin(kind);
+      return;
+    }
+    const command = ofKind(this.#state.drawing, kind);
+    if (!command) return;
+    if (command.type === 'figure') this.run(command.edit, null);
+    else this.perform(command, { selection: null, chosen: [] });
+  }
+
+  /** Deletes objects; the edited one only where there is something of it. */
+  deleteObjects(wanted: readonly number[] = selectedObjects(this.#state)): void {
+    this.interrupt();
+    const { objects } = this.#state.drawing;
+    const ids = wanted.filter((id) => {
+      const object = objectOf(this.#state.drawing, id);
+      return object && !isEmpty(object.figure);
+    });
+    const free = ids.filter((id) => objects.some((one) => one.id === id && !one.locked));
+    if (free.length < ids.length) this.onRefusal('What is locked is not deleted. Unlock it first.');
+    this.perform(deletion(this.#state.drawing, free), { selection: null, chosen: [] });
+  }
+
+  duplicate(ids: readonly number[] = selectedObjects(this.#state)): void {
+    this.interrupt();
+    this.#add(duplication(this.#state.drawing, ids));
+  }
+
+  /** Adds copies of objects; their ids become others. */
+  addObjects(objects: readonly DrawnObject[]): void {
+    this.interrupt();
+    this.#add(addition(this.#state.drawing, objects));
+  }
+
+  #add(made: ReturnType<typeof addition>): void {
+    if (made) this.perform(made.command, { selection: null, chosen: made.ids });
+  }
+
+  group(ids: readonly number[] = this.#state.chosen): void {
+    this.interrupt();
+    this.perform(grouping(this.#state.drawing, ids));
+  }
+
+  ungroup(ids: readonly number[] = selectedObjects(this.#state)): void {
+    this.setProperties(ids, { group: null });
+  }
+
+  setProperties(ids: readonly number[], to: Partial<Properties>): void {
+    this.interrupt();
+    const { none } = this.#state;
+    this.perform(restyling(this.#state.drawing, ids, to), { none });
+  }
+
+  /** Moves an object so many places up in the order. */
+  raise(id: number, steps: number): void {
+    this.interrupt();
+    this.perform(reordering(this.#state.drawing, id, steps));
+  }
+
+  /** Gives settings to the selected curves. */
+  setSettings(part: Partial<CurveSettings>): void {
+    this.interrupt();
+    const { drawing, selection } = this.#state;
+    const ids = selectedObjects(this.#state);
+    const objects = drawing.objects.filter(({ id }) => ids.includes(id));
+    const changed = objects.filter(
+      ({ figure: { settings } }) =>
+        JSON.stringify({ ...settings, ...part }) !== JSON.stringify(settings),
+    );
+    if (objects.length < 2) {
+      const [object] = changed;
+      if (!object) return;
+      const from = object.figure.settings;
+      this.run({ type: 'settings', from, to: { ...from, ...part } });
+      return;
+    }
+    const steps = changed
+      .filter(({ figure, locked }) => isCurve(figure.kind) && !locked)
+      .map(({ id, figure: { settings: from } }) =>
+        this.#commandOf({ type: 'settings', from, to: { ...from, ...part } }, id),
+      );
+    if (steps.length > 0) this.perform({ type: 'steps', steps }, { selection });
+  }
+
+  setCircleForm(part: Partial<CircleForm>): void {
+    this.interrupt();
+    const from = this.#state.figure.circleForm;
+    const to = { ...from, ...part };
+    if (JSON.stringify(from) !== JSON.stringify(to)) this.run({ type: 'circleForm', from, to });
+  }
+
+  setMethod(method: MethodId): void {
+    if (method !== this.#state.method) this.#change({ method }, true);
+  }
+
+  /** Makes the selected control point one of so many numbers more, as far as there are points. */
+  moveInOrder(steps: number): void {
+    this.interrupt();
+    const { figure, selection: from } = this.#state;
+    if (typeof from !== 'number' || isRound(figure.kind) || !figure.points[from]) return;
+    const to = Math.min(Math.max(from + steps, 0), figure.points.length - 1);
+    if (to !== from) this.run({ type: 'reorder', from, to }, to);
+  }
+
+  /** Makes the edited object another figure, as one step of the history. */
+  replace(to: Figure, selection: Selection = null): void {
+    const from = this.#state.figure;
+    if (to !== from) this.run({ type: 'replace', from, to }, selection);
+  }
+
+  /** Shows another drawing of the surface, as one step of the history. */
+  draw(to: Drawing): void {
+    this.interrupt();
+    const from = this.#state.drawing;
+    this.perform({ type: 'draw', from, to }, { selection: null, chosen: [] });
+  }
+
+  clear(): void {
+    this.interrupt();
+    const { figure } = this.#state;
+    if (!isEmpty(figure)) this.replace(cleared(figure));
+  }
+
+  /** An edit of an object, the active one where none is named, as a command of the drawing before the drag. */
+  #commandOf(edit: FigureCommand, of?: number): Command {
+    const base = this.#drag?.base ?? this.#state.drawing;
+    const { id, figure: from } = (of !== undefined && objectOf(base, of)) || activeObject(base);
+    const wanted = applyToFigure(from, edit);
+    const to = fitted(wanted, from, edit);
+    return { type: 'figure', id, edit: to === wanted ? edit : { type: 'replace', from, to } };
+  }
+
+  /** Whether what is clicked goes into the active object: it is selected, seen, and not locked. */
+  get isOpen(): boolean {
+    const { locked, visible } = this.active;
+    return visible && !locked && !this.#state.none;
+  }
+
+  /** Whether the active object is locked, which is said. */
+  refuses(): boolean {
+    const { locked } = this.active;
+    if (locked)
+      this.onRefusal('This object is locked. Unlock it in the list of objects to edit it.');
+    return locked;
+  }
+
+  get #history(): History {
+    const { mesh } = this.#state;
+    let history = this.#histories.get(mesh);
+    if (!history) {
+      history = historyOf();
+      this.#histories.set(mesh, history);
+    }
+    return history;
+  }
+
+  /** One step back or forth; what the step touched is selected, so that it is seen. */
+  #step(command: Command): void {
+    const drawing = apply(this.#state.drawing, command);
+    const chosen = this.#state.chosen.filter((id) => indexOf(drawing, id) >= 0);
+    let { selection } = this.#state;
+    const edit = onlyEditOf(command, drawing.active);
+    if (edit?.type === 'insert' || edit?.type === 'change') selection = edit.index;
+    else if (edit?.type === 'reorder') selection = edit.to;
+    // What was put last is gone: the curve goes on from the one before.
+    else if (edit?.type === 'remove' && edit.index > 0) selection = edit.index - 1;
+    else if (edit?.type !== 'circle' || !edit.to) selection = null;
+    this.#change({ drawing, selection, chosen }, true);
+  }
+
+  #change(part: Partial<Omit<State, 'figure' | 'base'>>, newEpoch: boolean): void {
+    const before = this.#state;
+    const state = { ...before, ...part };
+    // An empty object goes where another one is edited, and is selected no more.
+    const isThere = (id: number) => indexOf(state.drawing, id) >= 0;
+    if (!state.chosen.every(isThere)) state.chosen = state.chosen.filter(isThere);
+    // The edited object is always among those that are selected.
+    if (!state.chosen.includes(state.drawing.active)) state.chosen = [];
+    // What is done, and what is selected of it, is seen.
+    const isSeen = state.drawing !== before.drawing || state.selection !== null;
+    state.none = part.none ?? (before.none && !isSeen && state.chosen.length === 0);
+    const traced =
+      state.drawing !== before.drawing ||
+      state.method !== before.method ||
+      state.mesh !== before.mesh;
+    this.#state = {
+      ...state,
+      figure: activeObject(state.drawing).figure,
+      base: activeObject(this.#drag?.base ?? state.drawing).figure,
+      standIn: part.standIn ?? (before.standIn && !traced),
+      revision: before.revision + (traced ? 1 : 0),
+      epoch: before.epoch + (newEpoch ? 1 : 0),
+    };
+    for (const listener of this.#listeners) listener(this.#state, before);
+  }
+}
