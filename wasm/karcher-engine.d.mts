@@ -139,17 +139,18 @@ export interface EngineMesh {
   circle(
     center: Float64Array,
     radius: number,
-    arcs: number,
+    arcs: number | undefined,
     samples: number,
     levels: number,
     field: EngineFieldOptions,
+    tolerance: number,
   ): EngineCircle;
   ellipse(
     center: Float64Array,
     along: number,
     across: number,
     direction: Float64Array,
-    arcs: number,
+    arcs: number | undefined,
     samples: number,
     levels: number,
     field: EngineFieldOptions,
@@ -244,6 +245,8 @@ export interface EngineCircle {
   /** Of 64 bits, with points. */
   view: Uint8Array;
   notShortest: Int32Array;
+  /** Undefined of ellipses, which hide it. */
+  deviation: number;
 }
 
 export interface EngineMean {

@@ -26,7 +26,7 @@ import {
   distanceOptionNames,
   ellipseOptionNames,
   engineFieldOptions,
-  engineLevels,
+  engineArcs,
   fieldOptionNames,
   isolineOptionNames,
   regionOptionNames,
@@ -48,6 +48,7 @@ import type {
   CurveOptions,
   CutPart,
   DistanceOptions,
+  Ellipse,
   EllipseOptions,
   FieldOptions,
   IsolineOptions,
@@ -327,7 +328,8 @@ export class Mesh {
   }
 
   /**
-   * The geodesic circle about a center, by rational quadratic arcs. `samples` are those of an arc.
+   * The geodesic circle about a center, by rational quadratic arcs: as many as keep its samples within
+   * a thousandth of the radius, or a number of your own. `deviation` says how near they are.
    *
    * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
    * boundary), radiusTooLarge (no vertex of the component lies as far from the center).
@@ -336,12 +338,10 @@ export class Mesh {
     checkOptions(options, circleOptionNames);
     const wire = wirePoint(center, 'the center');
     const radius = checkNumber(options.radius, 'the radius');
-    const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
-    const samples = checkInteger(options.samples ?? 32, 'the number of samples');
-    const levels = engineLevels(options);
-    const field = engineFieldOptions(options);
+    const tolerance = checkNumber(options.tolerance ?? 1e-3, 'the tolerance');
+    const arcs = engineArcs(options);
     return this.#toCircle(
-      this.#handle.call((mesh) => mesh.circle(wire, radius, arcs, samples, levels, field)),
+      this.#handle.call((mesh) => mesh.circle(wire, radius, ...arcs, tolerance)),
     );
   }
 
@@ -350,24 +350,18 @@ export class Mesh {
    * the surface along geodesics from the center. Throws as `circle` does, and badArgument where the
    * direction is perpendicular to the center's face.
    */
-  ellipse(center: PointLike, options: EllipseOptions): Circle {
+  ellipse(center: PointLike, options: EllipseOptions): Ellipse {
     checkOptions(options, ellipseOptionNames);
     const wire = wirePoint(center, 'the center');
-    const [along, across, ...more] = checkArray(options.radii, 'the radii').map((radius, i) =>
+    const radii = checkArray(options.radii, 'the radii').map((radius, i) =>
       checkNumber(radius, `radius ${i}`),
     );
-    if (along === undefined || across === undefined || more.length > 0) {
-      throw new KarcherError('badArgument', 'an ellipse takes two radii');
-    }
+    if (radii.length !== 2) throw new KarcherError('badArgument', 'an ellipse takes two radii');
+    const [along, across] = radii as [number, number];
     const direction = toVector(options.direction, 'the direction');
-    const arcs = checkInteger(options.arcs ?? 7, 'the number of arcs');
-    const samples = checkInteger(options.samples ?? 32, 'the number of samples');
-    const levels = engineLevels(options);
-    const field = engineFieldOptions(options);
+    const arcs = engineArcs(options);
     return this.#toCircle(
-      this.#handle.call((mesh) =>
-        mesh.ellipse(wire, along, across, direction, arcs, samples, levels, field),
-      ),
+      this.#handle.call((mesh) => mesh.ellipse(wire, along, across, direction, ...arcs)),
     );
   }
 
@@ -389,7 +383,7 @@ export class Mesh {
       );
     }
     const { solver = 'exact', rings } = options;
-    const field = engineFieldOptions({ solver, ...(rings !== undefined && { rings }) });
+    const field = engineFieldOptions({ solver, rings });
     return this.#handle
       .call((mesh) => mesh.isolines(wire, radius, type === 'exact', field))
       .map((line) => new Path(line));
@@ -555,8 +549,9 @@ export class Mesh {
   #toCircle(circle: EngineCircle): Circle {
     const view = new CurveView({ bytes: circle.view, statusNames: this.#engine.statusNames });
     const { samples, bridged, unconverged, levels } = view;
-    const notShortest = Array.from(circle.notShortest);
-    return { samples, bridged, path: view.path(), unconverged, levels, notShortest };
+    const { deviation } = circle;
+    const notShortest = [...circle.notShortest];
+    return { samples, bridged, path: view.path(), unconverged, levels, notShortest, deviation };
   }
 
   /** The start of a search as it travels: empty for the engine's choice. */

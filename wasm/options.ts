@@ -9,6 +9,7 @@ import {
 import { KarcherError } from './errors.js';
 import type { EngineFieldOptions } from './karcher-engine.mjs';
 import type {
+  ArcOptions,
   CenterOptions,
   CentersOptions,
   CircleOptions,
@@ -72,7 +73,7 @@ export const curveOptionNames = namesOf<CurveOptions>({
   basis: true,
 });
 const arcs = { ...field, arcs: true, samples: true, levels: true } as const;
-export const circleOptionNames = namesOf<CircleOptions>({ ...arcs, radius: true });
+export const circleOptionNames = namesOf<CircleOptions>({ ...arcs, radius: true, tolerance: true });
 export const ellipseOptionNames = namesOf<EllipseOptions>({
   ...arcs,
   radii: true,
@@ -120,6 +121,17 @@ export function engineLevels({ levels = 'auto' }: { levels?: CurveLevels | undef
     'badArgument',
     `a curve takes 0 to ${mostLevels} levels, 'auto' or 'limit', not ${number}`,
   );
+}
+
+/** The arcs, samples, levels and field of a circle or an ellipse, in the engine's order. */
+export function engineArcs(options: ArcOptions) {
+  const { arcs, samples = 32 } = options;
+  return [
+    arcs === undefined ? arcs : checkInteger(arcs, 'the number of arcs'),
+    checkInteger(samples, 'the number of samples'),
+    engineLevels(options),
+    engineFieldOptions(options),
+  ] as const;
 }
 
 /** What a curve's levels follow from: tolerances are in mean edges. */

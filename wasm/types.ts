@@ -483,13 +483,25 @@ export interface BridgedInterval {
 
 export interface CircleOptions extends ArcOptions {
   radius: number;
+  /**
+   * A part of the radius: how far samples may be from it where `arcs` is not given; .001 by default.
+   * `deviation` of the circle is larger where no arcs keep nearer: beyond the center's cut locus,
+   * and where saddles spread the geodesics from the center apart.
+   */
+  tolerance?: number | undefined;
 }
 
 /** Of circles and ellipses. */
 export interface ArcOptions extends FieldOptions {
-  /** Rational quadratic arcs, 3 to 64; 7 by default. */
+  /**
+   * Rational quadratic arcs, 3 to 64, all as wide. By default a circle has as many as its
+   * `tolerance` takes, up to 128, and an ellipse 7.
+   */
   arcs?: number | undefined;
-  /** Samples an arc, both ends included; 32 by default. */
+  /**
+   * Samples an arc, both ends included; 32 by default. Where `arcs` is not given, narrow arcs have
+   * fewer, but at least 5.
+   */
   samples?: number | undefined;
   /** As those of a curve; `auto` by default. */
   levels?: CurveLevels | undefined;
@@ -549,7 +561,15 @@ export interface IsolineOptions extends DistanceOptions {
   type?: 'exact' | 'linear' | undefined;
 }
 
-export interface Circle {
+export interface Circle extends Ellipse {
+  /**
+   * The largest difference of a sample's exact distance from the center and the radius, as a part of
+   * the radius.
+   */
+  deviation: number;
+}
+
+export interface Ellipse {
   /** `segment` is the number of the arc. */
   samples: CurveSamples;
   /** `segment` is the number of the arc. */

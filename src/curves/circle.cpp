@@ -1,10 +1,12 @@
 #include "curves/circle.h"
 
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "curves/curve.h"
 #include "distance/exact_distance.h"
+#include "distance/exact_lengths.h"
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
 
@@ -12,7 +14,11 @@ namespace karcher {
 namespace {
 
 constexpr int kFewestArcs = 3;
-constexpr int kMostArcs = 64;
+/// Of fitting arcs before any is cut, a full turn, and of ellipses.
+constexpr int kFirstArcs = 7;
+constexpr int kMostCuts = 4;
+constexpr int kMostParts = 4;  ///< of one arc at a time
+constexpr int kFewestSamples = 5;
 
 void checkRadiusIsPositive(double radius) {
   if (radius > 0 && std::isfinite(radius)) return;
@@ -21,13 +27,17 @@ void checkRadiusIsPositive(double radius) {
 }
 
 void checkOptions(const CircleOptions& options) {
-  if (options.arcs < kFewestArcs || options.arcs > kMostArcs) {
+  if (options.arcs && (*options.arcs < kFewestArcs || *options.arcs > kMostArcs)) {
     throw Error(ErrorCode::kBadArgument,
-                "there can be 3 to 64 arcs, not " + std::to_string(options.arcs));
+                "there can be 3 to 64 arcs, not " + std::to_string(*options.arcs));
   }
   if (options.samples < 2 || options.samples > kMostSamples) {
     throw Error(ErrorCode::kBadArgument, "an arc can have 2 to " + std::to_string(kMostSamples) +
                                              " samples, not " + std::to_string(options.samples));
+  }
+  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
+    throw Error(ErrorCode::kBadArgument, "a circle's tolerance must be a positive number, not " +
+                                             inSentence(options.tolerance));
   }
   checkFieldOptions(options.field);
 }
@@ -135,22 +145,28 @@ double distanceAt(const Geometry& geometry, const ExactDistance& distance,
   return std::sqrt(std::max(squared, 0.0));
 }
 
-/// Where the arcs' control points lie: points 2 j and 2 j + 1 are arc j's start and its middle
-/// point.
+/// Where a control point lies.
 struct ArcPoint {
   double direction = 0;
   double distance = 0;
 };
 
+/// An arc but for its end, which is the next one's start.
+struct Arc {
+  ArcPoint start;
+  ArcPoint middle;
+  double middleWeight = 0;
+};
+
 /// The arcs as one closed NURBS curve of degree 2, whose doubled knots make each a rational
 /// quadratic Bezier curve.
-CurveOptions optionsOfArcs(int arcs, double middleWeight, const CircleOptions& options) {
+CurveOptions optionsOfArcs(const Array<Arc>& arcs, const CircleOptions& options) {
   CurveOptions result{
       {CurveKind::kBSpline, true, 2, KnotRule::kOwn}, options.samples, options.field};
   result.shape.knots.push_back(0);
-  for (int j = 1; j <= arcs; ++j) {
-    result.shape.knots.insert(result.shape.knots.end(), 2, j);
-    result.shape.weights.insert(result.shape.weights.end(), {1, middleWeight});
+  for (int j = 0; j < arcs.count(); ++j) {
+    result.shape.knots.insert(result.shape.knots.end(), 2, j + 1);
+    result.shape.weights.insert(result.shape.weights.end(), {1, arcs[j].middleWeight});
   }
   result.levels = options.levels;
   return result;
@@ -191,11 +207,13 @@ Array<CurveSample> planeArc(const Center& from, const ArcPoint (&control)[3],
   return samples;
 }
 
+/// `radius` is how far the surface has to go from the center.
 GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double radius,
-                         const Array<ArcPoint>& arcPoints, double middleWeight,
-                         const CircleOptions& options) {
+                         const Array<Arc>& arcs, const CircleOptions& options) {
   const Geometry& geometry = surface.geometry();
   const Center from(geometry, center);
+  Array<ArcPoint> arcPoints;
+  for (const Arc& arc : arcs) arcPoints.insert(arcPoints.end(), {arc.start, arc.middle});
   double farthest = 0;
   for (const ArcPoint& point : arcPoints) farthest = std::max(farthest, point.distance);
   ExactDistance distance(geometry);
@@ -219,12 +237,12 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
 
   if (isPlain(surface.mesh(), distance, farthest)) {
     GeodesicCircle circle;
-    for (int j = 0; j < options.arcs; ++j) {
+    for (int j = 0; j < arcs.count(); ++j) {
       const int last = (2 * j + 2) % points.count();
       ArcPoint end = arcPoints[last];
       if (last == 0) end.direction += from.totalAngle();
       circle.samples.push_back(planeArc(from, {arcPoints[2 * j], arcPoints[2 * j + 1], end},
-                                        points[2 * j], points[last], middleWeight,
+                                        points[2 * j], points[last], arcs[j].middleWeight,
                                         options.samples));
       circle.bridges.emplace_back();
       circle.paths.push_back(joinSamples(surface, circle.samples[j]));
@@ -232,10 +250,10 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
     return circle;
   }
 
-  const Curve curve(surface, optionsOfArcs(options.arcs, middleWeight, options), points);
+  const Curve curve(surface, optionsOfArcs(arcs, options), points);
   GeodesicCircle circle;
   circle.levels = curve.levels();
-  for (int j = 0; j < options.arcs; ++j) {
+  for (int j = 0; j < arcs.count(); ++j) {
     circle.samples.push_back(curve.samples(j));
     circle.bridges.push_back(curve.bridges(j));
     circle.paths.push_back(curve.path(j));
@@ -244,6 +262,78 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
     }
   }
   return circle;
+}
+
+/// The arcs of a circle between directions from its center, which ascend from 0 to the total angle.
+Array<Arc> arcsBetween(const Array<double>& directions, double radius) {
+  Array<Arc> arcs;
+  for (int j = 0; j + 1 < directions.count(); ++j) {
+    const double halfAngle = (directions[j + 1] - directions[j]) / 2;
+    const double weight = std::cos(halfAngle);
+    arcs.push_back({{directions[j], radius}, {directions[j] + halfAngle, radius / weight}, weight});
+  }
+  return arcs;
+}
+
+/// Per arc the largest difference of a sample's distance and the radius, as a part of the radius.
+Array<double> deviationsOf(const Geometry& geometry, const SurfacePoint& center, double radius,
+                           const GeodesicCircle& circle) {
+  Array<SurfacePoint> points;
+  for (const Array<CurveSample>& arc : circle.samples) {
+    for (const CurveSample& sample : arc) points.push_back(sample.point);
+  }
+  const double likely = radius + geometry.meanEdge;
+  const Array<double> lengths = exactLengths(geometry, center, points, likely);
+  Array<double> deviations;
+  int i = 0;
+  for (const Array<CurveSample>& arc : circle.samples) {
+    deviations.push_back(0);
+    for (int k = 0; k < arc.count(); ++k, ++i) {
+      deviations.back() = std::max(deviations.back(), std::abs(lengths[i] / radius - 1));
+    }
+  }
+  return deviations;
+}
+
+/// Into how many parts each arc is to be cut: the worst first, as long as there may be more arcs.
+Array<int> partsOfArcs(const Array<double>& deviations, double tolerance) {
+  const int count = deviations.count();
+  Array<int> parts;
+  parts.assign(deviations.size(), 1);
+  Array<int> order;
+  order.assign(deviations.size(), 0);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return deviations[a] > deviations[b]; });
+  int room = kMostFittingArcs - count;
+  for (const int j : order) {
+    if (deviations[j] <= tolerance) break;
+    const double wanted = std::ceil(std::sqrt(deviations[j] / tolerance));
+    const int more = std::min(static_cast<int>(std::min<double>(wanted, kMostParts)) - 1, room);
+    parts[j] += std::max(more, 0);
+    room -= parts[j] - 1;
+  }
+  return parts;
+}
+
+Array<double> cutInto(const Array<int>& parts, const Array<double>& directions) {
+  Array<double> result;
+  for (int j = 0; j < parts.count(); ++j) {
+    const double width = (directions[j + 1] - directions[j]) / parts[j];
+    for (int k = 0; k < parts[j]; ++k) result.push_back(directions[j] + k * width);
+  }
+  result.push_back(directions.back());
+  return result;
+}
+
+/// As many samples an arc as keep the widest one's as near to each other as in a seventh of a turn.
+int samplesOfArcs(const Array<double>& directions, int samples) {
+  double widest = 0;
+  for (int j = 0; j + 1 < directions.count(); ++j) {
+    widest = std::max(widest, directions[j + 1] - directions[j]);
+  }
+  const double part = widest * kFirstArcs / directions.back();
+  return std::max(std::min(kFewestSamples, samples), static_cast<int>(std::ceil(part * samples)));
 }
 
 }  // namespace
@@ -255,18 +345,37 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
   const Center from(surface.geometry(), center);
   from.checkIsInside();
   checkRadiusIsTold(surface.geometry(), center, radius);
-  const double halfAngle = from.totalAngle() / (2 * options.arcs);
-  if (!(halfAngle < kPi / 2)) {
+  const double turn = from.totalAngle();
+  // An arc is narrower than half a turn of the plane, however much angle there is at a vertex.
+  const int fewest = static_cast<int>(turn / kPi) + 1;
+  const int fitting =
+      std::max(kFirstArcs, static_cast<int>(std::ceil(kFirstArcs * turn / (2 * kPi))));
+  const int count = options.arcs.value_or(std::min(fitting, kMostFittingArcs));
+  if (count < fewest || !(turn / (2 * count) < kPi / 2)) {
     throw Error(ErrorCode::kBadArgument,
-                std::to_string(options.arcs) + " arcs are too few around a center of " +
-                    inSentence(from.totalAngle() / (2 * kPi)) + " full turns: it takes at least " +
-                    std::to_string(static_cast<int>(from.totalAngle() / kPi) + 1));
+                std::to_string(count) + " arcs are too few around a center of " +
+                    inSentence(turn / (2 * kPi)) + " full turns: it takes at least " +
+                    std::to_string(fewest));
   }
-  Array<ArcPoint> points;
-  for (int i = 0; i < 2 * options.arcs; ++i) {
-    points.push_back({i * halfAngle, i % 2 == 0 ? radius : radius / std::cos(halfAngle)});
+  Array<double> directions;
+  for (int j = 0; j <= count; ++j) directions.push_back(j * turn / count);
+
+  std::optional<GeodesicCircle> best;
+  for (int cuts = 0;; ++cuts) {
+    CircleOptions own = options;
+    if (!options.arcs) own.samples = samplesOfArcs(directions, options.samples);
+    GeodesicCircle circle =
+        traceArcs(surface, center, radius, arcsBetween(directions, radius), own);
+    const Array<double> deviations = deviationsOf(surface.geometry(), center, radius, circle);
+    circle.deviation = *std::max_element(deviations.begin(), deviations.end());
+    const bool isBest = !best || *circle.deviation < *best->deviation;
+    if (options.arcs) return circle;
+    const Array<int> parts = partsOfArcs(deviations, options.tolerance);
+    if (isBest) best = std::move(circle);
+    const Array<double> next = cutInto(parts, directions);
+    if (cuts == kMostCuts || next.count() == directions.count()) return *std::move(best);
+    directions = next;
   }
-  return traceArcs(surface, center, radius, points, std::cos(halfAngle), options);
 }
 
 GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double along,
@@ -281,9 +390,10 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
   from.checkIsInside();
   checkRadiusIsTold(surface.geometry(), center, std::min(along, across));
   const double begin = from.directionOf(direction);
-  const double halfAngle = kPi / options.arcs;
+  const int count = options.arcs.value_or(kFirstArcs);
+  const double halfAngle = kPi / count;
   Array<ArcPoint> points;
-  for (int i = 0; i < 2 * options.arcs; ++i) {
+  for (int i = 0; i < 2 * count; ++i) {
     const double reach = i % 2 == 0 ? 1 : 1 / std::cos(halfAngle);
     const Vec2 place =
         reach * Vec2(along * std::cos(i * halfAngle), across * std::sin(i * halfAngle));
@@ -291,7 +401,11 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
     const double angle = angleOf(place) * from.totalAngle() / (2 * kPi);
     points.push_back({begin + angle, place.norm()});
   }
-  return traceArcs(surface, center, std::max(along, across), points, std::cos(halfAngle), options);
+  Array<Arc> arcs;
+  for (int j = 0; j < count; ++j) {
+    arcs.push_back({points[2 * j], points[2 * j + 1], std::cos(halfAngle)});
+  }
+  return traceArcs(surface, center, std::max(along, across), arcs, options);
 }
 
 }  // namespace karcher

@@ -141,6 +141,118 @@ TEST(Circle, HoldsTogetherOnARoughSurface) {
   EXPECT_EQ(breaks(kAutomaticLevels), 0);
 }
 
+/// The largest difference of distance and radius along a circle's joined path, as a part of the
+/// radius, each by a search of its own.
+double worstAlong(Surface& surface, const SurfacePoint& center, double radius,
+                  const GeodesicCircle& circle, int points) {
+  double worst = 0;
+  for (const JoinedPath& path : circle.paths) {
+    const SurfacePath whole = pathThrough(surface.mesh(), path.line.points);
+    for (int i = 0; i < points; ++i) {
+      const SurfacePoint point =
+          pointAlong(surface.mesh(), whole, whole.length() * (i + 0.4) / points);
+      const double length = shortestPath(surface.geometry(), center, point).length();
+      worst = std::max(worst, std::abs(length / radius - 1));
+    }
+  }
+  return worst;
+}
+
+TEST(Circle, OfFittingArcsKeepsItsDistance) {
+  Surface sphere(importMesh(icosphere(20)).mesh);
+  Surface torus(importMesh(makeShape(Shape::kTorus, 6000)).mesh);
+  Surface plane(planeGrid(24, 20));
+  for (Surface* surface : {&sphere, &torus, &plane}) {
+    const int face = nearestPoint(surface->mesh(), Vec3(11.3, 9.8, 0)).face;
+    for (const SurfacePoint& center :
+         {SurfacePoint{face, Vec3(0.2, 0.3, 0.5)}, vertexPoint(surface->mesh(), 10 * 25 + 12)}) {
+      const double radius = 0.12 * surface->geometry().diagonal;
+      const GeodesicCircle seven = traceCircle(*surface, center, radius, {7, 32, {}});
+      EXPECT_EQ(seven.samples.count(), 7);
+      const GeodesicCircle circle = traceCircle(*surface, center, radius, {});
+      EXPECT_LE(*circle.deviation, 1e-3);
+      if (surface == &plane) {
+        EXPECT_EQ(circle.samples.count(), 7);
+        EXPECT_LT(*circle.deviation, 1e-12);
+      } else {
+        EXPECT_GT(*seven.deviation, 3e-3);
+      }
+      // Between samples chords fall short by the square of what they span of the turn.
+      EXPECT_LE(worstAlong(*surface, center, radius, circle, 9), *circle.deviation + 5e-4);
+      EXPECT_NEAR(worstAlong(*surface, center, radius, seven, 99), *seven.deviation, 5e-4);
+      CircleOptions fine;
+      fine.tolerance = 2e-4;
+      fine.samples = 128;
+      EXPECT_LE(*traceCircle(*surface, center, radius, fine).deviation, 2e-4);
+    }
+  }
+}
+
+TEST(Circle, OfFittingArcsOnTheSphereIsTheParallel) {
+  Surface surface(importMesh(icosphere(40)).mesh);
+  const SurfacePoint center = nearestPoint(surface.mesh(), Vec3(0.3, -0.2, 1).normalized());
+  const Vec3 pole = position(surface.mesh(), center).normalized();
+  const double radius = 0.8;
+  const GeodesicCircle circle = traceCircle(surface, center, radius, {});
+  for (const Array<CurveSample>& arc : circle.samples) {
+    for (const CurveSample& sample : arc) {
+      const Vec3 p = position(surface.mesh(), sample.point).normalized();
+      // The polyhedron inside the sphere is a few ten-thousandths smaller.
+      EXPECT_NEAR(std::acos(p.dot(pole)) / radius, 1, 1e-3 + 4e-4);
+    }
+  }
+}
+
+TEST(Circle, SaysHowFarItIsFromItsRadius) {
+  // Rough, and beyond the cut locus: no number of arcs keeps to the radius everywhere.
+  const TriangleMesh smooth = importMesh(makeShape(Shape::kTorus, 2000)).mesh;
+  const TriangleSoup rough = roughened(smooth, 2, 3, 0.15);
+  Surface surface(buildMesh(rough.positions, rough.triangles));
+  bool someAreFar = false;
+  for (const int face : {100, 3100, 6100}) {
+    const SurfacePoint center{face, Vec3(0.2, 0.3, 0.5)};
+    for (const double part : {0.05, 0.2}) {
+      const double radius = part * surface.geometry().diagonal;
+      const GeodesicCircle seven = traceCircle(surface, center, radius, {7, 32, {}});
+      const GeodesicCircle circle = traceCircle(surface, center, radius, {});
+      EXPECT_LE(circle.samples.count(), kMostFittingArcs);
+      EXPECT_LT(*circle.deviation, *seven.deviation / 2);
+      someAreFar = someAreFar || *circle.deviation > 1e-3;
+      double worst = 0;
+      for (const Array<CurveSample>& arc : circle.samples) {
+        for (int i = 0; i < arc.count(); i += 3) {
+          const double length = shortestPath(surface.geometry(), center, arc[i].point).length();
+          worst = std::max(worst, std::abs(length / radius - 1));
+        }
+      }
+      EXPECT_LE(worst, *circle.deviation + 1e-9);
+      EXPECT_GT(worst, *circle.deviation / 3);
+    }
+  }
+  EXPECT_TRUE(someAreFar);
+}
+
+TEST(Circle, FitsAroundCusps) {
+  // A vertex with more than two turns about it takes narrower arcs than the plane.
+  Array<Vec3> positions{Vec3::Zero()};
+  Array<Triangle> triangles;
+  const int count = 30;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * kPi * i / count;
+    positions.push_back(Vec3(std::cos(angle), std::sin(angle), i % 2 == 0 ? 1.0 : -1.0));
+    triangles.push_back(Triangle(0, i + 1, (i + 1) % count + 1));
+  }
+  Surface surface(buildMesh(positions, triangles));
+  const SurfacePoint tip = vertexPoint(surface.mesh(), 0);
+  const GeodesicCircle circle = traceCircle(surface, tip, 0.3, {});
+  EXPECT_GT(circle.samples.count(), 7);
+  EXPECT_LT(*circle.deviation, 1e-9);
+  EXPECT_EQ(codeOf([&] { traceCircle(surface, tip, 0.3, {7, 8, {}}); }), ErrorCode::kBadArgument);
+  CircleOptions options;
+  options.tolerance = 0;
+  EXPECT_EQ(codeOf([&] { traceCircle(surface, tip, 0.3, options); }), ErrorCode::kBadArgument);
+}
+
 TEST(Circle, MarksArcsWhoseGeodesicsAreNotShortest) {
   // Round the tube of a torus two geodesics meet at half its circumference, 0.4 pi.
   Surface surface(importMesh(makeShape(Shape::kTorus, 3000)).mesh);

@@ -62,6 +62,27 @@ test('on a plane circles and ellipses are the same at every level', () => {
   });
 });
 
+test('on a sphere a circle keeps its distance, and says how far it is off', () => {
+  const mesh = karcher.shape('sphere', 8000);
+  const around = { face: 1234, bary: [0.2, 0.3, 0.5] };
+  const offOf = ({ samples }) => {
+    let worst = 0;
+    for (let i = 0; i < samples.count; i += 5) {
+      const bary = Array.from(samples.bary.slice(3 * i, 3 * i + 3));
+      const { length } = mesh.shortestPath(around, { face: samples.face[i], bary });
+      worst = Math.max(worst, Math.abs(length / 0.7 - 1));
+    }
+    return worst;
+  };
+  const circle = mesh.circle(around, { radius: 0.7 });
+  assert.ok(circle.deviation <= 1e-3 && offOf(circle) <= circle.deviation + 1e-9);
+  const seven = mesh.circle(around, { radius: 0.7, arcs: 7 });
+  assert.equal(seven.samples.count, 7 * 32);
+  assert.ok(seven.deviation > 0.01 && offOf(seven) > 0.9 * seven.deviation);
+  assert.ok(mesh.circle(around, { radius: 0.7, tolerance: 1e-4 }).deviation <= 1e-4);
+  assert.equal(mesh.circle(around, { radius: 0.7, samples: 2, arcs: 3 }).samples.count, 6);
+});
+
 test('circles that cannot be', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const good = { radius: 3, ...paper };
@@ -80,6 +101,9 @@ test('circles that cannot be', () => {
     [{ radius: '3' }, 'badArgument', /radius/],
     [{ arcs: 2 }, 'badArgument', /3 to 64 arcs/],
     [{ arcs: 65 }, 'badArgument', /3 to 64 arcs/],
+    [{ arcs: 0 }, 'badArgument', /3 to 64 arcs, not 0/],
+    [{ arcs: '7' }, 'badArgument', /number of arcs/],
+    [{ tolerance: 0 }, 'badArgument', /tolerance must be a positive number, not 0/],
     [{ samples: 1 }, 'badArgument', /samples/],
     [{}, 'badIndex', /vertex -5/, { vertex: -5 }],
     [{}, 'badArgument', /the center/, null],

@@ -350,6 +350,8 @@ test('bad points, weights and radii: a sentence and status 1', async () => {
     [circle('0'), /the radius must be a positive number, not 0/],
     [circle('wide'), /--radius must be a number, not 'wide'/],
     [[...circle('2'), '--arcs', '2'], /there can be 3 to 64 arcs, not 2/],
+    [[...circle('2'), '--arcs', '5', '--tolerance', '.1'], /--tolerance has no use with --arcs/],
+    [[...circle('2'), '--tolerance', '0'], /tolerance must be a positive number, not 0/],
     [[...circle('2'), '--type', 'exact', '--arcs', '5'], /--arcs has no use with --type exact/],
     [[...circle('2'), '--type', 'linear', '--method', 'paper'], /--method has no use/],
     [[...circle('2'), '--type', 'exact', '--solver', 'fast'], /--solver has no use/],

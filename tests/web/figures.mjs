@@ -23,7 +23,7 @@ export const figure = {
   settings,
   points: [1, 2, 3, 4].map((face) => point(face)),
   circle: null,
-  circleForm: { type: 'arcs', arcs: 7 },
+  circleForm: { type: 'arcs', arcs: 'auto' },
 };
 export const circle = { center: point(5), rim: { radius: 0.5, direction: [0, 0, 1] } };
 export const ellipse = { ...circle, across: { radius: 0.2 } };

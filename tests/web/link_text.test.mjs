@@ -152,7 +152,7 @@ describe('links', () => {
       assert.deepEqual(figureOf(`#mesh=torus:9&${fields}`).settings, settings);
     }
     assert.deepEqual(form('circletype=round&arcs=2'), figure.circleForm);
-    assert.deepEqual(form('circletype=exact&arcs=25'), { type: 'exact', arcs: 7 });
+    assert.deepEqual(form('circletype=exact&arcs=25'), { type: 'exact', arcs: 'auto' });
     const leg = (fields) => figureOf(`#mesh=torus:9&points=1,0,0;2,0,0&${fields}`);
     for (const fields of [
       'legs=',

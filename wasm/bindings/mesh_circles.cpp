@@ -19,23 +19,30 @@ val circleToJs(const MeshHandle& mesh, const GeodesicCircle& circle) {
   val result = val::object();
   result.set("view", viewToJs(mesh, line, {.inDouble = true, .withPoints = true}));
   result.set("notShortest", toJs(circle.notShortest));
+  if (circle.deviation) result.set("deviation", *circle.deviation);
   return result;
+}
+
+std::optional<int> arcsFromJs(const val& arcs) {
+  if (arcs.isUndefined()) return {};
+  return arcs.as<int>();
 }
 
 }  // namespace
 
-val MeshHandle::circle(const val& center, double radius, int arcs, int samples, int levels,
-                       const val& field) {
+val MeshHandle::circle(const val& center, double radius, const val& arcs, int samples, int levels,
+                       const val& field, double tolerance) {
   return circleToJs(*this, traceCircle(surface_, pointFromJs(numbering_, mesh(), center), radius,
-                                       {arcs, samples, fieldOptionsFromJs(field), levels}));
+                                       {arcsFromJs(arcs), samples, fieldOptionsFromJs(field),
+                                        levels, tolerance}));
 }
 
 val MeshHandle::ellipse(const val& center, double along, double across, const val& direction,
-                        int arcs, int samples, int levels, const val& field) {
+                        const val& arcs, int samples, int levels, const val& field) {
   const SurfacePoint point = pointFromJs(numbering_, mesh(), center);
   return circleToJs(
       *this, traceEllipse(surface_, point, along, across, directionInFace(point.face, direction),
-                          {arcs, samples, fieldOptionsFromJs(field), levels}));
+                          {arcsFromJs(arcs), samples, fieldOptionsFromJs(field), levels}));
 }
 
 val MeshHandle::isolines(const val& center, double radius, bool exact, const val& field) {

@@ -75,9 +75,10 @@ class MeshHandle {
   /// `distances` holds one field after another, each with a distance a vertex of the caller.
   val centerOfMassOfDistances(const val& distances, const val& weights, const val& start,
                               bool normalize);
-  val circle(const val& center, double radius, int arcs, int samples, int levels, const val& field);
+  val circle(const val& center, double radius, const val& arcs, int samples, int levels,
+             const val& field, double tolerance);
   /// `direction` as for `straightest`.
-  val ellipse(const val& center, double along, double across, const val& direction, int arcs,
+  val ellipse(const val& center, double along, double across, const val& direction, const val& arcs,
               int samples, int levels, const val& field);
   /// A list of paths (path.h): exact ones, or linear ones of the solver's distances.
   val isolines(const val& center, double radius, bool exact, const val& field);

@@ -1,4 +1,4 @@
-import type { Circle } from '../types.js';
+import type { Circle, Ellipse } from '../types.js';
 import {
   type Command,
   fieldOptions,
@@ -10,16 +10,16 @@ import {
 import { UsageError } from './errors.js';
 import { sampleRecords, triples } from './output.js';
 
-const arcOptions: readonly Option[] = [
-  { name: 'arcs', value: 'N', help: 'the number of arcs, 3 to 64', default: '7' },
+const arcOptions = (byDefault: string): readonly Option[] => [
+  { name: 'arcs', value: 'N', help: `the number of arcs, 3 to 64; without it ${byDefault}` },
   { name: 'samples', value: 'N', help: 'samples an arc, both ends included', default: '32' },
   levelsOption,
 ];
 
 const circleOutput =
-  '{levels, polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …]}';
+  '{levels, polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …], deviation}';
 
-function resultOf(circle: Circle): Result {
+function resultOf(circle: Ellipse & Partial<Circle>): Result {
   const polyline = circle.path.polyline({ bits: 64 });
   return {
     json: {
@@ -29,6 +29,7 @@ function resultOf(circle: Circle): Result {
       bridged: circle.bridged,
       length: circle.path.length,
       notShortest: circle.notShortest,
+      deviation: circle.deviation,
     },
     polylines: [polyline],
   };
@@ -47,7 +48,13 @@ export const circle: Command = {
       help: 'rational arcs, or the isoline of the distance: linear in triangles (by default of --solver exact), or exact',
       default: 'arcs',
     },
-    ...arcOptions,
+    ...arcOptions('as many as the tolerance takes'),
+    {
+      name: 'tolerance',
+      value: 'PART',
+      help: 'how far points may be from the radius, as a part of it, where arcs are not counted',
+      default: '0.001',
+    },
     ...fieldOptions,
     formatOption,
   ],
@@ -55,16 +62,20 @@ export const circle: Command = {
     const center = args.point('center');
     const radius = args.number('radius');
     const type = args.choice<'arcs' | 'linear' | 'exact'>('type');
-    const arcs = args.integer('arcs');
-    const samples = args.integer('samples');
-    const levels = args.levels();
+    const options = {
+      ...args.whereGiven(['arcs'], (name) => args.integer(name)),
+      samples: args.integer('samples'),
+      levels: args.levels(),
+      tolerance: args.number('tolerance'),
+    };
     const { method, ...distance } = args.field();
     if (type !== 'arcs')
-      args.refuse(['arcs', 'samples', 'levels', 'method'], `with --type ${type}`);
+      args.refuse(['arcs', 'samples', 'levels', 'method', 'tolerance'], `with --type ${type}`);
+    if (args.given('arcs')) args.refuse(['tolerance'], 'with --arcs');
     if (type === 'exact') args.refuse(['solver', 'rings'], 'with --type exact');
     const mesh = await args.mesh();
     if (type === 'arcs') {
-      return resultOf(mesh.circle(center, { radius, arcs, samples, levels, method, ...distance }));
+      return resultOf(mesh.circle(center, { radius, ...options, method, ...distance }));
     }
     const lines = mesh.isolines(center, { radius, type, ...distance });
     const polylines = lines.map((line) => line.polyline({ bits: 64 }));
@@ -93,7 +104,7 @@ export const ellipse: Command = {
       help: "of the first radius, in space: its part in the center's face counts",
       required: true,
     },
-    ...arcOptions,
+    ...arcOptions('7'),
     ...fieldOptions,
     formatOption,
   ],
@@ -104,12 +115,12 @@ export const ellipse: Command = {
       throw new UsageError('--radii takes two numbers');
     }
     const direction = args.numbers('direction');
-    const arcs = args.integer('arcs');
+    const arcs = args.whereGiven(['arcs'], (name) => args.integer(name));
     const samples = args.integer('samples');
     const levels = args.levels();
     const field = args.field();
     const mesh = await args.mesh();
     const radii = [along, across] as const;
-    return resultOf(mesh.ellipse(center, { radii, direction, arcs, samples, levels, ...field }));
+    return resultOf(mesh.ellipse(center, { radii, direction, ...arcs, samples, levels, ...field }));
   },
 };

@@ -50,8 +50,8 @@ export type CircleType = 'arcs' | 'linear' | 'exact';
 /** How a circle is made, beside its shape; kept while another kind is shown. */
 export interface CircleForm {
   readonly type: CircleType;
-  /** How many rational arcs, 3 to 24. */
-  readonly arcs: number;
+  /** How many rational arcs, 3 to 24, or as many as keep to the radius. */
+  readonly arcs: number | 'auto';
 }
 
 /** What makes a spline of a kind, beside its points; kept while another kind is shown. */
@@ -126,7 +126,7 @@ export const mostLegPoints = 20_000;
 export const fewestArcs = 3;
 export const mostArcs = 24;
 
-export const defaultCircleForm: CircleForm = { type: 'arcs', arcs: 7 };
+export const defaultCircleForm: CircleForm = { type: 'arcs', arcs: 'auto' };
 
 export const emptyFigure: Figure = {
   kind: 'bspline',

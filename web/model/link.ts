@@ -416,6 +416,7 @@ function parseAcross(text: string): Across | null {
 
 function parseCircleForm(fields: URLSearchParams): CircleForm {
   const type = fields.get('circletype');
+  // Links once named no arcs where there were seven: these circles keep nearer to their radius now.
   const arcs = Number(fields.get('arcs'));
   const good = Number.isInteger(arcs) && arcs >= fewestArcs && arcs <= mostArcs;
   return {

@@ -78,7 +78,7 @@ const rules: Readonly<Record<string, Rule>> = {
     instead: `${defaultSettings.levels}`,
   },
   circletype: oneOf(['arcs', 'linear', 'exact'], defaultCircleForm.type),
-  arcs: within(fewestArcs, mostArcs, true, `${defaultCircleForm.arcs}`),
+  arcs: within(fewestArcs, mostArcs, true, 'as many as keep to the radius'),
   width: within(widthRange.least, widthRange.most, false, 'the usual one'),
   dash: oneOf(dashes, dashes[0]!),
   color: {

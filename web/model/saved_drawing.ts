@@ -243,7 +243,7 @@ function readCircleForm(value: unknown, of: string): CircleForm {
   const { type, arcs } = record(value, `the circle's form of ${of}`);
   return {
     type: oneOf(type, ['arcs', 'linear', 'exact'], `the circle's type of ${of}`),
-    arcs: whole(arcs, fewestArcs, mostArcs, `the arcs of ${of}`),
+    arcs: arcs === 'auto' ? arcs : whole(arcs, fewestArcs, mostArcs, `the arcs of ${of}`),
   };
 }
 

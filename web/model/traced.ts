@@ -34,6 +34,8 @@ export interface TracedCurve {
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */
   arcsNotShortest: number;
+  /** Of a circle of arcs, as a part of the radius: how far it is from it. */
+  deviation: number | null;
   length: number;
   milliseconds: number;
   /** Null where it was not asked for. */

@@ -1,7 +1,7 @@
 import type { Editor, State } from '../editor/state/editor';
 import type { View } from '../editor/engine/view';
 import { handleNames, withRadius } from '../model/circle';
-import { type CircleType, isRound } from '../model/figure';
+import { type CircleType, fewestArcs, isRound } from '../model/figure';
 import { byId, make, write } from './elements';
 import { NumberField } from './number_field';
 
@@ -12,12 +12,20 @@ const typeNames: Record<CircleType, string> = {
 };
 
 const typeNotes: Record<CircleType, string> = {
-  arcs: 'Smooth arcs, joined. With more arcs the curve stays closer to its radius.',
+  arcs: 'Smooth arcs, joined, as many as keep to the radius or a number of yours.',
   linear: 'Straight in each triangle: distances are interpolated between its corners.',
   exact: 'Exactly the points at the radius: circular arcs in each triangle.',
 };
 
 const ellipseNote = 'Smooth arcs, joined. The handle Along also turns the ellipse.';
+
+/** How far the circle that is shown is from its radius. */
+function deviationOf({ curve }: View): string {
+  if (typeof curve?.deviation !== 'number') return '';
+  const percent = 100 * curve.deviation;
+  const most = percent < 0.01 ? 'less than 0.01' : `at most ${percent.toPrecision(2)}`;
+  return ` It is ${most} percent off.`;
+}
 
 /** What circles and ellipses have beside their handles: what they are drawn as, and their radii. */
 export class CircleSettings {
@@ -37,7 +45,8 @@ export class CircleSettings {
     );
     this.#arcs.addEventListener('input', () => {
       const from = editor.base.circleForm;
-      const to = { ...from, arcs: this.#arcs.valueAsNumber };
+      const arcs = this.#arcs.valueAsNumber;
+      const to = { ...from, arcs: arcs < fewestArcs ? ('auto' as const) : arcs };
       editor.preview({ type: 'circleForm', from, to });
     });
     this.#arcs.addEventListener('change', () => editor.commitDrag());
@@ -64,10 +73,12 @@ export class CircleSettings {
     write(byId('radius-name'), handleNames(kind).rim);
     byId('across').closest('label')!.hidden = !isEllipse;
     this.#arcs.closest('label')!.hidden = !isEllipse && type !== 'arcs';
-    this.#arcs.value = `${arcs}`;
-    write(byId('arcs-count'), `${arcs}`);
+    const fitting = arcs === 'auto';
+    this.#arcs.value = `${fitting ? fewestArcs - 1 : arcs}`;
+    this.#arcs.ariaValueText = fitting ? 'automatic' : `${arcs}`;
+    write(byId('arcs-count'), fitting ? 'auto' : `${arcs}`);
     this.#radius.show(circle && (view.circle?.radius ?? null));
     this.#across.show(circle && (view.circle?.across?.radius ?? null));
-    write(byId('circle-note'), isEllipse ? ellipseNote : typeNotes[type]);
+    write(byId('circle-note'), isEllipse ? ellipseNote : typeNotes[type] + deviationOf(view));
   }
 }

@@ -1,9 +1,9 @@
 import type {
-  Circle,
   CircleOptions,
   CurveOptions,
   CurvePoint,
   DistanceOptions,
+  Ellipse,
   EllipseOptions,
   IsolineOptions,
   LongWorkOptions,
@@ -327,7 +327,7 @@ export class EngineClient {
     return this.#worker.call('fill', [this.mesh, lines]) as Promise<Fill>;
   }
 
-  async #timed(trace: () => Promise<Circle>, fill: boolean): Promise<TracedCurve> {
+  async #timed(trace: () => Promise<Ellipse>, fill: boolean): Promise<TracedCurve> {
     const started = performance.now();
     const circle = await trace();
     const milliseconds = performance.now() - started;

@@ -1,5 +1,5 @@
 /** What the engine gives, as the page draws it. */
-import type { Circle, CurvePoints, CurveView } from 'karcher';
+import type { Circle, CurvePoints, CurveView, Ellipse } from 'karcher';
 import { lostIntervals } from '../model/lost';
 import type { Fill, TracedCurve } from '../model/traced';
 
@@ -19,6 +19,7 @@ export function tracedCurve(
     legs: legs as readonly Float32Array[],
     marks,
     arcsNotShortest: 0,
+    deviation: null,
     length,
     milliseconds: Object.values(times).reduce((sum, time) => sum + time, 0),
     fill,
@@ -26,7 +27,7 @@ export function tracedCurve(
 }
 
 export function tracedCircle(
-  circle: Circle,
+  circle: Ellipse & Partial<Circle>,
   milliseconds: () => number,
   fill: Fill | null,
 ): TracedCurve {
@@ -41,6 +42,7 @@ export function tracedCircle(
     legs: [],
     marks: null,
     arcsNotShortest: notShortest.length,
+    deviation: circle.deviation ?? null,
     length: path.length,
     milliseconds: milliseconds(),
     fill,

@@ -94,9 +94,10 @@ export async function drawCircle(
     fill = false,
   }: { draft: boolean; leastLevels?: number | undefined; fill?: boolean },
 ): Promise<{ curve: TracedCurve } | { isolines: ShownIsolines }> {
+  const counted = arcs === 'auto' ? {} : { arcs };
   if (across) {
     const radii = [radius, across.radius] as const;
-    const ellipse = { ...options, radii, direction, arcs };
+    const ellipse = { ...options, radii, direction, ...counted };
     return {
       curve: await atLeast(leastLevels, (part) =>
         client.ellipse(center, { ...ellipse, ...part }, fill),
@@ -104,7 +105,7 @@ export async function drawCircle(
     };
   }
   if (type === 'arcs') {
-    const circle = { ...options, radius, arcs };
+    const circle = { ...options, radius, ...counted };
     return {
       curve: await atLeast(leastLevels, (part) =>
         client.circle(center, { ...circle, ...part }, fill),

@@ -28,7 +28,8 @@ function figureOf(curve: CurveSpec, points: readonly SurfacePoint[]): Figure | n
   const { kind } = curve;
   if (kind === 'circle') {
     const [center, rim] = points;
-    return { ...emptyFigure, kind, circle: { center: center!, rim: rim! } };
+    const circleForm = { ...emptyFigure.circleForm, arcs: curve.arcs };
+    return { ...emptyFigure, kind, circle: { center: center!, rim: rim! }, circleForm };
   }
   const numbered =
     kind === 'center' || kind === 'rational'

@@ -1,0 +1,60 @@
+#include "distance/exact_lengths.h"
+
+#include <algorithm>
+
+#include "distance/exact_distance.h"
+
+namespace karcher {
+namespace {
+
+/// Writes the least length among a face's images, and over its corners, to each point.
+void writeLengths(const Geometry& geometry, const ExactDistance& distance,
+                  const Array<SurfacePoint>& points, Array<double>& lengths) {
+  Array<const SourceImage*> images;
+  for (const SourceImage& image : distance.images()) images.push_back(&image);
+  std::sort(images.begin(), images.end(),
+            [](const SourceImage* a, const SourceImage* b) { return a->face < b->face; });
+  for (int i = 0; i < points.count(); ++i) {
+    const int face = points[i].face;
+    const Vec2 place = pointInFace(geometry, points[i]);
+    double length = kInfinity;
+    const auto first =
+        std::lower_bound(images.begin(), images.end(), face,
+                         [](const SourceImage* image, int f) { return image->face < f; });
+    for (auto image = first; image != images.end() && (*image)->face == face; ++image) {
+      length = std::min(length, lengthFrom(**image, place));
+    }
+    for (int k = 0; k < 3; ++k) {
+      const double way = (place - cornerInFace(geometry, face, k)).norm();
+      length = std::min(length, distance.distance(geometry.mesh->corner(face, k)) + way);
+    }
+    lengths[i] = length;
+  }
+}
+
+}  // namespace
+
+Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
+                           const Array<SurfacePoint>& points, double likely) {
+  Array<int> faces;
+  for (const SurfacePoint& point : points) faces.push_back(point.face);
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+
+  ExactDistance distance(geometry);
+  distance.keepImagesIn(faces);
+  distance.setSource(source);
+  distance.grow(likely);
+  Array<double> lengths;
+  lengths.assign(points.size(), 0);
+  writeLengths(geometry, distance, points, lengths);
+  const auto longest = std::max_element(lengths.begin(), lengths.end());
+  // Lengths that were found are upper bounds: as far as the longest of them nothing is missing.
+  if (longest != lengths.end() && *longest > likely) {
+    distance.grow(*longest);
+    writeLengths(geometry, distance, points, lengths);
+  }
+  return lengths;
+}
+
+}  // namespace karcher
