@@ -33,6 +33,7 @@ test('help, of the program and of each command', async () => {
     'circle',
     'ellipse',
     'regions',
+    'cut',
     'bench',
     'compare',
   ]);

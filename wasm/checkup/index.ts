@@ -5,6 +5,8 @@ import { type Boundary, boundaryEdges } from './boundary.js';
 import { nearBoundaries } from './near_boundaries.js';
 import { shapesOf } from './shapes.js';
 
+export { type Solid, solidOf } from './solid.js';
+
 /** What a mesh is like, triangle by triangle, and where it is not as curves would have it. */
 export interface CheckUp {
   /** Lengths of the shortest and the longest edge. */

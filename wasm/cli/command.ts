@@ -46,7 +46,7 @@ export const pointsOption: Option = {
   required: true,
 };
 
-/** Where the result goes, for every command. */
+/** Where the result goes, for every command that has no `out` of its own. */
 export const outOption: Option = {
   name: 'out',
   value: 'FILE',

@@ -12,3 +12,8 @@ export function fileError(path: string, cause: unknown): UsageError {
   const { code, message } = cause as NodeJS.ErrnoException;
   return new UsageError(`cannot read ${path}: ${reasons[code ?? ''] ?? message}`, { cause });
 }
+
+/** Why a file could not be written, as a sentence. */
+export function writeError(path: string, cause: unknown): UsageError {
+  return new UsageError(`cannot write to ${path}: ${(cause as Error).message}`, { cause });
+}

@@ -7,6 +7,7 @@ import { bench } from './bench.js';
 import { circle, ellipse } from './circle.js';
 import { type Command, meshOptions, outOption } from './command.js';
 import { compare } from './compare.js';
+import { cut } from './cut.js';
 import { distance } from './distance.js';
 import { edit } from './edit.js';
 import { UsageError } from './errors.js';
@@ -30,9 +31,14 @@ const commands: readonly Command[] = [
   circle,
   ellipse,
   regions,
+  cut,
   bench,
   compare,
-].map((command) => ({ ...command, options: [...command.options, ...meshOptions, outOption] }));
+].map((command) => {
+  const own = command.options.some(({ name }) => name === outOption.name);
+  const options = [...command.options, ...meshOptions, ...(own ? [] : [outOption])];
+  return { ...command, options };
+});
 
 /** What a command reads for '-', and where it writes: its result, and what went wrong. */
 export interface Streams {
@@ -85,9 +91,10 @@ async function run(
     command.options.some((option) => option.name === 'format') &&
     commandArguments.choice('format') === 'obj';
   const { json, polylines } = await command.run(commandArguments, tell);
+  const toFile = command.options.includes(outOption) && commandArguments.given('out');
   return {
     pieces: drawn ? polylinesAsObj(polylines!) : jsonLine(json),
-    ...(commandArguments.given('out') && { out: commandArguments.text('out') }),
+    ...(toFile && { out: commandArguments.text('out') }),
   };
 }
 

@@ -1,7 +1,7 @@
 import type { BooleanOperation, FillRule } from '../types.js';
 import { type Command, formatOption } from './command.js';
-import { triples } from './output.js';
 import { outlineOptions, readOutlines } from './outlines.js';
+import { triples } from './output.js';
 
 export const regions: Command = {
   name: 'regions',

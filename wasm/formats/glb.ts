@@ -6,10 +6,10 @@ export interface GltfContent {
   buffer: Uint8Array | null;
 }
 
-const [magic, jsonChunk, binaryChunk] = [0x46546c67, 0x4e4f534a, 0x004e4942];
+export const [glbMagic, jsonChunk, binaryChunk] = [0x46546c67, 0x4e4f534a, 0x004e4942] as const;
 
 export const isGlb = (bytes: Uint8Array) =>
-  bytes.length >= 4 && new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true) === magic;
+  bytes.length >= 4 && new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true) === glbMagic;
 
 /** Takes a GLB file, or a glTF file of text, apart. Throws `KarcherError` badFile. */
 export function gltfContent(bytes: Uint8Array): GltfContent {

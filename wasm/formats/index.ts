@@ -14,6 +14,7 @@ export { KarcherError } from '../errors.js';
 export { fileEndings, formatOf } from './format.js';
 export type * from './types.js';
 export { guessUp } from './up.js';
+export { meshFile, type Triangles, type WrittenFormat, writtenFormats } from './write.js';
 
 /** What makes a mesh: a `Karcher`, in this thread or in a worker. */
 export interface MeshMaker<Mesh> {

@@ -1,0 +1,59 @@
+import { writeFile } from 'node:fs/promises';
+import { solidOf } from '../checkup/index.js';
+import { meshFile, type WrittenFormat, writtenFormats } from '../formats/index.js';
+import type { Arguments } from './arguments.js';
+import type { Command } from './command.js';
+import { UsageError, writeError } from './errors.js';
+import { outlineOptions, readOutlines } from './outlines.js';
+
+export const cut: Command = {
+  name: 'cut',
+  summary: 'the mesh cut apart along curves, a file a part',
+  output:
+    '{parts: [{file, triangles, area, oriented, closed, volume}, …]}, the largest first; volume is null of what is not closed. On both sides of a cut positions are equal to the last bit',
+  options: [
+    ...outlineOptions,
+    {
+      name: 'out',
+      value: 'FILE',
+      help: `where parts are written: leg.stl makes leg_0.stl, leg_1.stl, …; ${writtenFormats.join(', ')}`,
+      // What is said of it, not what is given.
+      default: 'nowhere',
+    },
+  ],
+  async run(args) {
+    const name = args.given('out') ? partNames(args) : null;
+    const { mesh, outlines } = await readOutlines(args);
+    const parts = mesh
+      .cut(outlines)
+      .map((part) => ({ part, ...solidOf(part) }))
+      .sort((a, b) => b.area - a.area);
+    const told: object[] = [];
+    for (const [i, { part, ...solid }] of parts.entries()) {
+      const file = name?.of(i);
+      if (file !== undefined) await write(file, meshFile(part, name!.format));
+      told.push({ file, triangles: part.triangles.length / 3, ...solid });
+    }
+    return { json: { parts: told } };
+  },
+};
+
+function partNames(args: Arguments): { of: (part: number) => string; format: WrittenFormat } {
+  const path = args.text('out');
+  const [, stem, ending] = /^(.*[^/\\])\.([^./\\]+)$/.exec(path) ?? [];
+  const format = writtenFormats.find((candidate) => candidate === ending?.toLowerCase());
+  if (format === undefined) {
+    throw new UsageError(
+      `--out of cut must end in .${writtenFormats.join(', .')}, as leg.stl, not '${path}'`,
+    );
+  }
+  return { of: (part) => `${stem}_${part}.${ending}`, format };
+}
+
+async function write(path: string, bytes: Uint8Array): Promise<void> {
+  try {
+    await writeFile(path, bytes);
+  } catch (cause) {
+    throw writeError(path, cause);
+  }
+}
