@@ -19,7 +19,9 @@ export interface SurfacePoint {
 }
 
 /** A point as an argument: a surface point, or a vertex by its number. */
-export type PointLike = SurfacePoint | { vertex: number };
+export type PointLike =
+  | { readonly face: number; readonly bary: readonly [number, number, number] }
+  | { readonly vertex: number };
 
 /** Points as flat arrays: a face each, and three weights each, as `CurvePoints` and `CentersOfMass` have them. */
 export interface PointArrays {

@@ -8,7 +8,7 @@ import { build } from 'vite';
 import { inRoot } from '../../.tools/shell.mjs';
 
 const folder = inRoot('examples');
-const files = readdirSync(folder).filter((name) => /\.(mjs|ts)$/.test(name));
+const files = readdirSync(folder).filter((name) => /\.(mjs|tsx?)$/.test(name));
 const textOf = (name) => readFileSync(join(folder, name), 'utf8');
 
 test('are listed, and have less than 60 lines', () => {
@@ -24,6 +24,13 @@ test('the first dragged curve takes at most 15 lines', () => {
   assert.ok(lines.trim().split('\n').length <= 15);
 });
 
+test('and with React at most 20, beside imports', () => {
+  const lines = textOf('drag_with_react.tsx')
+    .split('\n')
+    .filter((line) => line.trim() !== '' && !/^(import|\/\/)/.test(line));
+  assert.ok(lines.length <= 20, `${lines.length}`);
+});
+
 for (const name of files.filter((name) => name.endsWith('.mjs'))) {
   test(`${name} runs`, () => {
     const { status, stdout, stderr } = spawnSync(process.execPath, [join(folder, name)], {
@@ -34,7 +41,7 @@ for (const name of files.filter((name) => name.endsWith('.mjs'))) {
   });
 }
 
-for (const name of files.filter((name) => name.endsWith('.ts'))) {
+for (const name of files.filter((name) => /\.tsx?$/.test(name))) {
   test(`${name} is bundled`, async () => {
     const { output } = await build({
       configFile: false,

@@ -38,7 +38,7 @@ const flags = [
     ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
   ]}`,
 ];
-const launching = { executablePath: chromiumPath(), args: flags };
+export const launching = { executablePath: chromiumPath(), args: flags };
 /** Generous: software graphics on a busy machine start slowly. */
 const patience = 60_000;
 

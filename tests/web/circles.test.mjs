@@ -136,7 +136,10 @@ describe('circles', () => {
     const segments = ({ curve }) => new Set(Object.values(curve.samples.segment)).size;
     assert.ok(segments(before) > 7 && before.curve.deviation <= 1e-3);
     assert.equal(await tab.page.locator('#arcs-count').textContent(), 'auto');
-    assert.match(await tab.page.locator('#circle-note').textContent(), /at most 0\.\d+ percent off/);
+    assert.match(
+      await tab.page.locator('#circle-note').textContent(),
+      /at most 0\.\d+ percent off/,
+    );
     const slider = tab.page.getByRole('slider', { name: 'Arcs' });
     await slider.focus();
     await slider.fill('3');

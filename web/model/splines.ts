@@ -74,7 +74,7 @@ export function splineFrom(options: CurveOptions, before: Spline): Spline {
   const points = options.points.map((point, i): ControlPoint => {
     if ('vertex' in point) throw new Error('the engine gives points of faces');
     const { face, bary } = point;
-    const plain = withLeg({ face, bary }, waypointsOf(legs[i]));
+    const plain = withLeg({ face, bary: [...bary] }, waypointsOf(legs[i]));
     return parameter ? withParameter(plain, parameter, numbers?.[i] ?? 1) : plain;
   });
   const settings = {

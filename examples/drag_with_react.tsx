@@ -1,0 +1,28 @@
+// A curve that is dragged over a GLB of one's own, with React and react-three-fiber.
+import { Canvas, useLoader } from '@react-three/fiber';
+import { useCurveDrag, useSurface, useSurfaceCurve } from 'karcher/react';
+import { createRoot } from 'react-dom/client';
+import { Mesh } from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+
+const points = [0, 40, 80, 120].map((face) => ({ face, bary: [0.2, 0.3, 0.5] as const }));
+
+function Model() {
+  const { nodes } = useLoader(GLTFLoader, 'model.glb');
+  const model = Object.values(nodes).find((node) => node instanceof Mesh);
+  const surface = useSurface(model?.geometry);
+  const curve = useSurfaceCurve(surface, { kind: 'bspline', points });
+  useCurveDrag(curve);
+  return (
+    <mesh geometry={model?.geometry} material={model?.material}>
+      {curve && <primitive object={curve} />}
+    </mesh>
+  );
+}
+
+createRoot(document.getElementById('root')!).render(
+  <Canvas camera={{ position: [0, 0, 3] }}>
+    <hemisphereLight intensity={3} />
+    <Model />
+  </Canvas>,
+);

@@ -1,0 +1,40 @@
+import { load } from '../load.js';
+import { loadInWorker } from '../worker/index.js';
+import type { AnyKarcher } from './types.js';
+
+interface Shared {
+  engine: Promise<AnyKarcher>;
+  users: number;
+}
+
+/** By `worker`: the engines that mounted components share. */
+const engines = new Map<boolean, Shared>();
+
+/** The engine of the page, or the one in a worker: loaded for its first user, and shared by all. */
+export function takeEngine(worker: boolean): Promise<AnyKarcher> {
+  let shared = engines.get(worker);
+  if (!shared) {
+    shared = { engine: worker ? loadInWorker() : load(), users: 0 };
+    engines.set(worker, shared);
+  }
+  shared.users++;
+  return shared.engine;
+}
+
+/**
+ * Gives an engine back. Its last user ends it, but only in the next task: StrictMode unmounts every
+ * component once to mount it again at once, and a worker should not be loaded twice for that.
+ */
+export function releaseEngine(worker: boolean): void {
+  const shared = engines.get(worker)!;
+  shared.users--;
+  setTimeout(() => {
+    if (shared.users > 0 || engines.get(worker) !== shared) return;
+    engines.delete(worker);
+    shared.engine.then(
+      (engine) => 'dispose' in engine && engine.dispose(),
+      // What could not be loaded has nothing to give back.
+      () => {},
+    );
+  });
+}

@@ -1,0 +1,166 @@
+/** Karcher with React and react-three-fiber: hooks that make surfaces and curves and give them back. */
+import { useThree } from '@react-three/fiber';
+import { useEffect, useRef, useState } from 'react';
+import type { BufferGeometry } from 'three';
+import { CurveDrag } from '../three/curve_drag.js';
+import { type AnyMesh, type Surface, surfaceFromGeometry } from '../three/surface.js';
+import { SurfaceCurve } from '../three/surface_curve.js';
+import type { CurveOptions, MeshOptions } from '../types.js';
+import { releaseEngine, takeEngine } from './engines.js';
+import { isSameValue } from './same_value.js';
+import type {
+  AnyKarcher,
+  CurveHookOptions,
+  DragHookOptions,
+  EngineHookOptions,
+  FailureOptions,
+  SurfaceHookOptions,
+} from './types.js';
+
+export { KarcherError } from '../errors.js';
+export type * from './types.js';
+
+/** The newest of a value, for effects that are not to run again with it. */
+function useNewest<Value>(value: Value): { readonly current: Value } {
+  const newest = useRef(value);
+  useEffect(() => {
+    newest.current = value;
+  });
+  return newest;
+}
+
+/** Hands errors to `onError`, or throws them while the component renders. */
+function useFailure(onError: FailureOptions['onError']): (error: unknown) => void {
+  const [failure, setFailure] = useState<{ error: unknown } | undefined>();
+  const told = useNewest(onError);
+  const [fail] = useState(() => (error: unknown) => {
+    if (told.current) told.current(error);
+    else setFailure({ error });
+  });
+  if (failure) throw failure.error;
+  return fail;
+}
+
+/**
+ * The engine, undefined until it is loaded. All components share one in the page and one in a worker; the
+ * last one that is unmounted ends it.
+ */
+export function useKarcher({
+  worker = false,
+  onError,
+}: EngineHookOptions & FailureOptions = {}): AnyKarcher | undefined {
+  const [loaded, setLoaded] = useState<{ engine: AnyKarcher; worker: boolean } | undefined>();
+  const fail = useFailure(onError);
+  useEffect(() => {
+    let isMounted = true;
+    takeEngine(worker).then(
+      (engine) => isMounted && setLoaded({ engine, worker }),
+      (error) => isMounted && fail(error),
+    );
+    return () => {
+      isMounted = false;
+      setLoaded(undefined);
+      releaseEngine(worker);
+    };
+  }, [worker, fail]);
+  return loaded?.worker === worker ? loaded.engine : undefined;
+}
+
+/**
+ * The surface of a geometry, as `surfaceFromGeometry` makes it: undefined until it is made, and without a
+ * geometry. Another geometry makes another surface; unmounted, its mesh gives its memory back.
+ */
+export function useSurface(
+  geometry: BufferGeometry | undefined,
+  { worker, onError, repair, weld }: SurfaceHookOptions = {},
+): Surface<AnyMesh> | undefined {
+  const karcher = useKarcher({ worker, onError });
+  const fail = useFailure(onError);
+  const [made, setMade] = useState<{ surface: Surface<AnyMesh>; of: BufferGeometry } | undefined>();
+  useEffect(() => {
+    if (!karcher || !geometry) return;
+    let isMounted = true;
+    let surface: Surface<AnyMesh> | undefined;
+    const make = async () => {
+      const options: MeshOptions = { repair, weld };
+      // Of an engine in the page it is no promise.
+      surface = await surfaceFromGeometry(karcher as never, geometry, options);
+      if (isMounted) setMade({ surface, of: geometry });
+      else release(surface);
+    };
+    make().catch((error) => isMounted && fail(error));
+    return () => {
+      isMounted = false;
+      setMade(undefined);
+      if (surface) release(surface);
+    };
+  }, [karcher, geometry, repair, weld, fail]);
+  return made && made.of === geometry ? made.surface : undefined;
+}
+
+function release({ mesh }: Surface<AnyMesh>): void {
+  // A worker that has ended has nothing left to give back.
+  Promise.resolve(mesh.dispose()).catch(() => {});
+}
+
+/**
+ * A curve on a surface, as an object of three.js: undefined until there are a surface and options. Put it
+ * into the scene as a child of what draws the surface, `<primitive object={curve} />`. Options that differ
+ * from those of the render before make it another curve; options that are the same leave it as a hand
+ * has dragged it since.
+ */
+export function useSurfaceCurve(
+  surface: Surface<AnyMesh> | undefined,
+  options: CurveOptions | undefined,
+  { onChange, onError }: CurveHookOptions = {},
+): SurfaceCurve | undefined {
+  const fail = useFailure(onError);
+  const told = useNewest(onChange);
+  const [made, setMade] = useState<{ curve: SurfaceCurve; given: CurveOptions } | undefined>();
+  const [given, setGiven] = useState(options);
+  if (!isSameValue(given, options)) setGiven(options);
+  const hasOptions = given !== undefined;
+  const newest = useNewest(given);
+  useEffect(() => {
+    if (!surface || !hasOptions) return;
+    // The effects of one component run in order: the newest options are known.
+    const first = newest.current!;
+    const curve = new SurfaceCurve(surface, first);
+    curve.addEventListener('change', ({ view }) => told.current?.(curve.value, view));
+    curve.ready.catch(fail);
+    setMade({ curve, given: first });
+    return () => {
+      setMade(undefined);
+      const { material } = curve;
+      curve.dispose();
+      material.dispose();
+    };
+  }, [surface, hasOptions, fail, newest, told]);
+  useEffect(() => {
+    if (!made || !given || made.given === given) return;
+    made.given = given;
+    made.curve.set(given).catch(fail);
+  }, [made, given, fail]);
+  return made?.curve.surface === surface ? made?.curve : undefined;
+}
+
+/**
+ * Lets the control points of a curve be dragged on the canvas. The curve lies in the scene as a child of the
+ * mesh that draws its surface.
+ */
+export function useCurveDrag(
+  curve: SurfaceCurve | undefined,
+  { reach, onError }: DragHookOptions = {},
+): void {
+  const camera = useThree((state) => state.camera);
+  const element = useThree((state) => state.gl.domElement);
+  const told = useNewest(onError);
+  useEffect(() => {
+    // Children are put into the scene before effects run.
+    if (!curve?.parent) return;
+    const options = reach === undefined ? {} : { reach };
+    const drag = new CurveDrag(curve, curve.parent, camera, element, options);
+    drag.onError = (error) => told.current?.(error);
+    return () => drag.dispose();
+  }, [curve, camera, element, reach, told]);
+}
