@@ -156,6 +156,16 @@ async function plotsOnly() {
 
 const jsonOf = (value) => `${JSON.stringify(value, null, 2)}\n`;
 
+/** A report as it is kept: the page shows no more than four digits, and more would only be long. */
+function keptJson(report) {
+  const fewDigits = (_, value) =>
+    typeof value === 'number' && !Number.isInteger(value) ? Number(value.toPrecision(4)) : value;
+  const { panels = {}, table = null, ...rest } = report;
+  const numbers = JSON.parse(JSON.stringify({ panels, table }, fewDigits));
+  const whole = jsonOf({ ...rest, numbers: 0 });
+  return whole.replace('"numbers": 0', JSON.stringify(numbers).slice(1, -1));
+}
+
 /** Measures what is plotted; the report of everything keeps the rest. */
 async function renewPlots({ save }) {
   const plots = await plotsOnly();
@@ -165,7 +175,7 @@ async function renewPlots({ save }) {
   if (!save) return;
   const path = inRoot('docs/paper-report.json');
   const report = JSON.parse(readFileSync(path, 'utf8'));
-  writeFileSync(path, jsonOf({ ...report, plots }));
+  writeFileSync(path, keptJson({ ...report, plots }));
 }
 
 async function everything(options) {
@@ -196,6 +206,8 @@ async function everything(options) {
     verdicts: {
       ...where,
       claims,
+      panels: figures.panels,
+      table: { samples: Number(options.samples), cells: table.cells },
       plots: { ...where, convergence: studies.convergence, roughness: studies.roughness },
     },
     measured,
@@ -222,7 +234,7 @@ try {
   console.log('Written to build/paper.md.');
   if (verdicts) {
     writeFileSync(inRoot('build/paper.json'), jsonOf({ ...verdicts, measured }));
-    if (options.save) writeFileSync(inRoot('docs/paper-report.json'), jsonOf(verdicts));
+    if (options.save) writeFileSync(inRoot('docs/paper-report.json'), keptJson(verdicts));
   }
 } catch (error) {
   const wrongArguments = error.code?.startsWith('ERR_PARSE_ARGS');

@@ -13,6 +13,7 @@ import { GeometryMaker } from './view/geometry';
 import { SharedRenderer } from './view/shared_renderer';
 import { readColors } from './view/theme_colors';
 import { TransportSection } from './view/transport_section';
+import { Turns } from './view/turns';
 
 /** For tests: `?detail=0.05` has every mesh smaller, `?antialias=off` lines rougher. */
 const parameters = new URLSearchParams(location.search);
@@ -32,6 +33,7 @@ function start(): void {
   const context = {
     client: new LabClient(),
     geometry: new GeometryMaker(),
+    turns: new Turns(),
     renderer: new SharedRenderer({ antialias: parameters.get('antialias') !== 'off' }),
   };
   const detail = Number(parameters.get('detail') ?? 1);
@@ -41,8 +43,15 @@ function start(): void {
   const measured = () => {
     claims.show(Object.assign({}, ...sections.map((section) => section.measured())));
   };
-  const sections = shown.map((figure) => new FigureSection(context, figure, measured));
-  const table = new TableSection(detail < 1 ? smallRows(detail) : tableRows, build.version);
+  const sections = shown.map(
+    (figure) => new FigureSection(context, figure, measured, detail < 1 ? null : savedReport),
+  );
+  const table = new TableSection(
+    detail < 1 ? smallRows(detail) : tableRows,
+    build.version,
+    // Numbers of other meshes say nothing of these.
+    detail < 1 ? null : savedReport,
+  );
   const carried = new CarriedSection(context, detail);
   const plots = new PlotsSection(
     savedReport?.plots ?? null,

@@ -1,5 +1,5 @@
 import { make } from '../../panels/elements';
-import { sectionHead } from '../view/section';
+import { Caption, sectionHead } from '../view/section';
 import { build } from './build';
 import { judge } from './judge';
 import { isOlder, olderNote, type SavedClaim, type SavedReport } from './saved';
@@ -25,13 +25,13 @@ const unmeasured: Pick<JudgedClaim, 'verdict' | 'measured'> = {
 export class ClaimsSection {
   readonly element = make('section', '', { className: 'figure', id: 'claims' });
   readonly #report: SavedReport | null;
-  readonly #caption = make('p', '', { className: 'caption' });
+  readonly #caption = new Caption('');
   readonly #card = make('div', '', { className: 'panel-card claims' });
 
   constructor(report: SavedReport | null = savedReport) {
     this.#report = report;
     const head = sectionHead('Section by section', 'Do its claims hold?');
-    this.element.append(head, this.#caption, this.#card);
+    this.element.append(head, this.#caption.element, this.#card);
     this.show({});
   }
 
@@ -49,7 +49,7 @@ export class ClaimsSection {
       return { ...unmeasured, id, where, claim, figure, live: false, older: false };
     });
     this.#card.replaceChildren(table(rows));
-    this.#caption.textContent = captionOf(rows, this.#report);
+    this.#caption.tell(captionOf(rows, this.#report));
   }
 }
 

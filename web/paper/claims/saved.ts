@@ -1,5 +1,6 @@
 import type { Studies } from './studies';
-import type { JudgedClaim } from './types';
+import type { TableCell } from '../table/rows';
+import type { JudgedClaim, Measured } from './types';
 
 /** Where and when something was measured. */
 interface Origin {
@@ -25,6 +26,10 @@ export interface SavedReport extends Origin {
   claims: SavedClaim[];
   /** What the page plots; reports from before there were plots have none. */
   plots?: SavedPlots;
+  /** What the figures' lines were measured to be, by `figure/panel`. */
+  panels?: Measured['panels'];
+  /** Table 1 with so many samples a segment. */
+  table?: { samples: number; cells: TableCell[] } | null;
 }
 
 /** The code that a page was built from. */
@@ -41,6 +46,10 @@ export function isOlder(
 ): boolean {
   return sources === undefined ? version !== build.version : sources !== build.sources;
 }
+
+/** When and where saved numbers were measured. */
+export const originWords = ({ date, version, machine }: Origin) =>
+  `Measured on ${date} by version ${version} on ${machine}`;
 
 /** What is said of it. */
 export const olderNote = 'of an older version of the code';

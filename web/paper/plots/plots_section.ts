@@ -6,7 +6,7 @@ import { noises, type RoughnessPoint } from '../claims/roughness';
 import { isOlder, olderNote, type SavedPlots } from '../claims/saved';
 import { lineStyles } from '../figures/lines';
 import { type ChartAxis, LineChart } from '../view/line_chart';
-import { sectionHead } from '../view/section';
+import { Caption, sectionHead } from '../view/section';
 import { lineColor } from '../view/theme_colors';
 import { convergencePlot, orderOf, type Plot, roughnessPlot } from './plots';
 
@@ -53,10 +53,8 @@ export class PlotsSection {
     this.#convergence = report?.convergence ?? [];
     this.#roughness = report?.roughness ?? [];
     const head = sectionHead('Beyond the paper', 'Finer and rougher meshes');
-    const caption = make(
-      'p',
+    const caption = new Caption(
       'B-splines of four points on a sphere and on a torus whose every point is known in closed form, against the edges of the mesh: root mean square distances of the samples from the true curve, lost ones left out. On the sphere logarithms are known; on the torus the points lie on one circle round the tube, which is a geodesic. b/Surf’s curve is another one, so its distance does not go to zero; no number is shown where no sample was found. Last is the residual by exact paths of the gallery’s B-spline on a torus of 5,000 triangles whose vertices were moved by seeded noise of that height.',
-      { className: 'caption' },
     );
     const grid = make('div', '', { className: 'panels plots' });
     for (const { element } of Object.values(this.#cards)) grid.append(element);
@@ -64,7 +62,7 @@ export class PlotsSection {
     this.#from.setAttribute('role', 'status');
     this.#bar.setAttribute('aria-label', 'How much is measured');
     controls.append(this.#run, this.#bar, this.#from);
-    this.element.append(head, caption, controls, grid);
+    this.element.append(head, caption.element, controls, grid);
     this.#from.textContent = report
       ? `Measured on ${report.date} by version ${report.version} with seed ${report.seed} on ${report.machine}${isOlder(report, build) ? `, ${olderNote}` : ''}.`
       : 'Nothing is measured yet.';

@@ -1,6 +1,7 @@
 import { make } from '../../panels/elements';
+import { originWords, type SavedReport } from '../claims/saved';
 import { download } from '../view/download';
-import { sectionHead } from '../view/section';
+import { Caption, sectionHead } from '../view/section';
 import { TableChart } from './chart';
 import { TableClient } from './client';
 import { tableCsv } from './csv';
@@ -39,7 +40,9 @@ export class TableSection {
   readonly element = make('section', '', { className: 'figure', id: 'table' });
   cells: TableCell[] = [];
   readonly rows: readonly TableRow[];
-  readonly #build: string;
+  readonly #about: { browser: string; build: string };
+  /** Of the saved numbers, while they are shown. */
+  #savedAbout: { browser: string; build: string } | null = null;
   readonly #view: TableView;
   readonly #chart = new TableChart();
   readonly #samples = select(
@@ -63,9 +66,8 @@ export class TableSection {
   #client: TableClient | null = null;
   #options: TableOptions | null = null;
 
-  constructor(rows: readonly TableRow[], build: string) {
+  constructor(rows: readonly TableRow[], build: string, report: SavedReport | null) {
     this.rows = rows;
-    this.#build = build;
     this.#view = new TableView(rows);
     const sizes = [...new Set(rows.map(({ mesh }) => expectedTriangles(mesh)))].toSorted(
       (a, b) => a - b,
@@ -82,6 +84,23 @@ export class TableSection {
       download('karcher-table-1.csv', 'text/csv', this.csv());
     });
     this.element.append(this.#head(), this.#controls(), this.#card());
+    this.#about = { browser: navigator.userAgent, build };
+    if (report?.table) this.#showSaved(report, report.table);
+  }
+
+  /** What was measured last, until it is measured here. */
+  #showSaved(report: SavedReport, { samples, cells }: NonNullable<SavedReport['table']>): void {
+    const known = cells.filter(({ row }) => this.rows.some(({ id }) => id === row));
+    if (known.length === 0) return;
+    this.cells = known;
+    this.#options = { rows: this.rows, samples, budgetMs: 1000 * this.#budget.value() };
+    this.#savedAbout = { browser: report.machine, build: report.version };
+    for (const cell of known) this.#view.set(cell);
+    this.#chart.show(known, this.#measure);
+    this.#save.disabled = false;
+    this.#say(
+      `${originWords(report)}, with ${samples.toLocaleString('en')} samples per segment. “Run” measures it on your machine.`,
+    );
   }
 
   /** Whether nothing is being measured. */
@@ -95,13 +114,14 @@ export class TableSection {
 
   csv(): string {
     const { rows, samples } = this.#options!;
-    const about = { browser: navigator.userAgent, build: this.#build, samples };
+    const about = { ...(this.#savedAbout ?? this.#about), samples };
     return tableCsv(rows, this.cells, about);
   }
 
   /** Measures these rows, or those up to the chosen size. */
   start(rows = this.#chosen()): void {
     this.cells = [];
+    this.#savedAbout = null;
     this.#save.disabled = true;
     this.#view.clear();
     this.#options = {
@@ -168,13 +188,11 @@ export class TableSection {
   #head(): HTMLElement {
     const head = sectionHead(
       'Table 1',
-      'Times on your machine',
-      make(
-        'p',
+      'Times',
+      new Caption(
         'Two-point paths on two tori, with exact distances for the paper’s method and ours; then B-splines, with graph distances of k = 6 for the paper’s method and fast ones for ours, as in the editor. Control points are at vertices. Preprocessing is what a method does once for the mesh. Tracing includes the fields. An update follows a drag of one point by an edge and keeps what does not depend on that point, such as the fields of the others or log maps. All methods run in the same WebAssembly build, one after the other, in one thread. A method that fails says so; a dash marks what was not measured. Below its preparation is the memory that a method holds with its curve, below tracing and updates what the fields take of them. The heat methods keep the log map of each vertex that a search came by; “as used” is what tracing takes where one is computed at each evaluation, as their authors’ library has it, reckoned from how many were asked for. In a line of their own are the residual and the energy by exact paths, as in the figures, up to 60,000 triangles, and the samples that were lost, by our rule and, where it is another number, by that of the method’s own authors. ' +
           publishedNote,
-        { className: 'caption' },
-      ),
+      ).element,
     );
     return head;
   }

@@ -9,7 +9,7 @@ import { emptyLine } from '../lab/empty_line';
 import type { PanelContext } from './figure_panel';
 import { formatMilliseconds } from './format';
 import { PanelView } from './panel_view';
-import { sectionHead, whenNear } from './section';
+import { Caption, sectionHead, whenNear } from './section';
 import { lineColor, surfaceFront } from './theme_colors';
 
 type Side = 'source' | 'target';
@@ -50,10 +50,8 @@ export class CarriedSection {
     this.#specs = { source: smaller(source), target: smaller(target) };
     this.#points = { source: source.points, target: target.points };
     const head = sectionHead('Section 6', 'A drawing carried to another surface');
-    const caption = make(
-      'p',
+    const caption = new Caption(
       'The paper leaves open the inverse problem: weights for which a given point is the center of mass of others. Here each point of the drawing on the left has such weights of the control points, the nearest to equal ones, and on the right lies the center of mass of its weights. Of three control points there are only these weights. Drag the control points of either side: on the left the drawing stays and its weights change, on the right it follows. The paper has no such figure.',
-      { className: 'caption' },
     );
     this.#views = { source: this.#side('source'), target: this.#side('target') };
     const grid = make('div', '', { className: 'panels' });
@@ -66,7 +64,7 @@ export class CarriedSection {
     const controls = make('div', '', { className: 'table-status' });
     this.#note.setAttribute('role', 'status');
     controls.append(choice, this.#note);
-    this.element.append(head, caption, controls, grid);
+    this.element.append(head, caption.element, controls, grid);
     whenNear(this.element, () => this.start());
   }
 

@@ -1,6 +1,6 @@
 import { Color } from 'three';
 import { formatCount, make } from '../../panels/elements';
-import { type Handle, Handles } from '../../viewer/handles';
+import { madeKey, meshLabel } from '../../model/meshes';
 import { lineStyles } from '../figures/lines';
 import { panelTitle } from '../figures/titles';
 import type {
@@ -15,18 +15,24 @@ import type {
 import { type KnownCenter, uniquenessWords } from '../lab/center';
 import type { LabClient } from '../lab/client';
 import type { DrawnMesh, Placed } from '../lab/protocol';
+import { expectedTriangles } from '../table/rows';
 import { download } from './download';
 import { editorLink, noSuchWeights } from './editor_link';
 import type { GeometryMaker } from './geometry';
-import { NumbersTable } from './numbers_table';
+import { Loupe } from './loupe';
+import { NumbersTable, type SavedNumbers } from './numbers_table';
+import { type Dot, showDots } from './panel_markers';
+import { PanelPoints } from './panel_points';
 import { panelSvg } from './panel_svg';
 import { type LineLook, PanelView } from './panel_view';
 import type { SharedRenderer } from './shared_renderer';
+import type { Turns } from './turns';
 import { sliders, stretchSlider } from './sliders';
 import { lineColor, surfaceFront } from './theme_colors';
 
 export interface PanelContext {
   client: LabClient;
+  turns: Turns;
   geometry: GeometryMaker;
   renderer: SharedRenderer;
 }
@@ -46,6 +52,8 @@ export class FigurePanel {
   readonly #stage = make('div', '', { className: 'panel-stage' });
   readonly #markers = make('div', '', { className: 'markers' });
   readonly #note = make('p', '', { className: 'panel-note' });
+  /** In place of a surface that is not there yet. */
+  readonly #making = make('p', '', { className: 'making' });
   /** Whether a center is the only one. */
   readonly #only = make('p', '', { className: 'panel-note only', hidden: true });
   readonly #link = make('a', 'Open in the editor', { className: 'link', hidden: true });
@@ -56,7 +64,8 @@ export class FigurePanel {
   readonly #title = make('h3');
   readonly #size = make('span', '', { className: 'panel-mesh' });
   readonly #view: PanelView;
-  readonly #handles: Handles;
+  readonly #handles: PanelPoints;
+  readonly #loupe: Loupe;
   readonly #numbers: NumbersTable;
   readonly #shown: Set<LineId>;
   /** Of the points and the curve as they are now, but for those that are waited for. */
@@ -85,6 +94,8 @@ export class FigurePanel {
     private readonly panel: Panel,
     points: readonly Vector[],
     private readonly events: PanelEvents,
+    /** What was measured before, to be shown until it is measured here. */
+    saved: SavedNumbers | null = null,
   ) {
     this.#points = points;
     this.#curve = panel.curve;
@@ -94,11 +105,19 @@ export class FigurePanel {
     const canvas = make('canvas');
     canvas.setAttribute('aria-hidden', 'true');
     const layer = make('div', '', { className: 'handles' });
-    this.#stage.append(canvas, this.#markers, layer);
+    this.#stage.append(canvas, this.#markers, layer, this.#making);
     this.#view = new PanelView(context.renderer, this.#stage, canvas, panel);
-    this.#handles = this.#makeHandles(layer);
+    this.#handles = new PanelPoints(this.#view, layer, panel, (index, place) => {
+      this.#handles.show((this.#placed?.places ?? []).with(index, place));
+      this.events.move(index, place);
+    });
     this.#numbers = new NumbersTable(panel, this.#shown, (id, shown) => this.#toggle(id, shown));
     this.#view.onFrame(() => this.#placeMarkers());
+    this.#loupe = new Loupe(this.#stage, this.#view, {
+      dots: () => this.#dots(),
+      first: () => this.#placeToCompare(),
+    });
+    if (saved) this.#numbers.showSaved(saved.lines, saved.origin);
     this.element.append(this.#head(), this.#stage, this.#note, this.#only);
     const controls = [
       sliders(panel.curve, (curve) => this.#setCurve(curve)),
@@ -109,10 +128,24 @@ export class FigurePanel {
     this.element.dataset.panel = panel.id;
   }
 
-  /** Makes the mesh and computes everything for the first time. */
-  async start(): Promise<void> {
+  /** Computes everything when it is its turn. */
+  start(): void {
+    this.#making.textContent = `Waits for its turn: ${meshWords(this.#spec)}`;
+    this.context.turns.ask({ element: this.#stage, run: (signal) => this.#run(signal) });
+  }
+
+  async #run(signal: AbortSignal): Promise<void> {
+    if (!this.#mesh) await this.#makeMesh();
+    const missing = this.panel.lines.filter((id) => this.#shown.has(id) && !this.#result(id));
+    if (!this.#mesh || signal.aborted || missing.length === 0) return;
+    signal.addEventListener('abort', () => this.#stop?.());
+    await this.#trace(missing);
+  }
+
+  async #makeMesh(): Promise<void> {
     const spec = this.#spec;
-    this.#note.textContent = 'Making the mesh…';
+    this.#making.hidden = false;
+    this.#making.textContent = `Makes the mesh: ${meshWords(spec)}…`;
     try {
       const mesh = await this.context.client.mesh(spec);
       const drawn = await this.context.geometry.make(mesh);
@@ -121,10 +154,11 @@ export class FigurePanel {
       this.#mesh = mesh;
       this.#size.textContent = formatCount(mesh.info.triangles, 'triangle');
       this.#view.showSurface(drawn);
+      this.#making.hidden = true;
       this.recolor();
-      this.#renew();
+      this.#lookForCenters();
     } catch (error) {
-      this.#note.textContent = error instanceof Error ? error.message : `${error}`;
+      this.#making.textContent = error instanceof Error ? error.message : `${error}`;
       this.settled = true;
     }
   }
@@ -155,8 +189,13 @@ export class FigurePanel {
   /** Nothing that is there is of the points and the curve as they are now. */
   #renew(): void {
     this.#dragging?.abort();
+    this.#numbers.dropSaved();
     for (const id of this.panel.lines) if (!this.#shown.has(id)) this.#forget(id);
-    this.#trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+    void this.#trace(this.panel.lines.filter((id) => this.#shown.has(id)));
+    this.#lookForCenters();
+  }
+
+  #lookForCenters(): void {
     if (this.#mesh && this.#curve.kind === 'center') void this.#lookForOthers(this.#curve.weights);
   }
 
@@ -192,9 +231,10 @@ export class FigurePanel {
     return this.#waiting.has(id) ? undefined : this.#results.get(id);
   }
 
-  #trace(lines: readonly LineId[]): void {
-    if (!this.#mesh) return;
+  /** Resolves when the lines are there, and when others are asked for instead. */
+  #trace(lines: readonly LineId[]): Promise<void> {
     this.#stop?.();
+    if (!this.#mesh) return Promise.resolve();
     this.settled = false;
     for (const id of lines) {
       this.#waiting.add(id);
@@ -202,7 +242,12 @@ export class FigurePanel {
     }
     const panel = { ...this.panel, mesh: this.#spec, curve: this.#curve };
     const job = { panel, points: this.#points, lines };
-    this.#stop = this.context.client.trace(job, {
+    let resolve = () => {};
+    const promise = new Promise<void>((end) => {
+      resolve = end;
+    });
+    this.#tellWhat();
+    const stop = this.context.client.trace(job, {
       placed: (placed) => this.#showPlaced(placed),
       line: (line) => this.#showLine(line),
       measured: (id, ruler) => {
@@ -221,8 +266,22 @@ export class FigurePanel {
         this.settled = true;
         this.events.measured();
         if (this.#note.dataset.kind === 'progress') this.#note.textContent = '';
+        resolve();
       },
     });
+    this.#stop = () => {
+      stop();
+      resolve();
+    };
+    return promise;
+  }
+
+  /** Names what is being computed. */
+  #tellWhat(): void {
+    const names = [...this.#waiting].map((id) => lineStyles[id].label);
+    this.#note.dataset.kind = 'progress';
+    this.#note.textContent =
+      names.length > 0 ? `Computes ${names.join(', ')}…` : 'Measures by exact paths…';
   }
 
   #progress(done: number, stage: string): void {
@@ -230,64 +289,19 @@ export class FigurePanel {
     // Samples are quick, or their lines come one by one.
     if (!what) return;
     this.#note.dataset.kind = 'progress';
-    this.#note.textContent = `${what}: ${Math.round(100 * done)} %`;
+    this.#note.textContent = `Computes: ${what}, ${Math.round(100 * done)} %`;
   }
 
   #showPlaced(placed: Placed): void {
     this.#placed = placed;
-    this.#note.textContent = '';
-    this.#note.dataset.kind = '';
     if (!this.#placedOnce) this.#view.resetView(placed.places);
     this.#placedOnce = true;
-    this.#showPoints(placed.places);
+    this.#handles.show(placed.places);
     const href = editorLink(this.#spec, this.#curve, placed.points);
     this.#link.hidden = href === null;
     this.#noLink.hidden = href !== null;
     if (href) this.#link.href = href;
     else this.#link.removeAttribute('href');
-  }
-
-  #showPoints(places: readonly Vector[]): void {
-    this.#handles.show(places.map((place, i) => this.#handle(place, i)));
-  }
-
-  #handle(place: Vector, i: number): Handle {
-    const name = this.#points.length === 2 ? 'pq'[i]! : `${i + 1}`;
-    return {
-      id: `${i}`,
-      position: this.#view.toScene(place),
-      label: `Point ${name} of ${this.panel.title}`,
-      tag: name,
-      look: 'point',
-      selected: false,
-    };
-  }
-
-  #makeHandles(layer: HTMLElement): Handles {
-    const move = (id: string, clientX: number, clientY: number) => {
-      const place = this.#view.pick(clientX, clientY);
-      if (!place) return;
-      this.#showPoints((this.#placed?.places ?? []).with(Number(id), place));
-      this.events.move(Number(id), place);
-    };
-    return new Handles(this.#view, layer, {
-      grab: () => {},
-      drag: move,
-      release: () => {},
-      focus: () => {},
-      key: (id, event) => {
-        const step = {
-          ArrowLeft: [-6, 0],
-          ArrowRight: [6, 0],
-          ArrowUp: [0, -6],
-          ArrowDown: [0, 6],
-        }[event.key];
-        const at = this.#handles.place(id);
-        if (!step || !at) return;
-        event.preventDefault();
-        move(id, at.x + step[0]!, at.y + step[1]!);
-      },
-    });
   }
 
   #setCurve(curve: CurveSpec): void {
@@ -304,7 +318,8 @@ export class FigurePanel {
     this.#mesh = null;
     this.#placedOnce = false;
     for (const id of this.panel.lines) this.#forget(id);
-    await this.start();
+    await this.#makeMesh();
+    this.#renew();
   }
 
   #toggle(id: LineId, shown: boolean): void {
@@ -317,7 +332,9 @@ export class FigurePanel {
     if (shown && result) this.#draw(result);
     // What is under way is asked for again, with the one that was missing.
     else if (shown) {
-      this.#trace(this.panel.lines.filter((one) => this.#shown.has(one) && !this.#result(one)));
+      void this.#trace(
+        this.panel.lines.filter((one) => this.#shown.has(one) && !this.#result(one)),
+      );
     }
   }
 
@@ -325,6 +342,7 @@ export class FigurePanel {
     this.#waiting.delete(line.id);
     this.#results.set(line.id, line);
     this.#numbers.set(line);
+    if (this.#note.dataset.kind === 'progress') this.#tellWhat();
     if (this.#shown.has(line.id)) this.#draw(line);
   }
 
@@ -341,39 +359,43 @@ export class FigurePanel {
     return { color: new Color(lineColor(id)), width, opaque };
   }
 
-  /** Centers of mass, as dots. */
-  #placeMarkers(): void {
-    const dots = this.#seenMarkers().map(({ id, x, y, hidden }) => {
-      const dot = make('i', '', { className: hidden ? 'marker behind' : 'marker' });
-      dot.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-      dot.style.setProperty('--color', `var(${lineStyles[id].color})`);
-      dot.dataset.line = id;
-      return dot;
-    });
-    const others = this.#center?.others ?? [];
-    this.#markers.replaceChildren(
-      ...dots,
-      ...others.map(({ position }) => {
-        const { x, y, hidden } = this.#view.project(this.#view.toScene(position));
-        const dot = make('i', '', { className: hidden ? 'marker other behind' : 'marker other' });
-        dot.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-        return dot;
-      }),
+  /** Centers of mass, of the lines and others. */
+  #dots(): Dot[] {
+    const ofLines = [...this.#results.values()].flatMap(({ id, marker }) =>
+      marker && this.#shown.has(id) ? [{ line: id, place: marker }] : [],
     );
+    const others = this.#center?.others ?? [];
+    return [...ofLines, ...others.map(({ position }) => ({ line: null, place: position }))];
   }
 
-  #seenMarkers() {
-    return [...this.#results.values()].flatMap(({ id, marker }) =>
-      marker && this.#shown.has(id)
-        ? [{ id, ...this.#view.project(this.#view.toScene(marker)) }]
-        : [],
-    );
+  #placeMarkers(): void {
+    showDots(this.#markers, this.#view, this.#dots());
+  }
+
+  /** A place of the stage where there is something to compare: a center, or a curve near the middle. */
+  #placeToCompare(): { x: number; y: number } {
+    const middle = { x: this.#stage.clientWidth / 2, y: this.#stage.clientHeight / 2 };
+    const places = this.#dots().map(({ place }) => place);
+    if (places.length === 0) {
+      const lines = [...this.#results.values()].filter(({ id }) => this.#shown.has(id));
+      for (const line of lines.flatMap(({ polylines }) => polylines)) {
+        const step = 3 * Math.ceil(line.length / 3 / 60);
+        for (let i = 0; i < line.length; i += step) {
+          places.push([line[i]!, line[i + 1]!, line[i + 2]!]);
+        }
+      }
+    }
+    const far = ({ x, y }: { x: number; y: number }) => Math.hypot(x - middle.x, y - middle.y);
+    const seen = places
+      .map((place) => this.#view.project(this.#view.toScene(place)))
+      .filter(({ hidden }) => !hidden);
+    return seen.toSorted((a, b) => far(a) - far(b))[0] ?? middle;
   }
 
   #head(): HTMLElement {
     const head = make('header', '', { className: 'panel-head' });
     this.#title.textContent = panelTitle(this.panel, this.#curve);
-    head.append(this.#title, this.#size);
+    head.append(this.#title, this.#size, this.#loupe.button);
     return head;
   }
 
@@ -482,6 +504,10 @@ export class FigurePanel {
     return picture;
   }
 }
+
+/** A mesh in a few words. */
+const meshWords = (spec: MeshSpec) =>
+  `${meshLabel(madeKey(spec))}, about ${formatCount(expectedTriangles(spec), 'triangle')}`;
 
 /** A line without what is drawn of it. */
 function numbersOf({ polylines: _, status: __, marker: ___, ...numbers }: LineResult): LineNumbers {

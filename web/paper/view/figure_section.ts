@@ -1,8 +1,16 @@
 import { make } from '../../panels/elements';
+import { originWords, type SavedReport } from '../claims/saved';
 import { captionOf } from '../figures/captions';
 import type { Figure, LineNumbers, Vector } from '../figures/types';
 import { FigurePanel, type PanelContext } from './figure_panel';
-import { sectionHead, whenNear } from './section';
+import type { SavedNumbers } from './numbers_table';
+import { Caption, sectionHead, whenNear } from './section';
+
+/** What the report has of a panel. */
+function savedOf(report: SavedReport, key: string): SavedNumbers | null {
+  const lines = report.panels?.[key];
+  return lines ? { lines, origin: originWords(report) } : null;
+}
 
 /** A figure on the page. It is computed when it comes near the window. */
 export class FigureSection {
@@ -14,7 +22,12 @@ export class FigureSection {
   #moved = false;
   readonly #figure: Figure;
 
-  constructor(context: PanelContext, figure: Figure, measured: () => void = () => {}) {
+  constructor(
+    context: PanelContext,
+    figure: Figure,
+    measured: () => void,
+    saved: SavedReport | null,
+  ) {
     this.#figure = figure;
     this.#points = structuredClone(figure.points);
     this.element = make('section', '', { className: 'figure', id: figure.id });
@@ -23,15 +36,18 @@ export class FigureSection {
     grid.dataset.count = `${figure.panels.length}`;
     this.#panels = figure.panels.map((panel) => {
       const key = panel.points;
-      const made = new FigurePanel(context, panel, this.#points[key]!, {
-        move: (index, place) => this.#move(key, index, place),
-        measured,
-      });
+      const made = new FigurePanel(
+        context,
+        panel,
+        this.#points[key]!,
+        { move: (index, place) => this.#move(key, index, place), measured },
+        saved && savedOf(saved, `${figure.id}/${panel.id}`),
+      );
       this.#shared.push({ key, panel: made });
       grid.append(made.element);
       return made;
     });
-    this.element.append(head, make('p', captionOf(figure), { className: 'caption' }), grid);
+    this.element.append(head, new Caption(captionOf(figure)).element, grid);
     whenNear(this.element, () => this.start());
   }
 
@@ -53,10 +69,10 @@ export class FigureSection {
     return this.#panels;
   }
 
-  async start(): Promise<void> {
+  start(): void {
     if (this.#started) return;
     this.#started = true;
-    for (const panel of this.#panels) await panel.start();
+    for (const panel of this.#panels) panel.start();
   }
 
   recolor(): void {

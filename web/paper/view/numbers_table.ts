@@ -1,17 +1,22 @@
 import { make } from '../../panels/elements';
 import { lineStyles } from '../figures/lines';
-import type { LineId, LineResult, Panel } from '../figures/types';
+import type { LineId, LineNumbers, Panel } from '../figures/types';
 import { formatDeviation, formatDifference, formatMilliseconds } from './format';
 
 interface Column {
+  /** By what it is measured; columns of one ruler stand side by side. */
+  ruler: string;
   head: string;
   title: string;
-  text(line: LineResult): string;
+  text(line: LineNumbers): string;
   /** What is to be known with the number, in small letters. */
-  note?(line: LineResult): string | null;
+  note?(line: LineNumbers): string | null;
 }
 
+const byReference = 'from the reference';
+
 const deviation: Column = {
+  ruler: byReference,
   head: 'median\nh',
   title: 'Median deviation from the reference, in mean edges h; samples that are lost are left out',
   text: (line) => formatDeviation(line.deviation?.median ?? null),
@@ -23,11 +28,13 @@ const deviation: Column = {
 
 const times: Column[] = [
   {
+    ruler: 'time',
     head: 'prepare\nms',
     title: 'Milliseconds for the mesh, once',
     text: ({ prepareMs }) => formatMilliseconds(prepareMs),
   },
   {
+    ruler: 'time',
     head: 'trace\nms',
     title: 'Milliseconds for the curve, with its fields',
     text: ({ traceMs }) => formatMilliseconds(traceMs),
@@ -36,6 +43,7 @@ const times: Column[] = [
 
 const ruler: Column[] = [
   {
+    ruler: 'by exact paths',
     head: 'residual\nh',
     title:
       'By exact shortest paths, the same for all methods: median of |Σ wᵢ log pᵢ| at up to 33 samples, in mean edges h. At a center of mass it is 0',
@@ -44,6 +52,7 @@ const ruler: Column[] = [
       ruler && ruler.measured < ruler.of ? `over ${ruler.measured}/${ruler.of}` : null,
   },
   {
+    ruler: 'by exact paths',
     head: 'energy\nh²',
     title:
       'By exact shortest paths: median of Σ wᵢ d² at these samples minus the reference’s, in squared mean edges. Below 0 it is nearer to the minimum than the reference',
@@ -52,7 +61,7 @@ const ruler: Column[] = [
 ];
 
 /** The farthest step, and how many leap. */
-function dragText({ most, leaps }: NonNullable<LineResult['drag']>): string {
+function dragText({ most, leaps }: NonNullable<LineNumbers['drag']>): string {
   const far = most === null ? '–' : `×${most.toFixed(1)}`;
   return leaps === 0 ? far : `${far}, ${leaps} ${leaps === 1 ? 'leap' : 'leaps'}`;
 }
@@ -61,11 +70,13 @@ const curveColumns: Column[] = [
   ...ruler,
   deviation,
   {
+    ruler: byReference,
     head: 'max\nh',
     title: 'Largest deviation from the reference, in mean edges h',
     text: (line) => formatDeviation(line.deviation?.max ?? null),
   },
   {
+    ruler: byReference,
     head: 'turning\nrad',
     title:
       'Turning noise: RMS of turning angle minus the reference’s, in radians; “breaks”: where the curve leaps from one sample to the next; “drag”: the farthest that a sample moves in a step of a drag, in steps of the hand',
@@ -79,6 +90,7 @@ const curveColumns: Column[] = [
         .join(', ') || null,
   },
   {
+    ruler: '',
     head: 'lost\n',
     title:
       'Samples that did not converge to 1e-6 h; “own”: those that its own authors would not have accepted either',
@@ -99,11 +111,19 @@ const centerColumns: Column[] = [
   ...times,
 ];
 
+/** A panel's numbers from before, and where they are from. */
+export interface SavedNumbers {
+  lines: readonly LineNumbers[];
+  origin: string;
+}
+
 /** The legend of a panel, with the numbers of its lines: a box each shows it or not. */
 export class NumbersTable {
   readonly element = make('div', '', { className: 'numbers' });
   readonly #columns: readonly Column[];
   readonly #rows = new Map<LineId, HTMLTableRowElement>();
+  /** Where numbers from before are from. */
+  readonly #saved = make('p', '', { className: 'saved-note', hidden: true });
 
   constructor(
     panel: Panel,
@@ -113,7 +133,8 @@ export class NumbersTable {
     this.#columns = panel.curve.kind === 'center' ? centerColumns : curveColumns;
     const table = make('table');
     table.style.setProperty('--columns', `${this.#columns.length}`);
-    const head = table.createTHead().insertRow();
+    this.#addRulers(table.createTHead().insertRow());
+    const head = table.tHead!.insertRow();
     head.append(make('td'));
     for (const { head: text, title } of this.#columns) head.append(make('th', text, { title }));
     const body = table.createTBody();
@@ -124,7 +145,17 @@ export class NumbersTable {
       this.#rows.set(id, row);
       this.#fill(row, null);
     }
-    this.element.append(table);
+    this.element.append(table, this.#saved);
+  }
+
+  #addRulers(row: HTMLTableRowElement): void {
+    row.className = 'rulers';
+    row.append(make('td'));
+    for (const { ruler: name } of this.#columns) {
+      const last = row.lastElementChild as HTMLTableCellElement;
+      if (last.textContent === name && name) last.colSpan++;
+      else row.append(make(name ? 'th' : 'td', name));
+    }
   }
 
   #label(id: LineId, toggle: (id: LineId, shown: boolean) => void): HTMLElement {
@@ -143,19 +174,44 @@ export class NumbersTable {
 
   /** Dims the row until its numbers are there. */
   wait(id: LineId): void {
-    this.#rows.get(id)!.dataset.state = 'waiting';
+    const row = this.#rows.get(id)!;
+    if (row.dataset.state !== 'saved') row.dataset.state = 'waiting';
+  }
+
+  /** What was measured before and elsewhere, until it is measured here. */
+  showSaved(lines: readonly LineNumbers[], origin: string): void {
+    for (const line of lines) {
+      const row = this.#rows.get(line.id);
+      if (!row || !line.ok) continue;
+      row.dataset.state = 'saved';
+      this.#fill(row, line);
+    }
+    this.#saved.textContent = `Grey: ${origin}, until it is measured here.`;
+    this.#hideSaved();
+  }
+
+  /** What was measured before is not of what is asked for now. */
+  dropSaved(): void {
+    for (const [id, row] of this.#rows) if (row.dataset.state === 'saved') this.clear(id);
+  }
+
+  /** Without numbers from before nothing is said of them. */
+  #hideSaved(): void {
+    this.#saved.hidden = ![...this.#rows.values()].some(({ dataset }) => dataset.state === 'saved');
   }
 
   /** Nothing is known of the line. */
   clear(id: LineId): void {
     const row = this.#rows.get(id)!;
     delete row.dataset.state;
+    this.#hideSaved();
     this.#fill(row, null);
   }
 
-  set(line: LineResult): void {
+  set(line: LineNumbers): void {
     const row = this.#rows.get(line.id)!;
     row.dataset.state = line.ok ? 'done' : 'failed';
+    this.#hideSaved();
     if (!line.ok) this.#say(row, line.reason ?? '', 'reason');
     else this.#fill(row, line);
   }
@@ -166,7 +222,7 @@ export class NumbersTable {
   }
 
   /** A line that is no method's has no numbers. */
-  #fill(row: HTMLTableRowElement, line: LineResult | null): void {
+  #fill(row: HTMLTableRowElement, line: LineNumbers | null): void {
     const measured = line !== null && (line.deviation !== null || line.traceMs !== null);
     this.#replace(
       row,

@@ -101,6 +101,22 @@ export class PanelView {
     this.renderer.draw(this.#scene, this.#camera, this.canvas, clientWidth, clientHeight);
   }
 
+  /** Draws what is around a place of the stage into a canvas, so many times larger. */
+  drawAround(
+    { x, y }: { x: number; y: number },
+    times: number,
+    canvas: HTMLCanvasElement,
+    width: number,
+    height: number,
+  ): void {
+    if (!this.#surface) return;
+    const { clientWidth, clientHeight } = this.stage;
+    const [left, top] = [times * x - width / 2, times * y - height / 2];
+    this.#camera.setViewOffset(times * clientWidth, times * clientHeight, left, top, width, height);
+    this.renderer.draw(this.#scene, this.#camera, canvas, width, height);
+    this.#camera.clearViewOffset();
+  }
+
   /** Shows a surface, in the place of the one before. */
   showSurface(drawn: DrawnGeometry): void {
     if (this.#surface) {

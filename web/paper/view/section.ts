@@ -8,6 +8,33 @@ export function sectionHead(name: string, title: string, ...more: Element[]): HT
   return head;
 }
 
+/**
+ * The end of a text's first sentence: a stop before a capital or a quotation. Single letters before a stop
+ * are of names.
+ */
+const sentenceEnd = /(?<=[^\s.][^\s.]|\d)[.?!](?= [A-Z“])/u;
+
+/** A text of which the first sentence is seen, and the rest when it is unfolded. */
+export class Caption {
+  readonly element = make('details', '', { className: 'caption' });
+  readonly #first = make('span');
+  readonly #rest = make('p');
+
+  constructor(text: string) {
+    const summary = make('summary');
+    summary.append(this.#first, make('span', '', { className: 'caption-more' }));
+    this.element.append(summary, this.#rest);
+    this.tell(text);
+  }
+
+  tell(text: string): void {
+    const end = sentenceEnd.exec(text);
+    const length = end ? end.index + 1 : text.length;
+    this.#first.textContent = text.slice(0, length);
+    this.#rest.textContent = text.slice(length).trim();
+  }
+}
+
 /** Calls once an element is about to be seen. */
 export function whenNear(element: Element, call: () => unknown): void {
   const observer = new IntersectionObserver(

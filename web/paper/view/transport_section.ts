@@ -1,6 +1,6 @@
 import { make } from '../../panels/elements';
 import { pyramid, transportInto } from '../figures/transport';
-import { sectionHead } from './section';
+import { Caption, sectionHead } from './section';
 
 const svgNames = 'http://www.w3.org/2000/svg';
 const height = 0.7;
@@ -22,8 +22,9 @@ export class TransportSection {
 
   constructor() {
     const head = sectionHead('Figure 2', 'A vector carried from a vertex into a face');
-    const caption =
-      'Gradients are kept in the frames of vertices and read in faces. On the left a vertex v with the faces around it, laid flat so that its angles make a full turn; on the right the face t in its own plane. The vector keeps its angle with the dashed segment from v to the centroid of t, so that it turns by θₜᵥ + π − θᵥₜ. The vertex is the tip of a pyramid, which is ours; turn the vector, or choose another face.';
+    const caption = new Caption(
+      'Gradients are kept in the frames of vertices and read in faces. On the left a vertex v with the faces around it, laid flat so that its angles make a full turn; on the right the face t in its own plane. The vector keeps its angle with the dashed segment from v to the centroid of t, so that it turns by θₜᵥ + π − θᵥₜ. The vertex is the tip of a pyramid, which is ours; turn the vector, or choose another face.',
+    );
     const card = make('div', '', { className: 'panel-card' });
     this.#svg.setAttribute('viewBox', '0 0 400 160');
     this.#svg.setAttribute('class', 'transport');
@@ -41,7 +42,7 @@ export class TransportSection {
       }),
     );
     card.append(this.#svg, this.#note, controls);
-    this.element.append(head, make('p', caption, { className: 'caption' }), card);
+    this.element.append(head, caption.element, card);
     this.#draw();
   }
 
