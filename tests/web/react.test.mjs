@@ -87,7 +87,7 @@ describe('hooks of react-three-fiber', () => {
   }
 
   const isDrawn = (page) => page.waitForFunction(() => window.page.seen.curve?.view);
-  const valueOf = (page) => page.evaluate(() => window.page.seen.curve.value.points);
+  const pointsOf = (page) => page.evaluate(() => window.page.seen.curve.value.points);
 
   for (const worker of [false, true]) {
     test(`show a curve that is dragged, with the engine ${worker ? 'in a worker' : 'in the page'}`, async () => {
@@ -100,17 +100,17 @@ describe('hooks of react-three-fiber', () => {
       await page.mouse.down();
       await page.mouse.move(x + 6, y + 4, { steps: 3 });
       await page.mouse.up();
-      await until(async () => 'face' in (await valueOf(page))[1], 'the point is moved');
+      await until(async () => 'face' in (await pointsOf(page))[1], 'the point is moved');
       // The same options again, in a new object, leave it as it was dragged.
-      const dragged = await valueOf(page);
+      const dragged = await pointsOf(page);
       await page.evaluate((value) => window.page.show(value), { ...shown, worker });
-      assert.deepEqual(await valueOf(page), dragged);
+      assert.deepEqual(await pointsOf(page), dragged);
       // Other options make it another curve, and the same object.
       const made = await page.evaluate(() => window.page.seen.made.size);
       const closed = { ...shown, worker, options: { ...shown.options, closed: true } };
       await page.evaluate((value) => window.page.show(value), closed);
       await page.waitForFunction(() => window.page.seen.curve.value.closed === true);
-      assert.deepEqual(await valueOf(page), points);
+      assert.deepEqual(await pointsOf(page), points);
       assert.equal(await page.evaluate(() => window.page.seen.made.size), made);
       assert.equal(page.workers().length, worker ? 1 : 0);
       // Another geometry is another surface and another curve.

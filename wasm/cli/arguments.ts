@@ -1,5 +1,5 @@
 import { readFile } from 'node:fs/promises';
-import { basename, dirname, join } from 'node:path';
+import { basename, dirname, extname, join } from 'node:path';
 import type { Readable } from 'node:stream';
 import { buffer } from 'node:stream/consumers';
 import { parseArgs } from 'node:util';
@@ -13,44 +13,53 @@ import type {
   MeshOptions,
   Method,
   PointLike,
+  Progress,
   Solver,
   Star,
-  SurfacePoint,
 } from '../types.js';
-import type { Command, Option } from './command.js';
+import { type Command, type Option, outOption } from './command.js';
 import { fileError, UsageError } from './errors.js';
-import { decimalOf, parseNumber, parsePoint, parsePoints } from './syntax.js';
+import { decimalOf, parseNumber, parsePoint, parsePoints, parseVectors } from './syntax.js';
 
 /** The arguments of one command, checked: known options, once each, with a value where one belongs. */
 export class Arguments {
-  readonly #meshPath: string;
+  /** The files of the meshes. */
+  readonly meshes: readonly string[];
+  /** Which of them the command is run for. */
+  #meshPath: string;
   readonly #command: Command;
   readonly #values: ReadonlyMap<string, string>;
   readonly #stdin: Readable;
+  #read: Buffer | undefined;
+  readonly #progress: Progress;
 
-  constructor(command: Command, args: string[], stdin: Readable) {
+  /** `progress` is called while a mesh is read. */
+  constructor(command: Command, args: string[], stdin: Readable, progress: Progress) {
     const { values, positionals } = readTokens(command, args);
     for (const option of command.options) {
       if (option.required && !values.has(option.name)) {
         throw new UsageError(`${command.name} needs --${option.name} ${option.value}`);
       }
     }
-    const [meshPath, ...extra] = positionals;
+    const [meshPath, ...more] = positionals;
     if (meshPath === undefined) throw new UsageError(`${command.name} needs a mesh: a file`);
-    if (extra.length > 0) {
-      throw new UsageError(
-        `${command.name} takes one mesh; '${extra[0]}' is one argument too many`,
-      );
-    }
+    if (more.length > 0) checkBatch(command, values);
     const files = command.options.filter(({ name, value }) => value === 'FILE' && name !== 'out');
-    const read = [meshPath, ...files.map(({ name }) => values.get(name))];
+    const read = [...positionals, ...files.map(({ name }) => values.get(name))];
     if (read.filter((path) => path === '-').length > 1) {
       throw new UsageError("standard input can be read once, and '-' is given twice");
     }
+    this.meshes = positionals;
     this.#meshPath = meshPath;
     this.#command = command;
     this.#values = values;
     this.#stdin = stdin;
+    this.#progress = progress;
+  }
+
+  /** Runs the command for one of the meshes from now on. */
+  take(mesh: string): void {
+    this.#meshPath = mesh;
   }
 
   /** The name of the command. */
@@ -63,10 +72,13 @@ export class Arguments {
     return this.#values.has(name);
   }
 
-  /** The value of an option, or its default. */
+  /** The value of an option, or its default. In an `out` of the command's own, of several meshes, a star stands for the mesh's name. */
   text(name: string): string {
     const option = this.#command.options.find((candidate) => candidate.name === name);
-    return this.#values.get(name) ?? option!.default!;
+    const value = this.#values.get(name) ?? option!.default!;
+    if (this.meshes.length === 1 || name !== 'out' || this.#command.options.includes(outOption))
+      return value;
+    return value.replaceAll('*', basename(this.#meshPath, extname(this.#meshPath)));
   }
 
   choice<Name extends string>(name: string): Name {
@@ -127,13 +139,17 @@ export class Arguments {
     throw new UsageError(`--${name} must be a point or a place 'x,y,z', not '${text}'`);
   }
 
-  async points(): Promise<SurfacePoint[]> {
-    return parsePoints(await this.file('points'), this.text('points'));
+  async points(name = 'points'): Promise<PointLike[]> {
+    return parsePoints(await this.file(name), this.text(name));
+  }
+
+  async vectors(): Promise<[number, number, number][]> {
+    return parseVectors(await this.file('vectors'), this.text('vectors'));
   }
 
   /** The text of the file that an option names, or of standard input for '-'. */
   async file(name: string): Promise<string> {
-    return (await this.#read(this.text(name))).toString('utf8');
+    return (await this.#bytesOf(this.text(name))).toString('utf8');
   }
 
   field(): FieldOptions {
@@ -171,26 +187,43 @@ export class Arguments {
 
   /** Loads the mesh's file, and gives what reads it into an engine. */
   async meshFile(): Promise<(karcher: Karcher) => Promise<{ mesh: Mesh; file: FileInfo }>> {
-    const bytes = await this.#read(this.#meshPath);
+    const bytes = await this.#bytesOf(this.#meshPath);
     const { meshFromFile, namesBeside } = await import('../formats/index.js');
     const name = basename(this.#meshPath);
     const beside: Record<string, Uint8Array> = {};
     for (const other of namesBeside(bytes, name)) {
-      beside[other] = await this.#read(join(dirname(this.#meshPath), other));
+      beside[other] = await this.#bytesOf(join(dirname(this.#meshPath), other));
     }
-    const options = { ...this.meshOptions(), name, beside };
+    const progress = this.#progress;
+    const options = { ...this.meshOptions(), name, beside, progress };
     const parts = this.given('parts') ? this.numbers('parts') : undefined;
     return (karcher) => meshFromFile(karcher, bytes, { ...options, ...(parts && { parts }) });
   }
 
-  async #read(path: string): Promise<Buffer> {
+  async #bytesOf(path: string): Promise<Buffer> {
     try {
       if (path !== '-') return await readFile(path);
-      return await buffer(this.#stdin);
+      // Several meshes read it once.
+      this.#read ??= await buffer(this.#stdin);
+      return this.#read;
     } catch (cause) {
       throw fileError(path === '-' ? 'standard input' : path, cause);
     }
   }
+}
+
+/** Throws where a command cannot be run for several meshes. */
+function checkBatch(command: Command, values: ReadonlyMap<string, string>): void {
+  if (values.get('format') === 'obj') {
+    throw new UsageError(`${command.name} takes one mesh with --format obj`);
+  }
+  // What has an option of its own writes a file a mesh.
+  if (command.options.includes(outOption) || !command.options.some(({ name }) => name === 'out'))
+    return;
+  if (!values.has('out') || values.get('out')!.includes('*')) return;
+  throw new UsageError(
+    `--out of ${command.name} needs a '*' for the name of each of several meshes`,
+  );
 }
 
 interface Read {

@@ -3,8 +3,9 @@ import { engineFieldOptions } from '../options.js';
 import type { Peers } from '../peers/index.js';
 import type { EngineBenchmark } from '../peers/karcher-peers.mjs';
 import { nextCorner } from '../points.js';
-import type { FieldOptions, Solver, SurfacePoint } from '../types.js';
+import type { FieldOptions, PointLike, Solver, SurfacePoint } from '../types.js';
 import { type Command, pointsOption } from './command.js';
+import { UsageError } from './errors.js';
 
 const runs = 5;
 /** Of what takes a few milliseconds at most. */
@@ -24,13 +25,14 @@ export const bench: Command = {
   ],
   async run(args) {
     const samples = args.integer('samples');
-    const points = await args.points();
+    const given = await args.points();
     const read = await args.meshFile();
     // Only here: the other commands need not wait for a second module.
     const { loadPeers } = await import('../peers/index.js');
     const peers = await loadPeers();
     const { mesh } = await read(peers.karcher);
     const { vertices, triangles } = mesh.info;
+    const points = given.map((point) => pointOfFace(mesh, point));
     // First, so that wrong points are told before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });
     const steps = timeSteps(peers, mesh, points[0]!);
@@ -59,6 +61,15 @@ export const bench: Command = {
     };
   },
 };
+
+/** A vertex as the corner of a face. */
+function pointOfFace(mesh: Mesh, point: PointLike): SurfacePoint {
+  if ('face' in point) return { face: point.face, bary: [...point.bary] };
+  const corner = mesh.triangles().indexOf(point.vertex);
+  if (corner < 0) throw new UsageError(`no face has the vertex ${point.vertex}`);
+  const weight = (k: number) => (corner % 3 === k ? 1 : 0);
+  return { face: Math.floor(corner / 3), bary: [weight(0), weight(1), weight(2)] };
+}
 
 /** Milliseconds of a mesh's preparation and of the fields of its first point. */
 function timeSteps(peers: Peers, mesh: Mesh, { face, bary }: SurfacePoint) {

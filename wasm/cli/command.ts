@@ -16,10 +16,12 @@ export interface Option {
  */
 export interface Result {
   json: object;
+  /** In its place, where the result goes to standard output: a file. */
+  bytes?: Uint8Array;
   polylines?: Float64Array[];
 }
 
-/** A command of `karcher`; each takes one mesh. */
+/** A command of `karcher`; each takes one mesh at a time. */
 export interface Command {
   name: string;
   /** A line for the list of commands. */
@@ -42,7 +44,7 @@ export const formatOption: Option = {
 export const pointsOption: Option = {
   name: 'points',
   value: 'FILE',
-  help: "a line 'face b1 b2' for each point; '#' starts a comment",
+  help: "a line 'face b1 b2', 'face:b1,b2' or 'v:vertex' for each point, '#' starts a comment; or JSON that a command printed, or a drawing of the page",
   required: true,
 };
 

@@ -3,8 +3,9 @@ import { namesOf } from '../options.js';
 import type { CurveKind, CurveOptions, Parametrization } from '../types.js';
 import type { Arguments } from './arguments.js';
 import { type Option, pointsOption } from './command.js';
+import { curvesOfDrawing } from './drawing.js';
 import { UsageError } from './errors.js';
-import { parsePoints } from './syntax.js';
+import { isJson, parseJson, parsePoints } from './syntax.js';
 
 /** A curve as its control points and what they make: on the command line, in files and in results. */
 
@@ -62,7 +63,7 @@ export const curveOptions: readonly Option[] = [
   {
     name: 'curve',
     value: 'FILE',
-    help: "instead of all these, a curve as 'karcher edit' prints it",
+    help: "instead of all these, a curve as 'karcher edit' prints it, or a drawing of the page",
   },
   { name: 'number', value: 'I', help: 'which curve of the file, if it holds several, from 0' },
 ];
@@ -128,8 +129,10 @@ export async function readOther(args: Arguments, name: string, like: Curve): Pro
   };
 }
 
-/** What `karcher edit` printed, or one curve of it. */
+/** What `karcher edit` printed, or one curve of it, or a drawing of the page. */
 function curvesOfFile(text: string, path: string): unknown[] {
+  const drawn = isJson(text) ? curvesOfDrawing(parseJson(text, path), path) : null;
+  if (drawn) return drawn;
   try {
     const content: unknown = JSON.parse(text);
     const { curves = [content] } = content as { curves?: unknown };
@@ -137,7 +140,9 @@ function curvesOfFile(text: string, path: string): unknown[] {
   } catch {
     // As where it is other JSON.
   }
-  throw new UsageError(`${path} must hold a curve as JSON, as 'karcher edit' prints it`);
+  throw new UsageError(
+    `${path} must hold a curve as JSON, as 'karcher edit' prints it, or a drawing`,
+  );
 }
 
 /** What the values are is for the engine to check. */

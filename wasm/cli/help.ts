@@ -12,9 +12,9 @@ export function generalHelp(commands: readonly Command[]): string {
   return `karcher COMMAND MESH [options]: centers of mass and splines on triangle meshes
 
 ${indented(commands.map((command) => [command.name, command.summary]))}
-MESH is an OBJ, PLY, STL, OFF, GLB or glTF file, or '-' for standard input, as is any FILE that is read.
-A point is 'face:b1,b2', the weights of the face's second and third corner, or 'v:vertex'. Faces and
-vertices are numbered from 0 in the file's order; faces count triangles, after polygons were cut.
+MESH is an OBJ, PLY, STL, OFF, GLB or glTF file, or '-' for standard input, as is any FILE that is read;
+of several meshes there is a line of JSON each. A point is 'face:b1,b2', the weights of the face's second
+and third corner, or 'v:vertex', or JSON as commands print it. Faces and vertices are numbered from 0 in the file's order; faces count triangles, after polygons were cut.
 Results go to standard output, mistakes to standard error with exit status 1.
 'karcher help COMMAND' tells more; 'karcher --version' prints the version.
 `;

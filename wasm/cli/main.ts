@@ -7,6 +7,7 @@ import { bench } from './bench.js';
 import { circle, ellipse } from './circle.js';
 import { type Command, meshOptions, outOption } from './command.js';
 import { compare } from './compare.js';
+import { convert, repair } from './convert.js';
 import { cut } from './cut.js';
 import { distance } from './distance.js';
 import { edit } from './edit.js';
@@ -14,16 +15,27 @@ import { UsageError } from './errors.js';
 import { commandHelp, generalHelp } from './help.js';
 import { info } from './info.js';
 import { mean } from './mean.js';
-import { jsonLine, polylinesAsObj, print, printable } from './output.js';
+import { isolines } from './isolines.js';
+import { exp, log, mirror, straightest, transport } from './maps.js';
+import { jsonLine, type Pieces, polylinesAsObj, print } from './output.js';
 import { path } from './path.js';
 import { regions } from './regions.js';
+import { Terminal } from './terminal.js';
 import { trace } from './trace.js';
 import { weights } from './weights.js';
 
 const commands: readonly Command[] = [
   info,
+  repair,
+  convert,
   distance,
+  isolines,
   path,
+  straightest,
+  log,
+  exp,
+  transport,
+  mirror,
   mean,
   weights,
   trace,
@@ -54,28 +66,35 @@ export async function main(
 ): Promise<number> {
   // A closed standard error leaves nobody to tell.
   stderr.on('error', () => {});
-  const tell = (sentence: string) => stderr.write(`karcher: ${printable(sentence)}\n`);
+  const terminal = new Terminal(stderr);
+  let status = 0;
+  const tell = (sentence: string) => terminal.tell(sentence);
+  const fail = (error: unknown, mesh?: string) => {
+    const sentence = error instanceof Error ? error.message : String(error);
+    tell(mesh === undefined ? sentence : `${mesh}: ${sentence}`);
+    status = 1;
+  };
   try {
-    const { pieces, out } = await run(args, stdin, tell);
+    const { pieces, out } = await run(args, stdin, terminal, fail);
     if (out === undefined || out === '-') await print(pieces, stdout);
     else await printToFile(pieces, out);
-    return 0;
   } catch (error) {
-    tell(error instanceof Error ? error.message : String(error));
-    return 1;
+    fail(error);
   }
+  return status;
 }
 
-/** A text in pieces, and the file that it goes to, if not to standard output. */
+/** A text or bytes in pieces, and the file that they go to, if not to standard output. */
 interface Written {
-  pieces: Iterable<string>;
+  pieces: Pieces;
   out?: string;
 }
 
 async function run(
   [name, ...rest]: readonly string[],
   stdin: Readable,
-  tell: (sentence: string) => void,
+  terminal: Terminal,
+  fail: (error: unknown, mesh: string) => void,
 ): Promise<Written> {
   if (name === 'help' && rest[0] !== undefined) {
     return { pieces: [commandHelp(commandNamed(rest[0]))] };
@@ -86,16 +105,47 @@ async function run(
   if (name === '--version') return { pieces: [`${await version()}\n`] };
   const command = commandNamed(name);
   if (rest.includes('--help') || rest.includes('-h')) return { pieces: [commandHelp(command)] };
-  const commandArguments = new Arguments(command, rest, stdin);
-  const drawn =
-    command.options.some((option) => option.name === 'format') &&
-    commandArguments.choice('format') === 'obj';
-  const { json, polylines } = await command.run(commandArguments, tell);
+  const commandArguments = new Arguments(command, rest, stdin, (done, stage) =>
+    terminal.show(done, stage),
+  );
+  const { meshes } = commandArguments;
   const toFile = command.options.includes(outOption) && commandArguments.given('out');
-  return {
-    pieces: drawn ? polylinesAsObj(polylines!) : jsonLine(json),
-    ...(toFile && { out: commandArguments.text('out') }),
-  };
+  const pieces =
+    meshes.length > 1
+      ? batch(command, commandArguments, terminal, fail)
+      : await resultOf(command, commandArguments, terminal);
+  return { pieces, ...(toFile && { out: commandArguments.text('out') }) };
+}
+
+async function resultOf(command: Command, args: Arguments, terminal: Terminal): Promise<Pieces> {
+  const drawn =
+    command.options.some((option) => option.name === 'format') && args.choice('format') === 'obj';
+  try {
+    const { json, polylines, bytes } = await command.run(args, (text) => terminal.tell(text));
+    if (bytes) return [bytes];
+    return drawn ? polylinesAsObj(polylines!) : jsonLine(json);
+  } finally {
+    terminal.clear();
+  }
+}
+
+/** A line of JSON for each mesh. One that fails is told, and the others go on. */
+async function* batch(
+  command: Command,
+  args: Arguments,
+  terminal: Terminal,
+  fail: (error: unknown, mesh: string) => void,
+): AsyncGenerator<string> {
+  for (const mesh of args.meshes) {
+    args.take(mesh);
+    try {
+      const { json } = await command.run(args, (text) => terminal.tell(text));
+      terminal.clear();
+      yield* jsonLine({ mesh, ...json });
+    } catch (error) {
+      fail(error, mesh);
+    }
+  }
 }
 
 function commandNamed(name: string | undefined): Command {
@@ -108,7 +158,7 @@ function commandNamed(name: string | undefined): Command {
   return command;
 }
 
-async function printToFile(pieces: Iterable<string>, path: string): Promise<void> {
+async function printToFile(pieces: Pieces, path: string): Promise<void> {
   const file = createWriteStream(path);
   const closed = finished(file);
   // Awaited below; what fails before is said by `print`.

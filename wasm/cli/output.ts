@@ -112,15 +112,22 @@ export function* jsonLine(value: unknown): Generator<string> {
   yield '\n';
 }
 
-/** Writes pieces of a text to a stream, each when those before it have gone; `name` is the stream's. */
+/** Of texts, and of files' bytes. */
+export type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
+
+/** Writes pieces to a stream, each when those before it have gone; `name` is the stream's. */
 export async function print(
-  pieces: Iterable<string>,
+  pieces: Pieces,
   stream: Writable,
   name = 'standard output',
 ): Promise<void> {
   const enough = 1 << 16;
   let text = '';
-  for (const piece of pieces) {
+  for await (const piece of pieces) {
+    if (typeof piece !== 'string') {
+      await write(piece, stream, name);
+      continue;
+    }
     text += piece;
     if (text.length < enough) continue;
     await write(text, stream, name);
@@ -136,7 +143,7 @@ export async function print(
 export const printable = (text: string) =>
   text.replace(/(?![\t\n])[\p{Cc}\p{Bidi_Control}]/gu, '?');
 
-function write(text: string, stream: Writable, name: string): Promise<void> {
+function write(text: string | Uint8Array, stream: Writable, name: string): Promise<void> {
   return new Promise((resolve, reject) => {
     const fail = (cause: NodeJS.ErrnoException) => {
       const reason =
@@ -144,7 +151,7 @@ function write(text: string, stream: Writable, name: string): Promise<void> {
       reject(new UsageError(`cannot write to ${name}: ${reason}`, { cause }));
     };
     stream.once('error', fail);
-    stream.write(printable(text), (error) => {
+    stream.write(typeof text === 'string' ? printable(text) : text, (error) => {
       if (error) return fail(error);
       stream.off('error', fail);
       resolve();

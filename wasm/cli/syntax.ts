@@ -1,4 +1,5 @@
 import type { PointLike, SurfacePoint } from '../types.js';
+import { figuresOf } from './drawing.js';
 import { UsageError } from './errors.js';
 
 /** How points and numbers are written on the command line and in files. */
@@ -15,30 +16,105 @@ export function parseNumber(text: string, what: string): number {
   throw new UsageError(`${what} must be a number, not '${text}'`);
 }
 
-/** `face:b1,b2`, the weights of the face's second and third corner, or `v:vertex`. */
-export function parsePoint(text: string, what: string): PointLike {
-  const [head, tail, ...rest] = text.split(':');
-  if (tail !== undefined && rest.length === 0) {
-    if (head === 'v' && whole.test(tail)) return { vertex: Number(tail) };
-    const weights = tail.split(',');
-    if (whole.test(head!) && weights.length === 2) {
-      return surfacePoint(head!, weights[0]!, weights[1]!, what);
-    }
+/** Whether a text is JSON rather than lines of points. */
+export const isJson = (text: string) => /^\s*[{[]/.test(text);
+
+/** The value of a text that is JSON; `path` is where it was read. */
+export function parseJson(text: string, path: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch (cause) {
+    throw new UsageError(`${path} is no JSON: ${(cause as Error).message}`, { cause });
   }
+}
+
+/** `face:b1,b2`, the weights of the face's second and third corner, or `v:vertex`, or JSON. */
+export function parsePoint(text: string, what: string): PointLike {
+  if (isJson(text)) return pointOfJson(parseJson(text, what), what);
+  const point = shortPoint(text, what);
+  if (point) return point;
   throw new UsageError(`${what} must be a point, 'face:b1,b2' or 'v:vertex', not '${text}'`);
 }
 
-/** A points file: a line `face b1 b2` each; blank lines and comments after `#` are skipped. */
-export function parsePoints(text: string, path: string): SurfacePoint[] {
+function shortPoint(text: string, what: string): PointLike | null {
+  const [head, tail, ...rest] = text.split(':');
+  if (tail === undefined || rest.length > 0) return null;
+  if (head === 'v' && whole.test(tail)) return { vertex: Number(tail) };
+  const weights = tail.split(',');
+  if (!whole.test(head!) || weights.length !== 2) return null;
+  return surfacePoint(head!, weights[0]!, weights[1]!, what);
+}
+
+/**
+ * A points file: JSON, or a line `face b1 b2`, `face:b1,b2` or `v:vertex` each; blank lines and comments
+ * after `#` are skipped.
+ */
+export function parsePoints(text: string, path: string): PointLike[] {
+  if (isJson(text)) return pointsOfJson(parseJson(text, path), path);
   return text.split(/\r\n|\n|\r/).flatMap((line, i) => {
     const words = line.replace(/#.*/, '').trim().split(/\s+/);
     if (words[0] === '') return [];
+    const what = `line ${i + 1} of ${path}`;
     const [face, b1, b2] = words;
+    const short = words.length === 1 ? shortPoint(face!, what) : null;
+    if (short) return [short];
     if (words.length !== 3 || !whole.test(face!)) {
-      throw new UsageError(`line ${i + 1} of ${path} must be 'face b1 b2', not '${line.trim()}'`);
+      throw new UsageError(
+        `${what} must be 'face b1 b2', 'face:b1,b2' or 'v:vertex', not '${line.trim()}'`,
+      );
     }
-    return [surfacePoint(face!, b1!, b2!, `line ${i + 1} of ${path}`)];
+    return [surfacePoint(face!, b1!, b2!, what)];
   });
+}
+
+/** A point as commands print it, or what they print of one. What its numbers are is for the engine to check. */
+function pointOfJson(value: unknown, what: string): PointLike {
+  if (typeof value === 'object' && value !== null) {
+    const { point, end, face, bary, vertex } = value as Record<string, unknown>;
+    if (typeof vertex === 'number') return { vertex };
+    if (typeof face === 'number' && Array.isArray(bary)) return { face, bary } as SurfacePoint;
+    const inner = point ?? end;
+    if (inner !== undefined) return pointOfJson(inner, what);
+  }
+  throw new UsageError(`${what} must be a point as JSON, {face, bary} or {vertex}`);
+}
+
+/** A list of points, or an object that commands print, with `points`, `samples` or one point. */
+function pointsOfJson(value: unknown, path: string): PointLike[] {
+  const figures = figuresOf(value);
+  if (figures) {
+    const lists = figures.flatMap(({ points }) => (points.length > 0 ? [points] : []));
+    if (lists.length === 1) return lists[0]!.map(({ face, bary }) => ({ face, bary }));
+    throw new UsageError(`${path} must have one object with points: it has ${lists.length}`);
+  }
+  const { points, samples } = Object(value) as { points?: unknown; samples?: unknown };
+  const list = Array.isArray(value) ? value : (points ?? samples);
+  if (!Array.isArray(list)) return [pointOfJson(value, path)];
+  return list.map((entry, i) => pointOfJson(entry, `point ${i} of ${path}`));
+}
+
+/** Vectors: JSON, or a line `x y z` each. */
+export function parseVectors(text: string, path: string): [number, number, number][] {
+  const rows = isJson(text)
+    ? vectorsOfJson(parseJson(text, path), path)
+    : text.split(/\r\n|\n|\r/).flatMap((line, i) => {
+        const words = line
+          .replace(/#.*/, '')
+          .trim()
+          .split(/[\s,]+/);
+        if (words[0] === '') return [];
+        return [words.map((word) => parseNumber(word, `a number of line ${i + 1} of ${path}`))];
+      });
+  return rows.map((row, i) => {
+    if (Array.isArray(row) && row.length === 3) return row as [number, number, number];
+    throw new UsageError(`vector ${i} of ${path} must be three numbers`);
+  });
+}
+
+function vectorsOfJson(value: unknown, path: string): unknown[] {
+  const list = Array.isArray(value) ? value : Object(value).vectors;
+  if (Array.isArray(list)) return list;
+  throw new UsageError(`${path} must hold vectors, as 'karcher log' prints them`);
 }
 
 function surfacePoint(face: string, b1: string, b2: string, what: string): SurfacePoint {

@@ -1,0 +1,347 @@
+// Maps, isolines and files of meshes by the command line: also in pipes of a shell.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { readdirSync, readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { Readable, Writable } from 'node:stream';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { load } from 'karcher';
+import { meshFromFile } from 'karcher/formats';
+import { glbFile } from './mesh_files.mjs';
+import { grid } from './meshes.mjs';
+import { failure, karcher, karcherReading, printed, temporaryFolder } from './run_cli.mjs';
+
+const { main } = await import(new URL('./cli/main.js', import.meta.resolve('karcher')));
+const program = fileURLToPath(new URL('./cli.js', import.meta.resolve('karcher')));
+const folder = temporaryFolder();
+after(() => folder.remove());
+
+const cells = 8;
+const plane = folder.write('plane.obj', grid(cells));
+/** Vertex x, y of the grid. */
+const at = (x, y) => `v:${x + (cells + 1) * y}`;
+const near = (a, b, tolerance = 1e-9) =>
+  assert.ok(
+    a.length === b.length && a.every((x, i) => Math.abs(x - b[i]) < tolerance),
+    `${a} is not ${b}`,
+  );
+
+/** Runs a line of a shell in which `karcher` is the program. */
+function shell(line) {
+  const quoted = `karcher() { "${process.execPath}" "${program}" "$@"; }; ${line}`;
+  const { status, stdout, stderr } = spawnSync('bash', ['-o', 'pipefail', '-c', quoted], {
+    cwd: folder.path,
+  });
+  return { status, stdout, stderr: stderr.toString() };
+}
+
+test('log and exp are inverse, with a pipe between them', async () => {
+  const from = ['--from', at(3, 2)];
+  const points = folder.write('points.txt', `${at(5, 2)}\n40:0.25,0.5 # short\n7 0.1 0.2\n`);
+  const { vectors } = await printed('log', plane, ...from, '--points', points);
+  near(vectors[0], [2, 0, 0]);
+  const piped = shell(
+    `karcher log plane.obj --from ${at(3, 2)} --points points.txt | karcher exp plane.obj --from ${at(3, 2)} --vectors -`,
+  );
+  assert.equal(piped.status, 0, piped.stderr);
+  const back = JSON.parse(piped.stdout);
+  near(back.positions[0], [5, 2, 0]);
+  near(back.remaining, [0, 0, 0]);
+  assert.equal(back.points[1].face, 40);
+  near(back.points[1].bary, [0.25, 0.25, 0.5]);
+  const all = await printed('log', plane, ...from);
+  assert.equal(all.vectors.length, (cells + 1) ** 2);
+  near(all.vectors[0], [-3, -2, 0]);
+  const lines = folder.write('vectors.txt', '1 0 0\n0, 1, 0 # a comment\n');
+  const { positions } = await printed('exp', plane, ...from, '--vectors', lines);
+  near(positions.flat(), [4, 2, 0, 3, 3, 0]);
+});
+
+test('straightest geodesics, transport and mirror on a plane', async () => {
+  const straight = ['straightest', plane, '--from', at(1, 1), '--direction', '3,4,0'];
+  const line = await printed(...straight, '--length', '5');
+  assert.equal(line.stop, 'complete');
+  near(line.polyline.at(-1), [4, 5, 0]);
+  assert.ok(Math.abs(line.length - 5) < 1e-9);
+  const short = await printed(...straight, '--length', '50');
+  assert.equal(short.stop, 'boundary');
+  assert.ok(short.remaining > 30);
+  const drawn = await karcher(...straight, '--length', '5', '--format', 'obj');
+  assert.match(drawn.stdout, /^v 1 1 0\n/);
+
+  const vectors = folder.write('carried.json', '[[1, 2, 0], [0, 1, 0]]');
+  const carried = ['transport', plane, '--from', at(1, 1), '--to', at(6, 3), '--vectors', vectors];
+  near((await printed(...carried)).vectors.flat(), [1, 2, 0, 0, 1, 0]);
+
+  const mirrored = shell(
+    `karcher path plane.obj --from ${at(4, 0)} --to ${at(4, 8)} | karcher mirror plane.obj --line - --points points.txt`,
+  );
+  assert.equal(mirrored.status, 0, mirrored.stderr);
+  near(JSON.parse(mirrored.stdout).positions[0], [3, 2, 0]);
+});
+
+test('isolines of several values', async () => {
+  const base = ['isolines', plane, '--from', at(4, 4), '--values', '1.5,3,30'];
+  const { isolines } = await printed(...base);
+  assert.deepEqual(
+    isolines.map(({ value, lines }) => [value, lines.length]),
+    [
+      [1.5, 1],
+      [3, 1],
+      [30, 0],
+    ],
+  );
+  for (const { value, lines } of isolines) {
+    for (const { closed, length, polyline } of lines) {
+      assert.ok(closed && Math.abs(length - 2 * Math.PI * value) < 1e-6);
+      for (const [x, y] of polyline) assert.ok(Math.abs(Math.hypot(x - 4, y - 4) - value) < 1e-9);
+    }
+  }
+  const linear = await printed(...base, '--type', 'linear', '--solver', 'graph', '--rings', '3');
+  assert.equal(linear.isolines[0].lines.length, 1);
+  const drawn = await karcher(...base, '--format', 'obj');
+  assert.equal(drawn.stdout.match(/^l /gm).length, 2);
+});
+
+test('points as JSON that commands print', async () => {
+  const end = await printed(
+    'straightest',
+    plane,
+    '--from',
+    at(1, 1),
+    '--direction',
+    '1,0,0',
+    '--length',
+    '3.5',
+  );
+  const point = JSON.stringify(end.end);
+  const path = await printed('path', plane, '--from', at(1, 1), '--to', point);
+  assert.ok(Math.abs(path.length - 3.5) < 1e-9);
+  const whole = await printed(
+    'path',
+    plane,
+    '--from',
+    '{"vertex": 10}',
+    '--to',
+    JSON.stringify(end),
+  );
+  assert.ok(Math.abs(whole.length - 3.5) < 1e-9);
+  const mean = await karcherReading(
+    JSON.stringify([{ vertex: 0 }, { vertex: 2 }, end.end]),
+    ...['mean', plane, '--points', '-', '--weights', '1,1,2', '--normalize'],
+  );
+  near(JSON.parse(mean.stdout).position, [(0 + 2 + 9) / 4, 0.5, 0], 1e-6);
+  // Samples of a curve, and the points of a path.
+  const traced = await karcher(
+    'trace',
+    plane,
+    '--kind',
+    'bezier',
+    '--points',
+    '-',
+    '--samples',
+    '3',
+  );
+  assert.equal(traced.status, 1);
+  const curve = await karcherReading(
+    `${at(1, 1)}\n${at(4, 6)}\n${at(7, 1)}\n`,
+    'trace',
+    plane,
+    ...['--kind', 'bezier', '--points', '-', '--samples', '5', '--levels', '0'],
+  );
+  const again = await karcherReading(
+    curve.stdout,
+    'log',
+    plane,
+    '--from',
+    at(1, 1),
+    '--points',
+    '-',
+  );
+  const { vectors } = JSON.parse(again.stdout);
+  assert.equal(vectors.length, 5);
+  near(vectors.at(-1), [6, 0, 0]);
+  for (const [text, message] of [
+    ['{"face": 3}', /--to must be a point as JSON/],
+    ['[1', /--to is no JSON/],
+    ['{"point": {"face": "a"}}', /--to must be a point as JSON/],
+    ['{"face": 3, "bary": [1, 2]}', /bary|weights/],
+  ]) {
+    assert.match(await failure('path', plane, '--from', 'v:0', '--to', text), message);
+  }
+});
+
+/** A drawing as the page saves it. */
+function drawing(...figures) {
+  const settings = {
+    closed: false,
+    degree: 2,
+    clamped: true,
+    knots: null,
+    parametrization: 'centripetal',
+  };
+  const objects = figures.map((figure, id) => ({ id: id + 1, figure: { settings, ...figure } }));
+  return JSON.stringify({
+    format: 'karcher-curve',
+    version: 2,
+    drawing: { format: 'karcher-drawing', version: 1, active: 1, objects },
+  });
+}
+
+test('drawings of the page are curves and points', async () => {
+  const points = [
+    { face: 0, bary: [0.2, 0.3, 0.5] },
+    { face: 60, bary: [0.2, 0.3, 0.5], weight: 3 },
+    { face: 100, bary: [0.2, 0.3, 0.5] },
+  ];
+  const file = folder.write(
+    'drawing.json',
+    drawing({ kind: 'bspline', points }, { kind: 'circle', points: [] }),
+  );
+  const lines = points.map(({ face, bary }) => `${face} ${bary[1]} ${bary[2]}\n`).join('');
+  const plain = folder.write('plain.txt', lines);
+  const same = ['--points', plain, '--degree', '2', '--clamped', '--weights', '1,3,1'];
+  const { polyline } = await printed('trace', plane, ...same);
+  const traced = await printed('trace', plane, '--curve', file);
+  near(traced.polyline.flat(), polyline.flat());
+  const weights = ['--weights', '1,1,1', '--normalize'];
+  const [drawn, listed] = [file, plain].map((name) =>
+    printed('mean', plane, '--points', name, ...weights),
+  );
+  near((await drawn).position, (await listed).position);
+  const round = folder.write('round.json', drawing({ kind: 'circle', points: [] }));
+  assert.match(await failure('trace', plane, '--curve', round), /has no spline: circle only/);
+  assert.match(
+    await failure('mean', plane, '--points', round, ...weights),
+    /must have one object with points: it has 0/,
+  );
+});
+
+/** A bow tie, an edge of three faces, a seam that is not welded, a face twice and a loose vertex. */
+const broken = `${[
+  ...['0 0 0', '1 0 0', '1 1 0', '-1 0 0', '-1 -1 0', '5 0 0', '6 0 0', '5 1 0', '6 0 0'],
+  ...['6 1 0', '5 1 0', '9 9 9', '5 -1 0', '5 0 1'],
+]
+  .map((place) => `v ${place}\n`)
+  .join('')}f 1 2 3\nf 1 4 5\nf 6 7 8\nf 9 10 11\nf 6 7 13\nf 6 7 14\nf 1 2 3\n`;
+
+test('repair writes the surface as it is mended, and what was', async () => {
+  const mesh = folder.write('broken.obj', broken);
+  const file = join(folder.path, 'mended.ply');
+  const told = await printed('repair', mesh, '--out', file);
+  const { repairs } = await printed('info', mesh);
+  assert.deepEqual(told.repairs, repairs);
+  assert.deepEqual([told.vertices, told.triangles], [16, 6]);
+  const engine = await load();
+  const again = await meshFromFile(engine, readFileSync(file), { name: file });
+  assert.equal(again.mesh.info.triangles, 6);
+  // In the file's order, each at its place.
+  const before = engine.meshFromObj(broken);
+  const places = (of) => {
+    const [positions, corners] = [of.positions(), of.triangles()];
+    return Array.from(corners, (v) => Array.from(positions.slice(3 * v, 3 * v + 3)).join(' '));
+  };
+  assert.deepEqual(places(again.mesh), places(before).slice(0, 18));
+  assert.match(await failure('repair', mesh, '--out', 'mended.txt'), /must end in \.stl, /);
+  assert.match(await failure('repair', mesh), /repair needs --out FILE/);
+  assert.match(await failure('repair', mesh, '--repair', 'none', '--out', file), /no use/);
+});
+
+test('convert writes every format to a file and to a pipe', async () => {
+  const { triangles, meanEdge } = await printed('info', plane);
+  for (const format of ['obj', 'ply', 'stl', 'glb']) {
+    const file = join(folder.path, `out.${format}`);
+    assert.equal((await printed('convert', plane, '--out', file)).triangles, triangles);
+    const piped = shell(
+      `cat plane.obj | karcher convert - --out - --to ${format} | tee piped | karcher info -`,
+    );
+    assert.equal(piped.status, 0, piped.stderr);
+    assert.ok(readFileSync(join(folder.path, 'piped')).equals(readFileSync(file)), format);
+    const seen = JSON.parse(piped.stdout);
+    assert.equal(seen.triangles, triangles);
+    assert.ok(Math.abs(seen.meanEdge - meanEdge) < 1e-6);
+  }
+  const same = shell(`karcher path plane.obj --from v:0 --to v:9 --out -`);
+  assert.deepEqual(
+    JSON.parse(same.stdout),
+    await printed('path', plane, '--from', 'v:0', '--to', 'v:9'),
+  );
+});
+
+test('several meshes are a line each, and one that fails does not stop the others', async () => {
+  const other = folder.write('other.glb', '');
+  const { writeFileSync } = await import('node:fs');
+  const square = {
+    positions: [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0],
+    faces: [
+      [0, 1, 2],
+      [0, 2, 3],
+    ],
+  };
+  writeFileSync(other, glbFile(square));
+  const { status, stdout, stderr } = await karcher('info', plane, 'missing.obj', other);
+  assert.equal(status, 1);
+  assert.match(
+    stderr,
+    /^karcher: missing\.obj: cannot read missing\.obj: there is no such file\n$/,
+  );
+  const lines = stdout
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line));
+  assert.deepEqual(
+    lines.map(({ mesh, triangles }) => [basename(mesh), triangles]),
+    [
+      ['plane.obj', 2 * cells ** 2],
+      ['other.glb', 2],
+    ],
+  );
+  const star = join(folder.path, 'copy_*.stl');
+  assert.equal((await karcher('convert', plane, other, '--out', star)).status, 0);
+  const written = readdirSync(folder.path).filter((name) => name.startsWith('copy_'));
+  assert.deepEqual(written.sort(), ['copy_other.stl', 'copy_plane.stl']);
+  assert.match(await failure('convert', plane, other, '--out', 'a.stl'), /needs a '\*'/);
+  const drawn = ['--from', 'v:0', '--to', 'v:2', '--format', 'obj'];
+  assert.match(await failure('path', plane, other, ...drawn), /takes one mesh with --format obj/);
+  // Standard input is read once for all of them.
+  const points = await karcherReading(
+    'v:0\n',
+    'log',
+    plane,
+    other,
+    '--from',
+    'v:1',
+    '--points',
+    '-',
+  );
+  assert.equal(points.stdout.trim().split('\n').length, 2);
+});
+
+test('on a terminal a line says how far a mesh is read, and goes', async () => {
+  const run = async (isTTY) => {
+    const pieces = [];
+    const stderr = Object.assign(
+      new Writable({
+        write: (piece, _, done) => {
+          pieces.push(piece.toString());
+          done();
+        },
+      }),
+      { isTTY },
+    );
+    const stdout = new Writable({ write: (_piece, _, done) => done() });
+    const file = folder.write('large.obj', grid(150));
+    const status = await main(['path', file, '--from', 'v:0', '--to', 'v:9'], {
+      stdin: Readable.from([]),
+      stdout,
+      stderr,
+    });
+    assert.equal(status, 0);
+    return pieces.join('');
+  };
+  assert.equal(await run(false), '');
+  const shown = await run(true);
+  assert.match(shown, /\d+ %/);
+  assert.ok(shown.endsWith('\r\u001b[K'));
+});

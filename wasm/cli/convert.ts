@@ -1,0 +1,104 @@
+import { writeFile } from 'node:fs/promises';
+import { meshFile, type WrittenFormat, writtenFormats } from '../formats/index.js';
+import { load } from '../load.js';
+import type { Mesh } from '../mesh.js';
+import type { CutPart } from '../types.js';
+import type { Arguments } from './arguments.js';
+import type { Command, Option, Result } from './command.js';
+import { UsageError, writeError } from './errors.js';
+
+/** The mesh as Karcher reads it, in a file: its vertices of faces, its triangles. */
+
+const outOption: Option = {
+  name: 'out',
+  value: 'FILE',
+  help: `where the mesh is written, ${writtenFormats.join(', ')} by its ending; '-' is standard output. Of several meshes a '*' stands for each one's name`,
+  required: true,
+};
+
+const formatOption: Option = {
+  name: 'to',
+  value: writtenFormats.join('|'),
+  help: "the format, where the file's ending does not say it",
+};
+
+export const convert: Command = {
+  name: 'convert',
+  summary: 'the mesh in another format, as it is read: of triangles, mended where that is safe',
+  output:
+    "{file, vertices, triangles, repairs: [{kind, count, message}, …]}; with --out - the mesh's bytes instead",
+  options: [outOption, formatOption],
+  run: (args) => written(args),
+};
+
+export const repair: Command = {
+  name: 'repair',
+  summary: 'what is mended of a mesh that is no surface, and the mesh after that',
+  output: convert.output,
+  options: [outOption, formatOption],
+  async run(args) {
+    args.refuse(['repair'], 'with karcher repair');
+    return written(args);
+  },
+};
+
+async function written(args: Arguments): Promise<Result> {
+  const format = formatOf(args);
+  const read = await args.meshFile();
+  const { mesh } = await read(await load());
+  const surface = surfaceOf(mesh);
+  const bytes = meshFile(surface, format);
+  const file = args.text('out');
+  if (file === '-') return { json: {}, bytes };
+  try {
+    await writeFile(file, bytes);
+  } catch (cause) {
+    throw writeError(file, cause);
+  }
+  return {
+    json: {
+      file,
+      vertices: surface.positions.length / 3,
+      triangles: surface.triangles.length / 3,
+      repairs: mesh.info.repairs,
+    },
+  };
+}
+
+function formatOf(args: Arguments): WrittenFormat {
+  if (args.given('to')) return args.choice<WrittenFormat>('to');
+  const path = args.text('out');
+  const ending = /\.([^./\\]+)$/.exec(path)?.[1]?.toLowerCase();
+  const format = writtenFormats.find((candidate) => candidate === ending);
+  if (format !== undefined) return format;
+  throw new UsageError(
+    `--out of ${args.command} must end in .${writtenFormats.join(', .')}, or --to names the format; it is '${path}'`,
+  );
+}
+
+/** The surface with what was mended: its triangles in the file's order, vertices as they use them first. */
+function surfaceOf(mesh: Mesh): { positions: Float64Array; triangles: Int32Array } {
+  // Cut along nothing a mesh comes apart into its components, which have the engine's own vertices.
+  const triangles: { face: number; part: CutPart; at: number; first: number }[] = [];
+  let first = 0;
+  for (const part of mesh.cut([])) {
+    part.faces.forEach((face, i) => {
+      triangles.push({ face, part, at: 3 * i, first });
+    });
+    first += part.positions.length / 3;
+  }
+  triangles.sort((a, b) => a.face - b.face);
+  const numbers = new Int32Array(first).fill(-1);
+  const positions: number[] = [];
+  const corners = triangles.flatMap(({ part, at, first: before }) =>
+    [0, 1, 2].map((k) => {
+      const vertex = part.triangles[at + k]!;
+      if (numbers[before + vertex]! < 0) {
+        numbers[before + vertex] = positions.length / 3;
+        for (let axis = 0; axis < 3; axis++) positions.push(part.positions[3 * vertex + axis]!);
+      }
+      return numbers[before + vertex]!;
+    }),
+  );
+  return { positions: Float64Array.from(positions), triangles: Int32Array.from(corners) };
+}

@@ -1,0 +1,58 @@
+import type { Solver } from '../types.js';
+import { type Command, formatOption } from './command.js';
+import { triples } from './output.js';
+
+export const isolines: Command = {
+  name: 'isolines',
+  summary: 'lines of points at given distances from a point',
+  output:
+    '{isolines: [{value, lines: [{closed, length, polyline: [[x, y, z], …]}, …]}, …]}, no line where nothing is as far',
+  options: [
+    { name: 'from', value: 'POINT', help: 'the source', required: true },
+    {
+      name: 'values',
+      value: 'r1,r2,…',
+      help: 'the distances, in units of the mesh',
+      required: true,
+    },
+    {
+      name: 'type',
+      value: 'exact|linear',
+      help: 'the points at exactly this distance, or straight lines in triangles',
+      default: 'exact',
+    },
+    {
+      name: 'solver',
+      value: 'fast|exact|graph',
+      help: 'of --type linear: how distances are found',
+      default: 'exact',
+    },
+    { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
+    formatOption,
+  ],
+  async run(args) {
+    const from = args.point('from');
+    const values = args.numbers('values');
+    const type = args.choice<'exact' | 'linear'>('type');
+    if (type === 'exact') args.refuse(['solver', 'rings'], 'with --type exact');
+    const solver = args.choice<Solver>('solver');
+    const distance = {
+      ...(type === 'linear' && { solver }),
+      ...args.whereGiven(['rings'], (name) => args.integer(name)),
+    };
+    const mesh = await args.mesh();
+    const polylines: Float64Array[] = [];
+    const found = values.map((value) => {
+      const lines = mesh.isolines(from, { radius: value, type, ...distance });
+      return {
+        value,
+        lines: lines.map((line) => {
+          const polyline = line.polyline({ bits: 64 });
+          polylines.push(polyline);
+          return { closed: line.closed, length: line.length, polyline: triples(polyline) };
+        }),
+      };
+    });
+    return { json: { isolines: found }, polylines };
+  },
+};

@@ -1,0 +1,144 @@
+import { type Command, formatOption, type Option, pointsOption } from './command.js';
+import { UsageError } from './errors.js';
+import { pathRecord, triples } from './output.js';
+
+/** What log map, exp map and parallel transport make of vectors and points. */
+
+const fromOption: Option = {
+  name: 'from',
+  value: 'POINT',
+  help: 'where the vectors are tangent',
+  required: true,
+};
+
+const vectorsOption: Option = {
+  name: 'vectors',
+  value: 'FILE',
+  help: "a line 'x y z' for each vector, or JSON as 'karcher log' prints it",
+  required: true,
+};
+
+/** Vectors, null where there is none. */
+function* vectorRecords(flat: Float64Array) {
+  for (const vector of triples(flat)) yield vector.some(Number.isNaN) ? null : vector;
+}
+
+export const log: Command = {
+  name: 'log',
+  summary: 'the log map: points, or all vertices, as vectors of the tangent plane at a point',
+  output:
+    "{vectors: [[x, y, z], …]}, of all vertices in the file's order: null at a vertex of no face and where no path leads",
+  options: [
+    fromOption,
+    {
+      ...pointsOption,
+      required: false,
+      default: 'all vertices',
+      help: `points: ${pointsOption.help}`,
+    },
+  ],
+  async run(args) {
+    const from = args.point('from');
+    const points = args.given('points') ? await args.points() : undefined;
+    const mesh = await args.mesh();
+    return { json: { vectors: vectorRecords(mesh.logMap(from, points).vectors) } };
+  },
+};
+
+export const exp: Command = {
+  name: 'exp',
+  summary: 'the exp map: where straightest geodesics along vectors of the tangent plane end',
+  output:
+    '{points: [{face, bary}, …], positions: [[x, y, z], …], remaining: [the length that was left at the boundary, else 0, …]}',
+  options: [fromOption, vectorsOption],
+  async run(args) {
+    const from = args.point('from');
+    const vectors = await args.vectors();
+    const mesh = await args.mesh();
+    const { points, remaining } = mesh.expMap(from, vectors);
+    return {
+      json: {
+        points,
+        positions: points.map((point) => mesh.position(point)),
+        remaining: Array.from(remaining),
+      },
+    };
+  },
+};
+
+export const transport: Command = {
+  name: 'transport',
+  summary: 'vectors of a tangent plane, carried along the shortest path to another point',
+  output: '{vectors: [[x, y, z], …]}',
+  options: [
+    fromOption,
+    { name: 'to', value: 'POINT', help: 'where they are carried', required: true },
+    vectorsOption,
+  ],
+  async run(args) {
+    const from = args.point('from');
+    const to = args.point('to');
+    const vectors = await args.vectors();
+    const mesh = await args.mesh();
+    return { json: { vectors: vectorRecords(mesh.transport(from, to, vectors)) } };
+  },
+};
+
+export const straightest: Command = {
+  name: 'straightest',
+  summary: 'the straightest geodesic that leaves a point in a direction',
+  output:
+    '{length, polyline: [[x, y, z], …], points: [{face, bary}, …], lengths: from the start to each point, end: {face, bary}, stop: complete|boundary|limit, remaining: the length that was not walked}',
+  options: [
+    { name: 'from', value: 'POINT', help: 'where it starts', required: true },
+    {
+      name: 'direction',
+      value: 'X,Y,Z',
+      help: "in space: its part in the point's face counts",
+      required: true,
+    },
+    { name: 'length', value: 'L', help: 'how long it is, in units of the mesh', required: true },
+    formatOption,
+  ],
+  async run(args) {
+    const from = args.point('from');
+    const direction = args.numbers('direction');
+    if (direction.length !== 3) throw new UsageError('--direction takes three numbers');
+    const length = args.number('length');
+    const mesh = await args.mesh();
+    const { path, ...rest } = mesh.straightest(from, direction, length);
+    return {
+      json: { ...pathRecord(path), ...rest },
+      polylines: [path.polyline({ bits: 64 })],
+    };
+  },
+};
+
+export const mirror: Command = {
+  name: 'mirror',
+  summary: 'points mirrored in a geodesic',
+  output:
+    '{points: [{face, bary}, …], positions: [[x, y, z], …], remaining: [the length that was left at the boundary, else 0, …]}',
+  options: [
+    {
+      name: 'line',
+      value: 'FILE',
+      help: "the geodesic's points, as 'karcher path' and 'karcher straightest' print them",
+      required: true,
+    },
+    pointsOption,
+  ],
+  async run(args) {
+    const line = await args.points('line');
+    const points = await args.points();
+    const mesh = await args.mesh();
+    const mirrored = mesh.mirror(line, points);
+    return {
+      json: {
+        points: mirrored.points,
+        positions: mirrored.points.map((point) => mesh.position(point)),
+        remaining: Array.from(mirrored.remaining),
+      },
+    };
+  },
+};
