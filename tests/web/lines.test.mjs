@@ -122,6 +122,67 @@ describe('lines', () => {
     await close(tab);
   });
 
+  test('of a color that the surface has too are seen by a rim, light in the dark and dark in the light', async () => {
+    const tab = await two();
+    await tab.page.keyboard.press('Control+a');
+    const place = await tab.onCurve(0.5);
+    for (const [theme, color, isRim] of [
+      ['dark', '#222831', (rgb) => Math.min(...rgb) > 215],
+      ['light', '#f8f9fa', (rgb) => Math.max(...rgb) < 70],
+    ]) {
+      await tab.page.emulateMedia({ colorScheme: theme });
+      await tab.page.locator('#width').fill('8');
+      await tab.page.keyboard.press('Enter');
+      await tab.page.locator(`.swatch[data-color="${color}"]`).click();
+      await tab.page.keyboard.press('Escape');
+      await tab.page.keyboard.press('Escape');
+      await tab.settled();
+      const rims = (await column(tab, place)).map(isRim);
+      const runs = rims.filter((is, i) => is && !rims[i - 1]).length;
+      assert.equal(runs, 2, `${theme}: ${rims.map(Number).join('')}`);
+      await tab.page.keyboard.press('Control+a');
+      // Others are seen without.
+      await tab.page.locator('.swatch[data-color="#d9480f"]').click();
+      await tab.page.keyboard.press('Escape');
+      await tab.page.keyboard.press('Escape');
+      await tab.settled();
+      assert.ok(!(await column(tab, place)).some(isRim), theme);
+      await tab.page.keyboard.press('Control+a');
+    }
+    await close(tab);
+  });
+
+  test('are as wide where the surface turns away as where it faces the view', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=polyline');
+    const { y } = await tab.middle();
+    // How far up the sphere is seen, of places all over it.
+    const top = await tab.page.evaluate(() => {
+      let least = Infinity;
+      for (let i = 0; i < 4000; i++) {
+        const height = 1 - (2 * i + 1) / 4000;
+        const [turn, ring] = [2.399963 * i, Math.sqrt(1 - height * height)];
+        const place = [ring * Math.cos(turn), ring * Math.sin(turn), height];
+        least = Math.min(least, window.karcherPage.seen(place)?.y ?? Infinity);
+      }
+      return least;
+    });
+    const up = 0.95 * (y - top);
+    await tab.click([-60, -up], [60, -up]);
+    await tab.page.locator('#width').fill('16');
+    await tab.page.keyboard.press('Enter');
+    await tab.page.locator('.swatch[data-color="#d9480f"]').click();
+    await tab.page.keyboard.press('v');
+    await tab.page.keyboard.press('Escape');
+    await tab.page.keyboard.press('Escape');
+    await tab.settled();
+    const place = await tab.onCurve(0.5);
+    const orange = (await column(tab, place, 24)).filter(
+      ([red, green, blue]) => red > 150 && green < 130 && blue < 80,
+    );
+    assert.ok(orange.length >= 14, `${orange.length} of 16 pixels`);
+    await close(tab);
+  });
+
   test('have dashes as long as they are wide, in the SVG too', async () => {
     const tab = await two();
     await tab.page.keyboard.press('Control+a');

@@ -24,3 +24,34 @@ const surfaceShade = 0.75;
 /** The surface's color where it is lit as most of it is. */
 export const litSurface = ({ front }: ViewerColors): Color =>
   new Color(front).multiplyScalar(surfaceShade);
+
+/** How dark and how bright the surface is, as parts of its color: in its shadows, and where it faces the light. */
+const shades = [0.15, 0.3, 0.5, 0.75, 1, 1.2];
+
+/** What is nearer in OKLab than five times what is just told apart is hard to see as a thin line. */
+const leastApart = 5 * 0.02;
+
+/** Where a color is in OKLab, in which distances are as large as they look. */
+function oklab({ r, g, b }: Color): [number, number, number] {
+  const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+  const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+  const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+  return [
+    0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s,
+    1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s,
+    0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s,
+  ];
+}
+
+/** Whether a line of a color may be lost on the surface, where that is lit so. */
+export function isAmongShades(color: string, { front }: ViewerColors): boolean {
+  const line = oklab(new Color(color));
+  return shades.some((part) => {
+    const shade = oklab(new Color(front).multiplyScalar(part));
+    return Math.hypot(...line.map((value, i) => value - shade[i]!)) < leastApart;
+  });
+}
+
+/** Light around what is dark, dark around what is light. */
+export const rimColor = (color: string): string =>
+  oklab(new Color(color))[0] < 0.5 ? '#ffffff' : '#14171c';

@@ -46,7 +46,8 @@ export class ObjectLines {
 
   constructor(
     private readonly order: number,
-    private readonly hidden = usuallyHidden,
+    /** How much is left where the surface hides a line, and how much wider it is than its style says. */
+    private readonly looks: { hidden?: number; wider?: number } = {},
   ) {}
 
   get objects(): readonly ObjectDrawing[] {
@@ -97,8 +98,9 @@ export class ObjectLines {
   }
 
   #make(key: string, style: LineStyle): FatLine {
-    const { width } = style;
-    const line = new FatLine({ width, dash: dashOf(style), hidden: this.hidden }, this.order);
+    const { hidden = usuallyHidden, wider = 0 } = this.looks;
+    const width = style.width + wider;
+    const line = new FatLine({ width, dash: dashOf(style), hidden }, this.order);
     line.showHidden(this.#hiddenShown);
     this.#lines.set(key, line);
     this.object.add(line.object);

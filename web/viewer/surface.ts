@@ -10,6 +10,7 @@ import {
   Group,
   Mesh,
   MeshBasicMaterial,
+  type PerspectiveCamera,
   Quaternion,
   type Ray,
   ShaderMaterial,
@@ -51,12 +52,25 @@ export interface SurfaceColors {
 /** The light, which is the surface's and that of what is painted on it. */
 const light = { sky: { value: new Color() }, ground: { value: new Color() } };
 
+/**
+ * By how much of its distance the surface lies back, for each unit of its slope: at a slope it rises beside a
+ * line, and would hide half of the line's width. Steeper slopes are not told apart.
+ */
+const sunk = { value: 0 };
+const steepest = 4;
+
+/** Lines that reach so many CSS pixels to both sides are to be seen whole, on a stage of that height. */
+export function sinkSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
+  sunk.value = (2 * pixels * Math.tan((camera.fov * Math.PI) / 360)) / height;
+}
+
 /** Clay lit by a soft sky and a key light that goes with the camera. */
 const clay = {
   uniforms: {
     front: { value: new Color() },
     back: { value: new Color() },
     ...light,
+    sunk,
     frontIsOutside: { value: true },
     ramp: { value: rampForShader() },
     most: { value: 0 },
@@ -64,6 +78,7 @@ const clay = {
   },
   vertexShader: `
     attribute float value;
+    uniform float sunk;
     varying vec3 vNormal;
     varying vec3 vEye;
     varying float vValue;
@@ -72,7 +87,10 @@ const clay = {
       vec4 eye = modelViewMatrix * vec4(position, 1.0);
       vEye = -eye.xyz;
       vNormal = normalMatrix * normal;
-      gl_Position = projectionMatrix * eye;
+      float facing = abs(dot(normalize(vNormal), normalize(vEye)));
+      float slope = min(${steepest.toFixed(1)}, sqrt(1.0 - facing * facing) / max(facing, 0.01));
+      // Along the ray, so that it is seen where it is.
+      gl_Position = projectionMatrix * vec4(eye.xyz * (1.0 + sunk * slope), 1.0);
     }`,
   fragmentShader: `
     uniform vec3 front;

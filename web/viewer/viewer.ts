@@ -7,32 +7,20 @@ import { outliveContextLoss } from './context_loss';
 import { nearestOnScreen } from './curve_pick';
 import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine, fineDash } from './fat_line';
+import { Halos } from './halos';
 import type { Layer } from './layer';
-import { dashOf, dotAt, dotWidth, type ObjectDrawing, ObjectLines } from './object_lines';
+import { dashOf, dotAt, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
 import { type PaintedRegion, Regions } from './regions';
-import { colorSurface, type Pick, Surface } from './surface';
+import { colorSurface, type Pick, Surface, sinkSurface } from './surface';
 import { type SeenLine, Vantage } from './vantage';
 
 type Vector = [number, number, number];
 
 /** How long a tangent is drawn, in the scene; a surface's diagonal is 2. */
 const tangentLength = 0.16;
-
-/** Lines so many CSS pixels wider than what they are drawn around, in the color of all of them. */
-function around(
-  objects: readonly Omit<ObjectDrawing, 'id' | 'locked'>[],
-  wider: number,
-): ObjectDrawing[] {
-  const wide = (width: number): LineStyle => ({ color: null, width: width + wider, dash: 'solid' });
-  const plain = { id: 0, locked: true, dots: [] };
-  return objects.flatMap(({ style: { width }, lines, dots }) => [
-    { ...plain, style: wide(width), lines },
-    { ...plain, style: wide(dotWidth * width), lines: dots.map(dotAt) },
-  ]);
-}
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
 export class Viewer {
@@ -48,11 +36,7 @@ export class Viewer {
   readonly #band = new FatLine({ width: 2, dash: fineDash, hidden: 0.2 }, 4);
   readonly #beside = new ObjectLines(2);
   readonly #regions = new Regions();
-  /** Around what is selected, and within that a seam, so that it is seen beside any color. */
-  readonly #halo = new ObjectLines(0.2, 0);
-  readonly #seam = new ObjectLines(0.5, 0);
-  /** Around what a click would take. */
-  readonly #hover = new ObjectLines(0.8, 0);
+  readonly #halos = new Halos();
   readonly #shorter = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.3 }, 2);
   readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
   readonly #tangent = new FatLine({ width: 2.5, hidden: 0.5 }, 7);
@@ -61,7 +45,6 @@ export class Viewer {
   readonly #lines = [
     ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
     ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#stroke],
-    ...[this.#halo, this.#seam, this.#hover],
     this.#frameLines,
     this.#band,
   ];
@@ -101,7 +84,8 @@ export class Viewer {
     this.#renderer = new WebGLRenderer({ canvas, context });
     const redraw = () => this.requestFrame();
     outliveContextLoss(canvas, () => [this.#scene], redraw);
-    this.#scene.add(this.#regions.object, ...this.#lines.map((line) => line.object));
+    const lines = this.#lines.map((line) => line.object);
+    this.#scene.add(this.#regions.object, ...this.#halos.objects, ...lines);
     this.#view = new OrbitView(stage, redraw);
     new ResizeObserver(() => this.#resize()).observe(stage);
     this.#resize();
@@ -127,9 +111,10 @@ export class Viewer {
       this.#frame = 0;
       this.#view.advance(now);
       this.#view.camera.updateMatrixWorld();
-      for (const line of [...this.#lines, ...this.#layers]) line.follow(this.#view.camera.position);
+      const followers = [...this.#lines, ...this.#layers, this.#halos];
+      for (const one of followers) one.follow(this.#view.camera.position);
       for (const listener of this.#beforeFrame) listener();
-      this.#renderer.render(this.#scene, this.#view.camera);
+      this.#render();
     });
   }
 
@@ -175,10 +160,9 @@ export class Viewer {
     this.#polygon.setColor(new Color(colors.polygon), surface);
     this.#beside.setColors(new Color(colors.curve), surface);
     this.#regions.setColor(new Color(colors.curve));
-    this.#halo.setColors(new Color(colors.chosen), surface);
-    this.#seam.setColors(new Color('#fff'), surface);
-    this.#hover.setColors(new Color(colors.frame), surface);
+    this.#halos.setColors(colors);
     this.#showStyle();
+    this.#showHalo();
     const center = new Color(colors.center);
     for (const line of [this.#shorter, this.#tangent]) line.setColor(center, surface);
     this.#frameLines.setColor(new Color(colors.frame), surface);
@@ -336,13 +320,12 @@ export class Viewer {
 
   #showHalo(): void {
     const own = { style: this.#style, lines: this.#own, dots: [] };
-    const others = this.#beside.objects.filter(({ id }) => this.#chosen.includes(id));
-    const chosen = [...others, ...(this.#isChosen ? [own] : [])];
-    this.#halo.show(around(chosen, 8));
-    this.#seam.show(around(chosen, 3));
+    const beside = this.#beside.objects;
+    const others = beside.filter(({ id }) => this.#chosen.includes(id));
     const id = this.#hovered;
-    const hovered = id === null ? [own] : this.#beside.objects.filter((one) => one.id === id);
-    this.#hover.show(around(hovered, 3));
+    const hovered = id === null ? [own] : beside.filter((one) => one.id === id);
+    const chosen = this.#isChosen ? [...others, own] : others;
+    this.#halos.show([...beside, own], chosen, hovered);
   }
 
   #showStyle(): void {
@@ -560,8 +543,7 @@ export class Viewer {
    * background is given.
    */
   picture(scale: number, background: string | null): Promise<Blob> {
-    const render = () => this.#renderer.render(this.#scene, this.#view.camera);
-    const picture = pictureOf(this.#renderer, render, this.#size, scale, background);
+    const picture = pictureOf(this.#renderer, () => this.#render(), this.#size, scale, background);
     this.requestFrame();
     return picture;
   }
@@ -569,6 +551,11 @@ export class Viewer {
   /** The surface's outline as it is seen: x, y of its lines' points, in CSS pixels of the stage. */
   outline(signal: AbortSignal): Promise<Float32Array[]> {
     return requestOutline(this.#surface!, this.#view.camera, this.#size, signal);
+  }
+
+  #render(): void {
+    sinkSurface(this.#halos.reach, this.#view.camera, this.#size.height);
+    this.#renderer.render(this.#scene, this.#view.camera);
   }
 
   #resize(): void {

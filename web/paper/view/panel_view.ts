@@ -12,13 +12,15 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { DrawnGeometry } from '../../viewer/drawn_geometry';
 import { FatLine, fineDash } from '../../viewer/fat_line';
-import { Surface } from '../../viewer/surface';
+import { Surface, sinkSurface } from '../../viewer/surface';
 import type { LineResult, Panel, Vector } from '../figures/types';
 import type { SharedRenderer } from './shared_renderer';
 
 const fieldOfView = 30;
 /** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
 const margin = 0.86;
+/** The widest line of a figure, in CSS pixels. */
+const widestLine = 4;
 /** The surface's color where it is lit as most of it is. */
 const surfaceShade = 0.75;
 
@@ -97,6 +99,7 @@ export class PanelView {
       seen.follow(this.#camera.position);
       lost.follow(this.#camera.position);
     }
+    sinkSurface(widestLine / 2, this.#camera, clientHeight);
     for (const listener of this.#beforeFrame) listener();
     this.renderer.draw(this.#scene, this.#camera, this.canvas, clientWidth, clientHeight);
   }

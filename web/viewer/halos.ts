@@ -1,0 +1,64 @@
+import { Color, type Vector3 } from 'three';
+import type { LineStyle } from '../model/drawing';
+import { isAmongShades, litSurface, rimColor, type ViewerColors } from './colors';
+import { dotAt, dotWidth, type ObjectDrawing, ObjectLines } from './object_lines';
+
+type Drawn = Omit<ObjectDrawing, 'id' | 'locked'>;
+
+/** How much wider the halo of what is selected is than its line, in CSS pixels; within it is a seam. */
+const [haloWider, seamWider] = [8, 3];
+/** How much wider the rim is of a line whose color is among the surface's shades. */
+const rimWider = 2.5;
+
+const plain = { id: 0, locked: true, dots: [] };
+
+/** Lines so many CSS pixels wider than what they are drawn around, in the color of all of them. */
+function around(objects: readonly Drawn[], wider: number): ObjectDrawing[] {
+  const wide = (width: number): LineStyle => ({ color: null, width: width + wider, dash: 'solid' });
+  return objects.flatMap(({ style: { width }, lines, dots }) => [
+    { ...plain, style: wide(width), lines },
+    { ...plain, style: wide(dotWidth * width), lines: dots.map(dotAt) },
+  ]);
+}
+
+/** What is drawn around lines: of what is selected, of what a click would take, and of what is hard to see. */
+export class Halos {
+  readonly #halo = new ObjectLines(0.2, { hidden: 0 });
+  /** Between the halo and the line, so that it is seen beside any color. */
+  readonly #seam = new ObjectLines(0.5, { hidden: 0 });
+  readonly #hover = new ObjectLines(0.8, { hidden: 0 });
+  readonly #rim = new ObjectLines(1, { hidden: 0, wider: rimWider });
+  readonly #all = [this.#halo, this.#seam, this.#hover, this.#rim];
+  readonly objects = this.#all.map(({ object }) => object);
+  #colors: ViewerColors | null = null;
+  /** Half of the widest line with what is around it, in CSS pixels. */
+  reach = 0;
+
+  setColors(colors: ViewerColors): void {
+    this.#colors = colors;
+    const surface = litSurface(colors);
+    this.#halo.setColors(new Color(colors.chosen), surface);
+    this.#seam.setColors(new Color('#fff'), surface);
+    this.#hover.setColors(new Color(colors.frame), surface);
+  }
+
+  /** All that is drawn, and what of it is selected, and what a click would take. */
+  show(all: readonly Drawn[], chosen: readonly Drawn[], hovered: readonly Drawn[]): void {
+    this.#halo.show(around(chosen, haloWider));
+    this.#seam.show(around(chosen, seamWider));
+    this.#hover.show(around(hovered, seamWider));
+    this.#rim.show(all.flatMap((one) => this.#rimOf(one)));
+    const widest = Math.max(0, ...all.map(({ style }) => style.width));
+    this.reach = (widest + (chosen.length > 0 ? haloWider : rimWider)) / 2;
+  }
+
+  follow(camera: Vector3): void {
+    for (const lines of this.#all) lines.follow(camera);
+  }
+
+  /** As dashed as the line itself. */
+  #rimOf({ style, lines, dots }: Drawn): ObjectDrawing[] {
+    if (!style.color || !this.#colors || !isAmongShades(style.color, this.#colors)) return [];
+    return [{ ...plain, style: { ...style, color: rimColor(style.color) }, lines, dots }];
+  }
+}
