@@ -90,6 +90,21 @@ const thirdPartyNotices: Plugin = {
   },
 };
 
+/** The same as a header while the page is served; the book's pages have a policy of their own. */
+const policyInPreview: Plugin = {
+  name: 'policy-in-preview',
+  configurePreviewServer(server) {
+    server.middlewares.use((request, response, next) => {
+      const inBook = request.url?.startsWith('/book/');
+      const policy = inBook
+        ? "frame-ancestors 'self'"
+        : [...contentSecurityPolicy, "frame-ancestors 'none'"].join('; ');
+      response.setHeader('content-security-policy', policy);
+      next();
+    });
+  },
+};
+
 export default defineConfig({
   root: here('./web'),
   // Relative addresses: the built page can be put in any folder of any static host.
@@ -108,12 +123,7 @@ export default defineConfig({
     __KARCHER_SOURCES__: JSON.stringify(sourcesDigest()),
   },
   worker: { format: 'es', rollupOptions: { checks: { pluginTimings: false } } },
-  plugins: [policyInPages, thirdPartyNotices, filesInServiceWorker],
-  preview: {
-    headers: {
-      'content-security-policy': [...contentSecurityPolicy, "frame-ancestors 'none'"].join('; '),
-    },
-  },
+  plugins: [policyInPages, policyInPreview, thirdPartyNotices, filesInServiceWorker],
   server: { fs: { allow: [here('.')] } },
   build: {
     outDir: here('./build/page'),

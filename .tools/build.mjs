@@ -1,7 +1,7 @@
 // Builds the parts of Karcher: native libraries and tests, the WebAssembly module, its TypeScript
-// facade, the page, and a mesh to try them on.
+// facade, the page, the book beside it, and a mesh to try them on.
 //
-//   node .tools/build.mjs [wasm] [facade] [page] [bunny] [native]    (without arguments all but the last)
+//   node .tools/build.mjs [wasm] [facade] [page] [book] [bunny] [native]    (without arguments all but the last)
 import {
   chmodSync,
   copyFileSync,
@@ -99,6 +99,12 @@ export async function buildPage() {
   await runNpmProgram('vite/bin/vite.js', 'build', '--logLevel', 'warn');
 }
 
+/** The book in build/page/book, from the facade's types and docs/. The page's build removes it. */
+export async function buildBook() {
+  const { makeBook } = await import('../book/make.mjs');
+  await makeBook();
+}
+
 /** The npm package's bunny as build/data/bunny.obj, every digit kept. */
 export async function writeBunny() {
   const { default: bunny } = await import('bunny');
@@ -115,6 +121,7 @@ const parts = {
   wasm: buildWasm,
   facade: buildFacade,
   page: buildPage,
+  book: buildBook,
   bunny: writeBunny,
   native: async () => {
     await writeBunny();

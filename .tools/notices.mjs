@@ -32,10 +32,13 @@ const ofFormats = ['draco3d', 'meshoptimizer'];
 const ofPage = [
   ...['three', 'three-mesh-bvh', 'uplot', 'delaunator', 'robust-predicates'],
   'bunny',
+  // The book's own scripts.
+  ...['typedoc', 'lunr'],
 ];
 
 function termsOf(name) {
-  const folder = inRoot(`node_modules/${name}`);
+  const folders = [inRoot(`node_modules/${name}`), inRoot(`book/node_modules/${name}`)];
+  const folder = folders.find(existsSync);
   const file = readdirSync(folder).find((one) => /^licen[cs]e(\.|$)/i.test(one));
   const { license, homepage, repository } = JSON.parse(
     readFileSync(`${folder}/package.json`, 'utf8'),

@@ -229,7 +229,8 @@ function npmPackagesAreThere() {
   const { dependencies, devDependencies } = JSON.parse(
     readFileSync(inRoot('package.json'), 'utf8'),
   );
-  return Object.keys({ ...dependencies, ...devDependencies }).every((name) =>
+  const names = Object.keys({ ...dependencies, ...devDependencies });
+  return [...names, 'karcher-book'].every((name) =>
     existsSync(inRoot(`node_modules/${name}/package.json`)),
   );
 }
@@ -242,7 +243,7 @@ async function installNpmPackages(noInstall) {
   if (noInstall) {
     throw new SetupError(`Not installing, as ${notWanted()}. The command is:\n  ${command}`);
   }
-  console.log(`Installing npm packages into node_modules (about 100 MB): ${command}`);
+  console.log(`Installing npm packages into node_modules (about 150 MB): ${command}`);
   const npm = process.env.npm_execpath;
   if (npm?.endsWith('.js')) await run(process.execPath, [npm, ...args]);
   else await run('npm', args);

@@ -1,8 +1,8 @@
-// `npm start`: sets up, builds, serves the page and prints its address.
+// `npm start`: sets up, builds, serves the page and the book, and prints its address.
 //
 //   npm start -- [--port N] [--host]
 import { parseArgs } from 'node:util';
-import { buildFacade, buildPage, buildWasm } from './build.mjs';
+import { buildBook, buildFacade, buildPage, buildWasm } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { root } from './shell.mjs';
 
@@ -22,6 +22,7 @@ try {
   await buildWasm();
   await buildFacade();
   await buildPage();
+  await buildBook();
 } catch (error) {
   console.error(error.message);
   process.exit(1);

@@ -3,7 +3,7 @@
 // KARCHER_LONG=1, but not those of the engine with the sanitizers, which would take hours. With names of
 // files of tests/wasm and tests/web it runs only these.
 import { mkdirSync } from 'node:fs';
-import { buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
+import { buildBook, buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
 import { runGoogleTest } from './gtest.mjs';
 import { runNodeTests } from './node_test.mjs';
 import { chromiumPath, setUp } from './setup.mjs';
@@ -53,6 +53,7 @@ const packageBuilds = [
   build('the WebAssembly module', buildWasm),
   build('the facade', buildFacade),
   build('the page', buildPage),
+  build('the book', buildBook),
 ];
 const everything = [
   setUpStage,

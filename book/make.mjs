@@ -1,0 +1,123 @@
+// Makes the book in build/page/book: the pages of docs/ and the reference of the package's types, by TypeDoc.
+// Every address in it is relative, so that it works in any folder of any host, and it asks no other host.
+import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, relative, sep } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Application, Converter, ReflectionKind } from 'typedoc';
+import { filesBelow, inRoot } from '../.tools/shell.mjs';
+import { contents, entries } from './contents.mjs';
+import { reportOf } from './reference.mjs';
+
+const source = inRoot('build/book/source');
+const made = inRoot('build/page/book');
+/** Stands for the page's folder in TypeDoc's links, which are the same at every depth. */
+const pageFolder = 'https://page.invalid/';
+
+/** What may run in the book; examples that are tried in it have a page of their own each. */
+const policy = [
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "worker-src 'self'",
+  "connect-src 'self' data:",
+  "style-src 'self' 'unsafe-inline'",
+  "img-src 'self' data: blob:",
+  "frame-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join('; ');
+
+/** The pages with their titles in front, where their links to each other hold. */
+function writeSource() {
+  rmSync(source, { recursive: true, force: true });
+  mkdirSync(source, { recursive: true });
+  for (const folder of ['docs', 'examples']) {
+    cpSync(inRoot(folder), `${source}/${folder}`, { recursive: true });
+  }
+  for (const name of ['LICENSE', 'README.md']) copyFileSync(inRoot(name), `${source}/${name}`);
+  const pages = [];
+  for (const [group, listed] of Object.entries(contents)) {
+    for (const [path, title] of listed) {
+      const text = readFileSync(inRoot(path), 'utf8');
+      writeFileSync(
+        `${source}/${path}`,
+        `---\ntitle: ${JSON.stringify(title)}\ngroup: ${group}\n---\n\n${text}`,
+      );
+      pages.push(`${source}/${path}`);
+    }
+  }
+  return pages;
+}
+
+async function convert(pages) {
+  const app = await Application.bootstrapWithPlugins({
+    entryPoints: Object.keys(entries).map((path) => inRoot(path)),
+    tsconfig: inRoot('book/tsconfig.json'),
+    projectDocuments: pages,
+    readme: `${source}/docs/index.md`,
+    name: 'Karcher',
+    out: made,
+    titleLink: `${pageFolder}book/index.html`,
+    navigationLinks: { Editor: `${pageFolder}index.html`, Paper: `${pageFolder}paper.html` },
+    customCss: inRoot('book/style.css'),
+    favicon: inRoot('web/public/icon.svg'),
+    headings: { readme: false },
+    navigation: { includeGroups: true },
+    groupOrder: [...Object.keys(contents), 'Modules', '*'],
+    sort: ['documents-first', 'source-order'],
+    ...{ sortEntryPoints: false, searchInDocuments: true, hideGenerator: true },
+    ...{ disableGit: true, disableSources: true, excludeExternals: true, excludeInternal: true },
+    ...{ excludePrivate: true, includeHierarchySummary: false, skipErrorChecking: true },
+    ...{ logLevel: 'Warn', githubPages: false },
+    highlightLanguages: ['typescript', 'javascript', 'sh', 'cpp', 'json', 'cmake', 'html', 'tsx'],
+    validation: { notExported: false, invalidLink: true, invalidPath: true },
+    suppressCommentWarningsInDeclarationFiles: true,
+  });
+  app.converter.on(Converter.EVENT_RESOLVE_BEGIN, (context) => {
+    const named = Object.values(entries);
+    for (const [at, module] of context.project.getChildrenByKind(ReflectionKind.Module).entries()) {
+      module.name = named[at];
+    }
+  });
+  const project = await app.convert();
+  if (!project) throw new Error('TypeDoc read no types: see above.');
+  await app.generateOutputs(project);
+  if (app.logger.hasErrors()) throw new Error('TypeDoc made no book: see above.');
+  return project;
+}
+
+/** A script in a page's text would need a policy that lets any in. */
+const inlineScript = /<script>(document\.documentElement\.dataset\.theme[\s\S]*?)<\/script>/;
+
+/** The side bar shows its pages at the first visit; what the reader folds stays folded. */
+const opened = `try {
+  for (const group of ${JSON.stringify(['Start', 'Guides', 'Algorithms'])}) localStorage['tsd-accordion-' + group] ??= 'true';
+} catch {}
+`;
+
+function finish(path) {
+  const up = relative(dirname(path), made).replaceAll(sep, '/');
+  const book = up === '' ? '.' : up;
+  const text = readFileSync(path, 'utf8');
+  const [, script] = inlineScript.exec(text) ?? [];
+  if (!script) throw new Error(`${path} has another script than before.`);
+  writeFileSync(`${made}/assets/theme.js`, `${script}\n${opened}`);
+  writeFileSync(
+    path,
+    text
+      .replace(inlineScript, `<script src="${book}/assets/theme.js"></script>`)
+      .replace('<head>', `<head><meta http-equiv="Content-Security-Policy" content="${policy}">`)
+      .replaceAll(`${pageFolder}book/`, `${book}/`)
+      .replaceAll(pageFolder, `${book}/../`)
+      // TypeDoc opens other hosts in a window of their own; the editor is none.
+      .replaceAll(/(<a href="(?:\.\.?\/)+(?:index|paper)\.html"[^>]*?) target="_blank"/g, '$1'),
+  );
+}
+
+export async function makeBook() {
+  rmSync(made, { recursive: true, force: true });
+  const project = await convert(writeSource());
+  for (const path of filesBelow('build/page/book', /\.html$/)) finish(path);
+  writeFileSync(inRoot('build/book/reference.json'), JSON.stringify(reportOf(project), null, 2));
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await makeBook();

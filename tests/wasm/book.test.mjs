@@ -1,0 +1,104 @@
+// What the book says: programs that run, calls that the types allow, an entry for each error, and a sentence
+// for each public name.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { basename } from 'node:path';
+import { before, describe, test } from 'node:test';
+import { filesBelow, inRoot, root } from '../../.tools/shell.mjs';
+
+// Within the project, as what imports the package by its name must be.
+const folder = inRoot('build/book/code');
+const pages = [...filesBelow('docs', /\.md$/), inRoot('README.md')];
+
+/** A page's pieces of code in a language. */
+const piecesOf = (path, language) => {
+  const pattern = new RegExp(`^\`\`\`${language}\\n([\\s\\S]*?)^\`\`\`$`, 'gm');
+  return [...readFileSync(path, 'utf8').matchAll(pattern)].map(([, code]) => code);
+};
+
+/** Names that pieces of TypeScript use and leave to their reader. */
+const left = `
+import type { Karcher, Mesh as Surface, SurfacePoint, PointLike } from 'karcher';
+import type { WebGLRenderer, PerspectiveCamera, Mesh as Drawn, Raycaster } from 'three';
+declare global {
+  const karcher: Karcher;
+  const mesh: Surface;
+  const points: PointLike[];
+  const point: SurfacePoint;
+  const rows: number[];
+  const text: string;
+  const bytes: Uint8Array;
+  const signal: AbortSignal;
+  const progress: (part: number) => void;
+  const object: Drawn;
+  const camera: PerspectiveCamera;
+  const renderer: WebGLRenderer;
+  const raycaster: Raycaster;
+}
+`;
+
+describe('the book', () => {
+  before(() => {
+    rmSync(folder, { recursive: true, force: true });
+    mkdirSync(folder, { recursive: true });
+  });
+
+  // The pieces of a page go on from each other.
+  for (const page of pages.filter((path) => piecesOf(path, 'js').length > 0)) {
+    test(`${basename(page)}: its program runs`, () => {
+      const file = `${folder}/${basename(page, '.md')}.mjs`;
+      writeFileSync(file, piecesOf(page, 'js').join('\n'));
+      const { status, stdout, stderr } = spawnSync(process.execPath, [file], { encoding: 'utf8' });
+      assert.equal(status, 0, stderr);
+      assert.ok(!/NaN|undefined/.test(stdout), stdout);
+    });
+  }
+
+  test('the types allow its TypeScript', () => {
+    let pieces = 0;
+    for (const page of pages) {
+      for (const code of piecesOf(page, 'ts')) {
+        writeFileSync(`${folder}/${basename(page, '.md')}-${pieces++}.ts`, `${code}\nexport {};\n`);
+      }
+    }
+    assert.ok(pieces >= 7, `${pieces} pieces`);
+    writeFileSync(`${folder}/left.d.ts`, left);
+    const compilerOptions = {
+      ...{ target: 'ES2022', module: 'ESNext', moduleResolution: 'bundler', strict: true },
+      ...{ noEmit: true, lib: ['ES2023', 'DOM', 'DOM.Iterable'], types: [], skipLibCheck: true },
+      exactOptionalPropertyTypes: true,
+    };
+    writeFileSync(`${folder}/tsconfig.json`, JSON.stringify({ compilerOptions, include: ['.'] }));
+    const tsc = `${root}node_modules/typescript/bin/tsc`;
+    const { status, stdout } = spawnSync(process.execPath, [tsc, '-p', folder], {
+      encoding: 'utf8',
+    });
+    assert.equal(status, 0, stdout);
+  });
+
+  test('has an entry for each error, and no other', () => {
+    const types = readFileSync(inRoot('wasm/types.ts'), 'utf8');
+    const [, union] = /export type ErrorCode =([^;]*);/.exec(types);
+    const codes = [...union.matchAll(/'(\w+)'/g)].map(([, code]) => code);
+    const entries = [...readFileSync(inRoot('docs/errors.md'), 'utf8').matchAll(/^## (\w+)$/gm)];
+    assert.deepEqual(
+      entries.map(([, code]) => code),
+      codes,
+    );
+  });
+
+  test('says of no more public names nothing than before', () => {
+    const said = JSON.parse(readFileSync(inRoot('build/book/reference.json'), 'utf8'));
+    /** These only go down. */
+    const most = { withoutSentence: 158, withoutExample: 153 };
+    console.log(
+      `Of ${said.names} public names ${said.withoutSentence.length} have no sentence; ` +
+        `of those that are called ${said.withoutExample.length} no example.`,
+    );
+    assert.ok(said.names > 500);
+    for (const [what, count] of Object.entries(most)) {
+      assert.ok(said[what].length <= count, `${what}: ${said[what].join(', ')}`);
+    }
+  });
+});

@@ -1,0 +1,118 @@
+// The book beside the page: its links, its search, and that it asks no other host.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import axe from 'axe-core';
+import { filesBelow, inRoot } from '../../.tools/shell.mjs';
+import { isComplaint, openBrowser } from './browser.mjs';
+
+const built = inRoot('build/page');
+const book = join(built, 'book');
+const pages = filesBelow('build/page/book', /\.html$/);
+
+// Headings of TypeDoc's side bar fold, and are links to their pages, too: a link within a summary.
+const options = {
+  runOnly: ['wcag2a', 'wcag2aa'],
+  rules: { 'nested-interactive': { enabled: false } },
+};
+
+const unescaped = (text) => text.replaceAll('&amp;', '&').replaceAll('&quot;', '"');
+
+/** The addresses that a page names, and its anchors. */
+function read(path) {
+  const text = readFileSync(path, 'utf8');
+  const all = (pattern) => [...text.matchAll(pattern)].map(([, found]) => unescaped(found));
+  return { links: all(/\s(?:href|src)="([^"]*)"/g), anchors: new Set(all(/\sid="([^"]*)"/g)) };
+}
+
+test('no link of the book is dead', () => {
+  const known = new Map(pages.map((path) => [path, read(path)]));
+  const dead = [];
+  let looked = 0;
+  for (const [path, { links }] of known) {
+    for (const link of new Set(links)) {
+      if (/^(https?|mailto):/.test(link)) continue;
+      looked++;
+      const [place, anchor] = link.split('#');
+      const target = place === '' ? path : join(dirname(path), decodeURIComponent(place));
+      const found = existsSync(target);
+      const anchors = known.get(target)?.anchors;
+      if (!found || (anchor && anchors && !anchors.has(decodeURIComponent(anchor)))) {
+        dead.push(`${relative(book, path)}: ${link}`);
+      }
+    }
+  }
+  assert.ok(pages.length > 100 && looked > 1000, `${pages.length} pages, ${looked} links`);
+  assert.deepEqual(dead, []);
+});
+
+test('the book takes nothing from another host, and has no address of this machine', () => {
+  for (const path of pages) {
+    const text = readFileSync(path, 'utf8');
+    assert.doesNotMatch(text, /<(script|link|img|iframe)[^>]*(src|href)="https?:/, path);
+    assert.ok(!text.includes(inRoot('')), path);
+    assert.ok(!text.includes('page.invalid'), path);
+  }
+});
+
+test('every link of the editor to the book leads there', () => {
+  const text = readFileSync(join(built, 'index.html'), 'utf8');
+  const links = [...text.matchAll(/href="\.\/(book\/[^"#]*)/g)].map(([, link]) => link);
+  assert.ok(links.length > 0);
+  for (const link of links) assert.ok(existsSync(join(built, link)), link);
+});
+
+describe('in a browser the book', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser();
+  });
+  after(() => browser.close());
+
+  const open = async (path) => {
+    const page = await browser.context.newPage();
+    const complaints = [];
+    page.on('console', (message) => {
+      if (isComplaint(message)) complaints.push(message.text());
+    });
+    page.on('request', (request) => {
+      const url = request.url();
+      if (!/^(data|blob):/.test(url) && !url.startsWith(browser.address)) complaints.push(url);
+    });
+    await page.goto(`${browser.address}book/${path}`);
+    return { page, complaints };
+  };
+
+  test('finds what is searched, and leads to the editor', async () => {
+    const { page, complaints } = await open('index.html');
+    await page.locator('#tsd-search-trigger').click();
+    await page.locator('#tsd-search-input').fill('centerOfMass');
+    await page.locator('#tsd-search-results li a').first().click();
+    await page.waitForURL(/\/book\/\w+\//);
+    await page
+      .locator('a', { hasText: /^Editor$/ })
+      .first()
+      .click();
+    await page.waitForURL(`${browser.address}index.html`);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+  for (const path of ['index.html', 'documents/Errors.html', 'classes/karcher.Mesh.html']) {
+    test(`is accessible: ${path}`, async () => {
+      const { page, complaints } = await open(path);
+      await page.locator('.tsd-navigation a').first().waitFor({ state: 'attached' });
+      // The policy lets no script in but the book's own.
+      const client = await page.context().newCDPSession(page);
+      const run = `(() => { ${axe.source}\nreturn axe.run(${JSON.stringify(options)}); })()`;
+      const { result } = await client.send('Runtime.evaluate', {
+        ...{ expression: run, awaitPromise: true, returnByValue: true },
+      });
+      const found = result.value.violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`);
+      assert.deepEqual(found, []);
+      assert.deepEqual(complaints, []);
+      await page.close();
+    });
+  }
+});
