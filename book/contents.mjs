@@ -32,6 +32,7 @@ export const entries = {
   'dist/index.d.ts': 'karcher',
   'dist/worker/index.d.ts': 'karcher/worker',
   'dist/three/index.d.ts': 'karcher/three',
+  'dist/react/index.d.ts': 'karcher/react',
   'dist/formats/index.d.ts': 'karcher/formats',
   'dist/checkup/index.d.ts': 'karcher/checkup',
   'dist/worker/own.d.ts': 'karcher/own-worker',
