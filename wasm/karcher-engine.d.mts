@@ -4,6 +4,7 @@ import type {
   CurveKind,
   CurvePoints,
   CutPart,
+  FileMarks,
   FillRule,
   MeanWeights,
   MeshInfo,
@@ -28,7 +29,12 @@ export interface EngineModule {
   statusNames(): Status[];
   allocatedBytes(): number;
   /** `weld` is negative for the default. */
-  meshFromObj(bytes: Uint8Array, repair: boolean, weld: number): EngineMesh;
+  meshFromObj(
+    bytes: Uint8Array,
+    parts: Int32Array | null,
+    repair: boolean,
+    weld: number,
+  ): EngineMesh;
   meshFromArrays(
     positions: Float64Array,
     triangles: Int32Array,
@@ -78,6 +84,7 @@ export interface EngineMesh {
   inputVertices(): number;
   positions(): Float64Array;
   triangles(): Int32Array;
+  marks(): FileMarks;
   subdivided(levels: number): EngineMesh;
   checkedPoint(point: Float64Array): Float64Array;
   position(point: Float64Array): [number, number, number];

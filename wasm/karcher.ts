@@ -5,7 +5,7 @@ import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import { Mesh } from './mesh.js';
 import { engineMeshOptions } from './options.js';
 import { checkFits, checkMeshFits } from './room.js';
-import type { MeshOptions, Shape } from './types.js';
+import type { MeshOptions, ObjOptions, Shape } from './types.js';
 
 const shapes: readonly Shape[] = ['sphere', 'torus', 'knot', 'genus3', 'openSheet'];
 
@@ -22,7 +22,8 @@ export class Karcher {
    * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
    *
    * Polygons are cut into triangles, vertices of no face are dropped, and what is no surface is mended
-   * where that is safe (`MeshOptions`, `RepairKind`); `info.repairs` tells. Vertices and faces keep the
+   * where that is safe (`MeshOptions`, `RepairKind`); `info.repairs` tells, and `fileMarks` what the file
+   * says of parts, materials and colors. Vertices and faces keep the
    * file's order, faces counting triangles: a point keeps its place, whatever became of its face.
    *
    * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, badArgument (a
@@ -31,19 +32,21 @@ export class Karcher {
    * edge is more than 1e12 times its shortest is refused with badArgument, too; if its faces are so thin
    * that the fast solver is ruled out, only once exact distances are needed (`Mesh.distance`).
    */
-  meshFromObj(textOrBytes: string | Uint8Array, options: MeshOptions = {}): Mesh {
+  meshFromObj(textOrBytes: string | Uint8Array, options: ObjOptions = {}): Mesh {
     if (typeof textOrBytes !== 'string' && !(textOrBytes instanceof Uint8Array)) {
       throw new KarcherError(
         'badArgument',
         `an OBJ file must be a string or a Uint8Array, not ${shown(textOrBytes)}`,
       );
     }
-    const { repair, weld } = engineMeshOptions(options);
+    const { parts, ...meshOptions } = options;
+    const { repair, weld } = engineMeshOptions(meshOptions);
+    const wanted = parts ? toInt32(parts, 'the parts') : null;
     const bytes =
       typeof textOrBytes === 'string' ? new TextEncoder().encode(textOrBytes) : textOrBytes;
     const megabytes = (bytes.length / 2 ** 20).toFixed(0);
     checkFits(bytes.length, `an OBJ file of ${megabytes} MB takes`, () => this.allocatedBytes());
-    return this.#mesh((engine) => engine.meshFromObj(bytes, repair, weld));
+    return this.#mesh((engine) => engine.meshFromObj(bytes, wanted, repair, weld));
   }
 
   /**

@@ -51,6 +51,7 @@ import type {
   Ellipse,
   EllipseOptions,
   FieldOptions,
+  FileMarks,
   IsolineOptions,
   LongWorkOptions,
   MeanWeights,
@@ -119,6 +120,14 @@ export class Mesh {
   /** The vertices of each triangle, in the caller's order and numbers, as a new array. */
   triangles(): Int32Array {
     return this.#handle.call((mesh) => mesh.triangles());
+  }
+
+  /**
+   * What the OBJ file that gave the mesh says beside the surface. Of other meshes it is empty: what other
+   * files say `meshFromFile` of `karcher/formats` tells.
+   */
+  fileMarks(): FileMarks {
+    return this.#handle.call((mesh) => mesh.marks());
   }
 
   /**

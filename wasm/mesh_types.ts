@@ -16,6 +16,36 @@ export interface MeshOptions {
   weld?: number | undefined;
 }
 
+/** How an OBJ file is read. */
+export interface ObjOptions extends MeshOptions {
+  /** Numbers of the parts that are wanted (`FileMarks`); all by default. */
+  parts?: readonly number[] | undefined;
+}
+
+/** An object or group of an OBJ file, a solid of an STL file, a primitive of a glTF scene. */
+export interface FilePart {
+  name: string;
+  /** Of polygons, as many as they are cut into. */
+  triangles: number;
+}
+
+/**
+ * What a file says of its vertices and triangles beside the surface. Both have the caller's numbers, which
+ * they keep whatever is repaired.
+ */
+export interface FileMarks {
+  /** All of them, whichever were asked for. */
+  parts: FilePart[];
+  /** Per triangle the number of its part; null where there is one. */
+  partOf: Int32Array | null;
+  /** Names of materials. */
+  materials: string[];
+  /** Per triangle the number of its material, -1 for none; null where there are none. */
+  materialOf: Int32Array | null;
+  /** Red, green and blue of each vertex, 0 to 255, as in the file; null where it has none. */
+  colors: Uint8Array | null;
+}
+
 /**
  * What was repaired while a mesh was read, in this order; `count` counts what is in brackets.
  *

@@ -8,7 +8,6 @@
 
 #include "mesh/error.h"
 #include "mesh/mesh_repair.h"
-#include "mesh/obj_reader.h"
 #include "mesh/positions.h"
 
 namespace karcher {
@@ -146,13 +145,16 @@ ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options) 
   return result;
 }
 
-ImportedMesh importObj(std::string_view bytes, const ImportOptions& options) {
-  ObjContents contents = readObj(bytes, options.repair);
+ImportedMesh importObj(ObjContents contents, const ImportOptions& options) {
   ImportedMesh result = importMesh(std::move(contents.soup), options);
   addRepairs({contents.polygonsCut, contents.repeatedCorners, contents.leftOut,
               "line " + std::to_string(contents.firstLineLeftOut)},
              result.repairs);
   return result;
+}
+
+ImportedMesh importObj(std::string_view bytes, const ImportOptions& options) {
+  return importObj(readObj(bytes, {options.repair, {}}), options);
 }
 
 }  // namespace karcher

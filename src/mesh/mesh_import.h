@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "mesh/numbering.h"
+#include "mesh/obj_reader.h"
 #include "mesh/polygon_soup.h"
 #include "mesh/triangle_mesh.h"
 #include "mesh/triangle_soup.h"
@@ -71,8 +72,9 @@ ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 /// as both do, and kBadArgument for counts of corners below 3, or that are not those of `corners`.
 ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options = {});
 
-/// Reads an OBJ file's content and imports it; face numbers count triangles. Throws as `readObj`
-/// and `importMesh` do.
+/// Imports what `readObj` gave; face numbers count triangles. Throws as `importMesh` does.
+ImportedMesh importObj(ObjContents contents, const ImportOptions& options = {});
+/// The same of an OBJ file's content, which it reads.
 ImportedMesh importObj(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace karcher

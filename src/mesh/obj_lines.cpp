@@ -12,6 +12,9 @@ bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
+/// More are no number that anybody meant; the exponent fits an integer.
+constexpr size_t kMostExponentDigits = 9;
+
 size_t countDigits(std::string_view word, size_t from) {
   size_t end = from;
   while (end < word.size() && isDigit(word[end])) ++end;
@@ -46,33 +49,6 @@ size_t gap(std::string_view line, size_t from) {
   if (isSpace(line[from])) return 1;
   const size_t end = line[from] == '\\' ? lineEnd(line, from + 1) : 0;
   return end == 0 ? 0 : 1 + end;
-}
-
-/// More are no number that anybody meant; the exponent fits an integer.
-constexpr size_t kMostExponentDigits = 9;
-
-/// sign? (digits (. digits?)? | . digits) (e sign? digits)?
-bool isDecimal(std::string_view word) {
-  const auto isSign = [&](size_t i) {
-    return i < word.size() && (word[i] == '+' || word[i] == '-');
-  };
-  size_t i = isSign(0) ? 1 : 0;
-  size_t digits = countDigits(word, i);
-  i += digits;
-  if (i < word.size() && word[i] == '.') {
-    const size_t decimals = countDigits(word, ++i);
-    i += decimals;
-    digits += decimals;
-  }
-  if (digits == 0) return false;
-  if (i < word.size() && (word[i] == 'e' || word[i] == 'E')) {
-    ++i;
-    if (isSign(i)) ++i;
-    const size_t exponent = countDigits(word, i);
-    if (exponent == 0 || exponent > kMostExponentDigits) return false;
-    i += exponent;
-  }
-  return i == word.size();
 }
 
 /// nan, inf and infinity, as C and Python print them.
@@ -127,7 +103,7 @@ class LineCheck {
     bool finite = true;
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = takeObjWord(line);
-      if (isDecimal(word)) continue;
+      if (isDecimalNumber(word)) continue;
       if (word.empty()) fail(ErrorCode::kBadFile, place() + "a vertex needs three coordinates");
       if (isNotFinite(word)) {
         if (finite) {
@@ -230,6 +206,30 @@ std::string_view takeObjWord(std::string_view& line) {
   const std::string_view word = line.substr(begin, end - begin);
   line.remove_prefix(end);
   return word;
+}
+
+// sign? (digits (. digits?)? | . digits) (e sign? digits)?
+bool isDecimalNumber(std::string_view word) {
+  const auto isSign = [&](size_t i) {
+    return i < word.size() && (word[i] == '+' || word[i] == '-');
+  };
+  size_t i = isSign(0) ? 1 : 0;
+  size_t digits = countDigits(word, i);
+  i += digits;
+  if (i < word.size() && word[i] == '.') {
+    const size_t decimals = countDigits(word, ++i);
+    i += decimals;
+    digits += decimals;
+  }
+  if (digits == 0) return false;
+  if (i < word.size() && (word[i] == 'e' || word[i] == 'E')) {
+    ++i;
+    if (isSign(i)) ++i;
+    const size_t exponent = countDigits(word, i);
+    if (exponent == 0 || exponent > kMostExponentDigits) return false;
+    i += exponent;
+  }
+  return i == word.size();
 }
 
 std::string shortFace(int line) {

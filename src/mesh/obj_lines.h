@@ -15,6 +15,9 @@ std::string_view takeObjLine(std::string_view& text);
 /// Cuts the next word off the front of `line`, which may be continued; empty at its end.
 std::string_view takeObjWord(std::string_view& line);
 
+/// Whether it is a decimal number, as 1, -.5 or 2.e-3.
+bool isDecimalNumber(std::string_view word);
+
 /// A vertex with a coordinate that is no number, as nan or inf.
 struct NotFinite {
   int vertex;

@@ -1,8 +1,11 @@
 #include "mesh/obj_reader.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <istream>
+#include <streambuf>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "mesh/error.h"
@@ -19,55 +22,253 @@
 namespace karcher {
 namespace {
 
-/// The line in one piece, and ended by a zero, as tinyobjloader wants it: line ends are in it where
-/// a backslash continues it.
-void terminate(std::string_view line, std::string& result) {
-  result = line;
-  for (size_t i = 0; i < result.size(); ++i) {
-    if (result[i] != '\n' && result[i] != '\r') continue;
-    result[i] = ' ';
-    if (result[i - 1] == '\\') result[i - 1] = ' ';
-  }
-}
+/// A file that was checked, as tinyobjloader reads it, which knows no backslash at a line's end and
+/// no comment behind a number: only the lines that are used, each in one piece, of corners only the
+/// vertex. A vertex's color follows as a normal, since callbacks get no colors in the versions of
+/// Debian 12 and 13.
+class PlainLines : public std::streambuf {
+ public:
+  explicit PlainLines(std::string_view text) : text_(text) {}
 
-/// Reads lines that were checked. Their numbers are read by tinyobjloader's own functions: its
-/// reader of streams would take them apart once more.
-PolygonSoup parse(std::string_view text, const ObjLines& lines) {
-  PolygonSoup faces;
-  faces.positions.reserve(static_cast<size_t>(lines.vertices));
-  faces.corners.reserve(3 * static_cast<size_t>(lines.faces));
-  faces.cornerCount.reserve(static_cast<size_t>(lines.faces));
-  std::string terminated;
-  while (!text.empty()) {
-    std::string_view line = takeObjLine(text);
+ protected:
+  int_type underflow() override {
+    constexpr size_t kBlock = size_t{1} << 16;
+    block_.clear();
+    while (!text_.empty() && block_.size() < kBlock) addLine(takeObjLine(text_));
+    setg(block_.data(), block_.data(), block_.data() + block_.size());
+    return block_.empty() ? traits_type::eof() : traits_type::to_int_type(block_[0]);
+  }
+
+ private:
+  void addLine(std::string_view line) {
     const std::string_view keyword = takeObjWord(line);
-    if (keyword != "v" && keyword != "f") continue;
-    terminate(line, terminated);
-    const char* token = terminated.c_str();
     if (keyword == "v") {
-      Vec3& position = faces.positions.emplace_back();
-      tinyobj::parseReal3(&position[0], &position[1], &position[2], &token);
-    } else {
-      const size_t before = faces.corners.size();
-      int corners = 0;
-      for (token += std::strspn(token, " \t"); *token != 0; token += std::strspn(token, " \t")) {
-        const int v = tinyobj::parseRawTriple(&token).v_idx;
-        faces.corners.push_back(v > 0 ? v - 1 : faces.positions.count() + v);
-        ++corners;
+      add("v");
+      addWords(line, 3);
+      addColor(line);
+    } else if (keyword == "f") {
+      add("f");
+      const size_t begin = block_.size();
+      for (std::string_view corner = takeObjWord(line); !corner.empty();
+           corner = takeObjWord(line)) {
+        add(" ");
+        add(corner.substr(0, corner.find('/')));
       }
-      // A point or a line, which the check has counted.
-      if (corners < 3) {
-        faces.corners.resize(before);
-      } else {
-        faces.cornerCount.push_back(corners);
+      // Tinyobjloader does not tell of a face without corners, which the check has counted.
+      if (block_.size() == begin) add(" 0");
+      add("\n");
+    } else if (keyword == "o" || keyword == "g" || keyword == "usemtl") {
+      constexpr size_t kLongestName = 200;
+      add(keyword);
+      add(" ");
+      const size_t end = block_.size() + kLongestName;
+      for (std::string_view word = takeObjWord(line); !word.empty(); word = takeObjWord(line)) {
+        if (block_.back() != ' ') add(" ");
+        add(word);
       }
+      block_.resize(std::min(block_.size(), end));
+      add("\n");
     }
   }
-  for (const NotFinite& bad : lines.notFinite) {
-    faces.positions[bad.vertex].setConstant(std::nan(""));
+
+  void addColor(std::string_view line) {
+    std::string_view words = line;
+    for (int k = 0; k < 3; ++k) {
+      if (!isDecimalNumber(takeObjWord(words))) return;
+    }
+    add("vn");
+    addWords(line, 3);
   }
-  return faces;
-}
+
+  void addWords(std::string_view& line, int count) {
+    for (int k = 0; k < count; ++k) {
+      add(" ");
+      add(takeObjWord(line));
+    }
+    add("\n");
+  }
+
+  void add(std::string_view words) { block_ += words; }
+
+  std::string_view text_;
+  std::string block_;
+};
+
+/// Takes what tinyobjloader reads of a file that was checked.
+class Reading {
+ public:
+  Reading(const ObjLines& lines, const ObjOptions& options) : lines_(lines), options_(options) {
+    faces.positions.reserve(static_cast<size_t>(lines.vertices));
+    faces.corners.reserve(3 * static_cast<size_t>(lines.faces));
+    faces.cornerCount.reserve(static_cast<size_t>(lines.faces));
+  }
+
+  void read(std::string_view text) {
+    tinyobj::callback_t callbacks;
+    callbacks.vertex_cb = [](void* self, double x, double y, double z, double) {
+      of(self).faces.positions.emplace_back(x, y, z);
+    };
+    callbacks.normal_cb = [](void* self, double red, double green, double blue) {
+      of(self).addColor({red, green, blue});
+    };
+    callbacks.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
+      of(self).addFace(corners, count);
+    };
+    callbacks.object_cb = [](void* self, const char* name) { of(self).beginObject(name); };
+    callbacks.group_cb = [](void* self, const char** names, int count) {
+      of(self).beginGroup(names, count);
+    };
+    callbacks.usemtl_cb = [](void* self, const char* name, int) { of(self).takeMaterial(name); };
+    PlainLines plain(text);
+    std::istream stream(&plain);
+    tinyobj::LoadObjWithCallback(stream, callbacks, this);
+    for (const NotFinite& bad : lines_.notFinite) {
+      faces.positions[bad.vertex].setConstant(std::nan(""));
+    }
+    checkParts();
+  }
+
+  /// The marks of triangles that were cut out of the faces.
+  ObjMarks marksOf(const Array<int>& triangles) {
+    ObjMarks marks;
+    const auto of = [&](auto member) {
+      Array<int> result;
+      result.reserve(triangles.size());
+      for (const int mark : triangles) result.push_back(kinds_[mark].*member);
+      return result;
+    };
+    if (parts_.count() > 1) marks.part = of(&Kind::part);
+    if (!materials_.empty()) marks.material = of(&Kind::material);
+    marks.parts = std::move(parts_);
+    marks.materials = std::move(materials_);
+    marks.colors = colorBytes();
+    return marks;
+  }
+
+  PolygonSoup faces;
+  /// Per face with more than three corners, and per face with fewer, its line.
+  Array<int> polygonLines;
+  Array<int> shortLines;
+
+ private:
+  /// What faces have in common.
+  struct Kind {
+    int part = -1;
+    int material = -1;
+  };
+  using Numbers = std::unordered_map<std::string, int>;
+
+  static Reading& of(void* self) { return *static_cast<Reading*>(self); }
+
+  void addColor(const Vec3& color) {
+    colors_.resize(faces.positions.size(), Vec3::Constant(-1));
+    colors_.back() = color;
+  }
+
+  void addFace(const tinyobj::index_t* corners, int count) {
+    if (kind_ < 0) beginKind();
+    ObjPart& part = parts_[kinds_[kind_].part];
+    part.triangles += std::max(0, count - 2);
+    if (count < 3) ++shortFaces_;
+    if (count > 3) ++polygons_;
+    if (!isWanted(kinds_[kind_].part)) return;
+    if (count < 3) {
+      shortLines.push_back(lines_.shortLines[shortFaces_ - 1]);
+      return;
+    }
+    if (count > 3) polygonLines.push_back(lines_.polygonLines[polygons_ - 1]);
+    for (int k = 0; k < count; ++k) {
+      const int v = corners[k].vertex_index;
+      faces.corners.push_back(v > 0 ? v - 1 : faces.positions.count() + v);
+    }
+    faces.cornerCount.push_back(count);
+    faces.mark.push_back(kind_);
+  }
+
+  void beginObject(const std::string& name) {
+    object_ = name;
+    group_.clear();
+    kind_ = -1;
+  }
+
+  void beginGroup(const char** names, int count) {
+    group_.clear();
+    for (int i = 0; i < count; ++i) {
+      if (i > 0) group_ += ' ';
+      group_ += names[i];
+    }
+    kind_ = -1;
+  }
+
+  void takeMaterial(const std::string& name) {
+    material_ = name;
+    kind_ = -1;
+  }
+
+  void beginKind() {
+    const std::string name = object_ + (object_.empty() || group_.empty() ? "" : ", ") + group_;
+    const int part = numberOf(name, partNumbers_);
+    if (part == parts_.count()) parts_.push_back({name.empty() ? "mesh" : name, 0});
+    int material = -1;
+    if (!material_.empty()) {
+      material = numberOf(material_, materialNumbers_);
+      if (material == materials_.count()) materials_.push_back(material_);
+    }
+    kind_ = kinds_.count();
+    kinds_.push_back({part, material});
+  }
+
+  static int numberOf(const std::string& name, Numbers& numbers) {
+    return numbers.emplace(name, static_cast<int>(numbers.size())).first->second;
+  }
+
+  bool isWanted(int part) const {
+    const auto& wanted = options_.parts;
+    return !wanted || std::find(wanted->begin(), wanted->end(), part) != wanted->end();
+  }
+
+  void checkParts() const {
+    if (!options_.parts) return;
+    for (const int part : *options_.parts) {
+      if (part >= 0 && part < parts_.count()) continue;
+      throw Error(ErrorCode::kBadArgument, "there is no part " + std::to_string(part) +
+                                               ": the file has " + std::to_string(parts_.count()) +
+                                               ", numbered from 0");
+    }
+  }
+
+  Array<uint8_t> colorBytes() const {
+    Array<uint8_t> bytes;
+    if (colors_.empty()) return bytes;
+    double most = 0;
+    for (const Vec3& color : colors_) most = std::max(most, color.maxCoeff());
+    const double scale = most > 1 ? 1 : 255;
+    bytes.assign(3 * static_cast<size_t>(lines_.vertices), 255);
+    for (int v = 0; v < colors_.count(); ++v) {
+      if (colors_[v] == Vec3::Constant(-1)) continue;
+      for (int k = 0; k < 3; ++k) {
+        const double value = std::clamp(std::round(scale * colors_[v][k]), 0.0, 255.0);
+        bytes[3 * v + k] = static_cast<uint8_t>(value);
+      }
+    }
+    return bytes;
+  }
+
+  const ObjLines& lines_;
+  const ObjOptions& options_;
+  int polygons_ = 0;  ///< of more than three corners, of parts that are not wanted too
+  int shortFaces_ = 0;
+  Array<Vec3> colors_;  ///< up to the last vertex that has one; -1 for none
+  Array<ObjPart> parts_;
+  Array<std::string> materials_;
+  Numbers partNumbers_;
+  Numbers materialNumbers_;
+  Array<Kind> kinds_;
+  int kind_ = -1;  ///< that of the next face; -1 until there is one
+  std::string object_;
+  std::string group_;
+  std::string material_;
+};
 
 /// That no face uses a vertex that is not finite.
 void checkUses(const PolygonSoup& faces, const ObjLines& lines) {
@@ -81,35 +282,37 @@ void checkUses(const PolygonSoup& faces, const ObjLines& lines) {
 
 }  // namespace
 
-ObjContents readObj(std::string_view bytes, bool mend) {
+ObjContents readObj(std::string_view bytes, const ObjOptions& options) {
   if (bytes.find('\0') != std::string_view::npos) {
     throw Error(ErrorCode::kBadFile, "the file is not text: an OBJ file has no zero bytes");
   }
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   const ObjLines lines = checkObjLines(bytes);
-  if (!mend && !lines.notFinite.empty()) {
+  if (!options.mend && !lines.notFinite.empty()) {
     throw Error(ErrorCode::kNotFinite, lines.notFinite[0].sentence);
   }
-  if (!mend && !lines.shortLines.empty()) {
+  if (!options.mend && !lines.shortLines.empty()) {
     throw Error(ErrorCode::kBadFile, shortFace(lines.shortLines[0]));
   }
-  PolygonSoup faces = parse(bytes, lines);
-  checkUses(faces, lines);
-  if (lines.notFinite.empty()) checkPositions(faces.positions);
-  const auto lineOf = [&](PolygonNumber number) { return lines.polygonLines[number.polygon]; };
-  CutPolygons cut = cutPolygons(std::move(faces), mend, [&](PolygonNumber number) {
+  Reading reading(lines, options);
+  reading.read(bytes);
+  checkUses(reading.faces, lines);
+  if (lines.notFinite.empty()) checkPositions(reading.faces.positions);
+  const auto lineOf = [&](PolygonNumber number) { return reading.polygonLines[number.polygon]; };
+  ObjContents contents;
+  CutPolygons cut = cutPolygons(std::move(reading.faces), options.mend, [&](PolygonNumber number) {
     return "line " + std::to_string(lineOf(number));
   });
-  ObjContents contents;
+  contents.marks = reading.marksOf(cut.mark);
   contents.soup = std::move(cut.soup);
   contents.polygonsCut = cut.polygonsCut;
   contents.repeatedCorners = cut.repeatedCorners;
-  contents.leftOut = cut.leftOut + lines.shortLines.count();
+  const Array<int>& shortLines = reading.shortLines;
+  contents.leftOut = cut.leftOut + shortLines.count();
   if (cut.leftOut > 0) contents.firstLineLeftOut = lineOf(cut.firstLeftOut);
-  if (!lines.shortLines.empty() &&
-      (cut.leftOut == 0 || lines.shortLines[0] < contents.firstLineLeftOut)) {
-    contents.firstLineLeftOut = lines.shortLines[0];
+  if (!shortLines.empty() && (cut.leftOut == 0 || shortLines[0] < contents.firstLineLeftOut)) {
+    contents.firstLineLeftOut = shortLines[0];
   }
   return contents;
 }

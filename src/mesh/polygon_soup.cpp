@@ -71,7 +71,13 @@ CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
   PolygonNumber number;
   int firstCount = 0;  // corners of the first that was left out
   const int* corner = polygons.corners.data();
+  // Those of the face before, however it was cut.
+  const auto markTriangles = [&] {
+    if (number.face < 0 || polygons.mark.empty()) return;
+    result.mark.resize(triangles.size(), polygons.mark[number.face]);
+  };
   for (const int count : polygons.cornerCount) {
+    markTriangles();
     ++number.face;
     if (count == 3) {
       triangles.emplace_back(corner[0], corner[1], corner[2]);
@@ -105,6 +111,7 @@ CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
     for (const Triangle& t : cut) triangles.emplace_back(ring[t[0]], ring[t[1]], ring[t[2]]);
     ++result.polygonsCut;
   }
+  markTriangles();
   if (triangles.empty() && result.leftOut > 0) {
     throwUncut(placeOf(result.firstLeftOut), firstCount);
   }

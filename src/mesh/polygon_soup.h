@@ -12,6 +12,7 @@ struct PolygonSoup {
   Array<Vec3> positions;
   Array<int> corners;
   Array<int> cornerCount;  ///< per face, at least 3
+  Array<int> mark;         ///< per face a number that its triangles get; empty: they get none
 };
 
 /// A face by its number among all, and among those of more than three corners.
@@ -23,6 +24,7 @@ struct PolygonNumber {
 struct CutPolygons {
   /// Vertices as given; triangles in the faces' order, those of a polygon one after another.
   TriangleSoup soup;
+  Array<int> mark;          ///< per triangle that of its face; empty without marks
   int polygonsCut = 0;      ///< faces with more than three corners
   int repeatedCorners = 0;  ///< of those that named a vertex twice in a row; it was taken once
   int leftOut = 0;          ///< faces that cannot be cut

@@ -21,7 +21,7 @@ namespace {
 /// The error that reading throws, as "code: sentence"; empty if there was none.
 std::string errorOf(const std::string& text, bool mend = true) {
   try {
-    readObj(text, mend);
+    readObj(text, {mend, {}});
   } catch (const Error& error) {
     return std::string(errorCodeName(error.code())) + ": " + error.what();
   }
@@ -50,6 +50,84 @@ TEST(ReadObj, SkipsWhatItDoesNotUse) {
   EXPECT_TRUE(obj.soup.triangles == triangles);
 }
 
+/// What C's printf makes of a number.
+std::string printed(const char* format, double value) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+TEST(ReadObj, ReadsFacesOfMoreCornersThanAByteCounts) {
+  // Tinyobjloader's reader of whole files counts corners in a byte in some versions.
+  for (const int corners : {255, 256, 600}) {
+    std::string text;
+    std::string face = "f";
+    for (int i = 0; i < corners; ++i) {
+      const Vec2 p = unitVector(2 * kPi * i / corners);
+      text += printed("v %.17g ", p.x()) + printed("%.17g 0\n", p.y());
+      face += printed(" %.0f/1/1", i + 1);
+    }
+    EXPECT_EQ(readObj(text + face + "\n").soup.triangles.count(), corners - 2);
+  }
+}
+
+/// Two triangles of a quad, and one more, in two groups of two materials.
+const std::string kMarked =
+    "o  box\ng left  side\nv 0 0 0 1 0 0.5\nv 1 0 0\nv 1 1 0 0 1 0 # green\nv 0 1 0 x 0 0\n"
+    "v 2 0 0\nf 2 5 3\nusemtl dark wood\nf 1 2 3 4\ng right\nf 1 2 \\\n3\nf 1 2\no box\n"
+    "g left side\nf 1 3 4\n";
+
+TEST(ReadObj, TellsPartsAndMaterials) {
+  const ObjMarks marks = readObj(kMarked).marks;
+  ASSERT_EQ(marks.parts.count(), 2);
+  EXPECT_EQ(marks.parts[0].name, "box, left side");
+  EXPECT_EQ(marks.parts[0].triangles, 4);
+  EXPECT_EQ(marks.parts[1].name, "box, right");
+  EXPECT_EQ(marks.parts[1].triangles, 1);
+  EXPECT_EQ(marks.part, (Array<int>{0, 0, 0, 1, 0}));
+  EXPECT_EQ(marks.materials, (Array<std::string>{"dark wood"}));
+  EXPECT_EQ(marks.material, (Array<int>{-1, 0, 0, 0, 0}));
+  const ObjMarks plain = readObj(kThree + "f 1 2 3\n").marks;
+  ASSERT_EQ(plain.parts.count(), 1);
+  EXPECT_EQ(plain.parts[0].name, "mesh");
+  EXPECT_TRUE(plain.part.empty() && plain.material.empty() && plain.materials.empty());
+}
+
+TEST(ReadObj, TellsColorsOfVertices) {
+  EXPECT_EQ(readObj(kMarked).marks.colors,
+            (Array<uint8_t>{255, 0, 128, 255, 255, 255, 0, 255, 0,  //
+                            255, 255, 255, 255, 255, 255}));
+  EXPECT_EQ(readObj("v 0 0 0 255 1 -3\nv 1 0 0 0 0 300\nv 0 1 0 1 2\nf 1 2 3\n").marks.colors,
+            (Array<uint8_t>{255, 1, 0, 0, 0, 255, 255, 255, 255}));
+  EXPECT_TRUE(readObj(kThree + "f 1 2 3\n").marks.colors.empty());
+}
+
+TEST(ReadObj, ReadsThePartsThatAreWanted) {
+  const ObjContents right = readObj(kMarked, {true, Array<int>{1}});
+  EXPECT_TRUE(right.soup.triangles == (Array<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(right.marks.parts.count(), 2);
+  EXPECT_EQ(right.marks.parts[0].triangles, 4);
+  EXPECT_EQ(right.marks.part, (Array<int>{1}));
+  EXPECT_EQ(right.leftOut, 1);
+  EXPECT_EQ(right.firstLineLeftOut, 14);
+  EXPECT_EQ(readObj(kMarked, {true, Array<int>{0}}).leftOut, 0);
+  for (const int part : {-1, 2}) {
+    try {
+      readObj(kMarked, {true, Array<int>{part}});
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_TRUE(std::string(error.what()).ends_with("the file has 2, numbered from 0"));
+    }
+  }
+  // A polygon that cannot be cut is named by its own line, whatever stands before it.
+  try {
+    readObj(kThree + "v 1 1 0\nf 1 2 4 3\ng b\nf 1 2 2 3\n", {false, Array<int>{1}});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("line 7:")) << error.what();
+  }
+}
+
 TEST(ReadObj, ReadsEveryLineEnd) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     const ObjContents obj =
@@ -62,13 +140,6 @@ TEST(ReadObj, ReadsNumbersInEveryNotation) {
   const ObjContents obj = readObj("v +1.5 -.25 2.\nv 1e3 2.5E-2 -1.e+1\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(obj.soup.positions[0], Vec3(1.5, -0.25, 2));
   EXPECT_EQ(obj.soup.positions[1], Vec3(1000, 0.025, -10));
-}
-
-/// What C's printf makes of a number.
-std::string printed(const char* format, double value) {
-  char text[400];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 double coordinateOf(const std::string& decimal) {

@@ -12,7 +12,7 @@ void open(std::string_view text, bool repair) {
     options.repair = repair;
     const ImportedMesh imported = importObj(text, options);
     expectSoundMesh(imported);
-    const ObjContents contents = readObj(text, repair);
+    const ObjContents contents = readObj(text, {repair, {}});
     expect(imported.numbering.inputFaceCount() == contents.soup.triangles.count() &&
                imported.numbering.engineVertex.count() == contents.soup.positions.count(),
            "the file has other vertices or triangles than its mesh");

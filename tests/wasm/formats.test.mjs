@@ -232,6 +232,9 @@ test('parts are listed, and those that are asked for are read', async () => {
     { name: 'left', triangles: 2 },
     { name: 'right, top', triangles: 2 },
   ]);
+  assert.deepEqual(Array.from(all.file.partOf), [0, 1, 1, 0]);
+  assert.deepEqual(all.mesh.fileMarks().parts, all.file.parts);
+  await assert.rejects(open(obj, { parts: [2] }), { code: 'badArgument', message: /no part 2/ });
   const right = await open(obj, { parts: [1] });
   assert.deepEqual(Array.from(right.mesh.triangles()), [3, 4, 5, 4, 6, 5]);
 

@@ -69,6 +69,28 @@ val MeshHandle::triangles() const {
   return toJs(result);
 }
 
+val MeshHandle::marks() const {
+  val parts = val::array();
+  for (int i = 0; i < marks_.parts.count(); ++i) {
+    val part = val::object();
+    part.set("name", marks_.parts[i].name);
+    part.set("triangles", marks_.parts[i].triangles);
+    parts.set(i, part);
+  }
+  val materials = val::array();
+  for (int i = 0; i < marks_.materials.count(); ++i) materials.set(i, marks_.materials[i]);
+  const auto arrayOrNull = [](const auto& array) {
+    return array.empty() ? val::null() : toJs(array);
+  };
+  val result = val::object();
+  result.set("parts", parts);
+  result.set("partOf", arrayOrNull(marks_.part));
+  result.set("materials", materials);
+  result.set("materialOf", arrayOrNull(marks_.material));
+  result.set("colors", arrayOrNull(marks_.colors));
+  return result;
+}
+
 std::unique_ptr<MeshHandle> MeshHandle::subdivided(int levels) const {
   constexpr int kMostLevels = 6;
   if (levels < 1 || levels > kMostLevels) {
@@ -292,9 +314,19 @@ Array<double> MeshHandle::engineDistances(const Array<double>& distances, size_t
   return result;
 }
 
-std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, bool repair, double weld) {
-  const Array<char> text = fromJs<char>(bytes);
-  return std::make_unique<MeshHandle>(importObj({text.data(), text.size()}, {repair, weld}));
+std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, const val& parts, bool repair,
+                                        double weld) {
+  ObjOptions options{repair, {}};
+  if (!parts.isNull()) options.parts = fromJs<int>(parts);
+  ObjContents contents;
+  {
+    const Array<char> text = fromJs<char>(bytes);
+    contents = readObj({text.data(), text.size()}, options);
+  }
+  ObjMarks marks = std::move(contents.marks);
+  auto mesh = std::make_unique<MeshHandle>(importObj(std::move(contents), {repair, weld}));
+  mesh->setMarks(std::move(marks));
+  return mesh;
 }
 
 namespace {

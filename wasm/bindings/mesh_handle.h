@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "bindings/wire.h"
 #include "mesh/face_tree.h"
@@ -22,6 +23,12 @@ class MeshHandle {
   const Numbering& numbering() const { return numbering_; }
   /// Of the mesh's curves and centers of mass.
   const std::shared_ptr<FieldSets>& fieldSets() const { return fieldSets_; }
+
+  /// Of a mesh that an OBJ file gave.
+  void setMarks(ObjMarks marks) { marks_ = std::move(marks); }
+  /// {parts, partOf, materials, materialOf, colors}, as types.ts has them; parts are none of a mesh
+  /// that no OBJ file gave.
+  val marks() const;
 
   /// Of a mesh that approximates a known smooth surface.
   void setSmooth(const std::optional<CurvatureBound>& bound) { smooth_ = bound; }
@@ -100,6 +107,7 @@ class MeshHandle {
   Numbering numbering_;
   Array<Vec3> droppedPositions_;
   Array<Repair> repairs_;
+  ObjMarks marks_;
   Surface surface_;
   std::optional<CurvatureBound> smooth_;
   std::optional<FaceTree> faceTree_;  ///< made when it is first asked for
@@ -108,8 +116,10 @@ class MeshHandle {
   std::shared_ptr<FieldSet> fields_;
 };
 
-/// `bytes` is a Uint8Array with the content of an OBJ file; `weld` is ImportOptions'.
-std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, bool repair, double weld);
+/// `bytes` is a Uint8Array with the content of an OBJ file, `parts` null for all of it or numbers
+/// of its parts; `weld` is ImportOptions'.
+std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, const val& parts, bool repair,
+                                        double weld);
 /// `positions` is a Float64Array, `triangles` an Int32Array, each three numbers an item.
 std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles, bool repair,
                                            double weld);

@@ -53,6 +53,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("inputVertices", &Guarded<&MeshHandle::inputVertices>::call)
       .function("positions", &Guarded<&MeshHandle::positions>::call)
       .function("triangles", &Guarded<&MeshHandle::triangles>::call)
+      .function("marks", &Guarded<&MeshHandle::marks>::call)
       .function("subdivided", &Guarded<&MeshHandle::subdivided>::call)
       .function("checkedPoint", &Guarded<&MeshHandle::checkedPoint>::call)
       .function("position", &Guarded<&MeshHandle::position>::call)

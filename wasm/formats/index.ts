@@ -1,10 +1,9 @@
 import { checkArray, checkInteger, checkOptions, shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { checkLongWork, namesOf } from '../options.js';
-import type { MeshOptions } from '../types.js';
+import type { FileMarks, MeshOptions, ObjOptions } from '../types.js';
 import { formatOf, withoutMark } from './format.js';
 import { gltfBeside, readGltf } from './gltf.js';
-import { objParts } from './obj.js';
 import { readOff } from './off.js';
 import { readPly } from './ply.js';
 import { readStl } from './stl.js';
@@ -16,9 +15,14 @@ export type * from './types.js';
 export { guessUp } from './up.js';
 export { meshFile, type Triangles, type WrittenFormat, writtenFormats } from './write.js';
 
+/** A mesh that tells what an OBJ file said of it. */
+export interface MarkedMesh {
+  fileMarks(): FileMarks | Promise<FileMarks>;
+}
+
 /** What makes a mesh: a `Karcher`, in this thread or in a worker. */
-export interface MeshMaker<Mesh> {
-  meshFromObj(bytes: Uint8Array, options?: MeshOptions): Mesh | Promise<Mesh>;
+export interface MeshMaker<Mesh extends MarkedMesh> {
+  meshFromObj(bytes: Uint8Array, options?: ObjOptions): Mesh | Promise<Mesh>;
   meshFromArrays(
     positions: Float64Array,
     triangles: Int32Array,
@@ -42,19 +46,21 @@ const optionNames = namesOf<FileOptions>({
   weld: true,
 });
 
+const noMarks = { partOf: null, materials: [], materialOf: null, colors: null };
+
 /**
  * Makes a mesh of a file: OBJ, PLY (text or binary), STL or OFF (text or binary), or glTF 2 (GLB, or text
  * with its buffers in `beside`). The format is told by the content, or else by the name's ending.
  *
  * Vertices and faces keep the file's order, faces counting triangles; in an STL file, which has no
  * vertices, corners at exactly the same place are one. Reading takes slices of a few milliseconds,
- * between which the thread does other work; making the mesh is one call.
+ * between which the thread does other work; making the mesh is one call, in which OBJ is also read.
  *
  * Rejects with the signal's reason when it is aborted, and with `KarcherError`: badFile (with the line
  * or byte, or with what the file is instead), badIndex, badArgument (options, and a part that the file
  * does not have), and those of `meshFromObj`.
  */
-export async function meshFromFile<Mesh>(
+export async function meshFromFile<Mesh extends MarkedMesh>(
   karcher: MeshMaker<Mesh>,
   given: Uint8Array,
   options: FileOptions = {},
@@ -71,15 +77,19 @@ export async function meshFromFile<Mesh>(
   const bytes = withoutMark(given);
   const format = formatOf(bytes, name);
   if (format === 'obj') {
-    const read = await objParts(bytes, wantedParts ? wanted : null, work);
-    const file: FileInfo = { format, parts: read.parts, notRead: [] };
-    checkParts(wantedParts, file);
-    progress?.(1, 'making');
-    return { mesh: await karcher.meshFromObj(read.bytes, meshOptions), file };
+    // The engine reads these by itself, in one call.
+    signal?.throwIfAborted();
+    progress?.(0, 'making');
+    const mesh = await karcher.meshFromObj(bytes, {
+      ...meshOptions,
+      ...(wantedParts && { parts: wantedParts }),
+    });
+    return { mesh, file: { format, notRead: [], ...(await mesh.fileMarks()) } };
   }
   const polygons = await read(format, bytes, wanted, beside ?? {}, work);
-  checkParts(wantedParts, polygons.info);
-  const { positions, corners, sizes, info: file } = polygons;
+  const { positions, corners, sizes, info } = polygons;
+  const file: FileInfo = { ...noMarks, ...info };
+  checkParts(wantedParts, file);
   if (sizes) {
     progress?.(1, 'making');
     return { mesh: await karcher.meshFromPolygons(positions, corners, sizes, meshOptions), file };

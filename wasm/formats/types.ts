@@ -1,16 +1,11 @@
-import type { LongWorkOptions, MeshOptions } from '../types.js';
+import type { FileMarks, LongWorkOptions, MeshOptions } from '../types.js';
+
+export type { FileMarks, FilePart } from '../types.js';
 
 export type MeshFormat = 'obj' | 'ply' | 'stl' | 'off' | 'gltf';
 
 /** An axis of a file's coordinates that points up. */
 export type UpAxis = 'x' | 'y' | 'z';
-
-/** An object or group of an OBJ file, a solid of an STL file, a primitive of a glTF scene. */
-export interface FilePart {
-  name: string;
-  /** Of polygons, as many as they are cut into. */
-  triangles: number;
-}
 
 export interface FileOptions extends LongWorkOptions, MeshOptions {
   /** The file's name: its ending tells the format where the content does not. */
@@ -22,10 +17,8 @@ export interface FileOptions extends LongWorkOptions, MeshOptions {
 }
 
 /** What a file is, beside its surface. */
-export interface FileInfo {
+export interface FileInfo extends FileMarks {
   format: MeshFormat;
-  /** All of them, whichever were asked for; one where the format has none. */
-  parts: FilePart[];
   /** Sentences about what the file holds and no mesh has: lines, skins, other elements. */
   notRead: string[];
 }
@@ -38,5 +31,5 @@ export interface Polygons {
   corners: Int32Array;
   /** Corners a polygon; null where all are triangles. */
   sizes: Int32Array | null;
-  info: FileInfo;
+  info: Pick<FileInfo, 'format' | 'parts' | 'notRead'> & Partial<FileMarks>;
 }

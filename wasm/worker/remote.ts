@@ -127,6 +127,7 @@ const curveFacts = namesOf<Record<CurveFact, true>>({
 const meshMethods = namesOf<Record<MeshMethod, true>>({
   positions: true,
   triangles: true,
+  fileMarks: true,
   subdivide: true,
   surfacePoint: true,
   position: true,
