@@ -2,7 +2,7 @@
 // thin and can be left out, dashes are as long as the line is wide, and the magnet tells whether it is on.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { openBrowser, Tab, until } from './browser.mjs';
 
 const upper = [
   [-120, -90],
@@ -180,6 +180,40 @@ describe('lines', () => {
       ([red, green, blue]) => red > 150 && green < 130 && blue < 80,
     );
     assert.ok(orange.length >= 14, `${orange.length} of 16 pixels`);
+    await close(tab);
+  });
+
+  test('of the rubber band lead as the next piece will, also out of a handle', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500');
+    const { x, y } = await tab.middle();
+    await tab.page.keyboard.press('p');
+    await tab.click([-160, 40]);
+    await tab.drag({ x: x - 60, y: y + 40 }, { x: x - 60, y: y - 100 });
+    const to = { x: x + 130, y: y + 60 };
+    const hover = async () => {
+      await tab.page.mouse.move(to.x, to.y + 3);
+      await tab.page.mouse.move(to.x, to.y, { steps: 3 });
+    };
+    // Where the piece will be seen, high above the way from its anchor.
+    await tab.page.mouse.click(to.x, to.y);
+    // The band is dashed: not every place is in a dash.
+    const places = [];
+    for (const part of [0.7, 0.71, 0.72, 0.73, 0.74]) places.push(await tab.onCurve(part));
+    for (const place of places) assert.ok(place.y < y + 10, `${place.y}`);
+    const columns = async () => {
+      const all = [];
+      for (const place of places) all.push(...(await column(tab, place, 8)));
+      return all;
+    };
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    await tab.page.mouse.move(x, 20);
+    const bare = await columns();
+    await hover();
+    await until(
+      async () => unlike(await columns(), bare).length > 4,
+      'the band is where the piece will be',
+    );
     await close(tab);
   });
 

@@ -82,6 +82,10 @@ export class LooseCurve {
     return this.curve.pointAt(parameter);
   }
 
+  polyline(): Promise<Float32Array> {
+    return this.curve.polyline();
+  }
+
   /** Where the curve of another value, its points moved, is at a parameter. */
   async placeOn(value: CurveOptions, parameter: number): Promise<CurvePoint> {
     const { curve } = this;

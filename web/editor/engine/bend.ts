@@ -106,15 +106,16 @@ export class Bend {
   }
 }
 
-/** The value of one segment, as a curve. */
-async function segmentValue(
+/** The value of one segment, as a curve of so many samples. */
+export async function segmentValue(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { from, to }: OnSegment,
+  { from, to }: Pick<OnSegment, 'from' | 'to'>,
+  samples = 2,
 ): Promise<CurveOptions> {
   const points = [figure.points[from]!, figure.points[to]!];
-  const settings = { ...figure.settings, closed: false, samples: 2, tolerance: null };
+  const settings = { ...figure.settings, closed: false, samples, tolerance: null };
   const segment: Figure = { ...figure, points, settings };
   return penOptions(segment, await drawnTangents(client, segment), options);
 }

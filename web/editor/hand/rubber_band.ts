@@ -1,13 +1,20 @@
 import type { SurfacePoint } from 'karcher';
-import { isCurve } from '../../model/figure';
+import { type ControlPoint, isCurve } from '../../model/figure';
+import { methodOptions } from '../../model/methods';
 import type { Viewer } from '../../viewer/viewer';
+import type { EngineClient } from '../../worker/client';
+import { segmentValue } from '../engine/bend';
 import type { Editor } from '../state/editor';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 
 const nothing = new Float32Array();
+const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 
-/** The way on the surface from the last point of the curve that is drawn to the pointer. */
+/** How many places of a curved band are found. */
+const samples = 24;
+
+/** What a click would add: the way on the surface, or a curve out of the last anchor's handle, to the pointer. */
 export class RubberBand {
   readonly #newest = new Newest<SurfacePoint>((point) => this.#show(point));
   #wanted: SurfacePoint | null = null;
@@ -27,7 +34,7 @@ export class RubberBand {
   }
 
   /** The last point of the curve that is drawn; null where a click begins another one, or adds none. */
-  get #last(): SurfacePoint | null {
+  get #last(): ControlPoint | null {
     const { figure, selection, dragging, tool } = this.editor.state;
     const { kind, points, settings } = figure;
     if (tool !== 'insert' || dragging || !this.editor.isOpen || !isCurve(kind)) return null;
@@ -40,12 +47,27 @@ export class RubberBand {
     const { client } = this.session;
     const { surface } = this.viewer;
     if (!from || !client || !surface || this.#wanted !== to) return;
-    const plain = ({ face, bary }: SurfacePoint) => ({ face, bary });
-    const path = await client.mesh.shortestPath(plain(from), plain(to)).catch(() => null);
-    const isCurrent = path && this.#wanted === to && this.#last === from;
+    const line = await this.#lineTo(client, from, plain(to)).catch(() => null);
+    const isCurrent = line && this.#wanted === to && this.#last === from;
     if (!isCurrent || this.viewer.surface !== surface) return;
     this.#isShown = true;
-    this.viewer.showBand(surface.toScene(path.polyline()));
+    this.viewer.showBand(surface.toScene(line));
+  }
+
+  async #lineTo(client: EngineClient, from: ControlPoint, to: SurfacePoint) {
+    if (!from.tangents?.after) {
+      return (await client.mesh.shortestPath(plain(from), to)).polyline();
+    }
+    const { figure, method } = this.editor.state;
+    const piece = { ...figure, points: [from, to] };
+    const options = methodOptions(method);
+    const value = await segmentValue(client, piece, options, { from: 0, to: 1 }, samples);
+    const curve = await client.looseCurve(value);
+    try {
+      return await curve.polyline();
+    } finally {
+      curve.dispose();
+    }
   }
 
   #hide(): void {
