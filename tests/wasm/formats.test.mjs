@@ -382,3 +382,113 @@ test('which way is up: a sole, a rim that is open below, or what is usual', () =
     ['y', 'y', 'z'],
   );
 });
+
+/** Two triangles with a red, a green, a blue and a half gray vertex, the third at the place of the fourth. */
+const colored = {
+  positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 1, 0],
+  colors: [
+    [255, 0, 0],
+    [0, 255, 0],
+    [0, 0, 255],
+    [128, 128, 128],
+    [255, 255, 255],
+  ],
+  faces: [
+    [0, 1, 2],
+    [3, 1, 4],
+  ],
+};
+
+/** With colors of four floats, which glTF has as light. */
+function coloredGlb(light, accessor = {}) {
+  const { json, buffer } = files.gltfParts(colored);
+  const bytes = new Uint8Array(buffer.length + 4 * light.length);
+  bytes.set(buffer);
+  bytes.set(new Uint8Array(Float32Array.from(light).buffer), buffer.length);
+  json.bufferViews.push({ buffer: 0, byteOffset: buffer.length, byteLength: 4 * light.length });
+  json.accessors.push({
+    ...{ bufferView: json.bufferViews.length - 1, componentType: 5126, type: 'VEC4' },
+    ...{ count: light.length / 4, ...accessor },
+  });
+  json.buffers[0].byteLength = bytes.length;
+  json.materials = [{ name: 'paint' }];
+  const primitive = json.meshes[0].primitives[0];
+  primitive.attributes.COLOR_0 = json.accessors.length - 1;
+  primitive.material = 0;
+  return files.glbOf({ json, buffer: bytes });
+}
+
+function coloredPly(type, toNumber, names) {
+  const places = colored.colors.map((color, i) =>
+    [...colored.positions.slice(3 * i, 3 * i + 3), ...color.map(toNumber)].join(' '),
+  );
+  const properties = ['x', 'y', 'z'].map((axis) => `property float ${axis}`);
+  const channels = names.map((name) => `property ${type} ${name}`);
+  const faces = colored.faces.map((face) => `3 ${face.join(' ')}`);
+  return encode(
+    [
+      ...['ply', 'format ascii 1.0', 'element vertex 5', ...properties, ...channels],
+      ...['element face 2', 'property list uchar int vertex_indices', 'end_header'],
+      ...[...places, ...faces, ''],
+    ].join('\n'),
+  );
+}
+
+test('colors are those of the file’s vertices, in whatever numbers, welded or not', async () => {
+  const obj = encode(
+    `${colored.colors
+      .map((color, i) =>
+        ['v', ...colored.positions.slice(3 * i, 3 * i + 3), ...color.map((c) => c / 255)].join(' '),
+      )
+      .join('\n')}\nf 1 2 3\nf 4 2 5\n`,
+  );
+  const toLight = (c) => (c > 10 ? ((c / 255 + 0.055) / 1.055) ** 2.4 : c / 255 / 12.92);
+  const light = colored.colors.flatMap((color) => [...color.map(toLight), 1]);
+  const glb = await open(coloredGlb(light));
+  const rgb = ['red', 'green', 'blue'];
+  const opened = [
+    await open(obj),
+    await open(coloredPly('uchar', (c) => c, rgb)),
+    await open(
+      coloredPly('float', (c) => c / 255, ['diffuse_red', 'diffuse_green', 'diffuse_blue']),
+    ),
+    await open(coloredPly('ushort', (c) => 257 * c, ['r', 'g', 'b'])),
+    glb,
+  ];
+  for (const { mesh, file } of opened) {
+    assert.equal(mesh.info.components, 1, file.format);
+    assert.deepEqual(Array.from(file.colors), colored.colors.flat(), file.format);
+    assert.equal(mesh.positions().length, file.colors.length);
+  }
+  assert.deepEqual(glb.file.materials, ['paint']);
+  assert.deepEqual(Array.from(glb.file.materialOf), [0, 0]);
+  assert.equal((await open(files.objFile(box))).file.colors, null);
+  assert.equal((await open(files.glbFile(cutBox))).file.colors, null);
+  // No surface is refused for its colors.
+  const { file } = await open(coloredGlb(light, { type: 'VEC2' }));
+  assert.equal(file.colors, null);
+});
+
+test('triangles know their part and material', async () => {
+  const stl = await open(files.stlFile(cutBox, { text: true, solids: 3 }), { parts: [0, 2] });
+  assert.deepEqual(Array.from(stl.file.partOf), [0, 0, 0, 0, 2, 2, 2, 2]);
+  const nodes = [
+    { mesh: 0, name: 'one' },
+    { mesh: 0, name: 'two', translation: [9, 0, 0] },
+  ];
+  const glb = files.glbFile(cutBox, { nodes, scenes: [{ nodes: [0, 1] }] });
+  assert.deepEqual(Array.from((await open(glb, { parts: [1] })).file.partOf), Array(12).fill(1));
+  const { file } = await open(glb);
+  assert.deepEqual([file.materials, file.materialOf], [[], null]);
+  const obj = encode(
+    'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl a\nf 1 2 4 3\nusemtl b\nf 4 2 1\n',
+  );
+  const marks = (await open(obj)).file;
+  assert.deepEqual(
+    [marks.materials, Array.from(marks.materialOf)],
+    [
+      ['a', 'b'],
+      [0, 0, 1],
+    ],
+  );
+});

@@ -9,6 +9,7 @@ import { type Accessor, Accessors } from './gltf_accessors.js';
 import { buffersBeside } from './gltf_buffers.js';
 import { compressions, decodersFor, dracoOf } from './gltf_decoders.js';
 import { countOf, entryOf, isJson, type Json, listOf, objectOf } from './gltf_json.js';
+import { colorByte, encodedLight, materialsOf, partOfEach } from './marks.js';
 import type { FilePart, Polygons } from './types.js';
 
 /** A matrix's 16 numbers, column by column. */
@@ -47,11 +48,18 @@ export async function readGltf(
   checkVersion(json);
   const accessors = new Accessors(json, content, beside, await decodersFor(json));
   const slices = new Slices(work, 'reading');
-  const { parts, chosen, notRead } = await stripsOf(accessors, wanted, slices);
+  const { parts, materials, chosen, notRead } = await stripsOf(accessors, wanted, slices);
   if (parts.length === 0) throw badFile('the glTF file has no triangles in its scene');
   const scene = new Scene(slices, chosen);
   for (const strip of chosen) await scene.add(strip);
-  const info = { format: 'gltf', parts, notRead } as const;
+  const partOf = partOfEach(parts, wanted);
+  const { colors } = scene;
+  const marks = {
+    partOf,
+    colors,
+    ...materialsOf(materialNames(json), materials, partOf, scene.corners.length / 3),
+  };
+  const info = { format: 'gltf', parts, notRead, ...marks } as const;
   return { positions: scene.positions, corners: scene.corners, sizes: null, info };
 }
 
@@ -62,6 +70,9 @@ interface Primitive {
   /** Numbers of its vertices; null where they are taken one after the other. */
   indices: Accessor | null;
   triangles: number;
+  colors: Accessor | null;
+  /** The number of its material, -1 for none. */
+  material: number;
   /** Of the mesh's primitives, from 1; empty where it has one. */
   number: string;
 }
@@ -86,7 +97,7 @@ async function stripsOf(
   accessors: Accessors,
   wanted: (part: number) => boolean,
   slices: Slices,
-): Promise<{ parts: FilePart[]; chosen: Strip[]; notRead: string[] }> {
+): Promise<{ parts: FilePart[]; materials: number[]; chosen: Strip[]; notRead: string[] }> {
   const { json } = accessors;
   const nodes = placedMeshes(accessors);
   const meshes = new Map<Json, Primitives>();
@@ -106,12 +117,14 @@ async function stripsOf(
     );
   }
   const parts: FilePart[] = [];
+  const materials: number[] = [];
   const chosen: Strip[] = [];
   for (const node of nodes) {
     for (const primitive of meshes.get(node.mesh)!.triangles) {
       const name = node.name + primitive.number;
       if (wanted(parts.length)) chosen.push({ name, node, primitive });
       parts.push({ name, triangles: primitive.triangles });
+      materials.push(primitive.material);
     }
   }
   const notRead = [
@@ -120,7 +133,7 @@ async function stripsOf(
     ...(others.morphed > 0 ? ['Morph targets are at rest.'] : []),
     ...(listOf(json, 'skins').length > 0 ? ['Skins are at rest.'] : []),
   ];
-  return { parts, chosen, notRead };
+  return { parts, materials, chosen, notRead };
 }
 
 async function primitivesOf(mesh: Json, accessors: Accessors, slices: Slices): Promise<Primitives> {
@@ -129,23 +142,33 @@ async function primitivesOf(mesh: Json, accessors: Accessors, slices: Slices): P
   for (const i of primitives.keys()) {
     if (slices.over) await slices.rest(0);
     const primitive = entryOf(mesh, 'primitives', i);
-    const told = modes[countOf(primitive, 'mode', 'a primitive of the glTF file', 4)];
-    if (told === undefined) throw badFile('a primitive of the glTF file has a mode above 6');
-    if (told === 'points' || told === 'lines') {
-      found[told]++;
+    const kind = modes[countOf(primitive, 'mode', 'a primitive of the glTF file', 4)];
+    if (kind === undefined) throw badFile('a primitive of the glTF file has a mode above 6');
+    if (kind === 'points' || kind === 'lines') {
+      found[kind]++;
       continue;
     }
     // Draco has triangles only, whatever they were made of.
-    const mode = dracoOf(primitive) ? 'triangles' : told;
+    const mode = dracoOf(primitive) ? 'triangles' : kind;
     if (listOf(primitive, 'targets').length > 0) found.morphed++;
     const { places, indices } = accessors.ofPrimitive(primitive);
     const count = indices?.count ?? places.count;
     const triangles = mode === 'triangles' ? Math.floor(count / 3) : Math.max(0, count - 2);
     if (triangles === 0) continue;
     const number = primitives.length > 1 ? `, ${i + 1}` : '';
-    found.triangles.push({ mode, places, indices, triangles, number });
+    const colors = accessors.colorsOf(primitive);
+    const told = typeof primitive.material === 'number' ? primitive.material : -1;
+    const material = told in listOf(accessors.json, 'materials') ? told : -1;
+    found.triangles.push({ mode, places, indices, triangles, number, colors, material });
   }
   return found;
+}
+
+function materialNames(json: Json): string[] {
+  return listOf(json, 'materials').map((material, i) => {
+    const { name } = isJson(material) ? material : {};
+    return typeof name === 'string' && name !== '' ? name : `material ${i}`;
+  });
 }
 
 function checkVersion(json: Json): void {
@@ -295,6 +318,8 @@ class Scene {
   readonly #slices: Slices;
   readonly positions: Float64Array;
   readonly corners: Int32Array;
+  /** Bytes, three a vertex, white where a primitive has none; null where none has. */
+  readonly colors: Uint8Array | null;
   #vertices = 0;
   #corner = 0;
   /** Where the vertices of accessors begin, of the last node: its primitives share them. */
@@ -315,12 +340,14 @@ class Scene {
     checkMeshFits(vertices, triangles, 'the glTF file makes');
     this.positions = new Float64Array(3 * vertices);
     this.corners = new Int32Array(3 * triangles);
+    const isColored = strips.some(({ primitive }) => primitive.colors);
+    this.colors = isColored ? new Uint8Array(3 * vertices).fill(255) : null;
   }
 
   async add({ name, node, primitive }: Strip): Promise<void> {
-    const { mode, places, indices, triangles } = primitive;
+    const { mode, places, indices, triangles, colors } = primitive;
     const vertices = places.count;
-    const start = await this.#start(node, places);
+    const start = await this.#start(node, places, colors);
     const turned = mirrors(node.matrix);
     const index = new Float64Array(1);
     const { corners } = this;
@@ -353,7 +380,7 @@ class Scene {
   }
 
   /** The number of the first of a node's vertices, which are made once. */
-  async #start(node: PlacedMesh, places: Accessor): Promise<number> {
+  async #start(node: PlacedMesh, places: Accessor, colors: Accessor | null): Promise<number> {
     if (node !== this.#node) this.#starts = new Map();
     this.#node = node;
     const known = this.#starts.get(places);
@@ -369,6 +396,13 @@ class Scene {
       for (let axis = 0; axis < 3; axis++) {
         positions[3 * (start + row) + axis] =
           matrix[axis]! * x + matrix[4 + axis]! * y + matrix[8 + axis]! * z + matrix[12 + axis]!;
+      }
+    }
+    const light = new Float64Array(3);
+    for (let row = 0; colors && row < Math.min(colors.count, places.count); row++) {
+      colors.fill(row, light);
+      for (let k = 0; k < 3; k++) {
+        this.colors![3 * (start + row) + k] = colorByte(encodedLight(light[k]!));
       }
     }
     this.#vertices += places.count;

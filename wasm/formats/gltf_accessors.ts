@@ -72,6 +72,19 @@ export class Accessors {
     };
   }
 
+  /** The colors of a primitive's vertices; null where it has none that can be read. */
+  colorsOf(primitive: Json): Accessor | null {
+    const { COLOR_0 } = objectOf(primitive, 'attributes');
+    if (COLOR_0 === undefined || (this.#draco && dracoOf(primitive))) return null;
+    try {
+      const { type } = entryOf(this.#json, 'accessors', COLOR_0);
+      return this.#accessor(COLOR_0, type === 'VEC4' ? 'VEC4' : 'VEC3');
+    } catch {
+      // No surface is refused for its colors.
+      return null;
+    }
+  }
+
   /** One of rows of three or four numbers. */
   vectors(number: unknown, size: 3 | 4): Accessor {
     return this.#accessor(number, size === 3 ? 'VEC3' : 'VEC4');

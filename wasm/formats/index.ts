@@ -4,6 +4,7 @@ import { checkLongWork, namesOf } from '../options.js';
 import type { FileMarks, MeshOptions, ObjOptions } from '../types.js';
 import { formatOf, withoutMark } from './format.js';
 import { gltfBeside, readGltf } from './gltf.js';
+import { noMarks } from './marks.js';
 import { readOff } from './off.js';
 import { readPly } from './ply.js';
 import { readStl } from './stl.js';
@@ -45,8 +46,6 @@ const optionNames = namesOf<FileOptions>({
   repair: true,
   weld: true,
 });
-
-const noMarks = { partOf: null, materials: [], materialOf: null, colors: null };
 
 /**
  * Makes a mesh of a file: OBJ, PLY (text or binary), STL or OFF (text or binary), or glTF 2 (GLB, or text

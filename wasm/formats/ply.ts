@@ -3,6 +3,7 @@ import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
 import { badFile, counted } from './failures.js';
 import { GrowingPolygons } from './growing.js';
+import { colorByte } from './marks.js';
 import { type PlyElement, type PlyProperty, plyHeader } from './ply_header.js';
 import { longerRows, TextRows, Words } from './text.js';
 import type { Polygons } from './types.js';
@@ -103,15 +104,15 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
       ? new AsciiRows(bytes, end, line)
       : new BinaryRows(bytes, end, encoding === 'little');
   const slices = new Slices(work, 'reading');
-  let positions = new Float64Array();
+  let places: Vertices = { positions: new Float64Array(), colors: null };
   const polygons = new GrowingPolygons();
   const vertices = elements.find(({ name }) => name === 'vertex')!.count;
   for (const element of elements) {
-    if (element.name === 'vertex') positions = await readVertices(element, rows, slices);
+    if (element.name === 'vertex') places = await readVertices(element, rows, slices);
     else if (element.name === 'face') await readFaces(element, rows, vertices, polygons, slices);
     else await skip(element, rows, slices);
     // What follows the faces and vertices is of no use.
-    if (positions.length > 0 && polygons.count > 0) break;
+    if (places.positions.length > 0 && polygons.count > 0) break;
   }
   const notRead = [
     ...polygons.notRead,
@@ -121,7 +122,8 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
       .map(({ name, count }) => `The file’s '${name}' (${counted(count)}) was left out.`),
   ];
   const parts = [{ name: 'mesh', triangles: polygons.triangles }];
-  const info = { format: 'ply', parts, notRead } as const;
+  const { positions, colors } = places;
+  const info = { format: 'ply', parts, colors, notRead } as const;
   return { positions, corners: polygons.corners, sizes: polygons.sizes, info };
 }
 
@@ -157,8 +159,34 @@ function checkElements(elements: readonly PlyElement[]): void {
   }
 }
 
-async function readVertices(element: PlyElement, rows: Rows, slices: Slices) {
+interface Vertices {
+  positions: Float64Array;
+  /** Bytes, three a vertex. */
+  colors: Uint8Array | null;
+}
+
+/** What programs call red, green and blue. */
+const colorNames = [
+  ['red', 'green', 'blue'],
+  ['diffuse_red', 'diffuse_green', 'diffuse_blue'],
+  ['r', 'g', 'b'],
+];
+
+/** Per property 0 to 2 where it is red, green or blue, else -1. */
+function channelsOf({ properties }: PlyElement): number[] {
+  const has = (name: string) => properties.some((one) => one.name === name && one.length === null);
+  const names = colorNames.find((three) => three.every(has)) ?? [];
+  return properties.map(({ name }) => names.indexOf(name));
+}
+
+/** What a color's number is divided by: whole ones go up to the greatest of their type. */
+const mostOf = ({ type: { get, bytes } }: PlyProperty) =>
+  get.startsWith('Float') ? 1 : 2 ** (8 * bytes - (get.startsWith('Int') ? 1 : 0)) - 1;
+
+async function readVertices(element: PlyElement, rows: Rows, slices: Slices): Promise<Vertices> {
   const positions = new Float64Array(3 * element.count);
+  const channels = channelsOf(element);
+  const colors = channels.some((channel) => channel >= 0) ? new Uint8Array(positions.length) : null;
   const axes = element.properties.map(({ name, length }) =>
     length === null ? ['x', 'y', 'z'].indexOf(name) : -1,
   );
@@ -167,12 +195,16 @@ async function readVertices(element: PlyElement, rows: Rows, slices: Slices) {
     for (let i = 0; i < axes.length; i++) {
       const property = element.properties[i]!;
       const axis = axes[i]!;
-      if (axis < 0) skipProperty(property, rows);
+      const channel = channels[i]!;
+      if (channel >= 0) {
+        const value = rows.number(property, 'a color') / mostOf(property);
+        colors![3 * vertex + channel] = colorByte(value);
+      } else if (axis < 0) skipProperty(property, rows);
       else positions[3 * vertex + axis] = rows.number(property, 'a coordinate');
     }
     rows.endRow();
   }
-  return positions;
+  return { positions, colors };
 }
 
 async function readFaces(

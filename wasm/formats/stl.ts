@@ -4,6 +4,7 @@ import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
 import { badFile, counted } from './failures.js';
 import { GrowingInts } from './growing.js';
+import { partOfEach } from './marks.js';
 import { startOf, Words } from './text.js';
 import type { FilePart, Polygons } from './types.js';
 
@@ -60,7 +61,8 @@ export async function readStl(
   const isText = !isBinaryStl(bytes) && isTextStl(startOf(bytes));
   const reader = isText ? readText : readBinary;
   const { parts, notRead } = await reader(bytes, wanted, places, corners, slices);
-  const info = { format: 'stl', parts, notRead } as const;
+  const partOf = partOfEach(parts, wanted);
+  const info = { format: 'stl', parts, partOf, notRead } as const;
   return { positions: places.positions, corners: corners.values, sizes: null, info };
 }
 

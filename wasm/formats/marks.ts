@@ -1,0 +1,40 @@
+import type { FileMarks, FilePart } from '../types.js';
+
+/** Of a file that says nothing beside the surface. */
+export const noMarks = { partOf: null, materials: [], materialOf: null, colors: null };
+
+/** Per triangle its part, where parts come one after the other; null where there is one. */
+export function partOfEach(
+  parts: readonly FilePart[],
+  wanted: (part: number) => boolean,
+): Int32Array | null {
+  if (parts.length < 2) return null;
+  const counts = parts.map(({ triangles }, part) => (wanted(part) ? triangles : 0));
+  const partOf = new Int32Array(counts.reduce((sum, count) => sum + count, 0));
+  let end = 0;
+  for (const [part, count] of counts.entries()) {
+    partOf.fill(part, end, end + count);
+    end += count;
+  }
+  return partOf;
+}
+
+/** The materials of triangles, by those of their parts, -1 for none. */
+export function materialsOf(
+  names: string[],
+  ofParts: readonly number[],
+  partOf: Int32Array | null,
+  triangles: number,
+): Pick<FileMarks, 'materials' | 'materialOf'> {
+  if (ofParts.every((material) => material < 0)) return { materials: [], materialOf: null };
+  const materialOf =
+    partOf?.map((part) => ofParts[part]!) ?? new Int32Array(triangles).fill(ofParts[0]!);
+  return { materials: names, materialOf };
+}
+
+/** A part of 1 as a byte; what is no number is 0. */
+export const colorByte = (value: number) => Math.round(255 * Math.min(1, Math.max(0, value || 0)));
+
+/** Light as glTF tells of it, in the sRGB of other formats and of screens. */
+export const encodedLight = (light: number) =>
+  light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
