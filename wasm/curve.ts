@@ -1,13 +1,5 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import {
-  checkBoolean,
-  checkInteger,
-  checkNumber,
-  checkOptions,
-  shown,
-  toInt32,
-  toVector,
-} from './check.js';
+import { checkBoolean, checkInteger, checkNumber, checkOptions, shown, toVector } from './check.js';
 import { checkKind, engineValue, givenNumbers, OwnBasis, optionsOfParts } from './curve_options.js';
 import { disposable, type Engine, Handle } from './engine.js';
 import { KarcherError } from './errors.js';
@@ -17,7 +9,7 @@ import type {
   EngineMesh,
   EngineViewOptions,
 } from './karcher-engine.mjs';
-import { curveOptionNames, namesOf } from './options.js';
+import { curveOptionNames } from './options.js';
 import { Path } from './path.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { inDouble } from './polyline.js';
@@ -31,11 +23,11 @@ import type {
   CurveSamples,
   CurveTangent,
   CurveTimes,
+  CurveValue,
   NearestOnCurve,
   Parametrization,
   PointLike,
   PolylineOptions,
-  SetOptions,
   SurfacePoint,
   VectorLike,
 } from './types.js';
@@ -46,22 +38,6 @@ export interface CurveOwner {
   make(options: CurveOptions): Curve;
   /** Called when a curve is disposed of. */
   forget(curve: Curve): void;
-}
-
-const setOptionNames = namesOf<SetOptions>({ bits: true, dragged: true });
-
-/** The points whose legs are continued, as the engine takes them. */
-function checkDragged(dragged: SetOptions['dragged']): Int32Array {
-  const isList = typeof dragged === 'object' && dragged !== null;
-  const numbers = isList
-    ? toInt32(dragged, 'the numbers of the dragged points')
-    : Int32Array.of(checkInteger(dragged, 'the number of the dragged point'));
-  const wrong = numbers.find((i) => i < 0);
-  if (wrong === undefined) return numbers;
-  throw new KarcherError(
-    'badIndex',
-    `there is no control point ${wrong}: they are numbered from 0`,
-  );
 }
 
 /** What costs nothing to tell. */
@@ -110,31 +86,29 @@ export class Curve {
    * What the curve is: options that make it again. Numbers that it has by default are left out, and
    * what its kind has no use for.
    */
-  value(): CurveOptions {
+  value(): CurveValue {
     const parts = this.#call((curve) => curve.value());
     const { basis } = this.#options;
     const own = parts.kind === 'custom' && basis !== undefined && { basis };
-    return { ...optionsOfParts(parts), ...this.#shared(), ...own };
+    return { ...this.#shared(), ...optionsOfParts(parts), ...own };
   }
 
   /**
    * Makes it the curve of a value, and returns its view. What is as before is kept: the fields of
    * points that stay, and the segments that the same points and numbers make; so this is what all
-   * edits come to. Throws as `Mesh.curve` does.
+   * edits come to. For the curve with dragged points give it the `drawnLegs` of the view before as
+   * `legs`. Throws as `Mesh.curve` does.
    */
-  set(value: CurveOptions, options: SetOptions = {}): CurveView {
+  set(value: CurveOptions, options: PolylineOptions = {}): CurveView {
     checkOptions(value, curveOptionNames);
-    checkOptions(options, setOptionNames);
-    const { dragged = [], ...polyline } = options;
-    const points = checkDragged(dragged);
     const basis =
       value.basis === undefined || value.basis === this.#options.basis
         ? this.#basis
         : new OwnBasis(value.basis);
     const next = engineValue(value, value.basis && basis);
-    const wanted = { inDouble: inDouble(polyline), withPoints: false };
+    const wanted = { inDouble: inDouble(options), withPoints: false };
     const copy = { ...value };
-    const set = () => this.#handle.call((curve) => curve.set(next, points, wanted));
+    const set = () => this.#handle.call((curve) => curve.set(next, wanted));
     const bytes = basis ? basis.guard(set) : set();
     this.#options = copy;
     if (value.basis !== undefined) this.#basis = basis;
@@ -360,8 +334,9 @@ export class Curve {
   }
 
   /**
-   * Weights and betas are kept for kinds that have them; knots of your own are dropped. `custom` is
-   * only for curves that were made with a basis.
+   * Keeps what the kind has a use for: degree and knots are dropped, and weights are of a B-spline that
+   * becomes rational, or the other way round, alone. `custom` is only for curves that were made with a
+   * basis.
    */
   setKind(kind: CurveKind): void {
     checkKind(kind);
@@ -450,7 +425,7 @@ export class Curve {
   }
 
   /** Its samples and fields, as they were given. */
-  #shared(): Partial<CurveOptions> {
+  #shared(): Partial<Omit<CurveOptions, 'legs'>> {
     const { method, solver, rings, samples, tolerance, geometry, levels, leastLevels } =
       this.#options;
     const all = { method, solver, rings, samples, tolerance, geometry, levels, leastLevels };

@@ -16,12 +16,15 @@ import type {
   EngineSampling,
 } from './karcher-engine.mjs';
 import { curveOptionNames, engineCurveLevels, engineFieldOptions } from './options.js';
-import { toSurfacePoints, wirePoints } from './points.js';
+import { toSurfacePoints, wirePointArrays, wirePoints } from './points.js';
 import type {
   CurveBasis,
   CurveGeometry,
   CurveKind,
   CurveOptions,
+  CurveValue,
+  DrawnLeg,
+  LegPoints,
   Parametrization,
 } from './types.js';
 
@@ -118,7 +121,7 @@ function checkOwnOptions(options: CurveOptions): void {
 }
 
 /** The options that make a curve of the engine's parts: what its kind has a use for. */
-export function optionsOfParts(parts: EngineCurveParts): CurveOptions {
+export function optionsOfParts(parts: EngineCurveParts): CurveValue {
   const { kind, closed, degree, clamped, centripetal, points, legs = [] } = parts;
   const given = <Name extends string>(name: Name, values: Float64Array) =>
     // Plain arrays, so that a value survives JSON.
@@ -148,13 +151,21 @@ export function engineValue(options: CurveOptions, basis: OwnBasis | undefined):
   const sampling = engineSampling(options);
   const field = engineFieldOptions(options);
   const { points, legs = [] } = options;
-  return { points: wirePoints(points), legs: wireLegs(legs), shape, sampling, field };
+  const list = checkArray(legs, 'the legs') as readonly (LegPoints | DrawnLeg)[];
+  return {
+    ...{ points: wirePoints(points), shape, sampling, field },
+    legs: list.map(wireLeg),
+    areDrawn: Int32Array.from(list, (leg) => (isDrawn(leg) ? 1 : 0)),
+  };
 }
 
-const wireLegs = (legs: unknown): Float64Array[] =>
-  Array.from(checkArray(legs, 'the legs'), (leg, i) =>
-    leg === null ? new Float64Array() : wirePoints(leg, `the points of leg ${i}`),
-  );
+const isDrawn = (leg: LegPoints | DrawnLeg): leg is DrawnLeg =>
+  typeof leg === 'object' && leg !== null && 'face' in leg;
+
+function wireLeg(leg: LegPoints | DrawnLeg, i: number): Float64Array {
+  if (leg === null) return new Float64Array();
+  return isDrawn(leg) ? wirePointArrays(leg) : wirePoints(leg, `the points of leg ${i}`);
+}
 
 /** Numbers of which there are some: the engine takes none for what a curve has by default. */
 export function givenNumbers(values: ArrayLike<number>, what: string): Float64Array {

@@ -185,6 +185,8 @@ export interface EngineCurveValue {
   points: Float64Array;
   /** The points that each leg goes through, none for the shortest; none at all where all are. */
   legs: Float64Array[];
+  /** For each whether it is all its points, with its ends. */
+  areDrawn: Int32Array;
   shape: EngineCurveShape;
   sampling: EngineSampling;
   field: EngineFieldOptions;
@@ -276,8 +278,8 @@ export interface EngineMinimum {
 /** Each edit makes it another curve, whole, or fails and changes nothing. */
 export interface EngineCurve {
   delete(): void;
-  /** Makes it the curve of a value: its view (view.ts). The legs of the points `dragged` are continued. */
-  set(value: EngineCurveValue, dragged: Int32Array, options: EngineViewOptions): Uint8Array;
+  /** Makes it the curve of a value: its view (view.ts). */
+  set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;
   /** What it is; arrays are empty where there are none. */
   value(): EngineCurveParts;

@@ -335,6 +335,12 @@ export interface LevelsTolerance {
  */
 export type LegPoints = readonly PointLike[] | null;
 
+/**
+ * All points of a leg as it was drawn, with its ends. Where these are not at the control points, the leg is
+ * continued to them as if a hand had drawn it there, whether or not it stays the shortest.
+ */
+export type DrawnLeg = PointArrays;
+
 export interface CurveOptions extends FieldOptions {
   kind: CurveKind;
   points: readonly PointLike[];
@@ -342,9 +348,9 @@ export interface CurveOptions extends FieldOptions {
    * The legs of the control polygon, from each point to the next, of a closed curve also from the
    * last to the first: each is the shortest path, or the one that goes the way of a few points and is
    * pulled tight. Curves with levels follow them, and polylines are made of them. All the shortest by
-   * default.
+   * default. `drawnLegs` of a view are those that its curve had.
    */
-  legs?: readonly LegPoints[] | undefined;
+  legs?: readonly (LegPoints | DrawnLeg)[] | undefined;
   /**
    * Samples a segment at t = i / (samples - 1), both ends included; 2 to 100,000. 128 by default.
    * `adaptive`: as many as the tolerance needs.
@@ -409,20 +415,14 @@ export interface CurveOptions extends FieldOptions {
   basis?: CurveBasis | undefined;
 }
 
+/** What a curve is. */
+export type CurveValue = CurveOptions & { legs?: readonly LegPoints[] | undefined };
+
 /** A leg of a curve's control polygon. */
 export interface CurveLeg {
   path: Path;
   /** The shortest path between its ends, if the leg is another one. */
   shorter?: Path;
-}
-
-export interface SetOptions extends PolylineOptions {
-  /**
-   * The number of the control point that is being dragged, or the numbers of several that go together.
-   * Legs at them that the value does not give are continued from where they lie now, whether or not
-   * they stay the shortest.
-   */
-  dragged?: number | ArrayLike<number> | undefined;
 }
 
 /** A place on a curve. */

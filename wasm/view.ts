@@ -1,5 +1,5 @@
 import { Path } from './path.js';
-import type { BridgedInterval, CurveSamples, CurveTimes, Status } from './types.js';
+import type { BridgedInterval, CurveSamples, CurveTimes, DrawnLeg, Status } from './types.js';
 
 /** What a view is read from: the engine's bytes (bindings/view.h), and the names of its statuses. */
 export interface ViewData {
@@ -21,7 +21,12 @@ export class CurveView {
   readonly samples: CurveSamples;
   /** Where and why the curve is no center of mass. */
   readonly bridged: BridgedInterval[];
-  /** x, y, z of the points of each leg of the control polygon, where the curve has a use for them. */
+  /**
+   * The legs of the control polygon as they are drawn, where the curve has a use for them. A value with
+   * these legs and other points is the curve whose points were dragged there.
+   */
+  readonly drawnLegs: readonly DrawnLeg[];
+  /** x, y, z of the same points, leg by leg. */
   readonly legs: readonly (Float32Array | Float64Array)[];
   /** A B-spline's knots; of other kinds none. */
   readonly knots: Float64Array;
@@ -48,18 +53,25 @@ export class CurveView {
     const position = read.doubles(3 * count!);
     const [from, to] = [read.doubles(bridges!), read.doubles(bridges!)];
     this.lengths = read.doubles(vertices!);
+    const legBary = read.doubles(3 * legPoints!);
     const pathBary = points ? read.doubles(3 * vertices!) : undefined;
     const places = (of: number) => (double ? read.doubles(3 * of) : read.floats(3 * of));
     this.polyline = places(vertices!);
     const legPlaces = places(legPoints!);
     const [segment, face] = [read.integers(count!), read.integers(count!)];
     const bridgedSegments = read.integers(bridges!);
-    let start = 0;
-    this.legs = Array.from(read.integers(legs!), (points) => {
-      const leg = legPlaces.subarray(3 * start, 3 * (start + points));
-      start += points;
-      return leg;
+    const counts = read.integers(legs!);
+    const legFace = read.integers(legPoints!);
+    let end = 0;
+    const parts = Array.from(counts, (points) => {
+      end += points;
+      return [end - points, end] as const;
     });
+    this.legs = parts.map(([from, to]) => legPlaces.subarray(3 * from, 3 * to));
+    this.drawnLegs = parts.map(([from, to]) => ({
+      face: legFace.subarray(from, to),
+      bary: legBary.subarray(3 * from, 3 * to),
+    }));
     if (pathBary) this.#points = { face: read.integers(vertices!), bary: pathBary };
     this.unconverged = read.bytes(vertices!);
     const status = Array.from(read.bytes(count!), (code) => statusNames[code]!);

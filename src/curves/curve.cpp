@@ -32,10 +32,6 @@ bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
          a.shape.kind == b.shape.kind && (a.levels == kLimitLevels) == (b.levels == kLimitLevels);
 }
 
-bool usesLegs(const CurveOptions& options) {
-  return options.shape.kind == CurveKind::kPolyline || mayHaveLevels(options);
-}
-
 void checkOptions(const CurveOptions& options) {
   checkFieldOptions(options.field);
   if (options.samples < 2 || options.samples > kMostSamples) {
@@ -62,25 +58,9 @@ void checkLegCount(const CurveValue& value) {
                                            " legs, not " + std::to_string(value.legs.count()));
 }
 
-/// Throws where legs are given that do not join the points.
-void checkLegs(const TriangleMesh& mesh, const CurveValue& value) {
-  checkLegCount(value);
-  if (value.legs.empty()) return;
-  const int points = value.points.count();
-  const int wanted = legCount(value.options.shape, points);
-  for (int i = 0; i < wanted; ++i) {
-    const SurfacePath& leg = value.legs[i];
-    if (leg.points.empty()) continue;
-    const auto isAt = [&](const SurfacePoint& end, int point) {
-      const SurfacePoint& p = value.points[point % points];
-      return isSame(end, p) || (position(mesh, end) - position(mesh, p)).norm() == 0;
-    };
-    if (!isAt(leg.start(), i) || !isAt(leg.end(), i + 1)) {
-      throw Error(ErrorCode::kBadArgument, "leg " + std::to_string(i) + " does not join points " +
-                                               std::to_string(i) + " and " +
-                                               std::to_string((i + 1) % points));
-    }
-  }
+/// Whether the end of a leg is at a control point.
+bool isAt(const TriangleMesh& mesh, const SurfacePoint& end, const SurfacePoint& point) {
+  return isSame(end, point) || (position(mesh, end) - position(mesh, point)).norm() == 0;
 }
 
 double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
@@ -100,18 +80,18 @@ int samplesWithin(double tolerance, int degree, double polygonLength) {
   return 2 + static_cast<int>(std::min(chords, kMost - 2.0));
 }
 
-SurfacePath shortestLeg(const Geometry& geometry, const SurfacePoint& from,
-                        const SurfacePoint& to) {
-  FindPathWorkspace workspace;
+/// The leg that a value leaves out: the shortest path, of a polyline exactly.
+SurfacePath shortestLeg(const Geometry& geometry, const CurveOptions& options,
+                        const SurfacePoint& from, const SurfacePoint& to) {
   SurfacePath leg;
-  // The points lie on one component.
-  findPath(geometry, from, to, workspace, leg);
-  return leg;
-}
-
-/// Of a polyline, whose shortest legs are the curve.
-SurfacePath exactLeg(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to) {
-  SurfacePath leg = pathThrough(*geometry.mesh, shortestPath(geometry, from, to).points);
+  if (options.shape.kind != CurveKind::kPolyline) {
+    FindPathWorkspace workspace;
+    // The points lie on one component.
+    findPath(geometry, from, to, workspace, leg);
+    return leg;
+  }
+  // A polyline's legs are the curve: they are exact.
+  leg = pathThrough(*geometry.mesh, shortestPath(geometry, from, to).points);
   leg.points.front() = from;
   leg.points.back() = to;
   return leg;
@@ -151,8 +131,7 @@ void Curve::movePoint(int i, const SurfacePoint& point) {
 
 void Curve::dragPoint(int i, const SurfacePoint& point) {
   CurveValue& value = startNext();
-  placePoint(value, i, point);
-  continueLegs(value, i);
+  dragIn(value, i, point, usesLegs(value.options) ? legs() : usedLegs());
   becomeNext();
 }
 
@@ -204,6 +183,7 @@ void Curve::make(Next& next) {
     last = now;
   };
   next.jumps = false;
+  continueLegs(next.value);
   makeLegs(next);
   makeSegments(next);
   timed(times_.polygon);
@@ -227,32 +207,6 @@ const Array<SurfacePath>& Curve::legs() {
 const Array<SurfacePath>& Curve::usedLegs() const {
   static const Array<SurfacePath> kNone;
   return usesLegs(options()) ? legs_ : kNone;
-}
-
-void Curve::continueLegs(CurveValue& value, std::span<const int> dragged) {
-  for (const int i : dragged) checkIndex(value, i);
-  checkLegCount(value);
-  if (!usesLegs(value.options)) return;
-  const Geometry& geometry = surface().geometry();
-  const Array<SurfacePath>& before = legs();
-  const int points = value.points.count();
-  value.legs.resize(static_cast<size_t>(legCount(value.options.shape, points)));
-  const auto isDragged = [&](int i) {
-    return std::find(dragged.begin(), dragged.end(), i) != dragged.end();
-  };
-  for (int i = 0; i < std::min(value.legs.count(), before.count()); ++i) {
-    SurfacePath& leg = value.legs[i];
-    const int next = (i + 1) % points;
-    if (!leg.points.empty() || !(isDragged(i) || isDragged(next))) continue;
-    const bool startStays = isSame(before[i].start(), value.points[i]);
-    const bool endStays = isSame(before[i].end(), value.points[next]);
-    if (!(startStays || isDragged(i)) || !(endStays || isDragged(next))) continue;
-    leg = before[i];
-    StripWorkspace& workspace = workspace_->averaging.strip;
-    const bool goesOn = (endStays || moveEnd(geometry, value.points[next], leg, workspace)) &&
-                        (startStays || moveStart(geometry, value.points[i], leg, workspace));
-    if (!goesOn) leg.points.clear();
-  }
 }
 
 Array<PointField*> Curve::fieldsOf(int segment, int k) {
@@ -281,7 +235,27 @@ void Curve::check(const CurveValue& value) const {
                 isAutomatic ? value.options.leastLevels : value.options.levels);
   }
   checkOneComponent(surface(), value.points);
-  checkLegs(surface().mesh(), value);
+  checkLegCount(value);
+}
+
+/// Continues the legs that do not reach their points to these. A leg that no strip of faces
+/// continues is the shortest, and so is one that the curve has no use for.
+void Curve::continueLegs(CurveValue& value) {
+  const Geometry& geometry = surface().geometry();
+  StripWorkspace& workspace = workspace_->averaging.strip;
+  for (int i = 0; i < value.legs.count(); ++i) {
+    SurfacePath& leg = value.legs[i];
+    if (leg.points.empty()) continue;
+    const SurfacePoint& from = value.points[i];
+    const SurfacePoint& to = value.points[(i + 1) % value.points.count()];
+    const bool startsThere = isAt(*geometry.mesh, leg.start(), from);
+    const bool endsThere = isAt(*geometry.mesh, leg.end(), to);
+    if (startsThere && endsThere) continue;
+    const bool reaches = usesLegs(value.options) &&
+                         (endsThere || moveEnd(geometry, to, leg, workspace)) &&
+                         (startsThere || moveStart(geometry, from, leg, workspace));
+    if (!reaches) makeShortest(leg);
+  }
 }
 
 /// The legs that a value gives, and the shortest ones in place of the others. `legs` may be this
@@ -307,8 +281,7 @@ void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
     if (isKnown) {
       legs[i] = legs_[i];
     } else {
-      // A polyline's shortest legs are the curve: they are exact.
-      legs[i] = isPolyline ? exactLeg(geometry, from, to) : shortestLeg(geometry, from, to);
+      legs[i] = shortestLeg(geometry, value.options, from, to);
     }
   }
 }

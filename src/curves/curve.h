@@ -68,8 +68,7 @@ class Curve {
   /// Makes it the curve of a value, the same as one made anew from it. Keeps the fields of points
   /// that stay, and what was traced of pieces that stay. On failure the curve is unchanged. Throws
   /// Error: kUnreachable (points on several components), kBadArgument (samples, tolerance, levels,
-  /// legs that do not join the points), what `checkGivenShape` throws, and what a basis of the
-  /// caller's throws.
+  /// the number of legs), what `checkGivenShape` throws, and what a basis of the caller's throws.
   void set(CurveValue value);
 
   /// `set` to what a change makes of the curve's value. The value is written where the one before
@@ -83,7 +82,7 @@ class Curve {
 
   // Edits: `set` to the value after them.
   void movePoint(int i, const SurfacePoint& point);
-  /// As a hand moves it: with its legs continued.
+  /// As a hand moves it: its legs are continued from where they lie.
   void dragPoint(int i, const SurfacePoint& point);
   void insertPoint(int i, const SurfacePoint& point) { set(withPointInserted(value_, i, point)); }
   void removePoint(int i) { set(withPointRemoved(value_, i)); }
@@ -93,14 +92,6 @@ class Curve {
   void setClosed(bool closed) { set(withClosed(value_, closed)); }
   void setWeight(int i, double weight) { set(withWeight(value_, i, weight)); }
   void setBeta(int i, double beta) { set(withBeta(value_, i, beta)); }
-
-  /// For a value of this curve with some control points elsewhere, as a hand drags them: the legs
-  /// that meet there, where the value gives none, are continued from where they lie in this curve,
-  /// whether or not they stay the shortest. Of a leg with both ends dragged, its end is moved
-  /// first. A leg of which another end has moved too, or that no strip of faces continues, is the
-  /// shortest. Throws kBadIndex, kBadArgument.
-  void continueLegs(CurveValue& value, std::span<const int> dragged);
-  void continueLegs(CurveValue& value, int dragged) { continueLegs(value, {&dragged, 1}); }
 
   const CurveValue& value() const { return value_; }
   /// The legs of the control polygon as they lie on the surface.
@@ -193,6 +184,7 @@ class Curve {
   void becomeNext();
   static bool isOfCenters(const CurveOptions& options, int levels);
   void check(const CurveValue& value) const;
+  void continueLegs(CurveValue& value);
   void takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const;
   void make(Next& next);
   void makeLegs(Next& next) const;

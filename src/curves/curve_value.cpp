@@ -1,6 +1,7 @@
 #include "curves/curve_value.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -21,11 +22,25 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.bary == b.bary;
 }
 
+/// The numbers of the legs that meet at a point; at the end of an open curve one is not there.
+std::array<int, 2> legsAt(const CurveValue& value, int i) {
+  return {i, i > 0 ? i - 1 : value.points.count() - 1};
+}
+
 }  // namespace
 
 bool mayHaveLevels(const CurveOptions& options) {
   return options.levels != 0 && options.field.method == Method::kKarcher &&
          takesLevels(options.shape.kind);
+}
+
+bool usesLegs(const CurveOptions& options) {
+  return options.shape.kind == CurveKind::kPolyline || mayHaveLevels(options);
+}
+
+void makeShortest(SurfacePath& leg) {
+  leg.points.clear();
+  leg.lengths.clear();
 }
 
 void checkIndex(const CurveValue& value, int i) { checkIndexBelow(value, i, value.points.count()); }
@@ -34,12 +49,18 @@ void placePoint(CurveValue& value, int i, const SurfacePoint& point) {
   checkIndex(value, i);
   if (isSame(value.points[i], point)) return;
   value.points[i] = point;
-  const int legs = value.legs.count();
-  const int ofPoint[] = {i, i > 0 ? i - 1 : value.points.count() - 1};
-  for (const int leg : ofPoint) {
-    if (leg >= legs) continue;
-    value.legs[leg].points.clear();
-    value.legs[leg].lengths.clear();
+  for (const int leg : legsAt(value, i)) {
+    if (leg < value.legs.count()) makeShortest(value.legs[leg]);
+  }
+}
+
+void dragIn(CurveValue& value, int i, const SurfacePoint& point, const Array<SurfacePath>& legs) {
+  checkIndex(value, i);
+  if (isSame(value.points[i], point)) return;
+  value.points[i] = point;
+  value.legs.resize(legs.size());
+  for (const int leg : legsAt(value, i)) {
+    if (leg < legs.count() && value.legs[leg].points.empty()) value.legs[leg] = legs[leg];
   }
 }
 

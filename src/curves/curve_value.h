@@ -42,12 +42,20 @@ struct CurveValue {
   Array<SurfacePoint> points;
   /// The legs of the control polygon: none, or one from each point to the next, at a closed curve
   /// also from the last to the first. A path without points stands for the shortest one; others are
-  /// taken as they are. Curves of level 0 have no use for them, but polylines.
+  /// taken as they are. The curve continues a leg that does not reach its points to these, as if a
+  /// hand had drawn its ends there, whether or not it stays the shortest. Curves of level 0 have no
+  /// use for legs, but polylines.
   Array<SurfacePath> legs;
 };
 
 /// Whether a curve may be refined: its kind and method take levels, and it is not asked for none.
 bool mayHaveLevels(const CurveOptions& options);
+
+/// Whether a curve follows the legs of its control polygon, or is made of them.
+bool usesLegs(const CurveOptions& options);
+
+/// Makes the leg of a value one that it leaves out.
+void makeShortest(SurfacePath& leg);
 
 /// Throws Error kBadIndex for a control point that is not there.
 void checkIndex(const CurveValue& value, int i);
@@ -55,6 +63,10 @@ void checkIndex(const CurveValue& value, int i);
 /// Moves a control point of the value itself, in the memory that is there: the legs that meet at it
 /// become the shortest. Throws Error kBadIndex.
 void placePoint(CurveValue& value, int i, const SurfacePoint& point);
+
+/// The same as a hand does: the legs that meet at the point stay where they lie, for the curve to
+/// continue them. `legs` are the curve's, where it uses them.
+void dragIn(CurveValue& value, int i, const SurfacePoint& point, const Array<SurfacePath>& legs);
 
 // The value after an edit. Weights and betas go with their points, a new point's are 1; a caller's
 // own knots are kept as far as they can be (knots.h). A leg is kept where both its ends are still

@@ -83,7 +83,6 @@ SteadyVariant refined(const std::string& name, int levels) {
     HeldCurve held;
     held.drag = [curve, levels](int i, const SurfacePoint& place) {
       const int64_t allocations = allocationsSoFar();
-      double continued = 0;
       const double ms = processorTimed([&] {
         if (levels == 0) {
           // It has no use for legs.
@@ -91,10 +90,7 @@ SteadyVariant refined(const std::string& name, int levels) {
           return;
         }
         curve->edit([&](CurveValue& value) {
-          continued = timed([&] {
-            placePoint(value, i, place);
-            curve->continueLegs(value, i);
-          });
+          dragIn(value, i, place, curve->legs());
           // As the page does: a drag shows drafts, and keeps the most levels that it ever had.
           if (levels == kAutomaticLevels) {
             value.options.leastLevels = curve->levels();
@@ -104,7 +100,6 @@ SteadyVariant refined(const std::string& name, int levels) {
       });
       TracedCurve traced = described(*curve, allocationsSoFar() - allocations);
       traced.ms = ms;
-      traced.stages[0].ms += continued;
       for (const SurfacePath& leg : curve->legs()) traced.legs.push_back(leg.points);
       return traced;
     };

@@ -27,8 +27,7 @@ class ContinuedLegs : public testing::Test {
   /// Makes it the curve with points elsewhere, as a hand drags them.
   static void drag(Curve& curve, const Array<int>& dragged, const Array<SurfacePoint>& places) {
     curve.edit([&](CurveValue& value) {
-      for (int k = 0; k < dragged.count(); ++k) placePoint(value, dragged[k], places[k]);
-      curve.continueLegs(value, dragged);
+      for (int k = 0; k < dragged.count(); ++k) dragIn(value, dragged[k], places[k], curve.legs());
     });
   }
 
@@ -76,21 +75,37 @@ TEST_F(ContinuedLegs, AreThoseOfOnePointWhereOnlyThatMoves) {
   }
 }
 
-TEST_F(ContinuedLegs, AreTheShortestWhereAnotherEndMovedToo) {
+TEST_F(ContinuedLegs, AreTheShortestWhereTheOtherEndWasMovedAfterwards) {
   Curve curve = drawnOut();
   CurveValue value = curve.value();
+  dragIn(value, 3, at(5, 0.9), curve.legs());
   placePoint(value, 2, at(0.3, 0.9));
-  placePoint(value, 3, at(5, 0.9));
-  curve.continueLegs(value, 3);
   curve.set(value);
   EXPECT_LT(curve.legs()[2].length(), 1.7);
 }
 
 TEST_F(ContinuedLegs, OfPointsThatAreNotThereAreRefused) {
   Curve curve = drawnOut();
+  EXPECT_EQ(codeOf([&] { curve.dragPoint(4, at(0, 1)); }), ErrorCode::kBadIndex);
+}
+
+TEST_F(ContinuedLegs, AreMadeOfThoseOfAValueThatEndElsewhere) {
+  Curve curve = drawnOut();
   CurveValue value = curve.value();
-  const int wrong[] = {2, 4};
-  EXPECT_EQ(codeOf([&] { curve.continueLegs(value, wrong); }), ErrorCode::kBadIndex);
+  value.points[3] = at(5, 0.9);
+  // A curve made anew from the value is the one that the drag makes.
+  Curve made(surface_, value);
+  curve.dragPoint(3, at(5, 0.9));
+  EXPECT_EQ(made.legs()[2].length(), curve.legs()[2].length());
+  EXPECT_EQ(made.value().legs[2].points.count(), curve.value().legs[2].points.count());
+  // One that leads to no place of this surface's part is the shortest.
+  value = curve.value();
+  std::swap(value.legs[2], value.legs[1]);
+  Curve swapped(surface_, value);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(swapped.legs()[i].start().face, value.points[i].face) << "leg " << i;
+    EXPECT_EQ(swapped.legs()[i].end().face, value.points[i + 1].face) << "leg " << i;
+  }
 }
 
 }  // namespace

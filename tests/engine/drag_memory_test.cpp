@@ -47,8 +47,7 @@ Array<int64_t> allocationsOfDrag(Surface& surface, const CurveOptions& options, 
       curve.movePoint(kDragged, path[i]);
     } else {
       curve.edit([&](CurveValue& value) {
-        placePoint(value, kDragged, path[i]);
-        curve.continueLegs(value, kDragged);
+        dragIn(value, kDragged, path[i], curve.legs());
         // As the page does: a drag shows drafts, and keeps the most levels that it ever had.
         value.options.levelsTolerance = kInfinity;
         value.options.leastLevels = curve.levels();

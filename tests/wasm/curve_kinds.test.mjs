@@ -164,7 +164,7 @@ test('all points, weights or betas at once are as one after the other', () => {
     [() => all.setBetas([1, 2]), 'badArgument', /5 control points but 2 betas/],
     [() => all.setBetas([]), 'badArgument', /empty/],
     [() => all.setWeights([1, 1, 1, 1, 1]), 'badArgument', /has no weights/],
-    [() => all.setPoints(points.slice(0, 4)), 'badArgument', /4 control points but 5 weights/],
+    [() => all.setPoints(points.slice(0, 4)), 'badArgument', /4 control points but 5 betas/],
   ]) {
     assert.throws(wrong, { code, message });
     same();

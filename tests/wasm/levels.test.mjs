@@ -152,8 +152,7 @@ test('several points that are dragged together take their legs along', () => {
   const curve = mesh.curve({ ...value, points: pointsAt(0.3) });
   const lengths = () => curve.legs().map(({ path }) => path.length);
   for (let to = 0.35; to < 1.87; to += 0.05) {
-    const dragged = to < 1 ? [2, 3, 4] : Int32Array.of(4, 2, 3);
-    curve.set({ ...value, points: pointsAt(to) }, { dragged });
+    curve.set({ ...value, points: pointsAt(to), legs: curve.view().drawnLegs });
     const legs = [0.05, to - 0.15, 0.1, 0.1, to + 0.4, 0.1];
     for (const [i, length] of lengths().entries()) {
       assert.ok(Math.abs(length - legs[i]) < 1e-6, `leg ${i} to ${to}: ${length}, not ${legs[i]}`);
@@ -167,7 +166,7 @@ test('several points that are dragged together take their legs along', () => {
   const drawn = lengths();
   curve.set({ ...value, points: pointsAt(1.85), legs });
   for (const [i, length] of lengths().entries()) assert.ok(Math.abs(length - drawn[i]) < 1e-6);
-  curve.set({ ...value, points: pointsAt(1.85) }, { dragged: [] });
+  curve.set({ ...value, points: pointsAt(1.85) });
   assert.ok(lengths()[1] < drawn[1] - 0.3, 'none is dragged');
   mesh.dispose();
 });
@@ -180,9 +179,8 @@ function drawnOut(mesh, options) {
   for (let step = 1; step <= 50; step++) {
     const { end } = mesh.straightest(start, [0, 0, 1], step * 0.05);
     const value = curve.value();
-    const legs = value.legs?.toSpliced(-1, 1, null);
-    const next = { ...value, points: value.points.with(-1, end), ...(legs && { legs }) };
-    curve.set(next, { dragged: value.points.length - 1 });
+    const legs = curve.view().drawnLegs.map((leg, i) => (i === 2 ? leg : null));
+    curve.set({ ...value, points: value.points.with(-1, end), legs });
   }
   return curve;
 }
@@ -232,19 +230,16 @@ test('legs that cannot be: a sentence, and the curve stays', () => {
     const legs = Array(count).fill(null);
     const message = `the control polygon has 3 legs, not ${count}`;
     assert.throws(() => curve.set({ ...value, legs }), { ...badArgument, message });
-    assert.throws(() => curve.set({ ...value, legs }, { dragged: 3 }), { ...badArgument, message });
+    const drawn = Array(count).fill(curve.view().drawnLegs[0]);
+    assert.throws(() => curve.set({ ...value, legs: drawn }), { ...badArgument, message });
   }
   const nowhere = [[{ face: 1e6, bary: [1, 0, 0] }], null, null];
   assert.throws(() => curve.set({ ...value, legs: nowhere }), { code: 'badIndex' });
-  for (const dragged of [-1, 4, 99, [0, -1], [0, 4]]) {
-    assert.throws(() => curve.set(value, { dragged }), { code: 'badIndex' }, `${dragged}`);
+  const away = { face: [1e6, 0], bary: [1, 0, 0, 1, 0, 0] };
+  assert.throws(() => curve.set({ ...value, legs: [away, null, null] }), { code: 'badIndex' });
+  for (const drawn of [{ face: [0] }, { face: [0, 1], bary: [1] }, { face: 0, bary: 0 }]) {
+    assert.throws(() => curve.set({ ...value, legs: [drawn, null, null] }), badArgument);
   }
-  for (const dragged of [0.5, '1', null, [0.5], ['1'], { points: 1 }]) {
-    assert.throws(() => curve.set(value, { dragged }), badArgument, `${dragged}`);
-  }
-  assert.throws(() => curve.set(value, { dragged: [0, 1.5] }), {
-    message: 'entry 1 of the numbers of the dragged points must be a whole number, not 1.5',
-  });
   assert.throws(() => curve.set(value, { drags: 1 }), badArgument);
   assert.deepEqual(curve.polyline(), before);
   mesh.dispose();

@@ -13,11 +13,9 @@ CurveHandle::CurveHandle(MeshHandle& mesh, const val& value)
     : mesh_(mesh),
       curve_(mesh.fieldSets(), curveValueFromJs(mesh, value, legs_), emscripten_get_now) {}
 
-val CurveHandle::set(const val& value, const val& dragged, const val& options) {
+val CurveHandle::set(const val& value, const val& options) {
   CurveValue next = curveValueFromJs(mesh_, value, legs_);
   checkGivenShape(next.options.shape, next.points.count());
-  const Array<int> points = fromJs<int>(dragged);
-  if (!points.empty()) curve_.continueLegs(next, points);
   become(std::move(next));
   return view(options);
 }

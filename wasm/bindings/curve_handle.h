@@ -16,8 +16,8 @@ class CurveHandle {
   CurveHandle(MeshHandle& mesh, const val& value);
 
   /// Makes it the curve of a value, and returns its view (view.h); `options` is {inDouble,
-  /// withPoints}. `dragged` is an Int32Array: the numbers of the points whose legs are continued.
-  val set(const val& value, const val& dragged, const val& options);
+  /// withPoints}.
+  val set(const val& value, const val& options);
   val view(const val& options) const;
   /// What it is: {points, legs} with a shape (curve_value.h).
   val value() const;

@@ -61,7 +61,7 @@ CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs
   options.leastLevels = sampling["leastLevels"].as<int>();
   options.levelsTolerance = sampling["levelsTolerance"].as<double>();
   Array<SurfacePoint> points = pointsFromJs(mesh.numbering(), mesh.mesh(), value["points"]);
-  Array<SurfacePath> paths = legs.fromJs(mesh, value["legs"], points);
+  Array<SurfacePath> paths = legs.fromJs(mesh, points, value["legs"], value["areDrawn"]);
   return {std::move(options), std::move(points), std::move(paths)};
 }
 

@@ -8,7 +8,8 @@ namespace karcher::bindings {
 
 CurveKind curveKind(const std::string& name);
 
-/// {points, legs, shape, sampling, field}: the points one after the other, `legs` as in legs.h,
+/// {points, legs, areDrawn, shape, sampling, field}: the points one after the other, `legs` and
+/// `areDrawn` as in legs.h,
 /// `shape` {kind, closed, degree, clamped, knots, weights, betas, centripetal, basis} with the
 /// numbers as Float64Arrays, empty where there are none, and `basis` a function of the number of
 /// points and t that gives a Float64Array, or undefined; `sampling` {samples, tolerance, exact,

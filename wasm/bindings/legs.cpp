@@ -33,9 +33,10 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
 
 }  // namespace
 
-Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const val& legs,
-                                const Array<SurfacePoint>& points) {
+Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const Array<SurfacePoint>& points,
+                                const val& legs, const val& areDrawn) {
   const Geometry& geometry = mesh.geometry();
+  const Array<int> drawn = bindings::fromJs<int>(areDrawn);
   Array<SurfacePath> paths;
   Array<Leg> known;
   FindPathWorkspace workspace;
@@ -44,11 +45,16 @@ Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const val& legs,
     paths.emplace_back();
     // More legs than points are for the engine to refuse.
     if (i >= points.count()) continue;
-    Leg leg{points[i],
-            points[(i + 1) % points.count()],
-            onEdges(pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i])),
-            {}};
-    if (leg.waypoints.empty()) continue;
+    Array<SurfacePoint> given = pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i]);
+    if (given.count() < (drawn[i] ? 2 : 1)) continue;
+    Leg leg{points[i], points[(i + 1) % points.count()], {}, {}};
+    if (drawn[i]) {
+      leg.from = given.front();
+      leg.to = given.back();
+      given.erase(given.begin());
+      given.pop_back();
+    }
+    leg.waypoints = onEdges(std::move(given));
     const auto isIt = [&](const Leg& other) {
       return isSame(other.from, leg.from) && isSame(other.to, leg.to) &&
              std::equal(other.waypoints.begin(), other.waypoints.end(), leg.waypoints.begin(),

@@ -10,11 +10,12 @@ namespace karcher::bindings {
 /// for the shortest path; an empty list where all are shortest.
 class Legs {
  public:
-  /// The legs of a curve's value. Those that it was asked for the last time are not searched for
-  /// again. Throws Error kUnreachable for waypoints on another component than the leg's ends, and
-  /// the errors of points.
-  Array<SurfacePath> fromJs(const MeshHandle& mesh, const val& legs,
-                            const Array<SurfacePoint>& points);
+  /// The legs of a curve's value with these points; those that are drawn, an Int32Array of 0 and 1,
+  /// are told by all their points, with their own ends. Those that it was asked for the last time
+  /// are not searched for again. Throws Error kUnreachable for waypoints on another component than
+  /// the leg's ends, and the errors of points.
+  Array<SurfacePath> fromJs(const MeshHandle& mesh, const Array<SurfacePoint>& points,
+                            const val& legs, const val& areDrawn);
 
  private:
   struct Leg {

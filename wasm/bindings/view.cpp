@@ -74,9 +74,16 @@ val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& 
   const Vertices vertices = verticesOf(mesh, line);
   const Path& path = vertices.path;
   Array<double> legs;
+  Array<double> legBary;
+  Array<int> legFaces;
   Array<int> legCounts;
   for (const SurfacePath* leg : line.legs) {
-    for (const SurfacePoint& point : leg->points) append(legs, position(mesh.mesh(), point));
+    for (const SurfacePoint& point : leg->points) {
+      const SurfacePoint input = toInput(mesh.numbering(), point);
+      append(legs, position(mesh.mesh(), point));
+      append(legBary, input.bary);
+      legFaces.push_back(input.face);
+    }
     legCounts.push_back(leg->points.count());
   }
   const auto count = [](const auto& array) { return static_cast<double>(array.size()); };
@@ -88,7 +95,7 @@ val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& 
                                  line.closed ? 1.0 : 0.0, static_cast<double>(line.levels),
                                  options.inDouble ? 1.0 : 0.0, options.withPoints ? 1.0 : 0.0,
                                  count(legCounts), legPoints});
-  putAll(bytes, line.times, line.knots, t, bary, positions, from, to, path.lengths);
+  putAll(bytes, line.times, line.knots, t, bary, positions, from, to, path.lengths, legBary);
   if (options.withPoints) put(bytes, path.bary);
   if (options.inDouble) {
     putAll(bytes, path.positions, legs);
@@ -96,7 +103,7 @@ val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& 
     putAll(bytes, std::vector<float>(path.positions.begin(), path.positions.end()),
            std::vector<float>(legs.begin(), legs.end()));
   }
-  putAll(bytes, segments, faces, bridged, legCounts);
+  putAll(bytes, segments, faces, bridged, legCounts, legFaces);
   if (options.withPoints) put(bytes, path.faces);
   putAll(bytes, vertices.unconverged, statuses, reasons);
   return toJs(bytes);

@@ -13,14 +13,15 @@ import type { AnyMesh, Surface } from './surface.js';
 
 /** What of a `Curve` or a `RemoteCurve` is used here. */
 interface ShownCurve {
-  set(value: CurveOptions, options: { dragged?: number }): CurveView | Promise<CurveView>;
+  set(value: CurveOptions): CurveView | Promise<CurveView>;
   view(): CurveView | Promise<CurveView>;
   dispose(): unknown;
 }
 
 interface Edit {
   value: CurveOptions;
-  dragged?: number;
+  /** Whether points were dragged: the legs of the curve that is drawn are continued. */
+  isDrag: boolean;
   tell(isShown: boolean): void;
   fail(error: unknown): void;
 }
@@ -79,7 +80,7 @@ export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEve
       return Promise.reject(error);
     }
     const points = this.#value.points.map((old, i) => (i === number ? point : old));
-    return this.#edit({ ...this.#value, points }, number);
+    return this.#edit({ ...this.#value, points }, true);
   }
 
   /**
@@ -87,7 +88,7 @@ export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEve
    * what `Curve.set` throws; then the curve stays what it was.
    */
   set(value: CurveOptions): Promise<boolean> {
-    return this.#edit({ ...value, points: [...value.points] });
+    return this.#edit({ ...value, points: [...value.points] }, false);
   }
 
   /** Gives the memory back, that of the engine and that of the graphics card; not the material's. */
@@ -123,14 +124,14 @@ export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEve
     }
   }
 
-  #edit(value: CurveOptions, dragged?: number): Promise<boolean> {
+  #edit(value: CurveOptions, isDrag: boolean): Promise<boolean> {
     if (this.#isDisposed) {
       return Promise.reject(new KarcherError('disposed', 'the curve has been disposed of'));
     }
     this.#value = value;
     return new Promise((tell, fail) => {
       this.#waiting?.tell(false);
-      this.#waiting = { value, ...(dragged !== undefined && { dragged }), tell, fail };
+      this.#waiting = { value, isDrag, tell, fail };
       void this.#next();
     });
   }
@@ -140,10 +141,11 @@ export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEve
     if (this.#isBusy || !edit) return;
     this.#waiting = undefined;
     this.#isBusy = true;
-    const { value, dragged, tell, fail } = edit;
+    const { value, isDrag, tell, fail } = edit;
     try {
       if (!this.#curve) throw new KarcherError('badArgument', 'the curve could not be made');
-      const view = await this.#curve.set(value, dragged === undefined ? {} : { dragged });
+      const legs = isDrag && this.view?.drawnLegs.map((leg, i) => value.legs?.[i] ?? leg);
+      const view = await this.#curve.set(legs ? { ...value, legs } : value);
       this.#drawn = value;
       if (!this.#isDisposed) this.#draw(view);
       tell(!this.#isDisposed);

@@ -4,7 +4,7 @@ import { Path } from '../path.js';
 import { Region } from '../region.js';
 import type { CurveOptions, LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
-import { becomes, copyOf, isTold, noteEdit, type Origin, targetIn, withoutWork } from './origin.js';
+import { copyOf, type Origin, targetIn, withoutWork } from './origin.js';
 import {
   errorOf,
   isPlain,
@@ -65,8 +65,6 @@ export class WorkerClient {
   #worker: WorkerLike;
   readonly #pending = new Map<number, Pending>();
   readonly #cancelled = new Map<number, Cancelled>();
-  /** The curves of steps of drags after which it is told what they are. */
-  readonly #asked = new Map<number, Origin>();
   /** Of meshes and curves in the worker. */
   readonly #origins = new WeakMap<object, Origin>();
   /** Those that are to be made anew, in the order in which they were made. */
@@ -178,10 +176,7 @@ export class WorkerClient {
     const args = pending.args.map((arg) => this.#sent(arg, pending.callbacks));
     const request = { id, target: of?.target ?? 0, call, args, tells: tells !== undefined };
     const keeps = this.#start !== null;
-    const asks =
-      keeps && !pending.raw && of !== null && !isTold(of, pending) && !this.#isAsked(of, call);
-    if (asks && call === 'set') this.#asked.set(id, of);
-    sending(() => this.#worker.postMessage({ ...request, keeps, asks } satisfies Request));
+    sending(() => this.#worker.postMessage({ ...request, keeps } satisfies Request));
   }
 
   /** In Node the process waits for calls that are under way, not for a worker that nobody calls. */
@@ -191,16 +186,10 @@ export class WorkerClient {
     else this.#worker.unref?.();
   }
 
-  /** Whether a step of a drag was asked already: those until it is answered are made again. */
-  #isAsked(of: Origin, call: string): boolean {
-    return call === 'set' && [...this.#asked.values()].includes(of);
-  }
-
   #cancel(id: number, reason: unknown): void {
     const pending = this.#pending.get(id);
     if (!pending) return;
     this.#pending.delete(id);
-    this.#asked.delete(id);
     pending.reject(reason);
     if (this.#isRestarting) return;
     this.#worker.postMessage({ cancel: id } satisfies Request);
@@ -257,7 +246,6 @@ export class WorkerClient {
   /** Puts another worker in the place of this one, and makes all anew that was there. */
   async #restart(): Promise<void> {
     this.#forgetCancelled();
-    this.#asked.clear();
     this.#isRestarting = true;
     const before = this.#worker;
     // What is not made anew is there no more.
@@ -305,7 +293,6 @@ export class WorkerClient {
     if (target === undefined) throw new Error(`'${origin.call}' made nothing`);
     origin.target = target;
     origin.worker = this.#worker;
-    for (const edit of origin.edits) await this.#ask({ ...edit, of: origin });
   }
 
   /** A call of its own while it restarts: what the worker answers, as it is sent. */
@@ -365,12 +352,6 @@ export class WorkerClient {
       this.#hold();
       return;
     }
-    if ('value' in reply && !('result' in reply)) {
-      const of = this.#asked.get(reply.id);
-      if (of) becomes(of, reply.value);
-      this.#asked.delete(reply.id);
-      return;
-    }
     this.#pending.delete(reply.id);
     if ('result' in reply) {
       const result = pending?.raw ? reply.result : this.#received(reply.result, pending);
@@ -379,7 +360,6 @@ export class WorkerClient {
       pending?.resolve(result);
       return;
     }
-    this.#asked.delete(reply.id);
     pending?.reject(errorOf(reply.failure));
     if (reply.failure.fatal) this.#break(errorOf(reply.failure));
   }
@@ -446,13 +426,13 @@ export class WorkerClient {
     if (sent === 'mesh') {
       const took = performance.now() - begun;
       const kept = this.#start ? withoutWork(args) : [];
-      return { target, worker, of, call, args: kept, edits: [], took, leaving: false };
+      return { target, worker, of, call, args: kept, took, leaving: false };
     }
     // A curve that another one makes is of the same mesh.
     const mesh = of?.call === 'curve' ? of.of : of;
     const { value } = more as { value?: CurveOptions };
     const took = performance.now() - begun;
-    const made = { of: mesh, call: 'curve', args: [value], edits: [], took, leaving: false };
+    const made = { of: mesh, call: 'curve', args: [value], took, leaving: false };
     return { target, worker, ...made };
   }
 
@@ -460,9 +440,9 @@ export class WorkerClient {
   #keep({ value }: { value?: CurveOptions }, pending: Pending | undefined): void {
     const of = pending?.of;
     if (!of) return;
-    const edit = { call: pending.call, args: withoutWork(pending.args) };
-    noteEdit(of, edit, value);
     if (pending.call === 'dispose') this.#forget(of);
+    else if (pending.call === 'set') of.args = withoutWork(pending.args).slice(0, 1);
+    else if (value) of.args = [value];
   }
 
   /** It is there no more, nor are the curves on it. */

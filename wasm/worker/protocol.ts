@@ -5,8 +5,7 @@ import type { ViewData } from '../view.js';
 
 /**
  * With `tells` the first function among the arguments hears when the worker begins with the call. With
- * `keeps` the client hears that too, and what curves are that the call makes; with `asks` what the curve is
- * that it edits, which costs another call into the engine.
+ * `keeps` the client hears that too, and what curves are that the call makes or edits.
  */
 export interface Call {
   id: number;
@@ -15,7 +14,6 @@ export interface Call {
   args: unknown[];
   tells: boolean;
   keeps: boolean;
-  asks: boolean;
 }
 
 /**
@@ -31,9 +29,8 @@ export interface FirstRequest {
 }
 
 export type Reply =
-  /** With what the curve is that the call edited, where that was asked; of `set` that comes after it. */
+  /** With what the curve is that the call edited. */
   | { id: number; result: unknown; value?: CurveOptions }
-  | { id: number; value: CurveOptions }
   | { id: number; begun: true }
   /** The worker has heard that the call is cancelled. */
   | { id: number; cancelled: true }

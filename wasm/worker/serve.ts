@@ -41,9 +41,8 @@ export function serve(root: object | Promise<object>): void {
 
 const arraysOf = ({ face, bary, position, lengths }: EnginePath) => [face, bary, position, lengths];
 
-/** Methods after which a curve may be another one. */
+/** Methods after which a curve may be another one than the client knows. */
 const edits: readonly string[] = [
-  'set',
   'movePoint',
   'dragPoint',
   'setPoints',
@@ -60,7 +59,6 @@ const edits: readonly string[] = [
   'setBeta',
   'setBetas',
 ] satisfies (keyof Curve)[];
-const isEdit = (call: string) => edits.includes(call);
 
 class Server {
   readonly #root: object | Promise<object>;
@@ -107,7 +105,7 @@ class Server {
     this.#post({ id, cancelled: true });
   }
 
-  async #answer({ id, target, call, args, tells, keeps, asks }: Call): Promise<void> {
+  async #answer({ id, target, call, args, tells, keeps }: Call): Promise<void> {
     const controller = new AbortController();
     this.#running.set(id, controller);
     try {
@@ -131,12 +129,9 @@ class Server {
       if (call === 'dispose') this.#objects.delete(target);
       const transfer = new Set<Transferable>();
       const sent = this.#sent(result, transfer, keeps);
-      const isAsked = asks && owner instanceof Curve && isEdit(call);
-      // A page that drags waits for the answer: what the step made of the curve is told after it.
-      const isStep = isAsked && call === 'set';
-      const value = isAsked && !isStep && { value: owner.value() };
+      const changed = keeps && owner instanceof Curve && edits.includes(call);
+      const value = changed && { value: owner.value() };
       this.#post({ id, result: sent, ...value }, [...transfer]);
-      if (isStep) this.#post({ id, value: owner.value() });
     } catch (error) {
       this.#post({ id, failure: failureOf(error) });
     } finally {

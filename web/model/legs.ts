@@ -2,7 +2,7 @@
  * The legs of a control polygon: each is the shortest path to the next point, unless its point says
  * otherwise.
  */
-import type { CurveOptions } from 'karcher';
+import type { CurveOptions, DrawnLeg } from 'karcher';
 import { type ControlPoint, type Spline, withLeg } from './figure';
 import { isOpposite, otherSide, type Side } from './pen';
 
@@ -36,6 +36,13 @@ export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon
   if (polygon.points.every(fits)) return polygon;
   const points = polygon.points.map((point, i) => (fits(point, i) ? point : withLeg(point, null)));
   return { ...polygon, points };
+}
+
+/** A value whose legs go on from where they were drawn, where it tells none; none were drawn of another number. */
+export function withDrawnLegs(value: CurveOptions, drawn: readonly DrawnLeg[]): CurveOptions {
+  const { points, closed = false, legs = [] } = value;
+  if (drawn.length !== points.length - (closed ? 0 : 1)) return value;
+  return { ...value, legs: drawn.map((leg, i) => legs[i] ?? leg) };
 }
 
 /** The legs as the engine takes them. */

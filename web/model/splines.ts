@@ -1,5 +1,5 @@
 /** Figures that are splines, as the engine takes them and gives them back. */
-import type { CurveOptions, FieldOptions, LegPoints, SurfacePoint } from 'karcher';
+import type { CurveOptions, CurveValue, FieldOptions, LegPoints, SurfacePoint } from 'karcher';
 import {
   askedLevels,
   type ControlPoint,
@@ -66,7 +66,7 @@ export const waypointsOf = (leg: LegPoints | undefined): SurfacePoint[] | null =
   }) ?? null;
 
 /** What the engine made of a spline, as one; settings that its kind has no use for are kept. */
-export function splineFrom(options: CurveOptions, before: Spline): Spline {
+export function splineFrom(options: CurveValue, before: Spline): Spline {
   const { kind, closed = false, degree, knots, parametrization, legs = [] } = options;
   if (kind === 'custom') throw new Error('the page has no curves with a basis of their own');
   const parameter = parameterOf(kind);

@@ -1,5 +1,5 @@
 /** What the engine makes of a document, as the page draws and shows it. */
-import type { CurvePoints, CurveSamples, SurfacePoint } from 'karcher';
+import type { CurvePoints, CurveSamples, DrawnLeg, SurfacePoint } from 'karcher';
 import type { LostInterval } from './lost';
 
 /** A region as it is painted: faces that lie in it as a whole, and triangles that fill its part of others. */
@@ -30,6 +30,8 @@ export interface TracedCurve {
   levels: number;
   /** The legs of its control polygon, where it has a use for them. */
   legs: readonly Float32Array[];
+  /** The same as the engine continues them. */
+  drawnLegs: readonly DrawnLeg[];
   /** Where the curve is no center of mass: it is bridged there, by subdivision. */
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */

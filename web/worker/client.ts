@@ -4,18 +4,20 @@ import type {
   CurvePoint,
   DistanceOptions,
   Ellipse,
+  DrawnLeg,
   EllipseOptions,
   IsolineOptions,
+  LegPoints,
   LongWorkOptions,
   MappedPoints,
   MeshInfo,
   Path,
   PointLike,
-  SetOptions,
 } from 'karcher';
 import type { FileInfo } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { Vector } from '../model/figure';
+import { withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
 import type {
@@ -67,14 +69,14 @@ export interface CurveRequest {
   object?: number;
   /** How many points are marked along it. */
   marks?: number;
-  /** The numbers of points that are dragged: the legs that meet there are continued. */
-  dragged?: SetOptions['dragged'];
   /** Whether what it encloses is asked for, too. */
   fill?: boolean;
 }
 
 /** A curve that is tried elsewhere again and again: its legs are continued. */
 export class LooseCurve {
+  #legs: readonly DrawnLeg[] | undefined;
+
   constructor(private readonly curve: RemoteCurve) {}
 
   /** Where it is at a parameter. */
@@ -89,8 +91,10 @@ export class LooseCurve {
   /** Where the curve of another value, its points moved, is at a parameter. */
   async placeOn(value: CurveOptions, parameter: number): Promise<CurvePoint> {
     const { curve } = this;
-    const dragged = value.points.map((_, i) => i);
-    const [, point] = await both(curve.set(value, { dragged }), curve.pointAt(parameter));
+    this.#legs ??= (await curve.view()).drawnLegs;
+    const wanted = withDrawnLegs(value, this.#legs);
+    const [{ drawnLegs }, point] = await both(curve.set(wanted), curve.pointAt(parameter));
+    this.#legs = drawnLegs;
     return point;
   }
 
@@ -184,7 +188,7 @@ export class EngineClient {
   /** The curve of a value. */
   async curve(
     value: CurveOptions,
-    { object, marks = 0, dragged, fill = false }: CurveRequest = {},
+    { object, marks = 0, fill = false }: CurveRequest = {},
   ): Promise<TracedCurve> {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
@@ -192,7 +196,7 @@ export class EngineClient {
       // Both are asked at once: nothing comes in between.
       const [[view, marked], filled] = await both(
         both(
-          before ? curve.set(value, dragged === undefined ? {} : { dragged }) : curve.view(),
+          before ? curve.set(value) : curve.view(),
           marks > 0 ? curve.equallySpaced(marks) : null,
         ),
         fill ? this.#fill(curve) : null,
@@ -218,19 +222,11 @@ export class EngineClient {
     void curve?.then((one) => one?.dispose()).catch(() => {});
   }
 
-  /**
-   * The legs of an object's curve with dragged points where the value has them, by the points that they
-   * go through; the shortest are null.
-   */
-  async drawnLegs(
-    object: number,
-    value: CurveOptions,
-    dragged: SetOptions['dragged'],
-  ): Promise<NonNullable<CurveOptions['legs']>> {
-    const curve = await this.#curves.get(object);
-    if (!curve) return [];
-    const [, drawn] = await both(curve.set(value, { dragged }), curve.value());
-    return drawn.legs ?? [];
+  /** The legs of the curve of a value, the object's from then on, by a few points; the shortest are null. */
+  async legs(object: number, value: CurveOptions): Promise<readonly LegPoints[]> {
+    const curve = await this.#curveOf(object, value);
+    const [, { legs = [] }] = await both(curve.set(value), curve.value());
+    return legs;
   }
 
   /** Shorter ways that legs of the curve of a value could take, the object's from then on. */

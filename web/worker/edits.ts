@@ -1,5 +1,5 @@
 /** Edits of a curve that need its mathematics: what comes of them, as values. */
-import type { CurveKind, CurveOptions, PointLike } from 'karcher';
+import type { CurveKind, CurveOptions, CurveValue, PointLike } from 'karcher';
 import type { RemoteCurve, RemoteMesh } from 'karcher/own-worker';
 
 type Place = [number, number, number];
@@ -17,7 +17,7 @@ export type Edit =
   | { type: 'join'; other: CurveOptions };
 
 export interface Edited {
-  curves: CurveOptions[];
+  curves: CurveValue[];
   /** The number of the control point that was put in. */
   point: number | null;
 }
@@ -67,7 +67,7 @@ export async function edited(
 async function changed(
   set: Promise<unknown>,
   edit: Promise<unknown>,
-  value: Promise<CurveOptions>,
+  value: Promise<CurveValue>,
 ): Promise<Edited> {
   const [, , after] = await Promise.all([set, edit, value]);
   return { curves: [after], point: null };

@@ -8,7 +8,7 @@ export function tracedCurve(
   marks: CurvePoints | null,
   fill: Fill | null,
 ): TracedCurve {
-  const { samples, bridged, knots, levels, legs, length, times } = view;
+  const { samples, bridged, knots, levels, legs, drawnLegs, length, times } = view;
   return {
     polyline: view.polyline as Float32Array,
     polylineStatus: view.unconverged,
@@ -17,6 +17,7 @@ export function tracedCurve(
     knots,
     levels,
     legs: legs as readonly Float32Array[],
+    drawnLegs,
     marks,
     arcsNotShortest: 0,
     deviation: null,
@@ -40,6 +41,7 @@ export function tracedCircle(
     knots: new Float64Array(),
     levels,
     legs: [],
+    drawnLegs: [],
     marks: null,
     arcsNotShortest: notShortest.length,
     deviation: circle.deviation ?? null,

@@ -73,11 +73,6 @@ bool hasOwnKnots(const CurveShape& shape) {
   return shape.kind == CurveKind::kBSpline && shape.knotRule == KnotRule::kOwn;
 }
 
-void dropOwnKnots(CurveShape& shape) {
-  if (shape.knotRule == KnotRule::kOwn) shape.knotRule = KnotRule::kUniform;
-  shape.knots.clear();
-}
-
 }  // namespace
 
 const char* curveKindName(CurveKind kind) {
@@ -178,9 +173,14 @@ CurveShape withPointMoved(CurveShape shape, int from, int to) {
 }
 
 CurveShape withKind(CurveShape shape, CurveKind kind) {
-  if (kind != shape.kind) dropOwnKnots(shape);
-  shape.kind = kind;
-  return shape;
+  if (kind == shape.kind) return shape;
+  CurveShape result;
+  result.kind = kind;
+  result.closed = shape.closed;
+  if (takesWeights(kind)) result.weights = std::move(shape.weights);
+  if (takesBetas(kind)) result.betas = std::move(shape.betas);
+  result.basis = std::move(shape.basis);
+  return result;
 }
 
 CurveShape withClosed(CurveShape shape, bool closed) {

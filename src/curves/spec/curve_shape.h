@@ -81,6 +81,7 @@ Array<double> knotsOf(const CurveShape& shape, int points);
 CurveShape withPoint(CurveShape shape, int i);
 CurveShape withoutPoint(CurveShape shape, int points, int i);
 CurveShape withPointMoved(CurveShape shape, int from, int to);
+/// Without what the kind has no use for.
 CurveShape withKind(CurveShape shape, CurveKind kind);
 CurveShape withClosed(CurveShape shape, bool closed);
 CurveShape withWeight(CurveShape shape, int points, int i, double weight);

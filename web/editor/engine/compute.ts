@@ -1,7 +1,8 @@
-import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions } from 'karcher';
+import type { CenterOfMass, CurveOptions, DrawnLeg, ErrorCode, FieldOptions } from 'karcher';
 import { type Figure, isRound, pointsNeeded } from '../../model/figure';
+import { withDrawnLegs } from '../../model/legs';
 import { type MethodId, type Quality, qualityOf } from '../../model/methods';
-import { controlPointsOf, type DrawnTangents, penOptions } from '../../model/pen';
+import { type DrawnTangents, penOptions } from '../../model/pen';
 import { curveOptions, splineOf } from '../../model/splines';
 import type { Fill, TracedCurve } from '../../model/traced';
 import { type CurveRequest, type EngineClient, KarcherError, Stopped } from '../../worker/client';
@@ -49,8 +50,8 @@ export interface Computation {
   object: number;
   /** Whether a better answer is to follow, by other options. */
   draft?: boolean;
-  /** Of a drag, the numbers of its points, or of its anchors. */
-  dragged?: readonly number[];
+  /** Of a drag, the legs as its last step drew them: they go on from there. */
+  drawn?: readonly DrawnLeg[];
   /** Whether to look for other minima than a center of mass, where that is quickly done. */
   uniqueness?: boolean;
   /** Whether what its lines enclose is asked for. */
@@ -78,12 +79,11 @@ function computeFigure(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { object, draft = false, dragged: points = [], uniqueness = false, fill = false }: Computation,
+  { object, draft = false, drawn = [], uniqueness = false, fill = false }: Computation,
 ): Promise<Shown> {
   if (isRound(figure.kind)) return computeCircle(client, figure, options, { draft, fill });
-  const dragged = points.length > 0 ? movedBy(figure, points) : undefined;
   if (figure.kind === 'pen') {
-    return computePen(client, figure, options, { object, dragged, fill });
+    return computePen(client, figure, options, drawn, { object, fill });
   }
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
@@ -91,14 +91,9 @@ function computeFigure(
   if (!spline) return computeCenter(client, figure, options, uniqueness);
   const { marks } = spline.settings;
   return client
-    .curve(curveOptions(spline, options), { object, marks, dragged, fill })
+    .curve(withDrawnLegs(curveOptions(spline, options), drawn), { object, marks, fill })
     .then((curve) => ({ ...nothing, curve }));
 }
-
-/** The numbers of the control points that a drag of a figure's points moves. */
-export const movedBy = (figure: Figure, points: readonly number[]): number[] => [
-  ...new Set(points.flatMap((i) => (figure.kind === 'pen' ? controlPointsOf(figure, i) : i))),
-];
 
 /** The value that a figure's curve is traced of; null where it is none. */
 export async function curveValueOf(
@@ -119,7 +114,8 @@ async function computePen(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  request: Pick<CurveRequest, 'object' | 'dragged' | 'fill'>,
+  drawn: readonly DrawnLeg[],
+  request: Pick<CurveRequest, 'object' | 'fill'>,
 ): Promise<Shown> {
   const tangents = await drawnTangents(client, figure);
   const problem = missingHandle(figure, tangents);
@@ -128,7 +124,7 @@ async function computePen(
   if (few || problem) return { ...nothing, tangents, problem };
   try {
     const { marks } = figure.settings;
-    const value = penOptions(figure, tangents, options);
+    const value = withDrawnLegs(penOptions(figure, tangents, options), drawn);
     const curve = await client.curve(value, { ...request, marks });
     return { ...nothing, tangents, curve };
   } catch (error) {

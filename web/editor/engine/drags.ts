@@ -1,29 +1,25 @@
+import type { DrawnLeg } from 'karcher';
 import type { Figure } from '../../model/figure';
 import type { State } from '../state/editor';
 
-/** A drag of control points, whose legs the figure that it led to does not tell yet. */
+/** A drag of control points, whose legs the figure that it led to does not have yet. */
 export interface Drag {
   /** The id of its object. */
   object: number;
   points: readonly number[];
   base: Figure;
   to: Figure;
-  /** Whether the engine's curve is what the drag made of its base so far. */
-  followed: boolean;
+  /** The legs as its last step drew them; null before the first. */
+  legs: readonly DrawnLeg[] | null;
 }
 
-/**
- * Drags whose legs are to be asked for, and what the engine's curve of the edited object is: its legs are
- * those that the engine continues.
- */
+/** Drags whose legs are to be asked for. */
 export class Drags {
   /** The newest drag, and those before it that have ended and whose legs were not asked for. */
   #held: Drag | null = null;
   #ended: Drag[] = [];
-  /** The figure that the engine's curve was last made; null where that is not known. */
-  made: Figure | null = null;
 
-  /** The drag whose legs the figure does not tell yet. */
+  /** The drag whose legs the figure does not have yet. */
   get held(): Drag | null {
     return this.#held;
   }
@@ -37,7 +33,7 @@ export class Drags {
       return;
     }
     if (before?.to === base) this.#ended.push(before);
-    this.#held = { object: drawing.active, points: dragged, base, to: figure, followed: false };
+    this.#held = { object: drawing.active, points: dragged, base, to: figure, legs: null };
   }
 
   /** What is dragged is taken back. */
@@ -54,7 +50,6 @@ export class Drags {
   clear(): void {
     this.#held = null;
     this.#ended = [];
-    this.made = null;
   }
 
   /** Takes the drags that ended before a state, in order. */
@@ -63,18 +58,5 @@ export class Drags {
     const ended = this.#ended;
     this.#ended = [];
     return ended;
-  }
-
-  /** Whether the engine's curve has to be made the drag's base before its next step. */
-  begins(drag: Drag): boolean {
-    const { base, followed } = drag;
-    drag.followed = true;
-    return !followed && this.made !== base;
-  }
-
-  /** The engine's curve was made something else. */
-  unfollow(): void {
-    this.made = null;
-    if (this.#held) this.#held.followed = false;
   }
 }

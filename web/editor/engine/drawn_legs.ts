@@ -1,24 +1,24 @@
 /** The legs of a figure's control polygon as the engine has them, by the points that they are told with. */
-import type { FieldOptions, SurfacePoint } from 'karcher';
+import type { DrawnLeg, FieldOptions, SurfacePoint } from 'karcher';
 import type { Figure } from '../../model/figure';
 import { anchorOfLeg, legsOfAnchors } from '../../model/pen_legs';
+import { withDrawnLegs } from '../../model/legs';
 import { waypointsOf } from '../../model/splines';
 import type { ShorterLeg } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
-import { curveValueOf, movedBy } from './compute';
+import { curveValueOf } from './compute';
 
-/** The legs after a drag of points, of an object whose curve the drag led to; null where it has none. */
+/** The legs of a figure, drawn on from those of the last step of a drag; null where it has none. */
 export async function drawnLegs(
   client: EngineClient,
   object: number,
   figure: Figure,
   options: FieldOptions,
-  dragged: readonly number[],
+  before: readonly DrawnLeg[],
 ): Promise<(SurfacePoint[] | null)[] | null> {
   const value = await curveValueOf(client, figure, options);
   if (!value) return null;
-  const drawn = await client.drawnLegs(object, value, movedBy(figure, dragged));
-  const legs = drawn.map(waypointsOf);
+  const legs = (await client.legs(object, withDrawnLegs(value, before))).map(waypointsOf);
   return figure.kind === 'pen' ? legsOfAnchors(legs) : legs;
 }
 

@@ -1,4 +1,4 @@
-import type { CurveOptions } from 'karcher';
+import type { DrawnLeg } from 'karcher';
 import { activeObject } from '../../model/drawing';
 import {
   type Figure,
@@ -13,7 +13,7 @@ import { curveOptions, splineFrom, splineOf, usesLegs } from '../../model/spline
 import { legsAt, type ToldLegs } from '../../model/told_legs';
 import type { Measured, TracedCurve } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
-import type { Edit, Edited } from '../../worker/edits';
+import type { Edit } from '../../worker/edits';
 import { BesideObjects } from './beside';
 import {
   compute,
@@ -57,6 +57,12 @@ const stoppedHint = 'it was stopped; an edit or another method computes it again
 /** Legs are shown again after so many times as long as it took to show them. */
 const restPart = 5;
 
+/** Nothing in place of an answer that failed, but for one that was stopped. */
+function unlessStopped(error: unknown): null {
+  if (error instanceof Stopped) throw error;
+  return null;
+}
+
 /**
  * Keeps the view up to date with the editor: the newest state first, then the geodesics beside it,
  * and once the edit is done the exact curve.
@@ -76,6 +82,8 @@ export class Session {
   /** How many steps of the drag, one after the other, were slow. */
   #slow = 0;
   readonly #drags = new Drags();
+  /** The legs of figures' curves as they were drawn. */
+  #drawn = new WeakMap<Figure, readonly DrawnLeg[]>();
   /** The figure whose legs were compared with the shortest ones. */
   #compared: Figure | null = null;
   /** Whether what is shown has other samples or levels for the time of a drag. */
@@ -128,6 +136,7 @@ export class Session {
     this.#state = null;
     this.#asked = null;
     this.#drags.clear();
+    this.#drawn = new WeakMap();
     this.#compared = null;
     this.#newest.drop();
     this.#show(emptyView);
@@ -139,7 +148,6 @@ export class Session {
 
   /** Gives up what the engine is at. What it was to be is asked for again with another figure or method. */
   stop(): void {
-    this.#drags.unfollow();
     this.#client?.stop();
   }
 
@@ -148,7 +156,6 @@ export class Session {
     if (state.drawing.active !== this.#state?.drawing.active) {
       this.#manySamples = false;
       this.#levels = 0;
-      this.#drags.made = null;
     }
     const goesOn = this.#state?.dragging ?? false;
     this.#state = state;
@@ -178,7 +185,6 @@ export class Session {
     const options = refined ?? methodOptions(state.method);
     const value = client && (await curveValueOf(client, state.figure, options).catch(() => null));
     if (!value) return null;
-    if (client === this.#client) this.#drags.made = state.figure;
     const measured = await client.measure(state.drawing.active, value, near).catch(() => null);
     return this.#state?.revision === state.revision ? (measured ?? null) : null;
   }
@@ -206,10 +212,12 @@ export class Session {
     if (!client || !spline) return null;
     const options = (one: Spline) => curveOptions(one, methodOptions(state.method));
     const wanted = edit.type === 'join' ? { ...edit, other: options(edit.other) } : edit;
-    const made = await this.#edited(client, state, options(spline), wanted).catch((error) => {
-      if (!client.closed) this.onFailure(error);
-      return null;
-    });
+    const made = await client
+      .edited(state.drawing.active, options(spline), wanted)
+      .catch((error) => {
+        if (!client.closed) this.onFailure(error);
+        return null;
+      });
     if (this.#state?.revision !== state.revision || client !== this.#client) return null;
     return made && { ...made, splines: made.curves.map((curve) => splineFrom(curve, spline)) };
   }
@@ -222,23 +230,9 @@ export class Session {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state) return null;
     const options = curveOptions(spline, methodOptions(state.method));
-    const made = await this.#edited(client, state, options, edit).catch(() => null);
+    const made = await client.edited(state.drawing.active, options, edit).catch(() => null);
     const knots = made?.curves[0]?.knots;
     return knots === undefined || typeof knots === 'string' ? null : Array.from(knots);
-  }
-
-  async #edited(
-    client: EngineClient,
-    { drawing }: State,
-    value: CurveOptions,
-    edit: Parameters<EngineClient['edited']>[2],
-  ): Promise<Edited> {
-    this.#drags.unfollow();
-    try {
-      return await client.edited(drawing.active, value, edit);
-    } finally {
-      this.#drags.unfollow();
-    }
   }
 
   #show(part: Partial<View>): void {
@@ -275,23 +269,21 @@ export class Session {
       let stopped = false;
       this.#coarse = coarse;
       const computed = async () => {
-        if (drag) await this.#follow(client, state, drag);
-        this.#drags.made = state.figure;
-        const { active: object } = state.drawing;
         const answer = await compute(client, figure, methodOptions(method), {
-          object,
+          object: state.drawing.active,
           draft: refinedOptions(method) !== null,
-          dragged: state.dragged,
+          ...(drag && { drawn: await this.#legsOf(client, state, drag) }),
           uniqueness: true,
           fill,
         });
-        // Of too few points for a curve: the next one has no legs to go on from.
-        if (!answer.curve && !answer.problem) client.forget(object);
+        // A problem leaves what was drawn before it.
+        const legs = answer.problem ? null : (answer.curve?.drawnLegs ?? []);
+        if (legs) this.#drawn.set(state.figure, legs);
+        if (legs && drag) drag.legs = legs;
         return answer;
       };
       const shown = await computed().catch((error) => {
         if (client.closed) throw error;
-        this.#drags.made = null;
         stopped = error instanceof Stopped;
         const problem = stopped ? stoppedHint : messageOf(error);
         return { ...nothing, problem, fill: fill ? noFill : null };
@@ -348,28 +340,25 @@ export class Session {
     this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
   }
 
-  /** The engine continues the legs of the curve that it has: before a drag's first step its base. */
-  async #follow(client: EngineClient, state: State, drag: Drag): Promise<void> {
-    if (!this.#drags.begins(drag)) return;
-    const { figure } = this.#asTraced({ ...state, figure: drag.base, dragging: true });
+  /** The legs from which a drag goes on: those of its last step, before the first those of its base. */
+  async #legsOf(client: EngineClient, state: State, drag: Drag): Promise<readonly DrawnLeg[]> {
+    const { base, object } = drag;
+    drag.legs ??= this.#drawn.get(base) ?? null;
+    if (drag.legs) return drag.legs;
+    const { figure } = this.#asTraced({ ...state, figure: base, dragging: true });
     const value = await curveValueOf(client, figure, methodOptions(state.method));
-    const { object } = drag;
-    // What is no curve has no legs to go on from.
-    if (!value) return client.forget(object);
-    await client.curve(value, { object }).catch((error) => {
-      if (error instanceof Stopped) throw error;
-      client.forget(object);
-    });
+    const curve = value && (await client.curve(value, { object }).catch(unlessStopped));
+    drag.legs = curve?.drawnLegs ?? [];
+    return drag.legs;
   }
 
   /** Asks for the legs that a drag drew out, once it has ended; whether they change the figure. */
   async #keepLegs(client: EngineClient, state: State, drag: Drag): Promise<boolean> {
     const { object, points, to } = drag;
     const { figure } = this.#asTraced({ ...state, figure: to, dragging: true });
-    const drawn = await this.#follow(client, state, drag)
-      .then(() => drawnLegs(client, object, figure, methodOptions(state.method), points))
+    const drawn = await this.#legsOf(client, state, drag)
+      .then((legs) => drawnLegs(client, object, figure, methodOptions(state.method), legs))
       .catch(() => null);
-    this.#drags.made = drawn && object === this.#state?.drawing.active ? to : null;
     if (!drawn || legsAt(to, points).every((leg) => !drawn[leg])) return false;
     this.onLegs({ figure: to, dragged: points, legs: drawn });
     return this.#state?.revision !== state.revision;
@@ -386,7 +375,6 @@ export class Session {
     this.#compared = figure;
     const options = methodOptions(method);
     const found = await shorterLegs(client, drawing.active, figure, options).catch(() => null);
-    if (found) this.#drags.made = figure;
     if (this.#state?.figure !== figure || client !== this.#client) return false;
     const shorter = found?.filter(({ part }) => part < 1 - leastGain) ?? [];
     if (shorter.length > 0 || this.#view.shorter.length > 0) this.#show({ shorter });
