@@ -392,6 +392,7 @@ function drawnMesh(client: EngineClient, key: string): GeometryRequest {
   const { info, arrays } = client;
   return {
     mesh: arrays,
+    colors: client.file?.colors ?? null,
     // Triangles that were turned over are drawn as they came.
     closed: info.boundaryLoops === 0 && info.repairs.every(({ kind }) => kind !== 'turnedOver'),
     up: readingOf(key)?.up ?? client.up,

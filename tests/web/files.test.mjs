@@ -106,6 +106,50 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
+  /** Red, green and blue of the stage's middle. */
+  async function seenColor(tab) {
+    const { x, y } = await tab.middle();
+    const png = await tab.page.screenshot({ clip: { x: x + 9, y: y + 9, width: 1, height: 1 } });
+    return tab.page.evaluate(async (bytes) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(bytes)]));
+      const context = new OffscreenCanvas(1, 1).getContext('2d');
+      context.drawImage(image, 0, 0);
+      return Array.from(context.getImageData(0, 0, 1, 1).data.slice(0, 3));
+    }, Array.from(png));
+  }
+
+  test('a file’s colors are those of its surface, until clay is wanted', async () => {
+    const tab = await Tab.open(browser);
+    const text = new TextDecoder().decode(objFile(cutBox));
+    const ofColor = (color) => encode(text.replace(/^v .*$/gm, (line) => `${line} ${color}`));
+    const item = tab.page.locator('#file-colors');
+    const strong = ([one, ...others]) => others.every((other) => one > 2 * other);
+    await tab.dropBytes('red.obj', ofColor('0.8 0.1 0.1'));
+    await opened(tab, 'red.obj');
+    await tab.settled();
+    assert.ok(strong(await seenColor(tab)), 'red');
+    await tab.page.locator('#view').click();
+    await item.click();
+    await tab.page.keyboard.press('Escape');
+    await tab.settled();
+    assert.ok(!strong(await seenColor(tab)), 'clay');
+    await tab.page.locator('#view').click();
+    await item.click();
+    await tab.page.keyboard.press('Escape');
+    await tab.dropBytes('blue.obj', ofColor('0.1 0.1 0.8'));
+    await opened(tab, 'blue.obj');
+    await tab.settled();
+    assert.ok(strong((await seenColor(tab)).reverse()), 'blue');
+    await tab.dropBytes('plain.obj', objFile(cutBox));
+    await opened(tab, 'plain.obj');
+    await tab.settled();
+    assert.ok(!strong((await seenColor(tab)).reverse()), 'plain');
+    await tab.page.locator('#view').click();
+    assert.equal(await item.isVisible(), false);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   test('of several surfaces the one that is chosen is opened', async () => {
     const tab = await Tab.open(browser);
     const several = Array.from({ length: 20 }, (_, i) => [`box ${i}.obj`, objFile(cutBox)]);

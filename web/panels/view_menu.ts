@@ -16,6 +16,7 @@ const labels: Record<ViewName, string> = {
 /** How the surface is looked at: from where, with its triangles, light or dark. */
 export class ViewMenu {
   readonly #edges = byId<HTMLButtonElement>('edges');
+  readonly #fileColors = byId<HTMLButtonElement>('file-colors');
   readonly #hidden = byId<HTMLButtonElement>('hidden-lines');
 
   constructor(
@@ -44,6 +45,10 @@ export class ViewMenu {
       viewer.resetView({ animated: true });
     });
     this.#edges.addEventListener('click', () => this.toggleEdges());
+    this.#fileColors.addEventListener('click', () => this.#toggleFileColors());
+    menu.element.addEventListener('beforetoggle', () => {
+      this.#fileColors.hidden = !viewer.surface?.hasColors;
+    });
     this.#hidden.addEventListener('click', () => this.toggleHidden());
     byId('theme').addEventListener('click', toggleTheme);
     onTheme((theme) => byId('theme').setAttribute('aria-checked', `${theme === 'dark'}`));
@@ -52,6 +57,11 @@ export class ViewMenu {
   toggleHidden(): void {
     this.viewer.hiddenLines = !this.viewer.hiddenLines;
     this.#hidden.setAttribute('aria-checked', `${this.viewer.hiddenLines}`);
+  }
+
+  #toggleFileColors(): void {
+    this.viewer.fileColors = !this.viewer.fileColors;
+    this.#fileColors.setAttribute('aria-checked', `${this.viewer.fileColors}`);
   }
 
   toggleEdges(): void {

@@ -11,6 +11,8 @@ export interface DrawnGeometry {
   positions: Float32Array;
   normals: Float32Array;
   triangles: Uint32Array;
+  /** Bytes of red, green and blue at the vertices; null for clay. */
+  colors: Uint8Array | null;
   tree: SerializedBVH;
   /** Which sides of the triangles are seen from outside. */
   outside: 'front' | 'back' | 'both';
@@ -18,6 +20,8 @@ export interface DrawnGeometry {
 
 export interface GeometryRequest {
   mesh: MeshBlobs;
+  /** Bytes of red, green and blue at the vertices, of a file that has colors. */
+  colors?: Uint8Array | null;
   /** Without a boundary. */
   closed: boolean;
   /** The axis that points up. */

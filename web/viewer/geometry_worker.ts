@@ -22,7 +22,7 @@ function outsideOf(positions: Float32Array, triangles: Uint32Array): 'front' | '
   return volume >= 0 ? 'front' : 'back';
 }
 
-async function drawn({ mesh, closed, up }: GeometryRequest): Promise<DrawnGeometry> {
+async function drawn({ mesh, closed, up, colors = null }: GeometryRequest): Promise<DrawnGeometry> {
   const arrays = await arraysOf(mesh);
   const frame = frameOf(arrays, up);
   const { geometry, positions, triangles } = geometryInScene(arrays, frame);
@@ -30,10 +30,11 @@ async function drawn({ mesh, closed, up }: GeometryRequest): Promise<DrawnGeomet
   const normals = geometry.getAttribute('normal').array as Float32Array;
   const tree = MeshBVH.serialize(treeOf(geometry), { cloneBuffers: false });
   const outside = closed ? outsideOf(positions, triangles) : 'both';
-  return { mesh, frame, positions, normals, triangles, tree, outside };
+  return { mesh, frame, positions, normals, triangles, colors, tree, outside };
 }
 
-answering(drawn, ({ positions, normals, triangles, tree }) => [
+answering(drawn, ({ positions, normals, triangles, colors, tree }) => [
   ...[positions.buffer, normals.buffer, triangles.buffer, ...tree.roots],
+  ...(colors ? [colors.buffer] : []),
   ...(tree.indirectBuffer ? [tree.indirectBuffer.buffer] : []),
 ]);

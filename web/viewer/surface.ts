@@ -74,16 +74,21 @@ const clay = {
     frontIsOutside: { value: true },
     ramp: { value: rampForShader() },
     most: { value: 0 },
+    colored: { value: false },
     opacity: { value: 1 },
   },
   vertexShader: `
     attribute float value;
+    attribute vec3 tint;
     uniform float sunk;
     varying vec3 vNormal;
     varying vec3 vEye;
     varying float vValue;
+    varying vec3 vTint;
     void main() {
       vValue = value;
+      // From sRGB, as files have it, to light.
+      vTint = mix(tint / 12.92, pow((tint + 0.055) / 1.055, vec3(2.4)), step(0.04045, tint));
       vec4 eye = modelViewMatrix * vec4(position, 1.0);
       vEye = -eye.xyz;
       vNormal = normalMatrix * normal;
@@ -100,10 +105,12 @@ const clay = {
     uniform bool frontIsOutside;
     uniform vec3 ramp[5];
     uniform float most;
+    uniform bool colored;
     uniform float opacity;
     varying vec3 vNormal;
     varying vec3 vEye;
     varying float vValue;
+    varying vec3 vTint;
     void main() {
       vec3 eye = normalize(vEye);
       vec3 normal = normalize(vNormal);
@@ -114,6 +121,7 @@ const clay = {
       float gloss = pow(max(0.0, dot(normal, normalize(key + eye))), 24.0);
       float rim = pow(1.0 - abs(dot(normal, eye)), 3.0);
       vec3 clay = gl_FrontFacing == frontIsOutside ? front : back;
+      if (colored) clay = vTint;
       if (most > 0.0 && vValue > -0.5 * most) {
         float at = 4.0 * clamp(vValue / most, 0.0, 1.0);
         clay = ramp[0];
@@ -133,7 +141,7 @@ export function paint(color: Color, opacity: number): ShaderMaterial {
     uniforms: {
       ...clay.uniforms,
       ...{ front: { value: color }, back: { value: color } },
-      ...{ most: { value: 0 }, opacity: { value: opacity } },
+      ...{ most: { value: 0 }, colored: { value: false }, opacity: { value: opacity } },
     },
     side: material.side,
     // Opaque ones, too: else they would be drawn before all that are not.
@@ -174,6 +182,8 @@ export class Surface {
   readonly frame: Frame;
   /** In its own coordinates. */
   readonly mesh: MeshBlobs;
+  /** Whether its file gave it colors. */
+  readonly hasColors: boolean;
   readonly #geometry = new BufferGeometry();
   readonly #tree: MeshBVH;
   readonly #positions: Float32Array;
@@ -191,6 +201,10 @@ export class Surface {
     this.#outside = drawn.outside;
     this.#geometry.setAttribute('position', new BufferAttribute(drawn.positions, 3));
     this.#geometry.setAttribute('normal', new BufferAttribute(drawn.normals, 3));
+    this.hasColors = drawn.colors !== null;
+    if (drawn.colors) {
+      this.#geometry.setAttribute('tint', new BufferAttribute(drawn.colors, 3, true));
+    }
     this.#geometry.setIndex(new BufferAttribute(drawn.triangles, 1));
     // Of the frame's box; three.js would look at all vertices.
     this.#geometry.boundingSphere = new Sphere(new Vector3(), 1);
@@ -211,6 +225,11 @@ export class Surface {
 
   set edges(visible: boolean) {
     this.#edges.visible = visible;
+  }
+
+  /** Whether it is seen in its own colors, if it has some. */
+  set colored(shown: boolean) {
+    material.uniforms.colored!.value = shown && this.hasColors;
   }
 
   /**

@@ -63,6 +63,7 @@ export class Viewer {
   #hiddenLines = true;
   #shorterLines: Float32Array[] = [];
   #edges = false;
+  #fileColors = true;
   /** The stage's, in CSS pixels: to ask the stage lays the page out, which a thousand handles cannot bear. */
   #size = { width: 1, height: 1 };
   /** Where the stage is in the window; null until it is asked for again. */
@@ -135,6 +136,7 @@ export class Viewer {
     }
     this.#surface = new Surface(drawn);
     this.#surface.edges = this.#edges;
+    this.#surface.colored = this.#fileColors;
     this.#view.surface = this.#surface;
     this.#scene.add(this.#surface.object);
     this.showCurve(null);
@@ -168,6 +170,17 @@ export class Viewer {
     this.#frameLines.setColor(new Color(colors.frame), surface);
     this.#marks.setColor(new Color(colors.marks), surface);
     for (const layer of this.#layers) layer.setColors(colors);
+    this.requestFrame();
+  }
+
+  /** Whether a surface has the colors of its file, where that has some. */
+  get fileColors(): boolean {
+    return this.#fileColors;
+  }
+
+  set fileColors(shown: boolean) {
+    this.#fileColors = shown;
+    if (this.#surface) this.#surface.colored = shown;
     this.requestFrame();
   }
 
