@@ -162,12 +162,14 @@ describe('a saved outline', () => {
     const svg = readFileSync(await download.path(), 'utf8');
     const { outline, others } = await page.evaluate((text) => {
       const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
-      const read = (path) =>
-        path
-          .getAttribute('d')
-          .slice(1)
-          .split('L')
-          .map((at) => at.split(' ').map(Number));
+      // All along its curves.
+      const read = (path) => {
+        const length = path.getTotalLength();
+        return Array.from({ length: 200 }, (_, i) => {
+          const { x, y } = path.getPointAtLength((i * length) / 199);
+          return [x, y];
+        });
+      };
       return {
         outline: [...root.querySelectorAll('#outline path')].flatMap(read),
         others: [...root.querySelectorAll('g > path:not(#outline path)')].map((path) =>
@@ -176,7 +178,7 @@ describe('a saved outline', () => {
       };
     }, svg);
     const { width, height } = await page.locator('#stage').boundingBox();
-    assert.ok(outline.length > 50);
+    assert.ok(outline.length >= 200);
     const radii = outline.map(([x, y]) => Math.hypot(x - width / 2, y - height / 2));
     const [least, most] = [Math.min(...radii), Math.max(...radii)];
     assert.ok(most / least < 1.02 && least > 150, `a circle, from ${least} to ${most}`);

@@ -172,6 +172,80 @@ describe('saving', () => {
     await tab.page.close();
   });
 
+  test('an SVG file has a group of a name for each object, of few Bézier curves within .25 pixels', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    await tab.page.locator('#object-name').fill('Wave & <rim>');
+    await tab.page.keyboard.press('Enter');
+    await tab.page.locator('#new-object').click();
+    await tab.page.keyboard.press('b');
+    await tab.click([-90, -60], [-30, -90], [30, -60], [90, -80]);
+    const { text } = await tab.save('SVG');
+    const groups = await tab.page.evaluate((svg) => {
+      const box = document.body.appendChild(document.createElement('div'));
+      box.innerHTML = svg;
+      const all = [...box.querySelectorAll('g[id^="object-"]')].map((group) => {
+        const paths = [...group.querySelectorAll('path')];
+        const samples = paths.flatMap((path) => {
+          const length = path.getTotalLength();
+          return Array.from({ length: 400 }, (_, i) => {
+            const { x, y } = path.getPointAtLength((i * length) / 399);
+            return [x, y];
+          });
+        });
+        const commands = paths.reduce((sum, path) => {
+          return sum + path.getAttribute('d').match(/[LC]/g).length;
+        }, 0);
+        return { name: group.querySelector('title').textContent, samples, commands };
+      });
+      box.remove();
+      return all;
+    }, text);
+    assert.deepEqual(groups.map(({ name }) => name).toSorted(), ['B-spline 2', 'Wave & <rim>']);
+    const lines = await tab.page.evaluate(() => {
+      const { curve, others } = window.karcherPage.view();
+      const stage = document.getElementById('stage').getBoundingClientRect();
+      return [others[0].lines[0], curve.polyline].map((line) =>
+        Array.from({ length: line.length / 3 }, (_, i) => {
+          const seen = window.karcherPage.seen(line.subarray(3 * i, 3 * i + 3));
+          return [seen.x - stage.left, seen.y - stage.top];
+        }),
+      );
+    });
+    const offSegment = ([x, y], [ax, ay], [bx, by]) => {
+      const [dx, dy] = [bx - ax, by - ay];
+      const square = dx * dx + dy * dy;
+      const t = square && Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / square));
+      return Math.hypot(x - ax - t * dx, y - ay - t * dy);
+    };
+    const off = (place, line) =>
+      Math.min(...line.slice(1).map((end, i) => offSegment(place, line[i], end)));
+    for (const [i, name] of ['Wave & <rim>', 'B-spline 2'].entries()) {
+      const { samples, commands } = groups.find((group) => group.name === name);
+      for (const place of samples) assert.ok(off(place, lines[i]) < 0.25, `${name}: ${place}`);
+      // And the other way round; two hundredths are the digits' and the samples' doing.
+      for (const place of lines[i]) assert.ok(off(place, samples) < 0.27, `${name}: ${place}`);
+      assert.ok(commands < lines[i].length / 6, `${commands} for ${lines[i].length} vertices`);
+    }
+    // The selection alone, which is the second one.
+    const only = tab.page.locator('#only-selected');
+    await tab.page.locator('#save').click();
+    await only.click();
+    assert.equal(await only.getAttribute('aria-checked'), 'true');
+    await tab.page.keyboard.press('Escape');
+    const alone = await tab.save('SVG');
+    assert.deepEqual(alone.text.match(/<title>[^<]*/g), ['<title>B-spline 2']);
+    assert.equal(alone.name, 'bspline-on-sphere.svg');
+    assert.equal((await tab.save('OBJ')).text.match(/^l /gm).length, 1);
+    await tab.page.keyboard.press('Control+a');
+    await tab.page.locator('#save').click();
+    assert.equal(await only.isEnabled(), false);
+    await tab.page.keyboard.press('Escape');
+    assert.equal((await tab.save('OBJ')).text.match(/^l /gm).length, 2);
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
   test('without a curve there is nothing to save, and a file of another kind is a sentence', async () => {
     const tab = await Tab.open(browser);
     await tab.page.locator('#save').click();

@@ -1,6 +1,10 @@
+import type { Planar } from '../model/cubic_fit';
 import type { SeenLine } from '../viewer/vantage';
+import { pathData } from './beziers';
 
 export interface DrawnLine extends SeenLine {
+  /** Lines of one object, told one after the other, are a group of its name. */
+  object?: { id: number; name: string };
   color: string;
   width: number;
   /** As `stroke-dasharray`; solid without any. */
@@ -11,6 +15,7 @@ export interface DrawnLine extends SeenLine {
 
 /** A region as it is seen: six numbers a triangle, x and y of its corners, all turning alike. */
 export interface DrawnFill {
+  id?: number;
   color: string;
   opacity: number;
   triangles: Float32Array;
@@ -49,9 +54,16 @@ export function* partsOfSvg({
   yield `<g fill="none" stroke-linecap="round" stroke-linejoin="round">
 `;
   if (outline) for (const path of outlinePaths(outline)) yield `${path}\n`;
+  let group: DrawnLine['object'];
   for (const line of lines) {
+    if (line.object?.id !== group?.id) {
+      if (group) yield '</g>\n';
+      group = line.object;
+      if (group) yield `<g id="object-${group.id}"><title>${escaped(group.name)}</title>\n`;
+    }
     for (const path of pathsOf(line, outline ? 'left out' : 'faint')) yield `${path}\n`;
   }
+  if (group) yield '</g>\n';
   yield '</g>\n';
   for (const { x, y, color, filled, hidden } of points) {
     if (outline && hidden) continue;
@@ -62,17 +74,19 @@ export function* partsOfSvg({
   yield '</svg>\n';
 }
 
+const escaped = (text: string) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
 /** One path: where triangles of one path meet no seam shows. */
-function* fillPath({ color, opacity, triangles }: DrawnFill): Generator<string> {
+function* fillPath({ id, color, opacity, triangles }: DrawnFill): Generator<string> {
   yield `<path fill="${color}" fill-opacity="${short(opacity)}" d="`;
   for (let i = 0; i < triangles.length; i += 6) {
     const at = (corner: number) =>
       `${short(triangles[i + 2 * corner]!)} ${short(triangles[i + 2 * corner + 1]!)}`;
     yield `M${at(0)}L${at(1)}L${at(2)}Z`;
   }
-  yield '"/>\n';
+  yield id === undefined ? '"/>\n' : `" id="fill-${id}"/>\n`;
 }
 
 const outlineWidth = 1.5;
@@ -81,10 +95,11 @@ function* outlinePaths({ lines, color }: NonNullable<Drawing['outline']>): Gener
   yield `<g id="outline" stroke="${color}" stroke-width="${outlineWidth}">`;
   for (const line of lines) {
     const count = line.length / 2;
-    const places = Array.from({ length: count }, (_, i) =>
-      [line[2 * i]!, line[2 * i + 1]!].map(short).join(' '),
+    const places = Array.from(
+      { length: count },
+      (_, i): Planar => [line[2 * i]!, line[2 * i + 1]!],
     );
-    yield `<path d="M${places.join('L')}"/>`;
+    yield `<path d="${pathData(places)}"/>`;
   }
   yield '</g>';
 }
@@ -101,14 +116,14 @@ function pathsOf(
       : `stroke="${color}"${dashes ? ` stroke-dasharray="${dashes}"` : ''}`;
     return `${stroke} stroke-width="${width}"${seen}`;
   };
-  const at = (vertex: number) => `${short(x[vertex]!)} ${short(y[vertex]!)}`;
+  const at = (vertex: number): Planar => [x[vertex]!, y[vertex]!];
   const paths: string[] = [];
   let first = 0;
   for (let segment = 1; segment < x.length; segment++) {
     if (segment < x.length - 1 && look(segment) === look(first)) continue;
     const isLeftOut = behind === 'left out' && hidden[first] && hidden[first + 1];
     const vertices = Array.from({ length: segment - first + 1 }, (_, i) => at(first + i));
-    if (!isLeftOut) paths.push(`<path ${look(first)} d="M${vertices.join('L')}"/>`);
+    if (!isLeftOut) paths.push(`<path ${look(first)} d="${pathData(vertices)}"/>`);
     first = segment;
   }
   return paths;

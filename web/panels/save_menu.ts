@@ -1,6 +1,6 @@
 import type { SurfacePoint } from 'karcher';
 import { polylinesOf } from '../editor/engine/compute';
-import type { Editor } from '../editor/state/editor';
+import { type Editor, selectedObjects } from '../editor/state/editor';
 import type { Session } from '../editor/engine/session';
 import type { View } from '../editor/engine/view';
 import { jsonOf, longestInside, partsOfObj, partsWithFile } from '../export/curve_file';
@@ -20,6 +20,7 @@ import type { Viewer } from '../viewer/viewer';
 import { byId, formatBytes, make } from './elements';
 import { Menu } from './menu';
 import { sentenceOf, showError, showNote } from './messages';
+import { nameOf } from './object_panel';
 import { showProgress } from './progress';
 import { sceneColors } from './theme';
 
@@ -39,7 +40,8 @@ const pictureScale = 2;
 /** The menu that saves what is drawn, or seen, as a file. */
 export class SaveMenu {
   readonly #menu = new Menu('save-menu', 'save', () => this.#showWhatThereIs());
-  readonly #items = this.#menu.items;
+  readonly #items = this.#menu.items.filter((item) => item.dataset.save);
+  readonly #only = byId<HTMLButtonElement>('only-selected');
 
   constructor(
     private readonly editor: Editor,
@@ -48,6 +50,10 @@ export class SaveMenu {
     /** The file of the surface that is shown; null where the page makes it, or has it no more. */
     private readonly surfaceFile: () => Promise<Blob | null>,
   ) {
+    this.#only.addEventListener('click', () => {
+      this.#only.setAttribute('aria-checked', `${!this.#onlySelected}`);
+      this.#showWhatThereIs();
+    });
     for (const item of this.#items) {
       item.addEventListener('click', () => {
         this.#menu.element.hidePopover();
@@ -126,7 +132,7 @@ export class SaveMenu {
 
   get #title(): string {
     const { mesh, drawing } = this.editor.state;
-    const drawn = drawing.objects.filter(({ figure }) => !isEmpty(figure));
+    const drawn = drawing.objects.filter(({ id, figure }) => !isEmpty(figure) && this.#isMeant(id));
     const [one] = drawn;
     const what = drawn.length === 1 ? one!.name || one!.figure.kind : 'drawing';
     return `${what} on ${meshLabel(mesh).replace(/\.obj$/i, '')}`;
@@ -142,7 +148,18 @@ export class SaveMenu {
   /** All curves, the edited one first. */
   get #polylines(): Float32Array[] {
     const { view } = this.session;
-    return [...polylinesOf(view), ...view.others.flatMap(({ lines }) => lines)];
+    const own = this.#isMeant(this.editor.state.drawing.active) ? polylinesOf(view) : [];
+    const others = view.others.filter(({ id }) => this.#isMeant(id));
+    return [...own, ...others.flatMap(({ lines }) => lines)];
+  }
+
+  /** Whether an object is to be saved: all are, or those that are selected. */
+  #isMeant(id: number): boolean {
+    return !this.#onlySelected || selectedObjects(this.editor.state).includes(id);
+  }
+
+  get #onlySelected(): boolean {
+    return this.#only.getAttribute('aria-checked') === 'true' && !this.#only.disabled;
   }
 
   /** Points that are marked along the edited curve: x, y, z each. */
@@ -161,6 +178,12 @@ export class SaveMenu {
   }
 
   #showWhatThereIs(): void {
+    const { state } = this.editor;
+    const drawn = state.drawing.objects.filter(({ figure }) => !isEmpty(figure));
+    const selected = selectedObjects(state);
+    // Where that makes a difference.
+    const ofDrawn = drawn.filter(({ id }) => selected.includes(id)).length;
+    this.#only.disabled = ofDrawn === 0 || ofDrawn === drawn.length;
     byId('save-none').hidden = this.#has('json');
     for (const item of this.#items) {
       const format = item.dataset.save as string;
@@ -173,18 +196,20 @@ export class SaveMenu {
   async #drawing(): Promise<SvgDrawing> {
     const { viewer } = this;
     const { view } = this.session;
-    const { center, others } = view;
+    const ownToo = this.#isMeant(this.editor.state.drawing.active);
+    const others = view.others.filter(({ id }) => this.#isMeant(id));
+    const center = ownToo ? view.center : null;
     const vantage = viewer.vantage();
     const colors = sceneColors();
     const { active, isOpen } = this.editor;
     const { kind, points, circle } = this.editor.state.figure;
     const own = isRound(kind) ? (circle ? [circle.center] : []) : points;
-    const handles = isOpen ? own : [];
+    const handles = isOpen && ownToo ? own : [];
     const dot = (point: SurfacePoint, color: string) => ({
       ...vantage.project(viewer.surface!.position(point)),
       color,
     });
-    const { x, y } = vantage.seen(Float32Array.from(this.#marks));
+    const { x, y } = vantage.seen(Float32Array.from(ownToo ? this.#marks : []));
     const marks = x.map((at, i) => ({ x: at, y: y[i]!, color: colors.marks, filled: true }));
     const dots = [...marks, ...handles.map((point) => dot(point, colors.curve))];
     if (center) dots.push(dot(center.point, colors.center));
@@ -193,37 +218,49 @@ export class SaveMenu {
         dots.push({ ...dot(point, look.color ?? colors.curve), filled: true });
       }
     }
-    const lines = await gathered(seenLines(view, active, vantage, colors));
-    const fills = await gathered(seenFills(viewer, vantage, colors));
+    const { objects } = this.editor.state.drawing;
+    const shown = { ...view, others, ...(ownToo ? {} : { curve: null, isolines: null, legs: [] }) };
+    const lines = await gathered(seenLines(shown, active, objects, vantage, colors));
+    const all = await gathered(seenFills(viewer, vantage, colors));
+    const fills = all.filter(({ id }) => this.#isMeant(id));
     return { ...vantage.size, fills, lines, points: dots };
   }
 }
 
-function* seenFills(viewer: Viewer, vantage: Vantage, colors: ViewerColors): Generator<DrawnFill> {
+function* seenFills(
+  viewer: Viewer,
+  vantage: Vantage,
+  colors: ViewerColors,
+): Generator<DrawnFill & { id: number }> {
   for (const { painted, triangles } of viewer.seenRegions(vantage)) {
     const { style, color } = painted;
-    yield { color: style.fillColor ?? color ?? colors.curve, opacity: style.fill, triangles };
+    const { id } = painted;
+    yield { id, color: style.fillColor ?? color ?? colors.curve, opacity: style.fill, triangles };
   }
 }
 
 function* seenLines(
   { curve, isolines, legs, others }: View,
   active: DrawnObject,
+  objects: readonly DrawnObject[],
   vantage: Vantage,
   colors: ViewerColors,
 ): Generator<DrawnLine> {
-  for (const { style, lines } of others) {
-    const look = drawnStyle(style, colors.curve);
+  for (const { id, style, lines } of others) {
+    const object = objects.find((one) => one.id === id);
+    const look = { ...drawnStyle(style, colors.curve), ...(object && named(object)) };
     for (const line of lines) yield { ...vantage.seen(line), ...look };
   }
   for (const leg of legs) yield { ...vantage.seen(leg), color: colors.polygon, width: 1.2 };
-  const style = drawnStyle(active, colors.curve);
+  const style = { ...drawnStyle(active, colors.curve), ...named(active) };
   if (curve) {
     const has = (segment: number) => curve.polylineStatus[segment + 1] === 1;
     yield { ...vantage.seen(curve.polyline), ...style, lost: { color: colors.lost, has } };
   }
   for (const { polyline } of isolines?.lines ?? []) yield { ...vantage.seen(polyline), ...style };
 }
+
+const named = (object: DrawnObject) => ({ object: { id: object.id, name: nameOf(object) } });
 
 /** A line's style in an SVG, where dashes are told in pixels. */
 function drawnStyle({ color, width, dash }: LineStyle, curve: string) {
