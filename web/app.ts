@@ -222,7 +222,7 @@ export async function start(): Promise<void> {
   };
   ruler.onChange = (ruled, begun) => status.showRuled(ruled, begun, editor.state, session.view);
   const units = new UnitChoice((unit) => status.showUnit(unit, editor.state, session.view));
-  session.onLegs = (told) => editor.keepLegs(told);
+  editor.onEnded = (figure) => session.ended(figure);
   editor.onRefusal = showNote;
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);

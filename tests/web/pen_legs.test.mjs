@@ -37,7 +37,7 @@ describe('legs of the pen', () => {
 
   beforeEach(async () => {
     page = await openPage(await arraysOfShape('torus', 2000));
-    page.session.onLegs = (told) => page.editor.keepLegs(told);
+    page.editor.onEnded = (figure) => page.session.ended(figure);
     figure = () => page.editor.state.figure;
     page.editor.setKind('pen');
   });
@@ -198,7 +198,7 @@ describe('legs of the pen', () => {
     assert.deepEqual(legs(), [true, false, false]);
   });
 
-  test('that are told after an anchor began to be removed do not hinder it', async () => {
+  test('of a drag that an anchor is removed after at once do not hinder that', async () => {
     await drawnOut([along(-0.3)]);
     page.editor.commitDrag();
     await page.edits.removeAnchor(1);

@@ -62,7 +62,7 @@ async function recorded(shape) {
   const below = (count) => Math.floor(random() * count);
   const page = await openPage({ positions, triangles: mesh.triangles() });
   const { editor, session, edits } = page;
-  session.onLegs = (told) => editor.keepLegs?.(told);
+  editor.onEnded = (figure) => session.ended(figure);
   const result = [];
   for (let k = 0; k < drags; k++) {
     const [kind, settings] = cases[k % cases.length];

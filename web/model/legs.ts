@@ -2,7 +2,7 @@
  * The legs of a control polygon: each is the shortest path to the next point, unless its point says
  * otherwise.
  */
-import type { CurveOptions, DrawnLeg } from 'karcher';
+import type { CurveOptions, DrawnLeg, SurfacePoint } from 'karcher';
 import { type ControlPoint, type Spline, withLeg } from './figure';
 import { isOpposite, otherSide, type Side } from './pen';
 
@@ -38,11 +38,44 @@ export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon
   return { ...polygon, points };
 }
 
-/** A value whose legs go on from where they were drawn, where it tells none; none were drawn of another number. */
-export function withDrawnLegs(value: CurveOptions, drawn: readonly DrawnLeg[]): CurveOptions {
+/** The legs of a curve as they were drawn last, and which of its control points are dragged on from there. */
+export interface DrawnBefore {
+  legs: readonly DrawnLeg[];
+  points: readonly number[];
+}
+
+/** A value whose legs at dragged points go on from where they were drawn, where it tells none. */
+export function withDrawnLegs(value: CurveOptions, before: DrawnBefore): CurveOptions {
   const { points, closed = false, legs = [] } = value;
-  if (drawn.length !== points.length - (closed ? 0 : 1)) return value;
-  return { ...value, legs: drawn.map((leg, i) => legs[i] ?? leg) };
+  // Those of another number of points are others.
+  if (before.legs.length !== points.length - (closed ? 0 : 1)) return value;
+  const at = legsAt(points.length, before.points);
+  return {
+    ...value,
+    legs: before.legs.map((leg, i) => legs[i] ?? (at.includes(i) ? leg : null)),
+  };
+}
+
+/** The numbers of the legs that meet some points, as many as these and some more. */
+export const legsAt = (count: number, at: readonly number[]): number[] => [
+  ...new Set(at.flatMap((i) => [i, (i + count - 1) % count])),
+];
+
+/** A leg's points that tell it, by the point that it leaves; null for the shortest path. */
+export type ToldLegs = readonly (readonly SurfacePoint[] | null)[];
+
+/** A figure whose points were dragged, with the legs that met there where it tells none. */
+export function withTold<Of extends Polygon>(
+  figure: Of,
+  dragged: readonly number[],
+  told: ToldLegs,
+): Of {
+  const at = legsAt(figure.points.length, dragged).filter((i) => told[i] && !figure.points[i]?.leg);
+  if (at.length === 0) return figure;
+  const points = figure.points.map((point, i) =>
+    at.includes(i) ? withLeg(point, told[i] ?? null) : point,
+  );
+  return { ...figure, points };
 }
 
 /** The legs as the engine takes them. */

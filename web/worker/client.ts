@@ -7,7 +7,6 @@ import type {
   DrawnLeg,
   EllipseOptions,
   IsolineOptions,
-  LegPoints,
   LongWorkOptions,
   MappedPoints,
   MeshInfo,
@@ -71,6 +70,8 @@ export interface CurveRequest {
   marks?: number;
   /** Whether what it encloses is asked for, too. */
   fill?: boolean;
+  /** Whether the points are asked for that tell its legs. */
+  told?: boolean;
 }
 
 /** A curve that is tried elsewhere again and again: its legs are continued. */
@@ -92,7 +93,8 @@ export class LooseCurve {
   async placeOn(value: CurveOptions, parameter: number): Promise<CurvePoint> {
     const { curve } = this;
     this.#legs ??= (await curve.view()).drawnLegs;
-    const wanted = withDrawnLegs(value, this.#legs);
+    const points = value.points.map((_, i) => i);
+    const wanted = withDrawnLegs(value, { legs: this.#legs, points });
     const [{ drawnLegs }, point] = await both(curve.set(wanted), curve.pointAt(parameter));
     this.#legs = drawnLegs;
     return point;
@@ -188,20 +190,20 @@ export class EngineClient {
   /** The curve of a value. */
   async curve(
     value: CurveOptions,
-    { object, marks = 0, fill = false }: CurveRequest = {},
+    { object, marks = 0, fill = false, told = false }: CurveRequest = {},
   ): Promise<TracedCurve> {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
     try {
       // Both are asked at once: nothing comes in between.
-      const [[view, marked], filled] = await both(
+      const [[view, marked], [filled, made]] = await both(
         both(
           before ? curve.set(value) : curve.view(),
           marks > 0 ? curve.equallySpaced(marks) : null,
         ),
-        fill ? this.#fill(curve) : null,
+        Promise.all([fill ? this.#fill(curve) : null, told ? curve.value() : null]),
       );
-      return tracedCurve(view, marked, filled);
+      return tracedCurve(view, marked, filled, made?.legs ?? []);
     } finally {
       if (object === undefined) void curve.dispose();
     }
@@ -220,13 +222,6 @@ export class EngineClient {
     this.#curves.delete(object);
     // Where the worker has ended, nothing is left to give back.
     void curve?.then((one) => one?.dispose()).catch(() => {});
-  }
-
-  /** The legs of the curve of a value, the object's from then on, by a few points; the shortest are null. */
-  async legs(object: number, value: CurveOptions): Promise<readonly LegPoints[]> {
-    const curve = await this.#curveOf(object, value);
-    const [, { legs = [] }] = await both(curve.set(value), curve.value());
-    return legs;
   }
 
   /** Shorter ways that legs of the curve of a value could take, the object's from then on. */

@@ -1,11 +1,12 @@
-import type { CenterOfMass, CurveOptions, DrawnLeg, ErrorCode, FieldOptions } from 'karcher';
+import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions } from 'karcher';
 import { type Figure, isRound, pointsNeeded } from '../../model/figure';
-import { withDrawnLegs } from '../../model/legs';
+import { type DrawnBefore, withDrawnLegs } from '../../model/legs';
 import { type MethodId, type Quality, qualityOf } from '../../model/methods';
-import { type DrawnTangents, penOptions } from '../../model/pen';
+import { controlPointsOf, type DrawnTangents, penOptions } from '../../model/pen';
+import { legsOfAnchors } from '../../model/pen_legs';
 import { curveOptions, splineOf } from '../../model/splines';
 import type { Fill, TracedCurve } from '../../model/traced';
-import { type CurveRequest, type EngineClient, KarcherError, Stopped } from '../../worker/client';
+import { type EngineClient, KarcherError, Stopped } from '../../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
 import { drawnTangents, missingHandle } from './pen_drawing';
 import { type Shift, shiftBetween } from './shift';
@@ -50,8 +51,8 @@ export interface Computation {
   object: number;
   /** Whether a better answer is to follow, by other options. */
   draft?: boolean;
-  /** Of a drag, the legs as its last step drew them: they go on from there. */
-  drawn?: readonly DrawnLeg[];
+  /** Of a drag, its points, or anchors, and the legs as its last step drew them: they go on from there. */
+  before?: DrawnBefore | undefined;
   /** Whether to look for other minima than a center of mass, where that is quickly done. */
   uniqueness?: boolean;
   /** Whether what its lines enclose is asked for. */
@@ -79,19 +80,21 @@ function computeFigure(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { object, draft = false, drawn = [], uniqueness = false, fill = false }: Computation,
+  { object, draft = false, before, uniqueness = false, fill = false }: Computation,
 ): Promise<Shown> {
   if (isRound(figure.kind)) return computeCircle(client, figure, options, { draft, fill });
   if (figure.kind === 'pen') {
-    return computePen(client, figure, options, drawn, { object, fill });
+    return computePen(client, figure, options, { object, fill, before });
   }
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
   const spline = splineOf(figure);
   if (!spline) return computeCenter(client, figure, options, uniqueness);
   const { marks } = spline.settings;
+  const value = curveOptions(spline, options);
+  const told = before !== undefined;
   return client
-    .curve(withDrawnLegs(curveOptions(spline, options), drawn), { object, marks, fill })
+    .curve(before ? withDrawnLegs(value, before) : value, { object, marks, fill, told })
     .then((curve) => ({ ...nothing, curve }));
 }
 
@@ -114,8 +117,7 @@ async function computePen(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  drawn: readonly DrawnLeg[],
-  request: Pick<CurveRequest, 'object' | 'fill'>,
+  { before, ...request }: Pick<Computation, 'object' | 'fill' | 'before'>,
 ): Promise<Shown> {
   const tangents = await drawnTangents(client, figure);
   const problem = missingHandle(figure, tangents);
@@ -124,9 +126,11 @@ async function computePen(
   if (few || problem) return { ...nothing, tangents, problem };
   try {
     const { marks } = figure.settings;
-    const value = withDrawnLegs(penOptions(figure, tangents, options), drawn);
-    const curve = await client.curve(value, { ...request, marks });
-    return { ...nothing, tangents, curve };
+    const value = penOptions(figure, tangents, options);
+    const points = before?.points.flatMap((i) => controlPointsOf(figure, i)) ?? [];
+    const drawn = before ? withDrawnLegs(value, { ...before, points }) : value;
+    const curve = await client.curve(drawn, { ...request, marks, told: before !== undefined });
+    return { ...nothing, tangents, curve: { ...curve, toldLegs: legsOfAnchors(curve.toldLegs) } };
   } catch (error) {
     if (client.closed || error instanceof Stopped) throw error;
     return { ...nothing, tangents, problem: messageOf(error) };

@@ -8,9 +8,9 @@ import {
   type Spline,
   type Vector,
 } from '../../model/figure';
+import type { DrawnBefore } from '../../model/legs';
 import { methodOptions, type Quality, refinedOptions } from '../../model/methods';
 import { curveOptions, splineFrom, splineOf, usesLegs } from '../../model/splines';
-import { legsAt, type ToldLegs } from '../../model/told_legs';
 import type { Measured, TracedCurve } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
 import type { Edit } from '../../worker/edits';
@@ -26,8 +26,8 @@ import {
   shiftOf,
   withUniqueness,
 } from './compute';
-import { type Drag, Drags } from './drags';
-import { drawnLegs, shorterLegs } from './drawn_legs';
+import { Drag } from './drag';
+import { shorterLegs } from './shorter_legs';
 import type { State } from '../state/editor';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
@@ -81,7 +81,7 @@ export class Session {
   #draft = false;
   /** How many steps of the drag, one after the other, were slow. */
   #slow = 0;
-  readonly #drags = new Drags();
+  #drag: Drag | null = null;
   /** The legs of figures' curves as they were drawn. */
   #drawn = new WeakMap<Figure, readonly DrawnLeg[]>();
   /** The figure whose legs were compared with the shortest ones. */
@@ -107,13 +107,16 @@ export class Session {
   onView: (view: View) => void = () => {};
   /** Called when the engine begins to work, and when it has ended. */
   onBusy: (busy: boolean) => void = () => {};
-  /** Called with the legs that a drag drew out: those that meet at its point. */
-  onLegs: (told: ToldLegs) => void = () => {};
   /** Called when an edit that was asked for can't be made. */
   onFailure: (error: unknown) => void = () => {};
 
   get view(): View {
     return this.#view;
+  }
+
+  /** What a figure becomes where its drag ends: with the legs that its last step drew out. */
+  ended(figure: Figure): Figure {
+    return this.#drag?.ended(figure) ?? figure;
   }
 
   /** Whether the newest state is traced, the geodesics and the exact curve included. */
@@ -135,7 +138,7 @@ export class Session {
     this.#others.clear();
     this.#state = null;
     this.#asked = null;
-    this.#drags.clear();
+    this.#drag = null;
     this.#drawn = new WeakMap();
     this.#compared = null;
     this.#newest.drop();
@@ -152,23 +155,20 @@ export class Session {
   }
 
   update(state: State): void {
-    const epoch = this.#state?.epoch;
     if (state.drawing.active !== this.#state?.drawing.active) {
       this.#manySamples = false;
       this.#levels = 0;
     }
-    const goesOn = this.#state?.dragging ?? false;
+    const drag = this.#state?.dragging ? this.#drag : null;
     this.#state = state;
-    if (state.dragged.length > 0 && usesLegs(state.figure.kind)) this.#drags.hold(state, goesOn);
-    else if (state.epoch !== epoch && goesOn) this.#drags.drop();
-    else if (state.epoch !== epoch) this.#drags.end();
+    const isDrag = state.dragged.length > 0 && usesLegs(state.figure.kind);
+    this.#drag = isDrag ? (drag?.has(state) ? drag : new Drag(state)) : null;
     if (!this.#client) return;
     if (state.revision !== this.#asked?.revision) {
       this.#asked = state;
       this.#refinement.drop();
       this.#newest.push(state);
-    } else if ((this.#coarse || this.#drags.held !== null) && !state.dragging)
-      this.#newest.push(state);
+    } else if ((this.#coarse || drag !== null) && !state.dragging) this.#newest.push(state);
     else if (!this.#newest.busy) {
       // A drag has ended: what it left is already traced.
       this.#refine();
@@ -250,10 +250,7 @@ export class Session {
     if (!client || client.closed) return;
     const { method } = state;
     try {
-      const drag = state.dragged.length > 0 ? this.#drags.held : null;
-      for (const ended of this.#drags.takeEnded(state)) {
-        if (await this.#keepLegs(client, state, ended)) return;
-      }
+      const drag = this.#drag?.has(state) ? this.#drag : null;
       const ids = state.drawing.objects.map(({ id }) => id);
       for (const one of [client, this.#refinement.client]) one?.keepCurves(ids);
       const active = activeObject(state.drawing);
@@ -272,14 +269,14 @@ export class Session {
         const answer = await compute(client, figure, methodOptions(method), {
           object: state.drawing.active,
           draft: refinedOptions(method) !== null,
-          ...(drag && { drawn: await this.#legsOf(client, state, drag) }),
+          before: drag ? await this.#before(client, state, drag) : undefined,
           uniqueness: true,
           fill,
         });
         // A problem leaves what was drawn before it.
         const legs = answer.problem ? null : (answer.curve?.drawnLegs ?? []);
         if (legs) this.#drawn.set(state.figure, legs);
-        if (legs && drag) drag.legs = legs;
+        if (legs && drag) Object.assign(drag, { legs, told: answer.curve?.toldLegs ?? [] });
         return answer;
       };
       const shown = await computed().catch((error) => {
@@ -341,27 +338,17 @@ export class Session {
   }
 
   /** The legs from which a drag goes on: those of its last step, before the first those of its base. */
-  async #legsOf(client: EngineClient, state: State, drag: Drag): Promise<readonly DrawnLeg[]> {
-    const { base, object } = drag;
+  async #before(client: EngineClient, state: State, drag: Drag): Promise<DrawnBefore> {
+    const { base, points } = drag;
     drag.legs ??= this.#drawn.get(base) ?? null;
-    if (drag.legs) return drag.legs;
-    const { figure } = this.#asTraced({ ...state, figure: base, dragging: true });
-    const value = await curveValueOf(client, figure, methodOptions(state.method));
-    const curve = value && (await client.curve(value, { object }).catch(unlessStopped));
-    drag.legs = curve?.drawnLegs ?? [];
-    return drag.legs;
-  }
-
-  /** Asks for the legs that a drag drew out, once it has ended; whether they change the figure. */
-  async #keepLegs(client: EngineClient, state: State, drag: Drag): Promise<boolean> {
-    const { object, points, to } = drag;
-    const { figure } = this.#asTraced({ ...state, figure: to, dragging: true });
-    const drawn = await this.#legsOf(client, state, drag)
-      .then((legs) => drawnLegs(client, object, figure, methodOptions(state.method), legs))
-      .catch(() => null);
-    if (!drawn || legsAt(to, points).every((leg) => !drawn[leg])) return false;
-    this.onLegs({ figure: to, dragged: points, legs: drawn });
-    return this.#state?.revision !== state.revision;
+    if (!drag.legs) {
+      const { figure } = this.#asTraced({ ...state, figure: base, dragging: true });
+      const value = await curveValueOf(client, figure, methodOptions(state.method));
+      const object = state.drawing.active;
+      const curve = value && (await client.curve(value, { object }).catch(unlessStopped));
+      drag.legs = curve?.drawnLegs ?? [];
+    }
+    return { legs: drag.legs, points };
   }
 
   /** Looks for shorter ways than the legs of the newest figure. */

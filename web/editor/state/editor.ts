@@ -42,7 +42,6 @@ import {
   stepForth,
 } from '../../model/history';
 import { defaultMethod, type MethodId } from '../../model/methods';
-import { type ToldLegs, tellLegs } from '../../model/told_legs';
 import { type CurveTool, isResting, type RestingTool } from './tool';
 
 /** A control point by its number, or one of a circle's or ellipse's handles. */
@@ -116,6 +115,8 @@ export class Editor {
 
   /** Called where something else is done: who drags lets go of it. */
   onInterrupt: () => void = () => {};
+  /** What the edited figure becomes when a drag of its points ends. */
+  onEnded: (figure: Figure) => Figure = (figure) => figure;
 
   get state(): State {
     return this.#state;
@@ -200,11 +201,23 @@ export class Editor {
 
   /** Makes the drag one step of the history. */
   commitDrag(): void {
-    const { command = null, base = null } = this.#drag ?? {};
-    if (command && base !== this.#state.drawing) record(this.#history, command);
-    const dragged = this.#drag !== null;
+    if (!this.#drag) return;
+    const { base } = this.#drag;
+    const command = this.#drag.command && this.#ended(this.#drag.command, base);
+    const drawing = command === this.#drag.command ? this.#state.drawing : apply(base, command!);
+    if (command && base !== drawing) record(this.#history, command);
     this.#drag = null;
-    if (dragged) this.#change({ dragging: false, dragged: none }, false);
+    this.#change({ drawing, dragging: false, dragged: none }, false);
+  }
+
+  /** A drag's command once it ends, with what it made of the figure beside what the hand did. */
+  #ended(command: Command, base: Drawing): Command {
+    if (command.type !== 'figure' || this.#state.dragged.length === 0) return command;
+    const { figure } = this.#state;
+    const to = this.onEnded(figure);
+    if (to === figure) return command;
+    const from = objectOf(base, command.id)!.figure;
+    return { ...command, edit: { type: 'replace', from, to } };
   }
 
   cancelDrag(): void {
@@ -220,15 +233,6 @@ export class Editor {
   interrupt(): void {
     this.onInterrupt();
     this.cancelDrag();
-  }
-
-  /** Makes the legs that one of the last drags drew out part of it, and of what was done since. */
-  keepLegs(told: ToldLegs): void {
-    const kept = tellLegs(this.#history, this.#drag?.base ?? this.#state.drawing, told);
-    if (!kept) return;
-    const { none } = this.#state;
-    if (!this.#drag) this.#change({ drawing: kept, none }, false);
-    else this.#drag.base = kept;
   }
 
   /** Replaces the leg from a control point to the next by the shortest path. */
