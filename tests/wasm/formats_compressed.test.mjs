@@ -138,3 +138,19 @@ test('what is damaged is refused with what it is', async () => {
     await assert.rejects(meshFromFile(karcher, bytes), { code: 'badFile', message });
   }
 });
+
+test('triangles that Draco compressed and no accessor tells of are read', async () => {
+  const { json, buffer } = await dracoParts(shape);
+  const [primitive] = json.meshes[0].primitives;
+  const numbers = json.accessors.splice(primitive.indices, 1);
+  assert.equal(numbers.length, 1);
+  delete primitive.indices;
+  const { mesh, file } = await meshFromFile(karcher, glbOf({ json, buffer }));
+  assert.deepEqual(meshTriangles(mesh), written);
+  assert.deepEqual(file.parts, [{ name: 'body', triangles: shape.faces.length }]);
+  json.accessors[0].count++;
+  await assert.rejects(meshFromFile(karcher, glbOf({ json, buffer })), {
+    code: 'badFile',
+    message: /3,200 triangles of 1,600 vertices, but its accessors tell of 1,601$/,
+  });
+});

@@ -92,30 +92,32 @@ export class Accessors {
 
   /**
    * What Draco compressed: accessors tell of it, and of how much it is. It is decoded when a first row is
-   * asked for, after what they tell was found to fit.
+   * asked for, after what they tell was found to fit; at once where none tells of its triangles, which it
+   * has all the same.
    */
   #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
     // First, as what is no number may have no text.
     entryOf(this.#json, 'bufferViews', of.bufferView);
-    const [place, index] = [places, indices].map((one) => entryOf(this.#json, 'accessors', one));
+    const place = entryOf(this.#json, 'accessors', places);
+    const index = indices === undefined ? null : entryOf(this.#json, 'accessors', indices);
     const what = `buffer view ${of.bufferView}`;
     const id = countOf(objectOf(of, 'attributes'), 'POSITION', `${what}, which Draco compressed,`);
     const key = (number: unknown) => `Draco ${of.bufferView} ${id} ${number}`;
     const known = [this.#known.get(key(places)), this.#known.get(key(indices))];
     if (known[0] && known[1]) return { places: known[0], indices: known[1] };
-    const type = place!.componentType as number;
+    const type = place.componentType as number;
     checkType(type, `accessor ${places}`);
-    const count = countOf(place!, 'count', `accessor ${places}`);
-    const corners = countOf(index!, 'count', `accessor ${indices}`);
+    const count = countOf(place, 'count', `accessor ${places}`);
+    const corners = index && countOf(index, 'count', `accessor ${indices}`);
     let columns: { places: Rows; corners: Rows } | undefined;
     const decoded = () => {
       if (columns) return columns;
       const { bytes } = this.#buffers.view(of.bufferView);
       const mesh = decodeDraco(this.#draco!, bytes, [{ id, type, size: 3 }], what);
       const triangles = mesh.corners.length / 12;
-      if (mesh.points !== count || 3 * triangles !== corners) {
+      if (mesh.points !== count || (corners !== null && 3 * triangles !== corners)) {
         throw badFile(
-          `${what}, which Draco compressed, has ${counted(triangles)} triangles of ${counted(mesh.points)} vertices, but its accessors tell of ${counted(corners / 3)} and ${counted(count)}`,
+          `${what}, which Draco compressed, has ${counted(triangles)} triangles of ${counted(mesh.points)} vertices, but its accessors tell of ${corners === null ? '' : `${counted(corners / 3)} and `}${counted(count)}`,
         );
       }
       columns = {
@@ -124,9 +126,11 @@ export class Accessors {
       };
       return columns;
     };
+    const corner = { type: 'SCALAR', componentType: 5125 };
+    const numbers = index ?? { ...corner, count: decoded().corners.view.byteLength / 4 };
     const made = {
-      places: this.#made(place!, `accessor ${places}`, 'VEC3', () => decoded().places),
-      indices: this.#made(index!, `accessor ${indices}`, 'SCALAR', () => decoded().corners),
+      places: this.#made(place, `accessor ${places}`, 'VEC3', () => decoded().places),
+      indices: this.#made(numbers, `accessor ${indices}`, 'SCALAR', () => decoded().corners),
     };
     this.#known.set(key(places), made.places);
     this.#known.set(key(indices), made.indices);
