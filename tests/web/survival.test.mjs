@@ -1,6 +1,8 @@
 // What happens to a page, and what it does then: no network, no storage, two fingers.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
+import { dracoFile, meshoptFile } from '../wasm/compressed_files.mjs';
+import { cutBox } from '../wasm/mesh_files.mjs';
 import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
 
 const places = [
@@ -29,7 +31,19 @@ describe('the page survives', () => {
       await tab.settled();
       assert.equal((await tab.state()).figure.points.length, 4);
       await chip.waitFor();
-      // What was not asked for yet is there, too: the other page, and its module.
+      // What was not asked for yet is there, too: what decompresses files, the other page, and its module.
+      for (const [name, write] of [
+        ['draco.glb', dracoFile],
+        ['meshopt.glb', meshoptFile],
+      ]) {
+        await tab.dropBytes(name, await write(cutBox));
+        await tab.page.waitForFunction(
+          (end) => window.karcherPage.state().mesh.endsWith(end),
+          name,
+        );
+        await tab.settled();
+        assert.equal((await tab.mesh()).info.triangles, 12, name);
+      }
       const paper = await browser.context.newPage();
       await paper.goto(`${browser.address}paper.html`);
       await paper.getByRole('heading', { level: 1 }).waitFor();
