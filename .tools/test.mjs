@@ -16,8 +16,8 @@ const longCases = long ? { KARCHER_LONG: '1' } : {};
 const minutes = long ? 120 : 40;
 const reports = inRoot('build/reports');
 
-const runNative = (preset, more) =>
-  runGoogleTest(inRoot(`build/${preset}/karcher_tests`), {
+const runNative = (preset, more, program = 'karcher_tests') =>
+  runGoogleTest(inRoot(`build/${preset}/${program}`), {
     ...{ reports: `${reports}/${preset}`, minutes },
     ...more,
   });
@@ -55,11 +55,21 @@ const packageBuilds = [
   build('the page', buildPage),
   build('the book', buildBook),
 ];
+/** Too long for `npm test`: the engine is compiled once more. */
+const threads = [
+  build('the engine’s tests of threads, g++ with ThreadSanitizer', () =>
+    buildNative('threads', 'karcher_thread_tests'),
+  ),
+  tests('threads, g++ with ThreadSanitizer', () =>
+    runNative('threads', {}, 'karcher_thread_tests'),
+  ),
+];
 const everything = [
   setUpStage,
   build('the engine’s tests, g++', () => buildNativeTests('native')),
   build('the engine’s tests, clang++ with sanitizers', () => buildNativeTests('sanitize')),
   ...packageBuilds,
+  ...(long ? threads : []),
   tests('the tools', () => runNode('tests/tools')),
   tests('the engine, g++', () => runNative('native', { env: longCases })),
   tests('the engine, clang++ with sanitizers', () => runNative('sanitize', { env: sanitized })),

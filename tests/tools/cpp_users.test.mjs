@@ -21,7 +21,9 @@ foreach(name \${names})
     set("before_\${name}" "\${\${name}}")
   endif()
 endforeach()
-set(before_CMAKE_BUILD_TYPE "")
+if(NOT before_CMAKE_BUILD_TYPE)
+  set(before_CMAKE_BUILD_TYPE "")
+endif()
 `;
 const tail = `get_cmake_property(names VARIABLES)
 foreach(name \${names})
@@ -72,7 +74,9 @@ describe('a C++ project', { concurrency: true }, () => {
     const engine = commandOf(name, '/src/curves/curve.cpp');
     // In whatever order CMake writes them.
     for (const flag of [/ -fPIC /, / -std=c\+\+20 /]) assert.match(engine, flag);
-    assert.doesNotMatch(engine, / -(Wextra|Wconversion|Wshadow|O3|DNDEBUG) /);
+    assert.doesNotMatch(engine, / -(Wextra|Wconversion|Wshadow) /);
+    // The user's project names no build type.
+    for (const flag of [/ -O3 /, / -DNDEBUG /]) assert.match(engine, flag);
     assert.equal(engine.split('-Werror').length, 2, 'the user’s own, no other');
     const own = commandOf(name, 'main.cpp');
     assert.match(own, / -std=(c|gnu)\+\+20 /);
@@ -89,6 +93,14 @@ describe('a C++ project', { concurrency: true }, () => {
     const source = inRoot('.').replace(/\/\.$/, '');
     await configure('folder', `add_subdirectory("${source}" karcher)\n`);
     await checkWithEngine('folder');
+    await configure(
+      'debug',
+      `add_subdirectory("${source}" karcher)\n`,
+      '',
+      '-DCMAKE_BUILD_TYPE=Debug',
+    );
+    assert.match(commandOf('debug', '/src/curves/curve.cpp'), / -g /);
+    assert.doesNotMatch(commandOf('debug', '/src/curves/curve.cpp'), / -(O3|DNDEBUG) /);
     const compiled = await run('folder', 'ninja', '-C', 'build', '-t', 'targets', 'all');
     const object = /^(\S*src\/mesh\/error\.cpp\.o):/m.exec(compiled)[1];
     await run('folder', 'ninja', '-C', 'build', object);
