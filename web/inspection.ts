@@ -22,6 +22,8 @@ export interface Inspection {
   distances(): ShownDistances | null;
   /** Where a place in the surface's coordinates is seen in the window; null where it is hidden. */
   seen(position: Vector): { x: number; y: number } | null;
+  /** The objects with a halo, by their ids. */
+  marked(): readonly number[];
   info(): MeshInfo | null;
   mesh(): Promise<({ info: MeshInfo } & MeshArrays) | null>;
 }
@@ -59,6 +61,7 @@ export function exposeState(
       const box = viewer.box;
       return hidden[0] ? null : { x: box.left + x[0]!, y: box.top + y[0]! };
     },
+    marked: () => viewer.marked(editor.state.drawing.active),
     info: () => structuredClone(session.client?.info ?? null),
     async mesh() {
       const { client } = session;

@@ -97,6 +97,50 @@ describe('while the page waits', () => {
     await tab.page.close();
   });
 
+  test('for a method that takes long to prepare: the one that was chosen since stays', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click([-20, 60], [30, 0], [0, -60], [10, 90]);
+    const method = tab.page.locator('#method');
+    await hold(tab, 'engine');
+    await method.selectOption('paper-graph');
+    await held(tab, 1);
+    await hold(tab, '');
+    await method.selectOption('paper-exact');
+    await tab.page.waitForFunction(() => window.karcherPage.state().method === 'paper-exact');
+    await tab.page.evaluate(() => {
+      for (const send of window.held) send();
+    });
+    // The engine answers in order: what comes after has been answered after it.
+    await tab.click([60, 40]);
+    await tab.page.waitForFunction(() => document.getElementById('progress').hidden);
+    assert.equal((await tab.state()).method, 'paper-exact');
+    assert.equal(await method.inputValue(), 'paper-exact');
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('for the keys: Escape closes a menu that has just been opened, and lets go of nothing else', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click([-60, 60], [-20, 0], [20, -60], [60, 20]);
+    await tab.page.keyboard.press('v');
+    const { x, y } = await tab.onCurve(0.5);
+    await tab.page.mouse.click(x, y);
+    const before = await tab.state();
+    await tab.page.mouse.click(x, y, { button: 'right' });
+    const menu = tab.page.locator('#context-menu');
+    await menu.waitFor();
+    // The keys are elsewhere, as a moment after it is opened.
+    await tab.page.evaluate(() => document.activeElement.blur());
+    await tab.page.keyboard.press('Escape');
+    assert.equal(await menu.isVisible(), false);
+    const { selection, chosen, none } = await tab.state();
+    assert.deepEqual(
+      { selection, chosen, none },
+      { selection: before.selection, chosen: before.chosen, none: before.none },
+    );
+    await tab.page.close();
+  });
+
   test('for the outline it says so, and nothing is saved once that is cancelled', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;

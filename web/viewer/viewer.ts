@@ -312,6 +312,11 @@ export class Viewer {
     this.requestFrame();
   }
 
+  /** Which objects have a halo, by their ids, with that of the edited one. */
+  marked(edited: number): readonly number[] {
+    return this.#isChosen ? [...this.#chosen, edited] : this.#chosen;
+  }
+
   /** Which object a click would take, by its id, the edited one with null; none with undefined. */
   showHovered(id: number | null | undefined): void {
     if (id === this.#hovered) return;

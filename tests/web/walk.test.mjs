@@ -1,0 +1,215 @@
+// A walk over the controls and gestures, in any order: after every step panel, handles, halo and status speak of one
+// selection, and what is undone comes back.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import fc from 'fast-check';
+import { openBrowser, Tab } from './browser.mjs';
+import { long, seed } from './part.mjs';
+
+/** A place of the stage, from its middle: mostly on the surface. */
+const place = fc.tuple(
+  fc.integer({ min: -9, max: 9 }).map((step) => 20 * step),
+  fc.integer({ min: -8, max: 8 }).map((step) => 20 * step),
+);
+const number = fc.nat({ max: 7 });
+
+/** The steps, by how often they are taken: keys and clicks above all. */
+const step = fc.oneof(
+  { weight: 5, arbitrary: fc.record({ do: fc.constant('click'), at: place }) },
+  { weight: 4, arbitrary: fc.record({ do: fc.constant('drag'), at: place, to: place }) },
+  { weight: 1, arbitrary: fc.record({ do: fc.constant('shift-click'), at: place }) },
+  { weight: 1, arbitrary: fc.record({ do: fc.constant('shift-drag'), at: place, to: place }) },
+  { weight: 1, arbitrary: fc.record({ do: fc.constant('alt-drag'), at: place, to: place }) },
+  { weight: 2, arbitrary: fc.record({ do: fc.constant('handle'), which: number, to: place }) },
+  {
+    weight: 4,
+    arbitrary: fc.record({
+      do: fc.constant('key'),
+      key: fc.constantFrom(...['v', 'v', 'p', 'b', 'o', 'e', 'Escape', 'Enter', 'Delete']),
+    }),
+  },
+  {
+    weight: 3,
+    arbitrary: fc.record({
+      do: fc.constant('key'),
+      key: fc.constantFrom(
+        ...['Control+z', 'Control+Shift+z', 'Control+d', 'Control+a', 'Control+g', 'Tab'],
+      ),
+    }),
+  },
+  { weight: 2, arbitrary: fc.record({ do: fc.constant('row'), which: number }) },
+  { weight: 1, arbitrary: fc.record({ do: fc.constant('eye'), which: number }) },
+  { weight: 1, arbitrary: fc.record({ do: fc.constant('lock'), which: number }) },
+  { weight: 2, arbitrary: fc.record({ do: fc.constant('swatch'), which: number }) },
+  {
+    weight: 2,
+    arbitrary: fc.record({
+      do: fc.constant('button'),
+      id: fc.constantFrom(
+        'new-object',
+        'duplicate',
+        'raise',
+        'lower',
+        'group',
+        'ungroup',
+        'remove',
+      ),
+    }),
+  },
+  { weight: 2, arbitrary: fc.record({ do: fc.constant('undo and redo') }) },
+);
+
+const steps = 100;
+const walks = fc.sample(fc.array(step, { minLength: steps, maxLength: steps }), {
+  seed,
+  numRuns: long ? 20 : 1,
+});
+/** Objects that a click on nothing leaves are few; more would only be slow. */
+const mostObjects = 8;
+
+/** What the page says of the selection, everywhere. */
+const said = () => {
+  const page = window.karcherPage;
+  const { drawing, chosen, none, figure, selection, tool } = page.state();
+  const isDrawn = ({ figure: { points, circle } }) => points.length > 0 || circle !== null;
+  const selected = none ? [] : chosen.length > 0 ? chosen : [drawing.active];
+  const objects = drawing.objects.filter(({ id }) => selected.includes(id));
+  const active = drawing.objects.find(({ id }) => id === drawing.active);
+  const rows = [...document.querySelectorAll('#objects li')];
+  const isMarked = (row) =>
+    row.querySelector('.object[aria-pressed="true"], .object[aria-current]');
+  const marked = rows.filter(isMarked).map((row) => Number(row.dataset.id));
+  const seen = (id) => {
+    const element = document.getElementById(id);
+    return element.checkVisibility() ? element.textContent.trim() : null;
+  };
+  const handles = [...document.querySelectorAll('#handles .handle')];
+  const points = handles.filter(({ dataset }) => ['point', 'anchor'].includes(dataset.look));
+  const colors = new Set(objects.map(({ color }) => color));
+  const pressed = [...document.querySelectorAll('#swatches .swatch[aria-pressed="true"]')];
+  const isOpen = !none && active.visible && !active.locked && tool !== 'transform';
+  return {
+    drawing: JSON.stringify(drawing),
+    count: drawing.objects.length,
+    checks: {
+      'the rows': [
+        marked.toSorted((a, b) => a - b),
+        objects
+          .filter(isDrawn)
+          .map(({ id }) => id)
+          .toSorted((a, b) => a - b),
+      ],
+      'the title of several': [
+        /^\d+ objects$/.test(document.getElementById('sheet-title').textContent),
+        objects.length > 1,
+      ],
+      'the title of nothing': [
+        document.getElementById('sheet-title').textContent === 'Nothing selected',
+        objects.length === 0,
+      ],
+      'the controls': [document.getElementById('width').disabled, objects.length === 0],
+      'the swatches': [
+        pressed.map(({ dataset }) => dataset.color || null),
+        colors.size === 1 && pressed.length > 0 ? [...colors] : [],
+      ],
+      'the handles': [points.length, isOpen && figure.circle === null ? figure.points.length : 0],
+      'the pressed handle': [
+        points.findIndex((handle) => handle.ariaPressed === 'true'),
+        isOpen && typeof selection === 'number' ? selection : -1,
+      ],
+      'the status': [
+        seen('selected')?.replace(/\D+/, '') ?? '',
+        typeof selection === 'number' && tool !== 'measure' ? `${selection + 1}` : '',
+      ],
+      'the halo': [
+        page.marked().toSorted((a, b) => a - b),
+        // A single one has its handles.
+        chosen.some((id) => id !== drawing.active) ? chosen.toSorted((a, b) => a - b) : [],
+      ],
+    },
+  };
+};
+
+describe('a walk', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  });
+  after(() => browser.close());
+
+  async function take(tab, taken) {
+    const { page } = tab;
+    const { x, y } = await tab.middle();
+    const at = ([dx, dy]) => ({ x: x + dx, y: y + dy });
+    const drag = async (key) => {
+      if (key) await page.keyboard.down(key);
+      await tab.drag(at(taken.at), at(taken.to));
+      if (key) await page.keyboard.up(key);
+    };
+    const nth = async (selector) => {
+      const all = page.locator(selector).filter({ visible: true });
+      const count = await all.count();
+      return count > 0 ? all.nth(taken.which % count) : null;
+    };
+    const todo = {
+      click: () => page.mouse.click(...Object.values(at(taken.at))),
+      'shift-click': async () => {
+        await page.keyboard.down('Shift');
+        await page.mouse.click(...Object.values(at(taken.at)));
+        await page.keyboard.up('Shift');
+      },
+      drag: () => drag(null),
+      'shift-drag': () => drag('Shift'),
+      'alt-drag': () => drag('Alt'),
+      handle: async () => {
+        const handle = await nth('#handles .handle:not(.behind)');
+        const box = await handle?.boundingBox();
+        if (!box) return;
+        await tab.drag({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, at(taken.to));
+      },
+      key: () => page.keyboard.press(taken.key),
+      row: async () => (await nth('#objects .object'))?.click(),
+      eye: async () => (await nth('#objects .eye'))?.click(),
+      lock: async () => (await nth('#objects .lock'))?.click(),
+      swatch: async () => {
+        const swatch = await nth('#swatches .swatch');
+        if (await swatch?.isEnabled()) await swatch.click();
+      },
+      button: async () => {
+        const button = page.locator(`#${taken.id}`);
+        if ((await button.isVisible()) && (await button.isEnabled())) await button.click();
+      },
+      'undo and redo': async () => {
+        if (!(await page.locator('#undo').isEnabled())) return;
+        await page.locator('#undo').click();
+        await tab.settled();
+        await page.locator('#redo').click();
+      },
+    };
+    await todo[taken.do]();
+    await tab.settled();
+  }
+
+  for (const [run, walk] of walks.entries()) {
+    test(`over everything: one selection is told everywhere, KARCHER_SEED=${seed}, walk ${run}`, async () => {
+      const tab = await Tab.open(browser, 'mesh=sphere:500');
+      const way = [];
+      let before = await tab.page.evaluate(said);
+      for (const taken of walk) {
+        const makes = ['Control+d', 'duplicate'].includes(taken.key ?? taken.id);
+        if (makes && before.count >= mostObjects) continue;
+        way.push(JSON.stringify(taken));
+        const told = () => `after step ${way.length}:\n${way.slice(-8).join('\n')}`;
+        await take(tab, taken);
+        const now = await tab.page.evaluate(said);
+        for (const [what, [is, should]] of Object.entries(now.checks)) {
+          assert.deepEqual(is, should, `${what} ${told()}`);
+        }
+        if (taken.do === 'undo and redo') assert.equal(now.drawing, before.drawing, told());
+        assert.deepEqual(tab.logged, [], told());
+        before = now;
+      }
+      await tab.page.close();
+    });
+  }
+});
