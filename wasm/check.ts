@@ -110,7 +110,9 @@ export function toFloat64(value: unknown, what: string): Float64Array {
 /** A copy in 32-bit integers, each of which must be one. */
 export function toInt32(value: unknown, what: string): Int32Array {
   const array = checkArrayLike(value, what);
-  for (let i = 0; i < array.length; i++) checkInteger(array[i], `entry ${i} of ${what}`);
+  if (!(array instanceof Int32Array)) {
+    for (let i = 0; i < array.length; i++) checkInteger(array[i], `entry ${i} of ${what}`);
+  }
   return new Int32Array(array as ArrayLike<number>);
 }
 

@@ -29,7 +29,7 @@ export function wirePointArrays({ face, bary }: PointArrays): Float64Array {
   const all = new Float64Array(4 * faces.length);
   for (let i = 0; i < faces.length; i++) {
     all[4 * i] = faces[i]!;
-    all.set(weights.subarray(3 * i, 3 * i + 3), 4 * i + 1);
+    for (let k = 0; k < 3; k++) all[4 * i + k + 1] = weights[3 * i + k]!;
   }
   return all;
 }

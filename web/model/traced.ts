@@ -1,6 +1,5 @@
 /** What the engine makes of a document, as the page draws and shows it. */
 import type { CurvePoints, CurveSamples, DrawnLeg, SurfacePoint } from 'karcher';
-import type { ToldLegs } from './legs';
 import type { LostInterval } from './lost';
 
 /** A region as it is painted: faces that lie in it as a whole, and triangles that fill its part of others. */
@@ -33,8 +32,6 @@ export interface TracedCurve {
   legs: readonly Float32Array[];
   /** The same as the engine continues them. */
   drawnLegs: readonly DrawnLeg[];
-  /** The points that tell them, where they were asked for. */
-  toldLegs: ToldLegs;
   /** Where the curve is no center of mass: it is bridged there, by subdivision. */
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */

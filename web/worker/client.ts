@@ -16,9 +16,10 @@ import type {
 import type { FileInfo } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { Vector } from '../model/figure';
-import { withDrawnLegs } from '../model/legs';
+import { type ToldLegs, withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
+import { waypointsOf } from '../model/splines';
 import type {
   Fill,
   Measured,
@@ -70,8 +71,6 @@ export interface CurveRequest {
   marks?: number;
   /** Whether what it encloses is asked for, too. */
   fill?: boolean;
-  /** Whether the points are asked for that tell its legs. */
-  told?: boolean;
 }
 
 /** A curve that is tried elsewhere again and again: its legs are continued. */
@@ -190,20 +189,20 @@ export class EngineClient {
   /** The curve of a value. */
   async curve(
     value: CurveOptions,
-    { object, marks = 0, fill = false, told = false }: CurveRequest = {},
+    { object, marks = 0, fill = false }: CurveRequest = {},
   ): Promise<TracedCurve> {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
     try {
       // Both are asked at once: nothing comes in between.
-      const [[view, marked], [filled, made]] = await both(
+      const [[view, marked], filled] = await both(
         both(
           before ? curve.set(value) : curve.view(),
           marks > 0 ? curve.equallySpaced(marks) : null,
         ),
-        Promise.all([fill ? this.#fill(curve) : null, told ? curve.value() : null]),
+        fill ? this.#fill(curve) : null,
       );
-      return tracedCurve(view, marked, filled, made?.legs ?? []);
+      return tracedCurve(view, marked, filled);
     } finally {
       if (object === undefined) void curve.dispose();
     }
@@ -222,6 +221,12 @@ export class EngineClient {
     this.#curves.delete(object);
     // Where the worker has ended, nothing is left to give back.
     void curve?.then((one) => one?.dispose()).catch(() => {});
+  }
+
+  /** The points that tell the legs of an object's curve as it is; null for those that are the shortest. */
+  async toldLegs(object: number): Promise<ToldLegs> {
+    const curve = await this.#curves.get(object);
+    return (await curve?.value())?.legs?.map(waypointsOf) ?? [];
   }
 
   /** Shorter ways that legs of the curve of a value could take, the object's from then on. */

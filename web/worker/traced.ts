@@ -1,14 +1,12 @@
 /** What the engine gives, as the page draws it. */
-import type { Circle, CurvePoints, CurveView, LegPoints, Ellipse } from 'karcher';
+import type { Circle, CurvePoints, CurveView, Ellipse } from 'karcher';
 import { lostIntervals } from '../model/lost';
-import { waypointsOf } from '../model/splines';
 import type { Fill, TracedCurve } from '../model/traced';
 
 export function tracedCurve(
   view: CurveView,
   marks: CurvePoints | null,
   fill: Fill | null,
-  toldLegs: readonly LegPoints[],
 ): TracedCurve {
   const { samples, bridged, knots, levels, legs, drawnLegs, length, times } = view;
   return {
@@ -20,7 +18,6 @@ export function tracedCurve(
     levels,
     legs: legs as readonly Float32Array[],
     drawnLegs,
-    toldLegs: toldLegs.map(waypointsOf),
     marks,
     arcsNotShortest: 0,
     deviation: null,
@@ -45,7 +42,6 @@ export function tracedCircle(
     levels,
     legs: [],
     drawnLegs: [],
-    toldLegs: [],
     marks: null,
     arcsNotShortest: notShortest.length,
     deviation: circle.deviation ?? null,

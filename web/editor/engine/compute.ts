@@ -3,7 +3,6 @@ import { type Figure, isRound, pointsNeeded } from '../../model/figure';
 import { type DrawnBefore, withDrawnLegs } from '../../model/legs';
 import { type MethodId, type Quality, qualityOf } from '../../model/methods';
 import { controlPointsOf, type DrawnTangents, penOptions } from '../../model/pen';
-import { legsOfAnchors } from '../../model/pen_legs';
 import { curveOptions, splineOf } from '../../model/splines';
 import type { Fill, TracedCurve } from '../../model/traced';
 import { type EngineClient, KarcherError, Stopped } from '../../worker/client';
@@ -92,9 +91,8 @@ function computeFigure(
   if (!spline) return computeCenter(client, figure, options, uniqueness);
   const { marks } = spline.settings;
   const value = curveOptions(spline, options);
-  const told = before !== undefined;
   return client
-    .curve(before ? withDrawnLegs(value, before) : value, { object, marks, fill, told })
+    .curve(before ? withDrawnLegs(value, before) : value, { object, marks, fill })
     .then((curve) => ({ ...nothing, curve }));
 }
 
@@ -129,8 +127,8 @@ async function computePen(
     const value = penOptions(figure, tangents, options);
     const points = before?.points.flatMap((i) => controlPointsOf(figure, i)) ?? [];
     const drawn = before ? withDrawnLegs(value, { ...before, points }) : value;
-    const curve = await client.curve(drawn, { ...request, marks, told: before !== undefined });
-    return { ...nothing, tangents, curve: { ...curve, toldLegs: legsOfAnchors(curve.toldLegs) } };
+    const curve = await client.curve(drawn, { ...request, marks });
+    return { ...nothing, tangents, curve };
   } catch (error) {
     if (client.closed || error instanceof Stopped) throw error;
     return { ...nothing, tangents, problem: messageOf(error) };

@@ -10,6 +10,7 @@ import {
 } from '../../model/figure';
 import type { DrawnBefore } from '../../model/legs';
 import { methodOptions, type Quality, refinedOptions } from '../../model/methods';
+import { legsOfAnchors } from '../../model/pen_legs';
 import { curveOptions, splineFrom, splineOf, usesLegs } from '../../model/splines';
 import type { Measured, TracedCurve } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
@@ -276,7 +277,7 @@ export class Session {
         // A problem leaves what was drawn before it.
         const legs = answer.problem ? null : (answer.curve?.drawnLegs ?? []);
         if (legs) this.#drawn.set(state.figure, legs);
-        if (legs && drag) Object.assign(drag, { legs, told: answer.curve?.toldLegs ?? [] });
+        if (legs && drag) drag.legs = legs;
         return answer;
       };
       const shown = await computed().catch((error) => {
@@ -296,6 +297,10 @@ export class Session {
       this.#slow = slow ? this.#slow + 1 : 0;
       if (this.#slow >= slowSteps && !isRound(figure.kind)) this.#makeQuicker();
       this.#showTraced(state, shown, quality);
+      if (drag && shown.curve) {
+        const told = await client.toldLegs(state.drawing.active);
+        drag.told = figure.kind === 'pen' ? legsOfAnchors(told) : told;
+      }
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
     }
