@@ -10,12 +10,12 @@
 // claims about meshes that the project does not hold; only what the page plots, beside the verdicts of the
 // last report; the verdicts kept in docs/paper-report.json, from which the page shows them; what is in
 // dist/ as it is. Where there is nothing to write, the last report stays.
-import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { arch, cpus, loadavg, type } from 'node:os';
+import { cpus, loadavg } from 'node:os';
 import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildWasm } from './build.mjs';
+import { aboutReport, jsonOf, keptJson } from './paper_report.mjs';
 import { setUp } from './setup.mjs';
 import { inRoot } from './shell.mjs';
 import { sourcesDigest } from './sources.mjs';
@@ -124,20 +124,7 @@ const tellBusy = (what) => {
 /** Of what is measured, from the beginning: it may be edited meanwhile. */
 const sources = sourcesDigest();
 
-/** Where and when: what the numbers depend on; times also on what else the machine had to do. */
-function about(seed) {
-  const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
-  const git = spawnSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: inRoot('.') });
-  const commit = git.status === 0 ? ` ${git.stdout.toString().trim()}` : '';
-  const cores = cpus();
-  return {
-    date: new Date().toISOString().slice(0, 10),
-    machine: `${cores[0].model.trim()}, ${cores.length} cores, ${type()} ${arch()}, Node ${process.version}, load ${lookAtLoad().most.toFixed(1)}`,
-    version: `${version}${commit}`,
-    sources,
-    seed,
-  };
-}
+const about = (seed) => aboutReport({ seed, sources, load: lookAtLoad().most });
 
 /** What the page plots, without the rest. */
 async function plotsOnly() {
@@ -152,18 +139,6 @@ async function plotsOnly() {
     convergence: await convergence(peers, { tell: told('convergence') }),
     roughness: await roughness(peers, { tell: told('rough surfaces') }),
   };
-}
-
-const jsonOf = (value) => `${JSON.stringify(value, null, 2)}\n`;
-
-/** A report as it is kept: the page shows no more than four digits, and more would only be long. */
-function keptJson(report) {
-  const fewDigits = (_, value) =>
-    typeof value === 'number' && !Number.isInteger(value) ? Number(value.toPrecision(4)) : value;
-  const { panels = {}, table = null, ...rest } = report;
-  const numbers = JSON.parse(JSON.stringify({ panels, table }, fewDigits));
-  const whole = jsonOf({ ...rest, numbers: 0 });
-  return whole.replace('"numbers": 0', JSON.stringify(numbers).slice(1, -1));
 }
 
 /** Measures what is plotted; the report of everything keeps the rest. */

@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
 import { loadPeers } from 'karcher/peers';
 import { loadConfigFromFile } from 'vite';
+import { aboutReport, keptJson } from '../../.tools/paper_report.mjs';
 import { digestOf, sourcesDigest } from '../../.tools/sources.mjs';
 import { inRoot, load } from './load.mjs';
 
@@ -71,6 +72,20 @@ describe('numbers older than the code that they judge', () => {
     assert.equal(isOlder({ version: '1.0.0 abc', sources: '34' }, build), true);
     assert.equal(isOlder({ version: '1.0.0 abc' }, build), false);
     assert.equal(isOlder({ version: '0.9.0 def' }, build), true);
+  });
+
+  test('are not those of a report that is saved now, which has the digest of what it measured', async () => {
+    const { isOlder } = await load('claims/saved.ts');
+    const sources = sourcesDigest();
+    const report = {
+      ...aboutReport({ seed: 16, sources, load: 0.25 }),
+      claims: [],
+      panels: { a: 1 / 3 },
+    };
+    const saved = JSON.parse(keptJson(report));
+    assert.deepEqual(saved, { ...report, panels: { a: 0.3333 }, table: null });
+    assert.equal(isOlder(saved, { version: 'another', sources }), false);
+    assert.equal(isOlder(saved, { version: saved.version, sources: digestOf([['a', 'b']]) }), true);
   });
 
   test('have a digest that depends on names and lines, not on the machine', () => {

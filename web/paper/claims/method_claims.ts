@@ -238,7 +238,7 @@ export const methodClaims: readonly Claim[] = [
         return `${name} ${times.map((row) => (row.ms === null ? 'failed' : ms(row.ms))).join(', ')}`;
       });
       const sizes = [...new Set(rows.map(({ triangles }) => triangles.toLocaleString('en')))];
-      const measured = `Preparation and first curve on a torus of ${sizes.join(', ')} triangles: ${told.join('; ')}. Where both are there, times grow with the triangles to the power of ${against.map(({ name, slope, paper }) => `${num(paper)} with the paper’s method (k = 6) and ${num(slope)} with ${name}`).join('; ')}. Sizes at which a method failed decide nothing.`;
+      const measured = `Preparation and first curve on a torus of ${sizes.join(', ')} triangles, and on no larger one: ${told.join('; ')}. Where both are there, times grow with the triangles to the power of ${against.map(({ name, slope, paper }) => `${num(paper)} with the paper’s method (k = 6) and ${num(slope)} with ${name}`).join('; ')}. Sizes at which a method failed decide nothing.`;
       if (!evidence.timesDecide()) return { verdict: 'open', measured };
       const all = against.length === 2;
       if (all && against.every(({ result }) => result === 'holds')) {
