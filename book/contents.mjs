@@ -1,7 +1,12 @@
 // The book's pages, in their order, under the headings of its side bar: files as they are. The front page is
-// docs/index.md.
+// docs/index.md; docs/examples.md is written by book/live.mjs.
 export const contents = {
-  Start: [['docs/five-steps.md', 'Five steps']],
+  Start: [
+    ['docs/five-steps.md', 'Five steps'],
+    ['docs/which-call.md', 'Which call to take'],
+    ['docs/examples.md', 'Examples, live'],
+    ['docs/faq.md', 'Questions'],
+  ],
   Guides: [
     ['docs/javascript.md', 'In JavaScript'],
     ['docs/command-line.md', 'On the command line'],
@@ -9,13 +14,22 @@ export const contents = {
     ['docs/page.md', 'On the page'],
     ['docs/errors.md', 'Errors'],
   ],
+  Algorithms: [
+    ['docs/algorithms/means.md', 'Means'],
+    ['docs/algorithms/fields.md', 'Near fields and log vectors'],
+    ['docs/algorithms/distances.md', 'Exact and fast distances'],
+    ['docs/algorithms/curves.md', 'Curves'],
+    ['docs/steady-curves.md', 'Steady curves'],
+    ['docs/algorithms/paths.md', 'Paths'],
+    ['docs/algorithms/circles.md', 'Circles and ellipses'],
+    ['docs/algorithms/editing.md', 'Editing on a surface'],
+    ['docs/repairs.md', 'Repairs'],
+  ],
   Accuracy: [
     ['docs/methods.md', 'Methods and accuracy'],
-    ['docs/steady-curves.md', 'Steady curves'],
     ['docs/convergence.md', 'Finer and finer meshes'],
     ['docs/gallery.md', 'Meshes that are hard'],
     ['docs/everywhere.md', 'Curves on any mesh'],
-    ['docs/repairs.md', 'Repairs'],
     ['docs/repairs-study.md', 'Repairs, measured'],
   ],
   Project: [
@@ -25,6 +39,29 @@ export const contents = {
     ['SECURITY.md', 'Security'],
     ['CHANGELOG.md', 'Changelog'],
   ],
+};
+
+/** What is drawn above pages (book/pictures.mjs), in words. */
+export const drawn = {
+  'docs/algorithms/means.md': [
+    'means',
+    'Four points on a bunny, and the shortest paths to their center of mass',
+  ],
+  'docs/algorithms/fields.md': [
+    'fields',
+    'Straightest paths of one length in all directions from a point',
+  ],
+  'docs/algorithms/distances.md': [
+    'distances',
+    'Exact distances from a point as colors, with their isolines',
+  ],
+  'docs/algorithms/curves.md': [
+    'curves',
+    'A B-spline and its control points joined by shortest paths',
+  ],
+  'docs/algorithms/paths.md': ['paths', 'Shortest paths from one point to eight others'],
+  'docs/algorithms/circles.md': ['circles', 'Six circles about one point'],
+  'docs/algorithms/editing.md': ['editing', 'A curve before and after one of its points moved'],
 };
 
 /** The package's entries with types, by the names that they are imported by. */

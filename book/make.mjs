@@ -5,7 +5,9 @@ import { dirname, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Application, Converter, ReflectionKind } from 'typedoc';
 import { filesBelow, inRoot } from '../.tools/shell.mjs';
-import { contents, entries } from './contents.mjs';
+import { contents, drawn, entries } from './contents.mjs';
+import { buildLive, examplesPage } from './live.mjs';
+import { pictures } from './pictures.mjs';
 import { reportOf } from './reference.mjs';
 
 const source = inRoot('build/book/source');
@@ -27,17 +29,27 @@ const policy = [
 ].join('; ');
 
 /** The pages with their titles in front, where their links to each other hold. */
-function writeSource() {
+async function writeSource() {
   rmSync(source, { recursive: true, force: true });
   mkdirSync(source, { recursive: true });
   for (const folder of ['docs', 'examples']) {
     cpSync(inRoot(folder), `${source}/${folder}`, { recursive: true });
   }
-  for (const name of ['LICENSE', 'README.md']) copyFileSync(inRoot(name), `${source}/${name}`);
+  const others = Object.values(contents)
+    .flat()
+    .map(([path]) => path)
+    .filter((path) => !path.includes('/'));
+  for (const name of ['LICENSE', 'README.md', ...others])
+    copyFileSync(inRoot(name), `${source}/${name}`);
+  mkdirSync(`${source}/docs/algorithms/pictures`);
+  for (const [name, bytes] of await pictures()) {
+    writeFileSync(`${source}/docs/algorithms/pictures/${name}.png`, bytes);
+  }
+  writeFileSync(`${source}/docs/examples.md`, examplesPage());
   const pages = [];
   for (const [group, listed] of Object.entries(contents)) {
     for (const [path, title] of listed) {
-      const text = readFileSync(inRoot(path), 'utf8');
+      const text = withPicture(path, readFileSync(`${source}/${path}`, 'utf8'));
       writeFileSync(
         `${source}/${path}`,
         `---\ntitle: ${JSON.stringify(title)}\ngroup: ${group}\n---\n\n${text}`,
@@ -46,6 +58,13 @@ function writeSource() {
     }
   }
   return pages;
+}
+
+function withPicture(path, text) {
+  if (!(path in drawn)) return text;
+  const [name, words] = drawn[path];
+  const end = text.indexOf('\n') + 1;
+  return `${text.slice(0, end)}\n![${words}](pictures/${name}.png)\n${text.slice(end)}`;
 }
 
 async function convert(pages) {
@@ -115,8 +134,11 @@ function finish(path) {
 
 export async function makeBook() {
   rmSync(made, { recursive: true, force: true });
-  const project = await convert(writeSource());
-  for (const path of filesBelow('build/page/book', /\.html$/)) finish(path);
+  const project = await convert(await writeSource());
+  await buildLive(made);
+  for (const path of filesBelow('build/page/book', /\.html$/)) {
+    if (!path.includes(`${sep}live${sep}`)) finish(path);
+  }
   writeFileSync(inRoot('build/book/reference.json'), JSON.stringify(reportOf(project), null, 2));
 }
 

@@ -29,7 +29,7 @@ scene.add(
 scene.add(new Mesh(geometry, new MeshBasicMaterial({ map, transparent: true })));
 const camera = new PerspectiveCamera(50, innerWidth / innerHeight, 0.01, 100);
 camera.position.z = 2 * surface.diagonal;
-const renderer = new WebGLRenderer({ antialias: true });
+const renderer = new WebGLRenderer({ antialias: true, alpha: true });
 renderer.setSize(innerWidth, innerHeight);
 document.body.append(renderer.domElement);
 renderer.render(scene, camera);

@@ -16,7 +16,7 @@ const { scene: model } = await new GLTFLoader().loadAsync('model.glb');
 const scene = new Scene().add(model, new HemisphereLight(0xffffff, 0x888888, 3));
 const camera = new PerspectiveCamera(50, innerWidth / innerHeight, 0.01, 100);
 camera.position.z = 3;
-const renderer = new WebGLRenderer({ antialias: true });
+const renderer = new WebGLRenderer({ antialias: true, alpha: true });
 renderer.setSize(innerWidth, innerHeight);
 document.body.append(renderer.domElement);
 new OrbitControls(camera, renderer.domElement);

@@ -9,6 +9,7 @@ import { isComplaint, openBrowser } from './browser.mjs';
 
 const built = inRoot('build/page');
 const book = join(built, 'book');
+const live = filesBelow('build/page/book/live', /\.html$/);
 const pages = filesBelow('build/page/book', /\.html$/);
 
 // Headings of TypeDoc's side bar fold, and are links to their pages, too: a link within a summary.
@@ -43,6 +44,7 @@ test('no link of the book is dead', () => {
       }
     }
   }
+  assert.ok(live.length >= 8);
   assert.ok(pages.length > 100 && looked > 1000, `${pages.length} pages, ${looked} links`);
   assert.deepEqual(dead, []);
 });
@@ -98,6 +100,18 @@ describe('in a browser the book', () => {
     assert.deepEqual(complaints, []);
     await page.close();
   });
+
+  for (const path of live) {
+    test(`shows ${relative(book, path)}`, async () => {
+      const { page, complaints } = await open(relative(book, path));
+      const shown = page.locator('canvas, pre:not(:empty)');
+      await shown.first().waitFor();
+      await page.waitForLoadState('networkidle');
+      assert.deepEqual(complaints, []);
+      assert.doesNotMatch(await page.locator('body').innerText(), /NaN|undefined|Error/);
+      await page.close();
+    });
+  }
 
   for (const path of ['index.html', 'documents/Errors.html', 'classes/karcher.Mesh.html']) {
     test(`is accessible: ${path}`, async () => {

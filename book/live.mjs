@@ -1,0 +1,123 @@
+// The examples, each in a page of its own that the book shows in a frame, with their sources beside.
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { build } from 'vite';
+import { inRoot } from '../.tools/shell.mjs';
+import { png } from './picture.mjs';
+
+const source = inRoot('build/book/live');
+const sourceOf = (name) => readFileSync(inRoot(`examples/${name}`), 'utf8');
+
+/** As examples/README.md lists them, with its words. */
+function listed() {
+  const rows = sourceOf('README.md').matchAll(/^\| \[([\w.]+)\]\(\1\) \| (.*) \|$/gm);
+  return [...rows].map(([, file, words]) => ({ file, words, name: file.replace(/\.\w+$/, '') }));
+}
+
+const titleOf = (name) => name.replaceAll('_', ' ').replace(/^\w/, (one) => one.toUpperCase());
+const languageOf = (file) => (file.endsWith('.mjs') ? 'js' : file.replace(/.*\./, ''));
+
+/** The page of the examples, as Markdown. */
+export function examplesPage() {
+  const parts = listed().map(
+    ({ file, words, name }) =>
+      `## ${titleOf(name)}\n\n${words[0].toUpperCase()}${words.slice(1)}.\n\n` +
+      `<iframe src="../live/${name}.html" title="${words.replaceAll('"', '')}" loading="lazy"></iframe>\n\n` +
+      `\`\`\`${languageOf(file)}\n${sourceOf(file)}\`\`\`\n`,
+  );
+  return `# Examples, live\n\nOne idea each. The programs are those that run in the frames.\n\n${parts.join('\n')}`;
+}
+
+const policy = [
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'",
+  "connect-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:",
+].join('; ');
+
+const page = ({ file, name, words }) => `<!doctype html>
+<html lang="en">
+  <head>
+    <meta charset="utf-8">
+    <meta http-equiv="Content-Security-Policy" content="${policy}">
+    <meta name="viewport" content="width=device-width">
+    <meta name="color-scheme" content="light dark">
+    <title>${titleOf(name)}: ${words}</title>
+    <link rel="stylesheet" href="./live.css">
+  </head>
+  <body>
+    <div id="root"></div>
+    ${file.endsWith('.mjs') ? '<script type="module" src="./printed.js"></script>' : ''}
+    <script type="module" src="./${name}.entry.js"></script>
+  </body>
+</html>
+`;
+
+const style = `body { margin: 0; height: 100vh; overflow: hidden auto; background: light-dark(#e9ecf1, #1b1e24); }
+#root:not(:empty) { height: 100%; }
+canvas { display: block; touch-action: none; }
+pre { margin: 0; padding: 16px; white-space: pre-wrap; font: 14px/1.5 ui-monospace, monospace; }
+`;
+
+/** What an example for Node prints is shown. */
+const printed = `const shown = document.body.appendChild(document.createElement('pre'));
+const textOf = (value) => (typeof value === 'string' ? value : JSON.stringify(value));
+console.log = (...values) => shown.append(values.map(textOf).join(' ') + '\\n');
+`;
+
+/** A bunny to drag over, as a GLB, and a picture to lay on a surface. */
+async function writeFiles() {
+  const { default: bunny } = await import('bunny');
+  const { load } = await import('../dist/index.js');
+  const { meshFile } = await import('../dist/formats/index.js');
+  const karcher = await load();
+  const from = bunny.positions.flat();
+  const mesh = karcher.meshFromArrays(centered(from), bunny.cells.flat());
+  const part = { positions: mesh.positions(), triangles: mesh.triangles() };
+  writeFileSync(`${source}/public/model.glb`, meshFile(part, 'glb'));
+  const size = 256;
+  const decal = png(size, size, (x, y) => {
+    const [u, v] = [x, y].map((one) => (2 * (one + 0.5)) / size - 1);
+    const radius = Math.hypot(u, v);
+    const petals = 0.6 + 0.25 * Math.cos(5 * Math.atan2(v, u));
+    if (radius < 0.2) return [0.95, 0.7, 0.05, 1];
+    return [0.14, 0.31, 0.85, radius < petals ? 1 : 0];
+  });
+  writeFileSync(`${source}/public/decal.png`, decal);
+}
+
+/** Two units high about the origin. */
+function centered(positions) {
+  const ends = [0, 1, 2].map((axis) => {
+    const values = positions.filter((_, at) => at % 3 === axis);
+    return [Math.min(...values), Math.max(...values)];
+  });
+  const scale = 2 / (ends[1][1] - ends[1][0]);
+  return positions.map((one, at) => scale * (one - (ends[at % 3][0] + ends[at % 3][1]) / 2));
+}
+
+/** The pages in `live` of the book's folder. */
+export async function buildLive(book) {
+  rmSync(source, { recursive: true, force: true });
+  mkdirSync(`${source}/public`, { recursive: true });
+  for (const file of readdirSync(inRoot('examples'))) {
+    cpSync(inRoot(`examples/${file}`), `${source}/${file}`);
+  }
+  writeFileSync(`${source}/live.css`, style);
+  writeFileSync(`${source}/printed.js`, printed);
+  await writeFiles();
+  const examples = listed();
+  for (const example of examples) {
+    writeFileSync(`${source}/${example.name}.html`, page(example));
+    writeFileSync(`${source}/${example.name}.entry.js`, `import './${example.file}';\n`);
+  }
+  await build({
+    ...{ configFile: false, root: source, base: './', logLevel: 'error' },
+    worker: { format: 'es' },
+    build: {
+      ...{ outDir: `${book}/live`, emptyOutDir: true, target: 'es2022' },
+      ...{ chunkSizeWarningLimit: 2000, modulePreload: { polyfill: false } },
+      rolldownOptions: {
+        input: examples.map(({ name }) => `${source}/${name}.html`),
+        checks: { pluginTimings: false },
+      },
+    },
+  });
+}
