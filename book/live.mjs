@@ -45,7 +45,7 @@ const page = ({ file, name, words }) => `<!doctype html>
   <body>
     <div id="root"></div>
     ${file.endsWith('.mjs') ? '<script type="module" src="./printed.js"></script>' : ''}
-    <script type="module" src="./${name}.entry.js"></script>
+    <script type="module" src="./${file}"></script>
   </body>
 </html>
 `;
@@ -104,10 +104,7 @@ export async function buildLive(book) {
   writeFileSync(`${source}/printed.js`, printed);
   await writeFiles();
   const examples = listed();
-  for (const example of examples) {
-    writeFileSync(`${source}/${example.name}.html`, page(example));
-    writeFileSync(`${source}/${example.name}.entry.js`, `import './${example.file}';\n`);
-  }
+  for (const one of examples) writeFileSync(`${source}/${one.name}.html`, page(one));
   await build({
     ...{ configFile: false, root: source, base: './', logLevel: 'error' },
     worker: { format: 'es' },

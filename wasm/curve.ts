@@ -130,7 +130,14 @@ export class Curve {
     return this.view().samples;
   }
 
-  /** Where and why the curve is no center of mass. */
+  /**
+   * Where and why the curve is no center of mass.
+   *
+   * @example
+   * ```ts
+   * for (const { t0, t1, reason } of curve.bridged()) console.log(t0, t1, reason);
+   * ```
+   */
   bridged(): BridgedInterval[] {
     return this.view().bridged;
   }
@@ -229,7 +236,14 @@ export class Curve {
     return { ...this.#told.times };
   }
 
-  /** Moves control point `i`: its field and the segments that it touches are computed again. */
+  /**
+   * Moves control point `i`: its field and the segments that it touches are computed again.
+   *
+   * @example
+   * ```ts
+   * curve.movePoint(2, { vertex: 17 });
+   * ```
+   */
   movePoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
     const wire = wirePoint(point);
@@ -374,7 +388,14 @@ export class Curve {
     this.#edit((curve) => curve.setBetas(numbers));
   }
 
-  /** The curve's point at a parameter. Throws `KarcherError` badArgument outside the curve. */
+  /**
+   * The curve's point at a parameter. Throws `KarcherError` badArgument outside the curve.
+   *
+   * @example
+   * ```ts
+   * const { point, position } = curve.pointAt(0.5);
+   * ```
+   */
   pointAt(parameter: number): CurvePoint {
     checkNumber(parameter, 'the parameter');
     return withPoint(this.#call((curve) => curve.pointAt(parameter)));
@@ -407,6 +428,11 @@ export class Curve {
   /**
    * `count` points with the same length of curve between them, on the polyline: an open curve's ends
    * included, around a closed one from its start.
+   *
+   * @example
+   * ```ts
+   * const { face, bary } = curve.equallySpaced(10);
+   * ```
    */
   equallySpaced(count: number): CurvePoints {
     checkInteger(count, 'the number of points');

@@ -31,6 +31,11 @@ export class Karcher {
    * `repair: 'none'` nonManifoldEdge and nonManifoldVertex, each naming the place. A mesh whose longest
    * edge is more than 1e12 times its shortest is refused with badArgument, too; if its faces are so thin
    * that the fast solver is ruled out, only once exact distances are needed (`Mesh.distance`).
+   *
+   * @example
+   * ```ts
+   * const mesh = karcher.meshFromObj('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3');
+   * ```
    */
   meshFromObj(textOrBytes: string | Uint8Array, options: ObjOptions = {}): Mesh {
     if (typeof textOrBytes !== 'string' && !(textOrBytes instanceof Uint8Array)) {
@@ -95,6 +100,11 @@ export class Karcher {
   /**
    * A built-in shape of about that many triangles. Throws `KarcherError` badArgument for an unknown
    * name or a number out of range.
+   *
+   * @example
+   * ```ts
+   * const mesh = karcher.shape('torus', 20_000);
+   * ```
    */
   shape(name: Shape, triangles = 20_000): Mesh {
     checkOneOf(name, shapes, 'a shape');

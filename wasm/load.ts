@@ -9,6 +9,12 @@ import type { LoadOptions } from './types.js';
  * with a memory of its own.
  *
  * Rejects with `KarcherError` notLoaded where WebAssembly is missing or the module cannot be had.
+ *
+ * @example
+ * ```ts
+ * const karcher = await load();
+ * const mesh = karcher.shape('torus', 20_000);
+ * ```
  */
 export async function load(options: LoadOptions = {}): Promise<Karcher> {
   const url = new URL('./karcher-engine.wasm', import.meta.url);

@@ -112,12 +112,24 @@ export class Mesh {
   /**
    * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices repeat their
    * place; dropped ones keep theirs.
+   *
+   * @example
+   * ```ts
+   * const place = mesh.positions().subarray(3 * 12, 3 * 12 + 3); // of vertex 12
+   * ```
    */
   positions(): Float64Array {
     return this.#handle.call((mesh) => mesh.positions());
   }
 
-  /** The vertices of each triangle, in the caller's order and numbers, as a new array. */
+  /**
+   * The vertices of each triangle, in the caller's order and numbers, as a new array.
+   *
+   * @example
+   * ```ts
+   * const corners = mesh.triangles().subarray(3 * 7, 3 * 7 + 3); // of face 7
+   * ```
+   */
   triangles(): Int32Array {
     return this.#handle.call((mesh) => mesh.triangles());
   }
@@ -151,13 +163,25 @@ export class Mesh {
    * The point of a face with the given weights of its corners, checked and cleaned: weights that
    * leave the face by no more than 1e-6, from rounding, are moved onto it. A raycast of three.js gives
    * them as `faceIndex` and `barycoord`.
+   *
+   * @example
+   * ```ts
+   * const middle = mesh.surfacePoint(17, [1 / 3, 1 / 3, 1 / 3]);
+   * ```
    */
   surfacePoint(face: number, bary: VectorLike): SurfacePoint {
     const wire = wirePoint({ face, bary } as PointLike);
     return toSurfacePoint(this.#handle.call((mesh) => mesh.checkedPoint(wire)));
   }
 
-  /** The place of a point in space. */
+  /**
+   * The place of a point in space.
+   *
+   * @example
+   * ```ts
+   * const [x, y, z] = mesh.position({ vertex: 12 });
+   * ```
+   */
   position(point: PointLike): [number, number, number] {
     const wire = wirePoint(point);
     return this.#handle.call((mesh) => mesh.position(wire));
@@ -169,13 +193,27 @@ export class Mesh {
     return this.#handle.call((mesh) => mesh.positionsOf(wire));
   }
 
-  /** The unit normal of a point's face, on the side from which its corners run counterclockwise. */
+  /**
+   * The unit normal of a point's face, on the side from which its corners run counterclockwise.
+   *
+   * @example
+   * ```ts
+   * const [x, y, z] = mesh.normal({ vertex: 12 });
+   * ```
+   */
   normal(point: PointLike): [number, number, number] {
     const wire = wirePoint(point);
     return this.#handle.call((mesh) => mesh.normal(wire));
   }
 
-  /** The point of the surface that is nearest to a place in space; of several one of them. */
+  /**
+   * The point of the surface that is nearest to a place in space; of several one of them.
+   *
+   * @example
+   * ```ts
+   * const { point, distance } = mesh.nearestPoint([0.1, 0.2, 0.3]);
+   * ```
+   */
   nearestPoint(place: VectorLike): NearestPoint {
     const vector = toVector(place, 'the place');
     const { point, distance } = this.#handle.call((mesh) => mesh.nearestPoint(vector));
@@ -325,6 +363,12 @@ export class Mesh {
    * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components),
    * badArgument or notFinite (degree, knots, weights, betas), badWeights (a basis whose weights do
    * not sum to 1), and badArgument for the limits of exact distances (see `distance`).
+   *
+   * @example
+   * ```ts
+   * const curve = mesh.curve({ kind: 'bspline', points, samples: 128 });
+   * curve.polyline(); // x, y, z, …
+   * ```
    */
   curve(options: CurveOptions): Curve {
     checkOptions(options, curveOptionNames);
@@ -342,6 +386,11 @@ export class Mesh {
    *
    * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
    * boundary), radiusTooLarge (no vertex of the component lies as far from the center).
+   *
+   * @example
+   * ```ts
+   * const { path, deviation } = mesh.circle({ vertex: 12 }, { radius: 0.3 });
+   * ```
    */
   circle(center: PointLike, options: CircleOptions): Circle {
     checkOptions(options, circleOptionNames);
@@ -378,6 +427,11 @@ export class Mesh {
    * The points at one geodesic distance from a center: lines, of which there may be none, or several
    * beyond the center's cut locus. Where one is not closed both of its ends lie on the boundary.
    * Throws `KarcherError` badArgument where the radius is not positive.
+   *
+   * @example
+   * ```ts
+   * const lines = mesh.isolines({ vertex: 12 }, { radius: 0.3 });
+   * ```
    */
   isolines(center: PointLike, options: IsolineOptions): Path[] {
     checkOptions(options, isolineOptionNames);
@@ -452,7 +506,16 @@ export class Mesh {
     return this.#handle.call((mesh) => mesh.distance(wire, field));
   }
 
-  /** The exact shortest path. Throws `KarcherError` unreachable where no path leads. */
+  /**
+   * The exact shortest path. Throws `KarcherError` unreachable where no path leads.
+   *
+   * @example
+   * ```ts
+   * const path = mesh.shortestPath({ vertex: 12 }, { vertex: 340 });
+   * path.length;
+   * path.polyline(); // x, y, z, …
+   * ```
+   */
   shortestPath(from: PointLike, to: PointLike): Path {
     const wireFrom = wirePoint(from, 'the first point');
     const wireTo = wirePoint(to, 'the second point');
@@ -466,6 +529,11 @@ export class Mesh {
    *
    * Throws `KarcherError` badArgument where the direction is perpendicular to the face or the length
    * is negative.
+   *
+   * @example
+   * ```ts
+   * const { path, end } = mesh.straightest({ vertex: 12 }, [1, 0, 0], 0.5);
+   * ```
    */
   straightest(from: PointLike, direction: VectorLike, length: number): StraightestPath {
     const wire = wirePoint(from);

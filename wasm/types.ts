@@ -193,6 +193,7 @@ export interface FieldOptions {
 
 export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
 
+/** A center of mass, or the place where the search for one stopped. */
 export interface CenterOfMass {
   point: SurfacePoint;
   position: [number, number, number];
@@ -586,6 +587,7 @@ export interface Ellipse {
   notShortest: number[];
 }
 
+/** Where a straightest path leads, and why it ends. */
 export interface StraightestPath {
   path: Path;
   end: SurfacePoint;
@@ -624,6 +626,7 @@ export type WasmSource =
   | ArrayBufferView
   | WebAssembly.Module;
 
+/** Where the engine’s module is. */
 export interface LoadOptions {
   /**
    * By default the file beside the package's own, which bundlers that know `import.meta.url` find. For
@@ -636,6 +639,7 @@ export interface LoadOptions {
 /** Progress of long work: the fraction that is done, and what is being done. */
 export type Progress = (done: number, stage: string) => void;
 
+/** How long work says how far it is, and is given up. */
 export interface LongWorkOptions {
   progress?: Progress | undefined;
   signal?: AbortSignal | undefined;

@@ -90,8 +90,8 @@ describe('the book', () => {
 
   test('says of no more public names nothing than before', () => {
     const said = JSON.parse(readFileSync(inRoot('build/book/reference.json'), 'utf8'));
-    /** These only go down. */
-    const most = { withoutSentence: 167, withoutExample: 159 };
+    /** Just above what stands: these only go down. */
+    const most = { withoutSentence: 160, withoutExample: 148 };
     console.log(
       `Of ${said.names} public names ${said.withoutSentence.length} have no sentence; ` +
         `of those that are called ${said.withoutExample.length} no example.`,
