@@ -345,3 +345,14 @@ test('on a terminal a line says how far a mesh is read, and goes', async () => {
   assert.match(shown, /\d+ %/);
   assert.ok(shown.endsWith('\r\u001b[K'));
 });
+
+test('medians and Huber’s means', async () => {
+  const three = folder.write('three.txt', `${at(1, 2)}\n${at(4, 3)}\n${at(8, 2)}\n`);
+  const base = ['mean', plane, '--points', three, '--weights', '1,1,1'];
+  const { position, converged } = await printed(...base, '--median');
+  near(position, [4, 3, 0]);
+  assert.equal(converged, true);
+  near((await printed(...base, '--huber', '100')).position, [13 / 3, 7 / 3, 0], 1e-6);
+  assert.match(await failure(...base, '--median', '--paths'), /--paths has no use with --median/);
+  assert.match(await failure(...base, '--huber', '-1'), /threshold must be positive/);
+});

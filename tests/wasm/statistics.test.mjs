@@ -1,0 +1,185 @@
+// `karcher/statistics`: robust means and derivatives of the energy, against closed forms.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { load } from 'karcher';
+import { energyAt, hessianAt, huberMean, median, weightDerivatives } from 'karcher/statistics';
+import { loadInWorker } from 'karcher/worker';
+import { randomFrom, seed } from '../web/part.mjs';
+import { grid } from './meshes.mjs';
+
+const cells = 10;
+const near = (a, b, tolerance) =>
+  assert.ok(
+    a.every((x, i) => Math.abs(x - b[i]) < tolerance),
+    `${a} is not ${b}`,
+  );
+const minus = (a, b) => a.map((x, k) => x - b[k]);
+
+for (const [where, loadEngine] of Object.entries({
+  'in this thread': load,
+  'in a worker': loadInWorker,
+})) {
+  describe(`on a plane, with the engine ${where}`, () => {
+    let engine;
+    let mesh;
+    before(async () => {
+      engine = await loadEngine();
+      mesh = await engine.meshFromObj(grid(cells));
+    });
+    after(() => engine.dispose?.());
+
+    /** The point of the plane's surface at a place. */
+    const at = async (x, y) => (await mesh.nearestPoint([x, y, 0])).point;
+    const all = (places) => Promise.all(places.map(([x, y]) => at(x, y)));
+
+    test('the median of a triangle is its Fermat point', async () => {
+      const places = [
+        [1.3, 1.2],
+        [8.1, 2.3],
+        [4.2, 7.7],
+      ];
+      const { position, converged, value } = await median(mesh, await all(places));
+      assert.ok(converged);
+      // The corners are seen from it at angles of 120 degrees.
+      const units = places.map(([x, y]) => {
+        const [dx, dy] = [x - position[0], y - position[1]];
+        return [dx / Math.hypot(dx, dy), dy / Math.hypot(dx, dy)];
+      });
+      near(
+        [0, 1].map((k) => units.reduce((sum, u) => sum + u[k], 0)),
+        [0, 0],
+        1e-4,
+      );
+      const sum = places.reduce(
+        (total, [x, y]) => total + Math.hypot(x - position[0], y - position[1]),
+        0,
+      );
+      assert.ok(Math.abs(value - sum) < 1e-9);
+    });
+
+    test('a point that is heavy enough, or where the angle is wide, is the median itself', async () => {
+      const wide = [
+        [1.2, 2.1],
+        [5.1, 2.9],
+        [9.2, 2.2],
+      ];
+      near((await median(mesh, await all(wide))).position, [5.1, 2.9, 0], 1e-9);
+      const heavy = [
+        [1.3, 1.2],
+        [8.1, 2.3],
+        [4.2, 7.7],
+      ];
+      near((await median(mesh, await all(heavy), [2.5, 1, 1])).position, [1.3, 1.2, 0], 1e-9);
+      // From there, too, where it is not.
+      const from = await median(mesh, await all(heavy), [1, 1, 1], { start: await at(1.3, 1.2) });
+      near(from.position, (await median(mesh, await all(heavy))).position, 1e-3);
+    });
+
+    test('Huber’s mean is the closed form on a line, and a mean where the threshold is wide', async () => {
+      const line = await all([
+        [0.4, 5],
+        [0.9, 5],
+        [9.4, 5],
+      ]);
+      // x + (x - .5) = 1, from the first point.
+      const { position } = await huberMean(mesh, line, undefined, { threshold: 1 });
+      near(position, [0.4 + 0.75, 5, 0], 1e-5);
+      const places = [
+        [1.3, 1.2],
+        [8.1, 2.3],
+        [4.2, 7.7],
+      ];
+      const weights = [1, 2, 3];
+      const wide = await huberMean(mesh, await all(places), weights, { threshold: 100 });
+      const mean = [0, 1].map((k) =>
+        places.reduce((sum, p, i) => sum + (weights[i] * p[k]) / 6, 0),
+      );
+      near(wide.position, [...mean, 0], 1e-6);
+    });
+
+    test('energy, Hessian and the center’s derivatives by weights are the plane’s', async () => {
+      const places = [
+        [1.3, 1.2],
+        [8.1, 2.3],
+        [4.2, 7.7],
+        [2.2, 6.1],
+      ];
+      const weights = [0.5, 1, 2, 0.25];
+      const points = await all(places);
+      const { position, point } = await mesh.centerOfMass(points, weights, { normalize: true });
+      const here = await at(3.15, 4.6);
+      const { energy, gradient } = await energyAt(mesh, points, weights, here);
+      const ways = places.map((place) => minus([...place, 0], [3.15, 4.6, 0]));
+      const expected = ways.reduce((sum, way, i) => sum + weights[i] * Math.hypot(...way) ** 2, 0);
+      assert.ok(Math.abs(energy - expected) < 1e-8);
+      near(
+        gradient,
+        [0, 1, 2].map((k) => ways.reduce((sum, w, i) => sum - 2 * weights[i] * w[k], 0)),
+        1e-8,
+      );
+      const total = weights.reduce((sum, weight) => sum + weight, 0);
+      near((await hessianAt(mesh, points, weights, here)).matrix, [2 * total, 0, 2 * total], 1e-6);
+      const derivatives = await weightDerivatives(mesh, points, weights, point);
+      for (const [i, derivative] of derivatives.entries()) {
+        near(
+          derivative,
+          minus([...places[i], 0], position).map((x) => x / total),
+          1e-5,
+        );
+      }
+    });
+
+    test('what is wrong is said', async () => {
+      const points = await all([
+        [1.3, 1.2],
+        [8.1, 2.3],
+      ]);
+      await assert.rejects(async () => median(mesh, points, [1, -1]), /must be positive/);
+      await assert.rejects(async () => median(mesh, points, [1]), /2 points but 1 weights/);
+      await assert.rejects(
+        async () => median(mesh, points, [1, 1], { begin: 1 }),
+        /no option 'begin'/,
+      );
+      await assert.rejects(
+        async () => huberMean(mesh, points, [1, 1], { threshold: 0 }),
+        /positive/,
+      );
+      await assert.rejects(() => hessianAt(mesh, points, [1, 1], { vertex: 3 }), /inside faces/);
+    });
+  });
+}
+
+test('on a torus derivatives are differences, and medians have no gradient', async (t) => {
+  t.diagnostic(`seed ${seed}`);
+  const random = randomFrom(seed);
+  const karcher = await load();
+  const mesh = karcher.shape('torus', 2000);
+  const points = [12, 60, 150, 230, 41].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
+  const weights = points.map(() => 0.5 + random());
+  const exact = { solver: 'exact', normalize: true };
+  const { point, position } = mesh.centerOfMass(points, weights, exact);
+  const { gradient } = await energyAt(mesh, points, weights, point);
+  assert.ok(Math.hypot(...gradient) < 1e-2 * mesh.info.diagonal);
+  const derivatives = await weightDerivatives(mesh, points, weights, point);
+  for (const i of points.keys()) {
+    const step = 1e-3;
+    const moved = mesh.centerOfMass(
+      points,
+      weights.map((w, k) => w + (k === i ? step : 0)),
+      exact,
+    );
+    const change = minus(moved.position, position).map((x) => x / step);
+    const size = Math.hypot(...derivatives[i]);
+    // Derivatives are those of the polyhedron, centers of fields that are smoothed.
+    near(change, derivatives[i], 0.2 * size);
+  }
+  const { point: center, converged } = await median(mesh, points);
+  assert.ok(converged);
+  const { vectors } = mesh.logMap(center, points);
+  const sum = [0, 0, 0];
+  for (let i = 0; i < points.length; i++) {
+    const vector = vectors.slice(3 * i, 3 * i + 3);
+    for (let k = 0; k < 3; k++) sum[k] += vector[k] / Math.hypot(...vector);
+  }
+  assert.ok(Math.hypot(...sum) < 0.05, `${sum}`);
+});

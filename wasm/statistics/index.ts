@@ -1,0 +1,179 @@
+/**
+ * Robust means, and derivatives of the energy, by exact shortest paths: of a mesh in this thread, or of one
+ * in a worker.
+ */
+import { checkArray, checkNumber, checkOptions } from '../check.js';
+import { KarcherError } from '../errors.js';
+import type { Mesh } from '../mesh.js';
+import { namesOf } from '../options.js';
+import type { PointLike, SurfacePoint } from '../types.js';
+import type { RemoteMesh } from '../worker/remote.js';
+
+export { KarcherError } from '../errors.js';
+export { type Energy, energyAt, type Hessian, hessianAt, weightDerivatives } from './energy.js';
+
+/** A mesh in this thread, or one in a worker. */
+export type AnyMesh = Mesh | RemoteMesh;
+
+export interface RobustOptions {
+  /** Where the search starts; by default at the center of mass. */
+  start?: PointLike | undefined;
+  /** As a part of the diagonal: the search ends with a step that is shorter; 1e-7 by default. */
+  tolerance?: number | undefined;
+  /** 200 by default. */
+  mostSteps?: number | undefined;
+}
+
+export interface HuberOptions extends RobustOptions {
+  /** In units of the mesh: beyond this distance a point pulls no more than at it. */
+  threshold: number;
+}
+
+export interface RobustMean {
+  point: SurfacePoint;
+  position: [number, number, number];
+  /** What it minimizes: of a median the weighted sum of distances. */
+  value: number;
+  steps: number;
+  /** Whether the last step was as short as the tolerance. */
+  converged: boolean;
+}
+
+const options = { start: true, tolerance: true, mostSteps: true } as const;
+const robustNames = namesOf<RobustOptions>(options);
+const huberNames = namesOf<HuberOptions>({ ...options, threshold: true });
+
+/**
+ * The geometric median: where the weighted sum of distances to points has a minimum. Half of the points may
+ * lie anywhere, and it stays near the others. Weights are positive; all are 1 by default.
+ *
+ * The minimum is one near the start, as of the center of mass. Rejects as `Mesh.centerOfMass` does.
+ */
+export function median(
+  mesh: AnyMesh,
+  points: readonly PointLike[],
+  weights?: ArrayLike<number>,
+  given: RobustOptions = {},
+): Promise<RobustMean> {
+  checkOptions(given, robustNames);
+  return search(mesh, points, weights, given, {
+    pull: (distance) => 1 / distance,
+    cost: (distance) => distance,
+    isSharp: true,
+  });
+}
+
+/**
+ * Huber's mean: a center of mass to which points beyond a threshold pull no more than at it. It minimizes the
+ * weighted sum of d²/2 for distances d within the threshold t, and of t (d - t/2) beyond.
+ */
+export function huberMean(
+  mesh: AnyMesh,
+  points: readonly PointLike[],
+  weights: ArrayLike<number> | undefined,
+  given: HuberOptions,
+): Promise<RobustMean> {
+  checkOptions(given, huberNames);
+  const threshold = checkNumber(given.threshold, 'the threshold');
+  if (!(threshold > 0)) {
+    throw new KarcherError('badArgument', `the threshold must be positive, not ${threshold}`);
+  }
+  return search(mesh, points, weights, given, {
+    pull: (distance) => Math.min(1, threshold / distance),
+    cost: (distance) =>
+      distance < threshold ? distance ** 2 / 2 : threshold * (distance - threshold / 2),
+    isSharp: false,
+  });
+}
+
+/** How a point at a distance counts. */
+interface Rule {
+  /** As a factor of its weight in a center of mass. */
+  pull(distance: number): number;
+  cost(distance: number): number;
+  /** Whether the cost has a kink at the point itself, where the minimum may lie. */
+  isSharp: boolean;
+}
+
+/** A step is to the center of mass with the weights that the points have from where it starts (Weiszfeld). */
+async function search(
+  mesh: AnyMesh,
+  points: readonly PointLike[],
+  weights: ArrayLike<number> | undefined,
+  { start, tolerance = 1e-7, mostSteps = 200 }: RobustOptions,
+  { pull, cost, isSharp }: Rule,
+): Promise<RobustMean> {
+  const own = checkWeights(weights, checkArray(points, 'the points').length);
+  const least = checkNumber(tolerance, 'the tolerance') * mesh.info.diagonal;
+  const centerOf = (factors: readonly number[], from?: PointLike) =>
+    mesh.centerOfMass(points, factors, { normalize: true, start: from });
+  const lengthTo = async (from: PointLike, to: PointLike) =>
+    (await mesh.shortestPath(from, to)).length;
+  let point: PointLike = start ?? (await centerOf(own)).point;
+  let distances: number[] = [];
+  const measure = async () => {
+    distances = [];
+    for (const to of points) distances.push(await lengthTo(point, to));
+  };
+  const kinks = new Set<number>();
+  let steps = 0;
+  let converged = false;
+  await measure();
+  for (; steps < mostSteps && !converged; steps++) {
+    const nearest = distances.indexOf(Math.min(...distances));
+    if (isSharp && !kinks.has(nearest)) {
+      kinks.add(nearest);
+      if (await isMedian(mesh, points, own, nearest)) {
+        point = points[nearest]!;
+        converged = true;
+        await measure();
+        break;
+      }
+    }
+    // A point that was reached and is no minimum is left by what the others pull.
+    const factors = own.map((weight, i) => weight * pull(Math.max(distances[i]!, least)));
+    const before = point;
+    point = (await centerOf(factors, before)).point;
+    await measure();
+    converged = (await lengthTo(before, point)) <= least;
+  }
+  const place = await mesh.nearestPoint(await mesh.position(point));
+  return {
+    point: 'face' in point ? { face: point.face, bary: [...point.bary] } : place.point,
+    position: await mesh.position(point),
+    value: distances.reduce((sum, distance, i) => sum + own[i]! * cost(distance), 0),
+    steps,
+    converged,
+  };
+}
+
+/** Whether all others together pull less at one of the points than its own weight holds it. */
+async function isMedian(
+  mesh: AnyMesh,
+  points: readonly PointLike[],
+  weights: readonly number[],
+  at: number,
+): Promise<boolean> {
+  const { vectors } = await mesh.logMap(points[at]!, points);
+  const sum = [0, 0, 0];
+  let held = 0;
+  points.forEach((_, i) => {
+    const vector = vectors.slice(3 * i, 3 * i + 3);
+    const length = Math.hypot(...vector);
+    if (length === 0) held += weights[i]!;
+    else for (let k = 0; k < 3; k++) sum[k]! += (weights[i]! * vector[k]!) / length;
+  });
+  return Math.hypot(...sum) <= held;
+}
+
+function checkWeights(weights: ArrayLike<number> | undefined, count: number): number[] {
+  if (weights === undefined) return new Array<number>(count).fill(1);
+  const own = Array.from(weights, (weight, i) => checkNumber(weight, `weight ${i}`));
+  if (own.length === count && own.every((weight) => weight > 0)) return own;
+  throw new KarcherError(
+    'badArgument',
+    own.length === count
+      ? 'the weights of a median or a Huber mean must be positive'
+      : `there are ${count} points but ${own.length} weights`,
+  );
+}
