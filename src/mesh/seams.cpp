@@ -181,17 +181,8 @@ class Seams {
       most = std::max(most, reach[v]);
       points.push_back(v);
     }
-    const NearPoints near(positions_, points, most);
     DisjointSets sets(positions_.count());
-    bool any = false;
-    for (const int p : points) {
-      near.forEachNear(p, [&](int q) {
-        const double limit = std::min(reach[p], reach[q]);
-        if ((positions_[p] - positions_[q]).squaredNorm() > limit * limit) return;
-        any = sets.unite(p, q) || any;
-      });
-    }
-    if (!any) return false;
+    if (!uniteNear(points, reach, most, sets)) return false;
     Array<int> joined = sets.names();
     // Never two corners of a face: then their set stays as it was.
     Array<uint8_t> torn(positions_.size(), 0);
@@ -206,6 +197,84 @@ class Seams {
       if (!torn[joined[place]]) place = joined[place];
     }
     return true;
+  }
+
+  /// Unites points that lie within the reach of both; `most` is the greatest. Returns whether there
+  /// were any. Points that lie in one small cube are all within each other's reach, and are united
+  /// without looking at each two of them: a cluster of many costs no square of them.
+  bool uniteNear(const Array<int>& points, const Array<double>& reach, double most,
+                 DisjointSets& sets) const {
+    double least = most;
+    for (const int p : points) least = std::min(least, reach[p]);
+    const Heaps heaps = heapsOf(points, least);
+    bool any = heaps.first.count() < points.count();
+    Array<int> numberOf(positions_.size(), -1);
+    for (int i = 0; i < heaps.first.count(); ++i) {
+      numberOf[heaps.first[i]] = i;
+      for (const int p : heaps.at(i)) sets.unite(heaps.first[i], p);
+    }
+    const NearPoints near(positions_, heaps.first, any ? most + 2 * least : most);
+    for (const int p : heaps.first) {
+      near.forEachNear(p, [&](int q) {
+        if (sets.find(p) == sets.find(q)) return;
+        for (const int a : heaps.at(numberOf[p])) {
+          for (const int b : heaps.at(numberOf[q])) {
+            const double limit = std::min(reach[a], reach[b]);
+            if ((positions_[a] - positions_[b]).squaredNorm() > limit * limit) continue;
+            sets.unite(a, b);
+            any = true;
+            return;
+          }
+        }
+      });
+    }
+    return any;
+  }
+
+  /// Points that lie in one cube.
+  struct Heaps {
+    Array<int> points;  ///< one heap after the other
+    Array<int> begin;   ///< per heap where it begins, and the end
+    Array<int> first;   ///< per heap its first point
+
+    std::span<const int> at(int i) const {
+      return std::span(points).subspan(static_cast<size_t>(begin[i]),
+                                       static_cast<size_t>(begin[i + 1] - begin[i]));
+    }
+  };
+
+  /// Of cubes whose points are no farther from each other than `width`. Where cubes would be too
+  /// many to be numbered, each point is a heap.
+  Heaps heapsOf(const Array<int>& points, double width) const {
+    Heaps heaps;
+    heaps.points = points;
+    const double side = width / 2;  // less than by the root of 3
+    constexpr double kMostCubes = 1e15;
+    Array<Vec3> cubes;
+    double farthest = 0;
+    for (const int p : points) {
+      cubes.push_back((positions_[p] / side).array().floor());
+      farthest = std::max(farthest, cubes.back().cwiseAbs().maxCoeff());
+    }
+    const bool hasCubes = side > 0 && farthest < kMostCubes;
+    if (hasCubes) {
+      const auto isBefore = [&](int i, int j) {
+        const Vec3& a = cubes[i];
+        const Vec3& b = cubes[j];
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+      };
+      const Array<int> sorted = sortedNumbers(points.count(), isBefore);
+      heaps.points.clear();
+      for (int k = 0; k < sorted.count(); ++k) {
+        if (k == 0 || cubes[sorted[k]] != cubes[sorted[k - 1]]) heaps.begin.push_back(k);
+        heaps.points.push_back(points[sorted[k]]);
+      }
+    } else {
+      for (int k = 0; k < points.count(); ++k) heaps.begin.push_back(k);
+    }
+    for (const int k : heaps.begin) heaps.first.push_back(heaps.points[k]);
+    heaps.begin.push_back(points.count());
+    return heaps;
   }
 
   /// Per place on a boundary the length of the shortest edge there; infinite elsewhere.

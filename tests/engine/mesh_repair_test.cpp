@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <tuple>
@@ -217,6 +219,68 @@ TEST(RepairMesh, WeldsWithinTheTolerance) {
   EXPECT_EQ(loops(0, 0), 4);
   // Whatever is asked for: triangles keep their corners.
   EXPECT_EQ(loops(0, 10 * diagonal), 0);
+}
+
+/// A grid, moved by `shift`, whose triangles have vertices of their own, each moved by up to `most`
+/// more.
+TriangleSoup looseGrid(int n, double most, const Vec3& shift, Random& random) {
+  TriangleSoup soup;
+  const auto add = [&](int x, int y) {
+    const Vec3 jitter(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    soup.positions.push_back(Vec3(x, y, 0) + shift + most / std::sqrt(3.0) * jitter);
+  };
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      for (const auto& corners : {std::array{0, 0, 1, 0, 1, 1}, std::array{0, 0, 1, 1, 0, 1}}) {
+        const int first = soup.positions.count();
+        for (size_t k = 0; k < 6; k += 2) add(x + corners[k], y + corners[k + 1]);
+        soup.triangles.emplace_back(first, first + 1, first + 2);
+      }
+    }
+  }
+  return soup;
+}
+
+/// Points are first united in cubes: wherever these lie, those within the tolerance are welded, and
+/// those beyond are not.
+TEST(RepairMesh, WeldsWhateverCubesPointsLieIn) {
+  const uint64_t seed = 31;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  constexpr double kWeld = 1e-3;
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 shift(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9));
+    const ImportOptions options{.repair = true, .weld = kWeld};
+    const ImportedMesh welded = importMesh(looseGrid(6, 0.49 * kWeld, shift, random), options);
+    EXPECT_EQ(welded.mesh.vertexCount(), 49);
+    EXPECT_EQ(topology(welded.mesh).boundaryLoops, 1);
+    TriangleSoup soup = looseGrid(6, 0.2 * kWeld, shift, random);
+    for (int v = 0; v < soup.positions.count(); ++v) {
+      soup.positions[v].z() += v / 3 % 2 == 0 ? 0 : 1.5 * kWeld;
+    }
+    // The two triangles of a square are at different heights, and alike ones meet at vertices
+    // alone.
+    EXPECT_EQ(importMesh(soup, options).mesh.vertexCount(), soup.positions.count());
+  }
+}
+
+/// Many corners at three places, all within the tolerance of each other: no two triangles that an
+/// edge would join are alone there, and all stay apart.
+TEST(RepairMesh, KeepsAClusterOfTrianglesApart) {
+  Random random(4);
+  TriangleSoup soup;
+  constexpr int kCount = 20'000;
+  for (int i = 0; i < kCount; ++i) {
+    for (const Vec3& place : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
+      const Vec3 jitter(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+      soup.positions.push_back(place + 1e-8 * jitter);
+    }
+    soup.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  const ImportedMesh imported = importMesh(soup);
+  EXPECT_EQ(imported.mesh.faceCount(), kCount);
+  ASSERT_EQ(imported.repairs.count(), 1);
+  EXPECT_EQ(imported.repairs[0].kind, Repair::Kind::kKeptApart);
 }
 
 TEST(RepairMesh, KeepsPartsApartThatOnlyTouch) {
