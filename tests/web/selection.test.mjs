@@ -125,6 +125,81 @@ describe('the selection', () => {
     });
   }
 
+  const pressed = (tab) =>
+    tab.page
+      .locator('.handle[aria-pressed="true"]')
+      .evaluateAll((all) => all.map((handle) => handle.dataset.id));
+  const pointsOf = async (tab) =>
+    (await tab.state()).figure.points.map(({ face, bary }) => JSON.stringify([face, bary]));
+  const shiftClick = async (tab, name) => {
+    const { x, y } = await tab.handle(name);
+    await tab.page.keyboard.down('Shift');
+    await tab.page.mouse.click(x, y);
+    await tab.page.keyboard.up('Shift');
+    await tab.settled();
+  };
+
+  for (const key of ['b', 'p']) {
+    test(`takes several points of what tool ${key} drew: they are dragged, let go of and deleted together`, async () => {
+      const tab = await Tab.open(browser);
+      const name = key === 'p' ? 'Anchor' : 'Control point';
+      await tab.page.keyboard.press(key);
+      await tab.click([-120, 40], [-40, 0], [40, 40], [120, 0]);
+      await tab.page.keyboard.press('v');
+      const before = await pointsOf(tab);
+      const second = await tab.handle(`${name} 2 of 4`);
+      await tab.page.mouse.click(second.x, second.y);
+      await shiftClick(tab, `${name} 3 of 4`);
+      assert.deepEqual(await pressed(tab), ['point-1', 'point-2']);
+      const said = key === 'p' ? '2 anchors' : '2 points';
+      assert.equal(await tab.page.locator('#selected').textContent(), said);
+      // Both go as far on the stage, which is nearly flat there.
+      const third = await tab.handle(`${name} 3 of 4`);
+      await tab.dragHandle(`${name} 2 of 4`, 10, 60);
+      const moved = await pointsOf(tab);
+      assert.deepEqual(
+        moved.map((point, i) => point === before[i]),
+        [true, false, false, true],
+      );
+      const there = await tab.handle(`${name} 3 of 4`);
+      const off = Math.hypot(there.x - third.x - 10, there.y - third.y - 60);
+      assert.ok(off < 8, `${off} pixels`);
+      assert.deepEqual(await pressed(tab), ['point-1', 'point-2']);
+      await tab.page.keyboard.press('Control+z');
+      await tab.settled();
+      assert.deepEqual(await pointsOf(tab), before, 'one step of the history');
+      // A box round the two on the right, and a click that takes one out again.
+      await tab.page.keyboard.down('Shift');
+      const { x, y } = await tab.middle();
+      await tab.drag({ x: x + 10, y: y + 130 }, { x: x + 180, y: y - 60 });
+      await tab.page.keyboard.up('Shift');
+      assert.deepEqual(await pressed(tab), ['point-2', 'point-3']);
+      await shiftClick(tab, `${name} 4 of 4`);
+      assert.deepEqual(await pressed(tab), ['point-2']);
+      await shiftClick(tab, `${name} 2 of 4`);
+      await tab.page.keyboard.press('Delete');
+      await tab.settled();
+      const left = (await tab.state()).figure.points;
+      assert.deepEqual(
+        left.map(({ face }) => face),
+        [0, 3].map((i) => JSON.parse(before[i])[0]),
+      );
+      await tab.page.keyboard.press('Control+z');
+      await tab.settled();
+      assert.deepEqual(await pointsOf(tab), before);
+      // A click on one of several leaves that. The handles are back once a frame has been drawn.
+      await tab.still();
+      const back = await tab.handle(`${name} 2 of 4`);
+      assert.deepEqual(back, second);
+      await tab.page.mouse.click(second.x, second.y);
+      await shiftClick(tab, `${name} 3 of 4`);
+      await tab.page.mouse.click(second.x, second.y);
+      assert.deepEqual(await pressed(tab), ['point-1']);
+      assert.deepEqual(tab.logged, []);
+      await tab.page.close();
+    });
+  }
+
   test('of several what they share is shown, and set for all', async () => {
     const tab = await drawn();
     await swatch(tab, 'Pink').click();

@@ -70,7 +70,7 @@ const mostObjects = 8;
 /** What the page says of the selection, everywhere. */
 const said = () => {
   const page = window.karcherPage;
-  const { drawing, chosen, none, figure, selection, tool } = page.state();
+  const { drawing, chosen, none, figure, selection, more, tool } = page.state();
   const isDrawn = ({ figure: { points, circle } }) => points.length > 0 || circle !== null;
   const selected = none ? [] : chosen.length > 0 ? chosen : [drawing.active];
   const objects = drawing.objects.filter(({ id }) => selected.includes(id));
@@ -113,13 +113,17 @@ const said = () => {
         colors.size === 1 && pressed.length > 0 ? [...colors] : [],
       ],
       'the handles': [points.length, isOpen && figure.circle === null ? figure.points.length : 0],
-      'the pressed handle': [
-        points.findIndex((handle) => handle.ariaPressed === 'true'),
-        isOpen && typeof selection === 'number' ? selection : -1,
+      'the pressed handles': [
+        [...points.keys()].filter((i) => points[i].ariaPressed === 'true'),
+        isOpen && typeof selection === 'number'
+          ? [...more, selection].toSorted((a, b) => a - b)
+          : [],
       ],
       'the status': [
-        seen('selected')?.replace(/\D+/, '') ?? '',
-        typeof selection === 'number' && tool !== 'measure' ? `${selection + 1}` : '',
+        seen('selected')?.replaceAll(/\D+/g, '') ?? '',
+        typeof selection === 'number' && tool !== 'measure'
+          ? `${more.length > 0 ? more.length + 1 : selection + 1}`
+          : '',
       ],
       'the halo': [
         page.marked().toSorted((a, b) => a - b),

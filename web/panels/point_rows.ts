@@ -33,7 +33,7 @@ export class PointRows {
 
   constructor(private readonly editor: Editor) {}
 
-  show({ figure, selection }: State, view: View): void {
+  show({ figure, selection, more }: State, view: View): void {
     const rows = rowsOf(figure, view);
     if (rows.length === 0) {
       this.#list.replaceChildren(make('li', 'None yet', { className: 'none' }));
@@ -43,7 +43,7 @@ export class PointRows {
     this.#list.querySelector('.none')?.remove();
     for (const [i, row] of rows.entries()) {
       const element = this.#list.children[i] ?? this.#list.appendChild(this.#makeRow(i));
-      showRow(element as HTMLElement, row, selection);
+      showRow(element as HTMLElement, row, [selection, ...more]);
       const [up, down] = element.querySelectorAll<HTMLButtonElement>('.move');
       for (const button of [up!, down!]) button.hidden = !isSpline(figure.kind);
       up!.disabled = i === 0;
@@ -137,14 +137,14 @@ interface Row {
 function showRow(
   element: HTMLElement,
   { which, name, value, place, slider }: Row,
-  selection: Selection,
+  selected: readonly Selection[],
 ) {
   const [button, input] = [...element.children] as [HTMLButtonElement, HTMLInputElement];
   button.dataset.which = `${which}`;
   write(button.firstElementChild!, name);
   write(button.lastElementChild!, value);
   button.title = place;
-  button.setAttribute('aria-pressed', `${which === selection}`);
+  button.setAttribute('aria-pressed', `${selected.includes(which)}`);
   input.hidden = slider === null;
   if (slider) showOnSlider(input, Number(which), slider.point, slider.name);
 }

@@ -163,10 +163,10 @@ export class Status {
     byId('remove').hidden = selection === null;
     byId('shorten').hidden = hint === '' || hint !== shorterHint(state.figure, view);
     const { kind, points } = state.figure;
-    write(byId('selected'), nameOf(kind, selection));
+    write(byId('selected'), nameOf(kind, selection, state.more.length));
     const name = parameterOf(kind);
     const point = typeof selection === 'number' ? points[selection] : undefined;
-    this.#slider.hidden = !name || !point;
+    this.#slider.hidden = !name || !point || state.more.length > 0;
     if (name && point) showOnSlider(this.#slider, Number(selection), point, name);
     write(byId('hint'), hint);
   }
@@ -176,8 +176,9 @@ function ruledText({ along, straight }: Ruled, unit: Unit): string {
   return `${formatLength(along, unit)} along the surface · ${formatLength(straight, unit)} straight`;
 }
 
-function nameOf(kind: Kind, selection: Selection): string {
+function nameOf(kind: Kind, selection: Selection, more: number): string {
   if (selection === null) return '';
+  if (more > 0) return `${more + 1} ${kind === 'pen' ? 'anchors' : 'points'}`;
   if (kind === 'pen') return `Anchor ${Number(selection) + 1}`;
   return typeof selection === 'number' ? `Point ${selection + 1}` : kindNames[kind];
 }

@@ -345,6 +345,13 @@ export class Surface {
       this.directionFromScene(this.directionInScene(direction).applyQuaternion(turning));
   }
 
+  /** Where another point goes with one that is moved: as far, and in the same direction along the surface. */
+  along(from: SurfacePoint, to: SurfacePoint, other: SurfacePoint): SurfacePoint {
+    const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(other));
+    const step = this.position(to).sub(this.position(from)).applyQuaternion(turning);
+    return this.nearest(this.position(other).add(step));
+  }
+
   /**
    * How far, in that direction from the scene's middle, an upright camera that looks there sees the
    * surface's whole width; `slope` is the tangent of half its horizontal field of view.

@@ -68,8 +68,18 @@ export class CurveEdits {
   /** Removes the selected control point, or the circle. */
   removeSelected(): Promise<void> {
     this.editor.interrupt();
-    const { figure, selection } = this.editor.state;
-    if (figure.kind === 'pen' && typeof selection === 'number') return this.removeAnchor(selection);
+    const { figure, selection, more } = this.editor.state;
+    if (typeof selection === 'number') {
+      const all = [...more, selection].toSorted((a, b) => b - a);
+      if (figure.kind === 'pen') return this.removeAnchors(all);
+      if (more.length > 0) {
+        return this.#edit((from) => {
+          const points = from.points.filter((_, i) => !all.includes(i));
+          const command: FigureCommand = { type: 'replace', from, to: { ...from, points } };
+          return { command, selection: null };
+        });
+      }
+    }
     return this.#edit((figure) => {
       const { selection } = this.editor.state;
       if (selection === null) return null;
@@ -86,13 +96,20 @@ export class CurveEdits {
 
   /** Removes an anchor of the pen; the curve stays as near to what it was as it can. */
   removeAnchor(index: number): Promise<void> {
+    return this.removeAnchors([index]);
+  }
+
+  /** The same of several, the last one first. */
+  removeAnchors(numbers: readonly number[]): Promise<void> {
+    const index = numbers.at(-1)!;
     this.editor.interrupt();
     return this.#inOrder(async () => {
       const { drawing, figure } = this.editor.state;
       const { client } = this.session;
       if (!client || !figure.points[index] || this.editor.refuses()) return;
       for (let attempt = 0, from = figure; attempt < mostAttempts; attempt++) {
-        const to = await withoutAnchor(client, from, index);
+        let to = from;
+        for (const number of numbers) to = await withoutAnchor(client, to, number);
         const { state } = this.editor;
         if (state.figure === from) {
           const left = to.points.length;

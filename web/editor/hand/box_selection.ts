@@ -1,3 +1,4 @@
+import { isRound } from '../../model/figure';
 import type { Viewer } from '../../viewer/viewer';
 import type { Editor } from '../state/editor';
 import type { Hold, Place } from './stage_pointer';
@@ -50,7 +51,25 @@ export class BoxSelection {
     const { left, top, width, height } = rectangle(from, to);
     const { active } = this.editor.state.drawing;
     const { others, edited } = this.viewer.objectsIn(left, top, width, height);
+    const points = this.#pointsIn(left, top, width, height);
+    if (others.length === 0 && points.length > 0) {
+      this.editor.selectPoints(points);
+      return;
+    }
     this.editor.choose(edited ? [...others, active] : others);
+  }
+
+  /** Points of the edited object that are seen in the box, by their numbers; none where all are. */
+  #pointsIn(left: number, top: number, width: number, height: number): number[] {
+    const { surface, box } = this.viewer;
+    const { figure } = this.editor.state;
+    if (!surface || !this.editor.isOpen || isRound(figure.kind)) return [];
+    const numbers = [...figure.points.keys()].filter((i) => {
+      const { x, y, hidden } = this.viewer.project(surface.position(figure.points[i]!));
+      const [dx, dy] = [x + box.left - left, y + box.top - top];
+      return !hidden && dx >= 0 && dx <= width && dy >= 0 && dy <= height;
+    });
+    return numbers.length < figure.points.length ? numbers : [];
   }
 
   #toggleAt({ x, y }: Place): void {

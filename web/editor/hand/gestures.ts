@@ -16,6 +16,7 @@ import { MoveGestures } from './move_gestures';
 import { type HeldKeys, PenGestures } from './pen_gestures';
 import { RubberBand } from './rubber_band';
 import type { Session } from '../engine/session';
+import { selectPressed, takenAlong } from './several_points';
 import { type Snapped, Snapping } from './snapping';
 import { arrows, StageKeys } from './stage_keys';
 import { clickSlop, type Hold, type Place, StagePointer } from './stage_pointer';
@@ -57,8 +58,11 @@ interface Grabbed {
   x: number;
   y: number;
   circle: CircleShape | null;
-  /** Of an anchor of the pen. */
+  /** Of an anchor of the pen, and of all. */
   tangents: DrawnTangents;
+  all: readonly DrawnTangents[];
+  /** The points that a click leaves selected. */
+  clicked: readonly number[] | null;
   /** What a click on an anchor of the pen does. */
   action: PenAction | null;
 }
@@ -103,7 +107,10 @@ export class Gestures {
         this.#schedule();
       },
       release: (_, cancelled) => this.#release(cancelled),
-      focus: (id) => editor.select(selectionOf(id)),
+      focus: (id) => {
+        // A press has selected what it means, perhaps several.
+        if (!this.#grabbed) editor.select(selectionOf(id));
+      },
       key: (id, event) => this.#nudge(id, event),
     });
     this.snapping = new Snapping(editor, viewer);
@@ -463,14 +470,16 @@ export class Gestures {
       : this.#closesAt(selection)
         ? 'close'
         : null;
-    this.editor.select(selection);
     const { view } = this.session;
     const { circle } = figure;
+    const clicked = selectPressed(this.editor, id, this.#keys.shift);
     this.#grabbed = {
       ...place,
       circle: circle && byRadii(circle, view.circle),
       tangents: (isPen && typeof selection === 'number' && view.tangents?.[selection]) || {},
-      action,
+      all: (isPen && view.tangents) || [],
+      clicked,
+      action: clicked && this.#keys.shift ? null : action,
     };
   }
 
@@ -523,7 +532,7 @@ export class Gestures {
   }
 
   /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
-  #moveTo(id: string, x: number, y: number, { circle, tangents }: Grabbed): void {
+  #moveTo(id: string, x: number, y: number, { circle, tangents, all }: Grabbed): void {
     const selection = selectionOf(id);
     // A handle of the pen gives a direction, and goes as it is drawn.
     const control = this.#keys.control || tangentOf(id) !== null;
@@ -543,6 +552,19 @@ export class Gestures {
             ? this.#pen.moved(from, tangents, point, this.#keys)
             : from && { ...from, ...point };
       if (from && to) command = { type: 'change', index: selection, from, to };
+      const { more } = this.editor.state;
+      if (from && to && more.length > 0 && !side) {
+        const surface = this.viewer.surface!;
+        const points = takenAlong(base.points, { index: selection, to, more }, (other, before) => {
+          const there = surface.along(from, to, before);
+          return base.kind === 'pen'
+            ? this.#pen.moved(before, all[other] ?? {}, there, this.#keys)
+            : { ...before, ...there };
+        });
+        const replaced: FigureCommand = { type: 'replace', from: base, to: { ...base, points } };
+        this.editor.preview(replaced, [...more, selection]);
+        return;
+      }
     } else if (base.circle && circle) {
       const to = withHandle(base.circle, circle, selection, point);
       command = { type: 'circle', from: base.circle, to };
@@ -553,6 +575,8 @@ export class Gestures {
   #release(cancelled: boolean): void {
     this.#dragNow();
     this.#showSnap(null);
+    const clicked = cancelled || this.editor.dragging ? null : this.#grabbed?.clicked;
+    if (clicked) this.editor.selectPoints(clicked);
     const action = cancelled || this.editor.dragging ? null : this.#grabbed?.action;
     const { selection } = this.editor.state;
     this.#grabbed = null;

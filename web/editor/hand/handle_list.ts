@@ -14,14 +14,14 @@ import type { View } from '../engine/view';
  * what is locked, not shown or not selected.
  */
 export function handlesOf(
-  { drawing, figure, selection, none }: State,
+  { drawing, figure, selection, more, none }: State,
   view: View,
   surface: Surface,
 ): Handle[] {
   const { locked, visible } = activeObject(drawing);
   if (locked || !visible || none) return [];
   const { kind, points, circle } = figure;
-  if (kind === 'pen') return penHandles(points, view, surface, selection);
+  if (kind === 'pen') return penHandles(points, view, surface, selection, more);
   if (!isRound(kind)) {
     const name = kind === 'center' || kind === 'points' ? 'Point' : 'Control point';
     return points.map((point, i) => ({
@@ -30,7 +30,7 @@ export function handlesOf(
       label: `${name} ${i + 1} of ${points.length}`,
       tag: `${i + 1}`,
       look: 'point',
-      selected: selection === i,
+      selected: selection === i || more.includes(i),
     }));
   }
   if (!circle) return [];
@@ -65,6 +65,7 @@ function penHandles(
   view: View,
   surface: Surface,
   selection: Selection,
+  more: readonly number[],
 ): Handle[] {
   const anchors = points.map(
     (point, i): Handle => ({
@@ -73,7 +74,7 @@ function penHandles(
       label: `Anchor ${i + 1} of ${points.length}`,
       tag: `${i + 1}`,
       look: 'anchor',
-      selected: selection === i,
+      selected: selection === i || more.includes(i),
     }),
   );
   const anchor = typeof selection === 'number' ? points[selection] : undefined;

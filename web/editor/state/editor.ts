@@ -59,6 +59,8 @@ export interface State {
   readonly standIn: boolean;
   /** What is selected of the edited object. */
   readonly selection: Selection;
+  /** Points that are selected with the one of `selection`, by their numbers. */
+  readonly more: readonly number[];
   /** The objects that are selected, by their ids. */
   readonly chosen: readonly number[];
   /** Whether nothing is selected, the edited object neither: it has no handles, and what is drawn next is another. */
@@ -93,6 +95,7 @@ export class Editor {
     base: activeObject(emptyDrawing).figure,
     standIn: false,
     selection: null,
+    more: none,
     chosen: [],
     none: false,
     method: defaultMethod,
@@ -315,6 +318,11 @@ export class Editor {
   }
 
   /** Selects a place of the edited object, and objects, without editing another one. */
+  /** Selects points of the edited object by their numbers, the last one foremost. */
+  selectPoints(points: readonly number[]): void {
+    this.#change({ selection: points.at(-1) ?? null, more: points.slice(0, -1) }, false);
+  }
+
   setSelection(selection: Selection, chosen: readonly number[]): void {
     this.#change({ selection, chosen }, false);
   }
@@ -569,6 +577,11 @@ export class Editor {
     if (!state.chosen.every(isThere)) state.chosen = state.chosen.filter(isThere);
     // The edited object is always among those that are selected.
     if (!state.chosen.includes(state.drawing.active)) state.chosen = [];
+    const count = (drawing: Drawing) => activeObject(drawing).figure.points.length;
+    const isOther =
+      state.drawing.active !== before.drawing.active ||
+      count(state.drawing) !== count(before.drawing);
+    if (part.more === undefined && (part.selection !== undefined || isOther)) state.more = none;
     // What is done, and what is selected of it, is seen.
     const isSeen = state.drawing !== before.drawing || state.selection !== null;
     state.none = part.none ?? (before.none && !isSeen && state.chosen.length === 0);

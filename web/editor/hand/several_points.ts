@@ -1,0 +1,36 @@
+/** Several points of a curve are selected by Shift, and go along with the one that is dragged. */
+import type { ControlPoint } from '../../model/figure';
+import type { Editor } from '../state/editor';
+import { selectionOf, tangentOf } from './handle_list';
+
+/**
+ * Selects what a press on a handle means: with Shift one point more, and of several the one that takes the
+ * others along. Gives the points that a click leaves selected, where those are others.
+ */
+export function selectPressed(editor: Editor, id: string, shift: boolean): number[] | null {
+  const selection = selectionOf(id);
+  const { selection: last, more } = editor.state;
+  const before = typeof last === 'number' ? [...more, last] : [];
+  const isPoint = typeof selection === 'number' && !tangentOf(id) && editor.isOpen;
+  const isIn = isPoint && before.includes(selection);
+  if (!isPoint || !(shift || (isIn && more.length > 0))) {
+    editor.select(selection);
+    return null;
+  }
+  const others = before.filter((index) => index !== selection);
+  editor.selectPoints([...others, selection]);
+  if (!shift) return [selection];
+  return isIn ? others : [...others, selection];
+}
+
+/** Points of which one was moved, and others with it: `moved` says where, or null where it stays. */
+export function takenAlong(
+  points: readonly ControlPoint[],
+  { index, to, more }: { index: number; to: ControlPoint; more: readonly number[] },
+  moved: (other: number, before: ControlPoint) => ControlPoint | null | undefined,
+): ControlPoint[] {
+  return points.map((point, i) => {
+    if (i === index) return to;
+    return (more.includes(i) && moved(i, point)) || point;
+  });
+}
