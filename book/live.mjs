@@ -13,7 +13,12 @@ function listed() {
   return [...rows].map(([, file, words]) => ({ file, words, name: file.replace(/\.\w+$/, '') }));
 }
 
-const titleOf = (name) => name.replaceAll('_', ' ').replace(/^\w/, (one) => one.toUpperCase());
+const titleOf = (name) =>
+  name
+    .replaceAll('_', ' ')
+    .replace(/^\w/, (one) => one.toUpperCase())
+    .replace('glb', 'GLB')
+    .replace('react', 'React');
 const languageOf = (file) => (file.endsWith('.mjs') ? 'js' : file.replace(/.*\./, ''));
 
 /** The page of the examples, as Markdown. */
@@ -69,9 +74,9 @@ async function writeFiles() {
   const { meshFile } = await import('../dist/formats/index.js');
   const karcher = await load();
   const from = bunny.positions.flat();
-  const mesh = karcher.meshFromArrays(centered(from), bunny.cells.flat());
+  const mesh = karcher.meshFromArrays(centered(from), bunny.cells.flat()).subdivide(1);
   const part = { positions: mesh.positions(), triangles: mesh.triangles() };
-  writeFileSync(`${source}/public/model.glb`, meshFile(part, 'glb'));
+  writeFileSync(`${source}/public/model.glb`, withMaterial(meshFile(part, 'glb')));
   const size = 256;
   const decal = png(size, size, (x, y) => {
     const [u, v] = [x, y].map((one) => (2 * (one + 0.5)) / size - 1);
@@ -81,6 +86,22 @@ async function writeFiles() {
     return [0.14, 0.31, 0.85, radius < petals ? 1 : 0];
   });
   writeFileSync(`${source}/public/decal.png`, decal);
+}
+
+/** A GLB without a material is of metal, which is black where there is nothing round it. */
+function withMaterial(glb) {
+  const bytes = Buffer.from(glb);
+  const length = bytes.readUInt32LE(12);
+  const file = JSON.parse(bytes.toString('utf8', 20, 20 + length));
+  const color = { baseColorFactor: [0.6, 0.63, 0.68, 1], metallicFactor: 0, roughnessFactor: 0.9 };
+  file.materials = [{ pbrMetallicRoughness: color }];
+  file.meshes[0].primitives[0].material = 0;
+  const text = JSON.stringify(file);
+  const json = Buffer.from(text.padEnd(4 * Math.ceil(text.length / 4)));
+  const head = Buffer.from(bytes.subarray(0, 20));
+  head.writeUInt32LE(bytes.length + json.length - length, 8);
+  head.writeUInt32LE(json.length, 12);
+  return Buffer.concat([head, json, bytes.subarray(20 + length)]);
 }
 
 /** Two units high about the origin. */
