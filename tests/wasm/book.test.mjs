@@ -27,6 +27,8 @@ declare global {
   const points: PointLike[];
   const point: SurfacePoint;
   const rows: number[];
+  const weights: number[];
+  const center: SurfacePoint;
   const text: string;
   const bytes: Uint8Array;
   const signal: AbortSignal;
