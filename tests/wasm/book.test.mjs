@@ -19,7 +19,7 @@ const piecesOf = (path, language) => {
 
 /** Names that pieces of TypeScript use and leave to their reader. */
 const left = `
-import type { Karcher, Mesh as Surface, SurfacePoint, PointLike } from 'karcher';
+import type { CenterOfMass, Karcher, Mesh as Surface, SurfacePoint, PointLike } from 'karcher';
 import type { WebGLRenderer, PerspectiveCamera, Mesh as Drawn, Raycaster } from 'three';
 declare global {
   const karcher: Karcher;
@@ -28,7 +28,7 @@ declare global {
   const point: SurfacePoint;
   const rows: number[];
   const weights: number[];
-  const center: SurfacePoint;
+  const center: CenterOfMass;
   const text: string;
   const bytes: Uint8Array;
   const signal: AbortSignal;
