@@ -68,19 +68,72 @@ inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& windo
                        side.leftLength * side.along.y(), window.begin);
 }
 
-/// By how much the way through a window, taken as wide as need be, is longer than through another,
-/// at the other's ends and middle.
-struct Lengthening {
-  double least;
-  double most;
-};
+/// A joint window goes above the kink of the two that it takes the place of, where they meet, by
+/// this part of what it cuts off: distances then become neither longer nor shorter on the whole.
+constexpr double kAboveKink = 0.25;
 
-Lengthening lengthening(const Window& taken, const Window& other) {
-  const auto at = [&](double x) { return distanceAt(taken, x) - distanceAt(other, x); };
-  const double begin = at(other.begin);
-  const double middle = at((other.begin + other.end) / 2);
-  const double end = at(other.end);
-  return {std::min({begin, middle, end}), std::max({begin, middle, end})};
+/// A joint source is no farther than so many widths of its window: fronts are never quite straight.
+constexpr double kFarthestSource = 1000;
+
+/// A front comes to a vertex as it is known there if both differ by no more than this part of the
+/// tolerance.
+constexpr double kSameFront = 0.25;
+
+/// Joins two windows of which neither lies in the other to one over both, unless distances along
+/// the edge would change by more than `tolerance`. The joint source is as far from the two outer
+/// ends as before; where they meet, the three distances say how strongly the front is bent, and so
+/// the offset.
+bool join(Window& first, const Window& second, double tolerance) {
+  const double begin = first.begin;
+  const double end = second.end;
+  const double middle = (std::min(first.end, end) + second.begin) / 2;
+  const double left = middle - begin;
+  const double right = end - middle;
+  const double width = end - begin;
+  const double firstLeg = std::sqrt(squaredLegTo(first, middle));
+  const double secondLeg = std::sqrt(squaredLegTo(second, middle));
+  const double throughFirst = first.offset + firstLeg;
+  const double throughSecond = second.offset + secondLeg;
+  const double slopes = (middle - first.sourceX) / firstLeg - (middle - second.sourceX) / secondLeg;
+  const double aboveKink = kAboveKink * slopes * left * right / width;
+  const double step = throughFirst - throughSecond;
+  if (!(std::abs(aboveKink) <= tolerance - std::abs(step))) return false;
+
+  const double meet = first.end >= second.begin ? std::min(throughFirst, throughSecond)
+                                                : (throughFirst + throughSecond) / 2;
+  const double atBegin = distanceAt(first, begin);
+  const double atMiddle = meet - aboveKink;
+  const double atEnd = distanceAt(second, end);
+  // Squared legs along the edge are x^2 plus a linear function.
+  const double bend = (atEnd - atMiddle) * left - (atMiddle - atBegin) * right;
+  const double squares = (atEnd - atMiddle) * (atEnd + atMiddle) * left -
+                         (atMiddle - atBegin) * (atMiddle + atBegin) * right - left * right * width;
+  const double leastOffset = atMiddle - kFarthestSource * width;
+  Window joint = second.end - second.begin > first.end - first.begin ? second : first;
+  joint.begin = begin;
+  joint.end = end;
+  joint.offset = bend > 0 ? std::max(squares / (2 * bend), leastOffset) : leastOffset;
+  const double beginLeg = atBegin - joint.offset;
+  const double endLeg = atEnd - joint.offset;
+  const double x = ((beginLeg - endLeg) * (beginLeg + endLeg) / width + width) / 2;
+  const double squaredDepth = square(beginLeg) - square(x);
+  if (!(beginLeg >= 0 && endLeg >= 0 && squaredDepth >= 0)) return false;
+  joint.sourceX = begin + x;
+  joint.depth = std::sqrt(squaredDepth);
+  for (const double place : {begin + left / 2, end - right / 2}) {
+    double least = kInfinity;
+    if (place <= first.end) least = distanceAt(first, place);
+    if (place >= second.begin) least = std::min(least, distanceAt(second, place));
+    if (least < kInfinity && std::abs(distanceAt(joint, place) - least) > tolerance) return false;
+  }
+  first = joint;
+  return true;
+}
+
+/// Whether a window that lies in a wider one is no shorter, up to the tolerance.
+bool isCovered(const Window& window, const Window& wider, double tolerance) {
+  const auto longer = [&](double x) { return distanceAt(wider, x) - distanceAt(window, x); };
+  return longer(window.begin) <= tolerance && longer(window.end) <= tolerance;
 }
 
 }  // namespace
@@ -99,7 +152,6 @@ ExactDistance::ExactDistance(const Geometry& geometry, double tolerance)
     : geometry_(geometry),
       mesh_(*geometry.mesh),
       tolerance_(tolerance),
-      wedgeMargin_(std::max(kWedgeMargin, std::sqrt(2 * tolerance))),
       vertices_(mesh_.vertexCount()),
       faces_(mesh_.faceCount()),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
@@ -209,15 +261,15 @@ void ExactDistance::leaveVertex(int vertex) {
   const double total = geometry_.totalAngle[vertex];
   const bool isSource = vertices_.touch(vertex).via < 0;
   const double back = isSource ? 0 : direction(vertex);
-  const double ahead = back + kPi - wedgeMargin_;
-  const double width = total - 2 * kPi + 2 * wedgeMargin_;
+  const double ahead = back + kPi - kWedgeMargin;
+  const double width = total - 2 * kPi + 2 * kWedgeMargin;
   for (const int h : outgoingHalfedges(mesh_, vertex)) {
     const double right = geometry_.cumulatedAngle[h];
     if (isSource) {
       leaveThroughCorner(vertex, h, 0, geometry_.cornerAngle[h]);
     } else if (mesh_.onBoundary[vertex]) {
       leaveThroughCorner(vertex, h, ahead - right, kInfinity);
-      leaveThroughCorner(vertex, h, -kInfinity, back - kPi + wedgeMargin_ - right);
+      leaveThroughCorner(vertex, h, -kInfinity, back - kPi + kWedgeMargin - right);
     } else {
       leaveThroughCorner(vertex, h, ahead - right, ahead + width - right);
       leaveThroughCorner(vertex, h, ahead - right - total, ahead + width - right - total);
@@ -289,12 +341,12 @@ void ExactDistance::takeWaiting(int h) {
   }
 }
 
-/// Of windows that overlap or follow each other on an edge, one goes on for both where it is no
-/// longer than a window that lies in it, or as long over all of the other, up to the tolerance.
+/// Joins windows that wait at half-edge h, and leaves out those that lie in others.
 void ExactDistance::mergeBatch(int h) {
-  const double longest = std::max(
-      {geometry_.edgeLength[h], geometry_.edgeLength[next(h)], geometry_.edgeLength[previous(h)]});
-  const double height = oppositeOverHalfedge(geometry_, h).y() * geometry_.edgeLength[h] / longest;
+  const double length = geometry_.edgeLength[h];
+  const double longest =
+      std::max({length, geometry_.edgeLength[next(h)], geometry_.edgeLength[previous(h)]});
+  const double height = oppositeOverHalfedge(geometry_, h).y() * length / longest;
   const double most = tolerance_ * height;
   std::sort(batch_.begin(), batch_.end(), [](const Window& a, const Window& b) {
     return std::tie(a.begin, a.end, a.sourceX, a.depth, a.offset) <
@@ -304,25 +356,32 @@ void ExactDistance::mergeBatch(int h) {
   for (int i = 1; i < batch_.count(); ++i) {
     Window& before = batch_[last];
     const Window& window = batch_[i];
-    const Lengthening along = lengthening(before, window);
-    const bool lies = window.end <= before.end;
-    const bool isWider = window.end - window.begin <= before.end - before.begin;
-    if (along.most <= most && (lies || (isWider && along.least >= -most))) {
-      before.end = std::max(before.end, window.end);
-      continue;
-    }
-    const Lengthening back = lengthening(window, before);
-    if (back.most <= most && back.least >= -most) {
-      const double begin = before.begin;
-      const double end = std::max(before.end, window.end);
-      before = window;
-      before.begin = begin;
-      before.end = end;
+    if (window.end <= before.end) {
+      if (isCovered(window, before, most)) continue;
+    } else if (window.begin <= before.begin) {
+      if (isCovered(before, window, most)) {
+        before = window;
+        continue;
+      }
+    } else if (join(before, window, most)) {
       continue;
     }
     batch_[++last] = window;
   }
-  if (!batch_.empty()) batch_.resize(static_cast<size_t>(last + 1));
+  batch_.resize(static_cast<size_t>(last + 1));
+
+  // The rays at the ends of joint windows are not those of the windows before. What opens between
+  // them and an end of the edge is closed where the vertex there is known to lie on the same front.
+  const double sameFront = kSameFront * most;
+  Window& first = batch_[0];
+  const double tail = vertices_.touch(mesh_.tail(h)).arrival.distance;
+  if (first.begin > 0 && std::abs(distanceAt(first, 0) - tail) <= sameFront) first.begin = 0;
+  Window& farthest = *std::max_element(
+      batch_.begin(), batch_.end(), [](const Window& a, const Window& b) { return a.end < b.end; });
+  const double head = vertices_.touch(mesh_.head(h)).arrival.distance;
+  if (farthest.end < length && std::abs(distanceAt(farthest, length) - head) <= sameFront) {
+    farthest.end = length;
+  }
 }
 
 /// Carries the windows that wait at half-edge h across its face: first to the apex, so that then
@@ -347,22 +406,30 @@ void ExactDistance::carryAcross(int h) {
   rightward_.resize(std::max(rightward_.size(), batch_.size()));
   int leftCount = 0;
   int rightCount = 0;
-  bool seen = false;
+  AimedWindow nearest;  // to seeing the apex
+  double leastMiss = kInfinity;
   const double tolerance = kSeenTolerance * length;
   for (const Window& window : batch_) {
     const double crossing = crossingTowards(window, apex);
-    if (crossing >= window.begin - tolerance && crossing <= window.end + tolerance) {
-      seen = true;
+    const double miss = std::max(window.begin - crossing, crossing - window.end);
+    if (miss < leastMiss) {
+      leastMiss = miss;
+      nearest = {window, crossing};
+    }
+    if (miss <= tolerance) {
       const double leg = square(apex.x() - window.sourceX) + square(apex.y() + window.depth);
       arrive(apexVertex, top, {window.offset + std::sqrt(leg), window.offset, window.pseudoSource},
              h, crossing);
+    } else if (tolerance_ > 0) {
+      // A joint window may just miss what one of those before it saw.
+      arriveBent(apexVertex, top, h, apex, {window, crossing});
     }
     leftward_[leftCount] = {window, crossing};
     leftCount += crossing > window.begin;
     rightward_[rightCount] = {window, crossing};
     rightCount += crossing < window.end;
   }
-  if (!seen) arriveBent(apexVertex, top, h, apex);
+  if (leastMiss > tolerance) arriveBent(apexVertex, top, h, apex, nearest);
   if (images_.areKept()) images_.addWindows(h, batch_, tail);
   if (target_.liesIn(faceOf(h))) {
     for (const Window& window : batch_) target_.arriveThrough(h, window);
@@ -370,27 +437,19 @@ void ExactDistance::carryAcross(int h) {
 
   // The way to the right is the mirror image of the way to the left. Unit vectors are normalized,
   // since in a needle the apex is known to rounding of the long edges only.
+  const double slack = tolerance_ * apex.y() / 4;
   const int left = previous(h);
-  const SideEdge leftSide{mesh_.twin[left],
-                          geometry_.edgeLength[left],
-                          apex.normalized(),
-                          length,
-                          tail,
-                          top.arrival.distance,
-                          head};
+  const SideEdge leftSide{mesh_.twin[left], geometry_.edgeLength[left],   apex.normalized(), length,
+                          tail + slack,     top.arrival.distance + slack, head + slack};
   for (int i = 0; i < leftCount && leftSide.twin >= 0; ++i) {
     Window window = carriedToTailEdge(leftward_[i].window, leftSide.along, length, leftSide.length,
                                       leftward_[i].crossing);
     if (isWorthKeeping(leftSide, narrowest_, window)) addWindow(leftSide.twin, window);
   }
   const int right = next(h);
-  const SideEdge rightSide{mesh_.twin[right],
-                           geometry_.edgeLength[right],
-                           fromHead.normalized(),
-                           length,
-                           head,
-                           top.arrival.distance,
-                           tail};
+  const SideEdge rightSide{
+      mesh_.twin[right], geometry_.edgeLength[right],  fromHead.normalized(), length,
+      head + slack,      top.arrival.distance + slack, tail + slack};
   for (int i = 0; i < rightCount && rightSide.twin >= 0; ++i) {
     Window window = carriedToTailEdge(mirrored(rightward_[i].window, length), rightSide.along,
                                       length, rightSide.length, length - rightward_[i].crossing);
@@ -400,23 +459,14 @@ void ExactDistance::carryAcross(int h) {
   }
 }
 
-/// Where no window of the batch sees the apex: the way with the slightest bend, as an upper bound,
-/// and as the path itself where rounding left a gap between two windows.
-void ExactDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex) {
-  const Window* nearest = nullptr;
-  double nearestMiss = kInfinity;
-  double bend = 0;
-  for (const Window& window : batch_) {
-    const double crossing = crossingTowards(window, apex);
-    const double end = std::min(std::max(crossing, window.begin), window.end);
-    if (std::abs(crossing - end) < nearestMiss) {
-      nearestMiss = std::abs(crossing - end);
-      nearest = &window;
-      bend = end;
-    }
-  }
-  const double length = distanceAt(*nearest, bend) + (apex - Vec2(bend, 0)).norm();
-  arrive(vertex, record, {length * (1 + kBentPenalty), nearest->offset, nearest->pseudoSource}, via,
+/// The way through a window that does not see the apex, with the slightest bend at its end: an
+/// upper bound, and the path itself where rounding left a gap between two windows.
+void ExactDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
+                               const AimedWindow& aimed) {
+  const Window& window = aimed.window;
+  const double bend = std::min(std::max(aimed.crossing, window.begin), window.end);
+  const double length = distanceAt(window, bend) + (apex - Vec2(bend, 0)).norm();
+  arrive(vertex, record, {length * (1 + kBentPenalty), window.offset, window.pseudoSource}, via,
          bend);
 }
 

@@ -32,14 +32,13 @@
 /// A vertex that shortest paths turn round sends windows only into the wedge that lies straight
 /// behind it, at least pi from the path that reached it on both sides.
 ///
-/// With a tolerance windows that wait at an edge become one where their distances differ by less
-/// than that part of the height of the face before them (after V. Surazhsky, T. Surazhsky,
-/// D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on meshes", 2005): it
-/// is what the way through the face gains. A path that bends by an angle is longer by half its
-/// square, so the wedges behind vertices are wider by the angle that this makes of the tolerance;
-/// between them and merged windows there would else be gaps. The errors of many faces are of both
-/// signs: distances are off by far less than the tolerance, which is measured (`npm run study --
-/// fields`) and not proven. Fields do not use it yet.
+/// With a tolerance windows that wait at an edge are joined where that changes distances along the
+/// edge by less than that part of the height of the face before them (after V. Surazhsky,
+/// T. Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on
+/// meshes", 2005): it is what the way through the face gains. A joint window's source and offset
+/// are those of the front that both windows are parts of, so on smooth surfaces distances converge
+/// with the mesh as exact ones do. Errors of many faces are of both signs; distances are off by far
+/// less than the tolerance, which is measured (`npm run study -- fields`) and not proven.
 namespace karcher {
 
 /// Whether shortest paths turn round a vertex: where there is more angle than on a plane. At the
@@ -141,6 +140,11 @@ class ExactDistance final : public DistanceSolver {
     WaitingWindows waiting[3];
   };
 
+  struct AimedWindow {
+    Window window;
+    double crossing = 0;  ///< of the line from its source to the apex with the half-edge
+  };
+
   WaitingWindows& waitingAt(int h) { return faces_.touch(faceOf(h)).waiting[cornerOf(h)]; }
 
   void leaveSourceFace(int face, const SurfacePoint& source, int ownEdge);
@@ -149,7 +153,8 @@ class ExactDistance final : public DistanceSolver {
   void takeWaiting(int h);
   void mergeBatch(int h);
   void carryAcross(int h);
-  void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex);
+  void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
+                  const AimedWindow& aimed);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
   void addWindow(int h, const Window& window);
   bool leadsAway(int h, const Window& window) const;
@@ -159,7 +164,6 @@ class ExactDistance final : public DistanceSolver {
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   double tolerance_;
-  double wedgeMargin_;  ///< radians
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
   PagedArray<FaceRecord, 7> faces_;
@@ -174,10 +178,6 @@ class ExactDistance final : public DistanceSolver {
   int64_t windowsLeft_ = 0;
   int reachedCount_ = 0;  ///< vertices that a path has come to
   Array<Window> batch_;
-  struct AimedWindow {
-    Window window;
-    double crossing = 0;  ///< of the line from its source to the apex with the half-edge
-  };
   Array<AimedWindow> leftward_;
   Array<AimedWindow> rightward_;
   std::optional<Aim> aim_;

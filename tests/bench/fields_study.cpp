@@ -23,7 +23,7 @@ namespace {
 constexpr uint64_t kSeed = 17;
 constexpr int kSources = 4;
 constexpr double kWrong = 0.01;
-constexpr double kTolerance = 0.015;  ///< of the windows that are merged
+constexpr double kTolerance = 0.0075;  ///< of the windows that are merged
 
 struct Row {
   double mean = 0;

@@ -11,7 +11,7 @@
 namespace karcher {
 namespace {
 
-constexpr double kTolerance = 0.015;
+constexpr double kTolerance = 0.0075;
 
 /// Holds distances of merged windows to exact ones: each within 1 %, in the mean .1 %.
 void expectNearExact(const TriangleMesh& mesh, const SurfacePoint& source) {
