@@ -168,6 +168,8 @@ export interface EngineMesh {
     exact: boolean,
     field: EngineFieldOptions,
   ): EnginePath[];
+  /** The side is 1 for the left, -1 for the right, 0 for both. */
+  offset(outlines: Float64Array[], distance: number, side: number): EnginePath[];
   /** Of each shape `counts` has the number of its outlines, `insides` a point or none. */
   regions(
     outlines: Float64Array[],

@@ -25,10 +25,12 @@ import {
   curveOptionNames,
   distanceOptionNames,
   ellipseOptionNames,
-  engineFieldOptions,
   engineArcs,
+  engineFieldOptions,
   fieldOptionNames,
   isolineOptionNames,
+  offsetOptionNames,
+  offsetSides,
   regionOptionNames,
   startOptionNames,
   weightsOptionNames,
@@ -57,6 +59,7 @@ import type {
   MeanWeights,
   MeshInfo,
   NearestPoint,
+  OffsetOptions,
   Outline,
   PointArrays,
   PointLike,
@@ -449,6 +452,24 @@ export class Mesh {
     const field = engineFieldOptions({ solver, rings });
     return this.#handle
       .call((mesh) => mesh.isolines(wire, radius, type === 'exact', field))
+      .map((line) => new Path(line));
+  }
+
+  /**
+   * The points at a distance from the nearest of paths, or of their points: corners are round, and what
+   * runs into itself is trimmed. Lines of one side run as the paths do; there may be none, or several.
+   * Left of the boundary of a region is its inside. Places keep to the distance within a thousandth of it.
+   *
+   * Throws `KarcherError` badArgument for a distance that is not positive, a path without length, and
+   * consecutive points without a face in common.
+   */
+  offset(paths: readonly Outline[], options: OffsetOptions): Path[] {
+    checkOptions(options, offsetOptionNames);
+    const outlines = wireOutlines(paths);
+    const distance = checkNumber(options.distance, 'the distance');
+    const side = checkOneOf(options.side ?? 'both', offsetSides, 'the side');
+    return this.#handle
+      .call((mesh) => mesh.offset(outlines, distance, offsetSides.indexOf(side) - 1))
       .map((line) => new Path(line));
   }
 

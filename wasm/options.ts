@@ -23,6 +23,7 @@ import type {
   LongWorkOptions,
   MeshOptions,
   Method,
+  OffsetOptions,
   RegionOptions,
   RegionShape,
   Solver,
@@ -79,6 +80,10 @@ export const ellipseOptionNames = namesOf<EllipseOptions>({
   radii: true,
   direction: true,
 });
+export const offsetOptionNames = namesOf<OffsetOptions>({ distance: true, side: true });
+/** As the engine numbers them, from -1. */
+export const offsetSides = ['right', 'both', 'left'] as const;
+
 export const isolineOptionNames = namesOf<IsolineOptions>({
   radius: true,
   type: true,

@@ -546,6 +546,12 @@ export interface CutPart {
   faces: Int32Array;
 }
 
+export interface OffsetOptions {
+  distance: number;
+  /** `both` by default, which goes round the ends of open paths too. */
+  side?: 'left' | 'right' | 'both';
+}
+
 export interface RegionOptions {
   /** `evenOdd` by default. */
   rule?: FillRule;

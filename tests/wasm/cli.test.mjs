@@ -40,6 +40,7 @@ test('help, of the program and of each command', async () => {
     'edit',
     'circle',
     'ellipse',
+    'offset',
     'regions',
     'cut',
     'bench',

@@ -89,6 +89,8 @@ class MeshHandle {
               int samples, int levels, const val& field);
   /// A list of paths (path.h): exact ones, or linear ones of the solver's distances.
   val isolines(const val& center, double radius, bool exact, const val& field);
+  /// A list of paths. `side` is 1 for the left, -1 for the right, 0 for both.
+  val offset(const val& outlines, double distance, int side) const;
   /// A list of {area, perimeter, boundary, share, triangles, sides}, one a shape or one of all. Of
   /// each shape `counts` has the number of its outlines, `insides` a point or none.
   val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,

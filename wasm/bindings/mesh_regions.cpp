@@ -1,5 +1,6 @@
 #include "bindings/mesh_handle.h"
 #include "bindings/path.h"
+#include "curves/offset.h"
 #include "regions/cut.h"
 #include "regions/region.h"
 
@@ -133,6 +134,19 @@ val MeshHandle::cut(const val& outlines) const {
     result.set(count++, one);
   }
   return result;
+}
+
+val MeshHandle::offset(const val& outlines, double distance, int side) const {
+  const Array<SurfacePath> paths = pathsFromJs(numbering_, mesh(), outlines);
+  const OffsetSide which = side > 0   ? OffsetSide::kLeft
+                           : side < 0 ? OffsetSide::kRight
+                                      : OffsetSide::kBoth;
+  val list = val::array();
+  int count = 0;
+  for (const Isoline& line : offsetLines(geometry(), paths, distance, which)) {
+    list.set(count++, pathToJs(numbering_, mesh(), line.points, line.length, line.closed));
+  }
+  return list;
 }
 
 }  // namespace karcher::bindings

@@ -77,6 +77,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("circle", &Guarded<&MeshHandle::circle>::call)
       .function("ellipse", &Guarded<&MeshHandle::ellipse>::call)
       .function("isolines", &Guarded<&MeshHandle::isolines>::call)
+      .function("offset", &Guarded<&MeshHandle::offset>::call)
       .function("regions", &Guarded<&MeshHandle::regions>::call)
       .function("cut", &Guarded<&MeshHandle::cut>::call)
       .function("curve", &Guarded<&makeCurve>::call)

@@ -8,7 +8,7 @@ import {
   type Result,
 } from './command.js';
 import { UsageError } from './errors.js';
-import { sampleRecords, triples } from './output.js';
+import { linesResult, sampleRecords, triples } from './output.js';
 
 const arcOptions = (byDefault: string): readonly Option[] => [
   { name: 'arcs', value: 'N', help: `the number of arcs, 3 to 64; without it ${byDefault}` },
@@ -77,17 +77,7 @@ export const circle: Command = {
     if (type === 'arcs') {
       return resultOf(mesh.circle(center, { radius, ...options, method, ...distance }));
     }
-    const lines = mesh.isolines(center, { radius, type, ...distance });
-    const polylines = lines.map((line) => line.polyline({ bits: 64 }));
-    return {
-      json: {
-        lines: lines.map(({ closed, length }, i) => ({
-          ...{ closed, length },
-          polyline: triples(polylines[i]!),
-        })),
-      },
-      polylines,
-    };
+    return linesResult(mesh.isolines(center, { radius, type, ...distance }));
   },
 };
 

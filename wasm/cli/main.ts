@@ -14,9 +14,10 @@ import { edit } from './edit.js';
 import { UsageError } from './errors.js';
 import { commandHelp, generalHelp } from './help.js';
 import { info } from './info.js';
-import { mean } from './mean.js';
 import { isolines } from './isolines.js';
 import { exp, log, mirror, straightest, transport } from './maps.js';
+import { mean } from './mean.js';
+import { offset } from './offset.js';
 import { jsonLine, type Pieces, polylinesAsObj, print } from './output.js';
 import { path } from './path.js';
 import { regions } from './regions.js';
@@ -42,6 +43,7 @@ const commands: readonly Command[] = [
   edit,
   circle,
   ellipse,
+  offset,
   regions,
   cut,
   bench,

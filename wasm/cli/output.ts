@@ -1,6 +1,7 @@
 import type { Writable } from 'node:stream';
 import type { Path } from '../path.js';
 import type { CurvePoints, CurveSamples, Status } from '../types.js';
+import type { Result } from './command.js';
 import { UsageError } from './errors.js';
 
 /** x, y, z, … as [x, y, z], …, one after the other. */
@@ -15,6 +16,20 @@ export function pathRecord(path: Path) {
     polyline: triples(path.polyline({ bits: 64 })),
     points: path.points(),
     lengths: Array.from(path.lengths()),
+  };
+}
+
+/** Lines of points at one distance. */
+export function linesResult(lines: readonly Path[]): Result {
+  const polylines = lines.map((line) => line.polyline({ bits: 64 }));
+  return {
+    json: {
+      lines: lines.map(({ closed, length }, i) => ({
+        ...{ closed, length },
+        polyline: triples(polylines[i]!),
+      })),
+    },
+    polylines,
   };
 }
 

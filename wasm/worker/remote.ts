@@ -143,6 +143,7 @@ const meshMethods = namesOf<Record<MeshMethod, true>>({
   circle: true,
   ellipse: true,
   isolines: true,
+  offset: true,
   regions: true,
   cut: true,
   distance: true,

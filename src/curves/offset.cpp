@@ -1,0 +1,443 @@
+#include "curves/offset.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "distance/path_distance.h"
+#include "mesh/error.h"
+
+namespace karcher {
+namespace {
+
+/// Sides of pieces of faces are at most this part of the distance: the arc over such a chord is
+/// 8.7e-4 of its radius high.
+constexpr double kLongestSide = 1.0 / 12;
+
+/// And this part of it where more than one point of the isoline lies on a side, as in the tip of a
+/// gap: what is cut off there by a chord is off by half of it.
+constexpr double kShortestSide = kLongestSide / 128;
+
+/// Steps of a search for the extremum on a side: each leaves 0.62 of the interval.
+constexpr int kExtremumSteps = 14;
+
+/// The field reaches a little farther than the line, so that chords beyond it are measured too.
+constexpr double kBeyond = 1.1;
+
+/// Halvings of an interval: to the rounding of doubles.
+constexpr int kHalvings = 52;
+
+/// How often a chord is halved until it keeps to the distance.
+constexpr int kMostChordHalvings = 14;
+
+/// A corner of a piece of a face. Weights are multiples of powers of two, without rounding, so they
+/// are equal wherever the corner is met.
+struct PieceCorner {
+  Vec3 bary;
+  Vec2 place;
+  double distance;
+};
+
+struct Piece {
+  PieceCorner corners[3];
+
+  const PieceCorner& operator[](int k) const { return corners[k]; }
+};
+
+/// A point where the isoline crosses a side of a piece: which side, seen from everywhere the same.
+using CrossingKey = std::array<double, 5>;
+
+struct LinePoint {
+  SurfacePoint point;
+  PathSide side = PathSide::kEnd;
+};
+
+/// The isoline in a piece, from crossing to crossing, what is nearer on the left.
+struct Strand {
+  int from = 0;
+  int to = 0;
+  Array<LinePoint> inner;
+};
+
+class OffsetTracer {
+ public:
+  OffsetTracer(const Geometry& geometry, const PathDistance& field, double distance)
+      : geometry_(geometry), mesh_(*geometry.mesh), field_(field), distance_(distance) {}
+
+  void trace() {
+    for (const int face : field_.faces()) {
+      Piece piece;
+      for (int k = 0; k < 3; ++k) {
+        piece.corners[k].bary = Vec3::Unit(k);
+        piece.corners[k].place = cornerInFace(geometry_, face, k);
+        piece.corners[k].distance = field_.atVertex(mesh_.corner(face, k));
+      }
+      visit(face, piece);
+    }
+  }
+
+  /// The strands put together; a last point is the first where a line is closed.
+  Array<Array<LinePoint>> lines() const {
+    Array<int> strandFrom(crossings_.size(), -1);
+    Array<uint8_t> isEntered(crossings_.size(), 0);
+    for (int i = 0; i < strands_.count(); ++i) {
+      strandFrom[strands_[i].from] = i;
+      isEntered[strands_[i].to] = 1;
+    }
+    Array<uint8_t> used(strands_.size(), 0);
+    Array<Array<LinePoint>> lines;
+    const auto follow = [&](int start) {
+      Array<LinePoint> line{crossings_[strands_[start].from]};
+      for (int i = start; i >= 0 && used[i] == 0; i = strandFrom[strands_[i].to]) {
+        used[i] = 1;
+        for (const LinePoint& point : strands_[i].inner) line.push_back(point);
+        line.push_back(crossings_[strands_[i].to]);
+      }
+      lines.push_back(std::move(line));
+    };
+    for (int i = 0; i < strands_.count(); ++i) {
+      if (used[i] == 0 && isEntered[strands_[i].from] == 0) follow(i);
+    }
+    for (int i = 0; i < strands_.count(); ++i) {
+      if (used[i] == 0) follow(i);
+    }
+    return lines;
+  }
+
+  /// Where the side changes between neighbours of a line.
+  LinePoint changeBetween(const LinePoint& a, const LinePoint& b) const {
+    LinePoint near = a;
+    LinePoint far = b;
+    for (int i = 0; i < kHalvings; ++i) {
+      const SurfacePoint middle = pointBetween(mesh_, near.point, far.point, 0.5);
+      const PathSide side = field_.at(middle).side;
+      (side == a.side ? near : far) = {middle, side};
+    }
+    return near;
+  }
+
+ private:
+  bool isNearer(double distance) const { return distance < distance_; }
+
+  void visit(int face, const Piece& corners) {
+    if (++pieces_ > kMostOffsetPieces) {
+      throw Error(ErrorCode::kBadArgument,
+                  "the distance is so small beside the faces that it takes more than 20,000,000 "
+                  "pieces of faces");
+    }
+    const Vec2 middle = (corners[0].place + corners[1].place + corners[2].place) / 3;
+    double radius = 0;
+    int longest = 0;
+    double lengths[3];
+    for (int k = 0; k < 3; ++k) {
+      radius = std::max(radius, (corners[k].place - middle).norm());
+      lengths[k] = (corners[(k + 1) % 3].place - corners[k].place).norm();
+      if (lengths[k] > lengths[longest]) longest = k;
+    }
+    // Beyond the limit of the field distances are at least that.
+    const double atMiddle = std::min(field_.at(face, middle).value, kBeyond * distance_);
+    if (std::abs(atMiddle - distance_) > radius * (1 + 1e-9)) return;
+    int halved = lengths[longest] > kLongestSide * distance_ ? longest : -1;
+    if (halved < 0) {
+      for (int k = 0; k < 3; ++k) {
+        if (halved >= 0 && lengths[k] <= lengths[halved]) continue;
+        if (hidesCrossings(face, corners[k], corners[(k + 1) % 3], lengths[k])) halved = k;
+      }
+    }
+    if (halved < 0) {
+      traceIn(face, corners);
+      return;
+    }
+    const PieceCorner& a = corners[halved];
+    const PieceCorner& b = corners[(halved + 1) % 3];
+    const PieceCorner& c = corners[(halved + 2) % 3];
+    const PieceCorner half = cornerAt(face, (a.bary + b.bary) / 2);
+    visit(face, {{a, half, c}});
+    visit(face, {{half, b, c}});
+  }
+
+  PieceCorner cornerAt(int face, const Vec3& bary) const {
+    return {bary, pointInFace(geometry_, {face, bary}), distanceAt(face, bary)};
+  }
+
+  /// On edges it is asked in both faces in one order, so that both know the same.
+  double distanceAt(int face, const Vec3& bary) const {
+    for (int k = 0; k < 3; ++k) {
+      if (bary[k] == 0) return atEdge(edgeOf(face, k), alongEdge(face, k, bary)).value;
+    }
+    return field_.at(face, pointInFace(geometry_, {face, bary})).value;
+  }
+
+  /// Of the edge opposite to a corner the half-edge that both faces know.
+  int edgeOf(int face, int corner) const {
+    const int h = next(3 * face + corner);
+    return mesh_.twin[h] < 0 ? h : std::min(h, mesh_.twin[h]);
+  }
+
+  double alongEdge(int face, int corner, const Vec3& bary) const {
+    const int h = next(3 * face + corner);
+    return edgeOf(face, corner) == h ? bary[cornerOf(next(h))] : bary[cornerOf(h)];
+  }
+
+  PathDistance::Distance atEdge(int h, double t) const {
+    const SurfacePoint point = edgePoint(h, t);
+    PathDistance::Distance here = field_.at(point.face, pointInFace(geometry_, point));
+    if (mesh_.twin[h] < 0) return here;
+    const SurfacePoint other = edgePoint(mesh_.twin[h], 1 - t);
+    const PathDistance::Distance there = field_.at(other.face, pointInFace(geometry_, other));
+    return there.value < here.value ? there : here;
+  }
+
+  /// A side of a piece, seen from both pieces the same: from the parameter `from` to `to` of an
+  /// edge of the mesh, or from 0 to 1 inside a face.
+  struct Side {
+    int halfedge = -1;
+    int face = -1;
+    double from = 0;
+    double to = 1;
+    double atFrom = 0;
+    double atTo = 0;
+    Vec2 start = Vec2::Zero();
+    Vec2 way = Vec2::Zero();
+    CrossingKey key{};
+  };
+
+  Side sideBetween(int face, const PieceCorner& a, const PieceCorner& b) const {
+    Side side;
+    side.face = face;
+    const auto inOrder = [&](bool isSo) { return isSo ? std::pair(&a, &b) : std::pair(&b, &a); };
+    for (int k = 0; k < 3; ++k) {
+      if (a.bary[k] != 0 || b.bary[k] != 0) continue;
+      side.halfedge = edgeOf(face, k);
+      const auto [first, second] = inOrder(alongEdge(face, k, a.bary) < alongEdge(face, k, b.bary));
+      side.from = alongEdge(face, k, first->bary);
+      side.to = alongEdge(face, k, second->bary);
+      side.atFrom = first->distance;
+      side.atTo = second->distance;
+      side.key = {-1.0 - side.halfedge, side.from, side.to, 0, 0};
+      return side;
+    }
+    const auto [first, second] =
+        inOrder(std::pair(a.bary[1], a.bary[2]) < std::pair(b.bary[1], b.bary[2]));
+    side.atFrom = first->distance;
+    side.atTo = second->distance;
+    side.start = first->place;
+    side.way = second->place - first->place;
+    side.key = {double(face), first->bary[1], first->bary[2], second->bary[1], second->bary[2]};
+    return side;
+  }
+
+  double valueOn(const Side& side, double t) const {
+    if (side.halfedge >= 0) return atEdge(side.halfedge, t).value;
+    return field_.at(side.face, side.start + t * side.way).value;
+  }
+
+  /// Whether the isoline crosses a side between two corners that are both nearer, or neither, and
+  /// the side is not short.
+  bool hidesCrossings(int face, const PieceCorner& a, const PieceCorner& b, double length) const {
+    const bool nearer = isNearer(a.distance);
+    if (nearer != isNearer(b.distance) || length <= kShortestSide * distance_) return false;
+    // Distances change by no more than the way.
+    const double known = std::min(a.distance, kBeyond * distance_) +
+                         std::min(b.distance, kBeyond * distance_) - 2 * distance_;
+    if (std::abs(known) > length) return false;
+    const Side side = sideBetween(face, a, b);
+    constexpr double kGolden = 0.6180339887498949;
+    double low = side.from;
+    double high = side.to;
+    double left = high - kGolden * (high - low);
+    double right = low + kGolden * (high - low);
+    double atLeft = valueOn(side, left);
+    double atRight = valueOn(side, right);
+    for (int i = 0; i < kExtremumSteps; ++i) {
+      if (isNearer(atLeft) != nearer || isNearer(atRight) != nearer) return true;
+      if (nearer ? atLeft > atRight : atLeft < atRight) {
+        high = std::exchange(right, left);
+        left = high - kGolden * (high - low);
+        atRight = std::exchange(atLeft, valueOn(side, left));
+      } else {
+        low = std::exchange(left, right);
+        right = low + kGolden * (high - low);
+        atLeft = std::exchange(atRight, valueOn(side, right));
+      }
+    }
+    return false;
+  }
+
+  /// The isoline's point between two corners of which one is nearer.
+  int crossing(int face, const PieceCorner& a, const PieceCorner& b) {
+    const Side side = sideBetween(face, a, b);
+    const auto [entry, isNew] = numbers_.try_emplace(side.key, crossings_.count());
+    if (!isNew) return entry->second;
+    const double t =
+        cut(side.from, side.to, side.atFrom, side.atTo, [&](double s) { return valueOn(side, s); });
+    crossings_.push_back(
+        side.halfedge < 0 ? pointAt(face, side.start + t * side.way)
+                          : LinePoint{edgePoint(side.halfedge, t), atEdge(side.halfedge, t).side});
+    return crossings_.count() - 1;
+  }
+
+  /// Where values pass the distance between two numbers: by the chord, of whose ends the one that
+  /// stays counts half each time (the Illinois method), and by halves where a value is not known.
+  double cut(double from, double to, double atFrom, double atTo,
+             const std::function<double(double)>& value) const {
+    double low = atFrom - distance_;
+    double high = atTo - distance_;
+    const double rounding = 1e-15 * (std::abs(from) + std::abs(to));
+    for (int i = 0; i < kHalvings && std::abs(to - from) > rounding; ++i) {
+      const bool isKnown = std::abs(low) < kInfinity && std::abs(high) < kInfinity && i < 40;
+      double middle = isKnown ? from - low * (to - from) / (high - low) : (from + to) / 2;
+      if (!(std::min(from, to) < middle && middle < std::max(from, to))) middle = (from + to) / 2;
+      const double there = value(middle) - distance_;
+      if (std::abs(there) <= 1e-14 * distance_) return middle;
+      if ((there < 0) == (low < 0)) {
+        from = middle;
+        low = there;
+        high /= 2;
+      } else {
+        to = middle;
+        high = there;
+        low /= 2;
+      }
+    }
+    return (from + to) / 2;
+  }
+
+  LinePoint pointAt(int face, const Vec2& place) const {
+    return {clampedPoint(face, barycentric(geometry_, face, place)), field_.at(face, place).side};
+  }
+
+  void traceIn(int face, const Piece& corners) {
+    int enter = -1;
+    int leave = -1;
+    for (int k = 0; k < 3; ++k) {
+      const bool here = isNearer(corners[k].distance);
+      if (here == isNearer(corners[(k + 1) % 3].distance)) continue;
+      // What is nearer lies on the left: counterclockwise the line leaves where it begins.
+      (here ? leave : enter) = k;
+    }
+    if (enter < 0) return;
+    const auto on = [&](int k) { return crossing(face, corners[k], corners[(k + 1) % 3]); };
+    Strand strand;
+    strand.from = on(leave);
+    strand.to = on(enter);
+    const auto placeOf = [&](int number) {
+      return pointInFace(geometry_, inFace(mesh_, crossings_[number].point, face));
+    };
+    refine(face, placeOf(strand.from), placeOf(strand.to), kMostChordHalvings, strand.inner);
+    strands_.push_back(std::move(strand));
+  }
+
+  /// The points between two that a chord needs to keep to the distance.
+  void refine(int face, const Vec2& from, const Vec2& to, int halvings, Array<LinePoint>& inner) {
+    const Vec2 middle = (from + to) / 2;
+    const double atMiddle = field_.at(face, middle).value;
+    if (halvings == 0 || std::abs(atMiddle - distance_) <= kOffsetTolerance * distance_) return;
+    const Vec2 chord = to - from;
+    // Out of what is nearer to the right, into it to the left.
+    const double sign = isNearer(atMiddle) ? 1 : -1;
+    const Vec2 aside = sign * Vec2(chord.y(), -chord.x());
+    double reach = 1;
+    const Vec3 here = barycentric(geometry_, face, middle);
+    const Vec3 there = barycentric(geometry_, face, middle + aside);
+    for (int k = 0; k < 3; ++k) {
+      if (there[k] < 0) reach = std::min(reach, here[k] / (here[k] - there[k]));
+    }
+    const auto value = [&](double s) { return field_.at(face, middle + s * aside).value; };
+    const double atReach = value(reach);
+    if (!(std::abs(atReach - distance_) < std::abs(atMiddle - distance_)) &&
+        isNearer(atReach) == isNearer(atMiddle)) {
+      return;
+    }
+    // Where all of the way is on one side its end is the best: the line may run along an edge.
+    const bool passes = isNearer(atReach) != isNearer(atMiddle);
+    const double part = passes ? cut(0, reach, atMiddle, atReach, value) : reach;
+    const Vec2 place = middle + part * aside;
+    refine(face, from, place, halvings - 1, inner);
+    inner.push_back(pointAt(face, place));
+    refine(face, place, to, halvings - 1, inner);
+  }
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  const PathDistance& field_;
+  double distance_;
+  int64_t pieces_ = 0;
+  std::map<CrossingKey, int> numbers_;
+  Array<LinePoint> crossings_;
+  Array<Strand> strands_;
+};
+
+Isoline isolineOf(const TriangleMesh& mesh, Array<SurfacePoint> points, bool closed) {
+  SurfacePath path = pathThrough(mesh, std::move(points));
+  const double length = path.length();
+  return {std::move(path.points), closed, length};
+}
+
+Array<SurfacePoint> pointsOf(const Array<LinePoint>& line) {
+  Array<SurfacePoint> points;
+  for (const LinePoint& point : line) points.push_back(point.point);
+  return points;
+}
+
+/// Appends the parts of a line that come from one side.
+void appendSide(const TriangleMesh& mesh, const OffsetTracer& tracer, Array<LinePoint> line,
+                bool closed, PathSide side, Array<Isoline>& lines) {
+  const auto isOfSide = [&](const LinePoint& point) { return point.side == side; };
+  const auto other = std::find_if_not(line.begin(), line.end(), isOfSide);
+  if (other == line.end()) {
+    lines.push_back(isolineOf(mesh, pointsOf(line), closed));
+    return;
+  }
+  // A closed line that is divided begins at a point of the other side.
+  if (closed) {
+    line.pop_back();
+    std::rotate(line.begin(), other, line.end());
+    line.push_back(line.front());
+  }
+  Array<SurfacePoint> part;
+  for (int i = 0; i < line.count(); ++i) {
+    const bool isHere = isOfSide(line[i]);
+    const bool wasHere = i > 0 && isOfSide(line[i - 1]);
+    if (isHere && i > 0 && !wasHere) {
+      part.push_back(tracer.changeBetween(line[i], line[i - 1]).point);
+    }
+    if (isHere) part.push_back(line[i].point);
+    if (wasHere && !isHere) part.push_back(tracer.changeBetween(line[i - 1], line[i]).point);
+    if (!part.empty() && (!isHere || i + 1 == line.count())) {
+      if (part.count() > 1) lines.push_back(isolineOf(mesh, std::move(part), false));
+      part = {};
+    }
+  }
+}
+
+}  // namespace
+
+Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
+                           double distance, OffsetSide side) {
+  if (!(distance > 0) || !std::isfinite(distance)) {
+    throw Error(ErrorCode::kBadArgument, "the distance of an offset must be a positive number");
+  }
+  const PathDistance field(geometry, paths, kBeyond * distance);
+  OffsetTracer tracer(geometry, field, distance);
+  tracer.trace();
+  const TriangleMesh& mesh = *geometry.mesh;
+  Array<Isoline> lines;
+  for (Array<LinePoint>& line : tracer.lines()) {
+    const bool closed = samePlace(mesh, line.front().point, line.back().point);
+    if (side == OffsetSide::kBoth) {
+      lines.push_back(isolineOf(mesh, pointsOf(line), closed));
+    } else if (side == OffsetSide::kRight) {
+      appendSide(mesh, tracer, std::move(line), closed, PathSide::kRight, lines);
+    } else {
+      std::reverse(line.begin(), line.end());
+      appendSide(mesh, tracer, std::move(line), closed, PathSide::kLeft, lines);
+    }
+  }
+  return lines;
+}
+
+}  // namespace karcher

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <queue>
+#include <span>
+
+#include "distance/window.h"
+#include "intrinsic/geometry.h"
+#include "intrinsic/surface_path.h"
+
+/// Exact geodesic distances from paths, up to a limit.
+///
+/// A shortest way to a path leaves it at a right angle, or at a point where the path turns or ends,
+/// into the wedge between the right angles there. So each straight piece of a path sends out a
+/// front to both of its sides, and each turn a fan. Both are carried from face to face as windows
+/// (D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal curves
+/// on triangle meshes", 2007); windows that vertices beat are cut down or dropped, and vertices
+/// with more angle than on a plane send out fans behind them, as in exact_distance.h. Every face
+/// keeps what is seen of the paths in it, so that the distance of any point is known.
+namespace karcher {
+
+/// From which side of a path a shortest way comes; kEnd round an end of it.
+enum class PathSide : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
+
+class PathDistance {
+ public:
+  /// The distances of all points that are at most `limit` away. The geometry must outlive it.
+  /// Throws Error kBadArgument where a path has no length or consecutive points have no face in
+  /// common, or where it takes more than kMostWindowsPerFace windows a face.
+  PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths, double limit);
+  static constexpr int kMostWindowsPerFace = 10'000;
+
+  struct Distance {
+    double value = kInfinity;
+    PathSide side = PathSide::kEnd;
+  };
+
+  /// Of a place in the frame of a face.
+  Distance at(int face, const Vec2& place) const;
+  /// Of a point, in all faces that hold it.
+  Distance at(const SurfacePoint& point) const;
+  double atVertex(int vertex) const { return arrivals_[vertex].distance; }
+
+  /// The faces that ways to the paths come to, in order.
+  const Array<int>& faces() const { return faces_; }
+
+ private:
+  /// What a face sees of the paths: a straight piece in it, a front, or the middle of a fan.
+  struct Image {
+    enum Kind : int8_t { kPiece, kFront, kFan };
+    int face = -1;
+    Kind kind = kFan;
+    PathSide side = PathSide::kEnd;
+    double offset = 0;
+    double least = 0;            ///< no way through it is shorter
+    Vec2 source = Vec2::Zero();  ///< kPiece: its begin; kFront: its direction, of length 1
+    Vec2 end = Vec2::Zero();     ///< kPiece
+    Vec2 right = Vec2::Zero();   ///< kFront: a point on its right border; kFan: a unit vector
+    Vec2 left = Vec2::Zero();
+  };
+
+  /// A window that waits to be carried across the face of a half-edge. Of a front `sourceX` and
+  /// `depth` are its direction, and `offset` is the distance at the tail of the half-edge.
+  struct Waiting {
+    double key = 0;
+    int number = 0;
+    int halfedge = -1;  ///< -1: the vertex `vertex` sends out its fan
+    int vertex = -1;
+    bool isFront = false;
+    PathSide side = PathSide::kEnd;
+    Window window;
+
+    bool operator<(const Waiting& other) const {
+      return key != other.key ? key > other.key : number > other.number;
+    }
+  };
+
+  struct VertexArrival {
+    double distance = kInfinity;
+    double back = 0;  ///< unscaled direction in which the way leaves the vertex
+    PathSide side = PathSide::kEnd;
+    bool isOnPath = false;
+  };
+
+  /// A part of a fan round a point: the angles in a face, and the angle in the face's frame where
+  /// it begins.
+  struct Corner {
+    int face;
+    double begin;
+    double end;
+    double inFrame;
+    Vec2 middle;  ///< in the face's frame
+  };
+  struct Fan {
+    Array<Corner> corners;
+    double total = 0;
+    bool isRound = true;
+  };
+
+  void leavePath(const SurfacePath& path, int number);
+  void leavePiece(int face, const Vec2& from, const Vec2& to);
+  void leaveFront(int face, const Vec2& from, const Vec2& to, PathSide side);
+  void leaveTurn(const SurfacePoint& point, const SurfacePoint* before, const SurfacePoint* after);
+  Fan fanOf(const SurfacePoint& point) const;
+  double directionIn(const Fan& fan, const SurfacePoint& point, const SurfacePoint& towards) const;
+  void leaveFan(const Fan& fan, double from, double to, double offset, PathSide side);
+  void leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
+                   PathSide side);
+  void leaveVertex(int vertex);
+  void arrive(int vertex, double distance, double back, PathSide side);
+  void addWindow(int h, const Window& window, bool isFront, PathSide side);
+  void carryAcross(const Waiting& waiting);
+  void run();
+  void sortImages();
+
+  const Geometry& geometry_;
+  const TriangleMesh& mesh_;
+  double limit_;
+  Array<VertexArrival> arrivals_;
+  std::priority_queue<Waiting> queue_;
+  int count_ = 0;
+  Array<Image> images_;
+  Array<int> faces_;
+  Array<int> firstOfFace_;  ///< per entry of `faces_`, and one more
+};
+
+}  // namespace karcher

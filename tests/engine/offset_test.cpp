@@ -1,0 +1,269 @@
+#include "curves/offset.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "distance/exact_distance.h"
+#include "distance/path_distance.h"
+#include "generators/gallery.h"
+#include "generators/random.h"
+#include "generators/random_points.h"
+#include "generators/rough.h"
+#include "generators/sphere.h"
+#include "generators/torus.h"
+#include "intrinsic/strip_path.h"
+#include "mesh/error.h"
+#include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
+#include "region_drawings.h"
+#include "support.h"
+
+/// Distances from paths, and their isolines.
+namespace karcher {
+namespace {
+
+double fromSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const double part = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (p - a - part * (b - a)).norm();
+}
+
+double fromPath(const TriangleMesh& mesh, const SurfacePath& path, const Vec3& p) {
+  double least = kInfinity;
+  for (int i = 1; i < path.points.count(); ++i) {
+    least = std::min(
+        least, fromSegment(p, position(mesh, path.points[i - 1]), position(mesh, path.points[i])));
+  }
+  return least;
+}
+
+double lengthOf(const Array<Isoline>& lines) {
+  double length = 0;
+  for (const Isoline& line : lines) length += line.length;
+  return length;
+}
+
+/// Lines whose points share faces one by one and lie, with the middles of their chords, at the
+/// distance.
+void expectAtDistance(const Geometry& geometry, const Array<Isoline>& lines,
+                      const std::function<double(const SurfacePoint&)>& distance, double expected,
+                      double tolerance) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  double worst = 0;
+  for (const Isoline& line : lines) {
+    for (int i = 0; i < line.points.count(); ++i) {
+      worst = std::max(worst, std::abs(distance(line.points[i]) - expected));
+      if (i == 0) continue;
+      ASSERT_TRUE(haveCommonFace(mesh, line.points[i - 1], line.points[i]));
+      const SurfacePoint middle = pointBetween(mesh, line.points[i - 1], line.points[i], 0.5);
+      worst = std::max(worst, std::abs(distance(middle) - expected));
+    }
+    EXPECT_EQ(line.closed, samePlace(mesh, line.points.front(), line.points.back()));
+    if (line.closed) continue;
+    for (const SurfacePoint& end : {line.points.front(), line.points.back()}) {
+      const PointLocation at = locate(mesh, end);
+      EXPECT_EQ(at.simplex, Simplex::kEdge);
+      EXPECT_LT(mesh.twin[at.halfedge], 0);
+    }
+  }
+  EXPECT_LT(worst, tolerance * expected);
+}
+
+TEST(PathDistance, OnThePlaneItIsTheStraightOne) {
+  const Sheet sheet(planeGrid(12, 10));
+  Random random(5);
+  for (int run = 0; run < 20; ++run) {
+    Array<Vec2> corners;
+    for (int i = 0; i < 5; ++i) corners.emplace_back(random.uniform(1, 11), random.uniform(1, 9));
+    // Through vertices and along edges, too.
+    if (run % 2 == 0) {
+      for (Vec2& corner : corners) corner = corner.array().round();
+    }
+    for (int i = 1; i < corners.count(); ++i) {
+      if (corners[i] == corners[i - 1]) corners[i].x() += corners[i].x() < 6 ? 1 : -1;
+    }
+    const SurfacePath path = polygonOn(sheet.geometry, corners, run % 3 == 0);
+    const PathDistance field(sheet.geometry, {&path, 1}, kInfinity);
+    for (int i = 0; i < 200; ++i) {
+      const SurfacePoint point = randomPlace(sheet.mesh, random);
+      const double expected = fromPath(sheet.mesh, path, position(sheet.mesh, point));
+      EXPECT_NEAR(field.at(point).value, expected, 1e-12) << "run " << run;
+    }
+  }
+}
+
+TEST(PathDistance, OnMeshesItIsTheLeastOfThatOfItsPoints) {
+  Random random(11);
+  for (const char* name : {"rough sheet", "very rough sheet", "sphere, random", "torus",
+                           "crumpled sheet, 6 folds", "plate with 50 holes"}) {
+    const Sheet surface(galleryMesh(name));
+    const TriangleMesh& mesh = surface.mesh;
+    Array<SurfacePoint> points;
+    for (int i = 0; i < 3; ++i) points.push_back(randomPlace(mesh, random));
+    const SurfacePath path = chain(surface.geometry, points, false);
+    const PathDistance field(surface.geometry, {&path, 1}, kInfinity);
+    ExactDistance exact(surface.geometry);
+    Array<double> least(mesh.positions.size(), kInfinity);
+    const double step = path.length() / 150;
+    Array<double> samples = path.lengths;
+    for (int i = 1; i < 150; ++i) samples.push_back(i * step);
+    for (const double length : samples) {
+      exact.setSource(pointAlong(mesh, path, length));
+      exact.grow(kInfinity);
+      for (int v = 0; v < mesh.vertexCount(); ++v) {
+        least[v] = std::min(least[v], exact.distance(v));
+      }
+    }
+    // A sample lies within half a step of the nearest point, at a right angle to the way. Beside a
+    // vertex that ways turn round it counts how far that is.
+    const bool isConvex = std::string(name) == "sphere, random";
+    double nearest = 0;
+    double worst = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const double d = field.atVertex(v);
+      nearest = std::max(nearest, d - least[v]);
+      const double expected = isConvex ? step * step / (8 * d) : step / 20;
+      if (d > (isConvex ? 1 : 5) * step) worst = std::max(worst, (least[v] - d) / expected);
+    }
+    EXPECT_LT(nearest, 1e-9 * surface.geometry.diagonal) << name;
+    EXPECT_LT(worst, 1.5) << name;
+  }
+}
+
+TEST(Offset, OfARectangleOnThePlane) {
+  const Sheet sheet(planeGrid(12, 10));
+  const SurfacePath path =
+      polygonOn(sheet.geometry, {Vec2(3.2, 3.1), Vec2(8.3, 3.1), Vec2(8.3, 7.4), Vec2(3.2, 7.4)});
+  const double around = 2 * (5.1 + 4.3);
+  const auto distance = [&](const SurfacePoint& point) {
+    return fromPath(sheet.mesh, path, position(sheet.mesh, point));
+  };
+  for (const double d : {0.02, 0.4, 1.7}) {
+    const auto left = offsetLines(sheet.geometry, {&path, 1}, d, OffsetSide::kLeft);
+    const auto right = offsetLines(sheet.geometry, {&path, 1}, d, OffsetSide::kRight);
+    const auto both = offsetLines(sheet.geometry, {&path, 1}, d, OffsetSide::kBoth);
+    ASSERT_EQ(left.count(), 1);
+    ASSERT_EQ(right.count(), 1);
+    ASSERT_EQ(both.count(), 2);
+    // Inside its corners stay, outside they are round.
+    EXPECT_NEAR(left[0].length, around - 8 * d, 4e-3 * d);
+    EXPECT_NEAR(right[0].length, around + 2 * kPi * d, 4e-3 * d);
+    EXPECT_NEAR(lengthOf(both), left[0].length + right[0].length, 1e-9);
+    expectAtDistance(sheet.geometry, both, distance, d, 1e-3);
+  }
+  // There is nothing farther inside.
+  EXPECT_EQ(offsetLines(sheet.geometry, {&path, 1}, 2.2, OffsetSide::kLeft).count(), 0);
+}
+
+TEST(Offset, OfAnOpenPathGoesRoundItsEnds) {
+  const Sheet sheet(planeGrid(12, 10));
+  const SurfacePath path = polygonOn(sheet.geometry, {Vec2(3, 5), Vec2(8.2, 5)}, false);
+  const double d = 0.7;
+  const auto both = offsetLines(sheet.geometry, {&path, 1}, d, OffsetSide::kBoth);
+  ASSERT_EQ(both.count(), 1);
+  EXPECT_NEAR(both[0].length, 2 * 5.2 + 2 * kPi * d, 1e-3 * 2 * kPi * d);
+  for (const OffsetSide side : {OffsetSide::kLeft, OffsetSide::kRight}) {
+    const auto lines = offsetLines(sheet.geometry, {&path, 1}, d, side);
+    ASSERT_EQ(lines.count(), 1);
+    EXPECT_FALSE(lines[0].closed);
+    EXPECT_NEAR(lines[0].length, 5.2, 1e-6);
+    // As the path runs, and on its side.
+    const Vec3 first = position(sheet.mesh, lines[0].points.front());
+    const double y = side == OffsetSide::kLeft ? 5 + d : 5 - d;
+    EXPECT_LT((first - Vec3(3, y, 0)).norm(), 1e-6);
+  }
+}
+
+TEST(Offset, OfAPathFromRimToRimEndsThereToo) {
+  const Sheet sheet(planeGrid(12, 10));
+  // Slanted: on one side the ways to the rim come round its ends.
+  const SurfacePath path = polygonOn(sheet.geometry, {Vec2(4, 0), Vec2(6.5, 10)}, false);
+  for (const OffsetSide side : {OffsetSide::kLeft, OffsetSide::kRight}) {
+    const auto lines = offsetLines(sheet.geometry, {&path, 1}, 1.3, side);
+    ASSERT_EQ(lines.count(), 1);
+    expectAtDistance(
+        sheet.geometry, lines,
+        [&](const SurfacePoint& point) {
+          return fromPath(sheet.mesh, path, position(sheet.mesh, point));
+        },
+        1.3, 1e-3);
+  }
+}
+
+TEST(Offset, OnTheSphereAndTheTorusItIsTheCircleBeside) {
+  double last = 0;
+  for (const int triangles : {2000, 32'000}) {
+    const Sheet sphere(meshOf(relaxedSphere(triangles, 3)));
+    Array<SurfacePoint> points;
+    for (int i = 0; i < 768; ++i) {
+      const double angle = 2 * kPi * i / 768;
+      const Vec3 place(std::cos(0.5) * std::cos(angle), std::cos(0.5) * std::sin(angle),
+                       std::sin(0.5));
+      points.push_back(nearestPoint(sphere.mesh, place));
+    }
+    const SurfacePath path = chain(sphere.geometry, points, true);
+    const auto up = offsetLines(sphere.geometry, {&path, 1}, 0.3, OffsetSide::kLeft);
+    ASSERT_EQ(up.count(), 1);
+    const double error = std::abs(up[0].length - 2 * kPi * std::cos(0.8));
+    if (last > 0) {
+      // Sixteen times as many triangles have edges a fourth as long.
+      EXPECT_LT(error, last / 8);
+    }
+    last = error;
+  }
+  EXPECT_LT(last, 2e-3);
+
+  const Sheet torus(meshOf(irregularTorus(32'000, 1, 3)));
+  Array<SurfacePoint> points;
+  for (int i = 0; i < 768; ++i) {
+    const double angle = 2 * kPi * i / 768;
+    points.push_back(nearestPoint(
+        torus.mesh, (kTorusMajor + kTorusMinor) * Vec3(std::cos(angle), std::sin(angle), 0)));
+  }
+  // Beside the outermost circle others of the angle d / minor on both sides.
+  const SurfacePath path = chain(torus.geometry, points, true);
+  const double d = 0.8 * kTorusMinor;
+  const auto both = offsetLines(torus.geometry, {&path, 1}, d, OffsetSide::kBoth);
+  ASSERT_EQ(both.count(), 2);
+  const double expected = 4 * kPi * (kTorusMajor + kTorusMinor * std::cos(0.8));
+  EXPECT_NEAR(lengthOf(both), expected, 1e-3 * expected);
+}
+
+TEST(Offset, KeepsItsDistanceOnRoughSurfaces) {
+  Random random(23);
+  for (const char* name : {"rough sheet", "very rough sheet", "torus, stretched 8:1", "knot",
+                           "crumpled sheet, 20 folds", "sphere, random"}) {
+    const Sheet surface(galleryMesh(name));
+    Array<SurfacePoint> points;
+    for (int i = 0; i < 4; ++i) points.push_back(randomPlace(surface.mesh, random));
+    const SurfacePath path = chain(surface.geometry, points, true);
+    for (const double part : {0.5, 3.0, 8.0}) {
+      const double d = part * surface.geometry.meanEdge;
+      const auto lines = offsetLines(surface.geometry, {&path, 1}, d, OffsetSide::kBoth);
+      EXPECT_GT(lines.count(), 0) << name;
+      const PathDistance field(surface.geometry, {&path, 1}, kInfinity);
+      SCOPED_TRACE(std::string(name) + ", " + std::to_string(part));
+      expectAtDistance(
+          surface.geometry, lines, [&](const SurfacePoint& point) { return field.at(point).value; },
+          d, 1e-3);
+    }
+  }
+}
+
+TEST(Offset, RefusesWhatHasNone) {
+  const Sheet sheet(planeGrid(4, 4));
+  const SurfacePath path = polygonOn(sheet.geometry, {Vec2(1, 1), Vec2(3, 2)}, false);
+  const auto code = [&](const SurfacePath& one, double distance) {
+    return codeOf([&] { offsetLines(sheet.geometry, {&one, 1}, distance, OffsetSide::kBoth); });
+  };
+  for (const double bad : {0.0, -1.0, kInfinity}) {
+    EXPECT_EQ(code(path, bad), ErrorCode::kBadArgument);
+  }
+  EXPECT_EQ(code({{path.points[0]}, {0}}, 1), ErrorCode::kBadArgument);
+  EXPECT_EQ(code({{vertexPoint(sheet.mesh, 0), vertexPoint(sheet.mesh, 24)}, {0, 1}}, 1),
+            ErrorCode::kBadArgument);
+}
+
+}  // namespace
+}  // namespace karcher
