@@ -571,8 +571,8 @@ export class Mesh {
    * planes of the points' faces; 0, 0, 0 for none) are carried along the paths by parallel transport.
    *
    * Without points the vectors are those of all vertices, in the caller's order, at about the cost of one
-   * field of distances: shortest paths by the fast solver, or exact ones where it does not suit the mesh
-   * (`info.fastSolver`), whose directions are interpolated between those of neighbours. Exact on a plane. NaN
+   * field of distances: paths of the solver `fast`, whose directions are interpolated between those of
+   * neighbours. Exact on a plane. NaN
    * at a dropped vertex and where no path leads.
    *
    * Throws `KarcherError` unreachable where no path leads, and badArgument for directions that are

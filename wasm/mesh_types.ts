@@ -98,12 +98,6 @@ export interface MeshInfo {
   meanEdge: number;
   /** Length of the bounding box's diagonal. */
   diagonal: number;
-  /**
-   * The solver that answers where `fast` is asked for: `exact` on a mesh that the fast one does not
-   * suit. Each mesh is tested when it is made, in about 40 ms. It fails with many vertices at sharp
-   * corners of thin triangles, and with stretched tubes or needles.
-   */
-  fastSolver: 'fast' | 'exact';
   repairs: readonly Readonly<Repair>[];
 }
 

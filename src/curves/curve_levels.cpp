@@ -51,8 +51,8 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
 }
 
 /// Whether the shortest paths between the points of a segment and its ends are those to which the
-/// legs are pulled tight, by the fields of level 0. Where a field tells of longer ones it is wrong,
-/// as that of the fast solver may be on a mesh that does not suit it: these are paths.
+/// legs are pulled tight, by the fields of level 0. Where a field tells of longer ones it is wrong:
+/// these are paths.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {

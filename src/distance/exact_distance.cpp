@@ -79,6 +79,12 @@ constexpr double kFarthestSource = 1000;
 /// tolerance.
 constexpr double kSameFront = 0.25;
 
+/// A gap that opens so is at most this part of the edge.
+constexpr double kWidestGap = 0.1;
+
+/// Windows whose sources are so near to each other, as a part of their distance, have the same one.
+constexpr double kSameSource = 1e-10;
+
 /// Joins two windows of which neither lies in the other to one over both, unless distances along
 /// the edge would change by more than `tolerance`. The joint source is as far from the two outer
 /// ends as before; where they meet, the three distances say how strongly the front is bent, and so
@@ -92,6 +98,11 @@ bool join(Window& first, const Window& second, double tolerance) {
   const double width = end - begin;
   const double firstLeg = std::sqrt(squaredLegTo(first, middle));
   const double secondLeg = std::sqrt(squaredLegTo(second, middle));
+  const double apart = std::hypot(first.sourceX - second.sourceX, first.depth - second.depth);
+  if (first.offset == second.offset && apart <= kSameSource * firstLeg) {
+    first.end = end;
+    return true;
+  }
   const double throughFirst = first.offset + firstLeg;
   const double throughSecond = second.offset + secondLeg;
   const double slopes = (middle - first.sourceX) / firstLeg - (middle - second.sourceX) / secondLeg;
@@ -148,12 +159,13 @@ bool spreadsPaths(const Geometry& geometry, int vertex) {
   return false;
 }
 
-ExactDistance::ExactDistance(const Geometry& geometry, double tolerance)
+ExactDistance::ExactDistance(const Geometry& geometry, double tolerance,
+                             const std::shared_ptr<PagePool>& pages)
     : geometry_(geometry),
       mesh_(*geometry.mesh),
       tolerance_(tolerance),
-      vertices_(mesh_.vertexCount()),
-      faces_(mesh_.faceCount()),
+      vertices_(mesh_.vertexCount(), pages),
+      faces_(mesh_.faceCount(), pages),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
       isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
       narrowest_(isWide_ ? kNarrowestWideWindow : kNarrowestWindow),
@@ -341,13 +353,18 @@ void ExactDistance::takeWaiting(int h) {
   }
 }
 
+/// By how much distances may change at half-edge h: a part of the least height of the face.
+double ExactDistance::toleranceOver(int h) const {
+  const int f = faceOf(h);
+  const double longest = std::max({geometry_.edgeLength[3 * f], geometry_.edgeLength[3 * f + 1],
+                                   geometry_.edgeLength[3 * f + 2]});
+  return tolerance_ * doubleArea(geometry_, f) / longest;
+}
+
 /// Joins windows that wait at half-edge h, and leaves out those that lie in others.
 void ExactDistance::mergeBatch(int h) {
   const double length = geometry_.edgeLength[h];
-  const double longest =
-      std::max({length, geometry_.edgeLength[next(h)], geometry_.edgeLength[previous(h)]});
-  const double height = oppositeOverHalfedge(geometry_, h).y() * length / longest;
-  const double most = tolerance_ * height;
+  const double most = toleranceOver(h);
   std::sort(batch_.begin(), batch_.end(), [](const Window& a, const Window& b) {
     return std::tie(a.begin, a.end, a.sourceX, a.depth, a.offset) <
            std::tie(b.begin, b.end, b.sourceX, b.depth, b.offset);
@@ -373,13 +390,17 @@ void ExactDistance::mergeBatch(int h) {
   // The rays at the ends of joint windows are not those of the windows before. What opens between
   // them and an end of the edge is closed where the vertex there is known to lie on the same front.
   const double sameFront = kSameFront * most;
+  const double gap = kWidestGap * length;
   Window& first = batch_[0];
   const double tail = vertices_.touch(mesh_.tail(h)).arrival.distance;
-  if (first.begin > 0 && std::abs(distanceAt(first, 0) - tail) <= sameFront) first.begin = 0;
+  if (first.begin > 0 && first.begin <= gap && std::abs(distanceAt(first, 0) - tail) <= sameFront) {
+    first.begin = 0;
+  }
   Window& farthest = *std::max_element(
       batch_.begin(), batch_.end(), [](const Window& a, const Window& b) { return a.end < b.end; });
   const double head = vertices_.touch(mesh_.head(h)).arrival.distance;
-  if (farthest.end < length && std::abs(distanceAt(farthest, length) - head) <= sameFront) {
+  if (farthest.end < length && length - farthest.end <= gap &&
+      std::abs(distanceAt(farthest, length) - head) <= sameFront) {
     farthest.end = length;
   }
 }
@@ -437,7 +458,8 @@ void ExactDistance::carryAcross(int h) {
 
   // The way to the right is the mirror image of the way to the left. Unit vectors are normalized,
   // since in a needle the apex is known to rounding of the long edges only.
-  const double slack = tolerance_ * apex.y() / 4;
+  // A joint window may be longer than those before it, so a vertex must beat it by more.
+  const double slack = kSameFront * (tolerance_ > 0 ? toleranceOver(h) : 0);
   const int left = previous(h);
   const SideEdge leftSide{mesh_.twin[left], geometry_.edgeLength[left],   apex.normalized(), length,
                           tail + slack,     top.arrival.distance + slack, head + slack};

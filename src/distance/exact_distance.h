@@ -47,9 +47,10 @@ bool spreadsPaths(const Geometry& geometry, int vertex);
 
 class ExactDistance final : public DistanceSolver {
  public:
-  /// The geometry must outlive the solver. Throws Error kBadArgument if the longest edge is more
-  /// than kWidestRange times the shortest.
-  explicit ExactDistance(const Geometry& geometry, double tolerance = 0);
+  /// The geometry must outlive the solver. The pool may be shared. Throws Error kBadArgument if the
+  /// longest edge is more than kWidestRange times the shortest.
+  explicit ExactDistance(const Geometry& geometry, double tolerance = 0,
+                         const std::shared_ptr<PagePool>& pages = newPagePool());
 
   void setSource(const SurfacePoint& source) override;
   const SurfacePoint& source() const { return source_; }
@@ -151,6 +152,7 @@ class ExactDistance final : public DistanceSolver {
   void leaveVertex(int vertex);
   void leaveThroughCorner(int vertex, int h, double from, double to);
   void takeWaiting(int h);
+  double toleranceOver(int h) const;
   void mergeBatch(int h);
   void carryAcross(int h);
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,

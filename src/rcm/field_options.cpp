@@ -3,7 +3,6 @@
 #include <string>
 
 #include "distance/exact_distance.h"
-#include "distance/fast_distance.h"
 #include "distance/graph_distance.h"
 #include "mesh/error.h"
 
@@ -24,24 +23,19 @@ void checkFieldOptions(const FieldOptions& options) {
 void prepareFields(Surface& surface, const FieldOptions& options) {
   if (options.method == Method::kPaper) surface.gradientOperator(options.star);
   if (options.solver == Solver::kGraph) surface.ringGraph(options.rings);
-  if (options.solver == Solver::kFast) solverOn(surface, options.solver);
-}
-
-Solver solverOn(Surface& surface, Solver solver) {
-  return solver == Solver::kFast && !surface.suitsFastSolver() ? Solver::kExact : solver;
 }
 
 std::unique_ptr<DistanceSolver> makeDistanceSolver(Surface& surface, const FieldOptions& options) {
   const Geometry& geometry = surface.geometry();
-  switch (solverOn(surface, options.solver)) {
+  switch (options.solver) {
     case Solver::kExact:
-      return std::make_unique<ExactDistance>(geometry);
+      return std::make_unique<ExactDistance>(geometry, 0, surface.pages());
     case Solver::kGraph:
       return std::make_unique<GraphDistance>(geometry, surface.ringGraph(options.rings));
     case Solver::kFast:
       break;
   }
-  return std::make_unique<FastDistance>(geometry, surface.vertexFans(), surface.pages());
+  return std::make_unique<ExactDistance>(geometry, kFastTolerance, surface.pages());
 }
 
 Estimator estimatorOf(Solver solver) {

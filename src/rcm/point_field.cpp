@@ -71,14 +71,15 @@ FieldValue PointField::nearValue(int vertex) {
 
 void PointField::makeLogField() {
   if (!solver_) {
-    estimator_ = estimatorOf(solverOn(surface_, options_.solver));
+    estimator_ = estimatorOf(options_.solver);
     solver_ = makeDistanceSolver(surface_, options_);
     stencils_ = &surface_.stencils(estimator_);
     logVectors_.emplace(surface_.mesh().vertexCount(), surface_.pages());
   }
   logVectors_->clear();
   ControlField::EvaluateMidpoint midpoint;
-  if (solver_->keepMidpoints()) midpoint = [this](int h) { return estimateMidpoint(h); };
+  if (options_.solver == Solver::kExact && solver_->keepMidpoints())
+    midpoint = [this](int h) { return estimateMidpoint(h); };
   solver_->setSource(point_);
   field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
 }

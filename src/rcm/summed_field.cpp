@@ -64,7 +64,7 @@ ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
                          const Array<double>& weights, const FieldOptions& options) {
   const size_t count = static_cast<size_t>(surface.mesh().vertexCount());
   const bool paper = options.method == Method::kPaper;
-  const Estimator estimator = estimatorOf(solverOn(surface, options.solver));
+  const Estimator estimator = estimatorOf(options.solver);
   if (!paper && !isLinear(estimator)) {
     return sumOfEstimates(surface, points, weights, options);
   }

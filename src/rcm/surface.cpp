@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "distance/fast_trial.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -35,16 +34,6 @@ StencilTable& Surface::stencils(Estimator estimator) {
   const auto found = stencils_.find(estimator);
   if (found != stencils_.end()) return found->second;
   return stencils_.emplace(estimator, StencilTable(geometry_, estimator)).first->second;
-}
-
-const std::shared_ptr<const VertexFans>& Surface::vertexFans() {
-  if (!vertexFans_) vertexFans_ = std::make_shared<const VertexFans>(buildVertexFans(geometry_));
-  return vertexFans_;
-}
-
-bool Surface::suitsFastSolver() {
-  if (!suitsFastSolver_) suitsFastSolver_ = tryFastDistance(geometry_, vertexFans()).isPassed();
-  return *suitsFastSolver_;
 }
 
 void checkOneComponent(Surface& surface, const Array<SurfacePoint>& points) {

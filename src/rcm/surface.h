@@ -2,11 +2,9 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 
 #include "distance/ring_graph.h"
 #include "intrinsic/geometry.h"
-#include "intrinsic/vertex_fans.h"
 #include "rcm/estimators.h"
 #include "rcm/gradient_operator.h"
 
@@ -38,14 +36,8 @@ class Surface {
   /// The stencils of an estimator, made as they are read.
   StencilTable& stencils(Estimator estimator);
 
-  /// The triangles around each vertex laid flat, for the fast solver; shared by all of them.
-  const std::shared_ptr<const VertexFans>& vertexFans();
-
   /// The memory of the fields on the surface.
   const std::shared_ptr<PagePool>& pages() { return pages_; }
-
-  /// Whether the fast solver was found to work on this mesh (fast_trial.h).
-  bool suitsFastSolver();
 
  private:
   TriangleMesh mesh_;
@@ -54,9 +46,7 @@ class Surface {
   std::map<int, RingGraph> ringGraphs_;
   std::map<Star, GradientOperator> gradientOperators_;
   std::map<Estimator, StencilTable> stencils_;
-  std::shared_ptr<const VertexFans> vertexFans_;
   std::shared_ptr<PagePool> pages_ = newPagePool();
-  std::optional<bool> suitsFastSolver_;
 };
 
 /// Throws Error kUnreachable, naming the two points by their places in `points`, if the points do

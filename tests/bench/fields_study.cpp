@@ -6,14 +6,14 @@
 #include "bench_support.h"
 #include "distance/edge_dijkstra.h"
 #include "distance/exact_distance.h"
-#include "distance/fast_distance.h"
 #include "generators/gallery.h"
 #include "mesh/triangle_mesh.h"
+#include "rcm/field_options.h"
 #include "rcm/surface.h"
 
 /// Whole fields: how far distances to all vertices are from exact ones, relative, and what a vertex
-/// takes beside a Dijkstra along edges in the same run. Of virtual sources (fast_distance.h), and
-/// of windows that are merged up to a tolerance (exact_distance.h).
+/// takes beside a Dijkstra along edges in the same run. By the fast solver
+/// (field_options.h).
 ///
 ///   fields_study tubes [COUNT [SEED]]    ring tubes of random proportions
 ///   fields_study [MESH.obj ...]          meshes, or without any the gallery's
@@ -23,7 +23,6 @@ namespace {
 constexpr uint64_t kSeed = 17;
 constexpr int kSources = 4;
 constexpr double kWrong = 0.01;
-constexpr double kTolerance = 0.0075;  ///< of the windows that are merged
 
 struct Row {
   double mean = 0;
@@ -59,21 +58,18 @@ void print(const Row& row) {
               100 * row.shortest, 100 * row.wrong, row.time);
 }
 
-/// Prints a row; returns the worst error of merged windows.
+/// Prints a row; returns the worst error.
 double study(const std::string& name, TriangleMesh given) {
   Surface surface(std::move(given));
   const TriangleMesh& mesh = surface.mesh();
   const int count = mesh.vertexCount();
   Random random(kSeed);
-  Tally raw;
   Tally asked;
   double edges = 0;
   double exactTime = 0;
-  double rawTime = 0;
   double askedTime = 0;
-  FastDistance fast(surface.geometry(), surface.vertexFans());
   ExactDistance exact(surface.geometry());
-  ExactDistance tolerant(surface.geometry(), kTolerance);
+  ExactDistance tolerant(surface.geometry(), kFastTolerance);
   const auto once = [&](DistanceSolver& grown, const SurfacePoint& source) {
     return processorTimed([&] {
       grown.setSource(source);
@@ -85,19 +81,16 @@ double study(const std::string& name, TriangleMesh given) {
     const SurfacePoint source = i % 2 == 0 ? vertexPoint(mesh, vertex) : randomPoint(mesh, random);
     edges += processorTimed([&] { edgeDijkstra(surface.geometry(), vertex); });
     exactTime += once(exact, source);
-    rawTime += once(fast, source);
     askedTime += once(tolerant, source);
     for (int v = 0; v < count; ++v) {
       const double truth = exact.distance(v);
       if (truth == kInfinity || truth < 1e-12 * surface.geometry().diagonal) continue;
-      raw.add(fast.distance(v), truth);
       asked.add(tolerant.distance(v), truth);
     }
   }
   const Row row = asked.result(askedTime / edges);
   std::printf("| %s | %d | %.0f | %.1f |", name.c_str(), mesh.faceCount(),
               1e6 * edges / (kSources * count), exactTime / edges);
-  print(raw.result(rawTime / edges));
   print(row);
   std::printf("\n");
   std::fflush(stdout);
@@ -129,10 +122,9 @@ int main(int argc, char** argv) {
     std::printf("%d sources a mesh, seed %d. Wrong: off by more than %.0f %%.\n", kSources,
                 static_cast<int>(kSeed), 100 * kWrong);
     std::printf(
-        "| mesh | triangles | edge Dijkstra, ns a vertex | exact, in these | virtual sources: mean "
-        "| too long, too short | wrong | time | merged windows: mean | too long, too short | wrong "
-        "| time |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+        "| mesh | triangles | edge Dijkstra, ns a vertex | exact, in these | fast: mean | too "
+        "long, too short | wrong | time |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
     double worst = 0;
     if (!names.empty() && names[0] == "tubes") {
       worst = studyTubes(names.count() > 1 ? std::stoi(names[1]) : 200,
@@ -142,7 +134,7 @@ int main(int argc, char** argv) {
         worst = std::max(worst, study(name, mesh));
       });
     }
-    std::printf("\nThe worst of merged windows: %.2f %%.\n", 100 * worst);
+    std::printf("\nThe worst: %.2f %%.\n", 100 * worst);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

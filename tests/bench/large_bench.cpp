@@ -57,10 +57,8 @@ struct Subject {
 
 Subject prepare(TriangleSoup soup) {
   Subject subject;
-  subject.prepareMs = timed([&] {
-    subject.surface = std::make_unique<Surface>(importMesh(std::move(soup)).mesh);
-    subject.surface->vertexFans();
-  });
+  subject.prepareMs =
+      timed([&] { subject.surface = std::make_unique<Surface>(importMesh(std::move(soup)).mesh); });
   subject.calibrationNs = 1e6 * medianTime([&] { edgeDijkstra(subject.geometry(), 0); }) /
                           subject.surface->mesh().vertexCount();
   return subject;

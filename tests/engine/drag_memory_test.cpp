@@ -162,9 +162,10 @@ TEST(DragMemory, OfBridgesIsThatOfTheStepsBefore) {
     }
     // Of so many steps with bridges.
     ASSERT_GT(counts.count(), 100) << curveKindName(shape.kind);
-    // Without memory that is kept a step would take some 500, with knots that follow the points
+    // A bucket of the queue may hold more than at any step before. Without memory that is kept a
+    // step would take some 500, with knots that follow the points
     // some 30,000.
-    expectFew(counts, 0, 35, curveKindName(shape.kind));
+    expectFew(counts, 1, 35, curveKindName(shape.kind));
   }
 }
 

@@ -5,7 +5,6 @@
 #include "curves/curve.h"
 #include "curves/spec/bases.h"
 #include "distance/exact_distance.h"
-#include "distance/fast_distance.h"
 #include "generators/curve_shapes.h"
 #include "generators/plane.h"
 #include "generators/random.h"
@@ -244,32 +243,6 @@ TEST(NearFields, AreSeldomLongerThanShortestPaths) {
   }
   EXPECT_GT(count, 300);
   EXPECT_LE(longer, count / 50);
-}
-
-TEST(FastDistance, AgreesWithExactDistancesOnTheBunny) {
-  const TriangleMesh mesh = bunnyMesh();
-  const Geometry geometry = buildGeometry(mesh);
-  FastDistance fast(geometry);
-  ExactDistance exact(geometry);
-  for (const int face : {17, 900, 2387}) {
-    const SurfacePoint source{face, {0.2, 0.5, 0.3}};
-    fast.setSource(source);
-    fast.grow(kInfinity);
-    exact.setSource(source);
-    exact.grow(kInfinity);
-    double mean = 0;
-    double worst = 0;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-      const double error = std::abs(fast.distance(v) / exact.distance(v) - 1);
-      mean += error / mesh.vertexCount();
-      worst = std::max(worst, error);
-    }
-    std::printf("fast against exact on the bunny, face %d: mean %.2e, worst %.2e\n", face, mean,
-                worst);
-    // On 3,674 triangles; the bounds are the design's for meshes of under 20,000.
-    EXPECT_LT(mean, 1.5e-3);
-    EXPECT_LT(worst, 0.05);
-  }
 }
 
 }  // namespace

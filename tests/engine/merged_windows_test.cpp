@@ -1,22 +1,25 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <numbers>
 #include <string>
 #include <tuple>
 
 #include "distance/exact_distance.h"
 #include "generators/gallery.h"
+#include "generators/plane.h"
+#include "generators/random.h"
 #include "generators/random_points.h"
+#include "rcm/field_options.h"
 #include "support.h"
 
 namespace karcher {
 namespace {
 
-constexpr double kTolerance = 0.0075;
-
 /// Holds distances of merged windows to exact ones: each within 1 %, in the mean .1 %.
 void expectNearExact(const TriangleMesh& mesh, const SurfacePoint& source) {
   const Geometry geometry = buildGeometry(mesh);
-  ExactDistance merged(geometry, kTolerance);
+  ExactDistance merged(geometry, kFastTolerance);
   ExactDistance exact(geometry);
   merged.setSource(source);
   merged.grow(kInfinity);
@@ -31,6 +34,49 @@ void expectNearExact(const TriangleMesh& mesh, const SurfacePoint& source) {
     if (truth > 0) sum += std::abs(merged.distance(v) / truth - 1);
   }
   EXPECT_LE(sum / mesh.vertexCount(), 0.001);
+}
+
+/// A rectangle of cells, their inner vertices moved at random and each cut by a random diagonal;
+/// then stretched and sheared along x. Its outline stays convex.
+TriangleMesh randomCells(int side, double stretch, double shear, Random& random) {
+  Array<Vec3> positions;
+  for (int j = 0; j <= side; ++j) {
+    for (int i = 0; i <= side; ++i) {
+      const bool inside = i > 0 && j > 0 && i < side && j < side;
+      const double reach = inside ? 0.2 : 0;
+      const double x = i + random.uniform(-reach, reach);
+      const double y = j + random.uniform(-reach, reach);
+      positions.push_back({stretch * x + shear * y, y, 0});
+    }
+  }
+  Array<Triangle> faces;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const int a = j * (side + 1) + i;
+      const int b = a + 1;
+      const int c = b + side;
+      const int d = c + 1;
+      if (random.uniform(0, 1) < 0.5) {
+        faces.push_back({a, b, d});
+        faces.push_back({a, d, c});
+      } else {
+        faces.push_back({a, b, c});
+        faces.push_back({b, d, c});
+      }
+    }
+  }
+  return buildMesh(positions, faces);
+}
+
+/// Straight distances to all vertices of a convex piece of the plane.
+void expectStraightDistances(const TriangleMesh& mesh, ExactDistance& distance, int source) {
+  distance.setSource(vertexPoint(mesh, source));
+  distance.grow(kInfinity);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const double expected = (mesh.positions[v] - mesh.positions[source]).norm();
+    EXPECT_NEAR(distance.distance(v), expected, 1e-9 * expected)
+        << "from vertex " << source << " to " << v;
+  }
 }
 
 TriangleMesh tube(double radius, int around, int along) {
@@ -88,6 +134,165 @@ TEST(MergedWindows, LoseNothingWhereTheyAreEqual) {
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     EXPECT_NEAR(merged.distance(v), exact.distance(v), 1e-12 * geometry.diagonal) << v;
   }
+}
+
+TEST(MergedWindows, AreStraightOnStretchedAndShearedPlanes) {
+  const uint64_t seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (const double stretch : {1.0, 2.5, 10.0, 20.0}) {
+    for (const double shear : {0.0, 0.7 * stretch}) {
+      for (int mesh = 0; mesh < (longRun() ? 60 : 4); ++mesh) {
+        SCOPED_TRACE("stretch " + std::to_string(stretch) + ", shear " + std::to_string(shear));
+        constexpr int kSide = 20;
+        const TriangleMesh cells = randomCells(kSide, stretch, shear, random);
+        const Geometry geometry = buildGeometry(cells);
+        ExactDistance distance(geometry, kFastTolerance);
+        // A corner, a vertex of the boundary, and two anywhere.
+        const int count = cells.vertexCount();
+        for (const int source : {0, 7, random.index(count), random.index(count)}) {
+          expectStraightDistances(cells, distance, source);
+        }
+      }
+    }
+  }
+}
+
+TEST(MergedWindows, AreStraightAcrossVerticesOfManyEdges) {
+  // A disk: rings of 100 vertices, equally far apart, around one.
+  constexpr int kRound = 100;
+  Array<Vec3> positions{Vec3::Zero()};
+  for (const int radius : {1, 2, 3}) {
+    for (int i = 0; i < kRound; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kRound;
+      positions.push_back(radius * Vec3(std::cos(angle), std::sin(angle), 0));
+    }
+  }
+  Array<Triangle> faces;
+  for (int i = 0; i < kRound; ++i) {
+    const int j = (i + 1) % kRound;
+    faces.push_back({0, 1 + i, 1 + j});
+    for (const int ring : {0, kRound}) {
+      faces.push_back({1 + ring + i, 1 + ring + kRound + i, 1 + ring + kRound + j});
+      faces.push_back({1 + ring + i, 1 + ring + kRound + j, 1 + ring + j});
+    }
+  }
+  const TriangleMesh mesh = buildMesh(positions, faces);
+  const Geometry geometry = buildGeometry(mesh);
+  ExactDistance distance(geometry, kFastTolerance);
+  for (const int source : {0, 1, 17, 130, 201, 266}) {
+    expectStraightDistances(mesh, distance, source);
+  }
+}
+
+TEST(MergedWindows, AreStraightAcrossFansOfAcuteTriangles) {
+  for (const int q : {3, 5, 8, 16}) {
+    for (const double jitter : {0.0, 0.4}) {
+      SCOPED_TRACE("q = " + std::to_string(q) + ", jitter " + std::to_string(jitter));
+      const TriangleSoup soup = fanSquares(3, q, jitter, 3);
+      const TriangleMesh mesh = buildMesh(soup.positions, soup.triangles);
+      const Geometry geometry = buildGeometry(mesh);
+      ExactDistance distance(geometry, kFastTolerance);
+      for (int source = 0; source < mesh.vertexCount(); source += 5) {
+        expectStraightDistances(mesh, distance, source);
+      }
+    }
+  }
+}
+
+TEST(MergedWindows, AreNotFarBelowTheStraightLine) {
+  for (const char* const name : {"ring tube, r = 0.1, quads 20:1", "rough sheet, sheared 10",
+                                 "rough sheet, needles 1e-08", "rough sheet, needles 1e-10"}) {
+    SCOPED_TRACE(name);
+    const TriangleMesh mesh = galleryMesh(name);
+    const Geometry geometry = buildGeometry(mesh);
+    ExactDistance distance(geometry, kFastTolerance);
+    const int source = mesh.vertexCount() / 3;
+    distance.setSource(vertexPoint(mesh, source));
+    distance.grow(kInfinity);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const double straight = (mesh.positions[v] - mesh.positions[source]).norm();
+      EXPECT_GE(distance.distance(v), straight - 1e-12 * geometry.diagonal);
+    }
+  }
+}
+
+TEST(MergedWindows, ResumedAreTheSame) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const SurfacePoint source{1000, {0.1, 0.2, 0.7}};
+  ExactDistance whole(geometry, kFastTolerance);
+  whole.setSource(source);
+  whole.grow(kInfinity);
+  ExactDistance resumed(geometry, kFastTolerance);
+  resumed.setSource({3, {1, 0, 0}});
+  resumed.grow(4);
+  resumed.setSource(source);
+  for (const double radius : {0.3, 1.0, 2.5, 6.0, kInfinity}) {
+    resumed.grow(radius);
+    EXPECT_GE(resumed.reached(), radius);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      if (resumed.distance(v) == kInfinity || !resumed.isFinal(v)) continue;
+      EXPECT_EQ(resumed.distance(v), whole.distance(v));
+      EXPECT_EQ(resumed.logVector(v), whole.logVector(v));
+    }
+  }
+}
+
+TEST(MergedWindows, GrownToAVertexAreTheSame) {
+  const TriangleMesh mesh = bunnyMesh();
+  const Geometry geometry = buildGeometry(mesh);
+  const uint64_t seed = 12;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  ExactDistance whole(geometry, kFastTolerance);
+  ExactDistance grown(geometry, kFastTolerance);
+  for (int i = 0; i < 20; ++i) {
+    const SurfacePoint source{random.index(mesh.faceCount()), {0.1, 0.2, 0.7}};
+    whole.setSource(source);
+    whole.grow(kInfinity);
+    grown.setSource(source);
+    for (int k = 0; k < 40; ++k) {
+      const int v = random.index(mesh.vertexCount());
+      ASSERT_LT(grown.growTo(v), kInfinity);
+      EXPECT_TRUE(grown.isFinal(v));
+      EXPECT_EQ(grown.distance(v), whole.distance(v));
+      EXPECT_EQ(grown.logVector(v), whole.logVector(v));
+    }
+  }
+}
+
+TEST(MergedWindows, ChooseBetweenPathsOfOneLengthByNumbers) {
+  // On a regular cone two paths of one length lead to the vertices across the tip. A turned one is
+  // the same but for rounding.
+  const TriangleMesh cone = galleryMesh("cone of 36 degrees");
+  Array<Vec3> positions = cone.positions;
+  const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
+  for (Vec3& p : positions) p = turn * p + Vec3(2, -1, 1.5);
+  const TriangleMesh turned = buildMesh(positions, cone.faces);
+  const Geometry geometry = buildGeometry(cone);
+  const Geometry turnedGeometry = buildGeometry(turned);
+  ExactDistance solver(geometry, kFastTolerance);
+  ExactDistance other(turnedGeometry, kFastTolerance);
+  for (int source = 0; source < cone.vertexCount(); source += 7) {
+    for (ExactDistance* distance : {&solver, &other}) {
+      distance->setSource(vertexPoint(cone, source));
+      distance->grow(kInfinity);
+    }
+    for (int v = 0; v < cone.vertexCount(); ++v) {
+      ASSERT_LT((solver.logVector(v) - other.logVector(v)).norm(), 1e-9) << source << " to " << v;
+    }
+  }
+}
+
+TEST(MergedWindows, GrowToNoVertexOfAnotherComponent) {
+  const TriangleMesh mesh = buildMesh(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  const Geometry geometry = buildGeometry(mesh);
+  ExactDistance distance(geometry, kFastTolerance);
+  distance.setSource({0, {0.2, 0.3, 0.5}});
+  EXPECT_EQ(distance.growTo(4), kInfinity);
+  EXPECT_LT(distance.growTo(2), kInfinity);
 }
 
 }  // namespace

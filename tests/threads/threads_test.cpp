@@ -8,7 +8,6 @@
 #include "curves/isoline.h"
 #include "distance/exact_distance.h"
 #include "distance/exact_lengths.h"
-#include "distance/fast_distance.h"
 #include "distance/shortest_path.h"
 #include "intrinsic/straightest.h"
 #include "mesh/mesh_import.h"
@@ -37,7 +36,6 @@ SurfacePoint pointOf(const TriangleMesh& mesh, int i) {
 TEST(Threads, ShareAMeshAndItsGeometry) {
   const TriangleMesh mesh = torus();
   const Geometry geometry = buildGeometry(mesh);
-  const auto fans = std::make_shared<const VertexFans>(buildVertexFans(geometry));
   const auto measure = [&](int i) {
     const SurfacePoint from = pointOf(mesh, 3 * i);
     const SurfacePoint to = pointOf(mesh, 3 * i + 1);
@@ -45,7 +43,7 @@ TEST(Threads, ShareAMeshAndItsGeometry) {
     ExactDistance exact(geometry);
     exact.setSource(from);
     exact.grow(kInfinity);
-    FastDistance fast(geometry, fans, newPagePool());
+    ExactDistance fast(geometry, kFastTolerance);
     fast.setSource(from);
     fast.grow(kInfinity);
     for (int v = 0; v < mesh.vertexCount(); ++v) {

@@ -184,8 +184,13 @@ test('info tells what a mesh consists of', async () => {
     components: 1,
     boundaryLoops: 1,
     genus: 0,
-    fastSolver: 'fast',
-    file: { format: 'obj', parts: [{ name: 'mesh', triangles: 2 }], notRead: [] },
+    file: {
+      format: 'obj',
+      parts: [{ name: 'mesh', triangles: 2 }],
+      materials: [],
+      isColored: false,
+      notRead: [],
+    },
   });
   assert.ok(Math.abs(meanEdge - (4 + Math.SQRT2) / 5) < 1e-15);
   assert.ok(Math.abs(diagonal - Math.SQRT2) < 1e-15);

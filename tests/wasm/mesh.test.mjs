@@ -20,7 +20,6 @@ test('a tetrahedron: a closed surface of genus 0', () => {
       genus: 0,
       meanEdge: 0,
       diagonal: 0,
-      fastSolver: 'exact',
       repairs: [],
     },
   );

@@ -44,7 +44,6 @@ val MeshHandle::info() {
   info.set("genus", shape.genus);
   info.set("meanEdge", surface_.geometry().meanEdge);
   info.set("diagonal", surface_.geometry().diagonal);
-  info.set("fastSolver", std::string(solverName(solverOn(surface_, Solver::kFast))));
   info.set("repairs", repairs);
   return info;
 }

@@ -95,11 +95,6 @@ function expectedOf(info: Readonly<MeshInfo>, found: Omit<CheckUp, 'expected'>):
   } else if (info.boundaryLoops > 0) {
     sentences.push('Paths keep to the boundary where they meet it, and a center may lie on it.');
   }
-  if (info.fastSolver === 'exact') {
-    sentences.push(
-      'Its triangles do not suit the fast solver: distances are exact, and take longer.',
-    );
-  }
   if (needles.length + caps.length > 0) {
     sentences.push(
       'Distances are right across thin triangles; the directions there are less sure.',

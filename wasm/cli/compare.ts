@@ -102,13 +102,13 @@ export const compare: Command = {
         progress: reporter(name, tell),
       });
       const { curve: _, ...result } = run;
-      methods[name] = { solver: solverWords(mesh, options), ...result };
+      methods[name] = { solver: solverWords(options), ...result };
     }
     const { vertices, triangles, meanEdge } = mesh.info;
     const words =
       points.length === 2
         ? 'the exact shortest path'
-        : `our method, ${solverWords(mesh, referenceOptions)}`;
+        : `our method, ${solverWords(referenceOptions)}`;
     return { json: { mesh: { vertices, triangles, meanEdge }, reference: words, methods } };
   },
 };

@@ -1,4 +1,5 @@
 import { type CheckUp, checkUp } from '../checkup/index.js';
+import type { FileInfo } from '../formats/index.js';
 import { load } from '../load.js';
 import type { Command } from './command.js';
 
@@ -7,14 +8,21 @@ export const info: Command = {
   summary:
     'what a mesh consists of, what was mended while it was read, and what to expect of curves',
   output:
-    '{vertices, triangles, components, boundaryLoops, genus, meanEdge, diagonal, fastSolver, repairs: [{kind, count, message}, …], file: {format, parts: [{name, triangles}, …], notRead: [sentence, …]}, checkUp: {shortestEdge, longestEdge, smallestAngle, largestAngle, needles: {count, faces}, caps: {count, faces}, boundaryEdges, nearBoundaries: {vertices, weld}, expected: [sentence, …]}}; angles are in degrees, and of needles and caps the first 20 faces are told',
+    '{vertices, triangles, components, boundaryLoops, genus, meanEdge, diagonal, repairs: [{kind, count, message}, …], file: {format, parts: [{name, triangles}, …], materials: [name, …], isColored, notRead: [sentence, …]}, checkUp: {shortestEdge, longestEdge, smallestAngle, largestAngle, needles: {count, faces}, caps: {count, faces}, boundaryEdges, nearBoundaries: {vertices, weld}, expected: [sentence, …]}}; angles are in degrees, and of needles and caps the first 20 faces are told',
   options: [],
   async run(args) {
     const read = await args.meshFile();
     const { mesh, file } = await read(await load());
-    return { json: { ...mesh.info, file, checkUp: summaryOf(await checkUp(mesh)) } };
+    return {
+      json: { ...mesh.info, file: fileSummary(file), checkUp: summaryOf(await checkUp(mesh)) },
+    };
   },
 };
+
+/** Without what it says of each vertex and triangle. */
+function fileSummary({ format, parts, materials, colors, notRead }: FileInfo) {
+  return { format, parts, materials, isColored: colors !== null, notRead };
+}
 
 /** Longer lists are for programs, which call `checkUp` themselves. */
 const mostFaces = 20;

@@ -90,7 +90,7 @@ export function standardOptions(method: ComparedMethod, plan: CurvePlan): Method
 }
 
 /** How a method is set up, in words: what finds its distances, or its log maps. */
-export function solverWords(mesh: Mesh, options: MethodOptions): string {
+export function solverWords(options: MethodOptions): string {
   const { method, solver, rings = 6, star = 'wide', seeds = 'heaviest' } = options;
   const delaunay = options.delaunay ? ', on the intrinsic Delaunay triangulation' : '';
   switch (method) {
@@ -112,8 +112,7 @@ export function solverWords(mesh: Mesh, options: MethodOptions): string {
     }
     case 'karcher': {
       if (solver === 'graph') return `graph distances, k = ${rings}`;
-      const fast = (solver ?? 'fast') === 'fast' && mesh.info.fastSolver === 'fast';
-      return fast ? 'fast distances' : 'exact distances';
+      return `${solver ?? 'fast'} distances`;
     }
   }
 }

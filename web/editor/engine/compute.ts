@@ -143,8 +143,8 @@ async function computeCenter(
 ): Promise<Shown> {
   const started = performance.now();
   const weights = points.map(({ weight = 1 }) => weight);
-  const { vertices, fastSolver } = client.info;
-  const isFast = options.solver === 'fast' && fastSolver === 'fast';
+  const { vertices } = client.info;
+  const isFast = options.solver === 'fast';
   const uniqueness =
     looks && points.length * vertices <= (isFast ? mostLooked.fast : mostLooked.others);
   const center = await client.mesh.centerOfMass([...points], weights, {
