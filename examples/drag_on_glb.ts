@@ -28,13 +28,12 @@ model.traverse((object: Object3D) => {
 });
 const object = meshes[0]!;
 const surface = surfaceFromGeometry(await load(), object.geometry);
-const faces = surface.mesh.triangles().length / 3;
-const points = [0.1, 0.15, 0.2, 0.25].map((part) => ({
-  face: Math.floor(part * faces),
-  bary: [0.2, 0.3, 0.5] as [number, number, number],
-}));
-const curve = new SurfaceCurve(surface, { kind: 'bspline', points });
+const places = [-0.4, 0, 0.3, 0.6].map((x, i) => [x, i % 2 ? 0.1 : -0.3, 1] as const);
+const points = places.map((place) => surface.mesh.nearestPoint(place).point);
+const curve = new SurfaceCurve(surface, { kind: 'catmullrom', points });
 object.add(curve);
+// Lines on it are whole.
+Object.assign(object.material, { polygonOffset: true, polygonOffsetFactor: 1 });
 new CurveDrag(curve, object, camera, renderer.domElement);
 // to here
 

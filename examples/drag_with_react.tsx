@@ -5,13 +5,13 @@ import { createRoot } from 'react-dom/client';
 import { Mesh } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
-const points = [0, 40, 80, 120].map((face) => ({ face, bary: [0.2, 0.3, 0.5] as const }));
+const points = [11056, 12539, 12701].map((face) => ({ face, bary: [0.2, 0.3, 0.5] as const }));
 
 function Model() {
   const { nodes } = useLoader(GLTFLoader, 'model.glb');
   const model = Object.values(nodes).find((node) => node instanceof Mesh);
   const surface = useSurface(model?.geometry);
-  const curve = useSurfaceCurve(surface, { kind: 'bspline', points });
+  const curve = useSurfaceCurve(surface, { kind: 'catmullrom', points });
   useCurveDrag(curve);
   return (
     <mesh geometry={model?.geometry} material={model?.material}>
@@ -22,7 +22,7 @@ function Model() {
 
 createRoot(document.getElementById('root')!).render(
   <Canvas camera={{ position: [0, 0, 3] }}>
-    <hemisphereLight intensity={3} />
+    <hemisphereLight intensity={3} groundColor="#888" />
     <Model />
   </Canvas>,
 );
