@@ -22,6 +22,16 @@ const fragment = [
   'circle=100,0.3,0.3;0.1,1,0,0',
 ].join('&');
 
+const coloredTetrahedron = `v 0 0 0 1 0 0
+v 1 0 0 0 1 0
+v 0 1 0 0 0 1
+v 0 0 1 1 1 1
+f 1 3 2
+f 1 2 4
+f 2 3 4
+f 3 1 4
+`;
+
 describe('every control is hit where it is clicked', () => {
   const looked = [];
   let browser;
@@ -119,6 +129,13 @@ describe('every control is hit where it is clicked', () => {
       await tab.settled();
       await page.locator('#progress').waitFor({ state: 'hidden' });
       await controls.look('a file of several parts');
+      await tab.drop('colored.obj', coloredTetrahedron);
+      await page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('colored.obj'));
+      await tab.settled();
+      await page.locator('#progress').waitFor({ state: 'hidden' });
+      await controls.click(page.locator('[popovertarget="view-menu"]'));
+      assert.ok((await controls.look('the view of a file with colors')) > 0);
+      await closeByKey(page);
       const open = await holdEngine(page);
       await page.locator('#surface').selectOption('torus');
       await page.locator('#progress').waitFor();
