@@ -241,9 +241,16 @@ TEST(Offset, KeepsItsDistanceOnRoughSurfaces) {
     for (const double part : {0.5, 3.0, 8.0}) {
       const double d = part * surface.geometry.meanEdge;
       const auto lines = offsetLines(surface.geometry, {&path, 1}, d, OffsetSide::kBoth);
-      EXPECT_GT(lines.count(), 0) << name;
       const PathDistance field(surface.geometry, {&path, 1}, kInfinity);
       SCOPED_TRACE(std::string(name) + ", " + std::to_string(part));
+      // A path may come so near to all of a surface that nothing lies at the distance.
+      double farthest = 0;
+      for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
+        farthest = std::max(farthest, field.at(vertexPoint(surface.mesh, v)).value);
+      }
+      if (farthest > d) {
+        EXPECT_GT(lines.count(), 0);
+      }
       expectAtDistance(
           surface.geometry, lines, [&](const SurfacePoint& point) { return field.at(point).value; },
           d, 1e-3);
