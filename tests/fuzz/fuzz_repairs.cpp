@@ -15,6 +15,8 @@ constexpr int kMostTriangles = 96;
 /// Of the diagonal: what rounding may take from a path, or add. Distances of exact windows come to
 /// 1.2e-8 below straight lines where triangles are needles.
 constexpr double kRounding = 1e-7;
+/// Of a distance: what fast ones, which are near exact ones, may be too short by (docs/gallery.md).
+constexpr double kFastError = 0.05;
 
 struct Case {
   TriangleSoup soup;
@@ -113,7 +115,8 @@ void checkDistances(TriangleMesh made) {
                "what a distance reaches is not the component");
         if (!isReached) continue;
         const double straight = (mesh.positions[v] - mesh.positions[w]).norm();
-        expect(lengths[w] >= straight - rounding,
+        const double missing = solver == Solver::kFast ? kFastError * straight : 0;
+        expect(lengths[w] >= straight - missing - rounding,
                "a distance is shorter than the straight line by " +
                    inSentence((straight - lengths[w]) / diagonal) + " of the diagonal");
       }
