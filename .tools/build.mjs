@@ -101,7 +101,7 @@ export async function buildPage() {
 
 /** The book in build/page/book, from the facade's types and docs/. The page's build removes it. */
 export async function buildBook() {
-  const { makeBook } = await import('../book/make.mjs');
+  const { makeBook } = await import('../docs/book/make.mjs');
   await makeBook();
 }
 

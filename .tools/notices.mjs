@@ -37,7 +37,7 @@ const ofPage = [
 ];
 
 function termsOf(name) {
-  const folders = [inRoot(`node_modules/${name}`), inRoot(`book/node_modules/${name}`)];
+  const folders = [inRoot(`node_modules/${name}`), inRoot(`docs/book/node_modules/${name}`)];
   const folder = folders.find(existsSync);
   const file = readdirSync(folder).find((one) => /^licen[cs]e(\.|$)/i.test(one));
   const { license, homepage, repository } = JSON.parse(

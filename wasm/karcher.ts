@@ -28,9 +28,9 @@ export class Karcher {
    *
    * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, badArgument (a
    * coordinate beyond 1e30, a mesh smaller than 1e-30), degenerateFace, notOrientable, and with
-   * `repair: 'none'` nonManifoldEdge and nonManifoldVertex, each naming the place. A mesh whose longest
-   * edge is more than 1e12 times its shortest is refused with badArgument, too; if its faces are so thin
-   * that the fast solver is ruled out, only once exact distances are needed (`Mesh.distance`).
+   * `repair: 'none'` nonManifoldEdge and nonManifoldVertex, each naming the place. Of a mesh whose
+   * longest edge is more than 1e12 times its shortest, distances by windows are refused with badArgument
+   * (`Mesh.distance`).
    *
    * @example
    * ```ts

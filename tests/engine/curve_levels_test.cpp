@@ -345,7 +345,7 @@ TEST(CurveLevels, OfTheirOwnDependOnNoTrianglesWhereTheSurfaceUnrolls) {
 }
 
 TEST(CurveLevels, OfTheirOwnNeverRelyOnFieldsThatAreWrong) {
-  // The fast solver's distances on ring tubes are off by up to a third, too long or too short.
+  // Paths on the inside of a ring tube turn round many vertices.
   Random random(4);
   int zeros = 0;
   for (int i = 0; i < 12; ++i) {

@@ -4,7 +4,7 @@ import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } 
 import { dirname, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Application, Converter, ReflectionKind } from 'typedoc';
-import { filesBelow, inRoot } from '../.tools/shell.mjs';
+import { filesBelow, inRoot } from '../../.tools/shell.mjs';
 import { contents, drawn, entries } from './contents.mjs';
 import { buildLive, examplesPage } from './live.mjs';
 import { pictures } from './pictures.mjs';
@@ -70,14 +70,14 @@ function withPicture(path, text) {
 async function convert(pages) {
   const app = await Application.bootstrapWithPlugins({
     entryPoints: Object.keys(entries).map((path) => inRoot(path)),
-    tsconfig: inRoot('book/tsconfig.json'),
+    tsconfig: inRoot('docs/book/tsconfig.json'),
     projectDocuments: pages,
     readme: `${source}/docs/index.md`,
     name: 'Karcher',
     out: made,
     titleLink: `${pageFolder}book/index.html`,
     navigationLinks: { Editor: `${pageFolder}index.html`, Paper: `${pageFolder}paper.html` },
-    customCss: inRoot('book/style.css'),
+    customCss: inRoot('docs/book/style.css'),
     favicon: inRoot('web/public/icon.svg'),
     headings: { readme: false },
     navigation: { includeGroups: true },

@@ -1,7 +1,7 @@
 // The examples, each in a page of its own that the book shows in a frame, with their sources beside.
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { build } from 'vite';
-import { inRoot } from '../.tools/shell.mjs';
+import { inRoot } from '../../.tools/shell.mjs';
 import { png } from './picture.mjs';
 
 const source = inRoot('build/book/live');
@@ -70,8 +70,8 @@ console.log = (...values) => shown.append(values.map(textOf).join(' ') + '\\n');
 /** A bunny to drag over, as a GLB, and a picture to lay on a surface. */
 async function writeFiles() {
   const { default: bunny } = await import('bunny');
-  const { load } = await import('../dist/index.js');
-  const { meshFile } = await import('../dist/formats/index.js');
+  const { load } = await import('../../dist/index.js');
+  const { meshFile } = await import('../../dist/formats/index.js');
   const karcher = await load();
   const from = bunny.positions.flat();
   const mesh = karcher.meshFromArrays(centered(from), bunny.cells.flat()).subdivide(1);

@@ -117,7 +117,7 @@ const cross = (a, b) =>
 
 /** PNGs by the names of their pages. */
 export async function pictures() {
-  const { load } = await import('../dist/index.js');
+  const { load } = await import('../../dist/index.js');
   const { default: bunny } = await import('bunny');
   const karcher = await load();
   const coarse = karcher.meshFromArrays(bunny.positions.flat(), bunny.cells.flat());
