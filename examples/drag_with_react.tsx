@@ -5,16 +5,16 @@ import { createRoot } from 'react-dom/client';
 import { Mesh } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
-const points = [11056, 12539, 12701].map((face) => ({ face, bary: [0.2, 0.3, 0.5] as const }));
-
 function Model() {
   const { nodes } = useLoader(GLTFLoader, 'model.glb');
-  const model = Object.values(nodes).find((node) => node instanceof Mesh);
-  const surface = useSurface(model?.geometry);
+  const model = Object.values(nodes).find((node) => node instanceof Mesh)!;
+  const { count } = model.geometry.attributes.position!;
+  const points = [0.1813, 0.8966, 0.2099].map((part) => ({ vertex: Math.floor(part * count) }));
+  const surface = useSurface(model.geometry);
   const curve = useSurfaceCurve(surface, { kind: 'catmullrom', points });
   useCurveDrag(curve);
   return (
-    <mesh geometry={model?.geometry} material={model?.material}>
+    <mesh geometry={model.geometry} material={model.material}>
       {curve && <primitive object={curve} />}
     </mesh>
   );
