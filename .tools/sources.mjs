@@ -1,12 +1,12 @@
-// The sources that decide the Paper page's numbers, as one digest: numbers that were saved with another are
-// of another version of the code.
+// The sources that decide the numbers of the Paper page, or of a study, as one digest: numbers that were saved
+// with another are of another version of the code.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { relative, sep } from 'node:path';
 import { filesBelow, root } from './shell.mjs';
 
 /** The engine, the methods that it is compared with, and the studies; the bindings between only pass on. */
-const folders = ['src', 'wasm/peers', 'web/paper'];
+const ofReport = ['src', 'wasm/peers', 'web/paper'];
 
 /** The SHA-256 of files: `[name, text]` pairs, in any order and with any line ends. */
 export function digestOf(files) {
@@ -21,7 +21,7 @@ export function digestOf(files) {
 }
 
 /** The digest of this checkout's sources, which needs no Git: the same on every machine. */
-export function sourcesDigest() {
+export function sourcesDigest(folders = ofReport) {
   const paths = folders.flatMap((folder) => filesBelow(folder, /\.(cpp|h|ts)$/));
   const nameOf = (path) => relative(root, path).replaceAll(sep, '/');
   return digestOf(paths.map((path) => [nameOf(path), readFileSync(path, 'utf8')]));

@@ -1,13 +1,16 @@
 // `npm run study`: builds and runs one of the native studies of tests/bench, which measure accuracy, or
 // times.
 //
-//   npm run study -- NAME [ARGUMENTS]      (the names without arguments)
+//   npm run study -- [--save] NAME [ARGUMENTS]      (the names without arguments)
+//
+// With --save what it prints is kept in docs/studies, where tests compare the docs with it.
 //
 // The studies read OBJ files. Files of other formats are read as the package reads them, and written as
 // OBJ files in build/study.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, parse, resolve } from 'node:path';
 import { buildFacade, buildNative, buildWasm } from './build.mjs';
+import { saveStudy } from './saved_study.mjs';
 import { setUp } from './setup.mjs';
 import { filesBelow, inRoot, run } from './shell.mjs';
 
@@ -15,7 +18,9 @@ const suffix = '_study';
 const names = filesBelow('tests/bench', /_study\.cpp$/).map((file) =>
   basename(file, `${suffix}.cpp`),
 );
-const [name, ...rest] = process.argv.slice(2);
+const given = process.argv.slice(2);
+const save = given[0] === '--save';
+const [name, ...rest] = save ? given.slice(1) : given;
 
 /** The OBJ file of a mesh file of another format. */
 async function toObj(path) {
@@ -34,7 +39,9 @@ async function toObj(path) {
 }
 
 if (!names.includes(name)) {
-  console.error(`Usage: npm run study -- NAME [ARGUMENTS]; the studies: ${names.join(', ')}`);
+  console.error(
+    `Usage: npm run study -- [--save] NAME [ARGUMENTS]; the studies: ${names.join(', ')}`,
+  );
   process.exit(name === undefined ? 0 : 1);
 }
 try {
@@ -49,7 +56,8 @@ try {
   }
   const read = [];
   for (const path of paths) read.push(isOther(path) ? await toObj(path) : path);
-  await run(inRoot(`build/native/tests/bench/${name}${suffix}`), read);
+  if (save) console.log(`Written to ${await saveStudy(name, read)}.`);
+  else await run(inRoot(`build/native/tests/bench/${name}${suffix}`), read);
 } catch (error) {
   console.error(error.message);
   process.exit(1);

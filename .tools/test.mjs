@@ -74,7 +74,7 @@ const everything = [
   tests('the engine, g++', () => runNative('native', { env: longCases })),
   tests('the engine, clang++ with sanitizers', () => runNative('sanitize', { env: sanitized })),
   tests('the module and the command line', () => runNode('tests/wasm', longCases)),
-  tests('the figures', () => runNode('tests/paper')),
+  tests('the figures', () => runNode('tests/paper', longCases)),
   tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];
 

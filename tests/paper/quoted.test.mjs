@@ -1,37 +1,160 @@
-// What the README quotes stands in the tables that it quotes.
+// What README and docs quote of studies is what the studies printed when they were kept in docs/studies
+// (`npm run study -- --save NAME`), and what one text quotes of another stands there.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { test } from 'node:test';
+import { describe, test } from 'node:test';
+import { rowsOf, savedLines } from '../../.tools/saved_study.mjs';
 import { inRoot } from '../../.tools/shell.mjs';
 
-const textOf = (name) => readFileSync(inRoot(name), 'utf8').replaceAll(/\s+/g, ' ');
+const linesOf = (name) => readFileSync(inRoot(name), 'utf8').split('\n');
+const textOf = (name) => linesOf(name).join(' ').replaceAll(/\s+/g, ' ');
 const readme = textOf('README.md');
-const methods = readFileSync(inRoot('docs/methods.md'), 'utf8');
 
-/** A row of the table of methods, by what its mesh begins with: the paper's fields, then the default. */
-function rowOf(mesh) {
-  const row = methods.split('\n').find((line) => line.startsWith(`| ${mesh}`));
-  assert.ok(row, mesh);
-  const [, , paper, ours] = row.split('|').map((cell) => cell.trim());
-  return { paper, ours };
+/** The parts of a text between brackets of the pattern, which it must have. */
+function told(name, pattern) {
+  const found = pattern.exec(textOf(name));
+  assert.ok(found, `${name} has another sentence: this test is to read it: ${pattern}`);
+  return found.slice(1);
 }
 
-test('the README’s figures of accuracy are those of the table of methods', () => {
-  const told =
-    /stretched 20:1 are off by (\S+) mean edges, where the paper's fields lose (\d+ of \d+) samples\. On a sphere of relaxed random points the default is off by (\S+) mean edges, the paper's fields by (\d\.\d+)/.exec(
-      readme,
+describe('accuracy', () => {
+  const saved = rowsOf(savedLines('accuracy'));
+  const short = (value) => {
+    if (value < 1e-4) return value.toExponential(0);
+    return `${Number(value.toPrecision(value < 1e-3 ? 1 : 2))}`;
+  };
+  /** By the finest mesh: the distance in mean edges, and what was lost. */
+  const at = (surface, fields) => {
+    const rows = saved.filter(([one, , other]) => one === surface && other === fields);
+    assert.equal(rows.length, 3, `${surface}: ${fields}`);
+    const [, , , rms, , , , , , lost] = rows.at(-1);
+    return { rms: short(Number(rms)), lost: Number(lost) };
+  };
+  const columns = ["paper, exact, authors' seeds", 'default', 'log, fast', 'log, exact'];
+  const meshes = {
+    'plane, Delaunay of random points': 'plane: Delaunay of random points',
+    'plane, stretched 20:1': 'plane: stretched 20:1',
+    'sphere, relaxed random points': 'sphere: relaxed random points',
+    'sphere, random points': 'sphere: random points, convex hull',
+    'torus, irregular': 'torus: isotropic irregular',
+    'torus, stretched 8:1': 'torus: stretched 8:1',
+  };
+
+  test('the table of methods has what the study printed', () => {
+    let samples = ' of 384 samples';
+    const expected = Object.entries(meshes).map(([name, surface]) => {
+      const cells = columns.map((fields) => {
+        const { rms, lost } = at(surface, fields);
+        if (lost === 0) return rms;
+        const told = `${rms}, ${lost}${samples} lost`;
+        samples = ' of 384';
+        return told;
+      });
+      return [name, ...cells];
+    });
+    assert.deepEqual(rowsOf(linesOf('docs/methods.md')), expected);
+  });
+
+  test('README quotes it', () => {
+    const [plane, lost, sphere, paper] = told(
+      'README.md',
+      /stretched 20:1 are off by (\S+) mean edges, where the paper's fields lose (\d+) of 384 samples\. On a sphere of relaxed random points the default is off by (\S+) mean edges, the paper's fields by (\d\.\d+)/,
     );
-  assert.ok(told, 'the sentence is another: this test is to read it');
-  const [, plane, lost, sphere, paper] = told;
-  assert.equal(rowOf('plane, stretched 20:1').ours, plane);
-  assert.ok(rowOf('plane, stretched 20:1').paper.endsWith(`, ${lost} lost`));
-  assert.deepEqual(rowOf('sphere, relaxed random points'), { paper, ours: sphere });
+    const [byPaper, byDefault] = columns;
+    assert.equal(at('plane: stretched 20:1', byDefault).rms, plane);
+    assert.equal(at('plane: stretched 20:1', byPaper).lost, Number(lost));
+    assert.equal(at('sphere: relaxed random points', byDefault).rms, sphere);
+    assert.equal(at('sphere: relaxed random points', byPaper).rms, paper);
+  });
+});
+
+describe('the gallery', () => {
+  const saved = rowsOf(savedLines('gallery'));
+  const heads = {
+    mesh: 0,
+    worst: 2,
+    mean: 3,
+    rotated: 6,
+    exactRotated: 9,
+    fastUs: 10,
+    exactUs: 11,
+  };
+  const most = (key, rows = saved) =>
+    rows.toSorted((a, b) => Number(b[heads[key]]) - Number(a[heads[key]]))[0];
+  const spread = (key) => {
+    const all = saved.map((row) => Number(row[heads[key]])).toSorted((a, b) => a - b);
+    return [all[0], all.at(-1), all[Math.floor(all.length / 2)]];
+  };
+
+  test('its table is what the study printed', () => {
+    const rows = rowsOf(linesOf('docs/gallery.md')).filter((row) => row.length === saved[0].length);
+    assert.deepEqual(rows, saved);
+  });
+
+  test('what is told of the fast solver’s errors is the worst of it', () => {
+    const [worst, mesh, mean, ofMean] = told(
+      'docs/gallery.md',
+      /the worst error is (\S+) % \((.*?)\), the largest mean (\S+) \((.*?)\)/,
+    );
+    const percent = (100 * Number(most('worst')[2])).toPrecision(2);
+    assert.deepEqual([worst, mesh], [percent, most('worst')[0]]);
+    assert.deepEqual([Number(mean), ofMean], [Number(most('mean')[3]), most('mean')[0]]);
+    const again = told(
+      'docs/algorithms/distances.md',
+      /the worst relative error of `fast` is (\S+) %, its largest mean (\S+),/,
+    );
+    assert.deepEqual(again, [worst, mean]);
+    const [count, pairs, by] = told(
+      'docs/gallery.md',
+      /(\d+) have a pair off by more than 2 % \(at most (\S+) % of a sheet's pairs, the worst by (\S+) %\)/,
+    );
+    assert.match(
+      savedLines('gallery', ['--random', '100']).at(-1),
+      new RegExp(`: ${count} with a pair .*at most ${pairs} % .*by ${by} %`),
+    );
+  });
+
+  test('what rotations change is told of the worst, and of all others', () => {
+    const [ofNeedles, ofOthers] = told(
+      'docs/gallery.md',
+      /Fast distances change by up to (\S+) of the diagonal on rough sheets with needles of 1e-10, by up to (\S+) on other meshes/,
+    );
+    const needles = 'rough sheet, needles 1e-10';
+    const others = saved.filter(([mesh]) => mesh !== needles);
+    assert.equal(most('rotated')[0], needles);
+    assert.equal(Number(most('rotated')[6]), Number(ofNeedles));
+    assert.equal(Number(most('rotated', others)[6]), Number(ofOthers));
+    const [exact] = told('docs/gallery.md', /changes exact distances by up to (\S+) of/);
+    assert.equal(Number(most('exactRotated')[9]), Number(exact));
+  });
+
+  test('microseconds a vertex', () => {
+    const numbers = /(\S+) to (\S+) microseconds a vertex .*? (\S+) in the median/;
+    for (const name of [
+      'docs/which-call.md',
+      'docs/algorithms/distances.md',
+      'docs/algorithms/fields.md',
+    ]) {
+      assert.deepEqual(told(name, numbers).map(Number), spread('fastUs'), name);
+    }
+    const [, , median] = spread('fastUs');
+    const [ms] = told('docs/which-call.md', /which is (\d+) ms for 100,000 triangles/);
+    assert.equal(Number(ms), Math.round(50 * median));
+    const ofExact = [
+      ['docs/algorithms/distances.md', /(\S+) to (\S+) for `exact`, (\S+) in the median/],
+      ['docs/algorithms/fields.md', /(\S+) to (\S+) by the exact one, (\S+) in the median/],
+    ];
+    for (const [name, pattern] of ofExact) {
+      assert.deepEqual(told(name, pattern).map(Number), spread('exactUs'), name);
+    }
+  });
 });
 
 test('how near the default is to the paper’s curve is the same wherever it is told', () => {
-  const told = ['README.md', 'docs/methods.md'].map(
-    (name) => /the default is that curve, to (\S+) mean edges/.exec(textOf(name))?.[1],
+  const [first, second] = ['README.md', 'docs/methods.md'].map(
+    (name) => told(name, /the default is that curve, to (\S+) mean edges/)[0],
   );
-  assert.equal(told[0], told[1]);
-  assert.ok(Number(told[0]) > 0);
+  assert.equal(first, second);
+  assert.ok(Number(first) > 0);
+  assert.ok(readme.includes(`to ${first} mean edges`));
 });

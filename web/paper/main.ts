@@ -1,7 +1,8 @@
 import { byId, make } from '../panels/elements';
 import { applyTheme, onTheme, toggleTheme } from '../panels/theme';
 import { build } from './claims/build';
-import { ClaimsSection, savedReport } from './claims/claims_section';
+import { ClaimsSection } from './claims/claims_section';
+import { savedReport } from './claims/saved_report';
 import { figures, smallFigures } from './figures';
 import { LabClient } from './lab/client';
 import { PlotsSection } from './plots/plots_section';

@@ -93,7 +93,7 @@ export async function report(
   const panels: Measured['panels'] = {};
   for (const figure of figures) {
     const { id, name, title, points, panels: ofFigure } = figure;
-    parts.push(`## ${name}: ${title}`, captionOf(figure));
+    const caption = parts.push(`## ${name}: ${title}`, '') - 1;
     for (const panel of ofFigure) {
       const title = panelTitle(panel, panel.curve);
       tell(`${name}, ${title}`);
@@ -118,6 +118,7 @@ export async function report(
         ({ polylines: _, status: __, marker: ___, ...numbers }) => numbers,
       );
     }
+    parts[caption] = captionOf(figure, panels);
   }
   return { text: `${parts.join('\n\n')}\n`, panels };
 }

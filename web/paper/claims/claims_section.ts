@@ -3,14 +3,8 @@ import { Caption, sectionHead } from '../view/section';
 import { build } from './build';
 import { judge } from './judge';
 import { isOlder, olderNote, type SavedClaim, type SavedReport } from './saved';
+import { savedReport } from './saved_report';
 import type { JudgedClaim, Measured, Verdict } from './types';
-
-/** The report in this checkout, if there is one: a page can be built without. */
-const found = import.meta.glob<SavedReport>('../../../docs/paper-report.json', {
-  eager: true,
-  import: 'default',
-});
-export const savedReport: SavedReport | null = Object.values(found)[0] ?? null;
 
 const order: readonly Verdict[] = [
   ...(['holds', 'depends', 'does not', 'settled here', 'open', 'not measured here'] as const),

@@ -1,5 +1,21 @@
+import { savedReport } from '../claims/saved_report';
+import type { Measured } from '../claims/types';
 import { lineStyles } from './lines';
-import type { Figure, LineId } from './types';
+import type { Figure, LineId, LineNumbers } from './types';
+
+/** What a caption can quote of a line that was measured. */
+const quoted: Record<string, (line: LineNumbers | undefined) => string | undefined> = {
+  turn: (line) => (line?.sharpestTurn ? `${line.sharpestTurn.degrees.toFixed(1)}°` : undefined),
+  at: (line) => line?.sharpestTurn?.t.toFixed(3),
+};
+
+/** The caption, in which `{panel/line what}` is what was measured there: no number is written by hand. */
+function filled({ id, caption }: Figure, panels: Measured['panels']): string {
+  return caption.replace(/\{(\w+)\/(\w+) (\w+)\}/g, (_, panel, name, what) => {
+    const line = panels[`${id}/${panel}`]?.find((one) => one.id === name);
+    return quoted[what]!(line) ?? 'an angle that was not measured';
+  });
+}
 
 /** How a line of the paper's method is set up; null of others. */
 function setUpOf(id: LineId): string | null {
@@ -17,14 +33,20 @@ function setUpOf(id: LineId): string | null {
   return `${form}, and ${start}`;
 }
 
-/** A figure's caption, and how the paper's method is set up in it. */
-export function captionOf({ caption, panels }: Figure): string {
-  const lines = new Set(panels.flatMap((panel) => panel.lines));
+/**
+ * A figure's caption, and how the paper's method is set up in it. Its numbers are those of the saved report,
+ * or of `measured`.
+ */
+export function captionOf(
+  figure: Figure,
+  measured: Measured['panels'] = savedReport?.panels ?? {},
+): string {
+  const lines = new Set(figure.panels.flatMap((panel) => panel.lines));
   const names = new Map<string, string[]>();
   for (const id of lines) {
     const setUp = setUpOf(id);
     if (setUp) names.set(setUp, [...(names.get(setUp) ?? []), `“${lineStyles[id].label}”`]);
   }
   const told = [...names].map(([setUp, labels]) => `${labels.join(', ')}: ${setUp}.`);
-  return [caption, ...told].join(' ');
+  return [filled(figure, measured), ...told].join(' ');
 }

@@ -1,0 +1,71 @@
+// Saved numbers are found again: `npm run check:long` computes the Paper page's report and the studies that
+// docs quote anew. Times are not compared, nor verdicts that rest on them.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { describe, test } from 'node:test';
+import { buildNative } from '../../.tools/build.mjs';
+import { savedStudies, studyLines } from '../../.tools/saved_study.mjs';
+import { inRoot, run } from '../../.tools/shell.mjs';
+import { differences, isNear, lineDifferences } from './near.mjs';
+
+const long = process.env.KARCHER_LONG === '1';
+const json = (path) => JSON.parse(readFileSync(inRoot(path), 'utf8'));
+
+describe('what is near', () => {
+  test('rounding is no difference, three of a hundred are', () => {
+    assert.ok(isNear(1, 1.019) && !isNear(1.5, 1.55));
+    assert.ok(isNear(1e-14, 3e-8) && !isNear(0, 1e-3));
+    assert.ok(isNear(5, 8) && !isNear(5, 9) && isNear(500, 509));
+    assert.ok(isNear('holds', 'holds') && !isNear('holds', 'open') && !isNear(null, 1.5));
+  });
+
+  test('a number that changed is found wherever it stands, a time is not', () => {
+    const report = json('docs/paper-report.json');
+    assert.deepEqual(differences(report, report), []);
+    const other = structuredClone(report);
+    other.panels['far/bezier'][0].traceMs = 1e6;
+    assert.deepEqual(differences(other, report), []);
+    const line = other.panels['far/bezier'].find(({ id }) => id === 'leveled');
+    line.sharpestTurn.degrees *= 1.1;
+    assert.equal(differences(other, report).length, 1);
+    delete other.panels['plane/grid'];
+    assert.equal(differences(other, report).length, 2);
+  });
+
+  test('a cell of a table that changed is found, one of times is not', () => {
+    const table = ['| a | exact: us |', '| --- | --- |', '| 1.5e-3 of 12 | 3.5 |', 'worst 4.8 %'];
+    assert.deepEqual(lineDifferences(table, table), []);
+    const other = (from, to) => table.map((line) => line.replace(from, to));
+    assert.deepEqual(lineDifferences(other('3.5', '9.5'), table), []);
+    assert.equal(lineDifferences(other('1.5e-3', '1.6e-3'), table).length, 1);
+    assert.equal(lineDifferences(other('4.8', '5.8'), table).length, 1);
+    assert.equal(lineDifferences(other('worst', 'best'), table).length, 1);
+  });
+});
+
+describe('anew', { skip: !long }, () => {
+  for (const { study, arguments: args, lines } of savedStudies()) {
+    // Files are not the project's.
+    if (args.some((argument) => argument.includes('.'))) continue;
+    test(`npm run study -- ${[study, ...args].join(' ')}`, async () => {
+      await buildNative('native', `${study}_study`);
+      const found = lineDifferences(await studyLines(study, args), lines);
+      assert.deepEqual(found.slice(0, 10), [], `--save writes it anew: ${found.length} differ`);
+    });
+  }
+
+  test('npm run paper', async () => {
+    const saved = json('docs/paper-report.json');
+    await run(process.execPath, ['.tools/paper.mjs', '--built'], { quiet: true, minutes: 60 });
+    const now = json('build/paper.json');
+    const numbers = ({ panels, table, plots }) => ({ panels, table, plots });
+    const found = differences(numbers(now), numbers(saved));
+    assert.deepEqual(found.slice(0, 10), [], `--save writes it anew: ${found.length} differ`);
+    for (const { id, verdict } of now.claims) {
+      // It needs a quiet machine, or meshes that are not the project's.
+      if (['open', 'not measured here'].includes(verdict)) continue;
+      const before = saved.claims.find((claim) => claim.id === id);
+      if (before.verdict !== 'open') assert.equal(verdict, before.verdict, id);
+    }
+  });
+});

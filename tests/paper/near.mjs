@@ -1,0 +1,54 @@
+// Whether numbers that were measured anew are those that were saved.
+
+/** What a clock or the machine decides, and words that are made of the numbers. */
+const apart =
+  /ms$|memory|^(date|machine|version|sources|load|seconds|measured|on|reason|most|renewed)$/i;
+
+/**
+ * Other compilers round otherwise: searches that nearly fail do or do not, and what is nearly 0 is another
+ * number. So two parts of a hundred, three of a count, and rounding are no difference.
+ */
+export function isNear(a, b) {
+  if (typeof a !== 'number' || typeof b !== 'number') return a === b;
+  const most = 0.02 * Math.max(Math.abs(a), Math.abs(b));
+  const isCount = Number.isInteger(a) && Number.isInteger(b);
+  return Math.abs(a - b) <= Math.max(most, isCount ? 3 : 1e-6);
+}
+
+/** Where two values of numbers, lists and objects differ, as paths; times and the like are left out. */
+export function differences(now, saved, path = '') {
+  if (now === null || saved === null || typeof now !== 'object' || typeof saved !== 'object') {
+    return isNear(now, saved) ? [] : [`${path}: ${saved} was saved, now ${now}`];
+  }
+  const keys = new Set([...Object.keys(now), ...Object.keys(saved)]);
+  return [...keys].flatMap((key) =>
+    apart.test(key) ? [] : differences(now[key] ?? null, saved[key] ?? null, `${path}/${key}`),
+  );
+}
+
+const number = /-?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?/g;
+const numbersOf = (text) =>
+  (text.match(number) ?? []).map((one) => Number(one.replaceAll(',', '')));
+
+/** Columns that are rounding by themselves, or times. */
+const ofRounding = /^(rotated|both ways|fast: us|exact: us)$/;
+
+/** Where the lines that a study printed differ from those that were saved, all but times. */
+export function lineDifferences(now, saved) {
+  if (now.length !== saved.length) return [`${saved.length} lines were saved, now ${now.length}`];
+  let heads = [];
+  return now.flatMap((line, i) => {
+    const [cells, before] = [line, saved[i]].map((one) =>
+      one.split('|').map((cell) => cell.trim()),
+    );
+    if (/^\|[\s|:-]+$/.test(now[i + 1] ?? '')) heads = cells;
+    const isRow = line.startsWith('|');
+    return cells.flatMap((cell, k) => {
+      if (isRow && ofRounding.test(heads[k] ?? '')) return [];
+      const [a, b] = [cell, before[k] ?? ''].map(numbersOf);
+      const same = a.length === b.length && a.every((value, j) => isNear(value, b[j]));
+      const words = cell.replaceAll(number, '#') === (before[k] ?? '').replaceAll(number, '#');
+      return same && words ? [] : [`'${before[k]}' was saved, now '${cell}': ${line}`];
+    });
+  });
+}

@@ -1,0 +1,8 @@
+import type { SavedReport } from './saved';
+
+/** The report in this checkout, if there is one: a page can be built without. */
+const found = import.meta.glob<SavedReport>('../../../docs/paper-report.json', {
+  eager: true,
+  import: 'default',
+});
+export const savedReport: SavedReport | null = Object.values(found)[0] ?? null;
