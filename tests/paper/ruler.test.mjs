@@ -16,6 +16,7 @@ const alike = {
   bSurf: 'bSurf',
   paper: 'paperGraph6',
   karcher: 'karcher',
+  leveled: 'leveled',
 };
 
 const folder = temporaryFolder();

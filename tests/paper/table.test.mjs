@@ -115,8 +115,8 @@ describe('the table on a page', () => {
     workers[0].break('out of memory');
     await settled();
     assert.equal(workers[0].ended, true);
-    assert.deepEqual(workers[1].jobs[0].methods, ['paper', 'karcher']);
-    for (const method of ['paper', 'karcher']) {
+    assert.deepEqual(workers[1].jobs[0].methods, ['paper', 'karcher', 'leveled']);
+    for (const method of ['paper', 'karcher', 'leveled']) {
       workers[1].begin(method);
       workers[1].finish(method);
     }
@@ -134,6 +134,7 @@ describe('the table on a page', () => {
       [first, 'weightedAverages', 'out of memory'],
       [first, 'paper', null],
       [first, 'karcher', null],
+      [first, 'leveled', null],
       ...rows.tableMethods.map((method) => [second, method, 'no such mesh']),
     ]);
   });
@@ -174,13 +175,13 @@ describe('the table', () => {
       events,
       small.flatMap(({ id }) => [id, ...rows.tableMethods]),
     );
-    assert.equal(cells.length, 15);
+    assert.equal(cells.length, 18);
     for (const { method, result, segments, triangles } of cells) {
       assert.equal(result.ok, true, `${method}: ${result.reason}`);
       const times = ['prepareMs', 'traceMs', 'fieldsMs', 'dragMs', 'dragFieldMs'];
       for (const key of times) assert.ok(result[key] >= 0, key);
       assert.ok(result.fieldsMs <= result.traceMs && result.dragFieldMs <= result.dragMs, method);
-      assert.equal(result.fieldsMs > 0, ['paper', 'karcher'].includes(method), method);
+      assert.equal(result.fieldsMs > 0, ['paper', 'karcher', 'leveled'].includes(method), method);
       assert.ok(result.memory > 1000 && result.memory < 1e9, `${method}: ${result.memory} bytes`);
       const used = rows.asUsedMs(result);
       assert.equal(used !== null, ['vectorHeat', 'affineHeat'].includes(method), method);

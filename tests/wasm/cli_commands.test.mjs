@@ -370,6 +370,7 @@ test('compare prints each method with its measures or its reason', async () => {
   assert.deepEqual(printedMesh, { vertices: 169, triangles: 288, meanEdge: mesh.info.meanEdge });
   assert.deepEqual(Object.keys(methods), [
     ...['vectorHeat', 'affineHeat', 'weightedAverages', 'descent', 'bSurf', 'paper', 'karcher'],
+    'leveled',
   ]);
   const keys = [
     ...['solver', 'ok', 'reason', 'prepareMs', 'traceMs', 'fieldsMs', 'dragMs', 'dragFieldMs'],

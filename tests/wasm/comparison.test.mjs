@@ -14,7 +14,7 @@ before(async () => {
 
 describe('a drag', () => {
   test('moves a B-spline on the plane by its largest weight, and without leaps', async () => {
-    for (const name of ['karcher', 'bSurf', 'affineHeat', 'weightedAverages']) {
+    for (const name of ['karcher', 'leveled', 'bSurf', 'affineHeat', 'weightedAverages']) {
       const method = await peers.prepare(plane, { method: name, landmarks: 40 });
       const plan = peers.plan(points, 17);
       const curve = method.curve(plan);

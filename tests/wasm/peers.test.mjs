@@ -39,7 +39,7 @@ test("ours and the paper's are the curves of the engine, sample by sample", asyn
 });
 
 describe('every method', () => {
-  const curved = comparedMethods.filter((name) => name !== 'descent' && name !== 'bSurf');
+  const curved = comparedMethods.filter((name) => !['descent', 'bSurf', 'leveled'].includes(name));
 
   test('gives a control point that has all the weight', async () => {
     for (const name of curved) {
@@ -192,60 +192,64 @@ describe('the paper’s authors', () => {
   });
 });
 
-describe('b/Surf', () => {
-  test('is the engine’s limit curve, and is dragged', async () => {
-    const method = await peers.prepare(plane, { method: 'bSurf' });
-    const curve = method.curve(peers.plan(points, 9));
-    assert.ok((await curve.trace()) >= 0);
-    const limit = (all) =>
-      plane.curve({ kind: 'bspline', points: all, samples: 9, levels: 'limit' });
-    assert.deepEqual(curve.samples(), limit(points).samples());
-    curve.movePoint(2, { vertex: 71 });
-    const moved = limit(points.with(2, { vertex: 71 }));
-    assert.deepEqual(curve.samples(), moved.samples());
-    assert.deepEqual(curve.line().path.polyline(), moved.polyline());
-    assert.deepEqual([curve.lostByOwnRule(), curve.logMaps()], [0, null]);
-    method.dispose();
-  });
+for (const [name, levels] of [
+  ['bSurf', 'limit'],
+  ['leveled', 'auto'],
+])
+  describe(`the engine’s curve as the method ${name}`, () => {
+    test(`is that of levels ${levels}, and is dragged`, async () => {
+      const method = await peers.prepare(plane, { method: name });
+      const curve = method.curve(peers.plan(points, 9));
+      assert.ok((await curve.trace()) >= 0);
+      const expected = (all) => plane.curve({ kind: 'bspline', points: all, samples: 9, levels });
+      assert.deepEqual(curve.samples(), expected(points).samples());
+      curve.movePoint(2, { vertex: 71 });
+      const moved = expected(points.with(2, { vertex: 71 }));
+      assert.deepEqual(curve.samples(), moved.samples());
+      assert.deepEqual(curve.line().path.polyline(), moved.polyline());
+      assert.deepEqual([curve.lostByOwnRule(), curve.logMaps()], [0, null]);
+      method.dispose();
+    });
 
-  test('is gone once it is disposed of, and checks what it is given', async () => {
-    const method = await peers.prepare(plane, { method: 'bSurf' });
-    const curve = method.curve(peers.plan(points, 9));
-    for (const number of [-1, points.length, 99]) {
-      assert.throws(() => curve.movePoint(number, { vertex: 71 }), { code: 'badIndex' });
-    }
-    await curve.trace();
-    method.dispose();
-    const bytes = peers.karcher.allocatedBytes();
-    for (const use of [
-      () => curve.samples(),
-      () => curve.line(),
-      () => curve.movePoint(0, { vertex: 71 }),
-      () => curve.finish(),
-      () => method.curve(peers.plan(points, 9)),
-    ]) {
-      assert.throws(use, { code: 'disposed' });
-    }
-    await assert.rejects(curve.trace(), { code: 'disposed' });
-    assert.equal(peers.karcher.allocatedBytes(), bytes, 'nothing was made');
-  });
+    test('is gone once it is disposed of, and checks what it is given', async () => {
+      const method = await peers.prepare(plane, { method: name });
+      const curve = method.curve(peers.plan(points, 9));
+      for (const number of [-1, points.length, 99]) {
+        assert.throws(() => curve.movePoint(number, { vertex: 71 }), { code: 'badIndex' });
+      }
+      await curve.trace();
+      method.dispose();
+      const bytes = peers.karcher.allocatedBytes();
+      for (const use of [
+        () => curve.samples(),
+        () => curve.line(),
+        () => curve.movePoint(0, { vertex: 71 }),
+        () => curve.finish(),
+        () => method.curve(peers.plan(points, 9)),
+      ]) {
+        assert.throws(use, { code: 'disposed' });
+      }
+      await assert.rejects(curve.trace(), { code: 'disposed' });
+      assert.equal(peers.karcher.allocatedBytes(), bytes, 'nothing was made');
+    });
 
-  test('makes no curves of other kinds, and no centers', async () => {
-    const method = await peers.prepare(plane, { method: 'bSurf' });
-    const table = peers.barycentric([1, 2, 1], 5);
-    const badArgument = { name: 'KarcherError', code: 'badArgument' };
-    assert.throws(
-      () => method.curve({ points: points.slice(0, 3), first: [0], table }),
-      badArgument,
-    );
-    assert.throws(() => method.centerOfMass(points, [0, 0, 1, 0, 0]), badArgument);
+    test('makes no curves of other kinds, and no centers', async () => {
+      const method = await peers.prepare(plane, { method: name });
+      const table = peers.barycentric([1, 2, 1], 5);
+      const badArgument = { name: 'KarcherError', code: 'badArgument' };
+      assert.throws(
+        () => method.curve({ points: points.slice(0, 3), first: [0], table }),
+        badArgument,
+      );
+      assert.throws(() => method.centerOfMass(points, [0, 0, 1, 0, 0]), badArgument);
+    });
   });
-});
 
 test('options are for the methods that have a use for them', async () => {
   for (const options of [
     { method: 'vectorHeat', seeds: 'authors' },
     { method: 'bSurf', seeds: 'heaviest' },
+    { method: 'leveled', seeds: 'authors' },
     { method: 'karcher', star: 'ring' },
     { method: 'weightedAverages', star: 'wide' },
   ]) {

@@ -104,6 +104,8 @@ export function solverWords(options: MethodOptions): string {
       return 'exact distances at the vertices';
     case 'bSurf':
       return 'averages of two points along geodesics';
+    case 'leveled':
+      return 'near fields of a refined control polygon';
     case 'paper': {
       const faces = star === 'ring' ? 'around a vertex' : 'around a vertex and beyond';
       const start = seeds === 'authors' ? 'authors’ seeds' : 'seeds at the heaviest points';

@@ -15,8 +15,8 @@ import { toSurfacePoint, wirePoints } from '../points.js';
 import { prepareGraph } from '../prepare.js';
 import type { LongWorkOptions, PointLike } from '../types.js';
 import { ComparedCurve } from './compared_curve.js';
+import { EngineMethod, isOfEngine } from './engine_method.js';
 import type { EngineMethodOptions, EnginePreparedMethod, PeersModule } from './karcher-peers.mjs';
-import { SubdivisionMethod } from './subdivision_method.js';
 import type {
   ComparedCenter,
   ComparedMethod,
@@ -35,6 +35,7 @@ export const comparedMethods: readonly ComparedMethod[] = [
   'bSurf',
   'paper',
   'karcher',
+  'leveled',
 ];
 
 const defaultLandmarks = 500;
@@ -150,7 +151,8 @@ export async function prepareMethod(
   checkLongWork(work);
   const { progress, signal } = work;
   signal?.throwIfAborted();
-  if (options.method === 'bSurf') return new SubdivisionMethod(mesh, options);
+  const { method } = options;
+  if (isOfEngine(method)) return new EngineMethod(mesh, { ...options, method });
   let worked = 0;
   if (wire.field.solver === 'graph') {
     worked += await prepareGraph(engine, mesh.handle, mesh.info.triangles, wire.field.rings, work);

@@ -12,7 +12,8 @@ import type {
  * The methods that are compared: the vector heat method (Sharp, Soliman, Crane 2019), the affine
  * heat method (Soliman, Sharp 2025), weighted averages (Panozzo, Baran, Diamanti, Sorkine-Hornung
  * 2013), piecewise-linear descent of the distance field (Kimmel, Sethian 1998), subdivision as in b/Surf
- * (Mancinelli, Nazzaro, Pellacini, Puppo 2022), the paper's method (Mancinelli, Puppo) and ours.
+ * (Mancinelli, Nazzaro, Pellacini, Puppo 2022), the paper's method (Mancinelli, Puppo), our centers of mass of
+ * all points (`karcher`, level 0) and our default, which refines the control polygon first (`leveled`).
  */
 export type ComparedMethod =
   | 'vectorHeat'
@@ -21,7 +22,8 @@ export type ComparedMethod =
   | 'descent'
   | 'bSurf'
   | 'paper'
-  | 'karcher';
+  | 'karcher'
+  | 'leveled';
 
 export interface MethodOptions {
   method: ComparedMethod;
@@ -64,7 +66,8 @@ export interface CurvePlan {
   points: readonly PointLike[];
   first: readonly number[];
   table: WeightTable;
-  /** What kind of curve that is, where it is one that can be subdivided: for `bSurf`. */
+  /** What kind of curve that is, where it is one that can be subdivided: for `bSurf`
+   * and `leveled`. */
   shape?: { kind: 'bspline' | 'bezier' | 'rational'; weights?: readonly number[] };
 }
 

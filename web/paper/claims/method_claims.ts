@@ -93,6 +93,7 @@ const meshMethodsShown = [
   ['paperExact', 'with exact distances'],
   ['weightedAverages', 'weighted averages'],
   ['karcher', 'ours'],
+  ['leveled', 'our default'],
   ['bSurf', 'b/Surf'],
 ] as const satisfies readonly [MeshMethod, string][];
 
@@ -113,6 +114,7 @@ const growthMethods = [
   ['weightedAverages', 'weighted averages'],
   ['paper', 'the paper'],
   ['karcher', 'ours'],
+  ['leveled', 'our default'],
 ] as const;
 
 /** How the paper's method grows beside another, at the sizes at which neither failed; none if these are not two. */

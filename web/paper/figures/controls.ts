@@ -52,7 +52,7 @@ export const circleFigure: Figure = {
   name: 'Section 5, inset',
   title: 'A circle on a coarse mesh',
   caption:
-    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are differences between the distance to the center and the radius; turning noise is measured against the exact isoline. The arcs are by our method alone; sphere and radius are ours.',
+    'A geodesic circle by seven rational quadratic arcs, the isoline of the distances at the vertices, and the exact isoline. Deviations are differences between the distance to the center and the radius; turning noise is measured against the exact isoline. The arcs are by our method alone, as centers of mass of three points and with the levels of the default; sphere and radius are ours.',
   points: { circle: [onSphere(8, 12), onSphere(48, 20)] },
   panels: [
     {
@@ -61,7 +61,7 @@ export const circleFigure: Figure = {
       mesh: { kind: 'shape', name: 'sphere', triangles: 500 },
       points: 'circle',
       curve: { kind: 'circle', arcs: 7 },
-      lines: ['isolineLinear', 'circleArcs', 'isolineExact'],
+      lines: ['isolineLinear', 'circleArcs', 'circleDefault', 'isolineExact'],
       samples: 16,
       view: { from: [0.15, 0.2, 1], edges: true },
     },

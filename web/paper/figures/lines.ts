@@ -108,7 +108,8 @@ export const lineStyles: Record<LineId, LineStyle> = {
   },
   leveled: { label: 'Karcher, default', color: '--line-levels', width: 2.5 },
   bridged: { label: 'Karcher, level 0, bridged', color: '--line-bridge', width: 2.5 },
-  circleArcs: { label: 'Rational arcs', color: '--line-karcher', width: 3.5 },
+  circleArcs: { label: 'Rational arcs, level 0', color: '--line-karcher', width: 3.5 },
+  circleDefault: { label: 'Rational arcs, default', color: '--line-levels', width: 2 },
   isolineLinear: { label: 'Linear isoline', color: '--line-paper', width: 2 },
   isolineExact: { label: 'Exact isoline', color: '--line-exact', width: 2 },
 };

@@ -54,6 +54,7 @@ const paths: LineId[] = [
   'weightedAverages',
   'paper',
   'karcherExact',
+  'leveled',
   'exactPath',
 ];
 
@@ -62,7 +63,7 @@ export const pathFigure: Figure = {
   name: 'Figure 3',
   title: 'Shortest paths as centers of mass',
   caption:
-    'The shortest path between two points p and q, as the centers of mass for weights (1 − w, w) with w from 0 to 1, by the paper’s method and by ours, with exact distances. The paper’s searches start as its authors’ program has it: each at the last sample that was found. Ours start the first at p, each of the others at the center before it, and the last, for w = 1, at q. Beside them are the path of steepest descent of the distance field and the exact path, from which deviations are measured. The surfaces are a regular torus and one simplified to 500 triangles. The arrows are the constant gradients that the descent follows. The paper’s tori are others, and so are the two points.',
+    'The shortest path between two points p and q, as the centers of mass for weights (1 − w, w) with w from 0 to 1, by the paper’s method and by ours, with exact distances. The paper’s searches start as its authors’ program has it: each at the last sample that was found. Ours start the first at p, each of the others at the center before it, and the last, for w = 1, at q. Beside them are the path of steepest descent of the distance field and the exact path, from which deviations are measured. The surfaces are a regular torus and one simplified to 500 triangles. Our default refines the polygon first, and between two points is the path itself. The arrows are the constant gradients that the descent follows. The paper’s tori are others, and so are the two points.',
   points: { pair },
   panels: [
     {

@@ -40,6 +40,7 @@ export type LineId =
   | 'bridged'
   | 'leveled'
   | 'circleArcs'
+  | 'circleDefault'
   | 'isolineLinear'
   | 'isolineExact';
 

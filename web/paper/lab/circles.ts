@@ -77,12 +77,12 @@ function turningNoiseOf(
   return scene.meter.measure(measured, samples(truth)).turningNoise;
 }
 
-/** Rational quadratic arcs, each a center of mass of three points. */
-export function circleArcs(task: Task, id: LineId): LineResult {
+/** Rational quadratic arcs: each a center of mass of three points at level 0. */
+function arcsAt(task: Task, id: LineId, levels: 0 | 'auto'): LineResult {
   const radius = radiusOf(task);
   const arcs = task.curve.kind === 'circle' ? task.curve.arcs : 7;
   const start = performance.now();
-  const circle = task.scene.mesh.circle(task.points[0]!, { radius, arcs, samples: 16, levels: 0 });
+  const circle = task.scene.mesh.circle(task.points[0]!, { radius, arcs, samples: 16, levels });
   const traceMs = performance.now() - start;
   const { count, face, bary, status } = circle.samples;
   const on = Array.from({ length: count }, (_, i) => ({ face: face[i]!, bary: at(bary, i) }));
@@ -90,12 +90,18 @@ export function circleArcs(task: Task, id: LineId): LineResult {
     ...emptyLine(id),
     traceMs,
     samples: count,
-    lost: status.filter((name) => name !== 'converged').length,
+    lost: status.filter((name) => name !== 'converged' && name !== 'bridged').length,
     deviation: deviationOf(task, radius, on),
     turningNoise: turningNoiseOf(task, radius, [circle.path.polyline({ bits: 64 })]),
     polylines: [circle.path.polyline()],
   };
 }
+
+/** Each arc a center of mass of its three points. */
+export const circleArcs = (task: Task, id: LineId): LineResult => arcsAt(task, id, 0);
+
+/** With as many levels as our default takes. */
+export const circleDefault = (task: Task, id: LineId): LineResult => arcsAt(task, id, 'auto');
 
 /** The isolines of the distance from the first point. */
 function isolines(task: Task, id: LineId, type: 'exact' | 'linear'): LineResult {

@@ -11,7 +11,7 @@ import {
 } from 'karcher/peers';
 import { lineStyles } from '../figures/lines';
 import type { LineId, LineResult, Vector } from '../figures/types';
-import { circleArcs, isolineExact, isolineLinear } from './circles';
+import { circleArcs, circleDefault, isolineExact, isolineLinear } from './circles';
 import { emptyLine } from './empty_line';
 import { affineSamples, planOf, type Task } from './task';
 
@@ -230,6 +230,7 @@ const makers: Partial<Record<LineId, Maker>> = {
   },
 
   circleArcs,
+  circleDefault,
   isolineLinear,
   isolineExact,
 };

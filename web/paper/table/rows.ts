@@ -13,13 +13,14 @@ export interface TableRow {
   points: readonly Vector[];
 }
 
-/** The methods of the paper's table, the affine heat method, and ours. */
+/** The methods of the paper's table, the affine heat method, our level 0 and our default. */
 export const tableMethods = [
   'vectorHeat',
   'affineHeat',
   'weightedAverages',
   'paper',
   'karcher',
+  'leveled',
 ] as const satisfies ComparedMethod[];
 
 export type TableMethod = (typeof tableMethods)[number];
@@ -30,6 +31,7 @@ export const tableMethodNames: Record<TableMethod, string> = {
   weightedAverages: 'Weighted averages',
   paper: 'Paper',
   karcher: 'Karcher, level 0',
+  leveled: 'Karcher, default',
 };
 
 const pair = pathFigure.points.pair!;

@@ -6,33 +6,50 @@ import type { CurveSamples, PointLike } from '../types.js';
 import type {
   ComparedCenter,
   ComparedLine,
+  ComparedMethod,
   CurvePlan,
   MethodCurve,
   MethodOptions,
   PreparedCurves,
 } from './types.js';
 
-/**
- * b/Surf (C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface
- * Meshes", 2022) as the engine has it, the curve of `levels: 'limit'`: repeated averages of two points along
- * geodesics. It needs no fields and nothing prepared, and its points are no centers of mass.
- */
-export class SubdivisionMethod implements PreparedCurves {
+/** The methods that are curves of the engine, and what they have of its levels. */
+const engineMethods = {
+  /**
+   * b/Surf (C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface
+   * Meshes", 2022) as the engine has it: repeated averages of two points along geodesics. It needs no fields,
+   * and its points are no centers of mass.
+   */
+  bSurf: { levels: 'limit', name: 'b/Surf' },
+  /** Our default: the control polygon is refined first, as often as needed. */
+  leveled: { levels: 'auto', name: 'a refined curve' },
+} as const;
+
+export type EngineMethodName = keyof typeof engineMethods;
+
+/** Whether a method is a curve of the engine. */
+export const isOfEngine = (method: ComparedMethod): method is EngineMethodName =>
+  method in engineMethods;
+
+/** A curve of the engine as a compared method. Nothing is prepared. */
+export class EngineMethod implements PreparedCurves {
   readonly options: MethodOptions;
   readonly prepareMs = 0;
   readonly #mesh: Mesh;
-  readonly #curves = new Set<SubdivisionCurve>();
+  readonly #method: EngineMethodName;
+  readonly #curves = new Set<EngineCurve>();
   #disposed = false;
 
   /** @internal `Peers.prepare` makes one. */
-  constructor(mesh: Mesh, options: MethodOptions) {
+  constructor(mesh: Mesh, options: MethodOptions & { method: EngineMethodName }) {
     this.#mesh = mesh;
+    this.#method = options.method;
     this.options = { ...options };
   }
 
   curve(plan: CurvePlan): MethodCurve {
     if (this.#disposed) throw disposedOf('the method');
-    const curve = new SubdivisionCurve(this.#mesh, plan, (disposed) => {
+    const curve = new EngineCurve(this.#mesh, this.#method, plan, (disposed) => {
       this.#curves.delete(disposed);
     });
     this.#curves.add(curve);
@@ -40,10 +57,8 @@ export class SubdivisionMethod implements PreparedCurves {
   }
 
   centerOfMass(): ComparedCenter {
-    throw new KarcherError(
-      'badArgument',
-      'b/Surf averages two points at a time, and has no center',
-    );
+    const { name } = engineMethods[this.#method];
+    throw new KarcherError('badArgument', `${name} has no single center`);
   }
 
   dispose(): void {
@@ -54,23 +69,35 @@ export class SubdivisionMethod implements PreparedCurves {
 
 const disposedOf = (what: string) => new KarcherError('disposed', `${what} has been disposed of`);
 
-class SubdivisionCurve implements MethodCurve {
+class EngineCurve implements MethodCurve {
   readonly #mesh: Mesh;
+  readonly #method: EngineMethodName;
   readonly #plan: CurvePlan;
   readonly #moved = new Map<number, PointLike>();
-  readonly #forget: (curve: SubdivisionCurve) => void;
+  readonly #forget: (curve: EngineCurve) => void;
   #curve: Curve | null = null;
   #disposed = false;
-  /** Averages of two points need none. */
-  readonly fieldsMs = 0;
+  #fieldsMs = 0;
 
-  constructor(mesh: Mesh, plan: CurvePlan, forget: (curve: SubdivisionCurve) => void) {
+  constructor(
+    mesh: Mesh,
+    method: EngineMethodName,
+    plan: CurvePlan,
+    forget: (curve: EngineCurve) => void,
+  ) {
     if (!plan.shape) {
-      throw new KarcherError('badArgument', 'b/Surf makes Bezier curves and B-splines only');
+      const { name } = engineMethods[method];
+      throw new KarcherError('badArgument', `${name} is a Bezier curve or a B-spline only`);
     }
     this.#mesh = mesh;
+    this.#method = method;
     this.#plan = plan;
     this.#forget = forget;
+  }
+
+  /** Averages of two points need none. */
+  get fieldsMs(): number {
+    return this.#fieldsMs;
   }
 
   movePoint(i: number, point: PointLike): void {
@@ -83,7 +110,7 @@ class SubdivisionCurve implements MethodCurve {
     this.#moved.set(index, point);
   }
 
-  /** Nothing is searched for. */
+  /** Its searches start where the engine starts them. */
   startAt(): void {}
 
   finish(): number {
@@ -95,9 +122,11 @@ class SubdivisionCurve implements MethodCurve {
       const { points, table, shape } = this.#plan;
       const all = points.map((point, i) => this.#moved.get(i) ?? point);
       const samples = table.t.length;
-      this.#curve = this.#mesh.curve({ ...shape!, points: all, samples, levels: 'limit' });
+      const { levels } = engineMethods[this.#method];
+      this.#curve = this.#mesh.curve({ ...shape!, points: all, samples, levels });
     }
     this.#moved.clear();
+    this.#fieldsMs = this.#curve.times().fields;
     return performance.now() - start;
   }
 
