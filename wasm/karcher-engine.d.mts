@@ -330,8 +330,8 @@ export interface EngineGraphBuilder {
 
 export interface EngineOptions {
   instantiateWasm(
-    imports: WebAssembly.Imports,
-    done: (instance: WebAssembly.Instance) => void,
+    imports: Record<string, Record<string, never>>,
+    done: (instance: object) => void,
   ): object;
 }
 

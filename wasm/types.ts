@@ -9,6 +9,7 @@
  */
 
 import type { Path } from './path.js';
+import type { AddressObject, CompiledModule, FetchedResponse, StopSignal } from './platform.js';
 
 export type * from './mesh_types.js';
 
@@ -624,12 +625,12 @@ export interface CurveTimes {
  */
 export type WasmSource =
   | string
-  | URL
-  | Response
+  | AddressObject
+  | FetchedResponse
   | ArrayBuffer
   | SharedArrayBuffer
   | ArrayBufferView
-  | WebAssembly.Module;
+  | CompiledModule;
 
 /** Where the engine’s module is. */
 export interface LoadOptions {
@@ -647,5 +648,5 @@ export type Progress = (done: number, stage: string) => void;
 /** How long work says how far it is, and is given up. */
 export interface LongWorkOptions {
   progress?: Progress | undefined;
-  signal?: AbortSignal | undefined;
+  signal?: StopSignal | undefined;
 }

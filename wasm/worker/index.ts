@@ -2,6 +2,7 @@ import { checkOptions } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { compiled } from '../instantiate.js';
 import { checkLongWork, namesOf } from '../options.js';
+import type { StopSignal } from '../platform.js';
 import type { WasmSource } from '../types.js';
 import { unknownReason, WorkerClient, type WorkerLike } from './client.js';
 import type { FirstRequest } from './protocol.js';
@@ -36,7 +37,7 @@ export interface WorkerOptions {
   /** Where the engine is, as of `load`; the worker gets it compiled. */
   wasm?: WasmSource | undefined;
   /** Ends the loading. */
-  signal?: AbortSignal | undefined;
+  signal?: StopSignal | undefined;
 }
 
 const workerOptionNames = namesOf<WorkerOptions>({ worker: true, wasm: true, signal: true });
