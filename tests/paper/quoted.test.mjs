@@ -128,6 +128,17 @@ describe('the gallery', () => {
     assert.equal(Number(most('exactRotated')[9]), Number(exact));
   });
 
+  test('what converged promises is what the study of centers counted', () => {
+    const counted =
+      /in all: (\d+) converged, (\d+) indefinite, no minimum: unchecked (\d+) \(lower by (\S+) h2 at most\), checked (\d+) .*; moved (\d+), ties (\d+), .*; renumbered: moved (\d+), ties (\d+), farthest (\S+)$/;
+    const words = told(
+      'docs/gallery.md',
+      /(\d+) converged, (\d+) indefinite\. Without the check (\d+) of .* no minima, by (\S+) h2 at most; with it (\d+)\. .* motions moved (\d+) centers and (\d+) ties, and another order (\d+) and (\d+) ties, to other minima, the farthest by (\S+) diagonals/,
+    );
+    const saved = counted.exec(savedLines('centers').at(-1)).slice(1);
+    assert.deepEqual(words.map(Number), saved.map(Number));
+  });
+
   test('microseconds a vertex', () => {
     const numbers = /(\S+) to (\S+) microseconds a vertex .*? (\S+) in the median/;
     for (const name of [

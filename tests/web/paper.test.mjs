@@ -467,7 +467,7 @@ describe('the Paper page', () => {
     await start(1_000);
     await page.waitForFunction(() => window.karcherPaper.table.settled);
     assert.equal(await status(), 'Done.');
-    assert.equal(await page.evaluate(() => window.karcherPaper.table.cells.length), 5);
+    assert.equal(await page.evaluate(() => window.karcherPaper.table.cells.length), 6);
     assert.deepEqual(logged, []);
   });
 
