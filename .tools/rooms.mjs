@@ -78,18 +78,23 @@ export function readRooms(markdown) {
 
 function throwIfCircular(rooms) {
   const byName = new Map(rooms.map((room) => [room.name, room]));
+  const [circle] = circlesIn(byName.keys(), (name) => byName.get(name)?.uses.keys() ?? []);
+  if (circle) throw new Error(`rooms use each other: ${circle.join(' -> ')}`);
+}
+
+/** The ways that lead from names by what they use back to themselves, one for each use that closes one. */
+function circlesIn(names, usesOf) {
+  const circles = [];
   const done = new Set();
   const visit = (name, way) => {
-    if (way.includes(name)) {
-      throw new Error(
-        `rooms use each other: ${[...way, name].slice(way.indexOf(name)).join(' -> ')}`,
-      );
+    if (way.includes(name)) circles.push([...way.slice(way.indexOf(name)), name]);
+    else if (!done.has(name)) {
+      for (const used of usesOf(name)) visit(used, [...way, name]);
+      done.add(name);
     }
-    if (done.has(name)) return;
-    for (const used of byName.get(name)?.uses.keys() ?? []) visit(used, [...way, name]);
-    done.add(name);
   };
-  for (const name of byName.keys()) visit(name, []);
+  for (const name of names) visit(name, []);
+  return circles;
 }
 
 /** What a file of C++ includes: `{ target, quoted }`. */
@@ -99,7 +104,10 @@ const includesOf = (text) =>
     quoted: own !== undefined,
   }));
 
-/** What a file of TypeScript imports, starts as a worker or names by its address: `{ target, typesOnly }`. */
+/**
+ * What a file of TypeScript imports, or names by its address, such as a worker that it starts:
+ * `{ target, typesOnly, isStarted }`.
+ */
 function importsOf(text) {
   const statement =
     /^\s*(?:import|export)\s+(type\s+)?(?:([\w$*{}\s,]+?)\s+from\s+)?['"]([^'"]+)['"]/gm;
@@ -109,8 +117,8 @@ function importsOf(text) {
     const typesOnly = eachType.length > 0 && eachType.every((name) => name.startsWith('type '));
     return { target, typesOnly: type !== undefined || typesOnly };
   });
-  const called = [...text.matchAll(/\b(?:import|new\s+URL)\(\s*['"]([^'"]+)['"]/g)].map(
-    ([, target]) => ({ target, typesOnly: false }),
+  const called = [...text.matchAll(/\b(import|new\s+URL)\(\s*['"]([^'"]+)['"]/g)].map(
+    ([, how, target]) => ({ target, typesOnly: false, isStarted: how !== 'import' }),
   );
   return [...named, ...called];
 }
@@ -126,7 +134,8 @@ function packageOf(target, isCpp) {
 
 /**
  * What is wrong, a sentence each, with the files `{ path, text }` of a project with these rooms:
- * uses that no table allows, files in no room and rooms without a file.
+ * uses that no table allows, files in no room, rooms without a file, and files that lead back to
+ * themselves by what they include or import, types as well; a worker is another program.
  */
 export function wrongUses(rooms, files) {
   const named = new Map(rooms.flatMap((room) => room.paths.map((path) => [path, room])));
@@ -137,6 +146,7 @@ export function wrongUses(rooms, files) {
   for (const room of rooms) {
     if (!inhabited.has(room)) wrong.push(`${room.name}: a room without a file`);
   }
+  const usesOf = new Map(files.map(({ path }) => [path, new Set()]));
   for (const { path, text } of files) {
     const room = roomOf(path);
     if (!room) {
@@ -153,8 +163,9 @@ export function wrongUses(rooms, files) {
         wrong.push(`${path}: uses '${target}', of which ${room.name} may import types only`);
       }
     };
-    const checkOwn = (candidates, target, typesOnly) => {
+    const checkOwn = (candidates, target, typesOnly, isStarted = false) => {
       const found = candidates.find((candidate) => present.has(candidate)) ?? candidates[0];
+      if (!isStarted) usesOf.get(path).add(found);
       const used = roomOf(found);
       if (used) check(used.name, target, typesOnly);
       else if (sources.test(found)) wrong.push(`${path}: uses '${target}', which is in no room`);
@@ -165,19 +176,23 @@ export function wrongUses(rooms, files) {
         else check(packageOf(target, true), target, false);
       }
     } else {
-      for (const { target, typesOnly } of importsOf(text)) {
+      for (const { target, typesOnly, isStarted } of importsOf(text)) {
         if (target.startsWith('.')) {
           const at = posix.join(posix.dirname(path), target);
-          const endings = ['', '.ts', '.mts', '/index.ts'];
+          const endings = ['', '.ts', '.mts', '.d.mts', '/index.ts'];
           const stem = at.replace(/\.m?js$/, '');
           checkOwn(
             [at, stem].flatMap((start) => endings.map((ending) => start + ending)),
             target,
             typesOnly,
+            isStarted,
           );
         } else check(packageOf(target, false), target, typesOnly);
       }
     }
+  }
+  for (const circle of circlesIn(present, (path) => usesOf.get(path) ?? [])) {
+    wrong.push(`${circle[0]}: leads back to itself: ${circle.join(' -> ')}`);
   }
   return wrong;
 }

@@ -169,3 +169,7 @@ export function checkPointLike(value: unknown, what: string): Float64Array {
   const face = checkInteger(point.face, `the face of ${what}`);
   return Float64Array.of(face, ...toTriple(point.bary, `the weights of ${what}`));
 }
+
+/** The names of all of a type's options; the compiler misses none. */
+export const namesOf = <Options>(all: Record<keyof Options, true>): readonly string[] =>
+  Object.keys(all);

@@ -11,12 +11,12 @@ import type {
 } from './karcher-engine.mjs';
 import { curveOptionNames } from './options.js';
 import { Path } from './path.js';
+import type { CurveLeg } from './path_types.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import { inDouble } from './polyline.js';
 import type {
   BridgedInterval,
   CurveKind,
-  CurveLeg,
   CurveOptions,
   CurvePoint,
   CurvePoints,

@@ -1,7 +1,6 @@
-import { checkOptions, shown } from './check.js';
+import { checkOptions, namesOf, shown } from './check.js';
 import { KarcherError } from './errors.js';
 import type { EngineOptions } from './karcher-engine.mjs';
-import { namesOf } from './options.js';
 import type { LoadOptions, WasmSource } from './types.js';
 
 const loadOptionNames = namesOf<LoadOptions>({ wasm: true });

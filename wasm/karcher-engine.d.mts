@@ -12,7 +12,6 @@ import type {
   Solver,
   Star,
   Status,
-  StraightestPath,
   Uniqueness,
 } from './types.js';
 
@@ -106,7 +105,12 @@ export interface EngineMesh {
     from: Float64Array,
     direction: Float64Array,
     length: number,
-  ): Omit<StraightestPath, 'end' | 'path'> & { end: Float64Array; path: EnginePath };
+  ): {
+    path: EnginePath;
+    end: Float64Array;
+    stop: 'complete' | 'boundary' | 'limit';
+    remaining: number;
+  };
   hasRingGraph(rings: number): boolean;
   graphBuilder(rings: number): EngineGraphBuilder;
   prepareFields(field: EngineFieldOptions): void;

@@ -36,6 +36,7 @@ import {
   weightsOptionNames,
 } from './options.js';
 import { Path } from './path.js';
+import type { Circle, Ellipse, Outline, RegionShape, StraightestPath } from './path_types.js';
 import { toPointArrays, toSurfacePoint, wirePoint, wirePointArrays, wirePoints } from './points.js';
 import { prepareGraph } from './prepare.js';
 import { Region, wireOutlines, wireShapes } from './region.js';
@@ -45,12 +46,10 @@ import type {
   CenterOptions,
   CentersOfMass,
   CentersOptions,
-  Circle,
   CircleOptions,
   CurveOptions,
   CutPart,
   DistanceOptions,
-  Ellipse,
   EllipseOptions,
   FieldOptions,
   FileMarks,
@@ -60,13 +59,10 @@ import type {
   MeshInfo,
   NearestPoint,
   OffsetOptions,
-  Outline,
   PointArrays,
   PointLike,
   RegionOptions,
-  RegionShape,
   StartOptions,
-  StraightestPath,
   SurfacePoint,
   VectorLike,
   VectorsLike,

@@ -4,10 +4,12 @@ import {
   checkNumber,
   checkOneOf,
   checkOptions,
+  namesOf,
   shown,
 } from './check.js';
 import { KarcherError } from './errors.js';
 import type { EngineFieldOptions } from './karcher-engine.mjs';
+import type { RegionShape } from './path_types.js';
 import type {
   ArcOptions,
   CenterOptions,
@@ -25,16 +27,11 @@ import type {
   Method,
   OffsetOptions,
   RegionOptions,
-  RegionShape,
   Solver,
   Star,
   StartOptions,
   WeightsOptions,
 } from './types.js';
-
-/** The names of all of a type's options; the compiler misses none. */
-export const namesOf = <Options>(all: Record<keyof Options, true>): readonly string[] =>
-  Object.keys(all);
 
 const field = { method: true, solver: true, rings: true, star: true } as const;
 export const fieldOptionNames = namesOf<FieldOptions>(field);

@@ -1,5 +1,4 @@
-import { checkOneOf, checkOptions } from './check.js';
-import { namesOf } from './options.js';
+import { checkOneOf, checkOptions, namesOf } from './check.js';
 import type { PolylineOptions } from './types.js';
 
 const polylineOptionNames = namesOf<PolylineOptions>({ bits: true });

@@ -8,7 +8,6 @@
  * triangles, after polygons were cut. Lengths are in the units of the mesh.
  */
 
-import type { Path } from './path.js';
 import type { AddressObject, CompiledModule, FetchedResponse, StopSignal } from './platform.js';
 
 export type * from './mesh_types.js';
@@ -419,13 +418,6 @@ export interface CurveOptions extends FieldOptions {
 /** What a curve is. */
 export type CurveValue = CurveOptions & { legs?: readonly LegPoints[] | undefined };
 
-/** A leg of a curve's control polygon. */
-export interface CurveLeg {
-  path: Path;
-  /** The shortest path between its ends, if the leg is another one. */
-  shorter?: Path;
-}
-
 /** A place on a curve. */
 export interface CurvePoint {
   /** The number of the segment plus t in [0, 1]. */
@@ -525,19 +517,6 @@ export type FillRule = 'evenOdd' | 'nonZero';
 
 export type BooleanOperation = 'union' | 'intersection' | 'difference' | 'exclusion';
 
-/**
- * A closed path, or one from boundary to boundary, or its points, of which consecutive ones have a face
- * in common; it is closed where it ends as it starts.
- */
-export type Outline = Path | readonly PointLike[];
-
-/** What outlines enclose together. */
-export interface RegionShape {
-  outlines: readonly Outline[];
-  /** A point that shall lie inside. Without it the smaller side is inside. */
-  inside?: PointLike;
-}
-
 /** A part of a surface that was cut: numbers three a vertex and three a triangle, counterclockwise. */
 export interface CutPart {
   positions: Float64Array;
@@ -568,42 +547,6 @@ export interface IsolineOptions extends DistanceOptions {
    * interpolated between the vertices' distances by the solver (`exact`), is the radius.
    */
   type?: 'exact' | 'linear' | undefined;
-}
-
-export interface Circle extends Ellipse {
-  /**
-   * The largest difference of a sample's exact distance from the center and the radius, as a part of
-   * the radius.
-   */
-  deviation: number;
-}
-
-export interface Ellipse {
-  /** `segment` is the number of the arc. */
-  samples: CurveSamples;
-  /** `segment` is the number of the arc. */
-  bridged: BridgedInterval[];
-  /** The samples joined by geodesics. */
-  path: Path;
-  /** A number for each point of the path: 1 where the piece that leads to it is no center of mass. */
-  unconverged: Uint8Array;
-  /** How many levels the arcs have, also where `levels` leaves that to them. */
-  levels: number;
-  /** Numbers of the arcs whose geodesics from the center stopped being shortest. */
-  notShortest: number[];
-}
-
-/** Where a straightest path leads, and why it ends. */
-export interface StraightestPath {
-  path: Path;
-  end: SurfacePoint;
-  /**
-   * Why the path ended: it has the whole length (`complete`), it met the boundary, or it crossed a
-   * million edges (`limit`).
-   */
-  stop: 'complete' | 'boundary' | 'limit';
-  /** The length that was not walked; 0 for `complete`. */
-  remaining: number;
 }
 
 /** Milliseconds of a curve's last update. */

@@ -2,9 +2,10 @@ import { checkLongWork } from '../options.js';
 import { Slices } from '../slices.js';
 import type { LongWorkOptions, MeshInfo } from '../types.js';
 import { type Boundary, boundaryEdges } from './boundary.js';
-import { nearBoundaries } from './near_boundaries.js';
+import { type NearBoundaries, nearBoundaries } from './near_boundaries.js';
 import { shapesOf } from './shapes.js';
 
+export type { NearBoundaries } from './near_boundaries.js';
 export { type Solid, solidOf } from './solid.js';
 
 /** What a mesh is like, triangle by triangle, and where it is not as curves would have it. */
@@ -25,16 +26,6 @@ export interface CheckUp {
   nearBoundaries: NearBoundaries | null;
   /** Sentences about what is to be expected of curves. */
   expected: string[];
-}
-
-export interface NearBoundaries {
-  /**
-   * x, y, z of the vertices on them that lie within 1e-4 of the diagonal of another one, and near
-   * enough to be welded: a third of the shortest edge at either.
-   */
-  places: Float64Array;
-  /** The tolerance, as `weld` of `MeshOptions`, that joins them. */
-  weld: number;
 }
 
 /** A mesh of this thread or of a worker. */

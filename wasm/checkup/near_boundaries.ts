@@ -1,6 +1,15 @@
 import { batchMask, type Slices } from '../slices.js';
 import type { Boundary } from './boundary.js';
-import type { NearBoundaries } from './index.js';
+
+export interface NearBoundaries {
+  /**
+   * x, y, z of the vertices on them that lie within 1e-4 of the diagonal of another one, and near
+   * enough to be welded: a third of the shortest edge at either.
+   */
+  places: Float64Array;
+  /** The tolerance, as `weld` of `MeshOptions`, that joins them. */
+  weld: number;
+}
 
 /** How near boundaries lie on each other, as a part of the diagonal. */
 const nearness = 1e-4;

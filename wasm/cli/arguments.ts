@@ -17,8 +17,8 @@ import type {
   Solver,
   Star,
 } from '../types.js';
-import { type Command, type Option, outOption } from './command.js';
 import { fileError, UsageError } from './errors.js';
+import { type Described, type Option, outOption } from './options.js';
 import { decimalOf, parseNumber, parsePoint, parsePoints, parseVectors } from './syntax.js';
 
 /** The arguments of one command, checked: known options, once each, with a value where one belongs. */
@@ -27,14 +27,14 @@ export class Arguments {
   readonly meshes: readonly string[];
   /** Which of them the command is run for. */
   #meshPath: string;
-  readonly #command: Command;
+  readonly #command: Described;
   readonly #values: ReadonlyMap<string, string>;
   readonly #stdin: Readable;
   #read: Buffer | undefined;
   readonly #progress: Progress;
 
   /** `progress` is called while a mesh is read. */
-  constructor(command: Command, args: string[], stdin: Readable, progress: Progress) {
+  constructor(command: Described, args: string[], stdin: Readable, progress: Progress) {
     const { values, positionals } = readTokens(command, args);
     for (const option of command.options) {
       if (option.required && !values.has(option.name)) {
@@ -213,7 +213,7 @@ export class Arguments {
 }
 
 /** Throws where a command cannot be run for several meshes. */
-function checkBatch(command: Command, values: ReadonlyMap<string, string>): void {
+function checkBatch(command: Described, values: ReadonlyMap<string, string>): void {
   if (values.get('format') === 'obj') {
     throw new UsageError(`${command.name} takes one mesh with --format obj`);
   }
@@ -232,7 +232,7 @@ interface Read {
 }
 
 /** Not `strict`: a value may begin with a dash (a negative weight), and the errors are ours. */
-function readTokens(command: Command, args: string[]): Read {
+function readTokens(command: Described, args: string[]): Read {
   const { tokens } = parseArgs({
     args,
     options: Object.fromEntries(
@@ -257,7 +257,7 @@ function readTokens(command: Command, args: string[]): Read {
 }
 
 function checkOption(
-  command: Command,
+  command: Described,
   option: Option | undefined,
   rawName: string,
   value: string | undefined,

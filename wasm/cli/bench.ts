@@ -4,8 +4,9 @@ import type { Peers } from '../peers/index.js';
 import type { EngineBenchmark } from '../peers/karcher-peers.mjs';
 import { nextCorner } from '../points.js';
 import type { FieldOptions, PointLike, Solver, SurfacePoint } from '../types.js';
-import { type Command, pointsOption } from './command.js';
+import type { Command } from './command.js';
 import { UsageError } from './errors.js';
+import { pointsOption } from './options.js';
 
 const runs = 5;
 /** Of what takes a few milliseconds at most. */

@@ -1,13 +1,7 @@
-import type { Circle, Ellipse } from '../types.js';
-import {
-  type Command,
-  fieldOptions,
-  formatOption,
-  levelsOption,
-  type Option,
-  type Result,
-} from './command.js';
+import type { Circle, Ellipse } from '../path_types.js';
+import type { Command, Result } from './command.js';
 import { UsageError } from './errors.js';
+import { fieldOptions, formatOption, levelsOption, type Option } from './options.js';
 import { linesResult, sampleRecords, triples } from './output.js';
 
 const arcOptions = (byDefault: string): readonly Option[] => [

@@ -1,14 +1,5 @@
 import type { Arguments } from './arguments.js';
-
-/** An option of a command. Without `value` it is a flag. */
-export interface Option {
-  name: string;
-  /** What stands for the value in the help text: FILE. */
-  value?: string;
-  help: string;
-  default?: string;
-  required?: boolean;
-}
+import type { Described } from './options.js';
 
 /**
  * What a command gives: one JSON object, in which iterators stand for long arrays, and its polylines
@@ -22,90 +13,11 @@ export interface Result {
 }
 
 /** A command of `karcher`; each takes one mesh at a time. */
-export interface Command {
-  name: string;
+export interface Command extends Described {
   /** A line for the list of commands. */
   summary: string;
   /** What the JSON object holds. */
   output: string;
-  options: readonly Option[];
   /** `tell` says on standard error how far a long command is. */
   run(args: Arguments, tell: (sentence: string) => void): Promise<Result>;
 }
-
-/** The option of commands whose result can be drawn. */
-export const formatOption: Option = {
-  name: 'format',
-  value: 'json|obj',
-  help: 'JSON, or the polylines as an OBJ file (v and l lines)',
-  default: 'json',
-};
-
-export const pointsOption: Option = {
-  name: 'points',
-  value: 'FILE',
-  help: "a line 'face b1 b2', 'face:b1,b2' or 'v:vertex' for each point, '#' starts a comment; or JSON that a command printed, or a drawing of the page",
-  required: true,
-};
-
-/** Where the result goes, for every command that has no `out` of its own. */
-export const outOption: Option = {
-  name: 'out',
-  value: 'FILE',
-  help: 'where the result is written',
-  // What is said of it, not what is given.
-  default: 'standard output',
-};
-
-/** How the mesh is read, for every command. */
-export const meshOptions: readonly Option[] = [
-  {
-    name: 'parts',
-    value: 'NUMBERS',
-    help: 'parts of the file that are read, as 0,2; karcher info lists them',
-    default: 'all',
-  },
-  {
-    name: 'repair',
-    value: 'safe|none',
-    help: 'mend what is no surface where that is safe, or refuse it',
-    default: 'safe',
-  },
-  {
-    name: 'weld',
-    value: 'LENGTH',
-    help: 'weld boundaries that lie this near each other; 0 for none',
-    // What is said of it, not what is given.
-    default: '1e-6 of the diagonal',
-  },
-];
-
-export const levelsOption: Option = {
-  name: 'levels',
-  value: '0…8|auto|limit',
-  help: 'how often the control polygon is subdivided before its points are averaged; 0 is one center of mass a segment',
-  default: 'auto',
-};
-
-/** How fields are made, for the commands that need some. */
-export const fieldOptions: readonly Option[] = [
-  { name: 'method', value: 'karcher|paper', help: 'how fields are made', default: 'karcher' },
-  {
-    name: 'solver',
-    value: 'fast|exact|graph',
-    help: 'how distances are found; with --method paper exact (the default) or graph',
-    default: 'fast',
-  },
-  {
-    name: 'rings',
-    value: 'K',
-    help: 'rings of the graph solver, 1 to 10; it joins vertices that see each other straight',
-    default: '6',
-  },
-  {
-    name: 'star',
-    value: 'wide|ring',
-    help: "of --method paper: Eq. 3 as in its authors' program (wide) or as printed, the 1-ring",
-    default: 'wide',
-  },
-];

@@ -1,6 +1,7 @@
 import type { MethodOptions } from '../peers/index.js';
-import { type Command, pointsOption } from './command.js';
+import type { Command } from './command.js';
 import { UsageError } from './errors.js';
+import { pointsOption } from './options.js';
 
 export const compare: Command = {
   name: 'compare',

@@ -4,8 +4,9 @@ import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
 import type { CutPart } from '../types.js';
 import type { Arguments } from './arguments.js';
-import type { Command, Option, Result } from './command.js';
+import type { Command, Result } from './command.js';
 import { UsageError, writeError } from './errors.js';
+import type { Option } from './options.js';
 
 /** The mesh as Karcher reads it, in a file: its vertices of faces, its triangles. */
 

@@ -1,10 +1,10 @@
+import { namesOf } from '../check.js';
 import type { Curve } from '../curve.js';
-import { namesOf } from '../options.js';
 import type { CurveKind, CurveOptions, Parametrization } from '../types.js';
 import type { Arguments } from './arguments.js';
-import { type Option, pointsOption } from './command.js';
 import { curvesOfDrawing } from './drawing.js';
 import { UsageError } from './errors.js';
+import { type Option, pointsOption } from './options.js';
 import { isJson, parseJson, parsePoints } from './syntax.js';
 
 /** A curve as its control points and what they make: on the command line, in files and in results. */

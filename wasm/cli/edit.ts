@@ -2,9 +2,10 @@ import type { Curve } from '../curve.js';
 import type { Mesh } from '../mesh.js';
 import type { CurveKind, FieldOptions } from '../types.js';
 import type { Arguments } from './arguments.js';
-import { type Command, fieldOptions, type Option } from './command.js';
+import type { Command } from './command.js';
 import { curveOptions, kinds, readCurve, readOther, recordOf } from './curve_arguments.js';
 import { UsageError } from './errors.js';
+import { fieldOptions, type Option } from './options.js';
 import { parseNumber, parsePoint } from './syntax.js';
 
 /** What an edit makes of a curve: other curves, or a new control point's number, or nothing new. */

@@ -1,4 +1,5 @@
-import type { Command, Option } from './command.js';
+import type { Command } from './command.js';
+import type { Option } from './options.js';
 
 const label = (option: Option) =>
   `--${option.name}${option.value === undefined ? '' : ` ${option.value}`}`;

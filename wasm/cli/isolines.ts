@@ -1,5 +1,6 @@
 import type { Solver } from '../types.js';
-import { type Command, formatOption } from './command.js';
+import type { Command } from './command.js';
+import { formatOption } from './options.js';
 import { triples } from './output.js';
 
 export const isolines: Command = {

@@ -1,5 +1,6 @@
-import { type Command, formatOption, type Option, pointsOption } from './command.js';
+import type { Command } from './command.js';
 import { UsageError } from './errors.js';
+import { formatOption, type Option, pointsOption } from './options.js';
 import { pathRecord, triples } from './output.js';
 
 /** What log map, exp map and parallel transport make of vectors and points. */

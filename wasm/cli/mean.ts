@@ -1,5 +1,6 @@
 import type { Arguments } from './arguments.js';
-import { type Command, fieldOptions, pointsOption, type Result } from './command.js';
+import type { Command, Result } from './command.js';
+import { fieldOptions, pointsOption } from './options.js';
 import { triples } from './output.js';
 
 const ofMeansAlone = ['uniqueness', 'certificate', 'paths', 'method', 'solver', 'rings', 'star'];

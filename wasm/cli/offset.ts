@@ -1,4 +1,5 @@
-import { type Command, formatOption } from './command.js';
+import type { Command } from './command.js';
+import { formatOption } from './options.js';
 import { outlineOptions, readOutlines } from './outlines.js';
 import { linesResult } from './output.js';
 

@@ -2,8 +2,8 @@ import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import type { Arguments } from './arguments.js';
-import { fieldOptions, type Option } from './command.js';
 import { curveOptions, readCurves } from './curve_arguments.js';
+import { fieldOptions, type Option } from './options.js';
 import { samplingOf, samplingOptions } from './sampling.js';
 
 /** The curves along which a surface is divided. */

@@ -1,5 +1,6 @@
 import type { BooleanOperation, FillRule } from '../types.js';
-import { type Command, formatOption } from './command.js';
+import type { Command } from './command.js';
+import { formatOption } from './options.js';
 import { outlineOptions, readOutlines } from './outlines.js';
 import { triples } from './output.js';
 

@@ -1,7 +1,7 @@
 import type { CurveGeometry, CurveOptions } from '../types.js';
 import type { Arguments } from './arguments.js';
-import { levelsOption, type Option } from './command.js';
 import { UsageError } from './errors.js';
+import { levelsOption, type Option } from './options.js';
 
 /** How a curve is traced. */
 export const samplingOptions: readonly Option[] = [

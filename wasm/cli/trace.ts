@@ -2,8 +2,9 @@ import type { Curve } from '../curve.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
 import type { Arguments } from './arguments.js';
-import { type Command, fieldOptions, formatOption } from './command.js';
+import type { Command } from './command.js';
 import { curveOptions, readCurve } from './curve_arguments.js';
+import { fieldOptions, formatOption } from './options.js';
 import { pointRecords, sampleRecords, triples } from './output.js';
 import { samplingOf, samplingOptions } from './sampling.js';
 

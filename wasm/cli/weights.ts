@@ -1,4 +1,5 @@
-import { type Command, fieldOptions, pointsOption } from './command.js';
+import type { Command } from './command.js';
+import { fieldOptions, pointsOption } from './options.js';
 
 export const weights: Command = {
   name: 'weights',

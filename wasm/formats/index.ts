@@ -1,6 +1,6 @@
-import { checkArray, checkInteger, checkOptions, shown } from '../check.js';
+import { checkArray, checkInteger, checkOptions, namesOf, shown } from '../check.js';
 import { KarcherError } from '../errors.js';
-import { checkLongWork, namesOf } from '../options.js';
+import { checkLongWork } from '../options.js';
 import type { FileMarks, MeshOptions, ObjOptions } from '../types.js';
 import { formatOf, withoutMark } from './format.js';
 import { gltfBeside, readGltf } from './gltf.js';

@@ -4,13 +4,14 @@ import {
   checkInteger,
   checkOneOf,
   checkOptions,
+  namesOf,
   toFloat64,
   toInt32,
 } from '../check.js';
 import { type Engine, Handle } from '../engine.js';
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
-import { checkLongWork, engineFieldOptions, namesOf } from '../options.js';
+import { checkLongWork, engineFieldOptions } from '../options.js';
 import { toSurfacePoint, wirePoints } from '../points.js';
 import { prepareGraph } from '../prepare.js';
 import type { LongWorkOptions, PointLike } from '../types.js';

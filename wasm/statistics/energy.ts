@@ -1,6 +1,10 @@
 import { KarcherError } from '../errors.js';
+import type { Mesh } from '../mesh.js';
 import type { PointLike } from '../types.js';
-import type { AnyMesh } from './index.js';
+import type { RemoteMesh } from '../worker/remote.js';
+
+/** A mesh in this thread, or one in a worker. */
+export type AnyMesh = Mesh | RemoteMesh;
 
 type Vector = [number, number, number];
 

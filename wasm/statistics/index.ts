@@ -2,18 +2,20 @@
  * Robust means, and derivatives of the energy, by exact shortest paths: of a mesh in this thread, or of one
  * in a worker.
  */
-import { checkArray, checkNumber, checkOptions } from '../check.js';
+import { checkArray, checkNumber, checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
-import type { Mesh } from '../mesh.js';
-import { namesOf } from '../options.js';
 import type { PointLike, SurfacePoint } from '../types.js';
-import type { RemoteMesh } from '../worker/remote.js';
+import type { AnyMesh } from './energy.js';
 
 export { KarcherError } from '../errors.js';
-export { type Energy, energyAt, type Hessian, hessianAt, weightDerivatives } from './energy.js';
-
-/** A mesh in this thread, or one in a worker. */
-export type AnyMesh = Mesh | RemoteMesh;
+export {
+  type AnyMesh,
+  type Energy,
+  energyAt,
+  type Hessian,
+  hessianAt,
+  weightDerivatives,
+} from './energy.js';
 
 export interface RobustOptions {
   /** Where the search starts; by default at the center of mass. */

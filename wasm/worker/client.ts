@@ -13,17 +13,9 @@ import {
   type Request,
   replaced,
   type Sent,
+  type WorkerLike,
 } from './protocol.js';
 import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './remote.js';
-
-/** A page's worker, or one of Node's. */
-export interface WorkerLike {
-  postMessage(message: unknown): void;
-  terminate(): unknown;
-  /** Of Node's: whether the process waits for it. */
-  ref?(): void;
-  unref?(): void;
-}
 
 interface Pending {
   resolve(result: unknown): void;

@@ -1,21 +1,26 @@
-import { checkOptions } from '../check.js';
+import { checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { compiled } from '../instantiate.js';
-import { checkLongWork, namesOf } from '../options.js';
+import { checkLongWork } from '../options.js';
 import type { StopSignal } from '../platform.js';
 import type { WasmSource } from '../types.js';
-import { unknownReason, WorkerClient, type WorkerLike } from './client.js';
-import type { FirstRequest } from './protocol.js';
-import { type RemoteKarcher, remoteKarcher } from './remote.js';
+import { unknownReason, WorkerClient } from './client.js';
+import type { FirstRequest, WorkerLike } from './protocol.js';
+import { type RemoteEngine, remoteKarcher } from './remote.js';
 
 export { KarcherError } from '../errors.js';
 export type { LogMap, MappedPoints } from '../maps.js';
 export { Path } from '../path.js';
+export type * from '../path_types.js';
 export { Region } from '../region.js';
 export type * from '../types.js';
 export { CurveView } from '../view.js';
-export type { WorkerClient, WorkerLike } from './client.js';
-export type { RemoteCurve, RemoteKarcher, RemoteMesh } from './remote.js';
+export type { WorkerClient } from './client.js';
+export type { WorkerLike } from './protocol.js';
+export type { RemoteCurve, RemoteMesh } from './remote.js';
+
+/** An engine in a worker: the methods of `Karcher`. `dispose` ends the worker. */
+export type RemoteKarcher = RemoteEngine & { readonly client: WorkerClient };
 
 /**
  * The worker of `loadInWorker`, in a page and in Node. A bundler that does not find the worker's file

@@ -1,5 +1,4 @@
-import type { WorkerLike } from './client.js';
-import { isPlain, isSent, replaced } from './protocol.js';
+import { isPlain, isSent, replaced, type WorkerLike } from './protocol.js';
 
 /**
  * A mesh or curve of the worker's, and how another worker makes it anew: a mesh by the call that made

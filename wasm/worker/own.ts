@@ -1,5 +1,6 @@
 /** For a worker with calls of its own: `serve` in the worker, `WorkerClient` on the other side. */
 export { KarcherError } from '../errors.js';
-export { WorkerClient, type WorkerLike } from './client.js';
+export { WorkerClient } from './client.js';
+export type { WorkerLike } from './protocol.js';
 export type { RemoteCurve, RemoteMesh } from './remote.js';
 export { serve } from './serve.js';

@@ -3,6 +3,15 @@ import type { EnginePath, EngineRegion } from '../karcher-engine.mjs';
 import type { CurveOptions, ErrorCode, MeshInfo } from '../types.js';
 import type { ViewData } from '../view.js';
 
+/** A page's worker, or one of Node's. */
+export interface WorkerLike {
+  postMessage(message: unknown): void;
+  terminate(): unknown;
+  /** Of Node's: whether the process waits for it. */
+  ref?(): void;
+  unref?(): void;
+}
+
 /**
  * With `tells` the first function among the arguments hears when the worker begins with the call. With
  * `keeps` the client hears that too, and what curves are that the call makes or edits.

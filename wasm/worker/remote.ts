@@ -1,13 +1,23 @@
 /// <reference lib="esnext.disposable" preserve="true" />
+import { namesOf } from '../check.js';
 import type { Curve } from '../curve.js';
 import { KarcherError } from '../errors.js';
 import type { FileInfo, FileOptions } from '../formats/index.js';
 import type { Karcher } from '../karcher.js';
 import type { Mesh } from '../mesh.js';
 import { frozenInfo } from '../mesh_info.js';
-import { checkLongWork, namesOf } from '../options.js';
+import { checkLongWork } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
-import type { WorkerClient } from './client.js';
+
+/** What calls into the worker: a method of an object there, or of the engine. */
+interface Caller {
+  call(
+    name: string,
+    args: readonly unknown[],
+    of?: object,
+    work?: LongWorkOptions,
+  ): Promise<unknown>;
+}
 
 /** What stays in the worker is here by its methods. */
 type Remote<Value> = Value extends Mesh
@@ -59,15 +69,14 @@ export type RemoteCurve = Remotely<Curve, Exclude<CurveMethod, 'polyline'>> &
 export type RemoteMesh = Remotely<Mesh, MeshMethod> &
   Disposable & { readonly info: Readonly<MeshInfo> };
 
-/** An engine in a worker: the methods of `Karcher`. `dispose` ends the worker. */
-export type RemoteKarcher = Remotely<Karcher, MethodsOf<Karcher>> &
+/** An engine in a worker, without the client that calls it. */
+export type RemoteEngine = Remotely<Karcher, MethodsOf<Karcher>> &
   Disposable & {
     /** As `meshFromFile` of `karcher/formats`, read in the worker, with progress and a signal. */
     meshFromFile(
       bytes: Uint8Array,
       options?: FileOptions,
     ): Promise<{ mesh: RemoteMesh; file: FileInfo }>;
-    readonly client: WorkerClient;
     dispose(): void;
   };
 
@@ -179,7 +188,7 @@ function isWork(value: unknown): value is LongWorkOptions {
 }
 
 /** An object whose methods are calls into the worker, of `object` where it is one of several. */
-function calling(client: WorkerClient, names: readonly string[], object?: object) {
+function calling(client: Caller, names: readonly string[], object?: object) {
   const callOf = (name: string): Call => {
     if (longMethods.includes(name)) return (...args) => client.call(name, args, object);
     return async (...args) => {
@@ -212,7 +221,7 @@ function withDispose<Item extends { dispose(): void | Promise<void> }>(item: Ite
   return Object.defineProperty(item, Symbol.dispose, { value });
 }
 
-export function remoteCurve(client: WorkerClient): RemoteCurve {
+export function remoteCurve(client: Caller): RemoteCurve {
   const curve = {};
   const calls = calling(client, curveMethods, curve);
   const set = withoutBasis(calls.set!);
@@ -223,14 +232,17 @@ export function remoteCurve(client: WorkerClient): RemoteCurve {
   return withDispose(Object.assign(curve, calls, { set }) as unknown as RemoteCurve);
 }
 
-export function remoteMesh(client: WorkerClient, info: Readonly<MeshInfo>): RemoteMesh {
+export function remoteMesh(client: Caller, info: Readonly<MeshInfo>): RemoteMesh {
   const mesh = { info: frozenInfo(info) };
   const calls = calling(client, meshMethods, mesh);
   const curve = withoutBasis(calls.curve!);
   return withDispose(Object.assign(mesh, calls, { curve }) as unknown as RemoteMesh);
 }
 
-export function remoteKarcher(client: WorkerClient): RemoteKarcher {
+export function remoteKarcher<Client extends Caller & { dispose(): void }>(
+  client: Client,
+): RemoteEngine & { readonly client: Client } {
   const own = { client, dispose: () => client.dispose() };
-  return withDispose({ ...calling(client, karcherMethods), ...own } as unknown as RemoteKarcher);
+  const calls = calling(client, karcherMethods) as unknown as RemoteEngine;
+  return withDispose({ ...calls, ...own });
 }

@@ -1,9 +1,10 @@
 /** Finished drawings, made by code on surfaces that are made, too. */
 import type { SurfacePoint } from 'karcher';
 import { type Drawing, newObject, type Properties } from './drawing';
+import type { Tangents } from './figure';
 import { type ControlPoint, emptyFigure, type Figure, type Kind, type Vector } from './figure';
 import { defaultMesh } from './meshes';
-import { type Tangents, withTangents } from './pen';
+import { withTangents } from './pen';
 
 /** Finds places of a surface, which is scaled to a ball of radius 1 with y up. */
 export interface Places {

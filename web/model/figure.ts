@@ -1,6 +1,5 @@
 /** What one object of a drawing is made of: a value, which is never changed in place. */
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
-import type { Tangent, Tangents } from './pen';
 
 /** A curve with control points; a basis of one's own is for programs. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
@@ -21,6 +20,20 @@ export type Across = SurfacePoint | { radius: number };
 
 /** A control point's number beside its place. */
 export type ParameterName = 'weight' | 'beta';
+
+/** Of an anchor of the pen: where its handles are. */
+export type Side = 'before' | 'after';
+
+/**
+ * Where a handle is: at a point of the surface, as far as a vector in the anchor's tangent plane
+ * leads, or opposite to the anchor's other handle, of a length or (null) as long as that.
+ */
+export type Tangent =
+  | SurfacePoint
+  | { readonly direction: Vector; readonly length: number }
+  | { readonly length: number | null };
+
+export type Tangents = { readonly [Which in Side]?: Tangent };
 
 /** A point that the user placed; what is not given is 1. */
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number } & {

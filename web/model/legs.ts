@@ -3,8 +3,9 @@
  * otherwise.
  */
 import type { CurveOptions, DrawnLeg, SurfacePoint } from 'karcher';
+import type { Side } from './figure';
 import { type ControlPoint, type Spline, withLeg } from './figure';
-import { isOpposite, otherSide, type Side } from './pen';
+import { isOpposite, otherSide } from './pen';
 
 type Polygon = Pick<Spline, 'settings' | 'points'>;
 

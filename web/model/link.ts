@@ -24,6 +24,7 @@ import {
   type Properties,
   widthRange,
 } from './drawing';
+import type { Tangent, Tangents } from './figure';
 import {
   type Across,
   type CircleForm,
@@ -54,7 +55,7 @@ import {
 import { linkProblems } from './link_problems';
 import { isMethod, type MethodId } from './methods';
 import { longestName, shortened } from './names';
-import { type Tangent, type Tangents, withTangents } from './pen';
+import { withTangents } from './pen';
 import { isColor, mostObjects } from './saved_drawing';
 import { formatView, parseView, type ViewPlace } from './view_place';
 

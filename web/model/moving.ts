@@ -1,7 +1,8 @@
 /** Figures that are moved as a whole: which of their places and directions go along, and how. */
 import type { SurfacePoint } from 'karcher';
+import type { Tangent, Tangents } from './figure';
 import { type CircleShape, type Figure, type Vector, withPlaces } from './figure';
-import { type Tangent, type Tangents, withTangents } from './pen';
+import { withTangents } from './pen';
 
 /** A place of a figure on the surface, or a direction that the figure has there. */
 export interface Carried {

@@ -4,38 +4,20 @@
  * as the opposite of the other the curve is smooth there, whatever is done to either.
  */
 import type { CurveOptions, CurveSamples, FieldOptions, SurfacePoint } from 'karcher';
-import { askedLevels, type ControlPoint, type Figure, type Vector, withLeg } from './figure';
-import { penLegs, waysAlong } from './pen_legs';
-
-export type Side = 'before' | 'after';
-
-/**
- * Where a handle is: at a point of the surface, as far as a vector in the anchor's tangent plane
- * leads, or opposite to the anchor's other handle, of a length or (null) as long as that.
- */
-export type Tangent =
-  | SurfacePoint
-  | { readonly direction: Vector; readonly length: number }
-  | { readonly length: number | null };
-
-export type Tangents = { readonly [Which in Side]?: Tangent };
+import {
+  askedLevels,
+  type ControlPoint,
+  type Figure,
+  type Side,
+  type Tangent,
+  type Tangents,
+  type Vector,
+  withLeg,
+} from './figure';
+import { type DrawnTangent, type DrawnTangents, penLegs, waysAlong } from './pen_legs';
 
 /** How the handles of an anchor go together. */
 export type Joint = 'corner' | 'smooth' | 'symmetric';
-
-/** A handle as it was found on the surface. */
-export interface DrawnTangent {
-  point: SurfacePoint;
-  /** From the anchor; of length 1. */
-  direction: Vector;
-  length: number;
-  /** The geodesic from the anchor. */
-  path: Float32Array;
-  /** A few points that it goes through, in order. */
-  through: readonly SurfacePoint[];
-}
-
-export type DrawnTangents = { readonly [Which in Side]?: DrawnTangent };
 
 export const otherSide = (side: Side): Side => (side === 'before' ? 'after' : 'before');
 

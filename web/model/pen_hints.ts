@@ -1,5 +1,5 @@
 /** What the pointer does where it is, while a curve of the pen is drawn: told by a cursor and in words. */
-import type { Side } from './pen';
+import type { Side } from './figure';
 
 export type PenAction =
   | 'draw'

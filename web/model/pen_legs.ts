@@ -4,8 +4,21 @@
  * is not the shortest path; the others are the geodesics that the handles end.
  */
 import type { CurveOptions, CurveSamples, SurfacePoint } from 'karcher';
-import type { ControlPoint } from './figure';
-import type { DrawnTangent, DrawnTangents } from './pen';
+import type { ControlPoint, Side, Vector } from './figure';
+
+/** A handle as it was found on the surface. */
+export interface DrawnTangent {
+  point: SurfacePoint;
+  /** From the anchor; of length 1. */
+  direction: Vector;
+  length: number;
+  /** The geodesic from the anchor. */
+  path: Float32Array;
+  /** A few points that it goes through, in order. */
+  through: readonly SurfacePoint[];
+}
+
+export type DrawnTangents = { readonly [Which in Side]?: DrawnTangent };
 
 const legsOfSegment = 3;
 const middle = 1;

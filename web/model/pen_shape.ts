@@ -1,7 +1,8 @@
 /** What is done to the shape of a curve of the pen between its anchors: bent, and made of fewer. */
 import { type Cubic, cubicAt, nearestCubic, type Planar } from './cubic_fit';
-import type { Figure, Vector } from './figure';
-import { type DrawnTangents, type Side, type Tangent, withHandleAt, withTangents } from './pen';
+import type { Figure, Side, Tangent, Vector } from './figure';
+import { withHandleAt, withTangents } from './pen';
+import type { DrawnTangents } from './pen_legs';
 
 /** A place between two anchors. */
 export interface OnSegment {

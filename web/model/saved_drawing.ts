@@ -12,6 +12,7 @@ import {
   type LineStyle,
   widthRange,
 } from './drawing';
+import type { Tangent, Tangents } from './figure';
 import {
   type Across,
   type CircleForm,
@@ -33,7 +34,6 @@ import {
   type Vector,
 } from './figure';
 import { longestName } from './names';
-import type { Tangent, Tangents } from './pen';
 
 const drawingFormat = 'karcher-drawing';
 export const drawingVersion = 1;

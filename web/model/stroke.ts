@@ -5,8 +5,8 @@
  */
 import type { SurfacePoint } from 'karcher';
 import { cornersOf, fittedCubics, type Planar } from './cubic_fit';
-import type { ControlPoint, Vector } from './figure';
-import { type Tangent, type Tangents, withTangents } from './pen';
+import type { ControlPoint, Tangent, Tangents, Vector } from './figure';
+import { withTangents } from './pen';
 
 /** A place of the stroke. Lengths are in the surface's unit. */
 export interface StrokeSample {

@@ -2,7 +2,8 @@
 import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
 import type { Figure, Vector } from '../../model/figure';
 import type { FigureCommand } from '../../model/figure_commands';
-import { type DrawnTangents, penOptions } from '../../model/pen';
+import { penOptions } from '../../model/pen';
+import type { DrawnTangents } from '../../model/pen_legs';
 import { bendingParts, type OnSegment, withBentSegment } from '../../model/pen_shape';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient, LooseCurve } from '../../worker/client';

@@ -2,7 +2,8 @@ import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions } from 'karche
 import { type Figure, isRound, pointsNeeded } from '../../model/figure';
 import { type DrawnBefore, withDrawnLegs } from '../../model/legs';
 import { type MethodId, type Quality, qualityOf } from '../../model/methods';
-import { controlPointsOf, type DrawnTangents, penOptions } from '../../model/pen';
+import { controlPointsOf, penOptions } from '../../model/pen';
+import type { DrawnTangents } from '../../model/pen_legs';
 import { curveOptions, splineOf } from '../../model/splines';
 import type { Fill, TracedCurve } from '../../model/traced';
 import { type EngineClient, KarcherError, Stopped } from '../../worker/client';

@@ -1,14 +1,8 @@
 /** Where the handles of the pen's anchors are on the surface. */
 import type { SurfacePoint } from 'karcher';
-import type { ControlPoint, Figure, Vector } from '../../model/figure';
-import {
-  type DrawnTangent,
-  type DrawnTangents,
-  isOpposite,
-  otherSide,
-  type Side,
-  type Tangent,
-} from '../../model/pen';
+import type { ControlPoint, Figure, Side, Tangent, Vector } from '../../model/figure';
+import { isOpposite, otherSide } from '../../model/pen';
+import type { DrawnTangent, DrawnTangents } from '../../model/pen_legs';
 import { throughOf } from '../../model/pen_legs';
 import type { EngineClient } from '../../worker/client';
 import { directionOf } from './circle_drawing';

@@ -1,8 +1,10 @@
 /** Anchors of the pen taken out: one segment comes in the place of two, as near to them as one can be. */
 import type { SurfacePoint } from 'karcher';
 import type { Cubic, Planar } from '../../model/cubic_fit';
+import type { Side } from '../../model/figure';
 import { type ControlPoint, type Figure, type Vector, withLeg } from '../../model/figure';
-import { type DrawnTangents, type Side, withHandleAt, withHandleLength } from '../../model/pen';
+import { withHandleAt, withHandleLength } from '../../model/pen';
+import type { DrawnTangents } from '../../model/pen_legs';
 import { mergedCubic } from '../../model/pen_shape';
 import type { EngineClient } from '../../worker/client';
 import { directionOf } from './circle_drawing';

@@ -1,13 +1,13 @@
 import type { SurfacePoint } from 'karcher';
 import { type CircleHandle, handleNames, isCircleHandle } from '../../model/circle';
 import { activeObject } from '../../model/drawing';
+import type { Side } from '../../model/figure';
 import { type ControlPoint, isRound } from '../../model/figure';
-import type { Side } from '../../model/pen';
 import type { UnderPointer } from '../../model/pen_hints';
 import type { Handle } from '../../viewer/handles';
 import type { Surface } from '../../viewer/surface';
-import type { Selection, State } from '../state/editor';
 import type { View } from '../engine/view';
+import type { Selection, State } from '../state/editor';
 
 /**
  * The handles of what is edited: one a control point, or those of a circle or an ellipse; none of

@@ -1,24 +1,16 @@
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
-import type { ControlPoint, Vector } from '../../model/figure';
+import type { ControlPoint, Side, Tangent, Vector } from '../../model/figure';
 import { methodOptions } from '../../model/methods';
-import {
-  asJoint,
-  byVectors,
-  type DrawnTangents,
-  type Joint,
-  type Side,
-  type Tangent,
-  withHandleAt,
-  withTangents,
-} from '../../model/pen';
+import { asJoint, byVectors, type Joint, withHandleAt, withTangents } from '../../model/pen';
 import { bends, goesOn, type PenState } from '../../model/pen_hints';
+import type { DrawnTangents } from '../../model/pen_legs';
 import { segmentAt } from '../../model/pen_shape';
 import type { Viewer } from '../../viewer/viewer';
 import { Bend } from '../engine/bend';
-import type { Editor } from '../state/editor';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
+import type { Editor } from '../state/editor';
 import type { Snapping } from './snapping';
 import type { Hold, Place } from './stage_pointer';
 import { targetAt } from './targets';
