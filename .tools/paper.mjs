@@ -3,25 +3,26 @@
 // build/paper.json too.
 //
 //   npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N]
-//                    [--meshes FOLDER] [--points FOLDER] [--plots] [--save] [--built]
+//                    [--meshes FOLDER] [--points FOLDER] [--plots] [--judge] [--save] [--built]
 //
 // One figure only (or none), and then no claims; meshes of a part of the triangles; Table 1 up to so many
 // triangles (20,000) and with so many samples a segment; every OBJ file of a folder by every method, for the
 // claims about meshes that the project does not hold; only what the page plots, beside the verdicts of the
-// last report; the verdicts kept in docs/paper-report.json, from which the page shows them; what is in
+// last report; only the verdicts, from the numbers of the last report (for rules and words that changed); the
+// verdicts kept in docs/paper-report.json, from which the page shows them; what is in
 // dist/ as it is. Where there is nothing to write, the last report stays.
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildWasm } from './build.mjs';
-import { aboutReport, jsonOf, keptJson } from './paper_report.mjs';
+import { aboutReport, jsonOf, kept, keptJson, measuredOf } from './paper_report.mjs';
 import { setUp } from './setup.mjs';
 import { inRoot } from './shell.mjs';
 import { sourcesDigest } from './sources.mjs';
 
 const usage =
-  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--points FOLDER] [--plots] [--save] [--built]';
+  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--points FOLDER] [--plots] [--judge] [--save] [--built]';
 const budgetMs = 120_000;
 
 const known = {
@@ -32,6 +33,7 @@ const known = {
   meshes: { type: 'string' },
   points: { type: 'string' },
   plots: { type: 'boolean' },
+  judge: { type: 'boolean' },
   save: { type: 'boolean' },
   built: { type: 'boolean' },
 };
@@ -153,6 +155,19 @@ async function renewPlots({ save }) {
   writeFileSync(path, keptJson({ ...report, plots }));
 }
 
+/** Judges the numbers of the last report anew; a row that they do not suffice for stays as it is. */
+async function judgeAnew() {
+  const { judge } = await load('claims/judge.ts');
+  const path = inRoot('docs/paper-report.json');
+  const report = JSON.parse(readFileSync(path, 'utf8'));
+  const claims = judge(measuredOf(report)).map((row) => {
+    const before = report.claims.find(({ id }) => id === row.id);
+    return row.verdict === 'not measured here' && before ? before : row;
+  });
+  writeFileSync(path, keptJson({ ...report, claims }));
+  console.log('Judged anew in docs/paper-report.json.');
+}
+
 async function everything(options) {
   const { runStudies } = await load('claims/studies.ts');
   const { studySeed } = await load('claims/seed.ts');
@@ -171,26 +186,27 @@ async function everything(options) {
   if (!wantsClaims) return { parts: parts.length > 0 ? [head, ...parts] : [] };
   const { judge } = await load('claims/judge.ts');
   const { claimsReport } = await load('report.ts');
-  const measured = {
-    ...{ panels: figures.panels, table: table.cells, studies, meshes: meshes.found },
-    load: lookAtLoad(),
-  };
-  const claims = judge(measured);
+  // By the numbers that are kept: what follows from them follows from the report alone.
+  const numbers = kept({
+    ...{ panels: figures.panels, studies, meshes: meshes.found, load: lookAtLoad() },
+    table: { samples: Number(options.samples), cells: table.cells },
+  });
+  const { convergence, roughness, ...otherStudies } = numbers.studies;
+  const plots = { ...where, convergence, roughness };
+  const whole = { ...numbers, studies: otherStudies, plots };
+  const claims = judge(measuredOf(whole));
   return {
     parts: [head, claimsReport(claims), ...parts],
-    verdicts: {
-      ...where,
-      claims,
-      panels: figures.panels,
-      table: { samples: Number(options.samples), cells: table.cells },
-      plots: { ...where, convergence: studies.convergence, roughness: studies.roughness },
-    },
-    measured,
+    verdicts: { ...where, claims, ...whole },
   };
 }
 
 try {
   const options = readOptions();
+  if (options.judge) {
+    await judgeAnew();
+    process.exit(0);
+  }
   await setUp('build');
   if (!options.built) {
     await buildWasm();
@@ -200,7 +216,7 @@ try {
     await renewPlots(options);
     process.exit(0);
   }
-  const { parts, verdicts, measured } = await everything(options);
+  const { parts, verdicts } = await everything(options);
   if (parts.length === 0) {
     throw new Error('There is nothing to write: no figure, and no row of Table 1 so small.');
   }
@@ -208,7 +224,7 @@ try {
   writeFileSync(inRoot('build/paper.md'), parts.join('\n'));
   console.log('Written to build/paper.md.');
   if (verdicts) {
-    writeFileSync(inRoot('build/paper.json'), jsonOf({ ...verdicts, measured }));
+    writeFileSync(inRoot('build/paper.json'), jsonOf(verdicts));
     if (options.save) writeFileSync(inRoot('docs/paper-report.json'), keptJson(verdicts));
   }
 } catch (error) {

@@ -24,12 +24,33 @@ export function aboutReport({ seed, sources, load }) {
 
 export const jsonOf = (value) => `${JSON.stringify(value, null, 2)}\n`;
 
-/** A report as it is kept: the page shows no more than four digits, and more would only be long. */
-export function keptJson(report) {
+/** Numbers as they are kept: the page shows no more than four digits, and more would only be long. */
+export function kept(numbers) {
   const fewDigits = (_, value) =>
     typeof value === 'number' && !Number.isInteger(value) ? Number(value.toPrecision(4)) : value;
-  const { panels = {}, table = null, ...rest } = report;
-  const numbers = JSON.parse(JSON.stringify({ panels, table }, fewDigits));
+  return JSON.parse(JSON.stringify(numbers, fewDigits));
+}
+
+/** A report as it is kept: its long lists of numbers in lines of their own. */
+export function keptJson(report) {
+  const { panels = {}, table = null, studies, meshes, ...rest } = report;
   const whole = jsonOf({ ...rest, numbers: 0 });
-  return whole.replace('"numbers": 0', JSON.stringify(numbers).slice(1, -1));
+  const numbers = Object.entries(kept({ panels, table, studies, meshes }))
+    .map(([key, value]) => `${JSON.stringify(key)}:${JSON.stringify(value)}`)
+    .join(',\n');
+  return whole.replace('"numbers": 0', () => numbers);
+}
+
+/** What the verdicts of a kept report are judged by. */
+export function measuredOf({
+  panels = {},
+  table,
+  plots,
+  studies = {},
+  meshes = null,
+  load = null,
+}) {
+  const { convergence, roughness } = plots ?? {};
+  const all = { ...studies, ...(convergence && { convergence }), ...(roughness && { roughness }) };
+  return { panels, table: table?.cells ?? [], studies: all, meshes, load };
 }

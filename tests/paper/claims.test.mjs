@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
 import { loadPeers } from 'karcher/peers';
 import { loadConfigFromFile } from 'vite';
-import { aboutReport, keptJson } from '../../.tools/paper_report.mjs';
+import { aboutReport, keptJson, measuredOf } from '../../.tools/paper_report.mjs';
 import { digestOf, sourcesDigest } from '../../.tools/sources.mjs';
 import { inRoot, load } from './load.mjs';
 
@@ -60,6 +60,20 @@ describe('claims', () => {
     }
     assert.doesNotMatch(JSON.stringify(report), /\/(home|work|tmp|Users)\//);
   });
+});
+
+test('the saved verdicts follow from the saved numbers, and their sentences tell these', () => {
+  const report = JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8'));
+  // A report from before they were kept has no meshes of a folder, which these rows tell of.
+  const onMeshes = report.meshes === undefined ? ['against-averages'] : [];
+  let followed = 0;
+  for (const row of judge(measuredOf(report))) {
+    if (row.verdict === 'not measured here' || onMeshes.includes(row.id)) continue;
+    const saved = report.claims.find(({ id }) => id === row.id);
+    assert.deepEqual(JSON.parse(JSON.stringify(row)), saved, 'npm run paper -- --judge');
+    followed++;
+  }
+  assert.ok(followed >= (report.studies ? report.claims.length : 12), `${followed}`);
 });
 
 describe('numbers older than the code that they judge', () => {

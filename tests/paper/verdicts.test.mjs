@@ -99,6 +99,7 @@ describe('more accurate than weighted averages, and slightly slower', () => {
         method('paperExact', exact),
         method('weightedAverages', averages),
         method('karcher', 0.01),
+        method('leveled', 0.02),
         method('bSurf', 0.001),
       ],
     });
@@ -108,7 +109,10 @@ describe('more accurate than weighted averages, and slightly slower', () => {
     assert.match(on(mesh(1, 3, 2)).on, /not nearer in 1 of 4 cases/);
     const row = on(mesh(4, 3, 2));
     assert.match(row.on, /not nearer in 2 of 4 cases/);
-    assert.match(row.measured, /both ways on spot; residuals .* spot 4, 3, 2, 0\.01, 0\.001\./);
+    assert.match(
+      row.measured,
+      /both ways on spot; residuals .* spot 4, 3, 2, 0\.01, 0\.02, 0\.001\./,
+    );
   });
 
   test('a tie is won by neither', () => {
@@ -125,10 +129,10 @@ describe('more accurate than weighted averages, and slightly slower', () => {
     assert.equal(slow.on, 'the time: 117 times as long is not slightly slower');
     const table = [cell('paper', 10), cell('weightedAverages', 8)];
     const mixed = of({ 'a/b': panel(1, 2, 117) }, table);
-    assert.match(mixed.on, /117 times as long in the figures is not slightly/);
+    assert.match(mixed.on, /117 times as long in the figures with exact distances is not slightly/);
     assert.match(
       mixed.measured,
-      /117 times as long in the figures and 1\.3 times as long in Table 1/,
+      /117 times as long in the figures with exact distances and 1\.3 times as long in Table 1 with k = 6/,
     );
     table[0].result.traceMs = 24;
     assert.match(of({ 'a/b': panel(1, 2, 117) }, table).on, /at least 3 times as long is not/);
@@ -155,10 +159,34 @@ describe('more stable than vector heat', () => {
 
   test('more samples lost decide, and as many are not fewer', () => {
     const two = (heat, paper) =>
-      of(line('vectorHeat', { lost: heat }), line('paper', { lost: paper }));
+      of(line('vectorHeat', { lost: heat, lostByOwnRule: heat }), line('paper', { lost: paper }));
     assert.equal(two(5, 4).verdict, 'holds');
     assert.equal(two(5, 5).verdict, 'does not');
     assert.equal(two(4, 5).verdict, 'does not');
+  });
+
+  test('fewer by one rule alone depend on the rule', () => {
+    const row = of(line('vectorHeat', { lost: 5, lostByOwnRule: 3 }), line('paper', { lost: 4 }));
+    assert.equal(row.verdict, 'depends');
+    assert.match(row.on, /counted: by its library’s rule vector heat loses fewer/);
+  });
+
+  test('the times are told apart: as the library has it, and with log maps kept', () => {
+    const lines = [line('vectorHeat', { lost: 5, lostByOwnRule: 5 }), line('paper', { lost: 4 })];
+    const timed = (traceMs, asked) =>
+      rowOf(
+        {
+          panels: { 'a/b': lines },
+          table: [table[0], cell('vectorHeat', traceMs, { made: 1, asked })],
+        },
+        'against-vector-heat',
+      );
+    assert.equal(timed(100, 100).verdict, 'holds');
+    assert.match(
+      timed(2, 100).on,
+      /^whether log maps are kept; as the library has it, vector heat/,
+    );
+    assert.equal(timed(2, 5).on, 'the time: 10 times is no orders');
   });
 
   test('a method that failed has lost all samples', () => {
@@ -197,7 +225,10 @@ describe('a B-spline on a coarse and on a fine mesh', () => {
     assert.match(of({ paper: 1.1, heat: 1.1 }, {}).on, /^the mesh: the paper’s curve .* coarse$/);
     assert.match(of({}, { averages: 1.1 }).on, /^the mesh: weighted averages’ is not on fine$/);
     assert.match(of({ heat: 0.2 }, {}).on, /^the mesh: vector heat’s does not turn .* on coarse$/);
-    assert.match(of({ ms: 1 }, { ms: 1 }).on, /vector heat is not slow on coarse and fine$/);
+    assert.match(
+      of({ ms: 1 }, { ms: 1 }).on,
+      /vector heat, its log maps kept, is not slow on coarse and fine$/,
+    );
     const bad = { paper: 9, averages: 9, heat: 1, ms: 1 };
     assert.equal(of(bad, bad).verdict, 'does not');
     const row = of({ paper: 9, averages: 9, heat: 1 }, {});
@@ -287,6 +318,7 @@ describe('Figure 8', () => {
     );
     assert.match(of({ grid: 0.01 }).on, /^the part: no wiggles on the grid$/);
     assert.match(of({ fair: graph(0, 0.5, 0) }).on, /not right on the fair mesh$/);
+    assert.match(of({ fair: graph(0, 0.2, 0.09) }).on, /^the part: wiggles on the fair mesh, too$/);
     const still = of({ stretched: graph(0, 1, 0) });
     assert.match(still.on, /no wiggles on the anisotropic mesh; no breaks on the anisotropic mesh/);
   });
@@ -367,12 +399,16 @@ describe('resilient to roughness', () => {
     });
     const methods = [method('paper', 0), method('paperExact', onMesh), method('karcher', 0)];
     const meshes = onMesh === null ? null : [{ name: 'armadillo.obj', triangles: 9, methods }];
+    const panels = {
+      'far/bspline': [line('paper', { lost: 20 })],
+      'far/bezier': [line('paper', { lost: 3 })],
+    };
     const roughness = [point('paper', lost), point('karcher', 0)];
     const spread = [2, 14].map((apart) => ({
       ...{ apart, noise: 0.4, method: 'paper', breaks: 0, samples: 100 },
       lost: apart > 2 ? lostApart : 0,
     }));
-    return rowOf({ studies: { roughness, spread }, meshes }, 'roughness');
+    return rowOf({ panels, studies: { roughness, spread }, meshes }, 'roughness');
   };
 
   test('the armadillo counts where it is at hand', () => {
@@ -390,8 +426,9 @@ describe('resilient to roughness', () => {
   });
 
   test('large distances are measured too', () => {
-    assert.equal(of(0, null, 5).on, 'it is stable where distances are large, too');
-    assert.equal(of(6, null, 5).verdict, 'does not');
+    assert.match(of(0, null, 0).on, /^how large distances are: .* and not in Fig\. 7$/);
+    assert.match(of(0, null).measured, /In Fig\. 7, .* loses 23\.$/);
+    assert.equal(of(6, null, 0).verdict, 'does not');
     assert.match(of(0, null).measured, /far apart .* the paper 0 and 0 at 2 h, 30 and 0 at 14 h/);
   });
 });
@@ -453,7 +490,8 @@ test('on a busy machine what rests on other numbers is judged as ever', () => {
     const large = [{ method: 'paper', triangles: 9, prepareMs: 1, dragMs: 1, reason: null }];
     assert.equal(rowOf({ studies: { large }, load }, 'interactive').verdict, 'open');
   }
-  const lines = (lost) => ({ 'a/b': [line('vectorHeat', { lost: 1 }), line('paper', { lost })] });
+  const heat = line('vectorHeat', { lost: 1, lostByOwnRule: 1 });
+  const lines = (lost) => ({ 'a/b': [heat, line('paper', { lost })] });
   const cell = (method, traceMs) => ({
     ...{ row: 'torus', method, triangles: 9, segments: 4 },
     result: { ok: true, traceMs, logMaps: { made: 1, asked: 100 } },
@@ -484,4 +522,17 @@ test('rational curves: leaps are told, and none is a reason', () => {
   assert.equal(of(0).on, 'the part: subdivision can make rational curves');
   assert.match(of(0).measured, /loses 0 samples of the four curves, which leap at 0 places/);
   assert.match(of(1).on, /^the part: the curves leap; subdivision/);
+});
+
+test('Karcher’s condition: what is found beyond it, without bumps and with', () => {
+  const at = (noise, radius, found, same) => ({ noise, radius, cases: 12, found, same });
+  const of = (...radius) => rowOf({ studies: { radius } }, 'far-stronger');
+  assert.equal(of(at(0, 1, 12, 12), at(0.2, 1, 12, 9)).verdict, 'holds');
+  assert.equal(of(at(0, 0.7, 12, 12), at(0, 1, 12, 11)).verdict, 'does not');
+  const bumpy = of(at(0, 1, 12, 12), at(0.2, 1, 11, 9));
+  assert.equal(bumpy.on, 'bumps: with the slightest some are not found');
+  assert.match(
+    bumpy.measured,
+    /smooth, by radius: 1: .* with bumps of 0\.2 h, by radius: 1: 11 found/,
+  );
 });

@@ -64,7 +64,7 @@ function captionOf(rows: readonly ShownClaim[], report: SavedReport | null): str
     : 'This build has no report: “npm run paper -- --save” makes one, with meshes that are not at hand here by “--meshes FOLDER”. Until then the claims are judged by the figures below as they are measured in your browser, where those are enough.';
   const older = rows.filter((row) => row.older).length;
   const ageing = older > 0 ? ` ${older} of the rows are ${olderNote}, and say so.` : '';
-  return `Each claim of the paper in our words, what was measured of it, and what follows, also where that speaks against us: ${counts.join(', ')}. ${about}${ageing}`;
+  return `Each claim of the paper in our words, what was measured of it, and what follows, also where that speaks against us: ${counts.join(', ')}. “Ours” is level 0, the center of mass of all points; the default is named. ${about}${ageing}`;
 }
 
 function table(rows: readonly ShownClaim[]): HTMLElement {

@@ -51,7 +51,7 @@ export interface SpreadPoint {
 }
 
 /** From each control point to the next along the torus, in degrees. */
-const spreads: readonly number[] = [8, 16, 32, 64];
+const spreads: readonly number[] = [8, 16, 32, 64, 96, 112];
 const spreadSamples = 65;
 
 /** One segment of a B-spline on rough tori, whose four control points lie ever farther apart. */
@@ -79,7 +79,7 @@ export async function spread(
         .slice(1)
         .map((point, i) => mesh.shortestPath(points[i]!, point).length / mesh.info.meanEdge),
     );
-    for (const method of ['paper', 'karcher'] as const) {
+    for (const method of ['paper', 'karcher', 'leveled'] as const) {
       const point: SpreadPoint = {
         ...{ apart: middle(lengths), noise, method },
         ...{ lost: 0, breaks: 0, samples: tori * spreadSamples },

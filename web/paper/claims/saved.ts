@@ -30,6 +30,10 @@ export interface SavedReport extends Origin {
   panels?: Measured['panels'];
   /** Table 1 with so many samples a segment. */
   table?: { samples: number; cells: TableCell[] } | null;
+  /** What the claims are judged by besides; reports from before it was kept have none. */
+  studies?: Measured['studies'];
+  meshes?: Measured['meshes'];
+  load?: Measured['load'];
 }
 
 /** The code that a page was built from. */

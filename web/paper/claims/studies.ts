@@ -1,19 +1,19 @@
-import type { SurfacePoint } from 'karcher';
+import type { Mesh, SurfacePoint } from 'karcher';
 import { type Peers, runMethod, standardOptions } from 'karcher/peers';
 import { randomFrom } from '../../model/random';
 import { NearestPoints } from '../lab/nearest';
 import { type ConvergencePoint, convergence } from './convergence';
 import { type DescentFinding, descent } from './descent';
 import { galleryTorus } from './gallery_torus';
-import { type RoughnessPoint, roughness, type SpreadPoint, spread } from './roughness';
+import { type RoughnessPoint, roughened, roughness, type SpreadPoint, spread } from './roughness';
 import { studySeed } from './seed';
 import { middle } from './words';
 
 /** What the figures do not measure and the claims ask for. */
 export interface Studies {
-  /** Four points in a ball of a unit sphere, of growing radius: how often the paper's method finds a center,
-   * and from all four points the same one. */
-  radius: { radius: number; cases: number; found: number; same: number }[];
+  /** Four points in a ball of a unit sphere, of growing radius, with bumps of so many mean edges: how often the
+   * paper's method finds a center, and from all four points the same one. */
+  radius: { radius: number; noise: number; cases: number; found: number; same: number }[];
   /** Newton's steps a sample with warm start, along the paper's curve on the gallery's torus. */
   newton: { samples: number; lost: number; mean: number; most: number };
   /** Milliseconds of four fields, and of one more center of mass in them. */
@@ -60,12 +60,23 @@ function randomWeights(random: () => number, count: number): number[] {
   return raw.map((weight) => weight / sum);
 }
 
-function radius(peers: Peers): Studies['radius'] {
-  const mesh = peers.karcher.shape('sphere', 5_000);
+export function radius(peers: Peers): Studies['radius'] {
+  const smooth = peers.karcher.shape('sphere', 5_000);
+  const result = [0, 0.2, 0.4].flatMap((noise) => {
+    const mesh = noise > 0 ? roughened(peers.karcher, smooth, noise, studySeed) : smooth;
+    const found = radiusOn(mesh, noise);
+    if (mesh !== smooth) mesh.dispose();
+    return found;
+  });
+  smooth.dispose();
+  return result;
+}
+
+function radiusOn(mesh: Mesh, noise: number): Studies['radius'] {
   const nearest = new NearestPoints(mesh.positions(), mesh.triangles());
   const random = randomFrom(studySeed);
   const cases = 12;
-  const result = [0.4, 0.6, 0.785, 1, 1.2, 1.4].map((radius) => {
+  return [0.4, 0.6, 0.785, 1, 1.2, 1.4].map((radius) => {
     let [found, same] = [0, 0];
     for (let k = 0; k < cases; k++) {
       const points = Array.from({ length: 4 }, () => {
@@ -88,10 +99,8 @@ function radius(peers: Peers): Studies['radius'] {
       );
       if (converged.length === 4 && !apart) same++;
     }
-    return { radius, cases, found, same };
+    return { radius, noise, cases, found, same };
   });
-  mesh.dispose();
-  return result;
 }
 
 function newton(peers: Peers): Studies['newton'] {
@@ -215,15 +224,19 @@ function inverse(peers: Peers): Studies['inverse'] {
   return { cases, minima, back, farthest };
 }
 
+/** Triangles of the tori. */
+const growthSizes: readonly number[] = [5_000, 20_000, 80_000, 240_000];
+
 /** After so long a method has failed to make a curve. */
 const growthBudgetMs = 300_000;
+const growthMethods = ['vectorHeat', 'weightedAverages', 'paper', 'karcher', 'leveled'] as const;
 
-async function growth(peers: Peers): Promise<Studies['growth']> {
+export async function growth(peers: Peers): Promise<Studies['growth']> {
   const result: Studies['growth'] = [];
-  for (const size of [5_000, 20_000, 80_000]) {
+  for (const size of growthSizes) {
     const { mesh, points } = galleryTorus(peers, size);
     const plan = peers.plan(points, 128);
-    for (const method of ['vectorHeat', 'weightedAverages', 'paper', 'karcher'] as const) {
+    for (const method of growthMethods) {
       const options = { once: true, budgetMs: growthBudgetMs };
       const run = await runMethod(peers, mesh, plan, standardOptions(method, plan), null, options);
       const ms = run.ok && run.traceMs !== null ? (run.prepareMs ?? 0) + run.traceMs : null;
@@ -238,7 +251,7 @@ async function large(peers: Peers): Promise<Studies['large']> {
   const { mesh, points } = galleryTorus(peers, 250_000);
   const plan = peers.plan(points, 128);
   const result: Studies['large'] = [];
-  for (const method of ['paper', 'karcher'] as const) {
+  for (const method of ['paper', 'karcher', 'leveled'] as const) {
     const options = standardOptions(method, plan);
     const { prepareMs, dragMs, reason } = await runMethod(peers, mesh, plan, options, null);
     result.push({ method, triangles: mesh.info.triangles, prepareMs, dragMs, reason });
