@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "rcm/hubs.h"
+
 namespace karcher {
 namespace {
 
@@ -27,20 +29,10 @@ void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour&
   ++ways[number - begin];
 }
 
-/// Whether a vertex has so many edges that it joins what is not near to each other. Rings do not go
-/// beyond one, and its own log vector is its estimate: stencils through hubs would take as much as
-/// the square of their edges, and so many values are paths round all of them.
-bool isHub(const TriangleMesh& mesh, int vertex) {
-  constexpr int kMostEdges = 64;
-  int edges = 0;
-  for ([[maybe_unused]] const int h : outgoingHalfedges(mesh, vertex)) {
-    if (++edges > kMostEdges) return true;
-  }
-  return false;
-}
-
 /// The vertex itself, then its ring by ring neighbours, each carried along all edges from the ring
 /// before: the mean of these ways, so that it does not depend on the numbers of vertices and faces.
+/// Rings do not go beyond a hub: its own log vector is its estimate, since stencils through hubs
+/// would take as much as the square of their edges, and so many values are paths round all of them.
 /// Writes to `ring`.
 void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>& ring,
                Array<int>& ways) {

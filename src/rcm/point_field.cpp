@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "distance/exact_distance.h"
 #include "intrinsic/tangent.h"
 #include "mesh/error.h"
 
@@ -49,10 +50,23 @@ void PointField::makePaperField() {
 
 void PointField::makeNearField() {
   findSightSources(surface_.geometry(), point_, sights_);
+  isAroundHubs_ = false;
   field_.reset([this](int v) { return nearValue(v); });
 }
 
+FieldValue PointField::valueBesideHub(int vertex) {
+  if (!aroundHubs_) {
+    aroundHubs_ = std::make_unique<ExactDistance>(surface_.geometry(), 0, surface_.pages());
+  }
+  if (!isAroundHubs_) aroundHubs_->setSource(point_);
+  isAroundHubs_ = true;
+  const double distance = aroundHubs_->growTo(vertex);
+  if (distance == kInfinity) throwUnreachable();
+  return {aroundHubs_->logVector(vertex), distance * distance};
+}
+
 FieldValue PointField::nearValue(int vertex) {
+  if (surface_.isBesideHub(vertex)) return valueBesideHub(vertex);
   const Geometry& geometry = surface_.geometry();
   const bool isExact = options_.solver == Solver::kExact;
   if (!isExact) {

@@ -27,8 +27,10 @@ class PointField {
   /// A near field is read only close to its point. Each of its values is that of one straight path
   /// between the point and the vertex, found on its own: by sight (sight.h), and where that finds
   /// none, by a path search (find_path.h). So a value depends on the surface, the point and the
-  /// vertex alone, costs what lies between them, and takes no memory but its own. Log vectors are
-  /// taken as they are: so near they need no fit (estimators.h). With exact distances each path is
+  /// vertex alone, costs what lies between them, and takes no memory but its own. Beside hubs
+  /// (hubs.h), where many values are read and each search would go round all of a hub, exact
+  /// windows find all paths at once. Log vectors are taken as they are: so near they need no fit
+  /// (estimators.h). With exact distances each path is
   /// compared with the shortest one by exact windows, at many times the cost. With graph distances,
   /// and the paper's method, a near field is like any other.
   void setPoint(const SurfacePoint& point, bool isNear = false);
@@ -53,6 +55,7 @@ class PointField {
   void makeLogField();
   void makeNearField();
   FieldValue nearValue(int vertex);
+  FieldValue valueBesideHub(int vertex);
   FieldValue estimate(int vertex);
   Vec2 estimateMidpoint(int halfedge);
   double distanceAt(int vertex);
@@ -67,6 +70,8 @@ class PointField {
   SightSources sights_;
   std::shared_ptr<FindPathWorkspace> paths_;
   SurfacePath path_;
+  std::unique_ptr<DistanceSolver> aroundHubs_;  ///< exact; made when a value beside a hub is read
+  bool isAroundHubs_ = false;                   ///< whether it starts at the point
   // Of log vectors of other fields. They are made when the first such field is.
   Estimator estimator_ = Estimator::kLinear1;
   std::unique_ptr<DistanceSolver> solver_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "rcm/hubs.h"
 
 namespace karcher {
 
@@ -12,6 +13,14 @@ Surface::Surface(TriangleMesh mesh) : mesh_(std::move(mesh)), geometry_(buildGeo
 int Surface::component(int vertex) {
   if (components_.empty()) components_ = componentOfVertices(mesh_);
   return components_[vertex];
+}
+
+bool Surface::isBesideHub(int vertex) {
+  if (!hubsAreKnown_) {
+    hubsAreKnown_ = true;
+    isBesideHub_ = besideHubs(mesh_);
+  }
+  return !isBesideHub_.empty() && isBesideHub_[vertex] != 0;
 }
 
 const RingGraph& Surface::ringGraph(int rings) {

@@ -36,6 +36,9 @@ class Surface {
   /// The stencils of an estimator, made as they are read.
   StencilTable& stencils(Estimator estimator);
 
+  /// Whether a vertex is a hub (hubs.h) or has an edge to one.
+  bool isBesideHub(int vertex);
+
   /// The memory of the fields on the surface.
   const std::shared_ptr<PagePool>& pages() { return pages_; }
 
@@ -43,6 +46,8 @@ class Surface {
   TriangleMesh mesh_;
   Geometry geometry_;
   Array<int> components_;
+  bool hubsAreKnown_ = false;
+  Array<char> isBesideHub_;  ///< see besideHubs
   std::map<int, RingGraph> ringGraphs_;
   std::map<Star, GradientOperator> gradientOperators_;
   std::map<Estimator, StencilTable> stencils_;

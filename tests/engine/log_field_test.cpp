@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "curves/curve.h"
 #include "curves/spec/bases.h"
 #include "distance/exact_distance.h"
 #include "generators/curve_shapes.h"
+#include "generators/gallery.h"
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
@@ -216,6 +218,36 @@ TEST(NearFields, HaveExactDistancesWhereTheseAreAskedFor) {
     for (const int v : vertices) {
       const double distance = exact.growTo(v);
       EXPECT_NEAR(std::sqrt(near.field().at(v).squaredDistance), distance, 1e-9 * distance);
+    }
+  }
+}
+
+/// Beside a hub of sharp folds, where paths lead over ridges or by the hub, none is longer than the
+/// shortest, from whichever end values are read.
+TEST(NearFields, AreShortestPathsBesideHubs) {
+  TriangleSoup soup = wheel(300, 0, 0.5);
+  for (size_t i = 1; i < soup.positions.size(); ++i)
+    soup.positions[i].z() = i % 2 == 0 ? 0.2 : -0.2;
+  Surface surface(importMesh(std::move(soup)).mesh);
+  const TriangleMesh& mesh = surface.mesh();
+  ASSERT_EQ(mesh.vertexCount(), 301);
+  ExactDistance exact(surface.geometry());
+  PointField forwards(surface, {});
+  PointField backwards(surface, {});
+  Random random(20261126);
+  for (int i = 0; i < 5; ++i) {
+    SCOPED_TRACE(i);
+    const SurfacePoint source = randomPoint(mesh, random);
+    exact.setSource(source);
+    forwards.setPoint(source, true);
+    backwards.setPoint(source, true);
+    for (int v = mesh.vertexCount() - 1; v >= 0; --v) backwards.field().at(v);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const double distance = exact.growTo(v);
+      const FieldValue& found = forwards.field().at(v);
+      EXPECT_NEAR(std::sqrt(found.squaredDistance), distance, 1e-9 * distance);
+      EXPECT_EQ(found.squaredDistance, backwards.field().at(v).squaredDistance);
+      EXPECT_EQ(found.gradient, backwards.field().at(v).gradient);
     }
   }
 }
