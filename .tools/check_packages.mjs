@@ -7,6 +7,7 @@ import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { layPackage, packageFolder } from './package.mjs';
 import { attempt, run, trials } from './package_trials.mjs';
 import { inRoot, root } from './shell.mjs';
 
@@ -14,7 +15,15 @@ import { inRoot, root } from './shell.mjs';
 export async function checkPackages({ short = false, words = [] } = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'karcher packages '));
   try {
-    const args = ['pack', '--ignore-scripts', '--json', '--pack-destination', folder, root];
+    layPackage();
+    const args = [
+      'pack',
+      '--ignore-scripts',
+      '--json',
+      '--pack-destination',
+      folder,
+      packageFolder,
+    ];
     const [packed] = JSON.parse(run(folder, 'npm', ...args));
     const rows = [];
     for (const trial of trials) {

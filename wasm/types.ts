@@ -56,7 +56,7 @@ export interface PolylineOptions {
  * How geodesic distances are found.
  *
  * - `fast`: in the mean within .1 % of the exact distances on all meshes that were tried, and within 1 % but
- *   for single vertices (`docs/gallery.md`); exact on a plane;
+ *   for single vertices; exact on a plane;
  * - `exact`: by windows on the edges, exact on every mesh;
  * - `graph`: along the edges of a graph that joins each vertex to those of its k-ring that it sees in a
  *   straight line across the faces. The graph of the paper's authors also has edges that turn round

@@ -9,6 +9,8 @@ import { after, before, describe, test } from 'node:test';
 import { promisify } from 'node:util';
 import { inRoot } from '../../.tools/shell.mjs';
 
+const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
+
 const program = () =>
   /^```cpp\n([\s\S]*?)^```$/m.exec(readFileSync(inRoot('docs/cpp.md'), 'utf8'))[1];
 
@@ -141,7 +143,7 @@ FetchContent_MakeAvailable(karcher)
     // The plug-in is a shared library: the engine's code can lie anywhere in memory.
     await configure(
       'found',
-      'find_package(karcher 0.1 REQUIRED)\n',
+      `find_package(karcher ${version} REQUIRED)\n`,
       `target_sources(app PRIVATE reader.cpp)
 add_library(plugin SHARED main.cpp)
 target_link_libraries(plugin PRIVATE karcher::karcher)

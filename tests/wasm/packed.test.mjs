@@ -1,8 +1,11 @@
 // The packed file in a fresh folder, as a new user has it: what needs no other package. `npm run check:packages`
 // tries bundlers, too.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { checkPackages } from '../../.tools/check_packages.mjs';
+import { packageFolder } from '../../.tools/package.mjs';
 
 test('the packed file works for a new user, and has no page and no book in it', async () => {
   const { files, rows } = await checkPackages({ short: true });
@@ -11,9 +14,21 @@ test('the packed file works for a new user, and has no page and no book in it', 
     [],
   );
   assert.ok(rows.length >= 8);
-  const allowed = /^(dist\/|(CHANGELOG|README)\.md$|CITATION\.cff$|LICENSE$|package\.json$)/;
+  const allowed =
+    /^(dist\/|(CHANGELOG|README|SECURITY)\.md$|CITATION\.cff$|LICENSE$|package\.json$)/;
   assert.deepEqual(
     files.filter((file) => !allowed.test(file) || /\.html$|\.(png|jpg)$/.test(file)),
     [],
   );
+  // What it names, it has.
+  const read = (file) => readFileSync(join(packageFolder, file), 'utf8');
+  for (const file of files.filter((one) => one.endsWith('.md'))) {
+    for (const [, link] of read(file).matchAll(/\]\((?!https?:)([^)#]*)/g)) {
+      assert.ok(files.includes(link), `${file} links to ${link}`);
+    }
+  }
+  assert.match(read('README.md'), /^npm install karcher$/m);
+  assert.doesNotMatch(read('README.md'), /\{(book|editor)\}/);
+  const own = JSON.parse(read('package.json'));
+  assert.equal(own.private ?? own.scripts ?? own.devDependencies ?? own.workspaces, undefined);
 });

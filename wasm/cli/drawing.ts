@@ -23,7 +23,7 @@ interface Figure {
 
 const splines = ['bspline', 'bezier', 'rational', 'barycentric', 'catmullrom', 'polyline'];
 
-/** The figures of a drawing as the page saves it (docs/drawing.schema.json); null where a value is none. */
+/** The figures of a drawing as the page saves it; null where a value is none. */
 export function figuresOf(value: unknown): Figure[] | null {
   const { drawing = value } = Object(value) as { drawing?: unknown };
   const { format, objects } = Object(drawing) as { format?: unknown; objects?: unknown };
