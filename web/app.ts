@@ -1,8 +1,10 @@
 import type { Beside } from './editor/engine/beside';
+import type { ShownCut } from './editor/engine/cut';
 import { Comparison } from './editor/engine/comparison';
 import { messageOf, polylinesOf } from './editor/engine/compute';
 import { CurveEdits } from './editor/engine/curve_edits';
 import { Distances } from './editor/engine/distances';
+import { Expansion } from './editor/engine/expansion';
 import { Editor, type State } from './editor/state/editor';
 import { Gestures } from './editor/hand/gestures';
 import { Measure } from './editor/engine/measure';
@@ -11,8 +13,9 @@ import { Ruler } from './editor/hand/ruler';
 import { Session } from './editor/engine/session';
 import { exposeState } from './inspection';
 import { isEmpty } from './model/figure';
+import { withSources } from './model/sources';
 import { formatLink } from './model/link';
-import { readAs } from './model/meshes';
+import { meshLabel, readAs } from './model/meshes';
 import { isMethod, type MethodId } from './model/methods';
 import { onKeeping, recall, recallInTab, remember, rememberInTab } from './model/storage';
 import { workOffline } from './offline';
@@ -23,6 +26,8 @@ import { CombLegend } from './panels/comb_legend';
 import { ComparisonPanel, comparedColor } from './panels/comparison_panel';
 import { ContextMenu } from './panels/context_menu';
 import { CurvePanel } from './panels/curve_panel';
+import { CutPanel, partColor } from './panels/cut_panel';
+import { DerivedPanel } from './panels/derived_panel';
 import { DistanceLegend } from './panels/distance_legend';
 import { byId } from './panels/elements';
 import { ExamplesMenu } from './panels/examples_menu';
@@ -168,6 +173,30 @@ export async function start(): Promise<void> {
     });
     viewer.showRegions(painted);
   };
+  let cutShown: { cut: ShownCut | null; surface: Surface | null; colored: boolean } | null = null;
+  /**
+   * The parts of the topmost cut that is seen, colored while it is edited. While what it is cut along is edited, all
+   * of the surface is there.
+   */
+  const showCut = () => {
+    const { drawing, none } = editor.state;
+    const { cut: own, others } = session.view;
+    const cuts = drawing.objects.map(({ id, visible }) => {
+      const isOwn = id === drawing.active;
+      const cut = isOwn ? own : others.find((other) => other.id === id)?.cut;
+      const isOpen = !none && !isOwn && withSources(drawing, [id]).includes(drawing.active);
+      return { cut: visible && !isOpen ? (cut ?? null) : null, colored: isOwn && !none };
+    });
+    const { cut, colored } = cuts.findLast((one) => one.cut) ?? { cut: null, colored: false };
+    const { surface } = viewer;
+    const before = cutShown;
+    if (before?.cut === cut && before.surface === surface && before.colored === colored) return;
+    cutShown = { cut, surface, colored };
+    const parts = cut?.parts.flatMap((part, i) =>
+      part.state === 'kept' ? [{ part, color: colored ? partColor(i) : null }] : [],
+    );
+    viewer.showParts(parts ?? null);
+  };
   let besideShown: readonly Beside[] = [];
   let surfaceShown: Surface | null = null;
   const comparison = new Comparison(session);
@@ -198,6 +227,8 @@ export async function start(): Promise<void> {
       showBeside();
     }
     showRegions();
+    showCut();
+    cutPanel.show(editor.state, view);
     comparison.update(editor.state, view);
     viewer.showShorter(view.shorter.map(({ polyline }) => polyline));
     viewer.showMarks(view.curve?.marks?.position ?? []);
@@ -221,7 +252,22 @@ export async function start(): Promise<void> {
     status.showMeasured(measured, editor.state, session.view);
   };
   ruler.onChange = (ruled, begun) => status.showRuled(ruled, begun, editor.state, session.view);
-  const units = new UnitChoice((unit) => status.showUnit(unit, editor.state, session.view));
+  const expansion = new Expansion(editor, session, () => viewer.surface);
+  const derivedPanel = new DerivedPanel(
+    editor,
+    expansion,
+    () => session.client?.info.diagonal ?? 1,
+  );
+  const cutPanel = new CutPanel(
+    editor,
+    (part, format) => session.client!.meshFile(part.thick ?? part, format),
+    () => meshLabel(editor.state.mesh),
+  );
+  const units = new UnitChoice((unit) => {
+    status.showUnit(unit, editor.state, session.view);
+    derivedPanel.showUnit(unit);
+    cutPanel.showUnit(unit);
+  });
   editor.onEnded = (figure) => session.ended(figure);
   editor.onRefusal = showNote;
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
@@ -311,6 +357,9 @@ export async function start(): Promise<void> {
     objectPanel.show(state);
     freehand.show(state);
     transformPanel.show(state);
+    derivedPanel.show(state);
+    cutPanel.show(state, session.view);
+    showCut();
     status.showHint(state, session.view);
     showChosen(viewer, state);
   });
@@ -319,6 +368,7 @@ export async function start(): Promise<void> {
   rail.show(editor.state, session.view);
   objectPanel.show(editor.state);
   transformPanel.show(editor.state);
+  derivedPanel.show(editor.state);
   const sheet = new Sheet();
   const tour = new Tour(
     () => sheet.show(),

@@ -7,6 +7,7 @@ import { shapesOf } from './shapes.js';
 
 export type { NearBoundaries } from './near_boundaries.js';
 export { type Solid, solidOf } from './solid.js';
+export { type Thickened, thickened } from './thicken.js';
 
 /** What a mesh is like, triangle by triangle, and where it is not as curves would have it. */
 export interface CheckUp {

@@ -1,5 +1,5 @@
 import { writeFile } from 'node:fs/promises';
-import { solidOf } from '../checkup/index.js';
+import { solidOf, thickened } from '../checkup/index.js';
 import { meshFile, type WrittenFormat, writtenFormats } from '../formats/index.js';
 import type { Arguments } from './arguments.js';
 import type { Command } from './command.js';
@@ -10,7 +10,7 @@ export const cut: Command = {
   name: 'cut',
   summary: 'the mesh cut apart along curves, a file a part',
   output:
-    '{parts: [{file, triangles, area, oriented, closed, volume}, …]}, the largest first; volume is null of what is not closed. On both sides of a cut positions are equal to the last bit',
+    '{parts: [{file, triangles, area, oriented, closed, volume, allowed}, …]}, the largest first; volume is null of what is not closed. On both sides of a cut positions are equal to the last bit',
   options: [
     ...outlineOptions,
     {
@@ -20,13 +20,24 @@ export const cut: Command = {
       // What is said of it, not what is given.
       default: 'nowhere',
     },
+    {
+      name: 'thickness',
+      value: 'T',
+      help: 'makes of each part a closed shell, outwards, or inwards with a negative one; allowed says how thick its shape lets it be, where that is less',
+    },
   ],
   async run(args) {
     const name = args.given('out') ? partNames(args) : null;
+    const thickness = args.given('thickness') ? args.number('thickness') : null;
     const { mesh, outlines } = await readOutlines(args);
+    const whole = { positions: mesh.positions(), triangles: mesh.triangles() };
     const parts = mesh
       .cut(outlines)
-      .map((part) => ({ part, ...solidOf(part) }))
+      .map((cut) => {
+        const thick = thickness === null ? null : thickened(cut, thickness, whole);
+        const part = thick ?? cut;
+        return { part, ...(thick?.most && { allowed: thick.most }), ...solidOf(part) };
+      })
       .sort((a, b) => b.area - a.area);
     const told: object[] = [];
     for (const [i, { part, ...solid }] of parts.entries()) {

@@ -1,5 +1,5 @@
 /** Commands on whole objects, made of a drawing; null where there is nothing to do. */
-import type { Command } from './commands';
+import { apply, type Command } from './commands';
 import {
   activeObject,
   type Drawing,
@@ -10,9 +10,12 @@ import {
   type Properties,
   successorOf,
 } from './drawing';
+import { isBoolean, isDerived } from './derived';
+import { withSourceIds } from './sources';
 import {
   type ControlPoint,
   cleared,
+  emptyFigure,
   type Figure,
   isEmpty,
   isRound,
@@ -36,7 +39,7 @@ export function activation(drawing: Drawing, to: number): Command | null {
 }
 
 /** Puts an object on top of the others, which is edited from then on. */
-function onTop(drawing: Drawing, object: DrawnObject): Command {
+export function onTop(drawing: Drawing, object: DrawnObject): Command {
   const add: Command = { type: 'add', index: drawing.objects.length, object };
   const activate: Command = { type: 'activate', from: drawing.active, to: object.id };
   const before = activeObject(drawing);
@@ -48,12 +51,13 @@ function onTop(drawing: Drawing, object: DrawnObject): Command {
 
 /** A figure of the same kind and settings with nothing of it on the surface. */
 function begun(figure: Figure, kind: Kind): Figure {
-  const { settings } = figure;
+  const { derived: _, ...bare } = figure;
   return {
-    ...cleared({ ...figure, kind }),
+    // What is made of other objects is not drawn.
+    ...cleared({ ...bare, kind: isDerived(kind) ? emptyFigure.kind : kind }),
     points: [],
     circle: null,
-    settings: { ...settings, closed: false, knots: null },
+    settings: { ...figure.settings, closed: false, knots: null },
   };
 }
 
@@ -78,7 +82,10 @@ export function drawnAtOnce(
 }
 
 /** Kinds that say something else of the same places, and are changed into each other. */
-const familyOf = (kind: Kind) => (isRound(kind) ? 'round' : isSpline(kind) ? 'spline' : kind);
+function familyOf(kind: Kind): string {
+  if (isBoolean(kind)) return 'boolean';
+  return isRound(kind) ? 'round' : isSpline(kind) ? 'spline' : kind;
+}
 
 /**
  * Makes the object that is edited one of another kind; where its places mean nothing to that, another
@@ -92,13 +99,37 @@ export function ofKind(drawing: Drawing, to: Kind): Command | null {
   return { type: 'figure', id, edit: { type: 'kind', from, to } };
 }
 
-/** Takes objects out; where the edited one is among them, one of its kind begins. */
-export function deletion(drawing: Drawing, ids: readonly number[]): Command | null {
-  const gone = drawing.objects.filter(({ id }) => ids.includes(id));
-  if (gone.length === 0) return null;
-  const steps: Command[] = [];
+/** Objects with those that would be made of nothing without them. */
+function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> {
+  const gone = new Set(ids);
+  for (let before = -1; gone.size > before; ) {
+    before = gone.size;
+    for (const { id, figure } of objects) {
+      if (isDerived(figure.kind) && figure.derived?.sources.every((source) => gone.has(source))) {
+        gone.add(id);
+      }
+    }
+  }
+  return gone;
+}
+
+/**
+ * Takes objects out, with those that are made of them alone; where the edited one is among them, one of its kind
+ * begins.
+ */
+export function deletion(drawing: Drawing, wanted: readonly number[]): Command | null {
+  if (!drawing.objects.some(({ id }) => wanted.includes(id))) return null;
+  const all = withOrphans(drawing, wanted);
+  const ids = [...all];
+  const gone = drawing.objects.filter(({ id }) => all.has(id));
+  const steps = drawing.objects.flatMap((object): Command[] => {
+    const { id, figure: from } = object;
+    if (all.has(id) || !from.derived?.sources.some((source) => all.has(source))) return [];
+    const to = withSourceIds(object, (source) => (all.has(source) ? undefined : source)).figure;
+    return [{ type: 'figure', id, edit: { type: 'replace', from, to } }];
+  });
   const { active } = drawing;
-  let { objects } = drawing;
+  let { objects } = steps.reduce(apply, drawing);
   if (ids.includes(active)) {
     const { figure } = activeObject(drawing);
     const object = successorOf(drawing, begun(figure, figure.kind));
@@ -122,8 +153,9 @@ export function addition(
   if (added.length === 0) return null;
   const first = freeId(drawing);
   const groups = freshGroups(drawing, added);
+  const fresh = new Map(added.map(({ id }, i) => [id, first + i]));
   const objects = added.map((object, i) => ({
-    ...object,
+    ...withSourceIds(object, (id) => fresh.get(id) ?? (objectOf(drawing, id) && id)),
     id: first + i,
     group: object.group === null ? null : groups.get(object.group)!,
   }));
@@ -183,12 +215,14 @@ export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command
   const groups = freshGroups(drawing, copied);
   const taken = new Set(drawing.objects.map(({ name }) => name));
   const first = freeId(drawing);
+  const copyOf = new Map(copied.map(({ id }, i) => [id, first + i]));
   const steps = copied.map((object, i): Command => {
     const name = object.name && freeName(object.name, taken);
     taken.add(name);
     const group = object.group === null ? null : groups.get(object.group)!;
     const index = indexOf(drawing, object.id) + i;
-    return { type: 'add', index, object: { ...object, id: first + i, name, group } };
+    const own = withSourceIds(object, (id) => copyOf.get(id) ?? id);
+    return { type: 'add', index, object: { ...own, id: first + i, name, group } };
   });
   return together(steps);
 }

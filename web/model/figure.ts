@@ -1,10 +1,11 @@
 /** What one object of a drawing is made of: a value, which is never changed in place. */
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
+import { type Derived, type DerivedKind, isDerived } from './derived';
 
 /** A curve with control points; a basis of one's own is for programs. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
 /** `pen` is a curve of anchors with handles; `center` is no curve: the center of mass of the points; `points` are the points alone. */
-export type Kind = SplineKind | 'pen' | RoundKind | 'center' | 'points';
+export type Kind = SplineKind | 'pen' | RoundKind | 'center' | 'points' | DerivedKind;
 /** Around a center. */
 export type RoundKind = 'circle' | 'ellipse';
 export type Vector = [number, number, number];
@@ -99,6 +100,12 @@ export interface Spline {
   readonly points: readonly ControlPoint[];
 }
 
+/** A figure that another one is made of, and its object's id. */
+export interface Operand {
+  readonly id: number;
+  readonly figure: Figure;
+}
+
 /** A curve, a circle, a center or points: what is drawn of it is its kind's part. */
 export interface Figure {
   readonly kind: Kind;
@@ -107,6 +114,10 @@ export interface Figure {
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
   readonly circleForm: CircleForm;
+  /** Only of a figure that is made of other ones. */
+  readonly derived?: Derived;
+  /** These, where they are put in (`resolvedFigure`); never saved. */
+  readonly operands?: readonly Operand[];
 }
 
 export const defaultSettings: CurveSettings = {
@@ -162,11 +173,18 @@ export const kinds: readonly Kind[] = [
   'center',
   'points',
   'pen',
+  'offset',
+  'union',
+  'intersection',
+  'difference',
+  'exclusion',
+  'cut',
 ];
 
 /** Whether a kind is a curve with control points. */
 export function isSpline(kind: Kind): kind is SplineKind {
-  return !isRound(kind) && kind !== 'center' && kind !== 'points' && kind !== 'pen';
+  const isOther = kind === 'center' || kind === 'points' || kind === 'pen';
+  return !isOther && !isRound(kind) && !isDerived(kind);
 }
 
 /** Whether a kind is a curve through or near its points, which may be closed. */
@@ -220,13 +238,18 @@ export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
 }
 
 /** Whether nothing of the figure's kind is on the surface yet. */
-export function isEmpty({ kind, points, circle }: Figure): boolean {
+export function isEmpty({ kind, points, circle, derived }: Figure): boolean {
+  if (isDerived(kind)) return (derived?.sources.length ?? 0) === 0;
   return isRound(kind) ? circle === null : points.length === 0;
 }
 
 /** Without everything of the figure's kind. */
 export function cleared(figure: Figure): Figure {
   if (isRound(figure.kind)) return { ...figure, circle: null };
+  if (isDerived(figure.kind)) {
+    const { derived: _, ...rest } = figure;
+    return { ...rest, points: [] };
+  }
   return withFittingKnots({ ...figure, points: [] });
 }
 

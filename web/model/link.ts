@@ -2,6 +2,7 @@
  * A drawing as a link's fragment. The object that is edited:
  * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
  * `&legs=0:face,b1,b2:face,b1,b2;3:…&tangents=0:before:after;…&samples=64&tolerance=0.001&marks=9&levels=2`
+ * `&of=2,3&distance=2&side=outwards&parts=face,b1,b2,hidden;…&thickness=1`
  * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`
  * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&group=…&place=2`. Legs are told by a
  * point's number and the points that its way to the next one goes through (of the pen's anchors: from
@@ -25,6 +26,14 @@ import {
   widthRange,
 } from './drawing';
 import type { Tangent, Tangents } from './figure';
+import {
+  type Derived,
+  isDerived,
+  mostParts,
+  mostSources,
+  offsetSides,
+  type PartChoice,
+} from './derived';
 import {
   type Across,
   type CircleForm,
@@ -108,7 +117,8 @@ export function formatLink(
   const active = activeObject(drawing);
   const others = othersOf(drawing);
   const place = indexOf(drawing, active.id);
-  const [kind, ...rest] = objectFields(active);
+  const numberOf = (id: number) => 1 + indexOf(drawing, id);
+  const [kind, ...rest] = objectFields(active, numberOf);
   return [
     `mesh=${encodeURIComponent(mesh).replaceAll('%3A', ':')}`,
     kind,
@@ -116,7 +126,9 @@ export function formatLink(
     ...rest,
     ...(place > 0 ? [`place=${place}`] : []),
     ...viewFields(view),
-    ...others.map((other) => `other=${encodeURIComponent(objectFields(other).join('&'))}`),
+    ...others.map(
+      (other) => `other=${encodeURIComponent(objectFields(other, numberOf).join('&'))}`,
+    ),
   ].join('&');
 }
 
@@ -126,13 +138,18 @@ export function viewFields(view: ViewPlace | null): string[] {
   return text ? [`view=${text}`] : [];
 }
 
-function objectFields({ figure, ...properties }: DrawnObject): string[] {
-  const { kind, points, settings, circle, circleForm } = figure;
+/** `numberOf` tells an object of an id by its place among all, from 1; 0 where it is gone. */
+function objectFields(
+  { figure, ...properties }: DrawnObject,
+  numberOf: (id: number) => number,
+): string[] {
+  const { kind, points, settings, circle, circleForm, derived } = figure;
   const parts = [`kind=${kind}`, `points=${points.map(formatControlPoint).join(';')}`];
   parts.push(...legsFields(points), ...tangentsFields(points), ...settingsFields(settings));
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
+  if (isDerived(kind) && derived) parts.push(...derivedFields(derived, numberOf));
   const { name, visible, locked, color, width, dash, fill, fillColor, group } = properties;
   if (name) parts.push(`name=${encodeName(name)}`);
   if (!visible) parts.push('hidden=1');
@@ -144,6 +161,43 @@ function objectFields({ figure, ...properties }: DrawnObject): string[] {
   if (fillColor) parts.push(`fillcolor=${fillColor.slice(1)}`);
   if (group !== null) parts.push(`group=${encodeName(group)}`);
   return parts;
+}
+
+function derivedFields(
+  { sources, offset, parts = [], thickness = 0 }: Derived,
+  numberOf: (id: number) => number,
+): string[] {
+  const choices = parts.map(({ point, state }) => `${formatPoint(point)},${state}`);
+  return [
+    `of=${sources.map(numberOf)}`,
+    ...(offset ? [`distance=${offset.distance}`, `side=${offset.side}`] : []),
+    ...(choices.length > 0 ? [`parts=${choices.join(';')}`] : []),
+    ...(thickness > 0 ? [`thickness=${thickness}`] : []),
+  ];
+}
+
+/** What a fragment says that a figure is made of; objects have their places, from 1, as their ids. */
+function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
+  const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);
+  const sources = texts.map(parseWhole).filter((id) => id !== null && id > 0) as number[];
+  const positive = (name: string) => {
+    const value = Number(fields.get(name) ?? NaN);
+    return value > 0 && Number.isFinite(value) ? value : null;
+  };
+  if (kind === 'offset') {
+    const side = offsetSides.find((one) => one === fields.get('side')) ?? 'outwards';
+    // Without a distance it is nothing.
+    const distance = positive('distance');
+    return distance ? { sources, offset: { distance, side } } : { sources: [] };
+  }
+  if (kind !== 'cut') return { sources };
+  const told = (fields.get('parts') ?? '').split(';').slice(0, mostParts);
+  const parts = told.flatMap((text): PartChoice[] => {
+    const [face, u, v, state] = text.split(',');
+    const point = parsePoint([face, u, v].join(','));
+    return point && (state === 'hidden' || state === 'deleted') ? [{ point, state }] : [];
+  });
+  return { sources, parts, thickness: positive('thickness') ?? 0 };
 }
 
 const encodeName = (name: string) => encodeURIComponent(shortened(name, longestName));
@@ -289,12 +343,14 @@ function parseFigure(fragment: string): Figure {
     const leg = next ? legs.get(i) : null;
     return point && withTangents(withLeg(point, leg), tangents.get(`${i}`));
   });
+  const kind = kinds.find((one) => one === fields.get('kind')) ?? 'bspline';
   return withFittingKnots({
-    kind: kinds.find((one) => one === fields.get('kind')) ?? 'bspline',
+    kind,
     settings: parseSettings(fields),
     points: points.filter((point) => point !== null),
     circle: parseCircle(fields.get('circle') ?? ''),
     circleForm: parseCircleForm(fields),
+    ...(isDerived(kind) && { derived: parseDerived(kind, fields) }),
   });
 }
 
@@ -448,12 +504,15 @@ function fittingPoints(points: readonly ControlPoint[], triangles: number): Cont
 /** A figure of which every place is on a surface of that many triangles. */
 function fittingFigure(figure: Figure, triangles: number): Figure {
   const fits = (place: object) => !('face' in place) || (place as SurfacePoint).face < triangles;
-  const { circle } = figure;
+  const { circle, derived } = figure;
   const circleFits = circle && [circle.center, circle.rim, circle.across ?? {}].every(fits);
   return withFittingKnots({
     ...figure,
     points: fittingPoints(figure.points, triangles),
     circle: circleFits ? circle : null,
+    ...(derived?.parts && {
+      derived: { ...derived, parts: derived.parts.filter(({ point }) => fits(point)) },
+    }),
   });
 }
 

@@ -1,5 +1,6 @@
 /** What a link says that this page cannot show as it is said: told, and not silently changed. */
 import { dashes, widthRange } from './drawing';
+import { offsetSides } from './derived';
 import {
   defaultCircleForm,
   defaultSettings,
@@ -103,6 +104,9 @@ const rules: Readonly<Record<string, Rule>> = {
     range: `numbers of points with up to ${mostLegPoints} places each`,
     instead: 'the shortest path',
   },
+  distance: within(0, Infinity, false, 'no offset'),
+  side: oneOf(offsetSides, offsetSides[0]),
+  thickness: within(0, Infinity, false, 'no thickness'),
   view: {
     allows: (text) => parseView(text) !== null,
     range: viewRange,

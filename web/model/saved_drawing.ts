@@ -14,6 +14,14 @@ import {
 } from './drawing';
 import type { Tangent, Tangents } from './figure';
 import {
+  type Derived,
+  isDerived,
+  mostParts,
+  mostSources,
+  offsetSides,
+  type PartChoice,
+} from './derived';
+import {
   type Across,
   type CircleForm,
   type CircleShape,
@@ -22,6 +30,7 @@ import {
   type Figure,
   fewestArcs,
   isEmpty,
+  type Kind,
   kinds,
   knotsFit,
   marksRange,
@@ -119,18 +128,54 @@ export const isColor = (value: unknown): value is string =>
   typeof value === 'string' && /^#[0-9a-f]{6}$/.test(value);
 
 function readFigure(value: unknown, what: string): Figure {
-  const { kind, settings, points, circle, circleForm } = record(value, `the figure of ${what}`);
+  const { kind, settings, points, circle, circleForm, derived } = record(
+    value,
+    `the figure of ${what}`,
+  );
+  const own = oneOf(kind, kinds, `the kind of ${what}`);
   const figure: Figure = {
-    kind: oneOf(kind, kinds, `the kind of ${what}`),
+    kind: own,
     settings: readSettings(settings, what),
     points: list(points, `the points of ${what}`, mostPoints).map((point, i) =>
       readControlPoint(point, `point ${i + 1} of ${what}`),
     ),
     circle: circle === null ? null : readCircle(circle, what),
     circleForm: readCircleForm(circleForm, what),
+    ...(isDerived(own) && { derived: readDerived(derived, own, what) }),
   };
   if (!knotsFit(figure)) throw new Error(`the knots of ${what} are not as many as its points take`);
   return figure;
+}
+
+function readDerived(value: unknown, kind: Kind, of: string): Derived {
+  const { sources, offset, parts, thickness } = record(value, `what ${of} is made of`);
+  const told = {
+    sources: list(sources, `the objects that ${of} is made of`, mostSources).map((id) =>
+      whole(id, 1, Number.MAX_SAFE_INTEGER, `an object that ${of} is made of`),
+    ),
+  };
+  if (kind === 'offset') {
+    const { distance, side } = record(offset, `the offset of ${of}`);
+    return {
+      ...told,
+      offset: {
+        distance: number(distance, Number.MIN_VALUE, Infinity, `the distance of ${of}`),
+        side: oneOf(side, offsetSides, `the side of ${of}`),
+      },
+    };
+  }
+  if (kind !== 'cut') return told;
+  return {
+    ...told,
+    parts: list(parts, `the parts of ${of}`, mostParts).map((part): PartChoice => {
+      const { point, state } = record(part, `a part of ${of}`);
+      return {
+        point: readPoint(point, `the point of a part of ${of}`),
+        state: oneOf(state, ['hidden', 'deleted'], `the state of a part of ${of}`),
+      };
+    }),
+    thickness: number(thickness, 0, Infinity, `the thickness of ${of}`),
+  };
 }
 
 function readSettings(value: unknown, of: string): CurveSettings {

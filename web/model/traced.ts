@@ -1,5 +1,5 @@
 /** What the engine makes of a document, as the page draws and shows it. */
-import type { CurvePoints, CurveSamples, DrawnLeg, SurfacePoint } from 'karcher';
+import type { CurvePoints, CurveSamples, DrawnLeg, Path, SurfacePoint } from 'karcher';
 import type { LostInterval } from './lost';
 
 /** A region as it is painted: faces that lie in it as a whole, and triangles that fill its part of others. */
@@ -42,6 +42,8 @@ export interface TracedCurve {
   milliseconds: number;
   /** Null where it was not asked for. */
   fill: Fill | null;
+  /** What is made of it is made of these; null where they were not asked for. */
+  outlines: readonly Path[] | null;
 }
 
 /** A shorter way from a control point to the next than the one that the curve takes. */
@@ -62,6 +64,7 @@ export interface TracedIsolines {
   milliseconds: number;
   /** Null where it was not asked for. */
   fill: Fill | null;
+  outlines: readonly Path[];
 }
 
 /** A point of a curve, with what is worth knowing there. */

@@ -15,5 +15,8 @@ const withUnit = (number: string, unit: string) => (unit ? `${number} ${unit}` :
 export const formatLength = (length: number, unit: Unit = '') =>
   withUnit(length.toPrecision(4), unit);
 
+export const formatVolume = (volume: number, unit: Unit = '') =>
+  withUnit(volume.toPrecision(4), unit && `${unit}³`);
+
 export const formatArea = (area: number, unit: Unit = '') =>
   withUnit(area.toPrecision(4), unit && `${unit}²`);

@@ -1,5 +1,6 @@
 import { type Editor, selectedObjects } from '../editor/state/editor';
 import { copiedText, pastedObjects } from '../model/copied';
+import { withSources } from '../model/sources';
 import { isEmpty } from '../model/figure';
 import { sentenceOf, showNote } from './messages';
 
@@ -55,7 +56,8 @@ export class Clipboard {
   /** What is selected, as text; null where that is nothing. */
   get #text(): string | null {
     const { mesh, drawing } = this.editor.state;
-    const ids = this.#ids;
+    // With what they are made of: elsewhere nothing else is.
+    const ids = withSources(drawing, this.#ids);
     const objects = drawing.objects.filter(
       ({ id, figure }) => ids.includes(id) && !isEmpty(figure),
     );

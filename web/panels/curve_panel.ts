@@ -1,6 +1,7 @@
 import { type CurveEdits, joinable } from '../editor/engine/curve_edits';
 import type { Editor, State } from '../editor/state/editor';
 import type { View } from '../editor/engine/view';
+import { isDerived } from '../model/derived';
 import { isCurve, isEmpty, isRound, isSpline, type Kind } from '../model/figure';
 import { type MethodId, methods } from '../model/methods';
 import type { Joint } from '../model/pen';
@@ -63,7 +64,7 @@ export class CurvePanel {
     const { kind } = state.figure;
     // Of a stroke there is a tolerance.
     this.#kindGroup.hidden = state.none && state.tool !== 'freehand';
-    this.#pointsGroup.hidden = state.none;
+    this.#pointsGroup.hidden = state.none || isDerived(kind);
     const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;
     write(byId('kind-title'), group.title);
     this.#showKinds(group.kinds);
@@ -74,7 +75,8 @@ export class CurvePanel {
     this.#folds.show(state);
     this.#method.value = state.method;
     const { tool } = state;
-    this.#goOn.hidden = tool !== 'select' || isRound(kind) || isEmpty(state.figure);
+    const takesPoints = !isRound(kind) && !isDerived(kind);
+    this.#goOn.hidden = tool !== 'select' || !takesPoints || isEmpty(state.figure);
     byId('actions').hidden = !isCurve(kind) && this.#goOn.hidden;
     // Curves of the pen are edited by their anchors.
     for (const button of [this.#split, this.#reverse]) {

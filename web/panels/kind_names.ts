@@ -1,3 +1,4 @@
+import { booleans } from '../model/derived';
 import type { Kind } from '../model/figure';
 
 /** A kind as the page calls it. */
@@ -13,6 +14,12 @@ export const kindNames: Record<Kind, string> = {
   center: 'Center',
   points: 'Points',
   pen: 'Pen',
+  offset: 'Offset',
+  union: 'Union',
+  intersection: 'Intersection',
+  difference: 'Difference',
+  exclusion: 'Exclusion',
+  cut: 'Cut',
 };
 
 /** What a kind is, in a few words. */
@@ -28,6 +35,12 @@ export const kindNotes: Record<Kind, string> = {
   center: 'The center of mass of the points',
   points: 'Single points of the surface',
   pen: 'Bézier curves through anchors with handles: click a corner, drag a smooth anchor (P)',
+  offset: 'Lines at a distance from another object',
+  union: 'What any of the objects enclose',
+  intersection: 'What all of the objects enclose',
+  difference: 'What the lowest of the objects encloses without what the others do',
+  exclusion: 'What an odd number of the objects enclose',
+  cut: 'The surface cut apart along objects',
 };
 
 /** Kinds that are offered together, each for the others. */
@@ -39,4 +52,7 @@ export const kindGroups: readonly { title: string; kinds: readonly Kind[] }[] = 
   },
   { title: 'Circle', kinds: ['circle', 'ellipse'] },
   { title: 'Points', kinds: ['center', 'points'] },
+  { title: 'Combined', kinds: booleans },
+  { title: 'Offset', kinds: ['offset'] },
+  { title: 'Cut', kinds: ['cut'] },
 ];

@@ -35,7 +35,7 @@ const selectedFills = (state: State) => {
   return state.drawing.objects.filter(({ id }) => ids.includes(id)).map(({ fill }) => fill);
 };
 
-const eye =
+export const eye =
   '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M2.500 10S5.200 5 10 5s7.500 5 7.500 5-2.700 5-7.500 5-7.500-5-7.500-5z" /><circle cx="10" cy="10" r="2.200" /><path class="off" d="m4 16 12-12" /></svg>';
 const lock =
   '<svg viewBox="0 0 20 20" aria-hidden="true"><rect x="5" y="9" width="10" height="7" rx="1.500" /><path class="on" d="M7 9V7a3 3 0 0 1 6 0v2" /><path class="off" d="M7 9V6a3 3 0 0 1 5.600-1.500" /></svg>';

@@ -17,7 +17,8 @@ import { madeSource, meshLabel } from '../model/meshes';
 import type { ViewerColors } from '../viewer/colors';
 import type { Vantage } from '../viewer/vantage';
 import type { Viewer } from '../viewer/viewer';
-import { byId, formatBytes, make } from './elements';
+import { download } from './download';
+import { byId, formatBytes } from './elements';
 import { Menu } from './menu';
 import { sentenceOf, showError, showNote } from './messages';
 import { nameOf } from './object_panel';
@@ -79,7 +80,7 @@ export class SaveMenu {
       svg: async () => gathered(partsOfSvg(await this.#drawing())),
       json: () => [jsonOf(state, this.session.view, this.viewer.place)],
     };
-    this.#download(title, new Blob(await parts[format](), { type: types[format] }), format);
+    download(title, new Blob(await parts[format](), { type: types[format] }), format);
   }
 
   /** Saves the drawing with the file of its surface, to be opened where nobody has that. */
@@ -88,7 +89,7 @@ export class SaveMenu {
     const title = this.#title;
     const json = jsonOf(state, this.session.view, this.viewer.place);
     if (madeSource(state.mesh)) {
-      this.#download(title, new Blob([json], { type: types.json }), 'json');
+      download(title, new Blob([json], { type: types.json }), 'json');
       return;
     }
     const name = meshLabel(state.mesh);
@@ -100,7 +101,7 @@ export class SaveMenu {
       );
     } else {
       const parts = await partsWithFile(json, { name, bytes });
-      this.#download(title, new Blob(parts, { type: types.json }), 'json');
+      download(title, new Blob(parts, { type: types.json }), 'json');
     }
   }
 
@@ -114,7 +115,7 @@ export class SaveMenu {
     try {
       const outline = { lines: await this.viewer.outline(controller.signal), color };
       const parts = await gathered(partsOfSvg({ ...(await drawing), outline }));
-      this.#download(title, new Blob(parts, { type: types.svg }), 'svg');
+      download(title, new Blob(parts, { type: types.svg }), 'svg');
     } catch (error) {
       if (!controller.signal.aborted)
         showError(`The outline could not be drawn. ${sentenceOf(error)}`);
@@ -127,7 +128,7 @@ export class SaveMenu {
   async #savePicture(seeThrough: boolean): Promise<void> {
     const background = seeThrough ? null : sceneColors().stage;
     const title = this.#title;
-    this.#download(title, await this.viewer.picture(pictureScale, background), 'png');
+    download(title, await this.viewer.picture(pictureScale, background), 'png');
   }
 
   get #title(): string {
@@ -136,13 +137,6 @@ export class SaveMenu {
     const [one] = drawn;
     const what = drawn.length === 1 ? one!.name || one!.figure.kind : 'drawing';
     return `${what} on ${meshLabel(mesh).replace(/\.obj$/i, '')}`;
-  }
-
-  #download(title: string, file: Blob, extension: string): void {
-    const name = `${title.replaceAll(/[^\p{L}\p{N}]+/gu, '-').toLowerCase()}.${extension}`;
-    const address = URL.createObjectURL(file);
-    make('a', '', { href: address, download: name }).click();
-    setTimeout(() => URL.revokeObjectURL(address), 60_000);
   }
 
   /** All curves, the edited one first. */

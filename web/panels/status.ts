@@ -4,6 +4,7 @@ import type { Editor, Selection, State } from '../editor/state/editor';
 import type { Ruled } from '../editor/hand/ruler';
 import { type Shift, unseenShift } from '../editor/engine/shift';
 import type { View } from '../editor/engine/view';
+import { isDerived } from '../model/derived';
 import {
   type Figure,
   isEmpty,
@@ -217,6 +218,7 @@ function hintOf(
   }
   if (view.center) return centerHint(view.center);
   if (isRound(kind)) return circle ? '' : 'Click the surface to place the center';
+  if (isDerived(kind)) return '';
   if (points.length === 0 && kind === 'pen') return penWords.begin;
   if (points.length === 0) {
     return `Click the surface to place a ${kind === 'center' || kind === 'points' ? '' : 'control '}point`;

@@ -21,7 +21,9 @@ import { MeshBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/figure';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { Region } from '../model/traced';
+import type { SurfacePart } from '../model/parts';
 import { rampForShader } from './color_ramp';
+import { SurfaceParts } from './surface_parts';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
   directionFromScene,
@@ -190,7 +192,12 @@ export class Surface {
   readonly #triangles: Uint32Array;
   readonly #normals: Float32Array;
   readonly #outside: DrawnGeometry['outside'];
+  /** 1 for each face of which something is seen; null where all are. */
+  #seen: Uint8Array | null = null;
   readonly #edges: Mesh;
+  readonly #whole: Mesh;
+  /** What is seen in its place, where it is cut. */
+  readonly #parts = new SurfaceParts(material, paint);
 
   constructor(drawn: DrawnGeometry) {
     this.frame = drawn.frame;
@@ -215,7 +222,8 @@ export class Surface {
     this.#tree = MeshBVH.deserialize(drawn.tree, this.#geometry, { setIndex: false });
     this.#edges = new Mesh(this.#geometry, edgeMaterial);
     this.#edges.visible = false;
-    this.object.add(new Mesh(this.#geometry, material), this.#edges);
+    this.#whole = new Mesh(this.#geometry, material);
+    this.object.add(this.#whole, this.#edges, this.#parts.object);
   }
 
   /** How many there are. */
@@ -240,6 +248,18 @@ export class Surface {
     material.uniforms.most!.value = colored?.most ?? 0;
     if (colored) this.#geometry.setAttribute('value', new BufferAttribute(colored.values, 1));
     else this.#geometry.deleteAttribute('value');
+  }
+
+  /** Shows these parts in place of the whole surface, each with a color over it or none; null shows that. */
+  showParts(parts: readonly { part: SurfacePart; color: string | null }[] | null): void {
+    this.#whole.visible = parts === null;
+    this.#parts.show(parts ?? [], (part) => this.#partGeometry(part));
+    this.#seen = parts && seenFaces(parts, this.triangles);
+  }
+
+  #partGeometry({ faces, weights }: SurfacePart): BufferGeometry {
+    const none = new Int32Array();
+    return this.regionGeometry({ whole: none, parts: faces, corners: weights, area: 0 });
   }
 
   /** The triangles of a region. */
@@ -274,13 +294,21 @@ export class Surface {
 
   /** Where a ray of the scene meets the surface first. */
   pick(ray: Ray): Pick | null {
-    const hit = this.#tree.raycastFirst(ray, DoubleSide);
+    const hit = this.#hit(ray);
     return hit ? this.#pickAt(hit.faceIndex!, hit.point) : null;
   }
 
   /** Distance along the ray to the surface; infinite where it misses. */
   depth(ray: Ray): number {
-    return this.#tree.raycastFirst(ray, DoubleSide)?.distance ?? Infinity;
+    return this.#hit(ray)?.distance ?? Infinity;
+  }
+
+  #hit(ray: Ray) {
+    const first = this.#tree.raycastFirst(ray, DoubleSide);
+    const seen = this.#seen;
+    if (!seen || !first || seen[first.faceIndex!] === 1) return first;
+    const hits = this.#tree.raycast(ray, DoubleSide).filter((hit) => seen[hit.faceIndex!] === 1);
+    return hits.toSorted((a, b) => a.distance - b.distance)[0] ?? null;
   }
 
   /** The surface's point nearest to a point of the scene. */
@@ -389,6 +417,7 @@ export class Surface {
 
   dispose(): void {
     this.#geometry.dispose();
+    this.#parts.dispose();
   }
 
   #corner(face: number, corner: number): Vector3 {
@@ -408,4 +437,10 @@ export class Surface {
     const point = surfacePoint(face, shortened(u / sum), shortened(v / sum));
     return { point, position: this.position(point) };
   }
+}
+
+function seenFaces(parts: readonly { part: SurfacePart }[], count: number): Uint8Array {
+  const seen = new Uint8Array(count);
+  for (const { part } of parts) for (const face of part.faces) seen[face] = 1;
+  return seen;
 }

@@ -235,6 +235,12 @@ export class Viewer {
     this.requestFrame();
   }
 
+  /** Shows parts of the surface in its place, each with a color over it or none; null shows all of it. */
+  showParts(parts: Parameters<Surface['showParts']>[0]): void {
+    this.#surface?.showParts(parts);
+    this.requestFrame();
+  }
+
   /** Outlines of places of the surface, in its coordinates; those before go. */
   showPlaces(lines: readonly Float32Array[]): void {
     const surface = this.#surface;

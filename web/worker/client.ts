@@ -13,12 +13,14 @@ import type {
   Path,
   PointLike,
 } from 'karcher';
-import type { FileInfo } from 'karcher/formats';
+import type { FileInfo, Triangles, WrittenFormat } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
+import type { BooleanKind, OffsetSide } from '../model/derived';
 import type { Vector } from '../model/figure';
 import { type ToldLegs, withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
+import type { SurfacePart } from '../model/parts';
 import { waypointsOf } from '../model/splines';
 import type {
   Fill,
@@ -29,7 +31,8 @@ import type {
   TracedIsolines,
 } from '../model/traced';
 import { type Edit, type Edited, edited } from './edits';
-import { tracedCircle, tracedCurve } from './traced';
+import type { DerivedLines } from './derived';
+import { tracedCircle, tracedCurve, tracedLines } from './traced';
 
 export { KarcherError } from 'karcher/own-worker';
 
@@ -71,6 +74,8 @@ export interface CurveRequest {
   marks?: number;
   /** Whether what it encloses is asked for, too. */
   fill?: boolean;
+  /** Whether the path is asked for that it follows. */
+  outlines?: boolean;
 }
 
 /** A curve that is tried elsewhere again and again: its legs are continued. */
@@ -189,20 +194,20 @@ export class EngineClient {
   /** The curve of a value. */
   async curve(
     value: CurveOptions,
-    { object, marks = 0, fill = false }: CurveRequest = {},
+    { object, marks = 0, fill = false, outlines = false }: CurveRequest = {},
   ): Promise<TracedCurve> {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
     try {
       // Both are asked at once: nothing comes in between.
-      const [[view, marked], filled] = await both(
+      const [[view, marked], [filled, path]] = await both(
         both(
           before ? curve.set(value) : curve.view(),
           marks > 0 ? curve.equallySpaced(marks) : null,
         ),
-        fill ? this.#fill(curve) : null,
+        Promise.all([fill ? this.#fill(curve) : null, outlines ? curve.path() : null]),
       );
-      return tracedCurve(view, marked, filled);
+      return { ...tracedCurve(view, marked, filled), outlines: path && [path] };
     } finally {
       if (object === undefined) void curve.dispose();
     }
@@ -282,13 +287,46 @@ export class EngineClient {
     const started = performance.now();
     const paths = await this.mesh.isolines(center, options);
     const milliseconds = performance.now() - started;
-    const lines = paths.map((line) => ({
-      ...{ closed: line.closed, length: line.length },
-      polyline: line.polyline(),
-    }));
-    const length = lines.reduce((sum, line) => sum + line.length, 0);
-    const filled = fill && lines.length > 0 ? await this.#fill(paths) : null;
-    return { lines, length, milliseconds, fill: filled };
+    const filled = fill && paths.length > 0 ? await this.#fill(paths) : null;
+    return tracedLines(paths, milliseconds, filled);
+  }
+
+  /** Lines at a distance from others. */
+  offset(
+    outlines: readonly Path[],
+    options: { distance: number; side: OffsetSide },
+    fill = false,
+  ): Promise<TracedIsolines> {
+    const closed = outlines.every((path) => path.closed);
+    return this.#derived('offset', [outlines, { ...options, closed }, fill]);
+  }
+
+  /** The outline of a union, intersection, difference or exclusion of what outlines enclose. */
+  combined(
+    shapes: readonly (readonly Path[])[],
+    kind: BooleanKind,
+    fill = false,
+  ): Promise<TracedIsolines> {
+    return this.#derived('combined', [shapes, kind, fill]);
+  }
+
+  /** The surface cut apart along outlines, the largest part first; of a thickness, if it is positive. */
+  async cut(outlines: readonly Path[], thickness: number): Promise<SurfacePart[]> {
+    const args = [this.mesh, outlines, thickness];
+    return (await this.#worker.call('cut', args)) as SurfacePart[];
+  }
+
+  /** Triangles as a file. */
+  async meshFile(part: Triangles, format: WrittenFormat): Promise<Uint8Array> {
+    const { positions, triangles } = part;
+    const args = [this.mesh, { positions, triangles }, format];
+    return (await this.#worker.call('meshFile', args)) as Uint8Array;
+  }
+
+  async #derived(call: string, args: unknown[]): Promise<TracedIsolines> {
+    const started = performance.now();
+    const made = (await this.#worker.call(call, [this.mesh, ...args])) as DerivedLines;
+    return tracedLines(made.paths, performance.now() - started, made.fill);
   }
 
   /** Distances along the surface from a point to all of it. */

@@ -8,10 +8,12 @@ import {
   type Mesh,
   type PointLike,
 } from 'karcher';
-import type { FileInfo } from 'karcher/formats';
+import type { FileInfo, Triangles, WrittenFormat } from 'karcher/formats';
 import { serve } from 'karcher/own-worker';
 import { arraysOf, blobsOf, type MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
+import { cutParts } from './cut';
+import { combined, offsetOf } from './derived';
 import { tracedDistances } from './distances';
 import { fillOf } from './fills';
 
@@ -60,6 +62,13 @@ const calls = {
   distances: (mesh: Mesh, from: PointLike, options: DistanceOptions) =>
     tracedDistances(mesh, from, options),
   fill: fillOf,
+  offset: offsetOf,
+  combined,
+  cut: cutParts,
+  async meshFile(_: Mesh, part: Triangles, format: WrittenFormat) {
+    const { meshFile } = await import('karcher/formats');
+    return meshFile(part, format);
+  },
   putDown(
     mesh: Mesh,
     from: PointLike,

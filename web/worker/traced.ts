@@ -1,7 +1,7 @@
 /** What the engine gives, as the page draws it. */
-import type { Circle, CurvePoints, CurveView, Ellipse } from 'karcher';
+import type { Circle, CurvePoints, CurveView, Ellipse, Path } from 'karcher';
 import { lostIntervals } from '../model/lost';
-import type { Fill, TracedCurve } from '../model/traced';
+import type { Fill, TracedCurve, TracedIsolines } from '../model/traced';
 
 export function tracedCurve(
   view: CurveView,
@@ -24,6 +24,7 @@ export function tracedCurve(
     length,
     milliseconds: Object.values(times).reduce((sum, time) => sum + time, 0),
     fill,
+    outlines: null,
   };
 }
 
@@ -48,5 +49,19 @@ export function tracedCircle(
     length: path.length,
     milliseconds: milliseconds(),
     fill,
+    outlines: [path],
   };
+}
+
+export function tracedLines(
+  paths: readonly Path[],
+  milliseconds: number,
+  fill: Fill | null,
+): TracedIsolines {
+  const lines = paths.map((line) => ({
+    ...{ closed: line.closed, length: line.length },
+    polyline: line.polyline(),
+  }));
+  const length = lines.reduce((sum, line) => sum + line.length, 0);
+  return { lines, length, milliseconds, fill, outlines: paths };
 }

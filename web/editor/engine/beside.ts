@@ -1,6 +1,8 @@
-import type { SurfacePoint } from 'karcher';
+import type { Path, SurfacePoint } from 'karcher';
+import { isDerived } from '../../model/derived';
+import { isSource, resolvedFigure } from '../../model/sources';
 import { type DrawnObject, type LineStyle, othersOf } from '../../model/drawing';
-import { type Figure, isEmpty } from '../../model/figure';
+import { type Figure, isEmpty, type Operand } from '../../model/figure';
 import { type MethodId, methodOptions, type Quality } from '../../model/methods';
 import type { Region } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
@@ -9,10 +11,12 @@ import {
   messageOf,
   noFill,
   nothing,
+  outlinesShown,
   polylinesOf,
   qualityShown,
   type Shown,
 } from './compute';
+import type { ShownCut } from './cut';
 import type { State } from '../state/editor';
 
 /** An object that lies beside the edited one, as it is drawn. */
@@ -28,6 +32,8 @@ export interface Beside {
   center: SurfacePoint | null;
   /** What its lines enclose, where that is painted. */
   region: Region | null;
+  /** Of a cut. */
+  cut: ShownCut | null;
 }
 
 /** What the engine made of a figure by a method, and how good it is. */
@@ -35,7 +41,12 @@ interface Traced {
   method: MethodId;
   shown: Shown;
   quality: Quality | null;
+  /** Of a figure that is made of others: the lines that it was made of. */
+  from?: readonly (readonly Path[] | null)[];
 }
+
+/** What slow objects follow of a drag: after each of them as many times as long nothing does. */
+const restPart = 2;
 
 /** How many figures are remembered beyond those of the drawing: of steps that are taken back. */
 export const mostRemembered = 64;
@@ -48,9 +59,25 @@ export class BesideObjects {
   readonly #traced = new Map<Figure, Traced>();
   readonly #drawn = new WeakMap<DrawnObject, Beside>();
   #last: readonly Beside[] = [];
+  /** The lines of figures of which others are made. */
+  #outlines = new WeakMap<Figure, { method: MethodId; paths: readonly Path[] }>();
+  /** What was last made of objects that follow others: it is shown until the next is there. */
+  readonly #lastOf = new Map<number, Traced>();
+  #restUntil = 0;
+  #timer: ReturnType<typeof setTimeout> | null = null;
+
+  /** `rested` is called when something that rests in a drag may be traced again. */
+  constructor(private readonly rested: () => void) {}
+
+  /** Whether something is still to follow. */
+  get resting(): boolean {
+    return this.#timer !== null;
+  }
 
   clear(): void {
     this.#traced.clear();
+    this.#outlines = new WeakMap();
+    this.#lastOf.clear();
     this.#last = [];
   }
 
@@ -58,61 +85,120 @@ export class BesideObjects {
    * What was made of a figure: it may be seen again, beside another one or edited. The oldest that no
    * object of the drawing has any more are forgotten.
    */
-  keep(figure: Figure, traced: Traced, { objects }: State['drawing']): void {
+  keep(figure: Figure, traced: Traced, drawing: State['drawing']): void {
+    const { operands } = figure;
+    const from = operands?.map((operand) => this.#pathsOf(operand, traced.method));
     this.#traced.delete(figure);
-    this.#traced.set(figure, traced);
-    this.#forgetAllBut(objects);
+    this.#traced.set(figure, { ...traced, ...(from && { from }) });
+    this.#forgetAllBut(drawing);
   }
 
   /** What was made of a figure by a method. */
   known(figure: Figure, method: MethodId, { fill = 0 } = {}): Traced | null {
     const traced = this.#traced.get(figure);
     if (traced?.method !== method) return null;
+    const isOld = (operand: Operand, i: number) =>
+      this.#pathsOf(operand, method) !== traced.from?.[i];
+    if (figure.operands?.some(isOld)) return null;
     return fill > 0 && !traced.shown.fill ? null : traced;
   }
 
   /** What lies beside the edited object; the very same list where nothing of it has changed. */
   of({ drawing, method }: State): readonly Beside[] {
-    const next = shownBeside(drawing).map((object) => this.#besideOf(object, method));
+    const next = shownBeside(drawing).map((object) =>
+      this.#besideOf(object, resolvedFigure(drawing, object), method),
+    );
     const same = next.length === this.#last.length && next.every((one, i) => one === this.#last[i]);
     if (!same) this.#last = next;
     return this.#last;
   }
 
   /** Traces one that is missing; false when there is none. */
-  async trace(client: EngineClient, { drawing, method }: State): Promise<boolean> {
-    const missing = shownBeside(drawing).find(
-      (object) => !this.known(object.figure, method, object),
-    );
+  async trace(client: EngineClient, { drawing, method, dragging }: State): Promise<boolean> {
+    const started = performance.now();
+    const isMissing = (object: DrawnObject) =>
+      !this.known(resolvedFigure(drawing, object), method, object);
+    const all = shownBeside(drawing).filter(isMissing);
+    const left = this.#restUntil - started;
+    const rests = dragging && left > 0;
+    const missing = all.find(({ figure }) => !(rests && isDerived(figure.kind)));
+    if (!missing && all.length > 0) this.#rest(left);
     if (!missing) return false;
-    const { id, figure } = missing;
+    const { id } = missing;
+    const figure = resolvedFigure(drawing, missing);
     const fill = missing.fill > 0;
-    const shown = await compute(client, figure, methodOptions(method), { object: id, fill }).catch(
-      (error) => ({ ...nothing, problem: messageOf(error), fill: fill ? noFill : null }),
-    );
+    const shown = await compute(client, figure, methodOptions(method), {
+      ...{ object: id, fill, outlines: isSource(drawing, id) },
+      outlinesOf: this.outlinesOf(client, method),
+    }).catch((error) => ({
+      ...nothing,
+      problem: messageOf(error),
+      fill: fill ? noFill : null,
+    }));
     if (client.closed) return false;
+    this.tell(figure, method, shown);
     this.keep(figure, { method, shown, quality: qualityShown(shown, method) }, drawing);
+    const ended = performance.now();
+    if (figure.operands) this.#restUntil = ended + restPart * (ended - started);
     return true;
   }
 
-  #besideOf(object: DrawnObject, method: MethodId): Beside {
+  #rest(milliseconds: number): void {
+    this.#timer ??= setTimeout(() => {
+      this.#timer = null;
+      this.rested();
+    }, milliseconds);
+  }
+
+  /** Takes the lines of a figure for what is made of it, where they were asked for. */
+  tell(figure: Figure, method: MethodId, shown: Shown): void {
+    const paths = outlinesShown(shown);
+    if (paths) this.#outlines.set(figure, { method, paths });
+  }
+
+  /** The lines of operands, as they are known or made. */
+  outlinesOf(client: EngineClient, method: MethodId) {
+    const outlinesOf = async (operand: Operand): Promise<readonly Path[]> => {
+      const known = this.#pathsOf(operand, method);
+      if (known) return known;
+      const { id, figure } = operand;
+      const shown = await compute(client, figure, methodOptions(method), {
+        ...{ object: id, outlines: true, outlinesOf },
+      });
+      this.tell(figure, method, shown);
+      return outlinesShown(shown) ?? [];
+    };
+    return outlinesOf;
+  }
+
+  #pathsOf({ figure }: Operand, method: MethodId): readonly Path[] | null {
+    const known = this.#outlines.get(figure);
+    return known?.method === method ? known.paths : null;
+  }
+
+  #besideOf(object: DrawnObject, figure: Figure, method: MethodId): Beside {
     const known = this.#drawn.get(object);
-    const { id, figure, locked, color, width, dash } = object;
-    const traced = this.known(figure, method);
+    const { id, locked, color, width, dash } = object;
+    const own = this.known(figure, method);
+    const traced = own ?? (isDerived(figure.kind) ? (this.#lastOf.get(id) ?? null) : null);
+    if (own && isDerived(figure.kind)) this.#lastOf.set(id, own);
     const lines = traced ? polylinesOf(traced.shown) : [];
     const center = traced?.shown.center?.point ?? null;
     const region = object.fill > 0 ? (traced?.shown.fill?.region ?? null) : null;
     const sameLines =
       known?.lines.length === lines.length && lines.every((line, i) => line === known.lines[i]);
-    if (known && sameLines && known.center === center && known.region === region) return known;
+    const cut = traced?.shown.cut ?? null;
+    const same = sameLines && known?.center === center && known.region === region;
+    if (same && known.cut === cut) return known;
     const points = figure.kind === 'points' ? figure.points : [];
-    const beside = { id, style: { color, width, dash }, locked, lines, points, center, region };
+    const style = { color, width, dash };
+    const beside = { id, style, locked, lines, points, center, region, cut };
     this.#drawn.set(object, beside);
     return beside;
   }
 
-  #forgetAllBut(objects: readonly DrawnObject[]): void {
-    const used = new Set(objects.map(({ figure }) => figure));
+  #forgetAllBut(drawing: State['drawing']): void {
+    const used = new Set(drawing.objects.map((object) => resolvedFigure(drawing, object)));
     let beyond = this.#traced.size - used.size - mostRemembered;
     for (const figure of this.#traced.keys()) {
       if (beyond <= 0) return;

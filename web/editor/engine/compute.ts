@@ -1,4 +1,5 @@
-import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions } from 'karcher';
+import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions, Path } from 'karcher';
+import { isDerived } from '../../model/derived';
 import { type Figure, isRound, pointsNeeded } from '../../model/figure';
 import { type DrawnBefore, withDrawnLegs } from '../../model/legs';
 import { type MethodId, type Quality, qualityOf } from '../../model/methods';
@@ -8,6 +9,8 @@ import { curveOptions, splineOf } from '../../model/splines';
 import type { Fill, TracedCurve } from '../../model/traced';
 import { type EngineClient, KarcherError, Stopped } from '../../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
+import { drawCut, type ShownCut } from './cut';
+import { drawDerived, type OutlinesOf } from './derived';
 import { drawnTangents, missingHandle } from './pen_drawing';
 import { type Shift, shiftBetween } from './shift';
 
@@ -15,6 +18,8 @@ import { type Shift, shiftBetween } from './shift';
 export interface Shown {
   curve: TracedCurve | null;
   isolines: ShownIsolines | null;
+  /** Of a cut, the parts of the surface. */
+  cut: ShownCut | null;
   circle: ShownCircle | null;
   center: ShownCenter | null;
   /** Of a curve of the pen, the handles of its anchors. */
@@ -32,6 +37,7 @@ export interface ShownCenter extends CenterOfMass {
 export const nothing: Shown = {
   curve: null,
   isolines: null,
+  cut: null,
   circle: null,
   center: null,
   tangents: null,
@@ -57,7 +63,15 @@ export interface Computation {
   uniqueness?: boolean;
   /** Whether what its lines enclose is asked for. */
   fill?: boolean;
+  /** Whether the paths of its lines are asked for. */
+  outlines?: boolean;
+  /** Of a figure that is made of others, their lines. */
+  outlinesOf?: OutlinesOf;
 }
+
+/** The paths of what is shown; null where they were not asked for. */
+export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | null =>
+  curve || isolines ? (curve ?? isolines)!.outlines : [];
 
 /** What encloses nothing, as a center does. */
 export const noFill: Fill = { region: null, problem: null };
@@ -80,11 +94,22 @@ function computeFigure(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { object, draft = false, before, uniqueness = false, fill = false }: Computation,
+  computation: Computation,
 ): Promise<Shown> {
+  const { object, draft = false, before, uniqueness = false, fill = false } = computation;
+  const { outlines = false, outlinesOf } = computation;
+  if (figure.kind === 'cut') {
+    return drawCut(client, figure, outlinesOf!).then((cut) => ({ ...nothing, cut }));
+  }
+  if (isDerived(figure.kind)) {
+    return drawDerived(client, figure, outlinesOf!, fill).then((isolines) => ({
+      ...nothing,
+      isolines,
+    }));
+  }
   if (isRound(figure.kind)) return computeCircle(client, figure, options, { draft, fill });
   if (figure.kind === 'pen') {
-    return computePen(client, figure, options, { object, fill, before });
+    return computePen(client, figure, options, { object, fill, outlines, before });
   }
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
@@ -93,7 +118,7 @@ function computeFigure(
   const { marks } = spline.settings;
   const value = curveOptions(spline, options);
   return client
-    .curve(before ? withDrawnLegs(value, before) : value, { object, marks, fill })
+    .curve(before ? withDrawnLegs(value, before) : value, { object, marks, fill, outlines })
     .then((curve) => ({ ...nothing, curve }));
 }
 
@@ -116,7 +141,7 @@ async function computePen(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { before, ...request }: Pick<Computation, 'object' | 'fill' | 'before'>,
+  { before, ...request }: Pick<Computation, 'object' | 'fill' | 'outlines' | 'before'>,
 ): Promise<Shown> {
   const tangents = await drawnTangents(client, figure);
   const problem = missingHandle(figure, tangents);

@@ -1,5 +1,6 @@
 import type { SurfacePoint } from 'karcher';
 import type { Command } from '../../model/commands';
+import { isDerived } from '../../model/derived';
 import { activeObject, freeId, indexOf, objectOf, othersOf } from '../../model/drawing';
 import {
   type Figure,
@@ -58,7 +59,8 @@ export class CurveEdits {
 
   /** Adds a control point after the others; what is locked or not shown gets none. */
   append(point: SurfacePoint): Promise<void> {
-    if (!this.editor.isOpen) this.editor.begin();
+    const { editor } = this;
+    if (!editor.isOpen || isDerived(editor.state.figure.kind)) editor.begin();
     return this.#edit(({ points }) => ({
       command: { type: 'insert', index: points.length, point },
       selection: points.length,

@@ -2,6 +2,8 @@
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import type { Command } from '../../model/commands';
+import { isDerived } from '../../model/derived';
+import { withSources } from '../../model/sources';
 import { type Drawing, type DrawnObject, objectOf } from '../../model/drawing';
 import { type Figure, isEmpty, type Vector } from '../../model/figure';
 import { type Carried, type CarriedTo, carriedOf, movedFigures } from '../../model/moving';
@@ -36,10 +38,11 @@ export const directionsOf = (carried: readonly Carried[]): Float64Array =>
 
 /** Those of the objects of a drawing that may be moved. */
 export const movableObjects = (drawing: Drawing, ids: readonly number[]): DrawnObject[] =>
-  ids
-    .map((id) => objectOf(drawing, id))
-    .filter((object) => object !== undefined)
-    .filter(({ locked, visible, figure }) => visible && !locked && !isEmpty(figure));
+  withSources(drawing, ids)
+    .map((id) => objectOf(drawing, id)!)
+    // What is made of other objects goes with those, seen or not.
+    .filter(({ id, visible }) => visible || !ids.includes(id))
+    .filter(({ locked, figure }) => !locked && !isEmpty(figure) && !isDerived(figure.kind));
 
 /** Replaces the figures of objects, as one step. */
 export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]): Command => ({

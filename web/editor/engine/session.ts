@@ -1,4 +1,5 @@
 import type { DrawnLeg } from 'karcher';
+import { isSource, resolvedFigure } from '../../model/sources';
 import { activeObject } from '../../model/drawing';
 import {
   type Figure,
@@ -93,7 +94,7 @@ export class Session {
   /** Until when legs that are traced are not shown, and whether there are some. */
   #legsRest = 0;
   #legsUnseen = false;
-  readonly #others = new BesideObjects();
+  readonly #others = new BesideObjects(() => this.#newest.wake());
   readonly #refinement = new Refinement<Shown>();
   readonly #newest = new Newest<State>(
     (state) => this.#trace(state),
@@ -122,7 +123,7 @@ export class Session {
 
   /** Whether the newest state is traced, the geodesics and the exact curve included. */
   get settled(): boolean {
-    return !this.#newest.busy && !this.#refinement.busy;
+    return !this.#newest.busy && !this.#refinement.busy && !this.#others.resting;
   }
 
   /** Another surface: what was traced on the one before is dropped. */
@@ -155,7 +156,9 @@ export class Session {
     this.#client?.stop();
   }
 
-  update(state: State): void {
+  update(given: State): void {
+    const resolved = resolvedFigure(given.drawing, activeObject(given.drawing));
+    const state = resolved === given.figure ? given : { ...given, figure: resolved };
     if (state.drawing.active !== this.#state?.drawing.active) {
       this.#manySamples = false;
       this.#levels = 0;
@@ -171,8 +174,8 @@ export class Session {
       this.#newest.push(state);
     } else if ((this.#coarse || drag !== null) && !state.dragging) this.#newest.push(state);
     else if (!this.#newest.busy) {
-      // A drag has ended: what it left is already traced.
-      this.#refine();
+      // A drag has ended: what it left is already traced, but for what rested meanwhile.
+      this.#newest.wake();
     }
   }
 
@@ -273,7 +276,10 @@ export class Session {
           before: drag ? await this.#before(client, state, drag) : undefined,
           uniqueness: true,
           fill,
+          outlines: isSource(state.drawing, active.id),
+          outlinesOf: this.#others.outlinesOf(client, method),
         });
+        this.#others.tell(state.figure, method, answer);
         // A problem leaves what was drawn before it.
         const legs = answer.problem ? null : (answer.curve?.drawnLegs ?? []);
         if (legs) this.#drawn.set(state.figure, legs);
@@ -407,12 +413,16 @@ export class Session {
       revision: state.revision,
       compute: (client) => {
         const { id, fill } = activeObject(state.drawing);
-        return compute(client, state.figure, options, { object: id, fill: fill > 0 });
+        return compute(client, state.figure, options, {
+          ...{ object: id, fill: fill > 0 },
+          outlines: isSource(state.drawing, id),
+        });
       },
       done: (found) => {
         const exact = { ...found, center: withUniqueness(found.center, draft.center) };
         const refined = { quality: 'exact', refining: false } as const;
         const { figure, method, drawing } = state;
+        this.#others.tell(figure, method, exact);
         this.#others.keep(figure, { method, shown: exact, quality: 'exact' }, drawing);
         this.#show({ ...exact, ...refined, shift: shiftOf(draft, exact, unit) });
         // A center has moved a little: its paths start elsewhere.

@@ -1,5 +1,6 @@
 import { leavingCopies } from '../../model/arranging';
 import type { Command } from '../../model/commands';
+import { withSources } from '../../model/sources';
 import { placesOf } from '../../model/moving';
 import type { Viewer } from '../../viewer/viewer';
 import type { Editor } from '../state/editor';
@@ -175,7 +176,7 @@ export class MoveGestures {
   #leaving(command: Command): Command {
     const { drawing, chosen } = this.editor.state;
     const ids = chosen.length > 0 ? chosen : [drawing.active];
-    const copies = leavingCopies(this.editor.baseDrawing, ids);
+    const copies = leavingCopies(this.editor.baseDrawing, withSources(drawing, ids));
     return copies ? { type: 'steps', steps: [copies, command] } : command;
   }
 

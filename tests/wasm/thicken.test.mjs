@@ -1,0 +1,124 @@
+// Shells round parts of surfaces: closed, of the volume that a plane, a sphere and a torus say, and no thicker than fits.
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { load } from 'karcher';
+import { solidOf, thickened } from 'karcher/checkup';
+import { meshFile } from 'karcher/formats';
+import { printed, temporaryFolder } from './run_cli.mjs';
+
+const engine = await load();
+const folder = temporaryFolder();
+after(() => folder.remove());
+
+const near = (value, wanted, part, what) =>
+  assert.ok(
+    Math.abs(value - wanted) <= part * Math.abs(wanted),
+    `${what}: ${value}, not ${wanted}`,
+  );
+
+/** Points of two parameters from 0 to 1 as triangles; what is closed in one has its end at its start. */
+function grid(across, along, place, [closedAcross, closedAlong] = [false, false]) {
+  const [columns, rows] = [across + !closedAcross, along + !closedAlong];
+  const positions = [];
+  for (let j = 0; j < rows; j++) {
+    for (let i = 0; i < columns; i++) positions.push(...place(i / across, j / along));
+  }
+  const at = (i, j) => (j % rows) * columns + (i % columns);
+  const triangles = [];
+  for (let j = 0; j < along; j++) {
+    for (let i = 0; i < across; i++) {
+      const [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+      triangles.push(a, b, c, a, c, d);
+    }
+  }
+  return { positions, triangles };
+}
+
+/** A closed and oriented shell, whose volume is positive. */
+function shellOf(part, thickness) {
+  const shell = thickened(part, thickness);
+  const { closed, oriented, volume } = solidOf(shell);
+  assert.ok(closed && oriented, 'closed and oriented');
+  assert.ok(volume > 0, `${volume}`);
+  return { ...shell, volume };
+}
+
+test('a rectangle becomes a plate, outwards and inwards', () => {
+  const flat = grid(7, 5, (u, v) => [3 * u, 2 * v, 1]);
+  for (const thickness of [0.25, -0.25]) {
+    const { volume, most, positions } = shellOf(flat, thickness);
+    near(volume, 1.5, 1e-12, 'its volume');
+    assert.equal(most, null);
+    assert.ok(positions.every((value, i) => i % 3 < 2 || value === 1 || value === 1 + thickness));
+  }
+});
+
+test('a sphere becomes a ball with a hollow; inwards no thicker than its radius', () => {
+  const sphere = engine.shape('sphere', 20_000);
+  const part = { positions: sphere.positions(), triangles: sphere.triangles() };
+  const wanted = (from, to) => (4 / 3) * Math.PI * (to ** 3 - from ** 3);
+  near(shellOf(part, 0.2).volume, wanted(1, 1.2), 1e-3, 'outwards');
+  near(shellOf(part, -0.2).volume, wanted(0.8, 1), 1e-3, 'inwards');
+  assert.equal(thickened(part, 5).most, null);
+  near(thickened(part, -1.5).most, 1, 0.02, 'what it allows');
+});
+
+test('a torus becomes a pipe with walls; inwards no thicker than the pipe, outwards than its hole', () => {
+  const [large, small] = [2, 0.5];
+  const torus = grid(
+    160,
+    60,
+    (u, v) => {
+      const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v];
+      const out = large + small * Math.cos(b);
+      return [out * Math.cos(a), out * Math.sin(a), small * Math.sin(b)];
+    },
+    [true, true],
+  );
+  const wanted = (from, to) => 2 * Math.PI ** 2 * large * (to ** 2 - from ** 2);
+  near(shellOf(torus, 0.3).volume, wanted(0.5, 0.8), 5e-3, 'outwards');
+  near(shellOf(torus, -0.3).volume, wanted(0.2, 0.5), 5e-3, 'inwards');
+  near(thickened(torus, -0.7).most, small, 0.02, 'inwards');
+  near(thickened(torus, 2).most, large - small, 0.02, 'outwards, through the hole');
+});
+
+test('two plates that face each other allow half of their gap', () => {
+  const [lower, upper] = [grid(4, 4, (u, v) => [u, v, 0]), grid(4, 4, (u, v) => [v, u, 0.3])];
+  const count = lower.positions.length / 3;
+  const both = {
+    positions: [...lower.positions, ...upper.positions],
+    triangles: [...lower.triangles, ...upper.triangles.map((vertex) => vertex + count)],
+  };
+  near(thickened(both, 0.2).most, 0.15, 1e-12, 'what they allow');
+  assert.equal(thickened(both, 0.14).most, null);
+  assert.throws(() => thickened(both, 0), /must not be 0/);
+});
+
+test('the command line cuts and thickens, and says what is allowed', async () => {
+  const sphere = engine.shape('sphere', 2000);
+  const file = folder.write(
+    'ball.ply',
+    meshFile({ positions: sphere.positions(), triangles: sphere.triangles() }, 'ply'),
+  );
+  const points = [0, 1, 2, 3].map((i) => {
+    const angle = (i * Math.PI) / 2;
+    return sphere.nearestPoint([1, Math.cos(angle), Math.sin(angle)]).point;
+  });
+  const curve = folder.write(
+    'ring.json',
+    JSON.stringify({ kind: 'catmullrom', closed: true, points }),
+  );
+  const run = async (thickness) => {
+    const args = ['cut', file, '--curve', curve, '--thickness', `${thickness}`];
+    return (await printed(...args)).parts;
+  };
+  const thin = await run(0.1);
+  assert.equal(thin.length, 2);
+  for (const { closed, volume, allowed } of thin) {
+    assert.ok(closed && volume > 0);
+    assert.equal(allowed, undefined);
+  }
+  near(thin[0].volume + thin[1].volume, (4 / 3) * Math.PI * (1.1 ** 3 - 1), 0.02, 'both shells');
+  const [large] = await run(-3);
+  near(large.allowed, 1, 0.05, 'what the larger one allows');
+});

@@ -1,0 +1,158 @@
+// The surface cut apart along curves, by hand: parts are seen, hidden, deleted, thickened and saved.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, Tab } from './browser.mjs';
+
+describe('cuts', () => {
+  let browser;
+  before(async () => {
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+  });
+  after(() => browser.close());
+
+  const close = async (tab) => {
+    assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  };
+  const near = (value, wanted, part, what) =>
+    assert.ok(Math.abs(value - wanted) < part * wanted, `${what}: ${value}, not ${wanted}`);
+  const parts = async (tab) => (await tab.view()).cut.parts;
+  const maker = (tab, name) =>
+    tab.page.locator('#makers').getByRole('button', { name, exact: true });
+  const button = (tab, name) => tab.page.getByRole('button', { name, exact: true });
+  const picked = (tab) => tab.page.evaluate(() => window.karcherPage.state().figure.points.length);
+
+  async function cutSphere() {
+    const tab = await Tab.open(browser, 'mesh=sphere:6000&kind=circle');
+    const { x, y } = await tab.middle();
+    await tab.drag({ x, y }, { x: x + 90, y });
+    const { radius } = (await tab.view()).circle;
+    const bare = JSON.stringify((await tab.state()).drawing);
+    await maker(tab, 'Cut').click();
+    await tab.settled();
+    return { tab, radius, bare, x, y };
+  }
+  /** A part's file, and what it holds. */
+  async function savedPart(tab, name) {
+    const coming = tab.page.waitForEvent('download');
+    await button(tab, `Save ${name}`).click();
+    const download = await coming;
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  }
+  /** Volume and area of a binary STL, from its numbers alone. */
+  function measured(bytes) {
+    let [volume, area] = [0, 0];
+    const count = bytes.readUInt32LE(80);
+    assert.equal(bytes.length, 84 + 50 * count);
+    for (let i = 0; i < count; i++) {
+      const at = (corner, axis) => bytes.readFloatLE(84 + 50 * i + 12 * (corner + 1) + 4 * axis);
+      const [a, b, c] = [0, 1, 2].map((corner) => [0, 1, 2].map((axis) => at(corner, axis)));
+      const [u, v] = [b, c].map((to) => to.map((value, axis) => value - a[axis]));
+      const n = [0, 1, 2].map(
+        (k) => u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3],
+      );
+      area += Math.hypot(...n) / 2;
+      volume += (n[0] * a[0] + n[1] * a[1] + n[2] * a[2]) / 6;
+    }
+    return { volume, area };
+  }
+
+  test('a circle leaves a cap and the rest, which are hidden, deleted and brought back', async () => {
+    const { tab, radius, bare, x, y } = await cutSphere();
+    const [rest, cap] = await parts(tab);
+    assert.equal((await parts(tab)).length, 2);
+    near(cap.area, 2 * Math.PI * (1 - Math.cos(radius)), 0.01, 'the cap');
+    near(cap.area + rest.area, 4 * Math.PI, 0.01, 'both');
+    const made = JSON.stringify((await tab.state()).drawing);
+    await button(tab, 'Show or hide Part 2').click();
+    await tab.settled();
+    assert.deepEqual(
+      (await parts(tab)).map(({ state }) => state),
+      ['kept', 'hidden'],
+    );
+    await button(tab, 'Delete Part 1').click();
+    await tab.settled();
+    assert.deepEqual(
+      (await parts(tab)).map(({ state }) => state),
+      ['deleted', 'hidden'],
+    );
+    // Of nothing that is seen there is nothing to click.
+    await tab.page.keyboard.press('b');
+    await tab.page.mouse.click(x, y);
+    await tab.settled();
+    assert.equal(await picked(tab), 0);
+    // Two choices, and what was begun.
+    for (let step = 0; step < 3; step++) await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), made);
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), bare);
+    await close(tab);
+  });
+
+  test('parts are saved alone or all, as surfaces or thickened, and say what they are worth for printing', async () => {
+    const { tab, radius } = await cutSphere();
+    const open = await savedPart(tab, 'Part 2');
+    assert.match(open.name, /^part-2-of-.*\.stl$/);
+    const cap = 2 * Math.PI * (1 - Math.cos(radius));
+    near(measured(open.bytes).area, cap, 0.01, 'the cap in its file');
+    assert.match(await tab.page.locator('#parts li').last().textContent(), /open/);
+    await tab.page.locator('#thickness').fill('0.1');
+    await tab.page.keyboard.press('Enter');
+    await tab.settled();
+    const shell = (cap * (1.1 ** 3 - 1)) / 3;
+    const solid = await savedPart(tab, 'Part 2');
+    near(measured(solid.bytes).volume, shell, 0.01, 'the shell in its file');
+    const { thick } = (await parts(tab))[1];
+    assert.ok(thick.closed);
+    near(thick.volume, shell, 0.01, 'the shell');
+    assert.equal(thick.most, null);
+    await tab.page.locator('#part-format').selectOption('obj');
+    const names = [];
+    tab.page.on('download', (download) => names.push(download.suggestedFilename()));
+    await button(tab, 'Delete Part 1').click();
+    await tab.settled();
+    const coming = tab.page.waitForEvent('download');
+    await tab.page.locator('#save-parts').click();
+    const text = readFileSync(await (await coming).path(), 'utf8');
+    assert.match(text, /^(#.*\n)*v /);
+    assert.equal(names.length, 1);
+    assert.match(names[0], /^part-2-of-.*\.obj$/);
+    await close(tab);
+  });
+
+  test('a cut follows its curve, and comes back with a reload and a link', async () => {
+    const { tab } = await cutSphere();
+    await button(tab, 'Show or hide Part 1').click();
+    await tab.settled();
+    const before = (await parts(tab)).map(({ area, state }) => ({ area, state }));
+    await tab.pastSaving();
+    const link = tab.page.url().split('#')[1];
+    await tab.page.reload();
+    await tab.settled();
+    const after = await parts(tab);
+    after.forEach(({ area, state }, i) => {
+      near(area, before[i].area, 1e-4, 'a part');
+      assert.equal(state, before[i].state);
+    });
+    const other = await Tab.open(browser, link);
+    assert.deepEqual(
+      (await parts(other)).map(({ state }) => state),
+      ['hidden', 'kept'],
+    );
+    await close(other);
+    await tab.page.locator('#objects .object').last().click();
+    await tab.settled();
+    const rim = await tab.handle('Radius of the circle');
+    await tab.drag(rim, { x: rim.x + 40, y: rim.y });
+    const cut = (await tab.view()).others.find((one) => one.cut).cut;
+    assert.ok(cut.parts[1].area > 1.2 * before[1].area);
+    assert.deepEqual(
+      cut.parts.map(({ state }) => state),
+      ['hidden', 'kept'],
+    );
+    await close(tab);
+  });
+});

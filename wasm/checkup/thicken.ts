@@ -1,0 +1,243 @@
+import { checkNumber } from '../check.js';
+import { KarcherError } from '../errors.js';
+
+/** A closed shell round triangles. */
+export interface Thickened {
+  /** x, y, z a vertex: those that were given, and behind them the same moved by the thickness. */
+  positions: Float64Array;
+  triangles: Int32Array;
+  /**
+   * The thickness that the shape allows, where that is less: beyond it the shell runs into itself. Null where
+   * the thickness fits.
+   */
+  most: number | null;
+}
+
+interface Triangles {
+  positions: ArrayLike<number>;
+  triangles: ArrayLike<number>;
+}
+
+type Vector = [number, number, number];
+
+/**
+ * The closed shell between triangles and the same moved along their vertices' normals by a thickness, outwards, or
+ * inwards by a negative one; what was open gets walls. Triangles must be oriented, as `mesh.cut` gives them.
+ *
+ * Of a part of a mesh, as `mesh.cut` gives it, `whole` is that mesh: its normals are those of the part, which along the
+ * cut has triangles so small that their own would say nothing of the shape.
+ *
+ * Throws `KarcherError` badArgument for a thickness of 0.
+ */
+export function thickened(part: Triangles, thickness: number): Thickened;
+export function thickened(
+  part: Triangles & { faces: ArrayLike<number> },
+  thickness: number,
+  whole: Triangles,
+): Thickened;
+export function thickened(
+  part: Triangles & { faces?: ArrayLike<number> },
+  thickness: number,
+  whole?: Triangles,
+): Thickened {
+  checkNumber(thickness, 'the thickness');
+  if (thickness === 0) throw new KarcherError('badArgument', 'the thickness must not be 0');
+  const { positions, triangles } = part;
+  const count = positions.length / 3;
+  const shape = whole ? united(whole) : { positions, triangles };
+  const shapeNormals = vertexNormals(shape.positions, shape.triangles);
+  const { faces } = part;
+  const normals = whole ? carried(part, faces!, shape, shapeNormals) : shapeNormals;
+  const bounding = whole ? facesOf(shape.triangles, faces!) : triangles;
+  const moved = Float64Array.from(positions, (value, i) => value + thickness * normals[i]!);
+  const both = new Float64Array(2 * positions.length);
+  both.set(Float64Array.from(positions));
+  both.set(moved, positions.length);
+  // The outer one of both keeps its orientation.
+  const [outer, inner] = thickness > 0 ? [count, 0] : [0, count];
+  const all: number[] = [];
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a, b, c] = cornersOf(triangles, i);
+    all.push(a + outer, b + outer, c + outer, c + inner, b + inner, a + inner);
+  }
+  for (const [a, b] of rims(triangles, count)) {
+    all.push(a + inner, b + inner, b + outer, a + inner, b + outer, a + outer);
+  }
+  const bound = Math.min(
+    Math.abs(thickness),
+    unfolded(shape.positions, bounding, shapeNormals, thickness),
+    ballBound(shape.positions, bounding, shapeNormals, thickness),
+  );
+  const most = bound < Math.abs(thickness) ? bound : null;
+  return { positions: both, triangles: Int32Array.from(all), most };
+}
+
+/** Vertices of one place as one: files and meshes may have several there. */
+function united({ positions, triangles }: Triangles): Triangles {
+  const first = new Map<string, number>();
+  const same = Array.from({ length: positions.length / 3 }, (_, vertex) => {
+    const key = `${vectorAt(positions, vertex)}`;
+    const found = first.get(key) ?? vertex;
+    first.set(key, found);
+    return found;
+  });
+  return { positions, triangles: Int32Array.from(triangles, (vertex) => same[vertex]!) };
+}
+
+/** The triangles of faces, each once. */
+const facesOf = (triangles: ArrayLike<number>, faces: ArrayLike<number>): Int32Array =>
+  Int32Array.from(
+    [...new Set(Array.from(faces))].flatMap((face) => cornersOf(triangles, 3 * face)),
+  );
+
+/** Normals at a part's vertices, each as its place in a face of the whole says: there they change evenly. */
+function carried(
+  part: Triangles,
+  faces: ArrayLike<number>,
+  whole: Triangles,
+  normals: Float64Array,
+): Float64Array {
+  const own = new Float64Array(part.positions.length);
+  for (let i = 0; i < part.triangles.length; i++) {
+    const corners = cornersOf(whole.triangles, 3 * faces[Math.floor(i / 3)]!);
+    const [a, b, c] = corners.map((vertex) => vectorAt(whole.positions, vertex));
+    const [u, v] = [minus(b!, a!), minus(c!, a!)];
+    const to = minus(vectorAt(part.positions, part.triangles[i]!), a!);
+    const across = cross(u, v);
+    const square = dot(across, across) || 1;
+    const [second, third] = [
+      dot(cross(to, v), across) / square,
+      dot(cross(u, to), across) / square,
+    ];
+    const weights = [1 - second - third, second, third];
+    for (let axis = 0; axis < 3; axis++) {
+      own[3 * part.triangles[i]! + axis] = corners.reduce(
+        (sum, vertex, k) => sum + weights[k]! * normals[3 * vertex + axis]!,
+        0,
+      );
+    }
+  }
+  return own;
+}
+
+const cornersOf = (triangles: ArrayLike<number>, i: number): Vector => [
+  triangles[i]!,
+  triangles[i + 1]!,
+  triangles[i + 2]!,
+];
+
+const vectorAt = (of: ArrayLike<number>, vertex: number): Vector => [
+  of[3 * vertex]!,
+  of[3 * vertex + 1]!,
+  of[3 * vertex + 2]!,
+];
+
+const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vector, b: Vector): Vector => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+/** Unit normals at vertices, each triangle's weighted by its angle there, so that no triangulation matters. */
+function vertexNormals(positions: ArrayLike<number>, triangles: ArrayLike<number>): Float64Array {
+  const normals = new Float64Array(positions.length);
+  for (let i = 0; i < triangles.length; i += 3) {
+    const corners = cornersOf(triangles, i);
+    const places = corners.map((vertex) => vectorAt(positions, vertex)) as [Vector, Vector, Vector];
+    const across = cross(minus(places[1], places[0]), minus(places[2], places[0]));
+    const length = Math.hypot(...across);
+    if (length === 0) continue;
+    for (let k = 0; k < 3; k++) {
+      const here = places[k]!;
+      const [u, v] = [minus(places[(k + 1) % 3]!, here), minus(places[(k + 2) % 3]!, here)];
+      const angle = Math.atan2(length, dot(u, v));
+      for (let axis = 0; axis < 3; axis++) {
+        normals[3 * corners[k]! + axis]! += (angle * across[axis]!) / length;
+      }
+    }
+  }
+  for (let i = 0; i < normals.length; i += 3) {
+    const length = Math.hypot(normals[i]!, normals[i + 1]!, normals[i + 2]!) || 1;
+    for (let axis = 0; axis < 3; axis++) normals[i + axis]! /= length;
+  }
+  return normals;
+}
+
+/** The directed edges that no other triangle has the other way. */
+function rims(triangles: ArrayLike<number>, count: number): [number, number][] {
+  const open = new Set<number>();
+  for (let i = 0; i < triangles.length; i++) {
+    const [a, b] = [triangles[i]!, triangles[i % 3 === 2 ? i - 2 : i + 1]!];
+    if (!open.delete(b * count + a)) open.add(a * count + b);
+  }
+  return [...open].map((edge) => [Math.floor(edge / count), edge % count]);
+}
+
+/** How far all triangles may be moved along their vertices' normals before the first one is turned over. */
+function unfolded(
+  positions: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  normals: Float64Array,
+  thickness: number,
+): number {
+  const way = Math.sign(thickness);
+  let least = Infinity;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a, b, c] = cornersOf(triangles, i);
+    const [u, v] = [b, c].map((to) => minus(vectorAt(positions, to), vectorAt(positions, a)));
+    const [du, dv] = [b, c].map((to) => minus(vectorAt(normals, to), vectorAt(normals, a)));
+    const across = cross(u!, v!);
+    // The triangle's area, seen along its normal, is a quadratic of the way.
+    const [p, q] = [cross(du!, v!), cross(u!, dv!)];
+    const linear = way * (dot(across, p) + dot(across, q));
+    const root = firstRoot(dot(across, across), linear, dot(across, cross(du!, dv!)));
+    least = Math.min(least, root);
+  }
+  return least;
+}
+
+/** The least positive t with c + b t + a t² = 0, of a positive c; infinite without one. */
+function firstRoot(c: number, b: number, a: number): number {
+  const under = b * b - 4 * a * c;
+  if (c <= 0 || under < 0) return Infinity;
+  // So that nothing is subtracted from what is as large.
+  const half = -(b + Math.sign(b || 1) * Math.sqrt(under)) / 2;
+  const roots = [half / a, c / half].filter((root) => root > 0);
+  return Math.min(Infinity, ...roots);
+}
+
+/** Balls touch a vertex from the side that it moves to: the radius of the least one that reaches another vertex. */
+function ballBound(
+  positions: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  normals: Float64Array,
+  thickness: number,
+): number {
+  const used = [...new Set(Array.from(triangles))];
+  let least = Math.abs(thickness);
+  const size = 2 * least;
+  const cells = new Map<string, number[]>();
+  const keyOf = (place: Vector) => place.map((value) => Math.floor(value / size));
+  for (const vertex of used) {
+    const key = `${keyOf(vectorAt(positions, vertex))}`;
+    const cell = cells.get(key);
+    if (cell) cell.push(vertex);
+    else cells.set(key, [vertex]);
+  }
+  const way = Math.sign(thickness);
+  for (const vertex of used) {
+    const [here, normal] = [vectorAt(positions, vertex), vectorAt(normals, vertex)];
+    const [x, y, z] = keyOf(here) as Vector;
+    for (let n = 0; n < 27; n++) {
+      const key = `${x + (n % 3) - 1},${y + (Math.floor(n / 3) % 3) - 1},${z + Math.floor(n / 9) - 1}`;
+      for (const other of cells.get(key) ?? []) {
+        const to = minus(vectorAt(positions, other), here);
+        const ahead = way * dot(to, normal);
+        if (ahead > 0) least = Math.min(least, dot(to, to) / (2 * ahead));
+      }
+    }
+  }
+  return least;
+}

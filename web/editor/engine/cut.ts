@@ -1,0 +1,47 @@
+/** What the engine makes of a cut: the parts that the surface falls into, and what becomes of them. */
+import type { Path } from 'karcher';
+import { choicesOf } from '../../model/parts';
+import type { Figure } from '../../model/figure';
+import type { SurfacePart } from '../../model/parts';
+import type { EngineClient } from '../../worker/client';
+import type { OutlinesOf } from './derived';
+
+/** A part with what is done with it. */
+export interface ShownPart extends SurfacePart {
+  state: 'kept' | 'hidden' | 'deleted';
+}
+
+export interface ShownCut {
+  /** The largest first. */
+  parts: readonly ShownPart[];
+}
+
+interface Made {
+  outlines: readonly Path[];
+  thickness: number;
+  parts: readonly SurfacePart[];
+}
+
+/** The last that was made, by workers: what is done with parts cuts nothing anew. */
+const lastOf = new WeakMap<EngineClient, Made>();
+
+/** Throws a sentence where there is nothing to cut along. */
+export async function drawCut(
+  client: EngineClient,
+  { derived, operands = [] }: Figure,
+  outlinesOf: OutlinesOf,
+): Promise<ShownCut> {
+  const { thickness = 0, parts: choices = [] } = derived!;
+  const outlines: Path[] = [];
+  for (const operand of operands) outlines.push(...(await outlinesOf(operand)));
+  if (outlines.length === 0) throw new Error('what the surface is cut along has no line');
+  const last = lastOf.get(client);
+  const same =
+    last?.thickness === thickness &&
+    last.outlines.length === outlines.length &&
+    outlines.every((path, i) => path === last.outlines[i]);
+  const parts = same ? last!.parts : await client.cut(outlines, thickness);
+  lastOf.set(client, { outlines, thickness, parts });
+  const states = choicesOf(parts, choices);
+  return { parts: parts.map((part, i) => ({ ...part, state: states[i]! })) };
+}

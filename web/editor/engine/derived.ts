@@ -1,0 +1,40 @@
+/** What the engine makes of a figure that is made of others. */
+import type { Path } from 'karcher';
+import { isBoolean } from '../../model/derived';
+import type { Figure, Operand } from '../../model/figure';
+import type { EngineClient } from '../../worker/client';
+import type { ShownIsolines } from './circle_drawing';
+
+/** The lines of an operand. */
+export type OutlinesOf = (operand: Operand) => Promise<readonly Path[]>;
+
+const emptyResults: Partial<Record<Figure['kind'], string>> = {
+  intersection: 'they have no part in common',
+  difference: 'nothing is left of the first one',
+  exclusion: 'each covers the others',
+};
+
+/** Throws a sentence where there is nothing. */
+export async function drawDerived(
+  client: EngineClient,
+  { kind, derived, operands = [] }: Figure,
+  outlinesOf: OutlinesOf,
+  fill: boolean,
+): Promise<ShownIsolines> {
+  if (operands.length === 0) throw new Error('what it was made of is gone');
+  const shapes: (readonly Path[])[] = [];
+  // One after the other: the worker has one curve at a time in hand.
+  for (const operand of operands) shapes.push(await outlinesOf(operand));
+  if (shapes.some((outlines) => outlines.length === 0)) {
+    throw new Error('something that it is made of has no line');
+  }
+  const lines = isBoolean(kind)
+    ? await client.combined(shapes, kind, fill)
+    : await client.offset(shapes.flat(), derived!.offset!, fill);
+  if (lines.lines.length === 0) {
+    const { distance } = derived?.offset ?? { distance: 0 };
+    const far = `nothing of the surface lies ${distance.toPrecision(4)} away from it on that side`;
+    throw new Error(kind === 'offset' ? far : (emptyResults[kind] ?? 'together they have no rim'));
+  }
+  return { ...lines, exact: true };
+}

@@ -1,0 +1,89 @@
+/** Commands that make objects of other ones, or change how they are made; null where there is nothing to do. */
+import { onTop } from './arranging';
+import { type Command, joined } from './commands';
+import { type BooleanKind, type Derived, type DerivedKind, isDerived } from './derived';
+import { activeObject, type Drawing, type DrawnObject, freeId, newObject } from './drawing';
+import { emptyFigure, type Figure, isEmpty } from './figure';
+
+/** What others can be made of: it has lines. */
+const hasLines = ({ figure }: DrawnObject) =>
+  !isEmpty(figure) && !['center', 'points', 'cut'].includes(figure.kind);
+
+/** The objects among some of which another one can be made, in the drawing's order. */
+export const combinable = ({ objects }: Drawing, ids: readonly number[]): DrawnObject[] =>
+  objects.filter((object) => ids.includes(object.id) && hasLines(object));
+
+/** An object that is made of some, in the style of the topmost of them. */
+function made(
+  drawing: Drawing,
+  sources: readonly DrawnObject[],
+  kind: DerivedKind,
+  how: Omit<Derived, 'sources'>,
+): Command {
+  const { color, width, dash, fill, fillColor } = sources.at(-1)!;
+  const derived: Derived = { sources: sources.map(({ id }) => id), ...how };
+  const figure: Figure = { ...emptyFigure, kind, derived };
+  const filled = kind === 'offset' || kind === 'cut' ? 0 : fill;
+  const style = { color, width, dash, fill: filled, fillColor };
+  return onTop(drawing, newObject(freeId(drawing), figure, style));
+}
+
+/** How operands are drawn, so that the result is seen before them. */
+const outlined = { width: 1.5, dash: 'dashed', fill: 0 } as const;
+
+export function combining(
+  drawing: Drawing,
+  ids: readonly number[],
+  kind: BooleanKind,
+): Command | null {
+  const sources = combinable(drawing, ids);
+  if (sources.length < 2) return null;
+  const plain = sources.map(({ id, width, dash, fill }): Command => {
+    return { type: 'properties', id, from: { width, dash, fill }, to: outlined };
+  });
+  return joined([...plain, made(drawing, sources, kind, {})]);
+}
+
+/** Lines at a distance from objects: outwards, where they have an outside. */
+export function offsetting(
+  drawing: Drawing,
+  ids: readonly number[],
+  distance: number,
+): Command | null {
+  const sources = combinable(drawing, ids);
+  if (sources.length === 0) return null;
+  return made(drawing, sources, 'offset', { offset: { distance, side: 'outwards' } });
+}
+
+/** The surface cut apart along objects. */
+export function cutting(drawing: Drawing, ids: readonly number[]): Command | null {
+  const sources = combinable(drawing, ids);
+  if (sources.length === 0) return null;
+  return made(drawing, sources, 'cut', { parts: [], thickness: 0 });
+}
+
+/** Makes the edited object in another way. */
+export function remaking(
+  drawing: Drawing,
+  part: Omit<Partial<Derived>, 'sources'>,
+): Command | null {
+  const { id, figure: from } = activeObject(drawing);
+  if (!isDerived(from.kind) || !from.derived) return null;
+  const derived = { ...from.derived, ...part };
+  if (JSON.stringify(derived) === JSON.stringify(from.derived)) return null;
+  return { type: 'figure', id, edit: { type: 'replace', from, to: { ...from, derived } } };
+}
+
+/** Puts objects into the place of the edited one: what it looked like, made of nothing. */
+export function expanding(drawing: Drawing, figures: readonly Figure[]): Command | null {
+  const object = activeObject(drawing);
+  const index = drawing.objects.indexOf(object);
+  if (figures.length === 0) return null;
+  const first = freeId(drawing);
+  const added = figures.map((figure, i) => ({ ...object, id: first + i, figure }));
+  return joined([
+    ...added.map((one, i): Command => ({ type: 'add', index: index + 1 + i, object: one })),
+    { type: 'activate', from: object.id, to: added.at(-1)!.id },
+    { type: 'delete', index, object },
+  ]);
+}

@@ -1,0 +1,42 @@
+/**
+ * Objects that are made of other objects of their drawing and follow them: offsets, booleans and cuts. They say
+ * only which these are, by their ids, and how; what they lie on is theirs.
+ */
+import type { SurfacePoint } from 'karcher';
+
+export const booleans = ['union', 'intersection', 'difference', 'exclusion'] as const;
+export type BooleanKind = (typeof booleans)[number];
+export type DerivedKind = BooleanKind | 'offset' | 'cut';
+
+/** Where an offset lies; along an open curve, inwards is to the left of it. */
+export const offsetSides = ['outwards', 'inwards', 'both'] as const;
+export type OffsetSide = (typeof offsetSides)[number];
+
+/** What is done with a part of a cut surface: what is hidden is still saved with all parts. */
+export type PartState = 'hidden' | 'deleted';
+
+/** A choice for the part of a cut surface that has a point. */
+export interface PartChoice {
+  readonly point: SurfacePoint;
+  readonly state: PartState;
+}
+
+export interface Derived {
+  /** The ids of the objects that it is made of, in order: a difference is the first without the others. */
+  readonly sources: readonly number[];
+  /** Of an offset. */
+  readonly offset?: { readonly distance: number; readonly side: OffsetSide };
+  /** Of a cut: the parts that are not kept as they are. */
+  readonly parts?: readonly PartChoice[];
+  /** Of a cut: how thick parts become as they are saved; 0 leaves them surfaces. */
+  readonly thickness?: number;
+}
+
+export const mostSources = 200;
+export const mostParts = 1000;
+
+export const isBoolean = (kind: string): kind is BooleanKind =>
+  (booleans as readonly string[]).includes(kind);
+
+export const isDerived = (kind: string): kind is DerivedKind =>
+  isBoolean(kind) || kind === 'offset' || kind === 'cut';

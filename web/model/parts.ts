@@ -1,0 +1,62 @@
+/** Parts of a cut surface, and which one a point lies in. */
+import type { SurfacePoint } from 'karcher';
+import type { PartChoice } from './derived';
+
+/** Triangles: x, y, z a vertex in the surface's coordinates, and three vertices a triangle. */
+export interface Shell {
+  positions: Float64Array;
+  triangles: Int32Array;
+  area: number;
+  closed: boolean;
+  /** What it encloses; null where it is open. */
+  volume: number | null;
+}
+
+export interface SurfacePart extends Shell {
+  /** Of each triangle the surface's face that it lies in. */
+  faces: Int32Array;
+  /** Of each triangle's corners the second and the third weight in that face. */
+  weights: Float32Array;
+  /** A point in the midst of one of its triangles. */
+  point: SurfacePoint;
+  /** Where it is to become thick: what it becomes, and the thickness that its shape allows, where that is less. */
+  thick: (Shell & { most: number | null }) | null;
+}
+
+/** What becomes of parts; where choices for one differ, by the last of them. */
+export function choicesOf(
+  parts: readonly SurfacePart[],
+  choices: readonly PartChoice[],
+): ('kept' | 'hidden' | 'deleted')[] {
+  const states = parts.map((): 'kept' | 'hidden' | 'deleted' => 'kept');
+  for (const { point, state } of choices) {
+    const index = parts.findIndex((part) => lies(point, part));
+    if (index >= 0) states[index] = state;
+  }
+  return states;
+}
+
+/** Whether a point of the surface lies in a part. */
+export function lies({ face, bary }: SurfacePoint, { faces, weights }: SurfacePart): boolean {
+  const [, x, y] = bary;
+  for (let i = faces.indexOf(face); i >= 0; i = faces.indexOf(face, i + 1)) {
+    const [ax, ay, bx, by, cx, cy] = weights.subarray(6 * i, 6 * i + 6) as unknown as Six;
+    const side = (px: number, py: number, qx: number, qy: number) =>
+      (qx - px) * (y - py) - (qy - py) * (x - px);
+    const signs = [side(ax, ay, bx, by), side(bx, by, cx, cy), side(cx, cy, ax, ay)];
+    if (signs.every((sign) => sign >= 0) || signs.every((sign) => sign <= 0)) return true;
+  }
+  return false;
+}
+
+type Six = [number, number, number, number, number, number];
+
+/** The choices with another one for the part that has a point. */
+export function withChoice(
+  choices: readonly PartChoice[],
+  part: SurfacePart,
+  state: 'kept' | 'hidden' | 'deleted',
+): PartChoice[] {
+  const others = choices.filter(({ point }) => !lies(point, part));
+  return state === 'kept' ? others : [...others, { point: part.point, state }];
+}

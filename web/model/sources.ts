@@ -1,0 +1,67 @@
+/** What objects are made of: other objects of their drawing, by their ids. */
+import { isDerived } from './derived';
+import { type Drawing, type DrawnObject, objectOf } from './drawing';
+import type { Figure, Operand } from './figure';
+
+const sourcesOf = ({ figure }: DrawnObject) =>
+  isDerived(figure.kind) ? (figure.derived?.sources ?? []) : [];
+
+const resolved = new WeakMap<Figure, Figure>();
+
+/**
+ * The figure of an object with the figures that it is made of, to any depth: the very same one for as long as all
+ * of these are the same. Objects that are not there, or would be made of themselves, are left out.
+ */
+export function resolvedFigure(drawing: Drawing, object: DrawnObject): Figure {
+  if (!isDerived(object.figure.kind)) return object.figure;
+  const done = new Map<number, Figure | null>();
+  const resolve = (one: DrawnObject): Figure => {
+    const { figure } = one;
+    if (!isDerived(figure.kind)) return figure;
+    done.set(one.id, null);
+    const operands = sourcesOf(one).flatMap((id): Operand[] => {
+      const source = objectOf(drawing, id);
+      if (!source || source.figure.kind === 'cut') return [];
+      const known = done.get(id);
+      if (known === null) return [];
+      return [{ id, figure: known ?? resolve(source) }];
+    });
+    const before = resolved.get(figure);
+    const same =
+      before?.operands?.length === operands.length &&
+      operands.every(({ id, figure: own }, i) => {
+        const other = before.operands![i]!;
+        return other.id === id && other.figure === own;
+      });
+    const next = same ? before! : { ...figure, operands };
+    resolved.set(figure, next);
+    done.set(one.id, next);
+    return next;
+  };
+  return resolve(object);
+}
+
+/** The ids with those of all that these objects are made of. */
+export function withSources(drawing: Drawing, ids: readonly number[]): number[] {
+  const all = new Set(ids);
+  for (const id of all) {
+    const object = objectOf(drawing, id);
+    for (const source of object ? sourcesOf(object) : []) all.add(source);
+  }
+  return [...all].filter((id) => objectOf(drawing, id));
+}
+
+/** Whether other objects are made of an object. */
+export const isSource = ({ objects }: Drawing, id: number) =>
+  objects.some((object) => sourcesOf(object).includes(id));
+
+/** The object with other numbers of those that it is made of; those that have none go. */
+export function withSourceIds(
+  object: DrawnObject,
+  idOf: (id: number) => number | undefined,
+): DrawnObject {
+  const { figure } = object;
+  if (!figure.derived) return object;
+  const sources = figure.derived.sources.map(idOf).filter((id) => id !== undefined);
+  return { ...object, figure: { ...figure, derived: { ...figure.derived, sources } } };
+}

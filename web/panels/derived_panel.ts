@@ -1,0 +1,112 @@
+import type { Expansion } from '../editor/engine/expansion';
+import { type Editor, type State, selectedObjects } from '../editor/state/editor';
+import { combinable, combining, cutting, offsetting, remaking } from '../model/combining';
+import type { Command } from '../model/commands';
+import { booleans, isBoolean, type OffsetSide, offsetSides } from '../model/derived';
+import { objectOf } from '../model/drawing';
+import type { Unit } from '../model/units';
+import { byId, make, write } from './elements';
+import { kindNames, kindNotes } from './kind_names';
+import { NumberField } from './number_field';
+import { nameOf } from './object_panel';
+
+/** A first distance as a part of the surface's diagonal. */
+const firstDistance = 0.02;
+
+const sideNames: Record<OffsetSide, string> = {
+  outwards: 'Outwards',
+  inwards: 'Inwards',
+  both: 'Both sides',
+};
+
+/** What is made of other objects: the buttons that make it, and how it is made. */
+export class DerivedPanel {
+  readonly #makers: readonly HTMLButtonElement[];
+  readonly #distance: NumberField;
+  readonly #input = byId<HTMLInputElement>('offset-distance');
+  readonly #sides: readonly HTMLInputElement[];
+
+  /** `diagonal` is the surface's. */
+  constructor(
+    private readonly editor: Editor,
+    expansion: Expansion,
+    private readonly diagonal: () => number,
+  ) {
+    const maker = (name: string, title: string, act: () => void) => {
+      const button = make('button', name, { type: 'button', className: 'button small', title });
+      button.addEventListener('click', act);
+      return button;
+    };
+    this.#makers = [
+      maker('Offset', kindNotes.offset, () => this.offset()),
+      maker('Cut', kindNotes.cut, () => this.#make(cutting)),
+      ...booleans.map((kind) =>
+        maker(kindNames[kind], kindNotes[kind], () => this.#make(combining, kind)),
+      ),
+    ];
+    byId('makers').append(...this.#makers);
+    this.#distance = new NumberField(this.#input, (distance) => this.#remakeOffset({ distance }));
+    this.#sides = offsetSides.map((side) => {
+      const label = make('label');
+      const input = make('input', '', { type: 'radio', name: 'offset-side', value: side });
+      input.addEventListener('change', () => this.#remakeOffset({ side }));
+      label.append(input, make('span', sideNames[side]));
+      byId('offset-side').append(label);
+      return input;
+    });
+    byId('expand').addEventListener('click', () => void expansion.expand());
+  }
+
+  /** Makes an offset of what is selected, whose distance may be typed at once. */
+  offset(): void {
+    const power = 10 ** Math.floor(Math.log10(firstDistance * this.diagonal()));
+    const rounded = Math.round((firstDistance * this.diagonal()) / power) * power;
+    this.#make(offsetting, Number(rounded.toPrecision(1)));
+    this.#input.select();
+  }
+
+  showUnit(unit: Unit): void {
+    write(byId('offset-unit'), unit);
+  }
+
+  show(state: State): void {
+    const { drawing, figure, none, dragging } = state;
+    if (dragging) return;
+    const count = combinable(drawing, selectedObjects(state)).length;
+    byId('makers-group').hidden = count === 0;
+    for (const [i, button] of this.#makers.entries()) button.hidden = count < 2 && i >= 2;
+    const { offset, sources } = (!none && figure.derived) || {};
+    byId('derived-settings').hidden = !sources;
+    byId('expand').hidden = figure.kind === 'cut';
+    byId('offset-settings').hidden = !offset;
+    this.#distance.show(offset?.distance ?? null);
+    for (const input of this.#sides) input.checked = input.value === offset?.side;
+    const names = sources?.flatMap((id) => {
+      const object = objectOf(drawing, id);
+      return object ? [nameOf(object)] : [];
+    });
+    const of = isBoolean(figure.kind) ? 'Of' : figure.kind === 'cut' ? 'Along' : 'From';
+    write(byId('derived-sources'), `${of} ${names?.join(', ') || 'nothing any more'}`);
+  }
+
+  #make<More extends unknown[]>(
+    command: (drawing: State['drawing'], ids: readonly number[], ...more: More) => Command | null,
+    ...more: More
+  ): void {
+    const { editor } = this;
+    editor.interrupt();
+    const { state } = editor;
+    editor.setTool('select');
+    editor.perform(command(state.drawing, selectedObjects(state), ...more), {
+      ...{ selection: null, chosen: [], none: false },
+    });
+  }
+
+  #remakeOffset(part: { distance?: number; side?: OffsetSide }): void {
+    const { editor } = this;
+    editor.interrupt();
+    const { offset } = editor.state.figure.derived ?? {};
+    if (!offset || editor.refuses()) return;
+    editor.perform(remaking(editor.state.drawing, { offset: { ...offset, ...part } }));
+  }
+}

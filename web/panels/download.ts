@@ -1,0 +1,9 @@
+import { make } from './elements';
+
+/** Hands a file to the browser, under a name that is its title. */
+export function download(title: string, file: Blob, extension: string): void {
+  const name = `${title.replaceAll(/[^\p{L}\p{N}]+/gu, '-').toLowerCase()}.${extension}`;
+  const address = URL.createObjectURL(file);
+  make('a', '', { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}

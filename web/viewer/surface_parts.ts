@@ -1,0 +1,65 @@
+import { type BufferGeometry, Color, Group, Mesh, type ShaderMaterial } from 'three';
+import type { SurfacePart } from '../model/parts';
+
+/** How opaque the color of a part is over it. */
+const opacity = 0.35;
+
+interface Drawn {
+  geometry: BufferGeometry;
+  meshes: Mesh[];
+  color: string | null;
+}
+
+/** The parts of a cut surface, in the scene. */
+export class SurfaceParts {
+  readonly object = new Group();
+  /** By the triangles of the parts. */
+  readonly #drawn = new Map<Int32Array, Drawn>();
+
+  /** `paint` makes the material of a color over the surface. */
+  constructor(
+    private readonly material: ShaderMaterial,
+    private readonly paint: (color: Color, opacity: number) => ShaderMaterial,
+  ) {}
+
+  show(
+    parts: readonly { part: SurfacePart; color: string | null }[],
+    geometryOf: (part: SurfacePart) => BufferGeometry,
+  ): void {
+    for (const [key, drawn] of this.#drawn) {
+      if (!parts.some(({ part, color }) => part.triangles === key && color === drawn.color)) {
+        const isKept = parts.some(({ part }) => part.triangles === key);
+        this.#remove(drawn, !isKept);
+        if (!isKept) this.#drawn.delete(key);
+      }
+    }
+    for (const { part, color } of parts) {
+      const before = this.#drawn.get(part.triangles);
+      if (before && before.meshes.length > 0) continue;
+      const geometry = before?.geometry ?? geometryOf(part);
+      const meshes = [new Mesh(geometry, this.material)];
+      if (color) {
+        const tint = new Mesh(geometry, this.paint(new Color(color), opacity));
+        tint.renderOrder = 0.05;
+        meshes.push(tint);
+      }
+      this.object.add(...meshes);
+      this.#drawn.set(part.triangles, { geometry, meshes, color });
+    }
+  }
+
+  dispose(): void {
+    this.show([], () => {
+      throw new Error('nothing is shown any more');
+    });
+  }
+
+  #remove(drawn: Drawn, forgets: boolean): void {
+    this.object.remove(...drawn.meshes);
+    for (const { material } of drawn.meshes) {
+      if (material !== this.material) (material as ShaderMaterial).dispose();
+    }
+    drawn.meshes.length = 0;
+    if (forgets) drawn.geometry.dispose();
+  }
+}

@@ -1,0 +1,54 @@
+/** Lines that are made of other lines: offsets of them, and booleans of what they enclose. */
+import { KarcherError, type Mesh, type Path, type Region, type SurfacePoint } from 'karcher';
+import type { BooleanKind, OffsetSide } from '../model/derived';
+import type { Fill } from '../model/traced';
+import { painted } from './fills';
+
+/** Paths arrive as their points. */
+type Outline = SurfacePoint[];
+
+export interface DerivedLines {
+  paths: Path[];
+  fill: Fill | null;
+}
+
+const outlined = (mesh: Mesh, outlines: (Outline | Path)[], inside?: Outline): Region => {
+  const point = inside?.[inside.length >> 1];
+  return mesh.regions([{ outlines, ...(point && { inside: point }) }])[0]!;
+};
+
+/** What lines enclose, with their inside to the left; null where they enclose nothing. */
+function enclosed(mesh: Mesh, outlines: Outline[]): Path[] | null {
+  try {
+    return outlined(mesh, outlines).boundary();
+  } catch (error) {
+    if (error instanceof KarcherError) return null;
+    throw error;
+  }
+}
+
+/** Inwards is where closed lines enclose something, or else to their left. */
+export function offsetOf(
+  mesh: Mesh,
+  outlines: Outline[],
+  { distance, side, closed }: { distance: number; side: OffsetSide; closed: boolean },
+  fill: boolean,
+): DerivedLines {
+  const from = (closed && side !== 'both' && enclosed(mesh, outlines)) || outlines;
+  const sides = { inwards: 'left', outwards: 'right', both: 'both' } as const;
+  const paths = mesh.offset(from, { distance, side: sides[side] });
+  // The line itself lies in the band round it, and in what is enclosed farther out.
+  const inside = side === 'inwards' ? undefined : outlines[0];
+  return { paths, fill: fill ? painted(() => outlined(mesh, paths, inside)) : null };
+}
+
+export function combined(
+  mesh: Mesh,
+  shapes: Outline[][],
+  combine: BooleanKind,
+  fill: boolean,
+): DerivedLines {
+  const all = shapes.map((outlines) => ({ outlines }));
+  const region = mesh.regions(all, { combine })[0]!;
+  return { paths: region.boundary(), fill: fill ? painted(() => region) : null };
+}
