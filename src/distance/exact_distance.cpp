@@ -559,17 +559,21 @@ void ExactDistance::reachAlongEdges() {
 
 /// Whether all of the window is farther from its source than through one that came before.
 bool ExactDistance::isBehindAnother(int h, const Window& window) {
-  constexpr double kNearer = 1 - 1e-9;
-  constexpr double kRounding = 1 + 1e-14;
+  constexpr double kRounding = 1e-9;
+  constexpr double kAtTip = 1e-6;
   const auto [entry, isNew] = widest_.try_emplace(h, window);
   if (isNew) return false;
   Window& other = entry->second;
   if (other.offset == window.offset && other.begin <= window.begin && window.end <= other.end) {
     // Squared lengths through both differ by a linear function along the edge. At a tip they are
-    // equal.
+    // equal but for the rounding of all faces round it, which moves that place along the edge.
     const double atBegin = squaredLegTo(other, window.begin) / squaredLegTo(window, window.begin);
     const double atEnd = squaredLegTo(other, window.end) / squaredLegTo(window, window.end);
-    if (std::max(atBegin, atEnd) <= kRounding && std::min(atBegin, atEnd) < kNearer) return true;
+    const double most = std::max(atBegin, atEnd);
+    const double least = std::min(atBegin, atEnd);
+    if (least < 1 - kRounding && most <= 1 + kRounding && most - 1 <= kAtTip * (1 - least)) {
+      return true;
+    }
   }
   if (window.end - window.begin > other.end - other.begin) other = window;
   return false;

@@ -4,6 +4,7 @@
 
 #include "bench_support.h"
 #include "curves/curve.h"
+#include "distance/exact_distance.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
@@ -11,8 +12,8 @@
 #include "rcm/mean.h"
 
 /// The time of single calls that meshes of less than 20,000 triangles make slow: a B-spline round a
-/// vertex of many faces, welding where many corners lie at one place, and the center of mass of
-/// many points on a rough surface.
+/// vertex of many faces, of needles too, and among spikes, welding where many corners lie at one
+/// place, and the center of mass of many points on a rough surface.
 ///
 ///   slow_study
 namespace karcher {
@@ -85,6 +86,50 @@ void studyRoughGrid(int n, int count) {
        timed([&] { centerOfMass(surface, points, weights, options); }));
 }
 
+/// A cone of this height over a circle of radius 1: needles round its tip.
+void studyNeedle(int faces) {
+  Random random(5);
+  Surface surface(importMesh(wheel(faces, 0, 1e4)).mesh);
+  const Array<SurfacePoint> points = randomPoints(surface.mesh(), 4, random);
+  tell(std::to_string(faces) + " needles round a vertex, a B-spline",
+       timed([&] { Curve(surface, {{CurveKind::kBSpline}, 32, {}}, points); }));
+  tell(std::to_string(faces) + " needles round a vertex, exact distances", timed([&] {
+         ExactDistance exact(surface.geometry());
+         exact.setSource(points[0]);
+         exact.grow(kInfinity);
+       }));
+}
+
+/// A sphere of which three vertices in ten stand out by up to 20 of its radii.
+void studySpikes(int around, int along) {
+  Random random(13);
+  TriangleSoup soup;
+  const auto add = [&](double polar, double angle) {
+    const double radius = random.uniform(0, 1) < 0.3 ? 1 + random.uniform(0, 20) : 1;
+    const Vec2 u = std::sin(polar) * unitVector(angle);
+    soup.positions.push_back(radius * Vec3(u.x(), u.y(), std::cos(polar)));
+  };
+  add(0, 0);
+  add(kPi, 0);
+  for (int i = 1; i < along; ++i) {
+    for (int j = 0; j < around; ++j) add(kPi * i / along, 2 * kPi * j / around);
+  }
+  const auto at = [&](int i, int j) { return 2 + (i - 1) * around + j % around; };
+  for (int j = 0; j < around; ++j) {
+    soup.triangles.emplace_back(0, at(1, j), at(1, j + 1));
+    soup.triangles.emplace_back(1, at(along - 1, j + 1), at(along - 1, j));
+    for (int i = 1; i < along - 1; ++i) {
+      soup.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      soup.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  Surface surface(importMesh(std::move(soup)).mesh);
+  const Array<SurfacePoint> points = randomPoints(surface.mesh(), 40, random);
+  tell("a B-spline of 40 points on a spiked sphere of " +
+           std::to_string(surface.mesh().faceCount()) + " triangles",
+       timed([&] { Curve(surface, {{CurveKind::kBSpline}, 16, {}}, points); }));
+}
+
 }  // namespace
 }  // namespace karcher
 
@@ -92,5 +137,7 @@ int main() {
   karcher::studyCluster(20'000);
   karcher::studyRoughGrid(95, 200);
   for (const int faces : {1000, 2000, 5000}) karcher::studyFan(faces);
+  karcher::studySpikes(100, 80);
+  for (const int faces : {300, 1000, 3000}) karcher::studyNeedle(faces);
   return 0;
 }

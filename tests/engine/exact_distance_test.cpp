@@ -421,6 +421,36 @@ TEST(ExactDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
   }
 }
 
+TEST(ExactDistance, WindsRoundANeedleOnceAtMost) {
+  // All faces round the tip are alike: rolled out they are a part of a disk, and paths are
+  // straight.
+  for (const int faces : {300, 1000, 3000}) {
+    const TriangleSoup soup = wheel(faces, 0, 1e4);
+    const MeasuredMesh needle(buildMesh(soup.positions, soup.triangles));
+    const double side = std::hypot(1e4, 1);
+    const double angle = 2 * std::asin(std::sin(kPi / faces) / side);
+    for (const double tolerance : {0.0, 0.0075}) {
+      ExactDistance solver(needle.geometry, tolerance);
+      for (const Vec2& place :
+           {Vec2(0.15, 0.05), Vec2(0.27, 0.03), Vec2(0.17, 0.66), Vec2(0.1, 0.13)}) {
+        const int face = faces / 3;
+        SCOPED_TRACE(faces);
+        solver.setSource({face, {1 - place.x() - place.y(), place.x(), place.y()}});
+        solver.grow(kInfinity);
+        const Vec2 source = place.x() * Vec2(side, 0) + place.y() * side * unitVector(angle);
+        EXPECT_NEAR(solver.distance(0), source.norm(), 1e-9 * source.norm());
+        for (int i = 0; i < faces; ++i) {
+          const double turn = std::abs((i - face) * angle - angleOf(source));
+          const double half = std::min(turn, faces * angle - turn) / 2;
+          const double across = 2 * std::sqrt(source.norm() * side) * std::sin(half);
+          const double expected = std::hypot(side - source.norm(), across);
+          ASSERT_NEAR(solver.distance(1 + i), expected, 1e-9 * expected) << "to vertex " << 1 + i;
+        }
+      }
+    }
+  }
+}
+
 TEST(ExactDistance, RefusesATargetAtAVertex) {
   const MeasuredMesh surface(planeGrid(2, 2));
   ExactDistance solver(surface.geometry);
