@@ -12,11 +12,13 @@ import { MirrorTool } from './editor/hand/mirror_tool';
 import { Ruler } from './editor/hand/ruler';
 import { Session } from './editor/engine/session';
 import { exposeState } from './inspection';
+import { styleOf } from './model/drawing';
 import { isEmpty } from './model/figure';
 import { withSources } from './model/sources';
 import { formatLink } from './model/link';
 import { meshLabel, readAs } from './model/meshes';
 import { isMethod, type MethodId } from './model/methods';
+import { placesOf } from './model/moving';
 import { onKeeping, recall, recallInTab, remember, rememberInTab } from './model/storage';
 import { workOffline } from './offline';
 import { Opening } from './opening';
@@ -78,11 +80,10 @@ function comparedDrawing(
   { surface }: Viewer,
 ): ObjectDrawing[] {
   if (!shown?.polyline || !surface || !active.visible) return [];
-  const { width, dash } = active;
   const style = {
+    ...styleOf(active),
     color: comparedColor(active.color),
-    width,
-    dash: dash === 'dashed' ? 'dotted' : 'dashed',
+    dash: active.dash === 'dashed' ? 'dotted' : 'dashed',
   } as const;
   const lines = [surface.toScene(shown.polyline)];
   return [{ id: -state.drawing.active - 1, style, locked: true, lines, dots: [] }];
@@ -252,6 +253,10 @@ export async function start(): Promise<void> {
     status.showMeasured(measured, editor.state, session.view);
   };
   ruler.onChange = (ruled, begun) => status.showRuled(ruled, begun, editor.state, session.view);
+  const objectPanel = new ObjectPanel(editor, ({ figure }) => {
+    const [place] = placesOf(figure);
+    return viewer.surface && place ? viewer.reach(viewer.surface.position(place), 1) : 1;
+  });
   const expansion = new Expansion(editor, session, () => viewer.surface);
   const derivedPanel = new DerivedPanel(
     editor,
@@ -267,6 +272,7 @@ export async function start(): Promise<void> {
     status.showUnit(unit, editor.state, session.view);
     derivedPanel.showUnit(unit);
     cutPanel.showUnit(unit);
+    objectPanel.showUnit(unit);
   });
   editor.onEnded = (figure) => session.ended(figure);
   editor.onRefusal = showNote;
@@ -327,7 +333,6 @@ export async function start(): Promise<void> {
     new ViewMenu(viewer, { distances: toolEvents.toggleDistances, comb: toolEvents.toggleComb }),
   );
   new ExamplesMenu((example) => void opening.example(example));
-  const objectPanel = new ObjectPanel(editor);
   const clipboard = new Clipboard(editor, () => session.client?.info.triangles ?? 0);
   new ContextMenu(editor, viewer, stage, () => gestures.letGo(), clipboard);
   const snap = new SnapToggle((on) => {

@@ -86,6 +86,8 @@ describe('a drawing', () => {
           color: random() < 0.3 ? null : '#0b8457',
           width: 1 + below(9),
           dash: one(['solid', 'dashed', 'dotted']),
+          onSurface: random() < 0.3,
+          opacity: one([0.05, 0.5, 1]),
           fill: one([0, 0.3, 1]),
           fillColor: random() < 0.5 ? null : '#d9480f',
         }),

@@ -60,10 +60,11 @@ describe('links', () => {
         drawing.newObject(4, through, {
           locked: true,
           dash: 'dotted',
+          opacity: 0.35,
           fill: 0.4,
           fillColor: '#0b8457',
         }),
-        drawing.newObject(5, pen),
+        drawing.newObject(5, pen, { width: 0.0275, onSurface: true }),
       ],
     };
     for (const mesh of ['bunny:1', 'file:1x-9:a b&c=#.obj']) {

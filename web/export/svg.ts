@@ -4,7 +4,7 @@ import { pathData } from './beziers';
 
 export interface DrawnLine extends SeenLine {
   /** Lines of one object, told one after the other, are a group of its name. */
-  object?: { id: number; name: string };
+  object?: { id: number; name: string; opacity: number };
   color: string;
   width: number;
   /** As `stroke-dasharray`; solid without any. */
@@ -59,7 +59,11 @@ export function* partsOfSvg({
     if (line.object?.id !== group?.id) {
       if (group) yield '</g>\n';
       group = line.object;
-      if (group) yield `<g id="object-${group.id}"><title>${escaped(group.name)}</title>\n`;
+      if (group) {
+        // Of the group: its lines, which are seen through together, lie over each other.
+        const opacity = group.opacity < 1 ? ` opacity="${short(group.opacity)}"` : '';
+        yield `<g id="object-${group.id}"${opacity}><title>${escaped(group.name)}</title>\n`;
+      }
     }
     for (const path of pathsOf(line, outline ? 'left out' : 'faint')) yield `${path}\n`;
   }

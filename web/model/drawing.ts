@@ -13,9 +13,13 @@ export const dashes: readonly Dash[] = ['solid', 'dashed', 'dotted'];
 export interface LineStyle {
   /** `#rrggbb`; null is the theme's color of curves. */
   readonly color: string | null;
-  /** In CSS pixels. */
+  /** In CSS pixels, or in the surface's unit. */
   readonly width: number;
+  /** Whether the width is in the surface's unit: the line then lies on the surface, and is seen larger from near. */
+  readonly onSurface: boolean;
   readonly dash: Dash;
+  /** How opaque it is, up to 1. */
+  readonly opacity: number;
 }
 
 /** How what a closed line encloses is painted. */
@@ -50,8 +54,17 @@ export interface Drawing {
   readonly active: number;
 }
 
+/** Widths in CSS pixels, and in the surface's unit. */
 export const widthRange = { least: 0.5, most: 20 };
-export const defaultStyle: LineStyle = { color: null, width: 4, dash: 'solid' };
+export const surfaceWidths = { least: 1e-12, most: 1e12 };
+export const leastOpacity = 0.05;
+export const defaultStyle: LineStyle = {
+  color: null,
+  width: 4,
+  onSurface: false,
+  dash: 'solid',
+  opacity: 1,
+};
 export const defaultFill: FillStyle = { fill: 0, fillColor: null };
 
 const defaultProperties: Properties = {
@@ -104,8 +117,17 @@ export const isBlank = ({ objects }: Drawing) => objects.every(({ figure }) => i
 
 /** An object of the same style for what comes next, of the same kind and settings. */
 export function successorOf(drawing: Drawing, figure: Figure): DrawnObject {
-  const { color, width, dash, fill, fillColor } = activeObject(drawing);
-  return newObject(freeId(drawing), figure, { color, width, dash, fill, fillColor });
+  return newObject(freeId(drawing), figure, lookOf(activeObject(drawing)));
+}
+
+/** How an object is drawn and painted. */
+export function lookOf(object: LineStyle & FillStyle): LineStyle & FillStyle {
+  const { fill, fillColor } = object;
+  return { ...styleOf(object), fill, fillColor };
+}
+
+export function styleOf({ color, width, onSurface, dash, opacity }: LineStyle): LineStyle {
+  return { color, width, onSurface, dash, opacity };
 }
 
 /** The drawing with each of its places on the surface taken to another one. */

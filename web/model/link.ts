@@ -4,7 +4,8 @@
  * `&legs=0:face,b1,b2:face,b1,b2;3:…&tangents=0:before:after;…&samples=64&tolerance=0.001&marks=9&levels=2`
  * `&of=2,3&distance=2&side=outwards&parts=face,b1,b2,hidden;…&thickness=1`
  * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`
- * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&group=…&place=2`. Legs are told by a
+ * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&opacity=0.5&group=…&place=2`. A width in
+ * the surface's unit is `band`. Legs are told by a
  * point's number and the points that its way to the next one goes through (of the pen's anchors: from
  * handle to handle), its place by how many objects lie below it. `view=azimuth,elevation,reach,x,y,z` or
  * `view=top` is from where the surface is looked at (view_place.ts), by default the front. Then the others
@@ -20,9 +21,11 @@ import {
   dashes,
   defaultStyle,
   indexOf,
+  leastOpacity,
   newObject,
   othersOf,
   type Properties,
+  surfaceWidths,
   widthRange,
 } from './drawing';
 import type { Tangent, Tangents } from './figure';
@@ -150,13 +153,16 @@ function objectFields(
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
   if (isDerived(kind) && derived) parts.push(...derivedFields(derived, numberOf));
-  const { name, visible, locked, color, width, dash, fill, fillColor, group } = properties;
+  const { name, visible, locked, color, width, onSurface, dash, opacity, group } = properties;
+  const { fill, fillColor } = properties;
   if (name) parts.push(`name=${encodeName(name)}`);
   if (!visible) parts.push('hidden=1');
   if (locked) parts.push('locked=1');
   if (color) parts.push(`color=${color.slice(1)}`);
-  if (width !== defaultStyle.width) parts.push(`width=${width}`);
+  if (onSurface) parts.push(`band=${width}`);
+  else if (width !== defaultStyle.width) parts.push(`width=${width}`);
   if (dash !== defaultStyle.dash) parts.push(`dash=${dash}`);
+  if (opacity !== defaultStyle.opacity) parts.push(`opacity=${opacity}`);
   if (fill > 0) parts.push(`fill=${fill}`);
   if (fillColor) parts.push(`fillcolor=${fillColor.slice(1)}`);
   if (group !== null) parts.push(`group=${encodeName(group)}`);
@@ -357,22 +363,29 @@ function parseFigure(fragment: string): Figure {
 function parseProperties(fragment: string): Partial<Properties> {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const color = `#${fields.get('color')}`;
+  const band = Number(fields.get('band') ?? Number.NaN);
+  const onSurface = isWithin(band, surfaceWidths);
   const width = Number(fields.get('width') ?? defaultStyle.width);
+  const opacity = Number(fields.get('opacity') ?? defaultStyle.opacity);
   const fill = Number(fields.get('fill') ?? 0);
   const fillColor = `#${fields.get('fillcolor')}`;
-  const fits = width >= widthRange.least && width <= widthRange.most;
   return {
     name: shortened(fields.get('name') ?? '', longestName),
     visible: fields.get('hidden') !== '1',
     locked: fields.get('locked') === '1',
     color: isColor(color) ? color : null,
-    width: fits ? width : defaultStyle.width,
+    width: onSurface ? band : isWithin(width, widthRange) ? width : defaultStyle.width,
+    onSurface,
     dash: dashes.find((one) => one === fields.get('dash')) ?? defaultStyle.dash,
+    opacity: isWithin(opacity, { least: leastOpacity, most: 1 }) ? opacity : defaultStyle.opacity,
     fill: fill >= 0 && fill <= 1 ? fill : 0,
     fillColor: isColor(fillColor) ? fillColor : null,
     group: shortened(fields.get('group') ?? '', longestName) || null,
   };
 }
+
+const isWithin = (value: number, { least, most }: { least: number; most: number }) =>
+  value >= least && value <= most;
 
 const parseWhole = (text: string | null) => (text && /^\d{1,9}$/.test(text) ? Number(text) : null);
 

@@ -1,5 +1,5 @@
 /** What a link says that this page cannot show as it is said: told, and not silently changed. */
-import { dashes, widthRange } from './drawing';
+import { dashes, leastOpacity, surfaceWidths, widthRange } from './drawing';
 import { offsetSides } from './derived';
 import {
   defaultCircleForm,
@@ -81,6 +81,8 @@ const rules: Readonly<Record<string, Rule>> = {
   circletype: oneOf(['arcs', 'linear', 'exact'], defaultCircleForm.type),
   arcs: within(fewestArcs, mostArcs, true, 'as many as keep to the radius'),
   width: within(widthRange.least, widthRange.most, false, 'the usual one'),
+  band: within(surfaceWidths.least, surfaceWidths.most, false, 'a width in pixels'),
+  opacity: within(leastOpacity, 1, false, 'an opaque line'),
   dash: oneOf(dashes, dashes[0]!),
   color: {
     allows: (text) => isColor(`#${text}`),

@@ -10,6 +10,8 @@ import {
   dashes,
   type FillStyle,
   type LineStyle,
+  leastOpacity,
+  surfaceWidths,
   widthRange,
 } from './drawing';
 import type { Tangent, Tangents } from './figure';
@@ -104,7 +106,9 @@ function readStyle(
   {
     color,
     width,
+    onSurface = false,
     dash,
+    opacity = 1,
     fill = 0,
     fillColor = null,
   }: Partial<Record<keyof (LineStyle & FillStyle), unknown>>,
@@ -114,11 +118,14 @@ function readStyle(
     throw new Error(`the color of ${what} is ${shown(color)}, which is not a color`);
   if (fillColor !== null && !isColor(fillColor))
     throw new Error(`the fill of ${what} is ${shown(fillColor)}, which is not a color`);
-  const { least, most } = widthRange;
+  const isOn = flag(onSurface, `'onSurface' of ${what}`);
+  const { least, most } = isOn ? surfaceWidths : widthRange;
   return {
     color,
     width: number(width, least, most, `the width of ${what}`),
+    onSurface: isOn,
     dash: oneOf<Dash>(dash, dashes, `the dash of ${what}`),
+    opacity: number(opacity, leastOpacity, 1, `the opacity of ${what}`),
     fill: number(fill, 0, 1, `the fill of ${what}`),
     fillColor,
   };

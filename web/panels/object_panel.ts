@@ -3,11 +3,16 @@ import {
   activeObject,
   type Dash,
   type DrawnObject,
+  type FillStyle,
+  type LineStyle,
+  leastOpacity,
   type Properties,
+  surfaceWidths,
   widthRange,
 } from '../model/drawing';
 import { isEmpty } from '../model/figure';
 import { longestName } from '../model/names';
+import type { Unit } from '../model/units';
 import { EditedField } from './edited_field';
 import { byId, make, write } from './elements';
 import { kindNames } from './kind_names';
@@ -44,6 +49,15 @@ const lock =
 export const nameOf = ({ id, name, figure }: DrawnObject) =>
   name || `${kindNames[figure.kind]} ${id}`;
 
+/** A number that the selected objects share; left open where they have several. */
+function showNumber(field: NumberField, shared: number | undefined): void {
+  if (shared === undefined) field.showOpen();
+  else field.show(shared);
+}
+
+const percentOf = (part: number | undefined) =>
+  part === undefined ? undefined : Math.round(100 * part);
+
 /** The list of objects, what can be done with those that are selected, and their style. */
 export class ObjectPanel {
   readonly #list = byId('objects');
@@ -53,12 +67,18 @@ export class ObjectPanel {
   readonly #custom = byId<HTMLInputElement>('color');
   readonly #swatches = colors.map(([color, name]) => this.#makeSwatch(color, name));
   readonly #width: NumberField;
+  readonly #widthUnit = byId<HTMLSelectElement>('width-unit');
+  readonly #opacity: NumberField;
   readonly #fill: NumberField;
   readonly #fillColor = byId<HTMLInputElement>('fill-color');
   readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
   #shown: State | null = null;
 
-  constructor(private readonly editor: Editor) {
+  constructor(
+    private readonly editor: Editor,
+    /** How far a pixel reaches where an object is seen, in the surface's unit. */
+    reachOf: (object: DrawnObject) => number,
+  ) {
     byId('new-object').addEventListener('click', () => editor.begin());
     new ListDrag(this.#list, (from, to) => {
       const id = Number((this.#list.children[from] as HTMLElement).dataset.id);
@@ -88,13 +108,36 @@ export class ObjectPanel {
       // A color of what is not painted asks for it.
       set(none ? { fillColor, fill: firstFill } : { fillColor });
     });
-    this.#width = new NumberField(byId<HTMLInputElement>('width'), (width) => set({ width }), {
-      read(text) {
-        const value = positiveNumber(text);
-        return value && Math.min(widthRange.most, Math.max(widthRange.least, value));
+    this.#width = new NumberField(
+      byId<HTMLInputElement>('width'),
+      (width) => set({ width, onSurface: this.#isOnSurface }),
+      {
+        read: (text) => {
+          const value = positiveNumber(text);
+          const { least, most } = this.#isOnSurface ? surfaceWidths : widthRange;
+          return value && Math.min(most, Math.max(least, value));
+        },
+        write: (value) => `${value}`,
       },
-      write: (value) => `${value}`,
+    );
+    this.#widthUnit.addEventListener('change', () => {
+      const onSurface = this.#isOnSurface;
+      const { active } = editor;
+      if (active.onSurface === onSurface) {
+        set({ onSurface, width: active.width });
+        return;
+      }
+      // As wide as it is seen.
+      const reach = reachOf(active);
+      const width = Number((active.width * (onSurface ? reach : 1 / reach)).toPrecision(2));
+      const { least, most } = onSurface ? surfaceWidths : widthRange;
+      set({ onSurface, width: Math.min(most, Math.max(least, width)) });
     });
+    this.#opacity = new NumberField(
+      byId<HTMLInputElement>('opacity'),
+      (percent) => set({ opacity: percent / 100 }),
+      wholeNumbers({ least: 100 * leastOpacity, most: 100 }),
+    );
     const isDrawn = ({ drawing }: State) => !isEmpty(activeObject(drawing).figure);
     const some = (state: State) => state.chosen.length > 0 || (!state.none && isDrawn(state));
     const lone = (state: State) => state.chosen.length < 2 && !state.none && isDrawn(state);
@@ -155,6 +198,15 @@ export class ObjectPanel {
     write(byId('sheet-title'), selected.length === 0 ? 'Nothing selected' : title);
     for (const [button, isPossible] of this.#actions) button.disabled = !isPossible(state);
     byId<HTMLButtonElement>('new-object').disabled = isEmpty(activeObject(state.drawing).figure);
+  }
+
+  /** Names the surface's unit, in which widths can be. */
+  showUnit(unit: Unit): void {
+    this.#widthUnit.options[this.#widthUnit.options.length - 1]!.text = unit || 'units';
+  }
+
+  get #isOnSurface(): boolean {
+    return this.#widthUnit.value === 'surface';
   }
 
   /** What the panel changes. */
@@ -238,7 +290,7 @@ export class ObjectPanel {
   /** What the selected objects have in common; what they have not is left open. */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
-    const common = <Key extends 'color' | 'width' | 'dash' | 'fill' | 'fillColor'>(key: Key) =>
+    const common = <Key extends keyof (LineStyle & FillStyle)>(key: Key) =>
       objects.every((object) => object[key] === last[key]) ? last[key] : undefined;
     const { id, name } = last;
     this.#named.show(selected === 1 ? name : '', selected === 1 ? id : null);
@@ -249,12 +301,12 @@ export class ObjectPanel {
           ? 'Nothing selected'
           : nameOf({ ...last, name: '' });
     this.#name.disabled = selected !== 1;
-    const width = common('width');
-    if (width === undefined) this.#width.showOpen();
-    else this.#width.show(width);
-    const fill = common('fill');
-    if (fill === undefined) this.#fill.showOpen();
-    else this.#fill.show(Math.round(100 * fill));
+    const onSurface = common('onSurface');
+    const widthUnit = onSurface ? 'surface' : 'pixels';
+    showShared(this.#widthUnit, onSurface === undefined ? undefined : widthUnit);
+    showNumber(this.#width, onSurface === undefined ? undefined : common('width'));
+    showNumber(this.#opacity, percentOf(common('opacity')));
+    showNumber(this.#fill, percentOf(common('fill')));
     const fillColor = common('fillColor') ?? common('color');
     if (fillColor) this.#fillColor.value = fillColor;
     showShared(this.#dash, common('dash'));
@@ -266,8 +318,9 @@ export class ObjectPanel {
     const isOwn = color !== undefined && colors.every(([one]) => one !== color);
     this.#custom.classList.toggle('chosen', isOwn);
     if (color) this.#custom.value = color;
-    const inputs = ['width', 'fill'].map((id) => byId<HTMLInputElement>(id));
-    const controls = [...this.#swatches, this.#custom, this.#dash, this.#fillColor, ...inputs];
+    const inputs = ['width', 'opacity', 'fill'].map((id) => byId<HTMLInputElement>(id));
+    const lists = [this.#widthUnit, this.#dash, this.#fillColor];
+    const controls = [...this.#swatches, this.#custom, ...lists, ...inputs];
     for (const control of controls) control.disabled = selected === 0;
   }
 

@@ -186,6 +186,16 @@ export class SaveMenu {
     }
   }
 
+  /** How wide a line is seen, in its middle. */
+  get #widths(): Widths {
+    const { viewer } = this;
+    return (style, line) => {
+      const middle = 3 * Math.floor(line.length / 6);
+      const [x = 0, y = 0, z = 0] = line.subarray(middle, middle + 3);
+      return Number(viewer.seenWidth(style, viewer.surface!.inScene([x, y, z])).toFixed(2));
+    };
+  }
+
   /** What is seen now. */
   async #drawing(): Promise<SvgDrawing> {
     const { viewer } = this;
@@ -214,7 +224,7 @@ export class SaveMenu {
     }
     const { objects } = this.editor.state.drawing;
     const shown = { ...view, others, ...(ownToo ? {} : { curve: null, isolines: null, legs: [] }) };
-    const lines = await gathered(seenLines(shown, active, objects, vantage, colors));
+    const lines = await gathered(seenLines(shown, active, objects, vantage, this.#widths, colors));
     const all = await gathered(seenFills(viewer, vantage, colors));
     const fills = all.filter(({ id }) => this.#isMeant(id));
     return { ...vantage.size, fills, lines, points: dots };
@@ -238,26 +248,39 @@ function* seenLines(
   active: DrawnObject,
   objects: readonly DrawnObject[],
   vantage: Vantage,
+  widths: Widths,
   colors: ViewerColors,
 ): Generator<DrawnLine> {
   for (const { id, style, lines } of others) {
     const object = objects.find((one) => one.id === id);
-    const look = { ...drawnStyle(style, colors.curve), ...(object && named(object)) };
-    for (const line of lines) yield { ...vantage.seen(line), ...look };
+    for (const line of lines) {
+      const look = drawnStyle(style, widths(style, line), colors.curve);
+      yield { ...vantage.seen(line), ...look, ...(object && named(object)) };
+    }
   }
   for (const leg of legs) yield { ...vantage.seen(leg), color: colors.polygon, width: 1.2 };
-  const style = { ...drawnStyle(active, colors.curve), ...named(active) };
+  const own = (line: Float32Array) => ({
+    ...drawnStyle(active, widths(active, line), colors.curve),
+    ...named(active),
+  });
   if (curve) {
     const has = (segment: number) => curve.polylineStatus[segment + 1] === 1;
+    const style = own(curve.polyline);
     yield { ...vantage.seen(curve.polyline), ...style, lost: { color: colors.lost, has } };
   }
-  for (const { polyline } of isolines?.lines ?? []) yield { ...vantage.seen(polyline), ...style };
+  for (const { polyline } of isolines?.lines ?? []) {
+    yield { ...vantage.seen(polyline), ...own(polyline) };
+  }
 }
 
-const named = (object: DrawnObject) => ({ object: { id: object.id, name: nameOf(object) } });
+const named = (object: DrawnObject) => ({
+  object: { id: object.id, name: nameOf(object), opacity: object.opacity },
+});
+
+type Widths = (style: LineStyle, line: Float32Array) => number;
 
 /** A line's style in an SVG, where dashes are told in pixels. */
-function drawnStyle({ color, width, dash }: LineStyle, curve: string) {
+function drawnStyle({ color, dash }: LineStyle, width: number, curve: string) {
   const lengths = { solid: null, dashed: [12, 8], dotted: [2, 6] }[dash];
   const dashes = lengths?.map((one) => (one * width) / defaultStyle.width).join(' ');
   return { color: color ?? curve, width, ...(dashes && { dashes }) };

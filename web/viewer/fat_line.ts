@@ -6,11 +6,14 @@ import {
   Group,
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
+  NotEqualStencilFunc,
+  ReplaceStencilOp,
   type Vector3,
 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { type Band, withBand } from './band';
 
 export interface LineStyle {
   /** In CSS pixels. */
@@ -19,6 +22,12 @@ export interface LineStyle {
   dash?: readonly [number, number] | null;
   /** How much of the color is left where the surface hides the line. */
   hidden: number;
+  /** A width on the surface, beside that in pixels. */
+  band?: Band | null;
+  /** Less than 1 where what lies below is seen through the line. */
+  opacity?: number;
+  /** From 1 to 255: lines that are seen through are told apart by it. */
+  mark?: number;
 }
 
 /** Lines are drawn this part of the way to the camera nearer, so that the surface cuts none. */
@@ -47,27 +56,35 @@ function segmentGeometry(): LineSegmentsGeometry {
 }
 
 /**
- * Polylines of constant width on the screen; what the surface hides shows through faintly. The
+ * Polylines of constant width on the screen, or on the surface; what the surface hides shows through faintly. The
  * buffers are kept and only grow, so that a drag makes none.
  */
 export class FatLine {
   readonly object = new Group();
   readonly #materials: LineMaterial[];
-  readonly #left: number;
+  readonly #bands: { value: number }[];
+  #left: number;
+  #opacity = 1;
+  #normals: Band['normals'] | null = null;
+  /** Puts in again what is shown. */
+  #again = () => {};
   #geometry = new LineSegmentsGeometry();
   #ends = new Float32Array(0);
   #distances = new Float32Array(0);
+  /** Along the segments, where the line has a width on the surface. */
+  #asides = new Float32Array(0);
   #segments = 0;
 
   constructor(style: LineStyle, order: number) {
     this.#left = style.hidden;
     const common = { transparent: true, depthWrite: false };
-    const seen = new LineMaterial(common);
-    // Not see-through: the segments' round ends lie over each other, and would show as beads.
-    const hidden = new LineMaterial(common);
+    const made = [0, 1].map(() => withBand(new LineMaterial(common)));
+    const [hidden, seen] = made.map(({ material }) => material) as [LineMaterial, LineMaterial];
+    // Of a color that is mixed beforehand: the segments' round ends lie over each other, and would show as beads.
     hidden.depthFunc = GreaterDepth;
     hidden.visible = style.hidden > 0;
     this.#materials = [hidden, seen];
+    this.#bands = made.map(({ band }) => band);
     for (const [i, material] of this.#materials.entries()) {
       const line = new LineSegments2(this.#geometry, material);
       line.frustumCulled = false;
@@ -79,20 +96,33 @@ export class FatLine {
     this.clear();
   }
 
-  setStyle({ width, dash }: Pick<LineStyle, 'width' | 'dash'>): void {
-    for (const material of this.#materials) {
+  setStyle({ width, dash, band = null, opacity = 1, mark = 1 }: Omit<LineStyle, 'hidden'>): void {
+    for (const [i, material] of this.#materials.entries()) {
       // What is hidden is thin beside what is seen.
-      material.linewidth = material === this.#materials[0] ? hiddenWidth * width : width;
+      const part = i === 0 ? hiddenWidth : 1;
+      material.linewidth = part * width;
+      this.#bands[i]!.value = part * (band?.width ?? 0);
       material.dashed = Boolean(dash);
       if (dash) [material.dashSize, material.gapSize] = dash;
     }
+    const seen = this.#materials[1]!;
+    this.#opacity = opacity;
+    seen.opacity = opacity;
+    // Each pixel once, where segments lie over each other.
+    seen.stencilWrite = opacity < 1;
+    seen.stencilRef = mark;
+    seen.stencilFunc = NotEqualStencilFunc;
+    seen.stencilZPass = ReplaceStencilOp;
+    const isNew = band !== null && this.#normals === null;
+    this.#normals = band && band.normals;
+    if (isNew) this.#again();
   }
 
   /** The line's color, and the surface's around it. */
   setColor(color: Color, surface: Color): void {
     const [hidden, seen] = this.#materials;
     seen!.color.copy(color);
-    hidden!.color.copy(surface).lerp(color, this.#left);
+    hidden!.color.copy(surface).lerp(color, this.#left * this.#opacity);
   }
 
   /** Whether what the surface hides shows through. */
@@ -107,26 +137,31 @@ export class FatLine {
   }
 
   clear(): void {
+    this.#again = () => {};
     this.#segments = 0;
     this.#upload();
   }
 
   /** Shows these polylines, x, y, z each, instead of what was there. */
   set(polylines: readonly Float32Array[]): void {
+    this.#again = () => this.set(polylines);
     const count = polylines.reduce((sum, line) => sum + Math.max(0, line.length / 3 - 1), 0);
     this.#reserve(count);
     this.#segments = 0;
     for (const line of polylines) {
-      for (let i = 3; i < line.length; i += 3) this.#add(line, i);
+      const normals = this.#normals?.(line);
+      for (let i = 3; i < line.length; i += 3) this.#add(line, i, normals);
     }
     this.#upload();
   }
 
   /** Shows the segments of a polyline that the choice takes. */
   setChosen(line: Float32Array, choice: (segment: number) => boolean): void {
+    this.#again = () => this.setChosen(line, choice);
     this.#reserve(line.length / 3);
     this.#segments = 0;
-    for (let i = 3; i < line.length; i += 3) if (choice(i / 3 - 1)) this.#add(line, i);
+    const normals = this.#normals?.(line);
+    for (let i = 3; i < line.length; i += 3) if (choice(i / 3 - 1)) this.#add(line, i, normals);
     this.#upload();
   }
 
@@ -135,9 +170,10 @@ export class FatLine {
     for (const material of this.#materials) material.dispose();
   }
 
-  #add(line: Float32Array, at: number): void {
+  #add(line: Float32Array, at: number, normals?: Float32Array): void {
     const segment = this.#segments++;
     for (let i = 0; i < 6; i++) this.#ends[6 * segment + i] = line[at - 3 + i]!;
+    if (normals) for (let i = 0; i < 6; i++) this.#asides[6 * segment + i] = normals[at - 3 + i]!;
     const before = segment > 0 ? this.#distances[2 * segment - 1]! : 0;
     const x = line[at]! - line[at - 3]!;
     const y = line[at + 1]! - line[at - 2]!;
@@ -147,22 +183,29 @@ export class FatLine {
   }
 
   #reserve(count: number): void {
-    if (6 * count <= this.#ends.length) return;
-    const capacity = Math.max(smallest, 2 ** Math.ceil(Math.log2(count)));
+    const isOnSurface = this.#normals !== null;
+    if (6 * count <= (isOnSurface ? this.#asides : this.#ends).length) return;
+    const capacity = Math.max(smallest, 2 ** Math.ceil(Math.log2(count)), this.#ends.length / 6);
     this.#ends = new Float32Array(6 * capacity);
     this.#distances = new Float32Array(2 * capacity);
+    this.#asides = new Float32Array(isOnSurface ? 6 * capacity : 0);
     this.#geometry.dispose();
     this.#geometry = segmentGeometry();
-    const [ends, distances] = [
+    const [ends, distances, normals] = [
       new InstancedInterleavedBuffer(this.#ends, 6, 1),
       new InstancedInterleavedBuffer(this.#distances, 2, 1),
+      new InstancedInterleavedBuffer(this.#asides, 6, 1),
     ];
-    for (const buffer of [ends, distances]) buffer.setUsage(DynamicDrawUsage);
+    for (const buffer of [ends, distances, normals]) buffer.setUsage(DynamicDrawUsage);
     const attributes = {
       instanceStart: new InterleavedBufferAttribute(ends, 3, 0),
       instanceEnd: new InterleavedBufferAttribute(ends, 3, 3),
       instanceDistanceStart: new InterleavedBufferAttribute(distances, 1, 0),
       instanceDistanceEnd: new InterleavedBufferAttribute(distances, 1, 1),
+      ...(isOnSurface && {
+        instanceNormalStart: new InterleavedBufferAttribute(normals, 3, 0),
+        instanceNormalEnd: new InterleavedBufferAttribute(normals, 3, 3),
+      }),
     };
     for (const [name, attribute] of Object.entries(attributes)) {
       this.#geometry.setAttribute(name, attribute);
@@ -173,8 +216,10 @@ export class FatLine {
   #upload(): void {
     this.#geometry.instanceCount = this.#segments;
     this.object.visible = this.#segments > 0;
-    for (const name of ['instanceStart', 'instanceDistanceStart']) {
-      const { data } = this.#geometry.getAttribute(name) as InterleavedBufferAttribute;
+    for (const name of ['instanceStart', 'instanceDistanceStart', 'instanceNormalStart']) {
+      const attribute = this.#geometry.getAttribute(name) as InterleavedBufferAttribute | undefined;
+      if (!attribute) continue;
+      const { data } = attribute;
       data.clearUpdateRanges();
       data.addUpdateRange(0, this.#segments * data.stride);
       data.needsUpdate = true;

@@ -1,7 +1,8 @@
 import { Color, type Vector3 } from 'three';
-import type { LineStyle } from '../model/drawing';
+import { defaultStyle } from '../model/drawing';
 import { isAmongShades, litSurface, rimColor, type ViewerColors } from './colors';
-import { dotAt, dotWidth, type ObjectDrawing, ObjectLines } from './object_lines';
+import { type ObjectDrawing, ObjectLines } from './object_lines';
+import type { Surface } from './surface';
 
 type Drawn = Omit<ObjectDrawing, 'id' | 'locked'>;
 
@@ -10,29 +11,33 @@ const [haloWider, seamWider] = [8, 3];
 /** How much wider the rim is of a line whose color is among the surface's shades. */
 const rimWider = 2.5;
 
-const plain = { id: 0, locked: true, dots: [] };
+const plain = { id: 0, locked: true };
 
-/** Lines so many CSS pixels wider than what they are drawn around, in the color of all of them. */
-function around(objects: readonly Drawn[], wider: number): ObjectDrawing[] {
-  const wide = (width: number): LineStyle => ({ color: null, width: width + wider, dash: 'solid' });
-  return objects.flatMap(({ style: { width }, lines, dots }) => [
-    { ...plain, style: wide(width), lines },
-    { ...plain, style: wide(dotWidth * width), lines: dots.map(dotAt) },
-  ]);
-}
+/** Whole lines under those of objects, in the color of all of them. */
+const around = (objects: readonly Drawn[]): ObjectDrawing[] =>
+  objects.map(({ style: { width, onSurface }, lines, dots }) => ({
+    ...plain,
+    style: { ...defaultStyle, width, onSurface },
+    lines,
+    dots,
+  }));
 
 /** What is drawn around lines: of what is selected, of what a click would take, and of what is hard to see. */
 export class Halos {
-  readonly #halo = new ObjectLines(0.2, { hidden: 0 });
+  readonly #halo = new ObjectLines(0.2, { hidden: 0, wider: haloWider });
   /** Between the halo and the line, so that it is seen beside any color. */
-  readonly #seam = new ObjectLines(0.5, { hidden: 0 });
-  readonly #hover = new ObjectLines(0.8, { hidden: 0 });
+  readonly #seam = new ObjectLines(0.5, { hidden: 0, wider: seamWider });
+  readonly #hover = new ObjectLines(0.8, { hidden: 0, wider: seamWider });
   readonly #rim = new ObjectLines(1, { hidden: 0, wider: rimWider });
   readonly #all = [this.#halo, this.#seam, this.#hover, this.#rim];
   readonly objects = this.#all.map(({ object }) => object);
   #colors: ViewerColors | null = null;
   /** Half of the widest line with what is around it, in CSS pixels. */
   reach = 0;
+
+  set surface(surface: Surface) {
+    for (const lines of this.#all) lines.surface = surface;
+  }
 
   setColors(colors: ViewerColors): void {
     this.#colors = colors;
@@ -44,11 +49,12 @@ export class Halos {
 
   /** All that is drawn, and what of it is selected, and what a click would take. */
   show(all: readonly Drawn[], chosen: readonly Drawn[], hovered: readonly Drawn[]): void {
-    this.#halo.show(around(chosen, haloWider));
-    this.#seam.show(around(chosen, seamWider));
-    this.#hover.show(around(hovered, seamWider));
+    this.#halo.show(around(chosen));
+    this.#seam.show(around(chosen));
+    this.#hover.show(around(hovered));
     this.#rim.show(all.flatMap((one) => this.#rimOf(one)));
-    const widest = Math.max(0, ...all.map(({ style }) => style.width));
+    const widths = all.map(({ style: { width, onSurface } }) => (onSurface ? 0 : width));
+    const widest = Math.max(0, ...widths);
     this.reach = (widest + (chosen.length > 0 ? haloWider : rimWider)) / 2;
   }
 
@@ -56,9 +62,15 @@ export class Halos {
     for (const lines of this.#all) lines.follow(camera);
   }
 
-  /** As dashed as the line itself. */
+  /** As dashed as the line itself; a rim would be seen through what is not opaque. */
   #rimOf({ style, lines, dots }: Drawn): ObjectDrawing[] {
-    if (!style.color || !this.#colors || !isAmongShades(style.color, this.#colors)) return [];
+    if (
+      style.opacity < 1 ||
+      !style.color ||
+      !this.#colors ||
+      !isAmongShades(style.color, this.#colors)
+    )
+      return [];
     return [{ ...plain, style: { ...style, color: rimColor(style.color) }, lines, dots }];
   }
 }

@@ -1,6 +1,7 @@
 import { Color, Group, type Vector3 } from 'three';
 import { type Dash, defaultStyle, type LineStyle } from '../model/drawing';
 import { FatLine } from './fat_line';
+import type { Surface } from './surface';
 
 /** An object as it is drawn: lines and single points, in the scene. */
 export interface ObjectDrawing {
@@ -19,15 +20,34 @@ const usualDashes: Record<Dash, readonly [number, number] | null> = {
   dotted: [0.007, 0.013],
 };
 
-/** Dash and gap of a line, which are as long as the line is wide. */
-export function dashOf({ dash, width }: LineStyle): readonly [number, number] | null {
-  const usual = usualDashes[dash];
-  const scale = width / defaultStyle.width;
-  return usual && [usual[0] * scale, usual[1] * scale];
+/** How wide a line of the usual width is in the scene, where the whole surface is seen on a large screen. */
+const usualBand = 0.0125;
+
+/** How wide a line on the surface is at least, in CSS pixels. */
+const leastSeen = 0.5;
+
+/** How a line is drawn on a surface, so many CSS pixels wider than its style says. */
+export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
+  const { width, onSurface, opacity } = style;
+  const band = onSurface && surface ? width * surface.frame.scale : 0;
+  // As long as the line is wide.
+  const scale = onSurface ? band / usualBand : width / defaultStyle.width;
+  const dash = usualDashes[style.dash];
+  return {
+    width: (onSurface ? leastSeen : width) + wider,
+    band:
+      band > 0
+        ? { width: band, normals: (line: Float32Array) => surface!.normalsAlong(line) }
+        : null,
+    dash: dash && ([dash[0] * scale, dash[1] * scale] as const),
+    opacity,
+  };
 }
 
 /** How much of the color is left where the surface hides a line. */
 const usuallyHidden = 0.22;
+/** Lines that are seen through are told apart by so many numbers; the edited one has one more. */
+export const mostMarks = 254;
 /** A point is so many times as wide as a line. */
 export const dotWidth = 2.4;
 
@@ -37,6 +57,8 @@ export const dotAt = ({ x, y, z }: Vector3) => Float32Array.of(x, y, z, x + 1e-4
 /** The objects beside the edited one: a line for each style, so that many objects are few draws. */
 export class ObjectLines {
   readonly object = new Group();
+  /** The one that the lines are on. */
+  surface: Surface | null = null;
   readonly #lines = new Map<string, FatLine>();
   #objects: readonly ObjectDrawing[] = [];
   #color = new Color();
@@ -63,7 +85,7 @@ export class ObjectLines {
     this.#objects = objects;
     const styles = new Map<string, { style: LineStyle; lines: Float32Array[] }>();
     const add = (style: LineStyle, lines: readonly Float32Array[]) => {
-      const key = `${style.color} ${style.width} ${style.dash}`;
+      const key = Object.values(style).join(' ');
       const entry = styles.get(key) ?? { style, lines: [] };
       entry.lines.push(...lines);
       styles.set(key, entry);
@@ -99,8 +121,8 @@ export class ObjectLines {
 
   #make(key: string, style: LineStyle): FatLine {
     const { hidden = usuallyHidden, wider = 0 } = this.looks;
-    const width = style.width + wider;
-    const line = new FatLine({ width, dash: dashOf(style), hidden }, this.order);
+    const mark = 1 + (this.#lines.size % mostMarks);
+    const line = new FatLine({ ...fatStyle(style, this.surface, wider), hidden, mark }, this.order);
     line.showHidden(this.#hiddenShown);
     this.#lines.set(key, line);
     this.object.add(line.object);

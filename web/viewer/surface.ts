@@ -198,6 +198,7 @@ export class Surface {
   readonly #whole: Mesh;
   /** What is seen in its place, where it is cut. */
   readonly #parts = new SurfaceParts(material, paint);
+  readonly #along = new WeakMap<Float32Array, Float32Array>();
 
   constructor(drawn: DrawnGeometry) {
     this.frame = drawn.frame;
@@ -339,6 +340,19 @@ export class Surface {
       normal.addScaledVector(new Vector3().fromArray(this.#normals, 3 * vertex), bary[corner]!);
     }
     return normal.normalize().multiplyScalar(this.#outside === 'back' ? -1 : 1);
+  }
+
+  /** The unit normals at the points of a polyline on the surface, in the scene. */
+  normalsAlong(line: Float32Array): Float32Array {
+    const known = this.#along.get(line);
+    if (known) return known;
+    const normals = new Float32Array(line.length);
+    const place = new Vector3();
+    for (let i = 0; i < line.length; i += 3) {
+      this.normal(this.nearest(place.fromArray(line, i))).toArray(normals, i);
+    }
+    this.#along.set(line, normals);
+    return normals;
   }
 
   /** A polyline in the surface's coordinates, x, y, z each, taken to the scene's. */

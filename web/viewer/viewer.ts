@@ -1,6 +1,6 @@
 import type { SurfacePoint } from 'karcher';
 import { Box3, Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import { defaultStyle, type LineStyle } from '../model/drawing';
+import { defaultStyle, type LineStyle, styleOf } from '../model/drawing';
 import type { ViewPlace } from '../model/view_place';
 import { litSurface, type ViewerColors } from './colors';
 import { outliveContextLoss } from './context_loss';
@@ -9,7 +9,7 @@ import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine, fineDash } from './fat_line';
 import { Halos } from './halos';
 import type { Layer } from './layer';
-import { dashOf, dotAt, type ObjectDrawing, ObjectLines } from './object_lines';
+import { dotAt, fatStyle, mostMarks, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
@@ -76,13 +76,13 @@ export class Viewer {
     canvas: HTMLCanvasElement,
     options: { antialias: boolean },
   ) {
-    const context = canvas.getContext('webgl2', { alpha: true, ...options });
+    const context = canvas.getContext('webgl2', { alpha: true, stencil: true, ...options });
     if (!context) {
       throw new Error(
         'WebGL 2, which draws the surface, is missing or switched off. Check that graphics acceleration is allowed in the settings.',
       );
     }
-    this.#renderer = new WebGLRenderer({ canvas, context });
+    this.#renderer = new WebGLRenderer({ canvas, context, stencil: true });
     const redraw = () => this.requestFrame();
     outliveContextLoss(canvas, () => [this.#scene], redraw);
     const lines = this.#lines.map((line) => line.object);
@@ -139,7 +139,10 @@ export class Viewer {
     this.#surface.colored = this.#fileColors;
     this.#view.surface = this.#surface;
     this.#scene.add(this.#surface.object);
+    this.#beside.surface = this.#surface;
+    this.#halos.surface = this.#surface;
     this.showCurve(null);
+    this.#showStyle();
     this.showPolygon([], false);
     this.showMarks([]);
     this.showTangent(null);
@@ -279,9 +282,9 @@ export class Viewer {
 
   /** How the edited object is drawn. */
   showStyle(style: LineStyle): void {
-    const { color, width, dash } = this.#style;
-    if (color === style.color && width === style.width && dash === style.dash) return;
-    this.#style = style;
+    const shown = styleOf(style);
+    if (`${Object.values(shown)}` === `${Object.values(this.#style)}`) return;
+    this.#style = shown;
     this.#showStyle();
     this.#showHalo();
     this.requestFrame();
@@ -353,14 +356,15 @@ export class Viewer {
   }
 
   #showStyle(): void {
-    const { color, width } = this.#style;
+    const { color } = this.#style;
     const colors = this.#colors;
     if (!colors) return;
     const surface = litSurface(colors);
     const own = new Color(color ?? colors.curve);
+    const style = fatStyle(this.#style, this.#surface);
+    this.#curve.setStyle({ ...style, mark: mostMarks + 1 });
     this.#curve.setColor(own, surface);
-    this.#curve.setStyle({ width, dash: dashOf(this.#style) });
-    this.#lost.setStyle({ width, dash: fineDash });
+    this.#lost.setStyle({ ...style, dash: fineDash, opacity: 1 });
     for (const line of [this.#sketch, this.#stroke, this.#band]) line.setColor(own, surface);
   }
 
@@ -396,16 +400,15 @@ export class Viewer {
 
   /** The curve's point there, in the scene, if one is seen within so many CSS pixels. */
   pickCurve(clientX: number, clientY: number, within: number): Vector3 | null {
-    return this.#pickLine(this.#line, clientX, clientY, within);
+    return this.#pickLine(this.#line, clientX, clientY, within, this.#style);
   }
 
   /** The id of the topmost object beside the edited one that is seen there; null without one. */
   pickObject(clientX: number, clientY: number, within: number): number | null {
-    const isSeen = (line: Float32Array) => this.#pickLine(line, clientX, clientY, within);
-    const found = this.#beside.objects.findLast(
-      ({ locked, lines, dots }) =>
-        !locked && (lines.some(isSeen) || dots.some((dot) => isSeen(dotAt(dot)))),
-    );
+    const found = this.#beside.objects.findLast(({ locked, style, lines, dots }) => {
+      const isSeen = (line: Float32Array) => this.#pickLine(line, clientX, clientY, within, style);
+      return !locked && (lines.some(isSeen) || dots.some((dot) => isSeen(dotAt(dot))));
+    });
     return found?.id ?? null;
   }
 
@@ -424,7 +427,8 @@ export class Viewer {
 
   /** Whether the edited object is seen there. */
   pickOwn(clientX: number, clientY: number, within: number): boolean {
-    return this.#own.some((line) => this.#pickLine(line, clientX, clientY, within));
+    const style = this.#style;
+    return this.#own.some((line) => this.#pickLine(line, clientX, clientY, within, style));
   }
 
   /** The objects of which something is seen in a box of the window; what is locked is not among them. */
@@ -459,12 +463,21 @@ export class Viewer {
     return this.#shorterLines.findIndex((line) => this.#pickLine(line, clientX, clientY, within));
   }
 
-  #pickLine(line: Float32Array, clientX: number, clientY: number, within: number): Vector3 | null {
+  /** The line's point there; of a style all of its width is the line. */
+  #pickLine(
+    line: Float32Array,
+    clientX: number,
+    clientY: number,
+    within: number,
+    style: LineStyle | null = null,
+  ): Vector3 | null {
     const { box } = this;
     const place = { x: clientX - box.left, y: clientY - box.top };
     this.#view.camera.updateMatrixWorld();
     const nearest = nearestOnScreen(line, this.#view.camera, this.size, place);
-    if (!nearest || nearest.distance > within) return null;
+    if (!nearest) return null;
+    const half = style ? this.seenWidth(style, nearest.position) / 2 : 0;
+    if (nearest.distance > Math.max(within, half)) return null;
     return this.project(nearest.position).hidden ? null : nearest.position;
   }
 
@@ -494,6 +507,11 @@ export class Viewer {
     const away = camera.position.distanceTo(position);
     const height = 2 * away * Math.tan((camera.fov * Math.PI) / 360);
     return ((height / this.#size.height) * pixels) / (this.#surface?.frame.scale ?? 1);
+  }
+
+  /** How wide a line is at a point of the scene where the surface faces the view, in CSS pixels. */
+  seenWidth({ width, onSurface }: LineStyle, position: Vector3): number {
+    return onSurface ? width / this.reach(position, 1) : width;
   }
 
   /** Where the stage is in the window: asked of the page once, as its size is. */

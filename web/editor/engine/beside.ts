@@ -1,7 +1,7 @@
 import type { Path, SurfacePoint } from 'karcher';
 import { isDerived } from '../../model/derived';
 import { isSource, resolvedFigure } from '../../model/sources';
-import { type DrawnObject, type LineStyle, othersOf } from '../../model/drawing';
+import { type DrawnObject, type LineStyle, othersOf, styleOf } from '../../model/drawing';
 import { type Figure, isEmpty, type Operand } from '../../model/figure';
 import { type MethodId, methodOptions, type Quality } from '../../model/methods';
 import type { Region } from '../../model/traced';
@@ -178,7 +178,7 @@ export class BesideObjects {
 
   #besideOf(object: DrawnObject, figure: Figure, method: MethodId): Beside {
     const known = this.#drawn.get(object);
-    const { id, locked, color, width, dash } = object;
+    const { id, locked } = object;
     const own = this.known(figure, method);
     const traced = own ?? (isDerived(figure.kind) ? (this.#lastOf.get(id) ?? null) : null);
     if (own && isDerived(figure.kind)) this.#lastOf.set(id, own);
@@ -191,7 +191,7 @@ export class BesideObjects {
     const same = sameLines && known?.center === center && known.region === region;
     if (same && known.cut === cut) return known;
     const points = figure.kind === 'points' ? figure.points : [];
-    const style = { color, width, dash };
+    const style = styleOf(object);
     const beside = { id, style, locked, lines, points, center, region, cut };
     this.#drawn.set(object, beside);
     return beside;
