@@ -1,3 +1,4 @@
+import { align } from './editor/engine/aligning';
 import type { Beside } from './editor/engine/beside';
 import type { ShownCut } from './editor/engine/cut';
 import { Comparison } from './editor/engine/comparison';
@@ -334,7 +335,12 @@ export async function start(): Promise<void> {
   );
   new ExamplesMenu((example) => void opening.example(example));
   const clipboard = new Clipboard(editor, () => session.client?.info.triangles ?? 0);
-  new ContextMenu(editor, viewer, stage, () => gestures.letGo(), clipboard);
+  const letGo = () => gestures.letGo();
+  new ContextMenu(editor, viewer, stage, letGo, clipboard, (how) => {
+    align(editor, session, viewer.surface!, how).catch((error) =>
+      showNote(`It is not aligned. ${sentenceOf(messageOf(error))}`),
+    );
+  });
   const snap = new SnapToggle((on) => {
     gestures.snapping.on = on;
   });

@@ -1,3 +1,4 @@
+import { type Alignment, alignedParts } from '../editor/engine/aligning';
 import { type Editor, type State, selectedObjects } from '../editor/state/editor';
 import { clickSlop } from '../editor/hand/stage_pointer';
 import { targetAt } from '../editor/hand/targets';
@@ -25,6 +26,7 @@ export class ContextMenu {
     private readonly stage: HTMLElement,
     private readonly letGo: () => void,
     private readonly clipboard: Clipboard,
+    private readonly align: (how: Alignment) => void,
   ) {
     // By itself the browser would close it as soon as the finger that opened it is lifted.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
@@ -97,7 +99,7 @@ export class ContextMenu {
   #open(place: { x: number; y: number; touch: boolean }): void {
     const { editor } = this;
     const target = targetAt(this.viewer, { ...editor.state, tool: 'select' }, place);
-    if (target?.type === 'other' && !editor.state.chosen.includes(target.id)) {
+    if (target?.type === 'other' && !selectedObjects(editor.state).includes(target.id)) {
       editor.activate(target.id);
     }
     this.#show(place.x, place.y);
@@ -129,6 +131,7 @@ export class ContextMenu {
     const ids = targetsOf(state);
     const { objects } = state.drawing;
     const grouped = objects.some(({ id, group }) => group !== null && ids.includes(id));
+    const alignable = alignedParts(state).length > 0;
     const [lone] = ids.length === 1 ? ids : [];
     const actions: [boolean, string, () => void][] = [
       [ids.length > 0, 'Cut', () => void this.clipboard.cut()],
@@ -137,6 +140,8 @@ export class ContextMenu {
       [ids.length > 0, 'Duplicate', () => editor.duplicate(ids)],
       [ids.length > 1, 'Group', () => editor.group(ids)],
       [grouped, 'Ungroup', () => editor.ungroup(ids)],
+      [alignable, 'Align on a line', () => this.align('nearest')],
+      [alignable, 'Space evenly on a line', () => this.align('even')],
       [lone !== undefined, 'Bring to front', () => editor.raise(lone!, objects.length)],
       [lone !== undefined, 'Send to back', () => editor.raise(lone!, -objects.length)],
       [ids.length > 0, 'Hide', () => editor.setProperties(ids, { visible: false })],

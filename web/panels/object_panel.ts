@@ -68,6 +68,7 @@ export class ObjectPanel {
   readonly #swatches = colors.map(([color, name]) => this.#makeSwatch(color, name));
   readonly #width: NumberField;
   readonly #widthUnit = byId<HTMLSelectElement>('width-unit');
+  readonly #look = byId<HTMLButtonElement>('look');
   readonly #opacity: NumberField;
   readonly #fill: NumberField;
   readonly #fillColor = byId<HTMLInputElement>('fill-color');
@@ -133,6 +134,7 @@ export class ObjectPanel {
       const { least, most } = onSurface ? surfaceWidths : widthRange;
       set({ onSurface, width: Math.min(most, Math.max(least, width)) });
     });
+    this.#look.addEventListener('click', () => editor.toggleLook());
     this.#opacity = new NumberField(
       byId<HTMLInputElement>('opacity'),
       (percent) => set({ opacity: percent / 100 }),
@@ -320,7 +322,8 @@ export class ObjectPanel {
     if (color) this.#custom.value = color;
     const inputs = ['width', 'opacity', 'fill'].map((id) => byId<HTMLInputElement>(id));
     const lists = [this.#widthUnit, this.#dash, this.#fillColor];
-    const controls = [...this.#swatches, this.#custom, ...lists, ...inputs];
+    this.#look.setAttribute('aria-pressed', `${this.editor.state.tool === 'look'}`);
+    const controls = [...this.#swatches, this.#custom, this.#look, ...lists, ...inputs];
     for (const control of controls) control.disabled = selected === 0;
   }
 

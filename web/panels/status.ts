@@ -195,6 +195,7 @@ function hintOf(
   if (tool === 'freehand') return penWords.draw;
   if (tool === 'split') return 'Click the curve where you want to cut it';
   if (tool === 'join') return 'Click the curve to join with this one';
+  if (tool === 'look') return 'Click the object whose look it takes';
   if (tool === 'mirror') {
     return again
       ? 'Click a second point of the mirror line'

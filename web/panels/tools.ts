@@ -177,6 +177,7 @@ export class Tools {
     j: () => this.edits.chooseJoin(),
     k: () => toggleTransform(this.editor),
     i: () => toggleMirror(this.editor),
+    l: () => this.editor.toggleLook(),
     '?': () => this.#help.showModal(),
   };
 }

@@ -114,7 +114,7 @@ export class FatLine {
     seen.stencilFunc = NotEqualStencilFunc;
     seen.stencilZPass = ReplaceStencilOp;
     const isNew = band !== null && this.#normals === null;
-    this.#normals = band && band.normals;
+    this.#normals = band?.normals ?? null;
     if (isNew) this.#again();
   }
 

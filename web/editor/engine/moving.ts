@@ -23,6 +23,8 @@ export interface Placement {
 /** What a placement leads to. */
 export interface Placed {
   command: Command;
+  /** Of the objects, in their order. */
+  figures: readonly Figure[];
   /** What was carried along beside the objects: where it went, and its directions there. */
   beside: CarriedTo;
 }
@@ -124,10 +126,11 @@ export class Move {
       ? await client.mesh.expMap(pivot, vectors, ways)
       : await client.putDown(pivot, plain(point), vectors, ways);
     if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return null;
-    const figures = objects.map(({ figure }) => figure);
+    const before = objects.map(({ figure }) => figure);
+    const figures = movedFigures(before, carried, { points, directions }, scale);
     const own = carried.length;
     return {
-      command: replacing(objects, movedFigures(figures, carried, { points, directions }, scale)),
+      ...{ command: replacing(objects, figures), figures },
       beside: { points: points.slice(own), directions: directions.slice(3 * own) },
     };
   }
@@ -136,6 +139,7 @@ export class Move {
     const { beside } = this;
     return {
       command: { type: 'steps', steps: [] },
+      figures: this.objects.map(({ figure }) => figure),
       beside: { points: beside.map(({ place }) => place), directions: directionsOf(beside) },
     };
   }

@@ -369,6 +369,7 @@ export class Gestures {
         ? penActionAt(under, this.#pen.state(this.#keys.alt))
         : null;
     if (action) this.stage.dataset.action = action;
+    else if (tool === 'look') this.stage.dataset.action = 'look';
     else if (moves) this.stage.dataset.action = this.#copies ? 'copy' : 'move';
     else delete this.stage.dataset.action;
     this.events.aimed(action ? penWords[action] : '');

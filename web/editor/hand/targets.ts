@@ -37,7 +37,7 @@ export function targetAt(
   }
   const within = place.touch ? reach.touch : reach.mouse;
   if (tool === 'mirror') return pick && { type: 'surface', pick };
-  if (tool === 'select' || tool === 'transform') {
+  if (tool === 'select' || tool === 'transform' || tool === 'look') {
     // What was just duplicated lies over what it is a copy of.
     const { id, locked } = activeObject(drawing);
     if (!locked && viewer.pickOwn(place.x, place.y, within)) return { type: 'other', id };

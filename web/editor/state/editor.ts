@@ -18,6 +18,7 @@ import {
   type DrawnObject,
   emptyDrawing,
   indexOf,
+  lookOf,
   objectOf,
   type Properties,
 } from '../../model/drawing';
@@ -450,6 +451,19 @@ export class Editor {
     this.interrupt();
     const { none } = this.#state;
     this.perform(restyling(this.#state.drawing, ids, to), { none });
+  }
+
+  /** Makes ready for a click on an object whose look those that are selected take, or for none. */
+  toggleLook(): void {
+    if (this.#state.tool === 'look') this.rest();
+    else if (selectedObjects(this.#state).length > 0) this.setTool('look');
+  }
+
+  /** The selected objects are drawn and painted as another one is. */
+  takeLook(id: number): void {
+    const object = objectOf(this.#state.drawing, id);
+    if (object) this.setProperties(selectedObjects(this.#state), lookOf(object));
+    this.rest();
   }
 
   /** Moves an object so many places up in the order. */

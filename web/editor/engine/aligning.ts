@@ -1,0 +1,175 @@
+/** Objects, or points of one, brought onto the geodesic between the two of them that are farthest apart. */
+import type { SurfacePoint } from 'karcher';
+import type { Command } from '../../model/commands';
+import type { DrawnObject } from '../../model/drawing';
+import { isRound, withLeg } from '../../model/figure';
+import { placesOf } from '../../model/moving';
+import type { Surface } from '../../viewer/surface';
+import type { EngineClient } from '../../worker/client';
+import { type Editor, type State, selectedObjects } from '../state/editor';
+import { Move, movableObjects, plain, replacing } from './moving';
+import type { Session } from './session';
+
+/** Onto the line where it is nearest, or at even distances along it. */
+export type Alignment = 'nearest' | 'even';
+
+/** What is moved as a whole: an object, the objects of a group, or a point as a figure of its own. */
+type Part = readonly DrawnObject[];
+
+/** Fewer are on a line anyway. */
+const fewest = 3;
+
+/** The selected points or objects, where they can be aligned; an empty list where not. */
+export function alignedParts(state: State): readonly Part[] {
+  const { figure, selection, more, drawing } = state;
+  const parts =
+    typeof selection === 'number' && more.length > 0 && !isRound(figure.kind)
+      ? pointParts(state)
+      : wholes(movableObjects(drawing, selectedObjects(state)));
+  return parts.length < fewest ? [] : parts;
+}
+
+const selectedPoints = ({ selection, more }: State) =>
+  [...more, selection as number].sort((a, b) => a - b);
+
+function pointParts(state: State): Part[] {
+  const { figure, drawing } = state;
+  const [object] = movableObjects(drawing, [drawing.active]);
+  if (!object) return [];
+  return selectedPoints(state).map((index) => {
+    const points = [withLeg(figure.points[index]!, null)];
+    return [{ ...object, figure: { ...figure, points } }];
+  });
+}
+
+/** Each group is one. */
+function wholes(objects: readonly DrawnObject[]): Part[] {
+  const parts = new Map<string | number, DrawnObject[]>();
+  for (const object of objects) {
+    const key = object.group ?? object.id;
+    parts.set(key, [...(parts.get(key) ?? []), object]);
+  }
+  return [...parts.values()];
+}
+
+/** Aligns what is selected, as one step; throws a sentence where it cannot be. */
+export async function align(
+  editor: Editor,
+  { client }: Session,
+  surface: Surface,
+  how: Alignment,
+): Promise<void> {
+  editor.interrupt();
+  const { state } = editor;
+  const parts = alignedParts(state);
+  if (!client || parts.length === 0) return;
+  const places = await Promise.all(parts.map((part) => middleOf(client, part)));
+  const goals = await goalsOf(client, surface, places, how);
+  const moved = await Promise.all(
+    parts.map(async (part, i) => {
+      const goal = goals[i];
+      if (!goal) return part.map(({ figure }) => figure);
+      const move = await Move.of(client, surface, part, places[i]!);
+      const placed = await move.placed({ point: goal });
+      if (!placed) throw new Error('Something would leave the surface.');
+      return placed.figures;
+    }),
+  );
+  if (editor.state.drawing !== state.drawing) return;
+  if (typeof state.selection === 'number' && state.more.length > 0) {
+    const { figure } = state;
+    const points = [...figure.points];
+    for (const [i, index] of selectedPoints(state).entries()) {
+      if (goals[i]) points[index] = moved[i]![0]!.points[0]!;
+    }
+    const edit = { type: 'replace', from: figure, to: { ...figure, points } } as const;
+    editor.perform({ type: 'figure', id: state.drawing.active, edit });
+    return;
+  }
+  const command: Command = replacing(parts.flat(), moved.flat());
+  editor.perform(command);
+}
+
+/** The center of a circle, and of other objects the center of mass of their places. */
+async function middleOf(client: EngineClient, part: Part): Promise<SurfacePoint> {
+  const places = part.flatMap(({ figure }) =>
+    figure.circle ? [figure.circle.center] : placesOf({ ...figure, circle: null }),
+  );
+  if (places.length === 1) return plain(places[0]!);
+  const { point } = await client.mesh.centerOfMass(
+    places.map(plain),
+    places.map(() => 1 / places.length),
+  );
+  return plain(point);
+}
+
+/** Where each place is to go; null for the line's ends, which stay. */
+async function goalsOf(
+  client: EngineClient,
+  surface: Surface,
+  places: readonly SurfacePoint[],
+  how: Alignment,
+): Promise<(SurfacePoint | null)[]> {
+  const farthestFrom = async (index: number) => {
+    const lengths = await distancesFrom(client, places[index]!, places);
+    return lengths.indexOf(Math.max(...lengths));
+  };
+  const first = await farthestFrom(0);
+  const last = await farthestFrom(first);
+  const path = await client.mesh.shortestPath(plain(places[first]!), plain(places[last]!));
+  if (!(path.length > 0)) throw new Error('All of it lies at one place.');
+  const corners = path.points().map((point) => surface.position(point));
+  const lengths = [0];
+  for (const [i, corner] of corners.slice(1).entries()) {
+    lengths.push(lengths[i]! + corner.distanceTo(corners[i]!));
+  }
+  const at = (part: number): SurfacePoint => {
+    const length = part * lengths.at(-1)!;
+    const after = Math.max(
+      1,
+      lengths.findIndex((one) => one >= length),
+    );
+    const [from, to] = [lengths[after - 1]!, lengths[after]!];
+    const within = to > from ? (length - from) / (to - from) : 0;
+    return surface.nearest(corners[after - 1]!.clone().lerp(corners[after]!, within));
+  };
+  const between = places.map((_, i) => i).filter((i) => i !== first && i !== last);
+  const nearest = await Promise.all(
+    between.map(async (i) => ({ i, part: await nearestPart(client, places[i]!, at) })),
+  );
+  if (how === 'even') nearest.sort((a, b) => a.part - b.part);
+  const goals: (SurfacePoint | null)[] = places.map(() => null);
+  for (const [rank, { i, part }] of nearest.entries()) {
+    goals[i] = at(how === 'even' ? (rank + 1) / (places.length - 1) : part);
+  }
+  return goals;
+}
+
+/** Points of a line that are looked at for the nearest one, and how often between the best one's neighbors. */
+const looks = 33;
+const rounds = 4;
+
+/** Where a line comes nearest to a place, as a part of its length. */
+async function nearestPart(
+  client: EngineClient,
+  place: SurfacePoint,
+  at: (part: number) => SurfacePoint,
+): Promise<number> {
+  let [from, to] = [0, 1];
+  for (let round = 0; round < rounds; round++) {
+    const parts = Array.from({ length: looks }, (_, i) => from + ((to - from) * i) / (looks - 1));
+    const lengths = await distancesFrom(client, place, parts.map(at));
+    const best = lengths.indexOf(Math.min(...lengths));
+    [from, to] = [parts[Math.max(0, best - 1)]!, parts[Math.min(looks - 1, best + 1)]!];
+  }
+  return (from + to) / 2;
+}
+
+async function distancesFrom(
+  client: EngineClient,
+  from: SurfacePoint,
+  places: readonly SurfacePoint[],
+): Promise<number[]> {
+  const { vectors } = await client.mesh.logMap(plain(from), places.map(plain));
+  return places.map((_, i) => Math.hypot(...vectors.subarray(3 * i, 3 * i + 3)));
+}
