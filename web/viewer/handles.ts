@@ -209,6 +209,11 @@ export class Handles {
     button.type = 'button';
     button.className = 'handle';
     button.dataset.id = id;
+    button.addEventListener('mousedown', (event) => {
+      // The menu is of all that are selected, and a focus would select this one alone.
+      const isMenu = event.button === 2;
+      if (isMenu && button.getAttribute('aria-pressed') === 'true') event.preventDefault();
+    });
     button.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || this.#held || this.severalFingers()) return;
       // The view's controls listen on the stage: a drag of a handle is none of theirs.
