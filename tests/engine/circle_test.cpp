@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "cases.h"
 #include "curve_support.h"
 #include "curves/curve_value.h"
 #include "distance/shortest_path.h"
@@ -209,7 +210,8 @@ TEST(Circle, SaysHowFarItIsFromItsRadius) {
   const TriangleSoup rough = roughened(smooth, 2, 3, 0.15);
   Surface surface(buildMesh(rough.positions, rough.triangles));
   bool someAreFar = false;
-  for (const int face : {100, 3100, 6100}) {
+  const int faces[] = {100, 3100, 6100};
+  for (const int face : casesOf(faces, 1)) {
     const SurfacePoint center{face, Vec3(0.2, 0.3, 0.5)};
     for (const double part : {0.05, 0.2}) {
       const double radius = part * surface.geometry().diagonal;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases.h"
 #include "curve_support.h"
 #include "distance/source_vectors.h"
 #include "distance_meshes.h"
@@ -178,7 +179,7 @@ TEST(MeanOfMany, DoesNotDependOnTheOrderOfPoints) {
 TEST(MeanOfMany, IsAsLowAsThatOfFields) {
   Surface surface(bunnyMesh());
   const Geometry& geometry = surface.geometry();
-  for (int seed = 1; seed <= (longRun() ? 20 : 3); ++seed) {
+  for (int seed = 1; seed <= (longRun() ? 20 : casesOf(3, 1)); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(static_cast<uint64_t>(seed));
     const Cloud cloud = randomCloud(surface.mesh(), random, 80);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "cases.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
 #include "support.h"
@@ -41,7 +42,7 @@ TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheShapes) {
 }
 
 TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheBunny) {
-  expectNoFaults("bunny", bunnyMesh(), 100'000, longRun() ? 250 : 5);
+  expectNoFaults("bunny", bunnyMesh(), 100'000, longRun() ? 250 : casesOf(5, 2));
 }
 
 TEST(PolygonFuzz, CurvesOfAutomaticLevelsHoldTogether) {
