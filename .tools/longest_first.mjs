@@ -1,7 +1,7 @@
 // Runs files of tests, as many at a time as there are cores, the longest first: so that both ends of a
 // stage keep every core busy.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { cores } from './shell.mjs';
+import { countAll } from './shell.mjs';
 
 /**
  * Calls `runFile` with each name and returns the sums of what it resolves to, `{ passed, failed }`. How
@@ -10,19 +10,16 @@ import { cores } from './shell.mjs';
 export async function runLongestFirst(names, timesPath, runFile) {
   const before = existsSync(timesPath) ? JSON.parse(readFileSync(timesPath, 'utf8')) : {};
   const expected = (name) => before[name] ?? Number.POSITIVE_INFINITY;
-  const waiting = [...names].sort((a, b) => expected(b) - expected(a) || 0);
   const seconds = {};
-  const sums = { passed: 0, failed: 0 };
-  const worker = async () => {
-    for (let name = waiting.shift(); name; name = waiting.shift()) {
+  const sums = await countAll(
+    names.toSorted((a, b) => expected(b) - expected(a) || 0),
+    async (name) => {
       const start = performance.now();
-      const { passed, failed } = await runFile(name);
+      const counts = await runFile(name);
       seconds[name] = Math.round(performance.now() - start) / 1000;
-      sums.passed += passed;
-      sums.failed += failed;
-    }
-  };
-  await Promise.all(Array.from({ length: cores }, worker));
+      return counts;
+    },
+  );
   writeFileSync(timesPath, JSON.stringify(seconds));
   const longest = Object.entries(seconds).sort(([, a], [, b]) => b - a);
   const told = longest.slice(0, 5).map(([name, time]) => `${name} ${time.toFixed(1)} s`);

@@ -102,6 +102,21 @@ export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {
   });
 }
 
+/** Calls `work` with each entry, `cores` at a time, and sums the checks that it counts. */
+export async function countAll(entries, work) {
+  const counts = { passed: 0, failed: 0 };
+  const waiting = [...entries];
+  const worker = async () => {
+    for (let next = waiting.shift(); next; next = waiting.shift()) {
+      const { passed, failed } = await work(next);
+      counts.passed += passed;
+      counts.failed += failed;
+    }
+  };
+  await Promise.all(Array.from({ length: cores }, worker));
+  return counts;
+}
+
 /**
  * Runs stages one after another, prints each one's time and a table at the end.
  *
