@@ -11,7 +11,7 @@ import { gridStl } from './large_file.mjs';
 const most = 1 << 16;
 /** What is read of a file at once, to tell it from others. */
 const mostRead = 1 << 21;
-const triangles = 100_000;
+const triangles = 50_000;
 
 /** Runs in each page before its own code: notes the bytes of what is posted, kept and read. */
 function watch() {

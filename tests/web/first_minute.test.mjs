@@ -26,7 +26,8 @@ for (const [name, viewport] of Object.entries(sizes)) {
     });
     after(() => browser.close());
 
-    test('has a drawing that can be dragged at once, and a line that says so', async () => {
+    const inWindow = name === 'wide' ? test : inLongRun;
+    inWindow('has a drawing that can be dragged at once, and a line that says so', async () => {
       const tab = await visit(browser);
       const { page } = tab;
       await page.locator('#tour-skip').click();

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { long, randoms, seed } from './part.mjs';
 
-const edits = long ? 2000 : 40;
+const edits = long ? 2000 : 20;
 /** Measurements, evenly among the edits. */
 const measurements = 10;
 const places = [
