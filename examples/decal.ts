@@ -1,6 +1,6 @@
 // A picture laid round a point of the surface by the log map, as texture coordinates.
 import { load } from 'karcher';
-import { geometryOf, logMapUvs, surfaceFromMesh } from 'karcher/three';
+import { decalGeometry, geometryOf, surfaceFromMesh } from 'karcher/three';
 import {
   Mesh,
   MeshBasicMaterial,
@@ -15,10 +15,9 @@ const surface = surfaceFromMesh(karcher.shape('torus', 20_000));
 const { point } = surface.mesh.nearestPoint([0, 0, surface.diagonal]);
 const geometry = geometryOf(surface);
 const { vectors } = surface.mesh.logMap(point);
-geometry.setAttribute('uv', logMapUvs(vectors, surface.frame(point), 0.1 * surface.diagonal));
+const decal = decalGeometry(surface, vectors, surface.frame(point), 0.1 * surface.diagonal);
 
 const scene = new Scene();
-// Beyond 0 to 1 a texture repeats its edge, which should be transparent.
 const map = await new TextureLoader().loadAsync('decal.png');
 scene.add(
   new Mesh(
@@ -26,7 +25,7 @@ scene.add(
     new MeshBasicMaterial({ color: 0xdddddd, polygonOffset: true, polygonOffsetFactor: 1 }),
   ),
 );
-scene.add(new Mesh(geometry, new MeshBasicMaterial({ map, transparent: true })));
+scene.add(new Mesh(decal, new MeshBasicMaterial({ map, transparent: true })));
 const camera = new PerspectiveCamera(50, innerWidth / innerHeight, 0.01, 100);
 camera.position.z = 2 * surface.diagonal;
 const renderer = new WebGLRenderer({ antialias: true, alpha: true });

@@ -1,7 +1,8 @@
 /**
  * Keeps the built page for when there is no network: its files are stored with the first visit. Pages
  * come from the network where it answers, so that a new version is seen at once; the files that they
- * are made of have names of their own content, and come from the store.
+ * are made of have names of their own content, and come from the store. The book is kept as a whole as soon as one
+ * of its pages has been read.
  */
 
 /** Put in by the build: the page's files, and a name for all they hold. */
@@ -12,7 +13,7 @@ interface Scope {
   readonly registration: { readonly scope: string };
   readonly clients: { claim(): Promise<void> };
   addEventListener(
-    type: 'install' | 'activate' | 'fetch',
+    type: 'install' | 'activate' | 'fetch' | 'message',
     hear: (event: {
       readonly request: Request;
       waitUntil(work: Promise<unknown>): void;
@@ -25,6 +26,7 @@ const scope = globalThis as unknown as Scope;
 const prefix = 'karcher-page-';
 const { version, files } = __KARCHER_FILES__;
 const storeName = prefix + version;
+const bookPrefix = 'karcher-book-';
 const addressOf = (file: string) => new URL(file, scope.registration.scope).href;
 
 async function install(): Promise<void> {
@@ -59,6 +61,44 @@ async function page(request: Request): Promise<Response> {
   }
 }
 
+let keeping: Promise<void> | undefined;
+
+/** Stores the book's files, which its build lists, unless they are stored. */
+async function keepBook(): Promise<void> {
+  const list = await fetch(addressOf('book/files.json'), { cache: 'no-cache' });
+  const book = (await list.json()) as typeof __KARCHER_FILES__;
+  const kept = bookPrefix + book.version;
+  const names = (await caches.keys()).filter((name) => name.startsWith(bookPrefix));
+  if (names.includes(kept)) return;
+  const store = await caches.open(kept);
+  try {
+    const { files: listed } = book;
+    await store.addAll(
+      listed.map((file) => new Request(addressOf(`book/${file}`), { cache: 'no-cache' })),
+    );
+  } catch (error) {
+    // What is not whole is tried again with the next page.
+    await caches.delete(kept);
+    throw error;
+  }
+  await Promise.all(names.map((name) => caches.delete(name)));
+}
+
+/** A file of the book: its names are the same in every version. */
+async function ofBook(request: Request): Promise<Response> {
+  try {
+    return await fetch(request, { cache: 'no-cache' });
+  } catch (error) {
+    const { origin, pathname } = new URL(request.url);
+    const place = origin + (pathname.endsWith('/') ? `${pathname}index.html` : pathname);
+    for (const name of (await caches.keys()).filter((one) => one.startsWith(bookPrefix))) {
+      const kept = await (await caches.open(name)).match(place);
+      if (kept) return kept;
+    }
+    throw error;
+  }
+}
+
 async function file(request: Request): Promise<Response> {
   const store = await caches.open(storeName);
   return (await store.match(request, { ignoreSearch: true })) ?? fetch(request);
@@ -69,5 +109,14 @@ scope.addEventListener('activate', (event) => event.waitUntil(activate()));
 scope.addEventListener('fetch', (event) => {
   const { request } = event;
   if (request.method !== 'GET' || !request.url.startsWith(scope.registration.scope)) return;
+  if (request.url.startsWith(addressOf('book/'))) return event.respondWith(ofBook(request));
   event.respondWith(request.mode === 'navigate' ? page(request) : file(request));
+});
+// Each page of the book sends one.
+scope.addEventListener('message', (event) => {
+  keeping ??= keepBook().finally(() => {
+    keeping = undefined;
+  });
+  // Without a network the book stays as it is kept.
+  event.waitUntil(keeping.catch(() => {}));
 });

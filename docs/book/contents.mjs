@@ -5,6 +5,7 @@ export const contents = {
     ['docs/five-steps.md', 'Five steps'],
     ['docs/which-call.md', 'Which call to take'],
     ['docs/examples.md', 'Examples, live'],
+    ['docs/every-call.md', 'Every call, by example'],
     ['docs/faq.md', 'Questions'],
   ],
   Guides: [
@@ -72,6 +73,7 @@ export const entries = {
   'dist/react/index.d.ts': 'karcher/react',
   'dist/formats/index.d.ts': 'karcher/formats',
   'dist/checkup/index.d.ts': 'karcher/checkup',
+  'dist/statistics/index.d.ts': 'karcher/statistics',
   'dist/worker/own.d.ts': 'karcher/own-worker',
   'dist/peers/index.d.ts': 'karcher/peers',
 };

@@ -1,5 +1,6 @@
 // Makes the book in build/page/book: the pages of docs/ and the reference of the package's types, by TypeDoc.
 // Every address in it is relative, so that it works in any folder of any host, and it asks no other host.
+import { createHash } from 'node:crypto';
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -8,7 +9,7 @@ import { filesBelow, inRoot } from '../../.tools/shell.mjs';
 import { contents, drawn, entries } from './contents.mjs';
 import { buildLive, examplesPage } from './live.mjs';
 import { pictures } from './pictures.mjs';
-import { reportOf } from './reference.mjs';
+import { addExamples, reportOf } from './reference.mjs';
 
 const source = inRoot('build/book/source');
 const made = inRoot('build/page/book');
@@ -99,6 +100,7 @@ async function convert(pages) {
   });
   const project = await app.convert();
   if (!project) throw new Error('TypeDoc read no types: see above.');
+  addExamples(project);
   await app.generateOutputs(project);
   if (app.logger.hasErrors()) throw new Error('TypeDoc made no book: see above.');
   return project;
@@ -106,6 +108,14 @@ async function convert(pages) {
 
 /** A script in a page's text would need a policy that lets any in. */
 const inlineScript = /<script>(document\.documentElement\.dataset\.theme[\s\S]*?)<\/script>/;
+
+/** Keeps the book for when there is no network. */
+const offline = `if (navigator.serviceWorker && location.protocol !== 'file:') {
+  const address = new URL('../../service-worker.js', document.currentScript.src);
+  navigator.serviceWorker.register(address, { updateViaCache: 'none' }).catch(() => {});
+  navigator.serviceWorker.ready.then(({ active }) => active.postMessage('keep the book'));
+}
+`;
 
 /** The side bar shows its pages at the first visit; what the reader folds stays folded. */
 const opened = `try {
@@ -119,7 +129,7 @@ function finish(path) {
   const text = readFileSync(path, 'utf8');
   const [, script] = inlineScript.exec(text) ?? [];
   if (!script) throw new Error(`${path} has another script than before.`);
-  writeFileSync(`${made}/assets/theme.js`, `${script}\n${opened}`);
+  writeFileSync(`${made}/assets/theme.js`, `${script}\n${opened}${offline}`);
   writeFileSync(
     path,
     text
@@ -132,6 +142,17 @@ function finish(path) {
   );
 }
 
+/** Lists the book's files for the service worker. */
+function listFiles() {
+  const hash = createHash('sha256');
+  const files = filesBelow('build/page/book', /./).map((path) => {
+    hash.update(readFileSync(path));
+    return relative(made, path).replaceAll(sep, '/');
+  });
+  const version = hash.digest('hex').slice(0, 16);
+  writeFileSync(`${made}/files.json`, JSON.stringify({ version, files }));
+}
+
 export async function makeBook() {
   rmSync(made, { recursive: true, force: true });
   const project = await convert(await writeSource());
@@ -139,6 +160,7 @@ export async function makeBook() {
   for (const path of filesBelow('build/page/book', /\.html$/)) {
     if (!path.includes(`${sep}live${sep}`)) finish(path);
   }
+  listFiles();
   writeFileSync(inRoot('build/book/reference.json'), JSON.stringify(reportOf(project), null, 2));
 }
 

@@ -5,6 +5,7 @@ import { load } from 'karcher';
 import {
   CurveDrag,
   geometryOf,
+  decalGeometry,
   logMapUvs,
   SurfaceCurve,
   surfaceFromGeometry,
@@ -274,6 +275,49 @@ describe('a surface', () => {
     assert.ok(logMapUvs([Number.NaN, 0, 0], surface.frame(center), 1).getX(0) < -1);
   });
 
+  test('lays decals, but for triangles where shortest paths part', () => {
+    // A cylinder with an odd number of sides: opposite to a vertex no other lies.
+    const [sides, rings] = [33, 9];
+    const positions = [];
+    const triangles = [];
+    for (let j = 0; j < rings; j++) {
+      for (let i = 0; i < sides; i++) {
+        const angle = (2 * Math.PI * i) / sides;
+        positions.push(Math.cos(angle), Math.sin(angle), 0.2 * j);
+        if (j === 0) continue;
+        const [a, b] = [(j - 1) * sides + i, (j - 1) * sides + ((i + 1) % sides)];
+        triangles.push(a, b, b + sides, a, b + sides, a + sides);
+      }
+    }
+    const surface = surfaceFromMesh(karcher.meshFromArrays(positions, triangles));
+    const center = { vertex: 4 * sides };
+    const { vectors } = surface.mesh.logMap(center);
+    const facesOf = (radius, options) => {
+      const { array } = decalGeometry(
+        surface,
+        vectors,
+        surface.frame(center),
+        radius,
+        options,
+      ).index;
+      return Array.from({ length: array.length / 3 }, (_, f) => [...array.slice(3 * f, 3 * f + 3)]);
+    };
+    const isOpposite = (face) =>
+      face.some((v) => v % sides === 16) && face.some((v) => v % sides === 17);
+    const all = facesOf(10);
+    assert.equal(all.length, (sides - 1) * 2 * (rings - 1));
+    assert.equal(all.filter(isOpposite).length, 0);
+    assert.equal(facesOf(10, { stretch: 1e3 }).length, 2 * sides * (rings - 1));
+    // A small picture has the triangles that it reaches alone.
+    const near = facesOf(0.3);
+    assert.ok(near.length > 0 && near.length < all.length / 4, `${near.length}`);
+    for (const face of near) {
+      const away = face.map((v) => Math.min(v % sides, sides - (v % sides)));
+      assert.ok(Math.min(...away) <= 2, `${face}`);
+    }
+    assert.throws(() => facesOf(1, { stretch: 0 }), { code: 'badArgument' });
+  });
+
   test('has tubes along paths', () => {
     const surface = surfaceFromGeometry(karcher, new THREE.TorusGeometry(1, 0.4, 24, 64));
     const { path } = surface.mesh.circle({ face: 100, bary: [0.2, 0.3, 0.5] }, { radius: 0.3 });
@@ -308,8 +352,12 @@ for (const [where, loadEngine] of Object.entries(engines)) {
     after(() => engine.dispose?.());
 
     const drawn = (curve) => {
-      const { array } = curve.geometry.attributes.position;
-      return [...array.slice(0, 3 * curve.geometry.drawRange.count)];
+      const { attributes, instanceCount } = curve.line.geometry;
+      const { array } = attributes.instanceStart.data;
+      const ends = Array.from({ length: instanceCount }, (_, i) => [
+        ...array.slice(6 * i + 3, 6 * i + 6),
+      ]);
+      return [...array.slice(0, 3), ...ends.flat()];
     };
     /** The same by the facade, and after a step of a drag. */
     const expected = (value, moved) => {

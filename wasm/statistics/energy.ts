@@ -8,21 +8,27 @@ export type AnyMesh = Mesh | RemoteMesh;
 
 type Vector = [number, number, number];
 
-/** The energy of points: the weighted sum of squared distances. */
+/** The energy of points at a place, and its first derivatives there. */
 export interface Energy {
+  /** The weighted sum of squared distances to the points. */
   energy: number;
-  /** In space, in the plane of the face: -2 times the weighted sum of the log vectors. */
+  /** A vector in the plane of the face: -2 times the weighted sum of the log vectors. */
   gradient: Vector;
 }
 
+/** The second derivatives of the energy at a point inside a face. */
 export interface Hessian {
-  /** Two unit vectors of the face, at right angles. */
+  /** Two unit vectors in the plane of the face, at right angles. */
   axes: [Vector, Vector];
-  /** Of the energy along them: the derivatives xx, xy and yy. */
+  /** The derivatives of the energy along these axes: xx, xy and yy. */
   matrix: [number, number, number];
 }
 
-/** The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). */
+/**
+ * The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). The gradient is that on the
+ * polyhedron: on an edge and at a vertex it is in the plane of the face that the point names. It is small at a
+ * center of mass inside a face, and not zero, since centers are found in fields that smooth these paths. Rejects as `Mesh.logMap` does.
+ */
 export async function energyAt(
   mesh: AnyMesh,
   points: readonly PointLike[],
@@ -43,8 +49,9 @@ export async function energyAt(
 }
 
 /**
- * The Hessian of the energy at a point inside a face, by differences of gradients on both sides. Where several
- * shortest paths lead to a point, or turn from one side of a vertex to the other, there is none.
+ * The Hessian of the energy at a point inside a face, by differences of gradients on both sides. On a plane its
+ * matrix is twice the sum of the weights times the identity. The energy has no Hessian where several shortest
+ * paths lead to one of the points, or where they turn from one side of a vertex to the other.
  *
  * Rejects with `KarcherError` badArgument for a point on an edge or at a vertex.
  */

@@ -17,27 +17,33 @@ export {
   weightDerivatives,
 } from './energy.js';
 
+/** The start and the end of a search for a robust mean. */
 export interface RobustOptions {
-  /** Where the search starts; by default at the center of mass. */
+  /** The point where the search starts; by default the center of mass. */
   start?: PointLike | undefined;
-  /** As a part of the diagonal: the search ends with a step that is shorter; 1e-7 by default. */
+  /** A part of the diagonal: a step that is shorter ends the search. The default is 1e-7. */
   tolerance?: number | undefined;
-  /** 200 by default. */
+  /** The number of steps after which the search ends in any case; the default is 200. */
   mostSteps?: number | undefined;
 }
 
+/** The options of `huberMean`. */
 export interface HuberOptions extends RobustOptions {
-  /** In units of the mesh: beyond this distance a point pulls no more than at it. */
+  /** The distance, in units of the mesh, beyond which a point pulls no more than at it. */
   threshold: number;
 }
 
+/** A median or a Huber mean, and how the search for it ended. */
 export interface RobustMean {
+  /** The mean as a point of the surface. */
   point: SurfacePoint;
+  /** The place of that point in space. */
   position: [number, number, number];
-  /** What it minimizes: of a median the weighted sum of distances. */
+  /** The sum that the mean minimizes: of a median the weighted sum of distances. */
   value: number;
+  /** The number of steps of the search. */
   steps: number;
-  /** Whether the last step was as short as the tolerance. */
+  /** True where the last step was shorter than the tolerance, or where the median is one of the points. */
   converged: boolean;
 }
 
@@ -46,10 +52,12 @@ const robustNames = namesOf<RobustOptions>(options);
 const huberNames = namesOf<HuberOptions>({ ...options, threshold: true });
 
 /**
- * The geometric median: where the weighted sum of distances to points has a minimum. Half of the points may
- * lie anywhere, and it stays near the others. Weights are positive; all are 1 by default.
+ * The geometric median: the point where the weighted sum of distances to points has a minimum. It stays near
+ * the others wherever less than half of the points lie. Weights are positive; each is 1 by default.
  *
- * The minimum is one near the start, as of the center of mass. Rejects as `Mesh.centerOfMass` does.
+ * A search finds the minimum near its start, as that for a center of mass does. Each of its steps takes one
+ * exact shortest path to each point. Rejects as `Mesh.centerOfMass` does, and with `KarcherError` badArgument
+ * for a weight that is not positive.
  */
 export function median(
   mesh: AnyMesh,
@@ -66,8 +74,11 @@ export function median(
 }
 
 /**
- * Huber's mean: a center of mass to which points beyond a threshold pull no more than at it. It minimizes the
- * weighted sum of d²/2 for distances d within the threshold t, and of t (d - t/2) beyond.
+ * Huber's mean: a center of mass to which points beyond a threshold pull no more than points at it. It minimizes
+ * the weighted sum of d²/2 for distances d within the threshold t, and of t (d - t/2) beyond. With a threshold
+ * larger than all distances it is the center of mass, and with a very small one it comes close to the median.
+ *
+ * Rejects as `median` does, and with `KarcherError` badArgument for a threshold that is not positive.
  */
 export function huberMean(
   mesh: AnyMesh,

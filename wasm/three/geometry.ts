@@ -169,3 +169,51 @@ export function logMapUvs(
   }
   return new BufferAttribute(uvs, 2);
 }
+
+/** How far a decal's picture may be stretched. */
+export interface DecalOptions {
+  /**
+   * A triangle is left out where a side of its picture is more than so many times as long as on the surface. The
+   * default is 4: on a sphere a picture is stretched so at four fifths of the way to the point opposite.
+   */
+  stretch?: number | undefined;
+}
+
+/**
+ * The part of a surface that a picture round a point covers, as a geometry of its own with normals and `uv` as of
+ * `logMapUvs`: lay it over the surface with a transparent material. It has the triangles that the picture reaches,
+ * without those where shortest paths to the corners part, which would show the picture as a streak.
+ */
+export function decalGeometry(
+  surface: Surface<AnyMesh>,
+  vectors: ArrayLike<number>,
+  frame: Matrix4,
+  radius: number,
+  { stretch = 4 }: DecalOptions = {},
+): BufferGeometry {
+  checkPositive(stretch, 'the stretch');
+  const geometry = geometryOf(surface);
+  const uvs = logMapUvs(vectors, frame, radius);
+  const { corners, positions } = surface.triangles;
+  const index: number[] = [];
+  const sideOf = (values: ArrayLike<number>, size: number, a: number, b: number) =>
+    Math.hypot(
+      ...Array.from({ length: size }, (_, k) => values[size * a + k]! - values[size * b + k]!),
+    );
+  for (let at = 0; at < corners.length; at += 3) {
+    const face = [corners[at]!, corners[at + 1]!, corners[at + 2]!];
+    // Some corner lies on each side that would keep the whole triangle out of the picture.
+    const isReached = [0, 1].every((k) => {
+      const places = face.map((v) => uvs.getComponent(v, k));
+      return Math.max(...places) > 0 && Math.min(...places) < 1;
+    });
+    const isWhole = face.every((a, k) => {
+      const b = face[(k + 1) % 3]!;
+      return 2 * radius * sideOf(uvs.array, 2, a, b) <= stretch * sideOf(positions, 3, a, b);
+    });
+    if (isReached && isWhole) index.push(...face);
+  }
+  geometry.setAttribute('uv', uvs);
+  geometry.setIndex(new BufferAttribute(Uint32Array.from(index), 1));
+  return geometry;
+}

@@ -3,6 +3,8 @@ export { KarcherError } from '../errors.js';
 export { CurveDrag, type CurveDragOptions } from './curve_drag.js';
 export {
   type ColorOptions,
+  type DecalOptions,
+  decalGeometry,
   type GeometryGroup,
   geometryOf,
   logMapUvs,
@@ -17,4 +19,5 @@ export {
   surfaceFromGeometry,
   surfaceFromMesh,
 } from './surface.js';
+export type { LineLook } from './fat_line.js';
 export { SurfaceCurve, type SurfaceCurveEvents } from './surface_curve.js';

@@ -1,14 +1,10 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Line,
-  LineBasicMaterial,
-  type Material,
-  type Object3DEventMap,
-} from 'three';
+import { Object3D, type Object3DEventMap } from 'three';
+import type { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { KarcherError } from '../errors.js';
 import type { CurveOptions, PointLike } from '../types.js';
 import type { CurveView } from '../view.js';
+import { drawLine, type LineLook, lineMaterial } from './fat_line.js';
 import type { AnyMesh, Surface } from './surface.js';
 
 /** What of a `Curve` or a `RemoteCurve` is used here. */
@@ -32,15 +28,18 @@ export interface SurfaceCurveEvents extends Object3DEventMap {
 }
 
 /**
- * A curve on a surface, as a line of three.js: make it a child of the object that draws the surface, whose
- * material should have `polygonOffset` so that lines on it are not half hidden.
+ * A curve on a surface, as a line of so many pixels: make it a child of the object that draws the surface. Its
+ * line is drawn a little nearer to the camera than it lies, so that the surface does not cut it.
  *
  * Edits return promises, with an engine in a worker and in the page. One edit is under way; of those that
  * come meanwhile the newest alone is made.
  */
-export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEvents> {
+export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   override readonly type: string = 'SurfaceCurve';
+  /** The surface that the curve lies on. */
   readonly surface: Surface<AnyMesh>;
+  /** The fat line that draws the curve. */
+  readonly line: LineSegments2;
   /** Of the curve as it is drawn: its length, samples, bridges; undefined until it is drawn first. */
   view: CurveView | undefined;
   /** When the curve is drawn for the first time; it rejects with what `Mesh.curve` throws. */
@@ -52,20 +51,28 @@ export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEve
   #isBusy = true;
   #isDisposed = false;
 
-  /** The options are those of `Mesh.curve`. */
+  /** The options are those of `Mesh.curve`. The look is the width in pixels and the color, or a material. */
   constructor(
     surface: Surface<AnyMesh>,
     options: CurveOptions,
-    material: Material = new LineBasicMaterial({ color: 0xd03a1e }),
+    look: LineLook | LineMaterial = {},
   ) {
-    super(new BufferGeometry(), material);
+    super();
     this.surface = surface;
+    const material = 'isLineMaterial' in look ? look : lineMaterial(look);
+    this.line = new LineSegments2(undefined, material);
+    this.add(this.line);
     this.#value = { ...options, points: [...options.points] };
     this.#drawn = this.#value;
     this.visible = false;
     this.ready = this.#make();
     // Who waits for it hears of its failure; nobody has to.
     this.ready.catch(() => {});
+  }
+
+  /** The line's material: its `linewidth` is in pixels. */
+  get material(): LineMaterial {
+    return this.line.material;
   }
 
   /** The options that make the newest curve, also where it is not drawn yet. */
@@ -98,7 +105,7 @@ export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEve
     // Objects of older versions of three.js have none.
     super.dispose?.();
     this.removeFromParent();
-    this.geometry.dispose();
+    this.line.geometry.dispose();
     this.#waiting?.tell(false);
     this.#waiting = undefined;
     void this.#end();
@@ -159,23 +166,7 @@ export class SurfaceCurve extends Line<BufferGeometry, Material, SurfaceCurveEve
   }
 
   #draw(view: CurveView): void {
-    const { polyline } = view;
-    const count = polyline.length / 3;
-    const before = this.geometry.getAttribute('position') as BufferAttribute | undefined;
-    if (!before || before.count < count) {
-      // The graphics card's buffers do not grow.
-      if (before) this.geometry.dispose();
-      const room = new BufferAttribute(new Float32Array(3 * Math.ceil(1.5 * count)), 3);
-      this.geometry.setAttribute('position', room);
-    }
-    const attribute = this.geometry.getAttribute('position') as BufferAttribute;
-    const places = attribute.array as Float32Array;
-    places.set(polyline);
-    // The rest repeats the end: the bounding sphere is of all of it.
-    for (let i = polyline.length; i < places.length; i++) places[i] = places[i - 3]!;
-    attribute.needsUpdate = true;
-    this.geometry.setDrawRange(0, count);
-    this.geometry.computeBoundingSphere();
+    drawLine(this.line, view.polyline);
     this.visible ||= this.view === undefined;
     this.view = view;
     this.dispatchEvent({ type: 'change', view });

@@ -1,0 +1,85 @@
+import {
+  type ColorRepresentation,
+  DynamicDrawUsage,
+  Float32BufferAttribute,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+} from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import type { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+
+/** How a line looks. */
+export interface LineLook {
+  /** The width in pixels; the default is 3. */
+  width?: number | undefined;
+  /** The color; the default is a red. */
+  color?: ColorRepresentation | undefined;
+}
+
+/** The part of the way to the camera by which a line is drawn nearer, so that its surface does not cut it. */
+const nearer = 0.003;
+
+/** A material for lines of so many pixels, whose depth is that of a line a little nearer to the camera. */
+export function lineMaterial({ width = 3, color = 0xd03a1e }: LineLook): LineMaterial {
+  const material = new LineMaterial({ color, linewidth: width });
+  material.onBeforeCompile = (shader) => {
+    // A place taken along its ray stays where it is seen: only the depth changes. In perspective the last entry
+    // of the projection's third row is all that it depends on.
+    const lift = `projectionMatrix[3][3] == 0.0 ? projectionMatrix[3][2] * ${nearer / (1 - nearer)} : ${-nearer}`;
+    shader.vertexShader = shader.vertexShader.replace(
+      'gl_Position = clip;',
+      `gl_Position = clip; gl_Position.z += ${lift};`,
+    );
+  };
+  material.customProgramCacheKey = () => 'karcher-line';
+  return material;
+}
+
+/**
+ * A geometry of segments without an index: with one, software rendering in Chromium 156 draws the first instance
+ * alone.
+ */
+function segmentGeometry(): LineSegmentsGeometry {
+  const geometry = new LineSegmentsGeometry();
+  const index = geometry.getIndex();
+  if (!index) return geometry;
+  for (const name of ['position', 'uv']) {
+    const attribute = geometry.getAttribute(name);
+    const values = Array.from(index.array, (i) =>
+      Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k)),
+    );
+    geometry.setAttribute(name, new Float32BufferAttribute(values.flat(), attribute.itemSize));
+  }
+  return geometry.setIndex(null);
+}
+
+/** Draws a polyline as a fat line. Its buffers are kept and only grow, so that a drag makes none. */
+export function drawLine(line: LineSegments2, polyline: ArrayLike<number>): void {
+  const count = Math.max(0, polyline.length / 3 - 1);
+  let ends = bufferOf(line);
+  if (!ends || ends.count < count) {
+    // Buffers of the graphics card do not grow.
+    line.geometry.dispose();
+    ends = new InstancedInterleavedBuffer(new Float32Array(6 * Math.ceil(1.5 * count)), 6, 1);
+    ends.setUsage(DynamicDrawUsage);
+    line.geometry = segmentGeometry();
+    line.geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(ends, 3, 0));
+    line.geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(ends, 3, 3));
+  }
+  const places = ends.array as Float32Array;
+  for (let i = 0; i < count; i++) {
+    for (let k = 0; k < 6; k++) places[6 * i + k] = polyline[3 * i + k]!;
+  }
+  // The rest repeats the end: bounds are of all of it.
+  for (let i = 6 * count; i < places.length; i++) places[i] = places[i - 3]!;
+  ends.needsUpdate = true;
+  line.geometry.instanceCount = count;
+  line.geometry.computeBoundingBox();
+  line.geometry.computeBoundingSphere();
+}
+
+function bufferOf({ geometry }: LineSegments2): InstancedInterleavedBuffer | undefined {
+  const start = geometry.getAttribute('instanceStart') as InterleavedBufferAttribute | undefined;
+  return start?.data as InstancedInterleavedBuffer | undefined;
+}
