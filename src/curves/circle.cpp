@@ -5,8 +5,8 @@
 #include <string>
 
 #include "curves/curve.h"
-#include "distance/exact_distance.h"
 #include "distance/exact_lengths.h"
+#include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
 
@@ -115,7 +115,7 @@ void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, dou
                                            inSentence(least));
 }
 
-void checkRadius(const TriangleMesh& mesh, const ExactDistance& distance, double radius) {
+void checkRadius(const TriangleMesh& mesh, const WindowDistance& distance, double radius) {
   double farthest = 0;
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     const double d = distance.distance(v);
@@ -129,7 +129,7 @@ void checkRadius(const TriangleMesh& mesh, const ExactDistance& distance, double
 }
 
 /// The distance of a point from the squared distances and log vectors at its face's corners.
-double distanceAt(const Geometry& geometry, const ExactDistance& distance,
+double distanceAt(const Geometry& geometry, const WindowDistance& distance,
                   const SurfacePoint& point) {
   const Vec2 x = pointInFace(geometry, point);
   double squared = 0;
@@ -174,7 +174,7 @@ CurveOptions optionsOfArcs(const Array<Arc>& arcs, const CircleOptions& options)
 
 /// Whether a disk around the center holds no other vertex, by distances that have grown beyond it:
 /// the surface is the plane there, or about a vertex the cone.
-bool isPlain(const TriangleMesh& mesh, const ExactDistance& distance, double radius) {
+bool isPlain(const TriangleMesh& mesh, const WindowDistance& distance, double radius) {
   const PointLocation location = locate(mesh, distance.source());
   const int own = location.simplex == Simplex::kVertex ? location.vertex : -1;
   bool plain = true;
@@ -216,7 +216,7 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
   for (const Arc& arc : arcs) arcPoints.insert(arcPoints.end(), {arc.start, arc.middle});
   double farthest = 0;
   for (const ArcPoint& point : arcPoints) farthest = std::max(farthest, point.distance);
-  ExactDistance distance(geometry);
+  WindowDistance distance(geometry);
   distance.setSource(center);
   distance.grow(farthest + geometry.meanEdge);
   checkRadius(surface.mesh(), distance, radius);

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "curves/isoline.h"
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "mesh/error.h"
 #include "mesh/sorted_numbers.h"
 
@@ -332,7 +332,7 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   if (!(tolerance > 0) || !std::isfinite(tolerance)) {
     throw Error(ErrorCode::kBadArgument, "an isoline's tolerance must be a positive number");
   }
-  ExactDistance distance(geometry);
+  WindowDistance distance(geometry);
   distance.keepImages(radius);
   distance.setSource(source);
   distance.grow(radius + geometry.meanEdge);

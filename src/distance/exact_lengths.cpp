@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 
 namespace karcher {
 namespace {
 
 /// Writes the least length among a face's images, and over its corners, to each point.
-void writeLengths(const Geometry& geometry, const ExactDistance& distance,
+void writeLengths(const Geometry& geometry, const WindowDistance& distance,
                   const Array<SurfacePoint>& points, Array<double>& lengths) {
   Array<const SourceImage*> images;
   for (const SourceImage& image : distance.images()) images.push_back(&image);
@@ -41,7 +41,7 @@ Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 
-  ExactDistance distance(geometry);
+  WindowDistance distance(geometry);
   distance.keepImagesIn(faces);
   distance.setSource(source);
   distance.grow(likely);

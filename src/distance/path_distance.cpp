@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
 #include "mesh/sorted_numbers.h"

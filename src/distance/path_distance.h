@@ -14,7 +14,7 @@
 /// front to both of its sides, and each turn a fan. Both are carried from face to face as windows
 /// (D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal curves
 /// on triangle meshes", 2007); windows that vertices beat are cut down or dropped, and vertices
-/// with more angle than on a plane send out fans behind them, as in exact_distance.h. Every face
+/// with more angle than on a plane send out fans behind them, as in window_distance.h. Every face
 /// keeps what is seen of the paths in it, so that the distance of any point is known.
 namespace karcher {
 

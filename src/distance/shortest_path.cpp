@@ -37,7 +37,7 @@ int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
 /// up to the first saddle on its way. There straight on is no one direction: the way on is the
 /// saddle's own, since its shortest path is the rest of this one. Returns that vertex; -1 where the
 /// piece goes all the way.
-int appendUpToSaddle(const Geometry& geometry, const ExactDistance& distance,
+int appendUpToSaddle(const Geometry& geometry, const WindowDistance& distance,
                      const SurfacePath& path, double left, Array<SurfacePoint>& points) {
   const SurfacePoint start = path.start();
   for (int i = 1; i < path.points.count(); ++i) {
@@ -56,7 +56,7 @@ int appendUpToSaddle(const Geometry& geometry, const ExactDistance& distance,
 
 /// Follows a straight piece, and then the path back to the source from the vertex that it leads to.
 /// Appends the points, without the first.
-void followBack(const Geometry& geometry, const ExactDistance& distance, SurfacePath piece,
+void followBack(const Geometry& geometry, const WindowDistance& distance, SurfacePath piece,
                 const Arrival& from, Array<SurfacePoint>& points) {
   Arrival arrival = from;
   // Each turn is nearer to the source than the last, so there are fewer turns than vertices.
@@ -107,7 +107,8 @@ SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
 }
 
 template <class Done>
-void growUntil(const Geometry& geometry, ExactDistance& distance, double radius, const Done& done) {
+void growUntil(const Geometry& geometry, WindowDistance& distance, double radius,
+               const Done& done) {
   radius = std::max(radius, geometry.meanEdge);
   while (!done() && distance.reached() != kInfinity) {
     distance.grow(radius);
@@ -117,7 +118,7 @@ void growUntil(const Geometry& geometry, ExactDistance& distance, double radius,
 
 }  // namespace
 
-SurfacePath shortestPathToVertex(const Geometry& geometry, ExactDistance& distance, int vertex) {
+SurfacePath shortestPathToVertex(const Geometry& geometry, WindowDistance& distance, int vertex) {
   const SurfacePoint target = vertexPoint(*geometry.mesh, vertex);
   const double chord =
       (position(*geometry.mesh, target) - position(*geometry.mesh, distance.source())).norm();
@@ -142,7 +143,7 @@ SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
   // In one face the straight line is the shortest path of all.
   if (haveCommonFace(mesh, from, to)) return {{from, to}, {0, chord}};
 
-  ExactDistance distance(geometry);
+  WindowDistance distance(geometry);
   distance.setSource(from);
   if (end.simplex == Simplex::kVertex) {
     return shortestPathToVertex(geometry, distance, end.vertex);

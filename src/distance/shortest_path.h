@@ -1,6 +1,6 @@
 #pragma once
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "intrinsic/geometry.h"
 #include "intrinsic/surface_path.h"
 
@@ -16,6 +16,6 @@ SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
 
 /// The same with a solver that already has `from` as its source and may have grown, for targets at
 /// vertices.
-SurfacePath shortestPathToVertex(const Geometry& geometry, ExactDistance& distance, int vertex);
+SurfacePath shortestPathToVertex(const Geometry& geometry, WindowDistance& distance, int vertex);
 
 }  // namespace karcher

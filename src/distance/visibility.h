@@ -7,7 +7,7 @@ namespace karcher {
 
 /// The vertices that a point sees in a straight line across the faces around it, unfolded: the arcs
 /// of the graph solver. A window is the part of an edge that the point sees; it is carried across
-/// the face behind and split at the vertex there (the windows of exact_distance.h without vertices
+/// the face behind and split at the vertex there (the windows of window_distance.h without vertices
 /// that paths turn round: a path that does is made of arcs).
 class Visibility {
  public:

@@ -4,8 +4,9 @@
 
 #include "mesh/types.h"
 
-/// Windows on half-edges: see exact_distance.h. In the frame of a half-edge its tail is the origin,
-/// its head lies on the positive x axis, its face above the axis and the window's source below.
+/// Windows on half-edges: see window_distance.h. In the frame of a half-edge its tail is the
+/// origin, its head lies on the positive x axis, its face above the axis and the window's source
+/// below.
 namespace karcher {
 
 struct Window {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "curves/polygon/subdivision.h"
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -156,7 +156,7 @@ bool ComparedCurve::makeNextField() {
   if (method_.options().method != ComparedMethod::kDescent) return makeNextField();
   moved_.assign(moved_.size(), 0);
   const Geometry& geometry = method_.surface().geometry();
-  ExactDistance solver(geometry);
+  WindowDistance solver(geometry);
   const Array<double> distances =
       distancesFrom(solver, plan_.points[0], method_.surface().mesh().vertexCount());
   path_ = descendDistance(geometry, distances, plan_.points[0], plan_.points[1]);

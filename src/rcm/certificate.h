@@ -19,7 +19,7 @@ struct Certificate {
 /// source, as far as the farthest point (from a billionth of the face inside of its sides); on an
 /// edge or at a vertex a shortest path to each point. The log vectors at a vertex are those of its
 /// rescaled frame (tangent.h).
-/// Throws what ExactDistance throws.
+/// Throws what WindowDistance throws.
 Certificate certificateOf(const Geometry& geometry, const Array<SurfacePoint>& points,
                           Array<double> weights, bool normalize, const SurfacePoint& point);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
 
 namespace karcher {
@@ -30,7 +30,7 @@ constexpr int kMostMoves = 24;
 constexpr int kMostCrossings = 1000;
 
 /// The least length among a face's images, and over its corners.
-double lengthTo(const Geometry& geometry, const ExactDistance& distance, const SurfacePoint& to) {
+double lengthTo(const Geometry& geometry, const WindowDistance& distance, const SurfacePoint& to) {
   const Vec2 point = pointInFace(geometry, to);
   double length = kInfinity;
   for (const SourceImage& image : distance.images()) {
@@ -84,7 +84,7 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   const Vec3 middle = position(mesh, center);
 
-  ExactDistance distance(geometry_);
+  WindowDistance distance(geometry_);
   distance.keepImagesIn(faces);
   Array<double> sums;
   sums.assign(places.size(), 0);
@@ -101,7 +101,7 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     // ends: no path is longer after a further search, and without one the searches soon are as wide
     // as the mesh.
     for (;;) {
-      distance.aimAt(ExactDistance::Aim{middle, radius, most});
+      distance.aimAt(WindowDistance::Aim{middle, radius, most});
       distance.setSource(points_[i]);
       distance.grow(most);
       double longest = 0;

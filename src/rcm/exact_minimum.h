@@ -12,7 +12,7 @@
 /// goes on from there.
 ///
 /// Exact distances are needed in a few faces only. They are found by the windows that can still
-/// reach these faces (ExactDistance::aimAt), far fewer than those of a whole field.
+/// reach these faces (WindowDistance::aimAt), far fewer than those of a whole field.
 namespace karcher {
 
 /// A center is `converged` if K is nowhere lower by more than kLowerBy squared mean edges on the

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "distance/exact_distance.h"
 #include "distance/graph_distance.h"
+#include "distance/window_distance.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -29,13 +29,13 @@ std::unique_ptr<DistanceSolver> makeDistanceSolver(Surface& surface, const Field
   const Geometry& geometry = surface.geometry();
   switch (options.solver) {
     case Solver::kExact:
-      return std::make_unique<ExactDistance>(geometry, 0, surface.pages());
+      return std::make_unique<WindowDistance>(geometry, 0, surface.pages());
     case Solver::kGraph:
       return std::make_unique<GraphDistance>(geometry, surface.ringGraph(options.rings));
     case Solver::kFast:
       break;
   }
-  return std::make_unique<ExactDistance>(geometry, kFastTolerance, surface.pages());
+  return std::make_unique<WindowDistance>(geometry, kFastTolerance, surface.pages());
 }
 
 Estimator estimatorOf(Solver solver) {

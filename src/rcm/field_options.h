@@ -43,7 +43,7 @@ void checkFieldOptions(const FieldOptions& options);
 /// Makes what fields with these options share, which is otherwise made when it is first needed.
 void prepareFields(Surface& surface, const FieldOptions& options);
 
-/// The tolerance of kFast (exact_distance.h). On all meshes that were tried, and on ring tubes of
+/// The tolerance of kFast (window_distance.h). On all meshes that were tried, and on ring tubes of
 /// any proportion, distances are off by at most .1 % in the mean, and by 1 % but at single vertices
 /// (docs/gallery.md).
 inline constexpr double kFastTolerance = 0.0075;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "distance/exact_distance.h"
 #include "distance/source_vectors.h"
+#include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
 
 /// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places.
@@ -49,7 +49,7 @@ class OneSourceEnergy {
 /// their paths leave the place: exact, too.
 class ExactOneSourceEnergy {
  public:
-  /// As above. Throws what ExactDistance throws.
+  /// As above. Throws what WindowDistance throws.
   ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points);
 
   EnergyAt at(const SurfacePoint& place);
@@ -72,7 +72,7 @@ class ExactOneSourceEnergy {
 
   const Geometry& geometry_;
   const WeightedPoints& points_;
-  ExactDistance solver_;
+  WindowDistance solver_;
   Array<Way> ways_;         ///< one a point
   Array<Vec2> directions_;  ///< by vertex, of those that were asked for
   int solved_ = 0;

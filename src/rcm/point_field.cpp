@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "intrinsic/tangent.h"
 #include "mesh/error.h"
 
@@ -56,7 +56,7 @@ void PointField::makeNearField() {
 
 FieldValue PointField::valueBesideHub(int vertex) {
   if (!aroundHubs_) {
-    aroundHubs_ = std::make_unique<ExactDistance>(surface_.geometry(), 0, surface_.pages());
+    aroundHubs_ = std::make_unique<WindowDistance>(surface_.geometry(), 0, surface_.pages());
   }
   if (!isAroundHubs_) aroundHubs_->setSource(point_);
   isAroundHubs_ = true;

@@ -100,7 +100,7 @@ void study(const std::string& name, TriangleMesh mesh) {
     }
     row("isoline, linear", [&](Deviation& deviation) {
       for (const SurfacePoint& center : centers) {
-        ExactDistance distance(geometry);
+        WindowDistance distance(geometry);
         distance.setSource(center);
         distance.grow(kInfinity);
         Array<double> values;

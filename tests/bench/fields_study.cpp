@@ -5,7 +5,7 @@
 
 #include "bench_support.h"
 #include "distance/edge_dijkstra.h"
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "mesh/triangle_mesh.h"
 #include "rcm/field_options.h"
@@ -68,8 +68,8 @@ double study(const std::string& name, TriangleMesh given) {
   double edges = 0;
   double exactTime = 0;
   double askedTime = 0;
-  ExactDistance exact(surface.geometry());
-  ExactDistance tolerant(surface.geometry(), kFastTolerance);
+  WindowDistance exact(surface.geometry());
+  WindowDistance tolerant(surface.geometry(), kFastTolerance);
   const auto once = [&](DistanceSolver& grown, const SurfacePoint& source) {
     return processorTimed([&] {
       grown.setSource(source);

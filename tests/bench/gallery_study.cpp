@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bench_support.h"
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "rcm/field_options.h"
 
@@ -66,8 +66,8 @@ Row measure(const TriangleMesh& mesh, bool isFlat) {
   Surface surface(mesh);
   Surface other(rotatedMesh(mesh));
   const double diagonal = surface.geometry().diagonal;
-  ExactDistance exact(surface.geometry());
-  ExactDistance exactOfOther(other.geometry());
+  WindowDistance exact(surface.geometry());
+  WindowDistance exactOfOther(other.geometry());
   const auto chosen = makeDistanceSolver(surface, kFast);
   const auto chosenOfOther = makeDistanceSolver(other, kFast);
   Row row;

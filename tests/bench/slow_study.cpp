@@ -4,7 +4,7 @@
 
 #include "bench_support.h"
 #include "curves/curve.h"
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
@@ -94,7 +94,7 @@ void studyNeedle(int faces) {
   tell(std::to_string(faces) + " needles round a vertex, a B-spline",
        timed([&] { Curve(surface, {{CurveKind::kBSpline}, 32, {}}, points); }));
   tell(std::to_string(faces) + " needles round a vertex, exact distances", timed([&] {
-         ExactDistance exact(surface.geometry());
+         WindowDistance exact(surface.geometry());
          exact.setSource(points[0]);
          exact.grow(kInfinity);
        }));

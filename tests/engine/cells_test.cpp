@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "curve_support.h"
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "generators/random_points.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -67,7 +67,7 @@ TEST(Cells, AroundAPointStartAtTheSameHalfedge) {
 }
 
 /// Distances to the midpoints of edges are those to the vertices there when all faces are cut flat.
-TEST(ExactDistance, ToTheMidpointsOfEdgesIsThatOfTheCutMesh) {
+TEST(WindowDistance, ToTheMidpointsOfEdgesIsThatOfTheCutMesh) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   Array<Vec3> positions = mesh.positions;
@@ -92,9 +92,9 @@ TEST(ExactDistance, ToTheMidpointsOfEdgesIsThatOfTheCutMesh) {
   const Geometry cutGeometry = buildGeometry(cut);
   const Cells cells(mesh, true);
   Random random(11);
-  ExactDistance solver(geometry);
+  WindowDistance solver(geometry);
   solver.keepMidpoints();
-  ExactDistance ofCut(cutGeometry);
+  WindowDistance ofCut(cutGeometry);
   for (int i = 0; i < 6; ++i) {
     const SurfacePoint source = randomPlace(mesh, random);
     const CellPoint place = cells.at(source);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "mesh/error.h"
 #include "support.h"
@@ -74,7 +74,7 @@ TEST(RingGraph, ArcsMakeUpExactDistancesInsideTheRing) {
   const RingGraph graph = buildRingGraph(geometry, 6);
   constexpr int kSmallerRing = 4;
   GraphDistance byArcs(geometry, graph);
-  ExactDistance exact(geometry);
+  WindowDistance exact(geometry);
   int compared = 0;
   for (int v = 0; v < mesh.vertexCount(); v += 97) {
     byArcs.setSource(vertexPoint(mesh, v));

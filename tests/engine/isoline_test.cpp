@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "distance/exact_distance.h"
 #include "distance/shortest_path.h"
+#include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
 #include "intrinsic/strip_path.h"
@@ -120,7 +120,7 @@ TEST(Isoline, FarExactOnesAreClosedOnAClosedSurface) {
         EXPECT_TRUE(line.closed);
         length += line.length;
       }
-      ExactDistance distance(geometry);
+      WindowDistance distance(geometry);
       distance.setSource(source);
       distance.grow(kInfinity);
       Array<double> distances;

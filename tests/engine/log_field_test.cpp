@@ -5,7 +5,7 @@
 
 #include "curves/curve.h"
 #include "curves/spec/bases.h"
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "generators/curve_shapes.h"
 #include "generators/gallery.h"
 #include "generators/plane.h"
@@ -206,7 +206,7 @@ TEST(NearFields, DoNotDependOnWhatWasReadBefore) {
 TEST(NearFields, HaveExactDistancesWhereTheseAreAskedFor) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
-  ExactDistance exact(surface.geometry());
+  WindowDistance exact(surface.geometry());
   PointField near(surface, {.solver = Solver::kExact});
   Random random(20261125);
   for (int i = 0; i < 10; ++i) {
@@ -231,7 +231,7 @@ TEST(NearFields, AreShortestPathsBesideHubs) {
   Surface surface(importMesh(std::move(soup)).mesh);
   const TriangleMesh& mesh = surface.mesh();
   ASSERT_EQ(mesh.vertexCount(), 301);
-  ExactDistance exact(surface.geometry());
+  WindowDistance exact(surface.geometry());
   PointField forwards(surface, {});
   PointField backwards(surface, {});
   Random random(20261126);
@@ -257,7 +257,7 @@ TEST(NearFields, AreShortestPathsBesideHubs) {
 TEST(NearFields, AreSeldomLongerThanShortestPaths) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
-  ExactDistance exact(surface.geometry());
+  WindowDistance exact(surface.geometry());
   PointField near(surface, {});
   int count = 0;
   int longer = 0;

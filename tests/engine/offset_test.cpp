@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cases.h"
-#include "distance/exact_distance.h"
 #include "distance/path_distance.h"
+#include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
@@ -106,7 +106,7 @@ TEST(PathDistance, OnMeshesItIsTheLeastOfThatOfItsPoints) {
     for (int i = 0; i < 3; ++i) points.push_back(randomPlace(mesh, random));
     const SurfacePath path = chain(surface.geometry, points, false);
     const PathDistance field(surface.geometry, {&path, 1}, kInfinity);
-    ExactDistance exact(surface.geometry);
+    WindowDistance exact(surface.geometry);
     Array<double> least(mesh.positions.size(), kInfinity);
     const double step = path.length() / 150;
     Array<double> samples = path.lengths;

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "generators/plane.h"
 #include "generators/random_points.h"
 #include "generators/sphere.h"
@@ -39,7 +39,7 @@ struct EmbeddedBunny {
   Embedding embedding;
 
   EmbeddedBunny() {
-    ExactDistance solver(geometry);
+    WindowDistance solver(geometry);
     EmbeddingOptions options;
     options.landmarks = 100;
     embedding = embedSurface(

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "distance/exact_distance.h"
 #include "distance/shortest_path.h"
 #include "distance/tangent_maps.h"
+#include "distance/window_distance.h"
 #include "distance_meshes.h"
 #include "generators/gallery.h"
 #include "generators/grid.h"
@@ -82,7 +82,7 @@ double lengthOfPoints(const TriangleMesh& mesh, const SurfacePath& path) {
 }
 
 double distanceByWindows(const Geometry& geometry, const SurfacePoint& from, int to) {
-  ExactDistance distance(geometry);
+  WindowDistance distance(geometry);
   distance.setSource(from);
   distance.grow(kInfinity);
   return distance.distance(to);

@@ -132,7 +132,7 @@ TEST(ShortestPath, GoesStraightThroughTheSaddlesOfALattice) {
     const uint64_t seed = 48;
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    ExactDistance solver(surface->geometry);
+    WindowDistance solver(surface->geometry);
     for (int i = 0; i < (longRun() ? 20'000 : 1000); ++i) {
       const SurfacePoint a = i % 2 == 0 ? vertexPoint(mesh, random.index(mesh.vertexCount()))
                                         : randomPlace(mesh, random);
@@ -165,7 +165,7 @@ TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
       const int h = boundary[random.index(boundary.count())];
       return edgePoint(h, random.index(2) == 0 ? 0 : random.uniform(0.01, 0.99));
     };
-    ExactDistance solver(surface->geometry);
+    WindowDistance solver(surface->geometry);
     for (int i = 0; i < (longRun() ? 5000 : 200); ++i) {
       const SurfacePoint a = i % 2 == 0 ? onBoundary() : randomPlace(mesh, random);
       const SurfacePoint b = onBoundary();

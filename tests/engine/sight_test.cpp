@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "distance_meshes.h"
 #include "generators/gallery.h"
 #include "generators/random_points.h"
@@ -45,7 +45,7 @@ SightSources sourcesOf(const Geometry& geometry, const SurfacePoint& point) {
 
 Sights sightsWithin(double edges, const Geometry& geometry, uint64_t seed) {
   const TriangleMesh& mesh = *geometry.mesh;
-  ExactDistance exact(geometry);
+  WindowDistance exact(geometry);
   Random random(seed);
   Sights all;
   for (int i = 0; i < 80; ++i) {
@@ -180,7 +180,7 @@ TEST(Sight, BendsAtASaddle) {
   ASSERT_GT(saddle.geometry.totalAngle[0], 2 * kPi + 0.5);
   const SurfacePoint point{0, {0.5, 0.25, 0.25}};
   const SightSources source = sourcesOf(saddle.geometry, point);
-  ExactDistance exact(saddle.geometry);
+  WindowDistance exact(saddle.geometry);
   exact.setSource(point);
   exact.grow(kInfinity);
   int bent = 0;

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "distance/exact_distance.h"
 #include "distance/find_path.h"
+#include "distance/window_distance.h"
 #include "fuzz/fuzz_checks.h"
 #include "rcm/field_options.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 
 namespace karcher {
 
@@ -27,7 +27,7 @@ Array<PointPair> randomPairs(const Geometry& geometry, Random& random, int count
                              SurfacePoint (*choose)(const TriangleMesh&, Random&), double least,
                              double most) {
   const TriangleMesh& mesh = *geometry.mesh;
-  ExactDistance distance(geometry);
+  WindowDistance distance(geometry);
   Array<PointPair> pairs;
   while (pairs.count() < count) {
     const SurfacePoint from = choose(mesh, random);

@@ -6,9 +6,9 @@
 #include "curves/circle.h"
 #include "curves/curve.h"
 #include "curves/isoline.h"
-#include "distance/exact_distance.h"
 #include "distance/exact_lengths.h"
 #include "distance/shortest_path.h"
+#include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
@@ -40,10 +40,10 @@ TEST(Threads, ShareAMeshAndItsGeometry) {
     const SurfacePoint from = pointOf(mesh, 3 * i);
     const SurfacePoint to = pointOf(mesh, 3 * i + 1);
     Array<double> result;
-    ExactDistance exact(geometry);
+    WindowDistance exact(geometry);
     exact.setSource(from);
     exact.grow(kInfinity);
-    ExactDistance fast(geometry, kFastTolerance);
+    WindowDistance fast(geometry, kFastTolerance);
     fast.setSource(from);
     fast.grow(kInfinity);
     for (int v = 0; v < mesh.vertexCount(); ++v) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <tuple>
 
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "generators/plane.h"
 #include "generators/random.h"
@@ -19,8 +19,8 @@ namespace {
 /// Holds distances of merged windows to exact ones: each within 1 %, in the mean .1 %.
 void expectNearExact(const TriangleMesh& mesh, const SurfacePoint& source) {
   const Geometry geometry = buildGeometry(mesh);
-  ExactDistance merged(geometry, kFastTolerance);
-  ExactDistance exact(geometry);
+  WindowDistance merged(geometry, kFastTolerance);
+  WindowDistance exact(geometry);
   merged.setSource(source);
   merged.grow(kInfinity);
   exact.setSource(source);
@@ -69,7 +69,7 @@ TriangleMesh randomCells(int side, double stretch, double shear, Random& random)
 }
 
 /// Straight distances to all vertices of a convex piece of the plane.
-void expectStraightDistances(const TriangleMesh& mesh, ExactDistance& distance, int source) {
+void expectStraightDistances(const TriangleMesh& mesh, WindowDistance& distance, int source) {
   distance.setSource(vertexPoint(mesh, source));
   distance.grow(kInfinity);
   for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -124,10 +124,10 @@ TEST(MergedWindows, AreNearExactOnTheGallery) {
 TEST(MergedWindows, LoseNothingWhereTheyAreEqual) {
   const TriangleMesh mesh = galleryMesh("plate with 50 holes");
   const Geometry geometry = buildGeometry(mesh);
-  ExactDistance merged(geometry, 1e-300);
-  ExactDistance exact(geometry);
+  WindowDistance merged(geometry, 1e-300);
+  WindowDistance exact(geometry);
   const SurfacePoint source{20, {0.2, 0.3, 0.5}};
-  for (ExactDistance* const solver : {&merged, &exact}) {
+  for (WindowDistance* const solver : {&merged, &exact}) {
     solver->setSource(source);
     solver->grow(kInfinity);
   }
@@ -147,7 +147,7 @@ TEST(MergedWindows, AreStraightOnStretchedAndShearedPlanes) {
         constexpr int kSide = 20;
         const TriangleMesh cells = randomCells(kSide, stretch, shear, random);
         const Geometry geometry = buildGeometry(cells);
-        ExactDistance distance(geometry, kFastTolerance);
+        WindowDistance distance(geometry, kFastTolerance);
         // A corner, a vertex of the boundary, and two anywhere.
         const int count = cells.vertexCount();
         for (const int source : {0, 7, random.index(count), random.index(count)}) {
@@ -179,7 +179,7 @@ TEST(MergedWindows, AreStraightAcrossVerticesOfManyEdges) {
   }
   const TriangleMesh mesh = buildMesh(positions, faces);
   const Geometry geometry = buildGeometry(mesh);
-  ExactDistance distance(geometry, kFastTolerance);
+  WindowDistance distance(geometry, kFastTolerance);
   for (const int source : {0, 1, 17, 130, 201, 266}) {
     expectStraightDistances(mesh, distance, source);
   }
@@ -192,7 +192,7 @@ TEST(MergedWindows, AreStraightAcrossFansOfAcuteTriangles) {
       const TriangleSoup soup = fanSquares(3, q, jitter, 3);
       const TriangleMesh mesh = buildMesh(soup.positions, soup.triangles);
       const Geometry geometry = buildGeometry(mesh);
-      ExactDistance distance(geometry, kFastTolerance);
+      WindowDistance distance(geometry, kFastTolerance);
       for (int source = 0; source < mesh.vertexCount(); source += 5) {
         expectStraightDistances(mesh, distance, source);
       }
@@ -206,7 +206,7 @@ TEST(MergedWindows, AreNotFarBelowTheStraightLine) {
     SCOPED_TRACE(name);
     const TriangleMesh mesh = galleryMesh(name);
     const Geometry geometry = buildGeometry(mesh);
-    ExactDistance distance(geometry, kFastTolerance);
+    WindowDistance distance(geometry, kFastTolerance);
     const int source = mesh.vertexCount() / 3;
     distance.setSource(vertexPoint(mesh, source));
     distance.grow(kInfinity);
@@ -221,10 +221,10 @@ TEST(MergedWindows, ResumedAreTheSame) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   const SurfacePoint source{1000, {0.1, 0.2, 0.7}};
-  ExactDistance whole(geometry, kFastTolerance);
+  WindowDistance whole(geometry, kFastTolerance);
   whole.setSource(source);
   whole.grow(kInfinity);
-  ExactDistance resumed(geometry, kFastTolerance);
+  WindowDistance resumed(geometry, kFastTolerance);
   resumed.setSource({3, {1, 0, 0}});
   resumed.grow(4);
   resumed.setSource(source);
@@ -245,8 +245,8 @@ TEST(MergedWindows, GrownToAVertexAreTheSame) {
   const uint64_t seed = 12;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  ExactDistance whole(geometry, kFastTolerance);
-  ExactDistance grown(geometry, kFastTolerance);
+  WindowDistance whole(geometry, kFastTolerance);
+  WindowDistance grown(geometry, kFastTolerance);
   for (int i = 0; i < 20; ++i) {
     const SurfacePoint source{random.index(mesh.faceCount()), {0.1, 0.2, 0.7}};
     whole.setSource(source);
@@ -272,10 +272,10 @@ TEST(MergedWindows, ChooseBetweenPathsOfOneLengthByNumbers) {
   const TriangleMesh turned = buildMesh(positions, cone.faces);
   const Geometry geometry = buildGeometry(cone);
   const Geometry turnedGeometry = buildGeometry(turned);
-  ExactDistance solver(geometry, kFastTolerance);
-  ExactDistance other(turnedGeometry, kFastTolerance);
+  WindowDistance solver(geometry, kFastTolerance);
+  WindowDistance other(turnedGeometry, kFastTolerance);
   for (int source = 0; source < cone.vertexCount(); source += 7) {
-    for (ExactDistance* distance : {&solver, &other}) {
+    for (WindowDistance* distance : {&solver, &other}) {
       distance->setSource(vertexPoint(cone, source));
       distance->grow(kInfinity);
     }
@@ -289,7 +289,7 @@ TEST(MergedWindows, GrowToNoVertexOfAnotherComponent) {
   const TriangleMesh mesh = buildMesh(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
   const Geometry geometry = buildGeometry(mesh);
-  ExactDistance distance(geometry, kFastTolerance);
+  WindowDistance distance(geometry, kFastTolerance);
   distance.setSource({0, {0.2, 0.3, 0.5}});
   EXPECT_EQ(distance.growTo(4), kInfinity);
   EXPECT_LT(distance.growTo(2), kInfinity);

@@ -1,4 +1,4 @@
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 
 #include <algorithm>
 #include <functional>
@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "distance/joined_windows.h"
 #include "mesh/error.h"
 
 namespace karcher {
@@ -68,85 +69,6 @@ inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& windo
                        side.leftLength * side.along.y(), window.begin);
 }
 
-/// A joint window goes above the kink of the two that it takes the place of, where they meet, by
-/// this part of what it cuts off: distances then become neither longer nor shorter on the whole.
-constexpr double kAboveKink = 0.25;
-
-/// A joint source is no farther than so many widths of its window: fronts are never quite straight.
-constexpr double kFarthestSource = 1000;
-
-/// A front comes to a vertex as it is known there if both differ by no more than this part of the
-/// tolerance.
-constexpr double kSameFront = 0.25;
-
-/// A gap that opens so is at most this part of the edge.
-constexpr double kWidestGap = 0.1;
-
-/// Windows whose sources are so near to each other, as a part of their distance, have the same one.
-constexpr double kSameSource = 1e-10;
-
-/// Joins two windows of which neither lies in the other to one over both, unless distances along
-/// the edge would change by more than `tolerance`. The joint source is as far from the two outer
-/// ends as before; where they meet, the three distances say how strongly the front is bent, and so
-/// the offset.
-bool join(Window& first, const Window& second, double tolerance) {
-  const double begin = first.begin;
-  const double end = second.end;
-  const double middle = (std::min(first.end, end) + second.begin) / 2;
-  const double left = middle - begin;
-  const double right = end - middle;
-  const double width = end - begin;
-  const double firstLeg = std::sqrt(squaredLegTo(first, middle));
-  const double secondLeg = std::sqrt(squaredLegTo(second, middle));
-  const double apart = std::hypot(first.sourceX - second.sourceX, first.depth - second.depth);
-  if (first.offset == second.offset && apart <= kSameSource * firstLeg) {
-    first.end = end;
-    return true;
-  }
-  const double throughFirst = first.offset + firstLeg;
-  const double throughSecond = second.offset + secondLeg;
-  const double slopes = (middle - first.sourceX) / firstLeg - (middle - second.sourceX) / secondLeg;
-  const double aboveKink = kAboveKink * slopes * left * right / width;
-  const double step = throughFirst - throughSecond;
-  if (!(std::abs(aboveKink) <= tolerance - std::abs(step))) return false;
-
-  const double meet = first.end >= second.begin ? std::min(throughFirst, throughSecond)
-                                                : (throughFirst + throughSecond) / 2;
-  const double atBegin = distanceAt(first, begin);
-  const double atMiddle = meet - aboveKink;
-  const double atEnd = distanceAt(second, end);
-  // Squared legs along the edge are x^2 plus a linear function.
-  const double bend = (atEnd - atMiddle) * left - (atMiddle - atBegin) * right;
-  const double squares = (atEnd - atMiddle) * (atEnd + atMiddle) * left -
-                         (atMiddle - atBegin) * (atMiddle + atBegin) * right - left * right * width;
-  const double leastOffset = atMiddle - kFarthestSource * width;
-  Window joint = second.end - second.begin > first.end - first.begin ? second : first;
-  joint.begin = begin;
-  joint.end = end;
-  joint.offset = bend > 0 ? std::max(squares / (2 * bend), leastOffset) : leastOffset;
-  const double beginLeg = atBegin - joint.offset;
-  const double endLeg = atEnd - joint.offset;
-  const double x = ((beginLeg - endLeg) * (beginLeg + endLeg) / width + width) / 2;
-  const double squaredDepth = square(beginLeg) - square(x);
-  if (!(beginLeg >= 0 && endLeg >= 0 && squaredDepth >= 0)) return false;
-  joint.sourceX = begin + x;
-  joint.depth = std::sqrt(squaredDepth);
-  for (const double place : {begin + left / 2, end - right / 2}) {
-    double least = kInfinity;
-    if (place <= first.end) least = distanceAt(first, place);
-    if (place >= second.begin) least = std::min(least, distanceAt(second, place));
-    if (least < kInfinity && std::abs(distanceAt(joint, place) - least) > tolerance) return false;
-  }
-  first = joint;
-  return true;
-}
-
-/// Whether a window that lies in a wider one is no shorter, up to the tolerance.
-bool isCovered(const Window& window, const Window& wider, double tolerance) {
-  const auto longer = [&](double x) { return distanceAt(wider, x) - distanceAt(window, x); };
-  return longer(window.begin) <= tolerance && longer(window.end) <= tolerance;
-}
-
 }  // namespace
 
 bool spreadsPaths(const Geometry& geometry, int vertex) {
@@ -159,8 +81,8 @@ bool spreadsPaths(const Geometry& geometry, int vertex) {
   return false;
 }
 
-ExactDistance::ExactDistance(const Geometry& geometry, double tolerance,
-                             const std::shared_ptr<PagePool>& pages)
+WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
+                               const std::shared_ptr<PagePool>& pages)
     : geometry_(geometry),
       mesh_(*geometry.mesh),
       tolerance_(tolerance),
@@ -183,7 +105,7 @@ ExactDistance::ExactDistance(const Geometry& geometry, double tolerance,
   }
 }
 
-void ExactDistance::setSource(const SurfacePoint& source) {
+void WindowDistance::setSource(const SurfacePoint& source) {
   vertices_.clear();
   faces_.clear();
   widest_.clear();
@@ -210,7 +132,7 @@ void ExactDistance::setSource(const SurfacePoint& source) {
   }
 }
 
-void ExactDistance::grow(double radius) {
+void WindowDistance::grow(double radius) {
   int item = 0;
   while (queue_.pop(radius, item)) {
     if (item >= 0) {
@@ -226,14 +148,14 @@ void ExactDistance::grow(double radius) {
   if (queue_.empty() && !aim_ && reachedCount_ < mesh_.vertexCount()) reachAlongEdges();
 }
 
-PathStep ExactDistance::stepTo(int vertex) const {
+PathStep WindowDistance::stepTo(int vertex) const {
   const VertexRecord* record = vertices_.find(vertex);
   if (record == nullptr || record->via < 0) return {};
   const double part = record->crossing / geometry_.edgeLength[record->via];
   return {mesh_.tail(record->via), mesh_.head(record->via), std::clamp(part, 0.0, 1.0)};
 }
 
-double ExactDistance::direction(int vertex) const {
+double WindowDistance::direction(int vertex) const {
   const VertexRecord& record = *vertices_.find(vertex);
   if (record.via < 0) return 0;
   const Vec2 apex = oppositeOverHalfedge(geometry_, record.via);
@@ -247,7 +169,7 @@ double ExactDistance::direction(int vertex) const {
 }
 
 /// From a point of a face to its corners, and through its edges but the one the point lies on.
-void ExactDistance::leaveSourceFace(int face, const SurfacePoint& source, int ownEdge) {
+void WindowDistance::leaveSourceFace(int face, const SurfacePoint& source, int ownEdge) {
   if (images_.areKept()) images_.addSource(face, source);
   for (int k = 0; k < 3; ++k) {
     const int h = 3 * face + k;
@@ -269,7 +191,7 @@ void ExactDistance::leaveSourceFace(int face, const SurfacePoint& source, int ow
 }
 
 /// Sends out windows from a vertex: all around from the source, else into the wedge behind it.
-void ExactDistance::leaveVertex(int vertex) {
+void WindowDistance::leaveVertex(int vertex) {
   const double total = geometry_.totalAngle[vertex];
   const bool isSource = vertices_.touch(vertex).via < 0;
   const double back = isSource ? 0 : direction(vertex);
@@ -290,7 +212,7 @@ void ExactDistance::leaveVertex(int vertex) {
 }
 
 /// The part of a vertex's wedge in the corner of half-edge h; angles are measured from h.
-void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
+void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
   const double angle = geometry_.cornerAngle[h];
   if (!(from <= angle && to >= 0)) return;
   const double distance = vertices_.touch(vertex).arrival.distance;
@@ -332,7 +254,7 @@ void ExactDistance::leaveThroughCorner(int vertex, int h, double from, double to
 }
 
 /// Moves the windows that wait at half-edge h to the batch.
-void ExactDistance::takeWaiting(int h) {
+void WindowDistance::takeWaiting(int h) {
   WaitingWindows& waiting = waitingAt(h);
   batch_.clear();
   for (int index = waiting.first; index >= 0;) {
@@ -343,7 +265,12 @@ void ExactDistance::takeWaiting(int h) {
     index = after;
   }
   waiting = {};
-  if (tolerance_ > 0) mergeBatch(h);
+  if (tolerance_ > 0) {
+    joinWindows({geometry_.edgeLength[h], toleranceOver(geometry_, h, tolerance_),
+                 vertices_.touch(mesh_.tail(h)).arrival.distance,
+                 vertices_.touch(mesh_.head(h)).arrival.distance},
+                batch_);
+  }
   windowsLeft_ -= batch_.count();
   if (windowsLeft_ < 0) {
     throw Error(ErrorCode::kBadArgument,
@@ -353,61 +280,9 @@ void ExactDistance::takeWaiting(int h) {
   }
 }
 
-/// By how much distances may change at half-edge h: a part of the least height of the face.
-double ExactDistance::toleranceOver(int h) const {
-  const int f = faceOf(h);
-  const double longest = std::max({geometry_.edgeLength[3 * f], geometry_.edgeLength[3 * f + 1],
-                                   geometry_.edgeLength[3 * f + 2]});
-  return tolerance_ * doubleArea(geometry_, f) / longest;
-}
-
-/// Joins windows that wait at half-edge h, and leaves out those that lie in others.
-void ExactDistance::mergeBatch(int h) {
-  const double length = geometry_.edgeLength[h];
-  const double most = toleranceOver(h);
-  std::sort(batch_.begin(), batch_.end(), [](const Window& a, const Window& b) {
-    return std::tie(a.begin, a.end, a.sourceX, a.depth, a.offset) <
-           std::tie(b.begin, b.end, b.sourceX, b.depth, b.offset);
-  });
-  int last = 0;
-  for (int i = 1; i < batch_.count(); ++i) {
-    Window& before = batch_[last];
-    const Window& window = batch_[i];
-    if (window.end <= before.end) {
-      if (isCovered(window, before, most)) continue;
-    } else if (window.begin <= before.begin) {
-      if (isCovered(before, window, most)) {
-        before = window;
-        continue;
-      }
-    } else if (join(before, window, most)) {
-      continue;
-    }
-    batch_[++last] = window;
-  }
-  batch_.resize(static_cast<size_t>(last + 1));
-
-  // The rays at the ends of joint windows are not those of the windows before. What opens between
-  // them and an end of the edge is closed where the vertex there is known to lie on the same front.
-  const double sameFront = kSameFront * most;
-  const double gap = kWidestGap * length;
-  Window& first = batch_[0];
-  const double tail = vertices_.touch(mesh_.tail(h)).arrival.distance;
-  if (first.begin > 0 && first.begin <= gap && std::abs(distanceAt(first, 0) - tail) <= sameFront) {
-    first.begin = 0;
-  }
-  Window& farthest = *std::max_element(
-      batch_.begin(), batch_.end(), [](const Window& a, const Window& b) { return a.end < b.end; });
-  const double head = vertices_.touch(mesh_.head(h)).arrival.distance;
-  if (farthest.end < length && length - farthest.end <= gap &&
-      std::abs(distanceAt(farthest, length) - head) <= sameFront) {
-    farthest.end = length;
-  }
-}
-
 /// Carries the windows that wait at half-edge h across its face: first to the apex, so that then
 /// all are held against its best distance, then to the edges on its sides.
-void ExactDistance::carryAcross(int h) {
+void WindowDistance::carryAcross(int h) {
   takeWaiting(h);
   const double length = geometry_.edgeLength[h];
   Vec2 apex = oppositeOverHalfedge(geometry_, h);
@@ -459,7 +334,8 @@ void ExactDistance::carryAcross(int h) {
   // The way to the right is the mirror image of the way to the left. Unit vectors are normalized,
   // since in a needle the apex is known to rounding of the long edges only.
   // A joint window may be longer than those before it, so a vertex must beat it by more.
-  const double slack = kSameFront * (tolerance_ > 0 ? toleranceOver(h) : 0);
+  const double slack =
+      tolerance_ > 0 ? JoinedEdge::kSameFront * toleranceOver(geometry_, h, tolerance_) : 0;
   const int left = previous(h);
   const SideEdge leftSide{mesh_.twin[left], geometry_.edgeLength[left],   apex.normalized(), length,
                           tail + slack,     top.arrival.distance + slack, head + slack};
@@ -483,8 +359,8 @@ void ExactDistance::carryAcross(int h) {
 
 /// The way through a window that does not see the apex, with the slightest bend at its end: an
 /// upper bound, and the path itself where rounding left a gap between two windows.
-void ExactDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
-                               const AimedWindow& aimed) {
+void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
+                                const AimedWindow& aimed) {
   const Window& window = aimed.window;
   const double bend = std::min(std::max(aimed.crossing, window.begin), window.end);
   const double length = distanceAt(window, bend) + (apex - Vec2(bend, 0)).norm();
@@ -492,8 +368,8 @@ void ExactDistance::arriveBent(int vertex, VertexRecord& record, int via, const 
          bend);
 }
 
-void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via,
-                           double crossing) {
+void WindowDistance::arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via,
+                            double crossing) {
   const double before = record.arrival.distance;
   const bool isBetter = isTie(arrival.distance, before)
                             ? std::tie(via, arrival.pseudoSource, crossing) <
@@ -518,7 +394,7 @@ void ExactDistance::arrive(int vertex, VertexRecord& record, const Arrival& arri
 
 /// From the vertices that were reached to those that were not, as far as edges lead: E. Dijkstra's
 /// algorithm.
-void ExactDistance::reachAlongEdges() {
+void WindowDistance::reachAlongEdges() {
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> waiting;
   const auto leave = [&](int v) {
@@ -558,7 +434,7 @@ void ExactDistance::reachAlongEdges() {
 }
 
 /// Whether all of the window is farther from its source than through one that came before.
-bool ExactDistance::isBehindAnother(int h, const Window& window) {
+bool WindowDistance::isBehindAnother(int h, const Window& window) {
   constexpr double kRounding = 1e-9;
   constexpr double kAtTip = 1e-6;
   const auto [entry, isNew] = widest_.try_emplace(h, window);
@@ -580,13 +456,13 @@ bool ExactDistance::isBehindAnother(int h, const Window& window) {
 }
 
 /// Whether no path through the window comes to where it is wanted in time.
-bool ExactDistance::leadsAway(int h, const Window& window) const {
+bool WindowDistance::leadsAway(int h, const Window& window) const {
   const Vec3 middle = (mesh_.positions[mesh_.tail(h)] + mesh_.positions[mesh_.head(h)]) / 2;
   const double left = (middle - aim_->center).norm() - geometry_.edgeLength[h] / 2 - aim_->radius;
   return leastDistance(window) + left > aim_->mostLength;
 }
 
-void ExactDistance::addWindow(int h, const Window& window) {
+void WindowDistance::addWindow(int h, const Window& window) {
   if (aim_ && leadsAway(h, window)) return;
   if (isThin_ && isBehindAnother(h, window)) return;
   if (keepsMidpoints_) midpoints_.take(h, window, queue_.leastKey());

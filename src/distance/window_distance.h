@@ -13,7 +13,7 @@
 #include "distance/window.h"
 #include "intrinsic/geometry.h"
 
-/// Exact geodesic distances from a point of the surface, by windows.
+/// Geodesic distances from a point of the surface, by windows: exact, or with a tolerance.
 ///
 /// A window is an interval of an edge with the position of the source, or of a vertex that shortest
 /// paths turn round, unfolded into the plane of the face behind it: all points of the interval see
@@ -45,12 +45,12 @@ namespace karcher {
 /// tip of a sliver also where there is as much.
 bool spreadsPaths(const Geometry& geometry, int vertex);
 
-class ExactDistance final : public DistanceSolver {
+class WindowDistance final : public DistanceSolver {
  public:
   /// The geometry must outlive the solver. The pool may be shared. Throws Error kBadArgument if the
   /// longest edge is more than kWidestRange times the shortest.
-  explicit ExactDistance(const Geometry& geometry, double tolerance = 0,
-                         const std::shared_ptr<PagePool>& pages = newPagePool());
+  explicit WindowDistance(const Geometry& geometry, double tolerance = 0,
+                          const std::shared_ptr<PagePool>& pages = newPagePool());
 
   void setSource(const SurfacePoint& source) override;
   const SurfacePoint& source() const { return source_; }
@@ -152,8 +152,6 @@ class ExactDistance final : public DistanceSolver {
   void leaveVertex(int vertex);
   void leaveThroughCorner(int vertex, int h, double from, double to);
   void takeWaiting(int h);
-  double toleranceOver(int h) const;
-  void mergeBatch(int h);
   void carryAcross(int h);
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
                   const AimedWindow& aimed);

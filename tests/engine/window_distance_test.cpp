@@ -1,4 +1,4 @@
-#include "distance/exact_distance.h"
+#include "distance/window_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,12 @@
 namespace karcher {
 namespace {
 
-TEST(ExactDistance, IsRightForEdgesFromOneToABillionTimesAThousand) {
+TEST(WindowDistance, IsRightForEdgesFromOneToABillionTimesAThousand) {
   // Every pair of the grid's vertices, in both directions: distances are straight.
   const TriangleSoup soup = wideGrid(24, 6);
   const TriangleMesh mesh = buildMesh(soup.positions, soup.triangles);
   const Geometry geometry = buildGeometry(mesh);
-  ExactDistance distance(geometry);
+  WindowDistance distance(geometry);
   for (int source = 0; source < mesh.vertexCount(); ++source) {
     distance.setSource(vertexPoint(mesh, source));
     distance.grow(kInfinity);
@@ -35,14 +35,14 @@ TEST(ExactDistance, IsRightForEdgesFromOneToABillionTimesAThousand) {
   }
 }
 
-TEST(ExactDistance, NamesARangeOfEdgesThatIsTooWide) {
+TEST(WindowDistance, NamesARangeOfEdgesThatIsTooWide) {
   const TriangleSoup soup = wideGrid(24, 6);
   Array<Vec3> positions = soup.positions;
   for (Vec3& p : positions) p.x() = std::max(p.x(), 3.0);  // the first column moves to the second
   const TriangleMesh mesh = buildMesh(positions, soup.triangles);
   const Geometry geometry = buildGeometry(mesh);
   try {
-    ExactDistance distance(geometry);
+    WindowDistance distance(geometry);
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("too wide a range"), std::string::npos);
@@ -51,18 +51,18 @@ TEST(ExactDistance, NamesARangeOfEdgesThatIsTooWide) {
 
 /// The vector of length d from a vertex along the shortest path towards the source, in space, for
 /// surfaces in the plane z = 0.
-Vec3 stepToSource(const MeasuredMesh& surface, const ExactDistance& solver, int v) {
+Vec3 stepToSource(const MeasuredMesh& surface, const WindowDistance& solver, int v) {
   const CornerDirection corner = cornerOfDirection(surface.geometry, v, solver.direction(v));
   const Vec2 edge = halfedgeInFace(surface.geometry, corner.halfedge).normalized();
   return solver.distance(v) *
          toSpace(surface.geometry, faceOf(corner.halfedge), rotate(unitVector(corner.angle), edge));
 }
 
-TEST(ExactDistance, IsEuclidsInThePlane) {
+TEST(WindowDistance, IsEuclidsInThePlane) {
   for (const PlaneTessellation tessellation : kPlaneTessellations) {
     SCOPED_TRACE(tessellationName(tessellation));
     const MeasuredMesh surface(tessellatedPlane(tessellation, 1500, 3));
-    ExactDistance solver(surface.geometry);
+    WindowDistance solver(surface.geometry);
     Random random(17);
     for (int i = 0; i < (longRun() ? 100 : 5); ++i) {
       const SurfacePoint source = randomPlace(surface.mesh, random);
@@ -78,11 +78,11 @@ TEST(ExactDistance, IsEuclidsInThePlane) {
   }
 }
 
-TEST(ExactDistance, KeepsItsAccuracyOnNeedles) {
+TEST(WindowDistance, KeepsItsAccuracyOnNeedles) {
   TriangleSoup soup = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 1500, 4);
   for (Vec3& p : soup.positions) p.x() *= 1e5;
   const MeasuredMesh surface(soup);
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   Random random(18);
   for (int i = 0; i < (longRun() ? 200 : 4); ++i) {
     const SurfacePoint source = randomPlace(surface.mesh, random);
@@ -96,7 +96,7 @@ TEST(ExactDistance, KeepsItsAccuracyOnNeedles) {
   }
 }
 
-TEST(ExactDistance, IsNoShorterThanStraightAtTheEndOfANeedle) {
+TEST(WindowDistance, IsNoShorterThanStraightAtTheEndOfANeedle) {
   // Two needles on an edge of 1e-10, and the triangle between them; from any corner of each needle.
   const Array<Vec3> positions{{0, 0, 0}, {1e-10, 0, 0}, {0, 8, 0}, {9, 14, 0}};
   for (int turn = 0; turn < 9; ++turn) {
@@ -106,7 +106,7 @@ TEST(ExactDistance, IsNoShorterThanStraightAtTheEndOfANeedle) {
     std::rotate(needles[1].data(), needles[1].data() + turn / 3, needles[1].data() + 3);
     const TriangleMesh mesh = buildMesh(positions, {needles[0], {3, 0, 2}, needles[1]});
     const Geometry geometry = buildGeometry(mesh);
-    ExactDistance distance(geometry);
+    WindowDistance distance(geometry);
     for (int source = 0; source < 4; ++source) {
       distance.setSource(vertexPoint(mesh, source));
       distance.grow(kInfinity);
@@ -119,10 +119,10 @@ TEST(ExactDistance, IsNoShorterThanStraightAtTheEndOfANeedle) {
   }
 }
 
-TEST(ExactDistance, LosesNoRegionOfARegularGrid) {
+TEST(WindowDistance, LosesNoRegionOfARegularGrid) {
   // Every vertex lies behind others exactly, and every way has equals.
   const MeasuredMesh surface(planeGrid(30, 30));
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   for (const Vec3& p : {Vec3(0, 0, 0), Vec3(15, 15, 0), Vec3(7.5, 7.5, 0), Vec3(10.5, 3, 0)}) {
     solver.setSource(nearestPoint(surface.mesh, p));
     solver.grow(kInfinity);
@@ -132,9 +132,9 @@ TEST(ExactDistance, LosesNoRegionOfARegularGrid) {
   }
 }
 
-TEST(ExactDistance, AgreesWithAnotherLibrary) {
+TEST(WindowDistance, AgreesWithAnotherLibrary) {
   const MeasuredMesh surface(bunnyMesh());
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   std::ifstream in = testData("bunny_exact_distances.txt");
   std::string line;
   int sources = 0;
@@ -160,10 +160,10 @@ TEST(ExactDistance, AgreesWithAnotherLibrary) {
   EXPECT_EQ(sources, 6);
 }
 
-TEST(ExactDistance, UnrollsTheCylinder) {
+TEST(WindowDistance, UnrollsTheCylinder) {
   const FlatCylinder cylinder = flatCylinder(40, 3, 6);
   const MeasuredMesh surface(cylinder.soup);
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   for (int source = 0; source < surface.mesh.vertexCount(); source += 97) {
     solver.setSource(vertexPoint(surface.mesh, source));
     solver.grow(kInfinity);
@@ -175,11 +175,11 @@ TEST(ExactDistance, UnrollsTheCylinder) {
   }
 }
 
-TEST(ExactDistance, UnrollsTheCone) {
+TEST(WindowDistance, UnrollsTheCone) {
   for (const double angle : {2.0, 4.0, 6.0}) {
     const FlatCone cone = flatCone(30, angle, 6);
     const MeasuredMesh surface(cone.soup);
-    ExactDistance solver(surface.geometry);
+    WindowDistance solver(surface.geometry);
     for (int source = 0; source < surface.mesh.vertexCount(); source += 61) {
       solver.setSource(vertexPoint(surface.mesh, source));
       solver.grow(kInfinity);
@@ -194,10 +194,10 @@ TEST(ExactDistance, UnrollsTheCone) {
   }
 }
 
-TEST(ExactDistance, TurnsRoundAReentrantCorner) {
+TEST(WindowDistance, TurnsRoundAReentrantCorner) {
   const MeasuredMesh surface(lShape(6));
   const Vec3 corner(6, 6, 0);
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   for (const Vec3& p : {Vec3(10.3, 4.6, 0), Vec3(11, 6, 0), Vec3(8, 5.5, 0), Vec3(1, 1, 0)}) {
     solver.setSource(nearestPoint(surface.mesh, p));
     solver.grow(kInfinity);
@@ -218,11 +218,11 @@ TEST(ExactDistance, TurnsRoundAReentrantCorner) {
   }
 }
 
-TEST(ExactDistance, ConvergesToTheSphere) {
+TEST(WindowDistance, ConvergesToTheSphere) {
   double previous = kInfinity;
   for (const int frequency : {4, 8, 16}) {
     const MeasuredMesh surface(icosphere(frequency));
-    ExactDistance solver(surface.geometry);
+    WindowDistance solver(surface.geometry);
     const SurfacePoint source{3, Vec3(0.2, 0.3, 0.5)};
     const Vec3 p = position(surface.mesh, source).normalized();
     solver.setSource(source);
@@ -239,10 +239,10 @@ TEST(ExactDistance, ConvergesToTheSphere) {
   EXPECT_LT(previous, 3e-3);
 }
 
-TEST(ExactDistance, IsSymmetric) {
+TEST(WindowDistance, IsSymmetric) {
   const MeasuredMesh surface(bunnyMesh());
-  ExactDistance from(surface.geometry);
-  ExactDistance back(surface.geometry);
+  WindowDistance from(surface.geometry);
+  WindowDistance back(surface.geometry);
   Random random(23);
   for (int i = 0; i < (longRun() ? 500 : 12); ++i) {
     const int v = random.index(surface.mesh.vertexCount());
@@ -265,10 +265,10 @@ TEST(ExactDistance, IsSymmetric) {
   }
 }
 
-TEST(ExactDistance, ResumedIsTheSameBitForBit) {
+TEST(WindowDistance, ResumedIsTheSameBitForBit) {
   const MeasuredMesh surface(bunnyMesh());
-  ExactDistance whole(surface.geometry);
-  ExactDistance resumed(surface.geometry);
+  WindowDistance whole(surface.geometry);
+  WindowDistance resumed(surface.geometry);
   Random random(29);
   for (int i = 0; i < (longRun() ? 100 : 6); ++i) {
     const SurfacePoint source = randomPlace(surface.mesh, random);
@@ -288,10 +288,10 @@ TEST(ExactDistance, ResumedIsTheSameBitForBit) {
   }
 }
 
-TEST(ExactDistance, StaysOnItsComponent) {
+TEST(WindowDistance, StaysOnItsComponent) {
   const MeasuredMesh sphere(icosphere(2));
   const MeasuredMesh surface(together(sphere.mesh, sphere.mesh, Vec3(5, 0, 0)));
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   solver.setSource({2, Vec3(0.3, 0.3, 0.4)});
   solver.grow(kInfinity);
   for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
@@ -299,9 +299,9 @@ TEST(ExactDistance, StaysOnItsComponent) {
   }
 }
 
-TEST(ExactDistance, TouchesOnlyTheNeighbourhood) {
+TEST(WindowDistance, TouchesOnlyTheNeighbourhood) {
   const MeasuredMesh surface(planeGrid(100, 100));
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   solver.setSource(nearestPoint(surface.mesh, Vec3(50.2, 49.9, 0)));
   solver.grow(5);
   int reached = 0;
@@ -310,13 +310,13 @@ TEST(ExactDistance, TouchesOnlyTheNeighbourhood) {
   EXPECT_GT(reached, 78);
 }
 
-TEST(ExactDistance, WindowsDoNotWindRoundATip) {
+TEST(WindowDistance, WindowsDoNotWindRoundATip) {
   // 1 wide and 1e5 high: the paths round it once are so short that no vertex beats those that go
   // round ten thousand times.
   constexpr int kSides = 13;
   const TriangleSoup soup = wheel(kSides, 0, 1e5);
   const MeasuredMesh cone(buildMesh(soup.positions, soup.triangles));
-  ExactDistance solver(cone.geometry);
+  WindowDistance solver(cone.geometry);
   const double side = (cone.mesh.positions[1] - cone.mesh.positions[2]).norm();
   const double slant = (cone.mesh.positions[0] - cone.mesh.positions[1]).norm();
   solver.setSource(vertexPoint(cone.mesh, 1));
@@ -331,11 +331,11 @@ TEST(ExactDistance, WindowsDoNotWindRoundATip) {
   EXPECT_EQ(solver.reached(), kInfinity);
 }
 
-TEST(ExactDistance, IsTheSameBothWaysPastNeedles) {
+TEST(WindowDistance, IsTheSameBothWaysPastNeedles) {
   // All that passes between the ends of a side of 1e-10 is narrower than windows on long sides are
   // kept elsewhere. Of sources every needle's tip counts: those come last.
   const MeasuredMesh sheet(galleryMesh("rough sheet, needles 1e-10"));
-  ExactDistance solver(sheet.geometry);
+  WindowDistance solver(sheet.geometry);
   const int count = sheet.mesh.vertexCount();
   Array<int> sources;
   for (int v = count - 1; v >= 0; v -= 7) sources.push_back(v);
@@ -351,9 +351,9 @@ TEST(ExactDistance, IsTheSameBothWaysPastNeedles) {
   EXPECT_LT(worst, 1e-12 * sheet.geometry.diagonal);
 }
 
-TEST(ExactDistance, IsStraightPastNeedlesOfAPlane) {
+TEST(WindowDistance, IsStraightPastNeedlesOfAPlane) {
   const MeasuredMesh plane(galleryMesh("plane, needles 1e-10"));
-  ExactDistance solver(plane.geometry);
+  WindowDistance solver(plane.geometry);
   const int count = plane.mesh.vertexCount();
   for (int source = count - 1; source >= 0; source -= 31) {
     const Array<double> lengths = distancesFrom(solver, vertexPoint(plane.mesh, source), count);
@@ -366,7 +366,7 @@ TEST(ExactDistance, IsStraightPastNeedlesOfAPlane) {
 
 /// The distance between two vertices, which is to be the same both ways.
 double bothWays(const MeasuredMesh& surface, int a, int b) {
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   const int count = surface.mesh.vertexCount();
   const double there = distancesFrom(solver, vertexPoint(surface.mesh, a), count)[b];
   const double back = distancesFrom(solver, vertexPoint(surface.mesh, b), count)[a];
@@ -374,7 +374,7 @@ double bothWays(const MeasuredMesh& surface, int a, int b) {
   return there;
 }
 
-TEST(ExactDistance, GoesStraightAlongABoundaryPastAnEdgeOfNothing) {
+TEST(WindowDistance, GoesStraightAlongABoundaryPastAnEdgeOfNothing) {
   // The boundary runs up the z axis, its first edge 1e-11 long.
   const MeasuredMesh fan(
       buildMesh({{0, 0, 0}, {0, 0, 1e-11}, {0, 0, 1}, {0, 0, 1.0001}, {1, 0, 1.001}},
@@ -383,7 +383,7 @@ TEST(ExactDistance, GoesStraightAlongABoundaryPastAnEdgeOfNothing) {
   EXPECT_NEAR(bothWays(fan, 0, 2), 1, 1e-12);
 }
 
-TEST(ExactDistance, EntersASliverThroughItsTip) {
+TEST(WindowDistance, EntersASliverThroughItsTip) {
   // The sliver 0, 3, 1 is 1e-11 high; from 4, which lies on the line of its long side, all of it
   // and what is behind it are in the shadow of 3, which is flat but for 3e-12.
   const MeasuredMesh strip(
@@ -394,15 +394,15 @@ TEST(ExactDistance, EntersASliverThroughItsTip) {
   EXPECT_NEAR(bothWays(strip, 4, 2), 7 + std::hypot(0.99, 1), 1e-10);
 }
 
-TEST(ExactDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
+TEST(WindowDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
   // On a lattice many vertices have two shortest paths. A turned one is the same but for rounding.
   const MeasuredMesh plate(galleryMesh("plate with 50 holes"));
   const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
   Array<Vec3> positions = plate.mesh.positions;
   for (Vec3& p : positions) p = turn * p + Vec3(200, -100, 150);
   const MeasuredMesh turned(buildMesh(positions, plate.mesh.faces));
-  ExactDistance solver(plate.geometry);
-  ExactDistance other(turned.geometry);
+  WindowDistance solver(plate.geometry);
+  WindowDistance other(turned.geometry);
   solver.keepMidpoints();
   other.keepMidpoints();
   for (int source = 0; source < plate.mesh.vertexCount(); source += 19) {
@@ -421,7 +421,7 @@ TEST(ExactDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
   }
 }
 
-TEST(ExactDistance, WindsRoundANeedleOnceAtMost) {
+TEST(WindowDistance, WindsRoundANeedleOnceAtMost) {
   // All faces round the tip are alike: rolled out they are a part of a disk, and paths are
   // straight.
   for (const int faces : {300, 1000, 3000}) {
@@ -430,7 +430,7 @@ TEST(ExactDistance, WindsRoundANeedleOnceAtMost) {
     const double side = std::hypot(1e4, 1);
     const double angle = 2 * std::asin(std::sin(kPi / faces) / side);
     for (const double tolerance : {0.0, 0.0075}) {
-      ExactDistance solver(needle.geometry, tolerance);
+      WindowDistance solver(needle.geometry, tolerance);
       for (const Vec2& place :
            {Vec2(0.15, 0.05), Vec2(0.27, 0.03), Vec2(0.17, 0.66), Vec2(0.1, 0.13)}) {
         const int face = faces / 3;
@@ -451,9 +451,9 @@ TEST(ExactDistance, WindsRoundANeedleOnceAtMost) {
   }
 }
 
-TEST(ExactDistance, RefusesATargetAtAVertex) {
+TEST(WindowDistance, RefusesATargetAtAVertex) {
   const MeasuredMesh surface(planeGrid(2, 2));
-  ExactDistance solver(surface.geometry);
+  WindowDistance solver(surface.geometry);
   solver.setSource(vertexPoint(surface.mesh, 0));
   EXPECT_THROW(solver.setTarget(vertexPoint(surface.mesh, 8)), Error);
 }

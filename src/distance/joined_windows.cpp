@@ -1,0 +1,136 @@
+#include "distance/joined_windows.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace karcher {
+namespace {
+
+/// A joint window goes above the kink of the two that it takes the place of, where they meet, by
+/// this part of what it cuts off: distances then become neither longer nor shorter on the whole.
+constexpr double kAboveKink = 0.25;
+
+/// A joint source is no farther than so many widths of its window: fronts are never quite straight.
+constexpr double kFarthestSource = 1000;
+
+/// A gap that opens where windows are joined is at most this part of the edge.
+constexpr double kWidestGap = 0.1;
+
+/// Windows whose sources are so near to each other, as a part of their distance, have the same one.
+constexpr double kSameSource = 1e-10;
+
+/// Joins two windows of which neither lies in the other to one over both, unless distances along
+/// the edge would change by more than `tolerance`. The joint source is as far from the two outer
+/// ends as before; where they meet, the three distances say how strongly the front is bent, and so
+/// the offset.
+bool join(Window& first, const Window& second, double tolerance) {
+  const double begin = first.begin;
+  const double end = second.end;
+  const double middle = (std::min(first.end, end) + second.begin) / 2;
+  const double left = middle - begin;
+  const double right = end - middle;
+  const double width = end - begin;
+  const double firstLeg = std::sqrt(squaredLegTo(first, middle));
+  const double secondLeg = std::sqrt(squaredLegTo(second, middle));
+  const double apart = std::hypot(first.sourceX - second.sourceX, first.depth - second.depth);
+  if (first.offset == second.offset && apart <= kSameSource * firstLeg) {
+    first.end = end;
+    return true;
+  }
+  const double throughFirst = first.offset + firstLeg;
+  const double throughSecond = second.offset + secondLeg;
+  const double slopes = (middle - first.sourceX) / firstLeg - (middle - second.sourceX) / secondLeg;
+  const double aboveKink = kAboveKink * slopes * left * right / width;
+  const double step = throughFirst - throughSecond;
+  if (!(std::abs(aboveKink) <= tolerance - std::abs(step))) return false;
+
+  const double meet = first.end >= second.begin ? std::min(throughFirst, throughSecond)
+                                                : (throughFirst + throughSecond) / 2;
+  const double atBegin = distanceAt(first, begin);
+  const double atMiddle = meet - aboveKink;
+  const double atEnd = distanceAt(second, end);
+  // Squared legs along the edge are x^2 plus a linear function.
+  const double bend = (atEnd - atMiddle) * left - (atMiddle - atBegin) * right;
+  const double squares = (atEnd - atMiddle) * (atEnd + atMiddle) * left -
+                         (atMiddle - atBegin) * (atMiddle + atBegin) * right - left * right * width;
+  const double leastOffset = atMiddle - kFarthestSource * width;
+  Window joint = second.end - second.begin > first.end - first.begin ? second : first;
+  joint.begin = begin;
+  joint.end = end;
+  joint.offset = bend > 0 ? std::max(squares / (2 * bend), leastOffset) : leastOffset;
+  const double beginLeg = atBegin - joint.offset;
+  const double endLeg = atEnd - joint.offset;
+  const double x = ((beginLeg - endLeg) * (beginLeg + endLeg) / width + width) / 2;
+  const double squaredDepth = square(beginLeg) - square(x);
+  if (!(beginLeg >= 0 && endLeg >= 0 && squaredDepth >= 0)) return false;
+  joint.sourceX = begin + x;
+  joint.depth = std::sqrt(squaredDepth);
+  for (const double place : {begin + left / 2, end - right / 2}) {
+    double least = kInfinity;
+    if (place <= first.end) least = distanceAt(first, place);
+    if (place >= second.begin) least = std::min(least, distanceAt(second, place));
+    if (least < kInfinity && std::abs(distanceAt(joint, place) - least) > tolerance) return false;
+  }
+  first = joint;
+  return true;
+}
+
+/// Whether a window that lies in a wider one is no shorter, up to the tolerance.
+bool isCovered(const Window& window, const Window& wider, double tolerance) {
+  const auto longer = [&](double x) { return distanceAt(wider, x) - distanceAt(window, x); };
+  return longer(window.begin) <= tolerance && longer(window.end) <= tolerance;
+}
+
+}  // namespace
+
+double toleranceOver(const Geometry& geometry, int h, double part) {
+  const int f = faceOf(h);
+  const double longest = std::max(
+      {geometry.edgeLength[3 * f], geometry.edgeLength[3 * f + 1], geometry.edgeLength[3 * f + 2]});
+  return part * doubleArea(geometry, f) / longest;
+}
+
+void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
+  const double length = edge.length;
+  const double most = edge.tolerance;
+  std::sort(windows.begin(), windows.end(), [](const Window& a, const Window& b) {
+    return std::tie(a.begin, a.end, a.sourceX, a.depth, a.offset) <
+           std::tie(b.begin, b.end, b.sourceX, b.depth, b.offset);
+  });
+  int last = 0;
+  for (int i = 1; i < windows.count(); ++i) {
+    Window& before = windows[last];
+    const Window& window = windows[i];
+    if (window.end <= before.end) {
+      if (isCovered(window, before, most)) continue;
+    } else if (window.begin <= before.begin) {
+      if (isCovered(before, window, most)) {
+        before = window;
+        continue;
+      }
+    } else if (join(before, window, most)) {
+      continue;
+    }
+    windows[++last] = window;
+  }
+  windows.resize(static_cast<size_t>(last + 1));
+
+  // The rays at the ends of joint windows are not those of the windows before. What opens between
+  // them and an end of the edge is closed where the vertex there is known to lie on the same front.
+  const double sameFront = edge.frontTolerance();
+  const double gap = kWidestGap * length;
+  Window& first = windows[0];
+  if (first.begin > 0 && first.begin <= gap &&
+      std::abs(distanceAt(first, 0) - edge.tailDistance) <= sameFront) {
+    first.begin = 0;
+  }
+  Window& farthest =
+      *std::max_element(windows.begin(), windows.end(),
+                        [](const Window& a, const Window& b) { return a.end < b.end; });
+  if (farthest.end < length && length - farthest.end <= gap &&
+      std::abs(distanceAt(farthest, length) - edge.headDistance) <= sameFront) {
+    farthest.end = length;
+  }
+}
+
+}  // namespace karcher
