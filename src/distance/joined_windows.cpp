@@ -32,10 +32,12 @@ bool join(Window& first, const Window& second, double tolerance) {
   const double width = end - begin;
   const double firstLeg = std::sqrt(squaredLegTo(first, middle));
   const double secondLeg = std::sqrt(squaredLegTo(second, middle));
-  const double apart = std::hypot(first.sourceX - second.sourceX, first.depth - second.depth);
-  if (first.offset == second.offset && apart <= kSameSource * firstLeg) {
-    first.end = end;
-    return true;
+  if (first.offset == second.offset) {
+    const double apart = std::hypot(first.sourceX - second.sourceX, first.depth - second.depth);
+    if (apart <= kSameSource * firstLeg) {
+      first.end = end;
+      return true;
+    }
   }
   const double throughFirst = first.offset + firstLeg;
   const double throughSecond = second.offset + secondLeg;
@@ -81,6 +83,27 @@ bool isCovered(const Window& window, const Window& wider, double tolerance) {
   return longer(window.begin) <= tolerance && longer(window.end) <= tolerance;
 }
 
+bool isBefore(const Window& a, const Window& b) {
+  if (a.begin != b.begin) return a.begin < b.begin;
+  return std::tie(a.end, a.sourceX, a.depth, a.offset) <
+         std::tie(b.end, b.sourceX, b.depth, b.offset);
+}
+
+/// Most batches are of a few windows, which are sorted fastest so.
+void sortByPlace(Array<Window>& windows) {
+  constexpr int kFew = 16;
+  if (windows.count() > kFew) {
+    std::sort(windows.begin(), windows.end(), isBefore);
+    return;
+  }
+  for (int i = 1; i < windows.count(); ++i) {
+    const Window window = windows[i];
+    int j = i;
+    for (; j > 0 && isBefore(window, windows[j - 1]); --j) windows[j] = windows[j - 1];
+    windows[j] = window;
+  }
+}
+
 }  // namespace
 
 double toleranceOver(const Geometry& geometry, int h, double part) {
@@ -93,10 +116,7 @@ double toleranceOver(const Geometry& geometry, int h, double part) {
 void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
   const double length = edge.length;
   const double most = edge.tolerance;
-  std::sort(windows.begin(), windows.end(), [](const Window& a, const Window& b) {
-    return std::tie(a.begin, a.end, a.sourceX, a.depth, a.offset) <
-           std::tie(b.begin, b.end, b.sourceX, b.depth, b.offset);
-  });
+  sortByPlace(windows);
   int last = 0;
   for (int i = 1; i < windows.count(); ++i) {
     Window& before = windows[last];
@@ -124,12 +144,13 @@ void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
       std::abs(distanceAt(first, 0) - edge.tailDistance) <= sameFront) {
     first.begin = 0;
   }
-  Window& farthest =
-      *std::max_element(windows.begin(), windows.end(),
-                        [](const Window& a, const Window& b) { return a.end < b.end; });
-  if (farthest.end < length && length - farthest.end <= gap &&
-      std::abs(distanceAt(farthest, length) - edge.headDistance) <= sameFront) {
-    farthest.end = length;
+  Window* farthest = &first;
+  for (Window& window : windows) {
+    if (window.end > farthest->end) farthest = &window;
+  }
+  if (farthest->end < length && length - farthest->end <= gap &&
+      std::abs(distanceAt(*farthest, length) - edge.headDistance) <= sameFront) {
+    farthest->end = length;
   }
 }
 

@@ -59,6 +59,11 @@ struct SideEdge {
   double farDistance;  ///< of the other end of the edge they leave
 };
 
+/// Distance from the window's source to a point above the half-edge, without the offset, squared.
+inline double squaredLeg(const Window& w, const Vec2& point) {
+  return square(point.x() - w.sourceX) + square(point.y() + w.depth);
+}
+
 /// Trims a window that was carried to a side by the three corners of the face; false if nothing
 /// worth keeping is left.
 inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& window) {
@@ -232,12 +237,17 @@ void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double t
   const int t = mesh_.twin[edge];
   if (t < 0) return;
   const double length = geometry_.edgeLength[edge];
-  const FaceSides sides = sidesOver(geometry_, edge);
-  const double foot = std::atan2(sides.fromTail.x(), sides.fromTail.y());
+  // The vertex in the frame of the edge, and in that of its twin.
+  const Vec2 fromTail =
+      isWide_ ? sidesOver(geometry_, edge).fromTail : oppositeOverHalfedge(geometry_, edge);
   Window window;
-  window.sourceX = -sides.fromHead.x();
-  window.depth = sides.fromTail.y();
-  const auto hit = [&](double a) { return window.sourceX - window.depth * std::tan(a - foot); };
+  window.sourceX = isWide_ ? -sidesOver(geometry_, edge).fromHead.x() : length - fromTail.x();
+  window.depth = fromTail.y();
+  const auto hit = [&](double a) {
+    const Vec2 turn = unitVector(a);
+    return length -
+           turn.y() * fromTail.squaredNorm() / (fromTail.x() * turn.y() + fromTail.y() * turn.x());
+  };
   window.begin = to < angle ? hit(to) : 0;
   window.end = from > 0 ? hit(from) : length;
   window.offset = distance;
@@ -265,26 +275,16 @@ void WindowDistance::takeWaiting(int h) {
     index = after;
   }
   waiting = {};
-  if (tolerance_ > 0) {
-    joinWindows({geometry_.edgeLength[h], toleranceOver(geometry_, h, tolerance_),
-                 vertices_.touch(mesh_.tail(h)).arrival.distance,
-                 vertices_.touch(mesh_.head(h)).arrival.distance},
-                batch_);
-  }
-  windowsLeft_ -= batch_.count();
-  if (windowsLeft_ < 0) {
-    throw Error(ErrorCode::kBadArgument,
-                "exact distances need more than " + std::to_string(kMostWindowsPerFace) +
-                    " windows a face on this mesh (10 to 100 are usual); the solver 'graph' needs "
-                    "none");
-  }
 }
 
 /// Carries the windows that wait at half-edge h across its face: first to the apex, so that then
 /// all are held against its best distance, then to the edges on its sides.
 void WindowDistance::carryAcross(int h) {
-  takeWaiting(h);
   const double length = geometry_.edgeLength[h];
+  const int left = previous(h);
+  const int right = next(h);
+  const double leftLength = geometry_.edgeLength[left];
+  const double rightLength = geometry_.edgeLength[right];
   Vec2 apex = oppositeOverHalfedge(geometry_, h);
   Vec2 fromHead(length - apex.x(), apex.y());
   if (isWide_) {
@@ -297,35 +297,49 @@ void WindowDistance::carryAcross(int h) {
   const double head = vertices_.touch(mesh_.head(h)).arrival.distance;
   VertexRecord& top = vertices_.touch(apexVertex);
 
-  // Windows are sorted by side without branches, which would be guessed wrong half of the time.
-  leftward_.resize(std::max(leftward_.size(), batch_.size()));
-  rightward_.resize(std::max(rightward_.size(), batch_.size()));
-  int leftCount = 0;
-  int rightCount = 0;
-  AimedWindow nearest;  // to seeing the apex
+  takeWaiting(h);
+  // A joint window may be longer than those before it, so a vertex must beat it by more.
+  double slack = 0;
+  if (tolerance_ > 0) {
+    const double least = length * apex.y() / std::max({length, leftLength, rightLength});
+    const JoinedEdge edge{length, tolerance_ * least, tail, head};
+    joinWindows(edge, batch_);
+    slack = edge.frontTolerance();
+  }
+  windowsLeft_ -= batch_.count();
+  if (windowsLeft_ < 0) {
+    throw Error(ErrorCode::kBadArgument,
+                "exact distances need more than " + std::to_string(kMostWindowsPerFace) +
+                    " windows a face on this mesh (10 to 100 are usual); the solver 'graph' needs "
+                    "none");
+  }
+
+  crossings_.resize(std::max(crossings_.size(), batch_.size()));
+  int nearest = 0;  // to seeing the apex
   double leastMiss = kInfinity;
   const double tolerance = kSeenTolerance * length;
-  for (const Window& window : batch_) {
+  for (int i = 0; i < batch_.count(); ++i) {
+    const Window& window = batch_[i];
     const double crossing = crossingTowards(window, apex);
+    crossings_[i] = crossing;
     const double miss = std::max(window.begin - crossing, crossing - window.end);
     if (miss < leastMiss) {
       leastMiss = miss;
-      nearest = {window, crossing};
+      nearest = i;
     }
     if (miss <= tolerance) {
-      const double leg = square(apex.x() - window.sourceX) + square(apex.y() + window.depth);
-      arrive(apexVertex, top, {window.offset + std::sqrt(leg), window.offset, window.pseudoSource},
-             h, crossing);
+      arrive(
+          apexVertex, top,
+          {window.offset + std::sqrt(squaredLeg(window, apex)), window.offset, window.pseudoSource},
+          h, crossing);
     } else if (tolerance_ > 0) {
       // A joint window may just miss what one of those before it saw.
-      arriveBent(apexVertex, top, h, apex, {window, crossing});
+      arriveBent(apexVertex, top, h, apex, window, crossing);
     }
-    leftward_[leftCount] = {window, crossing};
-    leftCount += crossing > window.begin;
-    rightward_[rightCount] = {window, crossing};
-    rightCount += crossing < window.end;
   }
-  if (leastMiss > tolerance) arriveBent(apexVertex, top, h, apex, nearest);
+  if (leastMiss > tolerance) {
+    arriveBent(apexVertex, top, h, apex, batch_[nearest], crossings_[nearest]);
+  }
   if (images_.areKept()) images_.addWindows(h, batch_, tail);
   if (target_.liesIn(faceOf(h))) {
     for (const Window& window : batch_) target_.arriveThrough(h, window);
@@ -333,26 +347,24 @@ void WindowDistance::carryAcross(int h) {
 
   // The way to the right is the mirror image of the way to the left. Unit vectors are normalized,
   // since in a needle the apex is known to rounding of the long edges only.
-  // A joint window may be longer than those before it, so a vertex must beat it by more.
-  const double slack =
-      tolerance_ > 0 ? JoinedEdge::kSameFront * toleranceOver(geometry_, h, tolerance_) : 0;
-  const int left = previous(h);
-  const SideEdge leftSide{mesh_.twin[left], geometry_.edgeLength[left],   apex.normalized(), length,
-                          tail + slack,     top.arrival.distance + slack, head + slack};
-  for (int i = 0; i < leftCount && leftSide.twin >= 0; ++i) {
-    Window window = carriedToTailEdge(leftward_[i].window, leftSide.along, length, leftSide.length,
-                                      leftward_[i].crossing);
+  const SideEdge leftSide{mesh_.twin[left], leftLength,   apex.normalized(),
+                          length,           tail + slack, top.arrival.distance + slack,
+                          head + slack};
+  for (int i = 0; i < batch_.count() && leftSide.twin >= 0; ++i) {
+    if (!(crossings_[i] > batch_[i].begin)) continue;
+    Window window = carriedToTailEdge(batch_[i], leftSide.along, length, leftLength, crossings_[i]);
     if (isWorthKeeping(leftSide, narrowest_, window)) addWindow(leftSide.twin, window);
   }
-  const int right = next(h);
-  const SideEdge rightSide{
-      mesh_.twin[right], geometry_.edgeLength[right],  fromHead.normalized(), length,
-      head + slack,      top.arrival.distance + slack, tail + slack};
-  for (int i = 0; i < rightCount && rightSide.twin >= 0; ++i) {
-    Window window = carriedToTailEdge(mirrored(rightward_[i].window, length), rightSide.along,
-                                      length, rightSide.length, length - rightward_[i].crossing);
+  const SideEdge rightSide{mesh_.twin[right],     rightLength,
+                           fromHead.normalized(), length,
+                           head + slack,          top.arrival.distance + slack,
+                           tail + slack};
+  for (int i = 0; i < batch_.count() && rightSide.twin >= 0; ++i) {
+    if (!(crossings_[i] < batch_[i].end)) continue;
+    Window window = carriedToTailEdge(mirrored(batch_[i], length), rightSide.along, length,
+                                      rightLength, length - crossings_[i]);
     if (isWorthKeeping(rightSide, narrowest_, window)) {
-      addWindow(rightSide.twin, mirrored(window, rightSide.length));
+      addWindow(rightSide.twin, mirrored(window, rightLength));
     }
   }
 }
@@ -360,9 +372,11 @@ void WindowDistance::carryAcross(int h) {
 /// The way through a window that does not see the apex, with the slightest bend at its end: an
 /// upper bound, and the path itself where rounding left a gap between two windows.
 void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
-                                const AimedWindow& aimed) {
-  const Window& window = aimed.window;
-  const double bend = std::min(std::max(aimed.crossing, window.begin), window.end);
+                                const Window& window, double crossing) {
+  // Where the straight way is too long, so is the bent one.
+  const double lead = record.arrival.distance - window.offset;
+  if (lead <= 0 || square(lead) <= squaredLeg(window, apex)) return;
+  const double bend = std::min(std::max(crossing, window.begin), window.end);
   const double length = distanceAt(window, bend) + (apex - Vec2(bend, 0)).norm();
   arrive(vertex, record, {length * (1 + kBentPenalty), window.offset, window.pseudoSource}, via,
          bend);

@@ -141,11 +141,6 @@ class WindowDistance final : public DistanceSolver {
     WaitingWindows waiting[3];
   };
 
-  struct AimedWindow {
-    Window window;
-    double crossing = 0;  ///< of the line from its source to the apex with the half-edge
-  };
-
   WaitingWindows& waitingAt(int h) { return faces_.touch(faceOf(h)).waiting[cornerOf(h)]; }
 
   void leaveSourceFace(int face, const SurfacePoint& source, int ownEdge);
@@ -153,8 +148,8 @@ class WindowDistance final : public DistanceSolver {
   void leaveThroughCorner(int vertex, int h, double from, double to);
   void takeWaiting(int h);
   void carryAcross(int h);
-  void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
-                  const AimedWindow& aimed);
+  void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex, const Window& window,
+                  double crossing);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
   void addWindow(int h, const Window& window);
   bool leadsAway(int h, const Window& window) const;
@@ -178,8 +173,7 @@ class WindowDistance final : public DistanceSolver {
   int64_t windowsLeft_ = 0;
   int reachedCount_ = 0;  ///< vertices that a path has come to
   Array<Window> batch_;
-  Array<AimedWindow> leftward_;
-  Array<AimedWindow> rightward_;
+  Array<double> crossings_;  ///< of the lines from the batch's sources to the apex with the edge
   std::optional<Aim> aim_;
   WatchedTarget target_;
   SourceImages images_;
