@@ -162,6 +162,20 @@ test('on a torus derivatives are differences, and medians have no gradient', asy
   assert.ok(Math.hypot(...gradient) < 1e-2 * mesh.info.diagonal);
   const derivatives = await weightDerivatives(mesh, points, weights, point);
   for (const i of points.keys()) {
+    const size = Math.hypot(...derivatives[i]);
+    // Where a derivative leads, the gradient with that weight is what it was, on the polyhedron itself.
+    const short = (1e-5 * mesh.info.diagonal) / size;
+    const gradientAt = async (change) => {
+      const place = position.map((x, k) => x + change * derivatives[i][k]);
+      const changed = weights.map((w, k) => w + (k === i ? change : 0));
+      const at = mesh.nearestPoint(place).point;
+      assert.equal(at.face, point.face);
+      return (await energyAt(mesh, points, changed, at)).gradient;
+    };
+    const [before, beyond] = await Promise.all([gradientAt(-short), gradientAt(short)]);
+    const pulled = Math.hypot(...mesh.logMap(point, [points[i]]).vectors);
+    const left = Math.hypot(...minus(beyond, before)) / (4 * short * pulled);
+    assert.ok(left < 1e-4, `point ${i}: ${left} of the pull of its weight is left`);
     const step = 1e-3;
     const moved = mesh.centerOfMass(
       points,
@@ -169,7 +183,6 @@ test('on a torus derivatives are differences, and medians have no gradient', asy
       exact,
     );
     const change = minus(moved.position, position).map((x) => x / step);
-    const size = Math.hypot(...derivatives[i]);
     // Derivatives are those of the polyhedron, centers of fields that are smoothed.
     near(change, derivatives[i], 0.2 * size);
   }

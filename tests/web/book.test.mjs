@@ -1,11 +1,11 @@
 // The book beside the page: its links, its search, and that it asks no other host.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { basename, dirname, join, relative } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import axe from 'axe-core';
 import { filesBelow, inRoot } from '../../.tools/shell.mjs';
-import { isComplaint, openBrowser } from './browser.mjs';
+import { isComplaint, openBrowser, until } from './browser.mjs';
 
 const built = inRoot('build/page');
 const book = join(built, 'book');
@@ -17,6 +17,40 @@ const options = {
   runOnly: ['wcag2a', 'wcag2aa'],
   rules: { 'nested-interactive': { enabled: false } },
 };
+
+/** What the canvas of an example shows, told by the hue of what nothing else there has: by default curves. */
+const hues = { red: [0, 30], yellow: [40, 70], blue: [200, 260] };
+const colors = { decal: ['blue'], distance_colors: ['yellow', 'blue'] };
+/** Pixels of a curve that is as long as a handle is wide. */
+const fewest = 20;
+
+/** How many pixels of a page's canvas have a strong color of that hue. */
+async function count(page, hue) {
+  const picture = (await page.locator('canvas').screenshot()).toString('base64');
+  return page.evaluate(
+    async ([url, [least, most]]) => {
+      const image = new Image();
+      image.src = url;
+      await image.decode();
+      const { width, height } = image;
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      let found = 0;
+      for (let at = 0; at < data.length; at += 4) {
+        const [red, green, blue] = data.subarray(at, at + 3);
+        const [high, low] = [Math.max(red, green, blue), Math.min(red, green, blue)];
+        if (high - low < 80) continue;
+        const third = high === red ? green - blue : high === green ? blue - red : red - green;
+        const turn = (high === red ? 0 : high === green ? 2 : 4) + third / (high - low);
+        const degrees = (60 * turn + 360) % 360;
+        if (degrees >= least && degrees <= most) found++;
+      }
+      return found;
+    },
+    [`data:image/png;base64,${picture}`, hues[hue]],
+  );
+}
 
 const unescaped = (text) => text.replaceAll('&amp;', '&').replaceAll('&quot;', '"');
 
@@ -68,7 +102,7 @@ test('every link of the editor to the book leads there', () => {
 describe('in a browser the book', () => {
   let browser;
   before(async () => {
-    browser = await openBrowser();
+    browser = await openBrowser({ pixelRatio: 1 });
   });
   after(() => browser.close());
 
@@ -106,9 +140,20 @@ describe('in a browser the book', () => {
   for (const path of live) {
     test(`shows ${relative(book, path)}`, async () => {
       const { page, complaints } = await open(relative(book, path));
-      const shown = page.locator('canvas, pre:not(:empty)');
-      await shown.first().waitFor({ timeout: 20_000 });
+      await page.locator('canvas, pre:not(:empty)').first().waitFor();
       await page.waitForLoadState('networkidle');
+      if ((await page.locator('canvas').count()) === 0) {
+        // With all of its digits, as each prints a number at last.
+        await page.waitForFunction(() => /\d\.\d\d/.test(document.querySelector('pre').innerText));
+      } else {
+        const name = basename(path, '.html');
+        for (const wanted of colors[name] ?? ['red']) {
+          await until(
+            async () => (await count(page, wanted)) >= fewest,
+            `${name} shows what is ${wanted}`,
+          );
+        }
+      }
       assert.deepEqual(complaints, []);
       assert.doesNotMatch(await page.locator('body').innerText(), /NaN|undefined|Error/);
       await page.close();
