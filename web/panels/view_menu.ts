@@ -17,6 +17,7 @@ const labels: Record<ViewName, string> = {
 export class ViewMenu {
   readonly #edges = byId<HTMLButtonElement>('edges');
   readonly #fileColors = byId<HTMLButtonElement>('file-colors');
+  readonly #relief = byId<HTMLButtonElement>('relief');
   readonly #hidden = byId<HTMLButtonElement>('hidden-lines');
 
   constructor(
@@ -48,6 +49,11 @@ export class ViewMenu {
     this.#fileColors.addEventListener('click', () => this.#toggleFileColors());
     menu.element.addEventListener('beforetoggle', () => {
       this.#fileColors.hidden = !viewer.surface?.hasColors;
+    });
+    byId('light').addEventListener('click', () => viewer.turnLight(Math.PI / 4));
+    this.#relief.addEventListener('click', () => {
+      viewer.relief = !viewer.relief;
+      this.#relief.setAttribute('aria-checked', `${viewer.relief}`);
     });
     this.#hidden.addEventListener('click', () => this.toggleHidden());
     byId('theme').addEventListener('click', toggleTheme);

@@ -3,6 +3,7 @@ import { MeshBVH } from 'three-mesh-bvh';
 import { arraysOf } from '../model/mesh_blobs';
 import { answering } from './answering';
 import type { DrawnGeometry, GeometryRequest } from './drawn_geometry';
+import { hollowsOf } from './hollows';
 import { frameOf, geometryInScene, treeOf } from './scene_mesh';
 
 type Corners = [number, number, number];
@@ -28,13 +29,14 @@ async function drawn({ mesh, closed, up, colors = null }: GeometryRequest): Prom
   const { geometry, positions, triangles } = geometryInScene(arrays, frame);
   geometry.computeVertexNormals();
   const normals = geometry.getAttribute('normal').array as Float32Array;
-  const tree = MeshBVH.serialize(treeOf(geometry), { cloneBuffers: false });
   const outside = closed ? outsideOf(positions, triangles) : 'both';
-  return { mesh, frame, positions, normals, triangles, colors, tree, outside };
+  const hollows = hollowsOf(positions, normals, triangles);
+  const tree = MeshBVH.serialize(treeOf(geometry), { cloneBuffers: false });
+  return { mesh, frame, positions, normals, hollows, triangles, colors, tree, outside };
 }
 
-answering(drawn, ({ positions, normals, triangles, colors, tree }) => [
-  ...[positions.buffer, normals.buffer, triangles.buffer, ...tree.roots],
+answering(drawn, ({ positions, normals, hollows, triangles, colors, tree }) => [
+  ...[positions.buffer, normals.buffer, hollows.buffer, triangles.buffer, ...tree.roots],
   ...(colors ? [colors.buffer] : []),
   ...(tree.indirectBuffer ? [tree.indirectBuffer.buffer] : []),
 ]);

@@ -51,8 +51,19 @@ export interface SurfaceColors {
   edges: string;
 }
 
+/** How much darker a hollow is at most, as a part of the light. */
+const reliefShown = 0.55;
+
+/** How much lighter a ridge is, as a part of how much darker a hollow is. */
+const litRidges = 0.25;
+
 /** The light, which is the surface's and that of what is painted on it. */
-const light = { sky: { value: new Color() }, ground: { value: new Color() } };
+const light = {
+  sky: { value: new Color() },
+  ground: { value: new Color() },
+  key: { value: new Vector3(-0.45, 0.7, 0.75) },
+  relief: { value: reliefShown },
+};
 
 /**
  * By how much of its distance the surface lies back, for each unit of its slope: at a slope it rises beside a
@@ -82,13 +93,16 @@ const clay = {
   vertexShader: `
     attribute float value;
     attribute vec3 tint;
+    attribute float hollow;
     uniform float sunk;
     varying vec3 vNormal;
     varying vec3 vEye;
     varying float vValue;
     varying vec3 vTint;
+    varying float vHollow;
     void main() {
       vValue = value;
+      vHollow = hollow;
       // From sRGB, as files have it, to light.
       vTint = mix(tint / 12.92, pow((tint + 0.055) / 1.055, vec3(2.4)), step(0.04045, tint));
       vec4 eye = modelViewMatrix * vec4(position, 1.0);
@@ -104,6 +118,8 @@ const clay = {
     uniform vec3 back;
     uniform vec3 sky;
     uniform vec3 ground;
+    uniform vec3 key;
+    uniform float relief;
     uniform bool frontIsOutside;
     uniform vec3 ramp[5];
     uniform float most;
@@ -113,14 +129,15 @@ const clay = {
     varying vec3 vEye;
     varying float vValue;
     varying vec3 vTint;
+    varying float vHollow;
     void main() {
       vec3 eye = normalize(vEye);
       vec3 normal = normalize(vNormal);
       if (!gl_FrontFacing) normal = -normal;
       float up = 0.5 + 0.5 * normal.y;
-      vec3 key = normalize(vec3(-0.45, 0.7, 0.75));
-      float lit = max(0.0, (dot(normal, key) + 0.2) / 1.2);
-      float gloss = pow(max(0.0, dot(normal, normalize(key + eye))), 24.0);
+      vec3 from = normalize(key);
+      float lit = max(0.0, (dot(normal, from) + 0.2) / 1.2);
+      float gloss = pow(max(0.0, dot(normal, normalize(from + eye))), 24.0);
       float rim = pow(1.0 - abs(dot(normal, eye)), 3.0);
       vec3 clay = gl_FrontFacing == frontIsOutside ? front : back;
       if (colored) clay = vTint;
@@ -130,6 +147,10 @@ const clay = {
         for (int i = 0; i < 4; i++) clay = mix(clay, ramp[i + 1], clamp(at - float(i), 0.0, 1.0));
       }
       vec3 light = mix(ground, sky, up) * 0.64 + vec3(0.56) * lit * lit;
+      // A hollow of one side is a ridge of the other.
+      float sunken = gl_FrontFacing ? vHollow : -vHollow;
+      // Ridges are lit as they are: much lighter ones would be white.
+      light *= 1.0 - relief * (sunken > 0.0 ? sunken : ${litRidges} * sunken);
       gl_FragColor = vec4(clay * light + sky * (0.05 * gloss + 0.1 * rim), opacity);
       #include <colorspace_fragment>
     }`,
@@ -171,6 +192,16 @@ const edgeMaterial = new MeshBasicMaterial({
   depthWrite: false,
 });
 
+/** Turns the light round the line of sight, by an angle in radians; it goes with the camera. */
+export function turnLight(angle: number): void {
+  light.key.value.applyAxisAngle(new Vector3(0, 0, 1), angle);
+}
+
+/** Whether hollows are darker. */
+export function showRelief(shown: boolean): void {
+  light.relief.value = shown ? reliefShown : 0;
+}
+
 export function colorSurface(colors: SurfaceColors): void {
   for (const name of ['front', 'back', 'sky', 'ground'] as const) {
     material.uniforms[name]!.value.set(colors[name]);
@@ -191,6 +222,7 @@ export class Surface {
   readonly #positions: Float32Array;
   readonly #triangles: Uint32Array;
   readonly #normals: Float32Array;
+  readonly #hollows: Float32Array;
   readonly #outside: DrawnGeometry['outside'];
   /** 1 for each face of which something is seen; null where all are. */
   #seen: Uint8Array | null = null;
@@ -209,6 +241,8 @@ export class Surface {
     this.#outside = drawn.outside;
     this.#geometry.setAttribute('position', new BufferAttribute(drawn.positions, 3));
     this.#geometry.setAttribute('normal', new BufferAttribute(drawn.normals, 3));
+    this.#hollows = drawn.hollows;
+    this.#geometry.setAttribute('hollow', new BufferAttribute(drawn.hollows, 1));
     this.hasColors = drawn.colors !== null;
     if (drawn.colors) {
       this.#geometry.setAttribute('tint', new BufferAttribute(drawn.colors, 3, true));
@@ -267,11 +301,13 @@ export class Surface {
   regionGeometry({ whole, parts, corners }: Region): BufferGeometry {
     const count = 3 * (whole.length + parts.length);
     const [positions, normals] = [new Float32Array(3 * count), new Float32Array(3 * count)];
+    const hollows = new Float32Array(count);
     let to = 0;
     const add = (face: number, weights: readonly [number, number, number]) => {
       for (let corner = 0; corner < 3; corner++) {
         const from = 3 * this.#triangles[3 * face + corner]!;
         const weight = weights[corner]!;
+        hollows[to / 3]! += weight * this.#hollows[from / 3]!;
         for (let axis = 0; axis < 3; axis++) {
           positions[to + axis]! += weight * this.#positions[from + axis]!;
           normals[to + axis]! += weight * this.#normals[from + axis]!;
@@ -289,6 +325,7 @@ export class Surface {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+    geometry.setAttribute('hollow', new BufferAttribute(hollows, 1));
     geometry.boundingSphere = new Sphere(new Vector3(), 1);
     return geometry;
   }

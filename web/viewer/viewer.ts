@@ -14,7 +14,7 @@ import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
 import { type PaintedRegion, Regions } from './regions';
-import { colorSurface, type Pick, Surface, sinkSurface } from './surface';
+import { colorSurface, type Pick, Surface, showRelief, sinkSurface, turnLight } from './surface';
 import { type SeenLine, Vantage } from './vantage';
 
 type Vector = [number, number, number];
@@ -64,6 +64,7 @@ export class Viewer {
   #shorterLines: Float32Array[] = [];
   #edges = false;
   #fileColors = true;
+  #relief = true;
   /** The stage's, in CSS pixels: to ask the stage lays the page out, which a thousand handles cannot bear. */
   #size = { width: 1, height: 1 };
   /** Where the stage is in the window; null until it is asked for again. */
@@ -184,6 +185,23 @@ export class Viewer {
   set fileColors(shown: boolean) {
     this.#fileColors = shown;
     if (this.#surface) this.#surface.colored = shown;
+    this.requestFrame();
+  }
+
+  /** Whether hollows of the surface are darker, and ridges lighter. */
+  get relief(): boolean {
+    return this.#relief;
+  }
+
+  set relief(shown: boolean) {
+    this.#relief = shown;
+    showRelief(shown);
+    this.requestFrame();
+  }
+
+  /** Turns the light round the line of sight, by an angle in radians. */
+  turnLight(angle: number): void {
+    turnLight(angle);
     this.requestFrame();
   }
 
