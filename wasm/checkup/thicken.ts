@@ -74,12 +74,16 @@ export function thickened(
 
 /** Vertices of one place as one: files and meshes may have several there. */
 function united({ positions, triangles }: Triangles): Triangles {
-  const first = new Map<string, number>();
-  const same = Array.from({ length: positions.length / 3 }, (_, vertex) => {
-    const key = `${vectorAt(positions, vertex)}`;
-    const found = first.get(key) ?? vertex;
-    first.set(key, found);
-    return found;
+  const order = Int32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
+  const apart = (a: number, b: number) =>
+    positions[3 * a]! - positions[3 * b]! ||
+    positions[3 * a + 1]! - positions[3 * b + 1]! ||
+    positions[3 * a + 2]! - positions[3 * b + 2]!;
+  order.sort(apart);
+  const same = new Int32Array(order.length);
+  order.forEach((vertex, i) => {
+    const before = order[i - 1];
+    same[vertex] = before !== undefined && apart(before, vertex) === 0 ? same[before]! : vertex;
   });
   return { positions, triangles: Int32Array.from(triangles, (vertex) => same[vertex]!) };
 }
@@ -215,27 +219,44 @@ function ballBound(
   normals: Float64Array,
   thickness: number,
 ): number {
-  const used = [...new Set(Array.from(triangles))];
+  const way = Math.sign(thickness);
+  const used = Int32Array.from(new Set(Array.from(triangles)));
   let least = Math.abs(thickness);
   const size = 2 * least;
-  const cells = new Map<string, number[]>();
-  const keyOf = (place: Vector) => place.map((value) => Math.floor(value / size));
+  const cellOf = (vertex: number, axis: number) => Math.floor(positions[3 * vertex + axis]! / size);
+  // Cells share a bucket now and then: of more vertices than need be the least is the same.
+  const buckets = 2 ** Math.ceil(Math.log2(used.length + 1));
+  const bucketOf = (x: number, y: number, z: number) =>
+    (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (buckets - 1);
+  const keys = used.map((vertex) =>
+    bucketOf(cellOf(vertex, 0), cellOf(vertex, 1), cellOf(vertex, 2)),
+  );
+  const starts = new Int32Array(buckets + 1);
+  for (const key of keys) starts[key + 1]!++;
+  for (let key = 0; key < buckets; key++) starts[key + 1]! += starts[key]!;
+  const next = starts.slice();
+  const listed = new Int32Array(used.length);
+  keys.forEach((key, i) => {
+    listed[next[key]!++] = used[i]!;
+  });
   for (const vertex of used) {
-    const key = `${keyOf(vectorAt(positions, vertex))}`;
-    const cell = cells.get(key);
-    if (cell) cell.push(vertex);
-    else cells.set(key, [vertex]);
-  }
-  const way = Math.sign(thickness);
-  for (const vertex of used) {
-    const [here, normal] = [vectorAt(positions, vertex), vectorAt(normals, vertex)];
-    const [x, y, z] = keyOf(here) as Vector;
+    const [x, y, z] = [0, 1, 2].map((axis) => cellOf(vertex, axis)) as Vector;
+    const at = 3 * vertex;
+    const [px, py, pz] = [positions[at]!, positions[at + 1]!, positions[at + 2]!];
+    const [nx, ny, nz] = [way * normals[at]!, way * normals[at + 1]!, way * normals[at + 2]!];
     for (let n = 0; n < 27; n++) {
-      const key = `${x + (n % 3) - 1},${y + (Math.floor(n / 3) % 3) - 1},${z + Math.floor(n / 9) - 1}`;
-      for (const other of cells.get(key) ?? []) {
-        const to = minus(vectorAt(positions, other), here);
-        const ahead = way * dot(to, normal);
-        if (ahead > 0) least = Math.min(least, dot(to, to) / (2 * ahead));
+      const key = bucketOf(
+        x + (n % 3) - 1,
+        y + (Math.floor(n / 3) % 3) - 1,
+        z + Math.floor(n / 9) - 1,
+      );
+      for (let i = starts[key]!; i < starts[key + 1]!; i++) {
+        const other = 3 * listed[i]!;
+        const dx = positions[other]! - px;
+        const dy = positions[other + 1]! - py;
+        const dz = positions[other + 2]! - pz;
+        const ahead = dx * nx + dy * ny + dz * nz;
+        if (ahead > 0) least = Math.min(least, (dx * dx + dy * dy + dz * dz) / (2 * ahead));
       }
     }
   }

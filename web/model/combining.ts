@@ -3,11 +3,13 @@ import { onTop } from './arranging';
 import { type Command, joined } from './commands';
 import { type BooleanKind, type Derived, type DerivedKind, isDerived } from './derived';
 import { activeObject, type Drawing, type DrawnObject, freeId, newObject } from './drawing';
-import { emptyFigure, type Figure, isEmpty } from './figure';
+import { emptyFigure, type Figure, isCurve, isEmpty, pointsNeeded } from './figure';
 
 /** What others can be made of: it has lines. */
 const hasLines = ({ figure }: DrawnObject) =>
-  !isEmpty(figure) && !['center', 'points', 'cut'].includes(figure.kind);
+  !isEmpty(figure) &&
+  !['center', 'points', 'cut'].includes(figure.kind) &&
+  (!isCurve(figure.kind) || figure.points.length >= pointsNeeded(figure));
 
 /** The objects among some of which another one can be made, in the drawing's order. */
 export const combinable = ({ objects }: Drawing, ids: readonly number[]): DrawnObject[] =>

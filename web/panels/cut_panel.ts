@@ -114,7 +114,7 @@ export class CutPanel {
     dot.style.background = partColor(i);
     const facts = `${formatArea(area, this.#unit)} · ${solid}`;
     main.append(dot, make('span', name), make('small', facts));
-    main.title = `${formatCount((part.thick ?? part).triangles.length / 3, 'triangle')}, ${closed ? 'closed: it can be printed' : 'open: give it a thickness to print it'}`;
+    main.title = `Area ${facts}; ${formatCount((part.thick ?? part).triangles.length / 3, 'triangle')}, ${closed ? 'closed: it can be printed' : 'open: give it a thickness to print it'}`;
     const button = (className: string, label: string, icon: string, act: () => void) => {
       const made = make('button', '', { type: 'button', className, title: label });
       made.setAttribute('aria-label', `${label} ${name}`);
