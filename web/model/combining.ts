@@ -5,11 +5,19 @@ import { type BooleanKind, type Derived, type DerivedKind, isDerived } from './d
 import { activeObject, type Drawing, type DrawnObject, freeId, newObject } from './drawing';
 import { emptyFigure, type Figure, isCurve, isEmpty, pointsNeeded } from './figure';
 
-/** What others can be made of: it has lines. */
-const hasLines = ({ figure }: DrawnObject) =>
-  !isEmpty(figure) &&
-  !['center', 'points', 'cut'].includes(figure.kind) &&
-  (!isCurve(figure.kind) || figure.points.length >= pointsNeeded(figure));
+/** Whether others can be made of an object, once it has all its points. */
+const mayHaveLines = ({ figure }: DrawnObject) =>
+  !isEmpty(figure) && !['center', 'points', 'cut'].includes(figure.kind);
+
+const hasLines = (object: DrawnObject) => {
+  const { figure } = object;
+  const few = isCurve(figure.kind) && figure.points.length < pointsNeeded(figure);
+  return mayHaveLines(object) && !few;
+};
+
+/** Whether it will be possible to make others of some objects: who draws them sees it from the first point. */
+export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boolean =>
+  objects.some((object) => ids.includes(object.id) && mayHaveLines(object));
 
 /** The objects among some of which another one can be made, in the drawing's order. */
 export const combinable = ({ objects }: Drawing, ids: readonly number[]): DrawnObject[] =>

@@ -1,6 +1,13 @@
 import type { Expansion } from '../editor/engine/expansion';
 import { type Editor, type State, selectedObjects } from '../editor/state/editor';
-import { combinable, combining, cutting, offsetting, remaking } from '../model/combining';
+import {
+  combinable,
+  combining,
+  cutting,
+  offsetting,
+  remaking,
+  willCombine,
+} from '../model/combining';
 import type { Command } from '../model/commands';
 import { booleans, isBoolean, type OffsetSide, offsetSides } from '../model/derived';
 import { objectOf } from '../model/drawing';
@@ -73,8 +80,12 @@ export class DerivedPanel {
     const { drawing, figure, none, dragging } = state;
     if (dragging) return;
     const count = combinable(drawing, selectedObjects(state)).length;
-    byId('makers-group').hidden = count === 0;
-    for (const [i, button] of this.#makers.entries()) button.hidden = count < 2 && i >= 2;
+    // It is there from the first point, so that nothing jumps while others are set.
+    byId('makers-group').hidden = !willCombine(drawing, selectedObjects(state));
+    for (const [i, button] of this.#makers.entries()) {
+      button.hidden = count < 2 && i >= 2;
+      button.disabled = count === 0;
+    }
     const { offset, sources } = (!none && figure.derived) || {};
     byId('derived-settings').hidden = !sources;
     byId('expand').hidden = figure.kind === 'cut';
