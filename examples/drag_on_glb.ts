@@ -32,8 +32,6 @@ const places = [-0.4, 0, 0.3, 0.6].map((x, i) => [x, i % 2 ? 0.1 : -0.3, 1] as c
 const points = places.map((place) => surface.mesh.nearestPoint(place).point);
 const curve = new SurfaceCurve(surface, { kind: 'catmullrom', points });
 object.add(curve);
-// Lines on it are whole.
-Object.assign(object.material, { polygonOffset: true, polygonOffsetFactor: 1 });
 new CurveDrag(curve, object, camera, renderer.domElement);
 // to here
 

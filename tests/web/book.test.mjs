@@ -177,3 +177,25 @@ describe('in a browser the book', () => {
     });
   }
 });
+
+test('the book is read without a network, once one of its pages has been', async () => {
+  const { files } = JSON.parse(readFileSync(join(book, 'files.json'), 'utf8'));
+  const browser = await openBrowser({ serviceWorkers: 'allow' });
+  try {
+    const page = await browser.context.newPage();
+    await page.goto(`${browser.address}book/index.html`);
+    const isKept = async (count) => {
+      const name = (await caches.keys()).find((one) => one.startsWith('karcher-book-'));
+      return name && (await (await caches.open(name)).keys()).length >= count;
+    };
+    await until(() => page.evaluate(isKept, files.length), 'the book is kept');
+    browser.stopServing();
+    await browser.context.setOffline(true);
+    await page.goto(`${browser.address}book/documents/Errors.html`);
+    await page.locator('h1, h2').first().waitFor();
+    await page.goto(`${browser.address}book/${relative(book, live[0])}`);
+    await page.locator('canvas, pre:not(:empty)').first().waitFor({ timeout: 20_000 });
+  } finally {
+    await browser.close();
+  }
+});

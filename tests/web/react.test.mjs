@@ -48,14 +48,14 @@ function model() {
   return glbFile({ positions: Array.from(attributes.position.array), faces });
 }
 
-/** Put into a page before its scripts: counts the strips of lines that are drawn. */
-function countStrips() {
-  window.strips = 0;
+/** Is put into a page before its scripts and counts the fat lines that are drawn, whose segments are instances. */
+function countLines() {
+  window.lines = 0;
   const { prototype } = WebGL2RenderingContext;
-  const { drawArrays } = prototype;
-  prototype.drawArrays = function (mode, ...rest) {
-    if (mode === this.LINE_STRIP) window.strips++;
-    drawArrays.call(this, mode, ...rest);
+  const { drawArraysInstanced } = prototype;
+  prototype.drawArraysInstanced = function (mode, first, count, segments) {
+    if (segments > 0) window.lines++;
+    drawArraysInstanced.call(this, mode, first, count, segments);
   };
 }
 
@@ -76,7 +76,7 @@ describe('hooks of react-three-fiber', () => {
 
   async function open(name = 'index') {
     const page = await browser.newPage();
-    await page.addInitScript(countStrips);
+    await page.addInitScript(countLines);
     const complaints = [];
     page.on('pageerror', (error) => complaints.push(error.message));
     page.on('console', (message) => {
@@ -151,7 +151,7 @@ describe('hooks of react-three-fiber', () => {
 
   test('are enough for a GLB, as the example shows', async () => {
     const { page, complaints } = await open('example');
-    await page.waitForFunction(() => window.strips > 0);
+    await page.waitForFunction(() => window.lines > 0);
     assert.deepEqual(complaints, []);
     await page.close();
   });
