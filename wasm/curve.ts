@@ -212,7 +212,7 @@ export class Curve {
     return this.#told.segmentCount;
   }
 
-  /** How many levels the curve has, also where `levels` leaves that to it. */
+  /** The number of levels of the curve, also where `levels: 'auto'` chose it. */
   get levels(): number {
     return this.#told.levels;
   }

@@ -67,7 +67,7 @@ export function saveChanges(
     const address = addressOf(state, viewNow());
     if (before === address) return;
     history.replaceState(null, '', `#${address}`);
-    // A reload that is under way may still go to the address as it was.
+    // A reload that has begun may still lead to the former address.
     rememberInTab('overtaken', `${before} ${location.hash.slice(1)}`);
   };
   const save = (state: State) => {
@@ -106,7 +106,7 @@ export function saveChanges(
     clearTimeout(viewTimer);
     viewTimer = window.setTimeout(() => {
       const { state } = editor;
-      // What waits to be saved saves the view with it.
+      // A save that is still waiting stores the view as well.
       if (!timer && state.mesh !== '' && !state.standIn) saveAddress(state);
     }, delayMilliseconds);
   };

@@ -91,8 +91,9 @@ void studyNeedle(int faces) {
   Random random(5);
   Surface surface(importMesh(wheel(faces, 0, 1e4)).mesh);
   const Array<SurfacePoint> points = randomPoints(surface.mesh(), 4, random);
-  tell(std::to_string(faces) + " needles round a vertex, a B-spline",
-       timed([&] { Curve(surface, {{CurveKind::kBSpline}, 32, {}}, points); }));
+  tell(std::to_string(faces) + " needles round a vertex, a B-spline", timed([&] {
+         Curve(surface, {{CurveKind::kBSpline}, 32, {}}, points);
+       }));
   tell(std::to_string(faces) + " needles round a vertex, exact distances", timed([&] {
          WindowDistance exact(surface.geometry());
          exact.setSource(points[0]);
@@ -127,7 +128,9 @@ void studySpikes(int around, int along) {
   const Array<SurfacePoint> points = randomPoints(surface.mesh(), 40, random);
   tell("a B-spline of 40 points on a spiked sphere of " +
            std::to_string(surface.mesh().faceCount()) + " triangles",
-       timed([&] { Curve(surface, {{CurveKind::kBSpline}, 16, {}}, points); }));
+       timed([&] {
+         Curve(surface, {{CurveKind::kBSpline}, 16, {}}, points);
+       }));
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ function servePage() {
 const blocked = 'Service Worker registration blocked by Playwright';
 
 /**
- * Whether the page complains. The driver's words on its canvas being read are the browser's doing, and
- * that a test has no service worker is its own.
+ * Whether a message is a complaint of the page. Two are none: the driver warns when a canvas is read, and
+ * a service worker cannot be registered where the test blocks it.
  */
 export function isComplaint(message) {
   if (!['error', 'warning'].includes(message.type())) return false;

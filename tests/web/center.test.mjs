@@ -21,7 +21,7 @@ describe('a center of mass', () => {
     assert.equal(middle.curve, null);
     assert.deepEqual([middle.center.status, middle.quality], ['converged', 'exact']);
     const [a, b] = middle.legs.map(lengthOf);
-    // Exact distances are read by quad2 between vertices: a few hundredths of an edge.
+    // Between vertices exact distances are interpolated by a quadratic, with errors of a few hundredths of an edge.
     const { meanEdge } = (await tab.mesh()).info;
     assert.ok(Math.abs(a - b) <= 0.1 * meanEdge, `${a} ${b}`);
     const distance = a + b;

@@ -87,7 +87,7 @@ describe('the exact curve after the draft', () => {
     const from = await tab.handle('Control point 2 of 4');
     await tab.drag(from, { x: from.x + 10, y: from.y });
 
-    // The engine that refines is held until an answer comes that is not given before the drags are over.
+    // The engine that refines is held until the drags are over.
     let release;
     const released = new Promise((resolve) => {
       release = resolve;

@@ -12,7 +12,8 @@ class GraphBuilderHandle {
   GraphBuilderHandle(MeshHandle& mesh, int rings)
       : mesh_(mesh), rings_(rings), builder_(mesh.surface().geometry(), rings) {}
 
-  /// Does the next vertices; true when all are done, and the mesh has the graph.
+  /// Adds the next `vertices` vertices to the graph; returns true when the graph is complete and
+  /// belongs to the mesh.
   bool advance(int vertices) {
     if (!builder_.advance(vertices)) return false;
     mesh_.surface().takeRingGraph(rings_, builder_.take());

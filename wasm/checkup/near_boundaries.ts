@@ -3,8 +3,8 @@ import type { Boundary } from './boundary.js';
 
 export interface NearBoundaries {
   /**
-   * x, y, z of the vertices on them that lie within 1e-4 of the diagonal of another one, and near
-   * enough to be welded: a third of the shortest edge at either.
+   * The coordinates x, y, z of boundary vertices near another boundary vertex: within 1e-4 of the diagonal, and
+   * within a third of the shortest edge at either of both, so that they can be welded.
    */
   places: Float64Array;
   /** The tolerance, as `weld` of `MeshOptions`, that joins them. */

@@ -217,7 +217,7 @@ function checkBatch(command: Described, values: ReadonlyMap<string, string>): vo
   if (values.get('format') === 'obj') {
     throw new UsageError(`${command.name} takes one mesh with --format obj`);
   }
-  // What has an option of its own writes a file a mesh.
+  // A command with an `out` of its own writes one file for each mesh.
   if (command.options.includes(outOption) || !command.options.some(({ name }) => name === 'out'))
     return;
   if (!values.has('out') || values.get('out')!.includes('*')) return;

@@ -223,7 +223,7 @@ class BinarySource implements Source {
     for (let i = 0; i < this.#more; i++) this.#next('a number of a vertex');
   }
 
-  /** By as many numbers of a color as are told. */
+  /** Skips the components of a face's color, whose number stands before them. */
   endFace(): void {
     const count = this.count('the number of components of a color');
     if (4 * count > this.room()) {

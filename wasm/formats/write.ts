@@ -73,7 +73,7 @@ function plyFile({ positions, triangles }: Triangles): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-/** In single precision, without triangles of which two corners become one there. */
+/** The triangles in single precision, without those of which rounding makes two corners one. */
 function single({ positions, triangles }: Triangles) {
   const rounded = Float32Array.from(positions);
   const isOne = (v: number, w: number) =>

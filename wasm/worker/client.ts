@@ -123,7 +123,7 @@ export class WorkerClient {
       const origin = of === undefined ? null : this.#origins.get(of);
       if (origin === undefined) throw gone();
       if (name === 'dispose' && origin) {
-        // What was not made anew has been disposed of.
+        // An object of a former worker that the present one did not make anew is gone already.
         if (origin.worker !== this.#worker && !this.#isRestarting) return resolve(undefined);
         this.#leave(origin);
       }

@@ -28,7 +28,7 @@ export interface Derived {
   readonly offset?: { readonly distance: number; readonly side: OffsetSide };
   /** Of a cut: the parts that are not kept as they are. */
   readonly parts?: readonly PartChoice[];
-  /** Of a cut: how thick parts become as they are saved; 0 leaves them surfaces. */
+  /** The thickness that the parts of a cut get when they are saved; 0 leaves them surfaces. */
   readonly thickness?: number;
 }
 

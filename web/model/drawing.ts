@@ -42,7 +42,7 @@ export interface Properties extends LineStyle, FillStyle {
 }
 
 export interface DrawnObject extends Properties {
-  /** From 1; tells it from the others of its drawing, and stays. */
+  /** A number from 1 that no other object of the drawing has, and that never changes. */
   readonly id: number;
   readonly figure: Figure;
 }

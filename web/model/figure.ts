@@ -47,7 +47,7 @@ export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: n
   readonly tangents?: Tangents;
 };
 
-/** Of a circle and of an ellipse: each is the other's shape where that has more to say. */
+/** The shape of a circle and of an ellipse. A circle keeps the fields of an ellipse, so that it can become one again. */
 export interface CircleShape {
   center: SurfacePoint;
   rim: Rim;

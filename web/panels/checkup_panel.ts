@@ -62,7 +62,7 @@ export class CheckUpPanel {
     } catch (error) {
       if (client !== this.#checked) return;
       this.#checked = null;
-      // Opened again, it is tried again.
+      // The reader can open it again, which starts another check.
       if (controller.signal.aborted) this.#details.open = false;
       else this.#found.replaceChildren(make('p', sentenceOf(error)));
     } finally {

@@ -1,7 +1,7 @@
 import { byId, closeIcon, make, write } from './elements';
 
 export interface LegendWords {
-  /** Of its elements' ids. */
+  /** The prefix of the ids of its elements. */
   id: string;
   /** The id of the menu's item that shows it. */
   item: string;

@@ -63,7 +63,7 @@ export class Handles {
     const ids = new Set(handles.map(({ id }) => id));
     const shows = ++this.#shows;
     if (this.#held && !ids.has(this.#held.id)) this.letGo();
-    // What is left after that is shown already.
+    // The handles that remain are shown already.
     if (shows !== this.#shows) return;
     for (const [id, { button }] of this.#buttons) {
       if (ids.has(id)) continue;

@@ -79,7 +79,7 @@ export class OrbitView {
     });
   }
 
-  /** While it is set the pointer's button moves the view, whatever else it would do. */
+  /** True while the main button moves the view instead of turning it. */
   set moves(moves: boolean) {
     this.#controls.mouseButtons.LEFT = moves ? MOUSE.PAN : MOUSE.ROTATE;
   }

@@ -243,7 +243,7 @@ export class EngineClient {
     );
   }
 
-  /** An object's curve, which has this value, where it is nearest to a place. */
+  /** The point of an object's curve nearest to a place; `value` makes the curve where the worker does not have it. */
   async measure(
     object: number,
     value: CurveOptions,

@@ -58,8 +58,8 @@ export class Bend {
   }
 
   /**
-   * The command that takes the segment through a point. On a plane it goes there at once; elsewhere its
-   * place is looked up, and corrected so many times at most.
+   * The command that bends the segment so that it passes through a point. On a plane one step is exact;
+   * elsewhere each correction measures how far the curve is off, and takes that into account.
    */
   async through(point: SurfacePoint, corrections: number): Promise<FigureCommand> {
     const { client, surface, figure, place } = this;

@@ -63,9 +63,9 @@ export interface Computation {
   uniqueness?: boolean;
   /** Whether what its lines enclose is asked for. */
   fill?: boolean;
-  /** Whether the paths of its lines are asked for. */
+  /** True where the paths of its lines are wanted as well. */
   outlines?: boolean;
-  /** Of a figure that is made of others, their lines. */
+  /** The lines of the figures that this one is made of. */
   outlinesOf?: OutlinesOf;
 }
 
@@ -209,7 +209,7 @@ async function computeCircle(
     return { ...nothing, circle, ...drawn };
   } catch (error) {
     if (error instanceof Stopped) throw error;
-    // The handles stay, so that the radius can be taken back.
+    // The handles stay, so that the user can drag the radius back.
     return { ...nothing, circle, problem: messageOf(error) };
   }
 }

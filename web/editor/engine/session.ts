@@ -227,8 +227,8 @@ export class Session {
   }
 
   /**
-   * How the knots of a B-spline with knots of its own go on after an edit; null where the engine
-   * cannot say, as where the points make no curve.
+   * The knots that a B-spline with knots of its own has after an edit; null where the engine cannot find them,
+   * such as where the points make no curve.
    */
   async knotsAfter(spline: Spline, edit: Edit): Promise<number[] | null> {
     const [client, state] = [this.#client, this.#state];

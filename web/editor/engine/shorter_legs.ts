@@ -5,7 +5,7 @@ import type { ShorterLeg } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
 import { curveValueOf } from './compute';
 
-/** Shorter ways than the legs that a figure tells, whose curve is the object's then; null where it tells none. */
+/** Shorter paths in place of the legs that a figure names; the object's curve becomes that with these legs. Null for a figure without legs. */
 export async function shorterLegs(
   client: EngineClient,
   object: number,

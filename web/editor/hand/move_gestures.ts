@@ -109,7 +109,7 @@ export class MoveGestures {
       });
   }
 
-  /** The key was let go, or nobody would hear that it is. */
+  /** Ends a move by keys: the key was released, or its release would not be heard. */
   endNudge(): void {
     this.#nudges = this.#nudges.then(() => {
       if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();

@@ -4,8 +4,9 @@ import type { Editor } from '../state/editor';
 import { selectionOf, tangentOf } from './handle_list';
 
 /**
- * Selects what a press on a handle means: with Shift one point more, and of several the one that takes the
- * others along. Gives the points that a click leaves selected, where those are others.
+ * Selects the point whose handle is pressed. With Shift it is added to the selection; a point that is already
+ * selected keeps the others selected, which a drag moves as well. Returns the points that a mere click should
+ * leave selected, where these differ.
  */
 export function selectPressed(editor: Editor, id: string, shift: boolean): number[] | null {
   const selection = selectionOf(id);

@@ -17,8 +17,8 @@ export interface Place {
 /** What is done with a pointer from its press on. */
 export interface Hold {
   /**
-   * The pointer was dragged: at most once a frame, with its newest place and all since the last call.
-   * Not called for a press that hardly moves.
+   * Hears of a drag at most once a frame: the newest place of the pointer, and all places since the last call.
+   * A press that hardly moves is no drag.
    */
   drag(place: Place, way: readonly Place[]): void;
   /** The pointer is up; `dragged` tells whether `drag` was called. */
