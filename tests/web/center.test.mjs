@@ -28,7 +28,11 @@ describe('a center of mass', () => {
     const half = (distance / 2) ** 2;
     assert.ok(Math.abs(middle.center.energy - half) <= 0.01 * half, 'weights are shared out');
     const shown = await tab.page.locator('#status').textContent();
-    assert.match(shown, /energy [\d.]+/);
+    // Of the refined answer, by exact paths.
+    assert.match(shown, /energy [\d.]+ · residual [\d.e-]+/);
+    const { certificate } = middle.center;
+    assert.ok(Math.abs(certificate.energy - half) <= 1e-3 * half, `${certificate.energy} ${half}`);
+    assert.ok(certificate.residual <= 0.1 * meanEdge, `${certificate.residual}`);
 
     // A slider's 64 steps run from 1/16 to 16: 16 of them from 1 to 4.
     const slider = tab.page.getByRole('slider', { name: 'Weight of point 1' });

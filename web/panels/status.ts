@@ -293,9 +293,12 @@ function countOf({ curve, isolines }: View): string {
 
 function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string {
   if (center) {
-    const { status, energy, uniqueness } = center;
+    const { status, certificate, uniqueness } = center;
     const only = status === 'converged' ? uniquenessWords[uniqueness] : '';
-    return `energy ${formatLength(energy)}${only}`;
+    // By exact shortest paths, once the refined answer is there.
+    const exact = certificate ? ` · residual ${certificate.residual.toPrecision(2)}` : '';
+    const { energy } = certificate ?? center;
+    return `energy ${formatLength(energy)}${exact}${only}`;
   }
   const drawn = curve ?? isolines;
   const area = fill?.region ? ` · area ${formatArea(fill.region.area, unit)}` : '';

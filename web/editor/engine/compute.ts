@@ -61,6 +61,8 @@ export interface Computation {
   before?: DrawnBefore | undefined;
   /** Whether to look for other minima than a center of mass, where that is quickly done. */
   uniqueness?: boolean;
+  /** Whether to measure a center of mass by exact shortest paths: about as long as one exact field. */
+  certificate?: boolean;
   /** Whether what its lines enclose is asked for. */
   fill?: boolean;
   /** True where the paths of its lines are wanted as well. */
@@ -96,7 +98,7 @@ function computeFigure(
   options: FieldOptions,
   computation: Computation,
 ): Promise<Shown> {
-  const { object, draft = false, before, uniqueness = false, fill = false } = computation;
+  const { object, draft = false, before, fill = false } = computation;
   const { outlines = false, outlinesOf } = computation;
   if (figure.kind === 'cut') {
     return drawCut(client, figure, outlinesOf!).then((cut) => ({ ...nothing, cut }));
@@ -114,7 +116,7 @@ function computeFigure(
   const few = figure.points.length < pointsNeeded(figure);
   if (few || figure.kind === 'points') return Promise.resolve(nothing);
   const spline = splineOf(figure);
-  if (!spline) return computeCenter(client, figure, options, uniqueness);
+  if (!spline) return computeCenter(client, figure, options, computation);
   const { marks } = spline.settings;
   const value = curveOptions(spline, options);
   return client
@@ -165,18 +167,20 @@ async function computeCenter(
   client: EngineClient,
   { points }: Figure,
   options: FieldOptions,
-  looks: boolean,
+  looks: Pick<Computation, 'uniqueness' | 'certificate'>,
 ): Promise<Shown> {
   const started = performance.now();
   const weights = points.map(({ weight = 1 }) => weight);
   const { vertices } = client.info;
   const isFast = options.solver === 'fast';
   const uniqueness =
-    looks && points.length * vertices <= (isFast ? mostLooked.fast : mostLooked.others);
+    looks.uniqueness === true &&
+    points.length * vertices <= (isFast ? mostLooked.fast : mostLooked.others);
   const center = await client.mesh.centerOfMass([...points], weights, {
     ...options,
     normalize: true,
     uniqueness,
+    certificate: looks.certificate,
   });
   return { ...nothing, center: { ...center, milliseconds: performance.now() - started } };
 }

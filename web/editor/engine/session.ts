@@ -416,6 +416,7 @@ export class Session {
         return compute(client, state.figure, options, {
           ...{ object: id, fill: fill > 0 },
           outlines: isSource(state.drawing, id),
+          certificate: true,
         });
       },
       done: (found) => {
