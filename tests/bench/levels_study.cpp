@@ -7,11 +7,8 @@
 #include "curves/curve.h"
 #include "generators/control_polygons.h"
 #include "generators/curve_shapes.h"
-#include "generators/plane.h"
-#include "generators/smooth_surface.h"
-#include "generators/sphere.h"
-#include "generators/torus.h"
 #include "mesh/mesh_import.h"
+#include "smooth_shapes.h"
 #include "steadiness.h"
 
 /// Whether the levels that a curve takes by itself lead to the curve of level 0 (Mancinelli,
@@ -32,37 +29,6 @@ constexpr int kTruthEvery = 16;
 /// Degrees: level 0 lost nothing if it turns no more than the limit but for this, and has no
 /// bridge.
 constexpr double kLittleTurning = 3;
-
-struct Shape {
-  std::string name;
-  SmoothSurface surface;
-  std::function<TriangleSoup(int triangles)> mesh;
-};
-
-Array<Shape> shapes() {
-  constexpr uint64_t kSeed = 5;
-  const Vec3 halfAxes(1.4, 1, 0.7);
-  constexpr double kHeight = 0.5;
-  const auto ellipsoid = [halfAxes](int triangles) {
-    TriangleSoup soup = relaxedSphere(triangles, kSeed);
-    for (Vec3& p : soup.positions) p = halfAxes.cwiseProduct(p);
-    return soup;
-  };
-  const auto saddle = [](int triangles) {
-    TriangleSoup soup = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, triangles, kSeed);
-    for (Vec3& p : soup.positions) {
-      const double x = 2 * p.x() - 1;
-      const double y = 2 * p.y() - 1;
-      p = Vec3(x, y, kHeight * (x * x - y * y));
-    }
-    return soup;
-  };
-  return {{"sphere", smoothSphere(), [](int n) { return relaxedSphere(n, kSeed); }},
-          {"torus", smoothTorus(kTorusMajor, kTorusMinor),
-           [](int n) { return irregularTorus(n, 1, kSeed); }},
-          {"saddle", smoothSaddle(kHeight), saddle},
-          {"ellipsoid", smoothEllipsoid(halfAxes), ellipsoid}};
-}
 
 /// The curve's points at even parameters.
 Array<Vec3> sampled(const Curve& curve) {
@@ -108,8 +74,8 @@ double turningOf(const TurningMeasure& measure, const Curve& curve) {
   return turning(measure, polyline);
 }
 
-void printRow(const Shape& shape, Surface& surface, const TurningMeasure& measure, double spacing,
-              int polygons) {
+void printRow(const SmoothShape& shape, Surface& surface, const TurningMeasure& measure,
+              double spacing, int polygons) {
   const Geometry& geometry = surface.geometry();
   Random random(1);
   Array<double> levels;
@@ -226,7 +192,7 @@ void study(const Options& options) {
       "truth | level 0 from truth | ms |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
       options.polygons);
-  for (const Shape& shape : shapes()) {
+  for (const SmoothShape& shape : smoothShapes()) {
     if (shape.name.find(options.name) == std::string::npos) continue;
     for (const int triangles : options.triangles) {
       Surface surface(importMesh(shape.mesh(triangles)).mesh);

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
 import { loadPeers } from 'karcher/peers';
 import { loadConfigFromFile } from 'vite';
-import { aboutReport, keptJson, measuredOf } from '../../.tools/paper_report.mjs';
+import { aboutReport, kept, keptJson, measuredOf } from '../../.tools/paper_report.mjs';
 import { digestOf, sourcesDigest } from '../../.tools/sources.mjs';
 import { inRoot, load } from './load.mjs';
 
@@ -74,6 +74,22 @@ test('the saved verdicts follow from the saved numbers, and their sentences tell
     followed++;
   }
   assert.ok(followed >= (report.studies ? report.claims.length : 12), `${followed}`);
+});
+
+test('a report that is kept says what it was judged by', () => {
+  const studies = {
+    ...{ oneCenter: { fieldsMs: 47.123456, centerMs: 0.0451234 }, roughness: [] },
+    convergence: [{ error: 1 / 3 }],
+  };
+  const numbers = kept({ panels: {}, studies, meshes: null, load: { most: 1.2, cores: 2 } });
+  const { convergence, roughness, ...others } = numbers.studies;
+  const whole = { ...numbers, studies: others, plots: { convergence, roughness }, table: null };
+  const claims = judge(measuredOf(whole));
+  const saved = JSON.parse(keptJson({ claims, ...whole }));
+  assert.deepEqual(JSON.parse(JSON.stringify(judge(measuredOf(saved)))), saved.claims);
+  const row = saved.claims.find(({ id }) => id === 'one-center');
+  assert.match(row.measured, /47 ms; another center of mass in them: 0\.045 ms/);
+  assert.deepEqual(measuredOf(saved).studies.convergence, [{ error: 0.3333 }]);
 });
 
 describe('numbers older than the code that they judge', () => {

@@ -161,6 +161,25 @@ describe('the gallery', () => {
   });
 });
 
+test('the table of joints is what the study printed, and half of the kinks of refined curves are as told', () => {
+  const saved = rowsOf(savedLines('joints'));
+  const names = new Set(saved.map(([mesh]) => mesh));
+  const rows = rowsOf(linesOf('docs/steady-curves.md'));
+  const kinds = ['Bezier', 'Catmull-Rom', 'B-spline'];
+  const table = rows.filter(([mesh, , kind]) => names.has(mesh) && kinds.includes(kind));
+  assert.deepEqual(table, saved);
+  const [half, most] = told(
+    'docs/steady-curves.md',
+    /half of the kinks of refined curves are under (\S+) degrees, 95 of 100 under (\.\d+)/,
+  );
+  for (const [mesh, , kind, spacing, levels, , kinks] of saved) {
+    // Level 0 has joints of its kind.
+    if (Number(levels) < 1) continue;
+    const [median, most95] = kinks.split(' / ').map(Number);
+    assert.ok(median < Number(half) && most95 < Number(most), `${mesh} ${kind} ${spacing}`);
+  }
+});
+
 test('how near the default is to the paper’s curve is the same wherever it is told', () => {
   const [first, second] = ['README.md', 'docs/methods.md'].map(
     (name) => told(name, /the default is that curve, to (\S+) mean edges/)[0],

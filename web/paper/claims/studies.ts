@@ -228,7 +228,7 @@ function inverse(peers: Peers): Studies['inverse'] {
 const growthSizes: readonly number[] = [5_000, 20_000, 80_000, 240_000];
 
 /** After so long a method has failed to make a curve. */
-const growthBudgetMs = 300_000;
+const growthBudgetMs = 120_000;
 const growthMethods = ['vectorHeat', 'weightedAverages', 'paper', 'karcher', 'leveled'] as const;
 
 export async function growth(peers: Peers): Promise<Studies['growth']> {
