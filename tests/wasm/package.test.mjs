@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -11,6 +12,8 @@ const dist = fileURLToPath(new URL('.', import.meta.resolve('karcher')));
  * 45,000 are streams of C++, by which tinyobjloader reads OBJ.
  */
 const mostBytes = { wasm: 470_000, js: 30_000 };
+/** What CI compiles the module with. The bounds are of its output: others' libraries and code differ in size. */
+const boundCompiler = '3.1.6';
 
 /** The files that `karcher` imports, and what those import, now or when it is needed. */
 function filesOfEntry() {
@@ -34,7 +37,9 @@ test('bundlers that do not read its exports find the same file', () => {
   );
 });
 
-test('the module and its JavaScript are small enough to load', () => {
+test('the module and its JavaScript are small enough to load', (t) => {
+  const said = spawnSync('emcc', ['--version'], { encoding: 'utf8' }).stdout ?? '';
+  const compiler = /\d+\.\d+\.\d+/.exec(said)?.[0];
   const files = filesOfEntry();
   for (const name of ['karcher-engine.wasm', 'karcher-engine.mjs', 'load.js', 'mesh.js']) {
     assert.ok(files.includes(name), name);
@@ -44,6 +49,8 @@ test('the module and its JavaScript are small enough to load', () => {
       .filter((name) => name.endsWith('.wasm') === (type === 'wasm'))
       .map((name) => gzipSync(readFileSync(dist + name)).length)
       .reduce((sum, bytes) => sum + bytes, 0);
-    assert.ok(size <= most, `${size} bytes of ${type} gzipped, at most ${most}`);
+    const sizes = `${size} bytes of ${type} gzipped, at most ${most}`;
+    if (compiler === boundCompiler) assert.ok(size <= most, sizes);
+    else t.diagnostic(`${sizes} of Emscripten ${boundCompiler}; this is ${compiler}`);
   }
 });
