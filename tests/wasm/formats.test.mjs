@@ -434,6 +434,15 @@ function coloredPly(type, toNumber, names) {
   );
 }
 
+/** Of what a vertex has after its place. */
+function coloredOff(keyword, rest) {
+  const places = colored.colors.map((color, i) =>
+    [...colored.positions.slice(3 * i, 3 * i + 3), ...rest(color)].join(' '),
+  );
+  const faces = colored.faces.map((face) => `3 ${face.join(' ')} 0.5 0.5 0.5`);
+  return encode([keyword, '5 2 0', ...places, ...faces, ''].join('\n'));
+}
+
 test('colors are those of the file’s vertices, in whatever numbers, welded or not', async () => {
   const obj = encode(
     `${colored.colors
@@ -453,6 +462,11 @@ test('colors are those of the file’s vertices, in whatever numbers, welded or 
       coloredPly('float', (c) => c / 255, ['diffuse_red', 'diffuse_green', 'diffuse_blue']),
     ),
     await open(coloredPly('ushort', (c) => 257 * c, ['r', 'g', 'b'])),
+    await open(coloredOff('COFF', (color) => color)),
+    await open(coloredOff('COFF', (color) => [...color, 9])),
+    await open(coloredOff('COFF', (color) => [...color.map((c) => c / 255), 0.5])),
+    await open(coloredOff('STCNOFF', (color) => [0, 0, 1, ...color, 0.2, 0.3])),
+    await open(coloredOff('STCNOFF', (color) => [0, 0, 1, ...color, 255, 0.2, 0.3])),
     glb,
   ];
   for (const { mesh, file } of opened) {

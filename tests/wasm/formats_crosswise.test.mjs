@@ -126,13 +126,15 @@ test('a binary OFF, whatever its vertices and faces have beside', async () => {
   for (const [keyword, more] of [
     ['OFF', []],
     ['NOFF', [0, 0, Number.NaN]],
-    ['STCNOFF', [0, 0, 1, 1, 1, 1, 1, 0.5, 0.5]],
+    ['STCNOFF', [0, 0, 1, 0.2, 1, 0, 1, 0.5, 0.5]],
   ]) {
     const places = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
     const vertices = [0, 1, 2, 3].flatMap((i) => [...places.slice(3 * i, 3 * i + 3), ...more]);
     const faces = [3n, 0n, 1n, 2n, 0n, 3n, 0n, 2n, 3n, 3n, 1, 0.5, 0.25];
     const numbers = [4n, 2n, 5n, ...vertices, ...faces];
-    const { mesh } = await open(binaryOff(keyword, numbers));
+    const { mesh, file } = await open(binaryOff(keyword, numbers));
+    const colors = /C/.test(keyword) ? places.flatMap((_, i) => [51, 255, 0][i % 3]) : null;
+    assert.deepEqual(file.colors && [...file.colors], colors);
     assert.deepEqual([...mesh.positions()], places, keyword);
     assert.deepEqual([...mesh.triangles()], [0, 1, 2, 0, 2, 3], keyword);
     const bytes = binaryOff(keyword, numbers);

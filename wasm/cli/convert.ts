@@ -1,5 +1,11 @@
 import { writeFile } from 'node:fs/promises';
-import { meshFile, type WrittenFormat, writtenFormats } from '../formats/index.js';
+import {
+  type FileMarks,
+  meshFile,
+  type Triangles,
+  type WrittenFormat,
+  writtenFormats,
+} from '../formats/index.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
 import type { CutPart } from '../types.js';
@@ -8,7 +14,7 @@ import type { Command, Result } from './command.js';
 import { UsageError, writeError } from './errors.js';
 import type { Option } from './options.js';
 
-/** The mesh as Karcher reads it, in a file: its vertices of faces, its triangles. */
+/** The mesh as Karcher reads it, in a file: its vertices of faces, its triangles, its colors and parts. */
 
 const outOption: Option = {
   name: 'out',
@@ -46,8 +52,8 @@ export const repair: Command = {
 async function written(args: Arguments): Promise<Result> {
   const format = formatOf(args);
   const read = await args.meshFile();
-  const { mesh } = await read(await load());
-  const surface = surfaceOf(mesh);
+  const { mesh, file: marks } = await read(await load());
+  const surface = surfaceOf(mesh, marks);
   const bytes = meshFile(surface, format);
   const file = args.text('out');
   if (file === '-') return { json: {}, bytes };
@@ -77,8 +83,32 @@ function formatOf(args: Arguments): WrittenFormat {
   );
 }
 
-/** The surface with what was mended: its triangles in the file's order, vertices as they use them first. */
-function surfaceOf(mesh: Mesh): { positions: Float64Array; triangles: Int32Array } {
+/** The colors of places, by where they are: what is mended gives vertices other numbers. */
+function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]): Uint8Array {
+  const given = mesh.positions();
+  const place = (at: ArrayLike<number>, i: number) => `${at[i]} ${at[i + 1]} ${at[i + 2]}`;
+  const known = new Map<string, number>();
+  for (let i = given.length - 3; i >= 0; i -= 3) known.set(place(given, i), i);
+  const white = [255, 255, 255];
+  const result = new Uint8Array(positions.length);
+  for (let i = 0; i < positions.length; i += 3) {
+    const vertex = known.get(place(positions, i));
+    result.set(vertex === undefined ? white : colors.subarray(vertex, vertex + 3), i);
+  }
+  return result;
+}
+
+/**
+ * The surface with what was mended: its triangles in the file's order, vertices as they use them first, and
+ * what the file says of both.
+ */
+function surfaceOf(
+  mesh: Mesh,
+  { colors, parts, partOf }: FileMarks,
+): Required<Triangles> & {
+  positions: Float64Array;
+  triangles: Int32Array;
+} {
   // Cut along nothing a mesh comes apart into its components, which have the engine's own vertices.
   const triangles: { face: number; part: CutPart; at: number; first: number }[] = [];
   let first = 0;
@@ -101,5 +131,11 @@ function surfaceOf(mesh: Mesh): { positions: Float64Array; triangles: Int32Array
       return numbers[before + vertex]!;
     }),
   );
-  return { positions: Float64Array.from(positions), triangles: Int32Array.from(corners) };
+  return {
+    positions: Float64Array.from(positions),
+    triangles: Int32Array.from(corners),
+    colors: colors && colorsAt(mesh, colors, positions),
+    parts,
+    partOf: partOf && triangles.map(({ face }) => partOf[face]!),
+  };
 }

@@ -38,3 +38,7 @@ export const colorByte = (value: number) => Math.round(255 * Math.min(1, Math.ma
 /** Light as glTF tells of it, in the sRGB of other formats and of screens. */
 export const encodedLight = (light: number) =>
   light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
+
+/** The inverse of it. */
+export const linearLight = (value: number) =>
+  value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;

@@ -3,6 +3,7 @@ import { batchMask, Slices } from '../slices.js';
 import type { LongWorkOptions } from '../types.js';
 import { badFile, counted } from './failures.js';
 import { GrowingPolygons } from './growing.js';
+import { colorByte } from './marks.js';
 import { isLineEnd, lineEndAt, longerRows, TextRows, Words } from './text.js';
 import type { Polygons } from './types.js';
 
@@ -19,8 +20,8 @@ interface Source {
   count(what: string): number;
   /** Ends the counts, which are followed by so many rows. */
   endHeader(rows: number): void;
-  /** Ends a vertex of three coordinates, by what follows them. */
-  endVertex(): void;
+  /** Ends a vertex of three coordinates, by what follows them; its color as in the file, if it has one. */
+  endVertex(): readonly number[] | null;
   /** Ends a face, by its color. */
   endFace(): void;
   /** Throws where the file goes on. */
@@ -33,8 +34,25 @@ interface Source {
   notRead(): string[];
 }
 
+/** How many numbers a vertex has beside its place, in this order. */
+interface Beside {
+  normal: number;
+  color: number;
+  texture: number;
+}
+
 /**
- * Reads an OFF file, of text or binary; colors, normals and texture coordinates are left out.
+ * The colors of vertices, which are NaN where one has none, and white then: whole numbers to 255, or, where
+ * none is more than 1, parts of 1. None where no vertex has one.
+ */
+function colorBytes(colors: Float64Array): Uint8Array | null {
+  if (colors.every(Number.isNaN)) return null;
+  const most = colors.some((value) => value > 1) ? 255 : 1;
+  return Uint8Array.from(colors, (value) => (Number.isNaN(value) ? 255 : colorByte(value / most)));
+}
+
+/**
+ * Reads an OFF file, of text or binary; normals, texture coordinates and colors of faces are left out.
  *
  * Rejects with `KarcherError` badFile or badIndex, naming the line or byte, or the signal's reason.
  */
@@ -48,11 +66,11 @@ export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise
   }
   // OFF3 is a keyword and a number.
   if (glued) words.back(glued.length);
-  const more = (normal ? 3 : 0) + (texture ? 2 : 0);
+  const beside = { normal: normal ? 3 : 0, color: color ? 4 : 0, texture: texture ? 2 : 0 };
   const isBinary = words.nextIs('BINARY');
   const source = isBinary
-    ? new BinarySource(bytes, words, more + (color ? 4 : 0))
-    : new TextSource(bytes, words, more, color !== undefined);
+    ? new BinarySource(bytes, words, beside)
+    : new TextSource(bytes, words, beside);
   const vertices = source.count('the number of vertices');
   const faces = source.count('the number of faces');
   source.endHeader(vertices + faces);
@@ -66,12 +84,14 @@ export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise
   const slices = new Slices(work, 'reading');
   const done = () => 1 - source.room() / bytes.length;
   const positions = new Float64Array(3 * vertices);
+  const colored = color ? new Float64Array(3 * vertices).fill(Number.NaN) : null;
   for (let vertex = 0; vertex < vertices; vertex++) {
     if ((vertex & batchMask) === 0 && slices.over) await slices.rest(done());
     for (let axis = 0; axis < 3; axis++) {
       positions[3 * vertex + axis] = source.coordinate(`a coordinate of vertex ${vertex}`);
     }
-    source.endVertex();
+    const row = source.endVertex();
+    if (row) colored?.set(row, 3 * vertex);
   }
   const polygons = new GrowingPolygons();
   for (let face = 0; face < faces; face++) {
@@ -93,15 +113,15 @@ export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise
   source.end();
   const parts = [{ name: 'mesh', triangles: polygons.triangles }];
   const notRead = [...polygons.notRead, ...source.notRead()];
-  const info = { format: 'off', parts, notRead } as const;
+  const colors = colored && colorBytes(colored);
+  const info = { format: 'off', parts, colors, notRead } as const;
   return { positions, corners: polygons.corners, sizes: polygons.sizes, info };
 }
 
 class TextSource implements Source {
   readonly #bytes: Uint8Array;
   readonly #words: Words;
-  readonly #more: number;
-  readonly #colored: boolean;
+  readonly #beside: Beside;
   readonly #rows: TextRows;
   /** Whether each vertex and face has lines of its own, or else the vertices' numbers have any. */
   #inRows = true;
@@ -109,12 +129,10 @@ class TextSource implements Source {
   /** A vertex takes three digits with what is between them, a face of no corners one. */
   readonly least = { vertex: 6, face: 2 };
 
-  /** Of `more` numbers after a vertex's coordinates, then of a color. */
-  constructor(bytes: Uint8Array, words: Words, more: number, colored: boolean) {
+  constructor(bytes: Uint8Array, words: Words, beside: Beside) {
     this.#bytes = bytes;
     this.#words = words;
-    this.#more = more;
-    this.#colored = colored;
+    this.#beside = beside;
     this.#rows = new TextRows(words);
   }
 
@@ -135,15 +153,26 @@ class TextSource implements Source {
     this.#inRows = this.#hasLines(rows);
   }
 
-  endVertex(): void {
+  /** A color has three or four numbers, which the line's end tells: of rows on any lines none is known. */
+  endVertex(): readonly number[] | null {
     const what = 'a number of a vertex';
-    for (let i = 0; i < this.#more; i++) {
-      if (this.#inRows) this.#rows.next(what);
-      else this.#words.skip(what);
+    const { normal, color, texture } = this.#beside;
+    const skip = (count: number) => {
+      for (let i = 0; i < count; i++) {
+        if (this.#inRows) this.#rows.next(what);
+        else this.#words.skip(what);
+      }
+    };
+    skip(normal);
+    const rest: number[] = [];
+    while (color && this.#inRows && rest.length < color + texture && this.#words.nextInLine()) {
+      rest.push(Number(this.#words.word));
     }
+    skip(color ? texture - rest.length : texture);
     if (this.#inRows) this.#rows.end();
-    else if (this.#colored) this.#words.restOfLine();
+    else if (color) this.#words.restOfLine();
     this.#longer = this.#rows.longer;
+    return rest.length >= 3 + texture ? rest.slice(0, 3) : null;
   }
 
   endFace = () => this.#rows.end();
@@ -156,7 +185,7 @@ class TextSource implements Source {
   room = () => this.#bytes.length - this.#words.at;
 
   notRead(): string[] {
-    if (this.#longer === 0 || this.#colored) return [];
+    if (this.#longer === 0 || this.#beside.color > 0) return [];
     return [longerRows(this.#longer, 'the places of vertices')];
   }
 
@@ -183,16 +212,17 @@ class TextSource implements Source {
 /** Numbers of four bytes, the greatest first, as the line that says BINARY is followed by. */
 class BinarySource implements Source {
   readonly #view: DataView;
-  readonly #more: number;
+  readonly #beside: Beside;
   #at: number;
   readonly least: { vertex: number; face: number };
 
-  constructor(bytes: Uint8Array, words: Words, more: number) {
+  constructor(bytes: Uint8Array, words: Words, beside: Beside) {
     this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     words.restOfLine();
     this.#at = words.at + lineEndAt(bytes, words.at);
-    this.#more = more;
-    this.least = { vertex: 4 * (3 + more), face: 8 };
+    this.#beside = beside;
+    const { normal, color, texture } = beside;
+    this.least = { vertex: 4 * (3 + normal + color + texture), face: 8 };
   }
 
   #next(what: string): number {
@@ -219,8 +249,12 @@ class BinarySource implements Source {
     this.#next('the number of edges');
   }
 
-  endVertex(): void {
-    for (let i = 0; i < this.#more; i++) this.#next('a number of a vertex');
+  endVertex(): readonly number[] | null {
+    const { normal, color, texture } = this.#beside;
+    const rest = Array.from({ length: normal + color + texture }, () =>
+      this.coordinate('a number of a vertex'),
+    );
+    return color ? rest.slice(normal, normal + 3) : null;
   }
 
   /** Skips the components of a face's color, whose number stands before them. */

@@ -1,11 +1,20 @@
 import { checkOneOf, shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { binaryChunk, glbMagic, jsonChunk } from './glb.js';
+import { linearLight } from './marks.js';
 
-/** What is written: x, y, z a vertex, and three vertices a triangle, as `mesh.cut` gives them. */
+/**
+ * What is written: x, y, z a vertex, and three vertices a triangle, as `mesh.cut` gives them. The rest is as
+ * `FileMarks` has it, which can be spread into it: colors are written to PLY, OBJ and GLB, parts to OBJ and GLB.
+ */
 export interface Triangles {
   positions: ArrayLike<number>;
   triangles: ArrayLike<number>;
+  /** Red, green and blue of each vertex, 0 to 255. */
+  colors?: ArrayLike<number> | null | undefined;
+  parts?: readonly { name: string }[] | undefined;
+  /** Per triangle the number of its part. */
+  partOf?: ArrayLike<number> | null | undefined;
 }
 
 const writers = { stl: stlFile, ply: plyFile, obj: objFile, glb: glbFile };
@@ -26,7 +35,7 @@ export function meshFile(mesh: Triangles, format: WrittenFormat): Uint8Array<Arr
   return writers[format](mesh);
 }
 
-function checkTriangles({ positions, triangles }: Triangles): void {
+function checkTriangles({ positions, triangles, colors, parts, partOf }: Triangles): void {
   for (const [numbers, what] of [
     [positions, 'positions'],
     [triangles, 'triangles'],
@@ -40,31 +49,69 @@ function checkTriangles({ positions, triangles }: Triangles): void {
     if (Number.isInteger(vertex) && vertex >= 0 && vertex < count) continue;
     throw new KarcherError('badIndex', `there is no vertex ${shown(vertex)}: there are ${count}`);
   }
+  if (colors && colors.length !== positions.length) {
+    const what = `the colors must be three numbers a vertex, ${positions.length}, not ${colors.length}`;
+    throw new KarcherError('badArgument', what);
+  }
+  for (let i = 0; i < (colors?.length ?? 0); i++) {
+    const value = colors![i]!;
+    if (Number.isInteger(value) && value >= 0 && value <= 255) continue;
+    throw new KarcherError(
+      'badArgument',
+      `a color is ${shown(value)}, not a whole number from 0 to 255`,
+    );
+  }
+  if (!partOf) return;
+  if (3 * partOf.length !== triangles.length) {
+    const what = `there must be a part for each of ${triangles.length / 3} triangles, not ${partOf.length}`;
+    throw new KarcherError('badArgument', what);
+  }
+  for (let i = 0; i < partOf.length; i++) {
+    if (parts?.[partOf[i]!] !== undefined) continue;
+    throw new KarcherError(
+      'badIndex',
+      `there is no part ${shown(partOf[i])}: there are ${parts?.length ?? 0}`,
+    );
+  }
 }
 
-function objFile({ positions, triangles }: Triangles): Uint8Array<ArrayBuffer> {
+/** The name of a part on a line of its own. */
+const partName = ({ name }: { name: string }) => name.replace(/\p{Cc}+/gu, ' ').trim() || 'unnamed';
+
+function objFile({ positions, triangles, colors, parts, partOf }: Triangles) {
   const lines: string[] = [];
   for (let i = 0; i < positions.length; i += 3) {
-    lines.push(`v ${positions[i]} ${positions[i + 1]} ${positions[i + 2]}\n`);
+    const color = colors ? [0, 1, 2].map((k) => ` ${colors[i + k]! / 255}`).join('') : '';
+    lines.push(`v ${positions[i]} ${positions[i + 1]} ${positions[i + 2]}${color}\n`);
   }
   for (let i = 0; i < triangles.length; i += 3) {
+    const part = partOf?.[i / 3];
+    if (part !== undefined && part !== partOf![i / 3 - 1])
+      lines.push(`o ${partName(parts![part]!)}\n`);
     lines.push(`f ${triangles[i]! + 1} ${triangles[i + 1]! + 1} ${triangles[i + 2]! + 1}\n`);
   }
   return new TextEncoder().encode(lines.join(''));
 }
 
-function plyFile({ positions, triangles }: Triangles): Uint8Array<ArrayBuffer> {
+function plyFile({ positions, triangles, colors }: Triangles): Uint8Array<ArrayBuffer> {
+  const count = positions.length / 3;
+  const colored = 'property uchar red\nproperty uchar green\nproperty uchar blue\n';
   const header = new TextEncoder().encode(
     'ply\nformat binary_little_endian 1.0\n' +
-      `element vertex ${positions.length / 3}\nproperty double x\nproperty double y\nproperty double z\n` +
+      `element vertex ${count}\nproperty double x\nproperty double y\nproperty double z\n` +
+      (colors ? colored : '') +
       `element face ${triangles.length / 3}\nproperty list uchar int vertex_indices\nend_header\n`,
   );
-  const faces = header.length + 8 * positions.length;
+  const rowBytes = colors ? 27 : 24;
+  const faces = header.length + rowBytes * count;
   const bytes = new Uint8Array(faces + 13 * (triangles.length / 3));
   bytes.set(header);
   const view = new DataView(bytes.buffer);
-  for (let i = 0; i < positions.length; i++) {
-    view.setFloat64(header.length + 8 * i, positions[i]!, true);
+  for (let vertex = 0, at = header.length; vertex < count; vertex++, at += rowBytes) {
+    for (let k = 0; k < 3; k++) {
+      view.setFloat64(at + 8 * k, positions[3 * vertex + k]!, true);
+      if (colors) view.setUint8(at + 24 + k, colors[3 * vertex + k]!);
+    }
   }
   for (let i = 0, at = faces; i < triangles.length; i += 3, at += 13) {
     view.setUint8(at, 3);
@@ -74,16 +121,19 @@ function plyFile({ positions, triangles }: Triangles): Uint8Array<ArrayBuffer> {
 }
 
 /** The triangles in single precision, without those of which rounding makes two corners one. */
-function single({ positions, triangles }: Triangles) {
+function single({ positions, triangles, partOf }: Triangles) {
   const rounded = Float32Array.from(positions);
   const isOne = (v: number, w: number) =>
     [0, 1, 2].every((axis) => rounded[3 * v + axis] === rounded[3 * w + axis]);
   const kept: number[] = [];
+  const keptParts: number[] = [];
   for (let i = 0; i < triangles.length; i += 3) {
     const [a, b, c] = [triangles[i]!, triangles[i + 1]!, triangles[i + 2]!];
-    if (!isOne(a, b) && !isOne(b, c) && !isOne(c, a)) kept.push(a, b, c);
+    if (isOne(a, b) || isOne(b, c) || isOne(c, a)) continue;
+    kept.push(a, b, c);
+    keptParts.push(partOf?.[i / 3] ?? 0);
   }
-  return { rounded, kept };
+  return { rounded, kept, keptParts };
 }
 
 function stlFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
@@ -114,56 +164,81 @@ function normalOf(corners: readonly Float32Array[]): number[] {
   return normal.map((value) => (length > 0 ? value / length : 0));
 }
 
+/** The corners of each part that has triangles, in order. */
+function cornersOfParts(kept: readonly number[], keptParts: readonly number[]) {
+  const ofParts = new Map<number, number[]>();
+  for (const [triangle, part] of keptParts.entries()) {
+    const corners = ofParts.get(part) ?? [];
+    ofParts.set(part, corners);
+    corners.push(kept[3 * triangle]!, kept[3 * triangle + 1]!, kept[3 * triangle + 2]!);
+  }
+  return [...ofParts].sort(([a], [b]) => a - b);
+}
+
+/** A mesh and a node for each part; all have the same vertices. */
 function glbFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
-  const { rounded, kept } = single(mesh);
-  const indices = Uint32Array.from(kept);
+  const { rounded, kept, keptParts } = single(mesh);
+  const light = mesh.colors && Float32Array.from(mesh.colors, (byte) => linearLight(byte / 255));
+  const ofParts = cornersOfParts(kept, keptParts);
+  const columns = [rounded, ...(light ? [light] : [])];
+  const arrays = [...columns, ...ofParts.map(([, corners]) => Uint32Array.from(corners))];
+  let end = 0;
+  const bufferViews = arrays.map((array, i) => {
+    const byteOffset = end;
+    end += array.byteLength;
+    const target = i < columns.length ? 34962 : 34963;
+    return { buffer: 0, byteOffset, byteLength: array.byteLength, target };
+  });
   const extent = (pick: (...values: number[]) => number, start: number) =>
     [0, 1, 2].map((axis) => {
       let most = start;
       for (let i = axis; i < rounded.length; i += 3) most = pick(most, rounded[i]!);
       return most;
     });
-  const [vertexBytes, indexBytes] = [rounded.byteLength, indices.byteLength];
+  const ofVertices = { componentType: 5126, count: rounded.length / 3, type: 'VEC3' };
+  const bounds = {
+    min: extent(Math.min, Number.POSITIVE_INFINITY),
+    max: extent(Math.max, Number.NEGATIVE_INFINITY),
+  };
+  const attributes = { POSITION: 0, ...(light ? { COLOR_0: 1 } : {}) };
+  const names = ofParts.map(([part]) => (mesh.partOf ? { name: mesh.parts![part]!.name } : {}));
   const json = JSON.stringify({
     asset: { version: '2.0', generator: 'Karcher' },
     scene: 0,
-    scenes: [{ nodes: [0] }],
-    nodes: [{ mesh: 0 }],
-    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
-    accessors: [
-      {
-        bufferView: 0,
-        componentType: 5126,
-        count: rounded.length / 3,
-        type: 'VEC3',
-        min: extent(Math.min, Number.POSITIVE_INFINITY),
-        max: extent(Math.max, Number.NEGATIVE_INFINITY),
-      },
-      { bufferView: 1, componentType: 5125, count: indices.length, type: 'SCALAR' },
-    ],
-    bufferViews: [
-      { buffer: 0, byteLength: vertexBytes, target: 34962 },
-      { buffer: 0, byteOffset: vertexBytes, byteLength: indexBytes, target: 34963 },
-    ],
-    buffers: [{ byteLength: vertexBytes + indexBytes }],
+    scenes: [{ nodes: names.map((_, i) => i) }],
+    nodes: names.map((name, i) => ({ ...name, mesh: i })),
+    meshes: names.map((name, i) => ({
+      ...name,
+      primitives: [{ attributes, indices: columns.length + i }],
+    })),
+    accessors: arrays.map((array, bufferView) =>
+      bufferView < columns.length
+        ? { bufferView, ...ofVertices, ...(bufferView === 0 ? bounds : {}) }
+        : { bufferView, componentType: 5125, count: array.length, type: 'SCALAR' },
+    ),
+    bufferViews,
+    buffers: [{ byteLength: end }],
   });
-  const text = new TextEncoder().encode(json.padEnd(4 * Math.ceil(json.length / 4)));
-  const bytes = new Uint8Array(12 + 8 + text.length + 8 + vertexBytes + indexBytes);
+  const text = new TextEncoder().encode(json);
+  const textLength = 4 * Math.ceil(text.length / 4);
+  const bytes = new Uint8Array(12 + 8 + textLength + 8 + end);
   const view = new DataView(bytes.buffer);
   const words = (at: number, values: number[]) => {
     values.forEach((value, i) => {
       view.setUint32(at + 4 * i, value, true);
     });
   };
-  words(0, [glbMagic, 2, bytes.length, text.length, jsonChunk]);
+  words(0, [glbMagic, 2, bytes.length, textLength, jsonChunk]);
+  bytes.fill(32, 20, 20 + textLength);
   bytes.set(text, 20);
-  const binary = 20 + text.length;
-  words(binary, [vertexBytes + indexBytes, binaryChunk]);
-  rounded.forEach((value, i) => {
-    view.setFloat32(binary + 8 + 4 * i, value, true);
-  });
-  indices.forEach((value, i) => {
-    view.setUint32(binary + 8 + vertexBytes + 4 * i, value, true);
+  const binary = 20 + textLength;
+  words(binary, [end, binaryChunk]);
+  arrays.forEach((array, i) => {
+    const at = binary + 8 + bufferViews[i]!.byteOffset;
+    array.forEach((value, k) => {
+      if (array instanceof Float32Array) view.setFloat32(at + 4 * k, value, true);
+      else view.setUint32(at + 4 * k, value, true);
+    });
   });
   return bytes;
 }
