@@ -1,8 +1,8 @@
 /** Commands that make objects of other ones, or change how they are made; null where there is nothing to do. */
 import { onTop } from './arranging';
 import { type Command, joined } from './commands';
-import { type BooleanKind, type Derived, type DerivedKind, isDerived } from './derived';
-import { activeObject, type Drawing, type DrawnObject, freeId, newObject } from './drawing';
+import { type BooleanKind, type Derived, type DerivedKind, isBoolean, isDerived } from './derived';
+import { activeObject, type Drawing, type DrawnObject, freeId, lookOf, newObject } from './drawing';
 import { emptyFigure, type Figure, isCurve, isEmpty, pointsNeeded } from './figure';
 
 /** Whether others can be made of an object, once it has all its points. */
@@ -30,16 +30,15 @@ function made(
   kind: DerivedKind,
   how: Omit<Derived, 'sources'>,
 ): Command {
-  const { color, width, dash, fill, fillColor } = sources.at(-1)!;
+  const look = lookOf(sources.at(-1)!);
   const derived: Derived = { sources: sources.map(({ id }) => id), ...how };
   const figure: Figure = { ...emptyFigure, kind, derived };
-  const filled = kind === 'offset' || kind === 'cut' ? 0 : fill;
-  const style = { color, width, dash, fill: filled, fillColor };
-  return onTop(drawing, newObject(freeId(drawing), figure, style));
+  const fill = isBoolean(kind) ? look.fill : 0;
+  return onTop(drawing, newObject(freeId(drawing), figure, { ...look, fill }));
 }
 
 /** How operands are drawn, so that the result is seen before them. */
-const outlined = { width: 1.5, dash: 'dashed', fill: 0 } as const;
+const outlined = { width: 1.5, onSurface: false, dash: 'dashed', fill: 0 } as const;
 
 export function combining(
   drawing: Drawing,
@@ -48,8 +47,9 @@ export function combining(
 ): Command | null {
   const sources = combinable(drawing, ids);
   if (sources.length < 2) return null;
-  const plain = sources.map(({ id, width, dash, fill }): Command => {
-    return { type: 'properties', id, from: { width, dash, fill }, to: outlined };
+  const plain = sources.map(({ id, width, onSurface, dash, fill }): Command => {
+    const from = { width, onSurface, dash, fill };
+    return { type: 'properties', id, from, to: outlined };
   });
   return joined([...plain, made(drawing, sources, kind, {})]);
 }
