@@ -13,8 +13,11 @@ function compressedParts(mesh, name, buffer) {
   return { json: parts.json, buffer };
 }
 
-/** Compressed by Draco: `bits` of a coordinate, or all of it. The order of triangles may become another. */
-export async function dracoParts(mesh, { bits = 0 } = {}) {
+/**
+ * Compressed by Draco: `bits` of a coordinate, or all of it. The order of triangles may become another. `colors`
+ * are four bytes a vertex.
+ */
+export async function dracoParts(mesh, { bits = 0, colors } = {}) {
   const encoderModule = await draco3d.createEncoderModule();
   const encoder = new encoderModule.Encoder();
   const builder = new encoderModule.MeshBuilder();
@@ -26,6 +29,9 @@ export async function dracoParts(mesh, { bits = 0 } = {}) {
   const id = builder.AddFloatAttributeToMesh(
     ...[made, encoderModule.POSITION, vertices, 3, Float32Array.from(mesh.positions)],
   );
+  const colorId =
+    colors &&
+    builder.AddUInt8Attribute(made, encoderModule.COLOR, vertices, 4, Uint8Array.from(colors));
   if (bits > 0) encoder.SetAttributeQuantization(encoderModule.POSITION, bits);
   // As it is, vertices keep their order.
   else encoder.SetEncodingMethod(encoderModule.MESH_SEQUENTIAL_ENCODING);
@@ -36,8 +42,13 @@ export async function dracoParts(mesh, { bits = 0 } = {}) {
   json.bufferViews = [{ buffer: 0, byteLength: length }];
   for (const accessor of json.accessors) delete accessor.bufferView;
   json.meshes[0].primitives[0].extensions = {
-    [name]: { bufferView: 0, attributes: { POSITION: id } },
+    [name]: { bufferView: 0, attributes: { POSITION: id, COLOR_0: colorId } },
   };
+  if (colors) {
+    json.meshes[0].primitives[0].attributes.COLOR_0 = json.accessors.length;
+    const type = { componentType: 5121, type: 'VEC4', normalized: true };
+    json.accessors.push({ ...type, count: vertices });
+  }
   return { json, buffer };
 }
 

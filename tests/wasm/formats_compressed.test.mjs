@@ -154,3 +154,29 @@ test('triangles that Draco compressed and no accessor tells of are read', async 
     message: /3,200 triangles of 1,600 vertices, but its accessors tell of 1,601$/,
   });
 });
+
+test('colors that Draco compressed are read; wrong ones refuse no surface', async () => {
+  const vertices = shape.positions.length / 3;
+  // Light of 0 and 1 is the same in sRGB.
+  const colors = Array.from({ length: 4 * vertices }, (_, i) =>
+    i % 7 < 3 || i % 4 === 3 ? 255 : 0,
+  );
+  const given = colors.filter((_, i) => i % 4 !== 3);
+  const read = async (change = () => {}) => {
+    const parts = await dracoParts(shape, { colors });
+    change(parts.json);
+    return (await meshFromFile(karcher, glbOf(parts))).file.colors;
+  };
+  assert.deepEqual(Array.from(await read()), given);
+  const white = given.map(() => 255);
+  const extension = (json) =>
+    json.meshes[0].primitives[0].extensions.KHR_draco_mesh_compression.attributes;
+  for (const [change, wanted] of [
+    [(json) => (extension(json).COLOR_0 = 9), white],
+    [(json) => (json.accessors.at(-1).type = 'VEC3'), white],
+    [(json) => delete extension(json).COLOR_0, null],
+  ]) {
+    const found = await read(change);
+    assert.deepEqual(found && Array.from(found), wanted);
+  }
+});

@@ -75,10 +75,14 @@ export class Accessors {
   /** The colors of a primitive's vertices; null where it has none that can be read. */
   colorsOf(primitive: Json): Accessor | null {
     const { COLOR_0 } = objectOf(primitive, 'attributes');
-    if (COLOR_0 === undefined || (this.#draco && dracoOf(primitive))) return null;
+    if (COLOR_0 === undefined) return null;
+    const draco = this.#draco && dracoOf(primitive);
     try {
-      const { type } = entryOf(this.#json, 'accessors', COLOR_0);
-      return this.#accessor(COLOR_0, type === 'VEC4' ? 'VEC4' : 'VEC3');
+      const accessor = entryOf(this.#json, 'accessors', COLOR_0);
+      const type = accessor.type === 'VEC4' ? 'VEC4' : 'VEC3';
+      return draco
+        ? this.#colorsOfDraco(draco, accessor, `accessor ${COLOR_0}`, type)
+        : this.#accessor(COLOR_0, type);
     } catch {
       // No surface is refused for its colors.
       return null;
@@ -135,6 +139,28 @@ export class Accessors {
     this.#known.set(key(places), made.places);
     this.#known.set(key(indices), made.indices);
     return made;
+  }
+
+  /** Decoded when a first one is asked for; white where what is decoded has none of this type. */
+  #colorsOfDraco(of: Json, accessor: Json, what: string, rowType: 'VEC3' | 'VEC4'): Accessor {
+    const id = countOf(objectOf(of, 'attributes'), 'COLOR_0', what);
+    const type = accessor.componentType as number;
+    checkType(type, what);
+    const size = components[rowType];
+    const white = () => {
+      const value = accessor.normalized === true ? (most.get(type) ?? 1) : 1;
+      const bytes = new Uint8Array(Float32Array.from({ length: size }, () => value).buffer);
+      return { ...rowsOf(bytes, 5126, size), stride: 0 };
+    };
+    return this.#made(accessor, what, rowType, () => {
+      try {
+        const { bytes } = this.#buffers.view(of.bufferView);
+        const { columns, points } = decodeDraco(this.#draco!, bytes, [{ id, type, size }], what);
+        return points === accessor.count ? rowsOf(columns.get(id)!, type, size) : white();
+      } catch {
+        return white();
+      }
+    });
   }
 
   #accessor(number: unknown, type: RowType): Accessor {
