@@ -81,7 +81,7 @@ test(`edits through a worker leave no memory behind, and the curve is that of it
 });
 
 test('a worker that is killed rejects what is under way, and all after', {
-  timeout: 60_000,
+  timeout: 600_000,
 }, async (t) => {
   const worker = new Worker(threadUrl);
   const karcher = await loadForTest(t, { worker });

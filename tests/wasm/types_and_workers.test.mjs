@@ -42,7 +42,7 @@ test('a forgotten worker does not keep Node alive, and one that is called does',
     });
   `;
   const { status, stdout, stderr } = spawnSync(process.execPath, ['-e', script], {
-    ...{ encoding: 'utf8', timeout: 60_000, cwd: import.meta.dirname },
+    ...{ encoding: 'utf8', timeout: 600_000, cwd: import.meta.dirname },
   });
   assert.equal(status, 0, stderr);
   assert.ok(Number(stdout) > 1000, stdout);

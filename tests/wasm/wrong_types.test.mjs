@@ -221,7 +221,7 @@ test('a wrong worker or signal is refused, and no worker is left running', async
         await loadInWorker(options).catch(({ name, code }) => console.log(name, code));
       }`;
     const args = ['--input-type=module', '-e', program];
-    execFile(process.execPath, args, { timeout: 60_000 }, (error, out) =>
+    execFile(process.execPath, args, { timeout: 600_000 }, (error, out) =>
       resolve({ code: error ? (error.code ?? 'it did not end') : 0, stdout: out }),
     );
   });
