@@ -161,7 +161,7 @@ test('mistakes in the command line: a sentence and status 1', async () => {
     [['distance', squareFile, '--from', 'v:0', '--rings', '3'], /'exact' has no rings/],
     [['path', squareFile, '--from', 'v:0', '--to', 'v:1', '--format', 'svg'], /--format must be/],
     [['mean', squareFile, '--points', 'x', '--normalize=yes'], /--normalize takes no value/],
-    [['info', squareFile, '--colour'], /no option --colour/],
+    [['info', squareFile, '--colour'], /no option --colour; it has --/],
     [['info', squareFile, '--colour=red'], /no option --colour/],
     [['info', '-x', squareFile], /no option -x/],
     [['info', `${folder.path}/none.obj`], /cannot read .*none\.obj: there is no such file/],

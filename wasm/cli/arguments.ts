@@ -264,7 +264,8 @@ function checkOption(
   repeated: boolean,
 ): void {
   if (option === undefined || !rawName.startsWith('--')) {
-    throw new UsageError(`${command.name} has no option ${rawName}`);
+    const known = command.options.map(({ name }) => `--${name}`).join(', ');
+    throw new UsageError(`${command.name} has no option ${rawName}; it has ${known}`);
   }
   if (repeated) throw new UsageError(`${rawName} is given twice`);
   if (option.value === undefined && value !== undefined) {

@@ -182,7 +182,8 @@ export interface DecalOptions {
 /**
  * The part of a surface that a picture round a point covers, as a geometry of its own with normals and `uv` as of
  * `logMapUvs`: lay it over the surface with a transparent material. It has the triangles that the picture reaches,
- * without those where shortest paths to the corners part, which would show the picture as a streak.
+ * without those where shortest paths to the corners part, which would show the picture as a streak. Triangles at its
+ * edge are whole: there the texture repeats its outermost pixels, which should be transparent.
  */
 export function decalGeometry(
   surface: Surface<AnyMesh>,
