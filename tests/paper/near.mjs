@@ -31,7 +31,7 @@ const numbersOf = (text) =>
   (text.match(number) ?? []).map((one) => Number(one.replaceAll(',', '')));
 
 /** Columns that are rounding by themselves, or times. */
-const ofRounding = /^(rotated|both ways|fast: us|exact: us)$/;
+const ofRounding = /^(rotated|both ways|.*: [um]s)$/;
 
 /** Where the lines that a study printed differ from those that were saved, all but times. */
 export function lineDifferences(now, saved) {
