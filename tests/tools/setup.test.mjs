@@ -4,8 +4,10 @@ import { spawnSync } from 'node:child_process';
 import {
   chmodSync,
   cpSync,
+  existsSync,
   mkdirSync,
   mkdtempSync,
+  readFileSync,
   rmSync,
   symlinkSync,
   writeFileSync,
@@ -90,6 +92,26 @@ test('without root and sudo the commands that are told are those of root', {
   if (!/Not installing/.test(stderr)) return assert.match(stderr, /brew install clang-format/);
   assert.match(stderr, /there is no sudo\. The commands are, as root:\n {2}env /);
   assert.doesNotMatch(stderr, /\bsudo env/);
+});
+
+test('who installs the package from git gets no packages of the system', () => {
+  const called = join(folder, 'called');
+  const path = pathWith('git', { 'apt-get': `touch ${called}`, sudo: `touch ${called}` });
+  const env = { PATH: path, KARCHER_NO_INSTALL: '', npm_lifecycle_event: 'prepack' };
+  const { status, stderr } = run([join(root, '.tools/setup.mjs'), 'build'], { env });
+  assert.equal(status, 1);
+  assert.equal(existsSync(called), false);
+  if (existsSync('/etc/debian_version')) assert.match(stderr, /as npm is making the package/);
+});
+
+test('what CMake downloads has a hash', () => {
+  const files = ['CMakeLists.txt', 'wasm/CMakeLists.txt', 'tests/bench/CMakeLists.txt'];
+  const texts = files.map((name) => readFileSync(join(root, name), 'utf8')).join('\n');
+  const declared = [...texts.matchAll(/FetchContent_Declare\(([^)]*)\)/g)].map(([, text]) => text);
+  assert.equal(declared.length, 2);
+  for (const text of declared)
+    assert.match(text, /\bURL https:.*\n\s*URL_HASH SHA256=[0-9a-f]{64}\n/);
+  assert.doesNotMatch(texts, /GIT_REPOSITORY|ExternalProject|file\(DOWNLOAD/);
 });
 
 test('a folder that cannot be written to', () => {
