@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
+import { fitsFile } from './schema.mjs';
 
 describe('cuts', () => {
   let browser;
@@ -128,6 +129,8 @@ describe('cuts', () => {
     await button(tab, 'Show or hide Part 1').click();
     await tab.settled();
     const before = (await parts(tab)).map(({ area, state }) => ({ area, state }));
+    const saved = await tab.save(/^JSON the whole/);
+    assert.ok(fitsFile(JSON.parse(saved.text)), JSON.stringify(fitsFile.errors));
     await tab.pastSaving();
     const link = tab.page.url().split('#')[1];
     await tab.page.reload();

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
+import { fitsFile } from './schema.mjs';
 
 describe('objects made of others', () => {
   let browser;
@@ -107,6 +108,7 @@ describe('objects made of others', () => {
     assert.equal(JSON.stringify(await drawingOf(tab)), made);
     const length = (await tab.view()).isolines.length;
     const saved = await tab.save(/^JSON the whole/);
+    assert.ok(fitsFile(JSON.parse(saved.text)), JSON.stringify(fitsFile.errors));
     await tab.pastSaving();
     const link = tab.page.url().split('#')[1];
     await tab.page.reload();
@@ -155,6 +157,29 @@ describe('objects made of others', () => {
     );
     await tab.page.keyboard.press('Control+z');
     assert.equal((await drawingOf(tab)).objects.length, 4);
+    await close(tab);
+  });
+
+  test('a drag of its line moves what it is made of, and is one step', async () => {
+    const { tab } = await withCircle();
+    await maker(tab, 'Offset').click();
+    await tab.settled();
+    const before = JSON.stringify(await drawingOf(tab));
+    const { lines, length } = (await tab.view()).isolines;
+    const places = lines[0].polyline;
+    const seen = await tab.page.evaluate(
+      (place) => window.karcherPage.seen(place),
+      [0, 1, 2].map((axis) => places[axis]),
+    );
+    await tab.drag(seen, { x: seen.x - 30, y: seen.y + 40 });
+    const { objects } = await drawingOf(tab);
+    const { objects: old } = JSON.parse(before);
+    assert.notDeepEqual(objects[0].figure.circle.center, old[0].figure.circle.center);
+    assert.deepEqual(objects[1], old[1]);
+    near((await tab.view()).isolines.length, length, 0.01, 'as long as it was');
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify(await drawingOf(tab)), before);
     await close(tab);
   });
 
