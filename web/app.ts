@@ -149,7 +149,7 @@ export async function start(): Promise<void> {
     shorterClicked: (index) => shorten(index),
     mirrorAimed: (point) => mirror.aim(point),
     mirrorClicked: (point) => void mirror.click(point),
-    moveStopped: () => showNote('The move stops where something would leave the surface.'),
+    stopped: showNote,
   });
   editor.onInterrupt = () => gestures.letGo();
   const remove = () => {

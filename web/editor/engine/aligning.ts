@@ -71,7 +71,7 @@ export async function align(
       if (!goal) return part.map(({ figure }) => figure);
       const move = await Move.of(client, surface, part, places[i]!);
       const placed = await move.placed({ point: goal });
-      if (!placed) throw new Error('Something would leave the surface.');
+      if (typeof placed === 'string') throw new Error(placed);
       return placed.figures;
     }),
   );

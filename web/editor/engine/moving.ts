@@ -9,6 +9,7 @@ import { type Figure, isEmpty, type Vector } from '../../model/figure';
 import { type Carried, type CarriedTo, carriedOf, movedFigures } from '../../model/moving';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
+import { isTorn } from './tearing';
 
 /** How much of a geodesic may be left at the boundary, as a part of the surface's diagonal. */
 const leftAtMost = 1e-9;
@@ -28,6 +29,11 @@ export interface Placed {
   /** What was carried along beside the objects: where it went, and its directions there. */
   beside: CarriedTo;
 }
+
+/** Why a move goes no farther. */
+export const leaves = 'The move stops where something would leave the surface.';
+const tears =
+  'The move stops where it would tear a figure: from there its points go different ways round the surface.';
 
 export const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 
@@ -81,6 +87,7 @@ export async function faceNormal(
 export class Move {
   private constructor(
     private readonly client: EngineClient,
+    private readonly surface: Surface,
     private readonly normal: Vector3,
     private readonly objects: readonly DrawnObject[],
     private readonly pivot: SurfacePoint,
@@ -107,16 +114,17 @@ export class Move {
       directionsOf(all),
     );
     const normal = await faceNormal(client, surface, pivot);
-    return new Move(client, normal, objects, plain(pivot), carried, beside, logs);
+    return new Move(client, surface, normal, objects, plain(pivot), carried, beside, logs);
   }
 
-  /** The command that takes the pivot to a point; null where something would leave the surface. */
-  async to(point: SurfacePoint): Promise<Command | null> {
-    return (await this.placed({ point }))?.command ?? null;
+  /** The command that takes the pivot to a point; a sentence where it cannot be. */
+  async to(point: SurfacePoint): Promise<Command | string> {
+    const placed = await this.placed({ point });
+    return typeof placed === 'string' ? placed : placed.command;
   }
 
-  /** Null where something would leave the surface. */
-  async placed({ point = this.pivot, angle = 0, scale = 1 }: Placement): Promise<Placed | null> {
+  /** A sentence where it cannot be. */
+  async placed({ point = this.pivot, angle = 0, scale = 1 }: Placement): Promise<Placed | string> {
     const { client, pivot, carried, objects } = this;
     const stays = samePoint(point, pivot);
     if (stays && angle === 0 && scale === 1) return this.#unmoved;
@@ -125,9 +133,10 @@ export class Move {
     const { points, directions, remaining } = stays
       ? await client.mesh.expMap(pivot, vectors, ways)
       : await client.putDown(pivot, plain(point), vectors, ways);
-    if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return null;
+    if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return leaves;
     const before = objects.map(({ figure }) => figure);
     const figures = movedFigures(before, carried, { points, directions }, scale);
+    if (await isTorn(client, this.surface, objects, figures, scale)) return tears;
     const own = carried.length;
     return {
       ...{ command: replacing(objects, figures), figures },

@@ -38,6 +38,8 @@ export class FreehandGestures {
     private readonly session: Session,
     private readonly viewer: Viewer,
     private readonly snapping: Snapping,
+    /** Called with a sentence where a stroke ends before the hand does. */
+    private readonly stopped: (why: string) => void,
   ) {}
 
   take(press: Place): Hold | null {
@@ -63,7 +65,13 @@ export class FreehandGestures {
       release: async (place, dragged) => {
         const end = this.#at(place, this.snapping.pick(place));
         if (end && stroke.length > 1) stroke[stroke.length - 1] = end;
-        if (dragged && stroke.length > 1) await this.#draw(stroke, press.touch).catch(() => {});
+        if (dragged && stroke.length > 1) {
+          await this.#draw(stroke, press.touch).catch(() =>
+            this.stopped(
+              'The stroke made no curve: there is no way along the surface between its ends.',
+            ),
+          );
+        }
         this.viewer.showStroke(new Float32Array());
       },
       cancel: () => this.viewer.showStroke(new Float32Array()),
@@ -80,6 +88,14 @@ export class FreehandGestures {
 
   async #draw(stroke: Drawn[], touch: boolean): Promise<void> {
     const { mesh } = this.editor.state;
+    const whole = stroke.length;
+    stroke.length = await this.#countOnOnePart(stroke);
+    if (stroke.length < whole) {
+      this.stopped(
+        'The stroke ends where another part of the surface begins: a curve lies on one part.',
+      );
+    }
+    if (stroke.length < 2) return;
     const [first, last] = [stroke[0]!, stroke.at(-1)!];
     const within = touch ? closesWithin.touch : closesWithin.mouse;
     const length = stroke.reduce((sum, { x, y }, i) => {
@@ -94,6 +110,25 @@ export class FreehandGestures {
     if (editor.state.mesh !== mesh) return;
     const command = drawnAtOnce(editor.state.drawing, points, closed);
     editor.perform(command, { selection: null, chosen: [] });
+  }
+
+  /** How many places of a stroke lie on the part of the surface where it begins, before it leaves that. */
+  async #countOnOnePart(stroke: readonly Drawn[]): Promise<number> {
+    const { client } = this.session;
+    if (!client || client.info.components < 2) return stroke.length;
+    const isJoined = (place: number) =>
+      client.mesh.shortestPath(stroke[0]!.point, stroke[place]!.point).then(
+        () => true,
+        () => false,
+      );
+    if (await isJoined(stroke.length - 1)) return stroke.length;
+    let [joined, apart] = [0, stroke.length - 1];
+    while (apart - joined > 1) {
+      const middle = (joined + apart) >> 1;
+      if (await isJoined(middle)) joined = middle;
+      else apart = middle;
+    }
+    return apart;
   }
 
   /** The anchors of a curve that is seen within the tolerance of a stroke. */

@@ -50,8 +50,8 @@ export interface CurveClicks {
   /** The pointer is over the surface while the tool mirrors, or a click was there. */
   mirrorAimed(point: SurfacePoint): void;
   mirrorClicked(point: SurfacePoint): void;
-  /** A move would take something off the surface. */
-  moveStopped(): void;
+  /** What the hand does goes no farther; a sentence says why. */
+  stopped(why: string): void;
 }
 
 /** What a drag of a handle began with. */
@@ -133,15 +133,15 @@ export class Gestures {
     const pen = new PenGestures(editor, session, viewer, this.snapping);
     const moves = new MoveGestures(editor, session, viewer, {
       clicked: (place) => this.#click(place),
-      stopped: () => events.moveStopped(),
+      stopped: (why) => events.stopped(why),
     });
     this.#pointer = pointer;
-    this.freehand = new FreehandGestures(editor, session, viewer, this.snapping);
+    this.freehand = new FreehandGestures(editor, session, viewer, this.snapping, events.stopped);
     for (const one of [box, this.freehand, pen]) pointer.offer((press) => one.take(press));
     pointer.offer((press) => this.#takeRound(press));
     pointer.offer((press) => moves.take(press), { withAlt: true });
     const transforms = new TransformGestures(editor, session, viewer, stage, severalFingers, {
-      stopped: () => events.moveStopped(),
+      stopped: (why) => events.stopped(why),
     });
     this.#transforms = transforms;
     this.#moves = moves;

@@ -3,6 +3,7 @@ import type { Viewer } from '../../viewer/viewer';
 import type { Editor } from '../state/editor';
 import { copiesOf, mirroredAcross, mirrorLine } from '../engine/mirroring';
 import { movableObjects, replacing } from '../engine/moving';
+import { isTorn } from '../engine/tearing';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 
@@ -67,7 +68,13 @@ export class MirrorTool {
     try {
       const figures = await mirroredAcross(client, first, point, objects);
       if (editor.state.drawing !== drawing) return;
+      const { surface } = this.viewer;
       if (!figures) this.problem('The mirror image would leave the surface.');
+      else if (surface && (await isTorn(client, surface, objects, figures))) {
+        this.problem(
+          'The mirror image would be torn: the figure is too far from the line to have all of it beside it. Choose a line nearer to it.',
+        );
+      } else if (editor.state.drawing !== drawing) return;
       else if (this.copies) editor.addObjects(copiesOf(objects, figures));
       else editor.perform(replacing(objects, figures));
     } catch (error) {

@@ -4,7 +4,7 @@ import { withSources } from '../../model/sources';
 import { placesOf } from '../../model/moving';
 import type { Viewer } from '../../viewer/viewer';
 import type { Editor } from '../state/editor';
-import { Move, movableObjects } from '../engine/moving';
+import { leaves, Move, movableObjects } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 import type { Hold, Place } from './stage_pointer';
@@ -35,12 +35,12 @@ export class MoveGestures {
   #keyed: KeyedMove | null = null;
   #nudges: Promise<void> = Promise.resolve();
 
-  /** `clicked` is called where nothing was dragged; `stopped` where a move would leave the surface. */
+  /** `clicked` is called where nothing was dragged; `stopped` with a sentence where a move goes no farther. */
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
-    private readonly events: { clicked(place: Place): void; stopped(): void },
+    private readonly events: { clicked(place: Place): void; stopped(why: string): void },
   ) {}
 
   /** Holds the line that is pressed. */
@@ -128,10 +128,10 @@ export class MoveGestures {
     if (!keyed || keyed.revision !== editor.state.revision) return;
     const [x, y] = [keyed.x + dx, keyed.y + dy];
     const point = viewer.pick(x, y)?.point;
-    const command = point && (await keyed.move.to(point).catch(() => null));
+    const command = point ? await keyed.move.to(point).catch(() => leaves) : leaves;
     if (this.#keyed !== keyed || keyed.revision !== editor.state.revision) return;
-    if (!command) {
-      this.events.stopped();
+    if (typeof command === 'string') {
+      this.events.stopped(command);
       return;
     }
     editor.previewCommand(command);
@@ -163,12 +163,13 @@ export class MoveGestures {
     const move = await held?.move;
     const point = this.viewer.pick(x, y)?.point;
     if (this.#held !== held || !held || !move || !point) return;
-    const command = await move.to(point).catch(() => null);
+    const command = await move.to(point).catch(() => leaves);
     if (this.#held !== held) return;
-    if (command) this.editor.previewCommand(held.copies ? this.#leaving(command) : command);
+    if (typeof command !== 'string')
+      this.editor.previewCommand(held.copies ? this.#leaving(command) : command);
     else if (!held.stopped) {
       held.stopped = true;
-      this.events.stopped();
+      this.events.stopped(command);
     }
   }
 

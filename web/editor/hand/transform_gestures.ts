@@ -6,7 +6,7 @@ import { Handles } from '../../viewer/handles';
 import type { Viewer } from '../../viewer/viewer';
 import type { EngineClient } from '../../worker/client';
 import type { Editor } from '../state/editor';
-import { faceNormal, Move, movableObjects, type Placement } from '../engine/moving';
+import { faceNormal, leaves, Move, movableObjects, type Placement } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 import {
@@ -89,14 +89,14 @@ export class TransformGestures {
   #keys: Promise<void> = Promise.resolve();
   #shift = false;
 
-  /** `stopped` is called where something would leave the surface. */
+  /** `stopped` is called with a sentence where it goes no farther. */
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
     stage: HTMLElement,
     severalFingers: () => boolean,
-    private readonly events: { stopped(): void },
+    private readonly events: { stopped(why: string): void },
   ) {
     const layer = document.createElement('div');
     layer.className = 'handles';
@@ -236,10 +236,10 @@ export class TransformGestures {
     }
     const placement = await this.#placementAt(held, point).catch(() => null);
     const move = await held.move.catch(() => null);
-    const placed = placement && (await move?.placed(placement).catch(() => null));
+    const placed = (placement && (await move?.placed(placement).catch(() => leaves))) ?? leaves;
     if (this.#held !== held || !placement) return;
-    if (!placed) {
-      if (!held.stopped) this.events.stopped();
+    if (typeof placed === 'string') {
+      if (!held.stopped) this.events.stopped(placed);
       held.stopped = true;
       return;
     }
@@ -315,12 +315,12 @@ export class TransformGestures {
     const { client } = this.session;
     const point = await this.#pointAt(frame, x, y);
     if (!client || !point) {
-      this.events.stopped();
+      this.events.stopped(leaves);
       return false;
     }
-    const placed = await move.placed({ point, angle, scale }).catch(() => null);
-    if (!placed) {
-      this.events.stopped();
+    const placed = await move.placed({ point, angle, scale }).catch(() => leaves);
+    if (typeof placed === 'string') {
+      this.events.stopped(placed);
       return false;
     }
     if (!isWanted()) return false;

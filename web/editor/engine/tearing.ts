@@ -1,0 +1,44 @@
+/** Figures that a move or a mirror would tear: what lay side by side comes to lie far apart. */
+import { Vector3 } from 'three';
+import type { DrawnObject } from '../../model/drawing';
+import { type ControlPoint, type Figure, isCurve } from '../../model/figure';
+import type { Surface } from '../../viewer/surface';
+import type { EngineClient } from '../../worker/client';
+
+/**
+ * A leg that becomes so many times as long is torn. Where the surface is bent otherwise a figure is
+ * stretched, too, but by less; points on both sides of where shortest paths part go far apart at once.
+ */
+const mostStretch = 4;
+
+/** Whether objects of other figures, `scale` times as large, would be torn. */
+export async function isTorn(
+  client: EngineClient,
+  surface: Surface,
+  objects: readonly DrawnObject[],
+  figures: readonly Figure[],
+  scale = 1,
+): Promise<boolean> {
+  const [from, to] = [new Vector3(), new Vector3()];
+  const apart = (a: ControlPoint, b: ControlPoint) =>
+    surface.position(a, from).distanceTo(surface.position(b, to));
+  for (const [i, { figure }] of objects.entries()) {
+    if (!isCurve(figure.kind)) continue;
+    const { points } = figure;
+    const moved = figures[i]!.points;
+    const legs = figure.settings.closed ? points.length : points.length - 1;
+    for (let leg = 0; leg < legs; leg++) {
+      const next = (leg + 1) % points.length;
+      const is = apart(moved[leg]!, moved[next]!) / (mostStretch * scale);
+      if (is <= apart(points[leg]!, points[next]!)) continue;
+      // Both sides of an ear are near in space.
+      const [begin, end] = [points[leg]!, points[next]!];
+      const way = await client.mesh.shortestPath(
+        { face: begin.face, bary: begin.bary },
+        { face: end.face, bary: end.bary },
+      );
+      if (is > way.length * surface.frame.scale) return true;
+    }
+  }
+  return false;
+}
