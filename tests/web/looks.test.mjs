@@ -127,6 +127,26 @@ describe('looks', () => {
     await tab.page.close();
   });
 
+  test('the color fields show the default color where a line has no color of its own', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:320&kind=polyline');
+    await tab.click([-60, 0], [60, 0]);
+    const shown = () =>
+      tab.page.evaluate(() =>
+        ['color', 'fill-color'].map((id) => document.getElementById(id).value),
+      );
+    const plain = await shown();
+    assert.equal(plain[0], plain[1]);
+    await tab.page.locator('#swatches button').nth(3).click();
+    assert.deepEqual(await shown(), ['#8a3ffc', '#8a3ffc']);
+    await tab.page.locator('#swatches button').first().click();
+    assert.deepEqual(await shown(), plain);
+    await tab.page.emulateMedia({ colorScheme: 'dark' });
+    await tab.page.locator('#swatches button').nth(3).click();
+    await tab.page.locator('#swatches button').first().click();
+    assert.notDeepEqual(await shown(), plain, 'the dark theme has another one');
+    await tab.page.close();
+  });
+
   for (const colorScheme of ['light', 'dark']) {
     test(`controls, handles and the default line are told apart, ${colorScheme}`, async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:320');

@@ -99,8 +99,11 @@ export class ContextMenu {
   #open(place: { x: number; y: number; touch: boolean }): void {
     const { editor } = this;
     const target = targetAt(this.viewer, { ...editor.state, tool: 'select' }, place);
-    if (target?.type === 'other' && !selectedObjects(editor.state).includes(target.id)) {
-      editor.activate(target.id);
+    const { chosen, more, drawing } = editor.state;
+    if (target?.type === 'other' && !chosen.includes(target.id)) {
+      // Several points of the edited object stay selected.
+      const isOfPoints = target.id === drawing.active && more.length > 0;
+      if (!isOfPoints) editor.activate(target.id);
     }
     this.#show(place.x, place.y);
   }

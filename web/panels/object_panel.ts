@@ -19,6 +19,7 @@ import { kindNames } from './kind_names';
 import { ListDrag } from './list_drag';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
 import { showShared } from './shared_settings';
+import { onTheme, sceneColors } from './theme';
 
 /** Colors that are told apart on light and dark surfaces; null is the theme's. */
 const colors: readonly [string | null, string][] = [
@@ -55,6 +56,13 @@ function showNumber(field: NumberField, shared: number | undefined): void {
   else field.show(shared);
 }
 
+/** Of `rgb(…)`. */
+const hexOf = (color: string) =>
+  `#${(color.match(/\d+/g) ?? [])
+    .slice(0, 3)
+    .map((value) => Number(value).toString(16).padStart(2, '0'))
+    .join('')}`;
+
 const percentOf = (part: number | undefined) =>
   part === undefined ? undefined : Math.round(100 * part);
 
@@ -73,6 +81,8 @@ export class ObjectPanel {
   readonly #fill: NumberField;
   readonly #fillColor = byId<HTMLInputElement>('fill-color');
   readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
+  /** The default line's, as fields of colors have it. */
+  #themeColor = '#000000';
   #shown: State | null = null;
 
   constructor(
@@ -84,6 +94,9 @@ export class ObjectPanel {
     new ListDrag(this.#list, (from, to) => {
       const id = Number((this.#list.children[from] as HTMLElement).dataset.id);
       editor.raise(id, from - to);
+    });
+    onTheme(() => {
+      this.#themeColor = hexOf(sceneColors().curve);
     });
     const set = (to: Partial<Properties>) => editor.setProperties(this.#targets, to);
     this.#name.maxLength = longestName;
@@ -310,7 +323,7 @@ export class ObjectPanel {
     showNumber(this.#opacity, percentOf(common('opacity')));
     showNumber(this.#fill, percentOf(common('fill')));
     const fillColor = common('fillColor') ?? common('color');
-    if (fillColor) this.#fillColor.value = fillColor;
+    if (fillColor !== undefined) this.#fillColor.value = fillColor ?? this.#themeColor;
     showShared(this.#dash, common('dash'));
     const color = selected > 0 ? common('color') : undefined;
     for (const swatch of this.#swatches) {
@@ -319,7 +332,7 @@ export class ObjectPanel {
     }
     const isOwn = color !== undefined && colors.every(([one]) => one !== color);
     this.#custom.classList.toggle('chosen', isOwn);
-    if (color) this.#custom.value = color;
+    if (color !== undefined) this.#custom.value = color ?? this.#themeColor;
     const inputs = ['width', 'opacity', 'fill'].map((id) => byId<HTMLInputElement>(id));
     const lists = [this.#widthUnit, this.#dash, this.#fillColor];
     this.#look.setAttribute('aria-pressed', `${this.editor.state.tool === 'look'}`);
