@@ -14,6 +14,7 @@ export interface LogMap {
 
 /** Where straightest geodesics lead. */
 export interface MappedPoints {
+  /** The points of the surface, one for each vector. */
   points: SurfacePoint[];
   /** Directions carried along to them: x, y, z each, in the plane of the point's face. */
   directions: Float64Array;

@@ -82,22 +82,31 @@ export type RepairKind =
 
 /** One kind of repair. Numbers stay the caller's: a point keeps its place, whatever became of its face. */
 export interface Repair {
+  /** The kind of the repair. */
   kind: RepairKind;
+  /** The number of places that were mended in this way. */
   count: number;
   /** The same as a sentence. */
   message: string;
 }
 
+/** What a mesh consists of, and what was mended. */
 export interface MeshInfo {
   /** Vertices and triangles of the surface, after repairs. */
   vertices: number;
+  /** The number of triangles. */
   triangles: number;
+  /** The number of connected components. */
   components: number;
+  /** The number of boundary loops; a closed surface has none. */
   boundaryLoops: number;
+  /** The number of handles. */
   genus: number;
+  /** The mean length of the edges. */
   meanEdge: number;
   /** Length of the bounding box's diagonal. */
   diagonal: number;
+  /** The repairs that were made while the mesh was read. */
   repairs: readonly Readonly<Repair>[];
 }
 

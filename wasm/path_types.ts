@@ -4,6 +4,7 @@ import type { BridgedInterval, CurveSamples, PointLike, SurfacePoint } from './t
 
 /** A leg of a curve's control polygon. */
 export interface CurveLeg {
+  /** The path from the one point to the other. */
   path: Path;
   /** The shortest path between its ends, if the leg is another one. */
   shorter?: Path;
@@ -17,11 +18,13 @@ export type Outline = Path | readonly PointLike[];
 
 /** What outlines enclose together. */
 export interface RegionShape {
+  /** The closed paths that bound the shape. */
   outlines: readonly Outline[];
   /** A point that shall lie inside. Without it the smaller side is inside. */
   inside?: PointLike;
 }
 
+/** A circle on a surface, as a path and as the curve that it was traced of. */
 export interface Circle extends Ellipse {
   /**
    * The largest difference of a sample's exact distance from the center and the radius, as a part of
@@ -47,7 +50,9 @@ export interface Ellipse {
 
 /** Where a straightest path leads, and why it ends. */
 export interface StraightestPath {
+  /** The path itself. */
   path: Path;
+  /** The point where the path ends. */
   end: SurfacePoint;
   /**
    * Why the path ended: it has the whole length (`complete`), it met the boundary, or it crossed a

@@ -14,7 +14,9 @@ export type * from './mesh_types.js';
 
 /** A point of the surface: a face and the weights of its corners 0, 1, 2 (at least 0, sum 1). */
 export interface SurfacePoint {
+  /** The number of the face. */
   face: number;
+  /** The barycentric weights of the three corners, which sum to 1. */
   bary: [number, number, number];
 }
 
@@ -25,13 +27,17 @@ export type PointLike =
 
 /** Points as flat arrays: a face each, and three weights each, as `CurvePoints` and `CentersOfMass` have them. */
 export interface PointArrays {
+  /** The face of each point. */
   face: ArrayLike<number>;
+  /** Three barycentric weights for each point. */
   bary: ArrayLike<number>;
 }
 
 /** The point of the surface that is nearest to a place. */
 export interface NearestPoint {
+  /** The nearest point of the surface. */
   point: SurfacePoint;
+  /** The place of that point in space. */
   position: [number, number, number];
   /** In space. */
   distance: number;
@@ -190,13 +196,18 @@ export interface FieldOptions {
   star?: Star | undefined;
 }
 
+/** How distances are found. */
 export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
 
 /** A center of mass, or the place where the search for one stopped. */
 export interface CenterOfMass {
+  /** The center as a point of the surface. */
   point: SurfacePoint;
+  /** The place of that point in space. */
   position: [number, number, number];
+  /** How the search ended; the center is a minimum where it is `converged`. */
   status: Status;
+  /** The number of steps of the search. */
   iterations: number;
   /**
    * Sum of weight times squared distance, in squared units of the mesh: an estimate by the fields, which
@@ -305,12 +316,15 @@ export interface CentersOptions extends FieldOptions, StartOptions {
 
 /** Centers of mass of one set of points, as flat arrays of one entry (or three) a row of weights. */
 export interface CentersOfMass {
+  /** The number of rows of weights. */
   count: number;
+  /** The face of each center. */
   face: Int32Array;
   /** Three a row. */
   bary: Float64Array;
   /** Three a row. */
   position: Float64Array;
+  /** How the search for each center ended. */
   status: Status[];
   /** As that of `CenterOfMass`. */
   energy: Float64Array;
@@ -318,6 +332,7 @@ export interface CentersOfMass {
 
 export type CurveGeometry = 'geodesic' | 'exact';
 
+/** The number of levels of a curve, or `auto`. */
 export type CurveLevels = number | 'auto' | 'limit';
 
 /** Levels that a curve takes by itself, within a tolerance. */
@@ -342,7 +357,9 @@ export type LegPoints = readonly PointLike[] | null;
 export type DrawnLeg = PointArrays;
 
 export interface CurveOptions extends FieldOptions {
+  /** The kind of the curve, which says what weights its points have. */
   kind: CurveKind;
+  /** The control points, in their order. */
   points: readonly PointLike[];
   /**
    * The legs of the control polygon, from each point to the next, of a closed curve also from the
@@ -422,7 +439,9 @@ export type CurveValue = CurveOptions & { legs?: readonly LegPoints[] | undefine
 export interface CurvePoint {
   /** The number of the segment plus t in [0, 1]. */
   parameter: number;
+  /** The point of the surface. */
   point: SurfacePoint;
+  /** The place of that point in space. */
   position: [number, number, number];
   /** Where it is not `converged`, the point lies on the path that joins the samples around it. */
   status: Status;
@@ -442,7 +461,9 @@ export interface NearestOnCurve extends CurvePoint {
 
 /** Points of a curve as flat arrays of one entry (or three) a point. */
 export interface CurvePoints {
+  /** The parameter of each point on the curve. */
   parameter: Float64Array;
+  /** The face of each point. */
   face: Int32Array;
   /** Three a point. */
   bary: Float64Array;
@@ -452,14 +473,19 @@ export interface CurvePoints {
 
 /** The samples of a curve, segment by segment, as flat arrays of one entry (or three) a sample. */
 export interface CurveSamples {
+  /** The number of samples. */
   count: number;
+  /** The segment of each sample. */
   segment: Int32Array;
+  /** The parameter of each sample within its segment. */
   t: Float64Array;
+  /** The face of each sample. */
   face: Int32Array;
   /** Three a sample. */
   bary: Float64Array;
   /** Three a sample. */
   position: Float64Array;
+  /** How the search for each sample ended. */
   status: Status[];
 }
 
@@ -469,14 +495,18 @@ export interface CurveSamples {
  * have the status `bridged`, or `subdivided` where that is the reason.
  */
 export interface BridgedInterval {
+  /** The number of the segment that has the interval. */
   segment: number;
+  /** The parameter where the bridge begins. */
   t0: number;
+  /** The parameter where the bridge ends. */
   t1: number;
   /** How the search ended in the interval, or `jump`, or `subdivided`. */
   reason: Status;
 }
 
 export interface CircleOptions extends ArcOptions {
+  /** The radius, in units of the mesh, measured on the surface. */
   radius: number;
   /**
    * A part of the radius: how far samples may be from it where `arcs` is not given; .001 by default.
@@ -515,22 +545,28 @@ export interface EllipseOptions extends ArcOptions {
  */
 export type FillRule = 'evenOdd' | 'nonZero';
 
+/** What becomes of several shapes: their union, intersection, difference, or what an odd number of them covers. */
 export type BooleanOperation = 'union' | 'intersection' | 'difference' | 'exclusion';
 
 /** A part of a surface that was cut: numbers three a vertex and three a triangle, counterclockwise. */
 export interface CutPart {
+  /** The coordinates x, y, z of each vertex. */
   positions: Float64Array;
+  /** Three vertices for each triangle. */
   triangles: Int32Array;
   /** Of each of its triangles the mesh's triangle that it is a part of. */
   faces: Int32Array;
 }
 
+/** The distance and the sides of an offset. */
 export interface OffsetOptions {
+  /** The distance from the paths, in units of the mesh. */
   distance: number;
   /** `both` by default, which goes round the ends of open paths too. */
   side?: 'left' | 'right' | 'both';
 }
 
+/** How shapes are combined into regions. */
 export interface RegionOptions {
   /** `evenOdd` by default. */
   rule?: FillRule;
@@ -540,6 +576,7 @@ export interface RegionOptions {
 
 /** Isolines of the type `linear` alone take a solver and its rings. */
 export interface IsolineOptions extends DistanceOptions {
+  /** The distance of the lines from the center, in units of the mesh. */
   radius: number;
   /**
    * `exact` (the default): the circular arcs of the points at this distance in each triangle.
@@ -553,6 +590,7 @@ export interface IsolineOptions extends DistanceOptions {
 export interface CurveTimes {
   /** The legs of the control polygon, where the curve has a use for them. */
   polygon: number;
+  /** The fields of the control points. */
   fields: number;
   /** The searches for the samples. */
   trace: number;
@@ -590,6 +628,8 @@ export type Progress = (done: number, stage: string) => void;
 
 /** How long work says how far it is, and is given up. */
 export interface LongWorkOptions {
+  /** Hears how far the work is. */
   progress?: Progress | undefined;
+  /** Gives the work up when it is aborted. */
   signal?: StopSignal | undefined;
 }

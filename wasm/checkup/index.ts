@@ -13,9 +13,11 @@ export { type Thickened, thickened } from './thicken.js';
 export interface CheckUp {
   /** Lengths of the shortest and the longest edge. */
   shortestEdge: number;
+  /** The length of the longest edge. */
   longestEdge: number;
   /** In degrees. */
   smallestAngle: number;
+  /** The largest angle of a triangle, in degrees. */
   largestAngle: number;
   /** Numbers of triangles with an angle below 2 degrees, and none above 170. */
   needles: Int32Array;

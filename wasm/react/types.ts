@@ -6,11 +6,13 @@ import type { RemoteKarcher } from '../worker/index.js';
 /** An engine in the page, or one in a worker. */
 export type AnyKarcher = Karcher | RemoteKarcher;
 
+/** Where the engine runs. */
 export interface EngineHookOptions {
   /** Whether the engine runs in a worker; false by default. */
   worker?: boolean | undefined;
 }
 
+/** What hears of failures. */
 export interface FailureOptions {
   /**
    * Called with what went wrong. Without it, the hook throws that while the component renders, so that
@@ -21,11 +23,13 @@ export interface FailureOptions {
 
 export interface SurfaceHookOptions extends MeshOptions, EngineHookOptions, FailureOptions {}
 
+/** What a component hears of a curve. */
 export interface CurveHookOptions extends FailureOptions {
   /** Called when what is drawn has changed. */
   onChange?: ((value: CurveOptions, view: CurveView) => void) | undefined;
 }
 
+/** How control points are dragged. */
 export interface DragHookOptions {
   /** How near to a control point, in pixels, a press takes hold of it; 12 by default. */
   reach?: number | undefined;

@@ -12,6 +12,7 @@ import {
 import { KarcherError } from '../errors.js';
 import type { SurfaceCurve } from './surface_curve.js';
 
+/** How control points are taken hold of. */
 export interface CurveDragOptions {
   /** How near to a control point, in pixels, a press takes hold of it; 12 by default. */
   reach?: number;

@@ -6,8 +6,11 @@ import type { AnyMesh, Surface } from './surface.js';
 
 /** A range of a geometry's index that a material of its own draws. */
 export interface GeometryGroup {
+  /** The first place in the index. */
   start: number;
+  /** The number of places in the index. */
   count: number;
+  /** The number of the material. */
   materialIndex?: number | undefined;
 }
 
@@ -31,6 +34,7 @@ export function geometryOf(
   return geometry;
 }
 
+/** The shape of a tube. */
 export interface TubeOptions {
   /** 0.004 of the surface's diagonal by default. */
   radius?: number;
@@ -108,6 +112,7 @@ function distinctPoints(surface: Surface<AnyMesh>, path: Path, apart: number) {
   return { places, normals };
 }
 
+/** The colors of numbers. */
 export interface ColorOptions {
   /** The color of a part of the largest distance, 0 to 1. By default from yellow to blue. */
   ramp?: (part: number, color: Color) => void;

@@ -22,11 +22,17 @@ export type AnyMesh = Mesh | RemoteMesh;
  * point is in the geometry's own coordinates, and the corners are numbers of the surface's vertices.
  */
 export interface SurfaceHit {
+  /** The place that was hit. */
   point: { readonly x: number; readonly y: number; readonly z: number };
+  /** The corners of the triangle that was hit. */
   face?: { readonly a: number; readonly b: number; readonly c: number } | null | undefined;
+  /** The number of that triangle. */
   faceIndex?: number | null | undefined;
+  /** The object that was hit. */
   object?: Object3D | undefined;
+  /** The instance of an `InstancedMesh`. */
   instanceId?: number | undefined;
+  /** The instance of a `BatchedMesh`. */
   batchId?: number | undefined;
 }
 

@@ -22,6 +22,7 @@ interface Edit {
   fail(error: unknown): void;
 }
 
+/** The events that a curve on a surface sends. */
 export interface SurfaceCurveEvents extends Object3DEventMap {
   /** What is drawn has changed. */
   change: { view: CurveView };
