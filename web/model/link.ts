@@ -29,14 +29,7 @@ import {
   widthRange,
 } from './drawing';
 import type { Tangent, Tangents } from './figure';
-import {
-  type Derived,
-  isDerived,
-  mostParts,
-  mostSources,
-  offsetSides,
-  type PartChoice,
-} from './derived';
+import { isDerived } from './derived';
 import {
   type Across,
   type CircleForm,
@@ -64,6 +57,7 @@ import {
   withLeg,
   withParameter,
 } from './figure';
+import { derivedFields, parseDerived } from './link_derived';
 import { linkProblems } from './link_problems';
 import { isMethod, type MethodId } from './methods';
 import { longestName, shortened } from './names';
@@ -152,7 +146,7 @@ function objectFields(
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
-  if (isDerived(kind) && derived) parts.push(...derivedFields(derived, numberOf));
+  if (isDerived(kind) && derived) parts.push(...derivedFields(derived, numberOf, formatPoint));
   const { name, visible, locked, color, width, onSurface, dash, opacity, group } = properties;
   const { fill, fillColor } = properties;
   if (name) parts.push(`name=${encodeName(name)}`);
@@ -167,43 +161,6 @@ function objectFields(
   if (fillColor) parts.push(`fillcolor=${fillColor.slice(1)}`);
   if (group !== null) parts.push(`group=${encodeName(group)}`);
   return parts;
-}
-
-function derivedFields(
-  { sources, offset, parts = [], thickness = 0 }: Derived,
-  numberOf: (id: number) => number,
-): string[] {
-  const choices = parts.map(({ point, state }) => `${formatPoint(point)},${state}`);
-  return [
-    `of=${sources.map(numberOf)}`,
-    ...(offset ? [`distance=${offset.distance}`, `side=${offset.side}`] : []),
-    ...(choices.length > 0 ? [`parts=${choices.join(';')}`] : []),
-    ...(thickness > 0 ? [`thickness=${thickness}`] : []),
-  ];
-}
-
-/** What a fragment says that a figure is made of; objects have their places, from 1, as their ids. */
-function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
-  const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);
-  const sources = texts.map(parseWhole).filter((id) => id !== null && id > 0) as number[];
-  const positive = (name: string) => {
-    const value = Number(fields.get(name) ?? NaN);
-    return value > 0 && Number.isFinite(value) ? value : null;
-  };
-  if (kind === 'offset') {
-    const side = offsetSides.find((one) => one === fields.get('side')) ?? 'outwards';
-    // Without a distance it is nothing.
-    const distance = positive('distance');
-    return distance ? { sources, offset: { distance, side } } : { sources: [] };
-  }
-  if (kind !== 'cut') return { sources };
-  const told = (fields.get('parts') ?? '').split(';').slice(0, mostParts);
-  const parts = told.flatMap((text): PartChoice[] => {
-    const [face, u, v, state] = text.split(',');
-    const point = parsePoint([face, u, v].join(','));
-    return point && (state === 'hidden' || state === 'deleted') ? [{ point, state }] : [];
-  });
-  return { sources, parts, thickness: positive('thickness') ?? 0 };
 }
 
 const encodeName = (name: string) => encodeURIComponent(shortened(name, longestName));
@@ -356,7 +313,7 @@ function parseFigure(fragment: string): Figure {
     points: points.filter((point) => point !== null),
     circle: parseCircle(fields.get('circle') ?? ''),
     circleForm: parseCircleForm(fields),
-    ...(isDerived(kind) && { derived: parseDerived(kind, fields) }),
+    ...(isDerived(kind) && { derived: parseDerived(kind, fields, parsePoint) }),
   });
 }
 

@@ -1,0 +1,47 @@
+/** What a link says of figures that are made of other ones. */
+import type { SurfacePoint } from 'karcher';
+import { type Derived, mostParts, mostSources, offsetSides, type PartChoice } from './derived';
+import type { Kind } from './figure';
+
+/** The fields that say what a figure is made of; `numberOf` tells an object of an id by its place among all, from 1. */
+export function derivedFields(
+  { sources, offset, parts = [], thickness = 0 }: Derived,
+  numberOf: (id: number) => number,
+  formatPoint: (point: SurfacePoint) => string,
+): string[] {
+  const choices = parts.map(({ point, state }) => `${formatPoint(point)},${state}`);
+  return [
+    `of=${sources.map(numberOf)}`,
+    ...(offset ? [`distance=${offset.distance}`, `side=${offset.side}`] : []),
+    ...(choices.length > 0 ? [`parts=${choices.join(';')}`] : []),
+    ...(thickness > 0 ? [`thickness=${thickness}`] : []),
+  ];
+}
+
+/** What a fragment says that a figure is made of; objects have their places, from 1, as their ids. */
+export function parseDerived(
+  kind: Kind,
+  fields: URLSearchParams,
+  parsePoint: (text: string) => SurfacePoint | null,
+): Derived {
+  const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);
+  const sources = texts.filter((text) => /^[1-9]\d{0,8}$/.test(text)).map(Number);
+  const positive = (name: string) => {
+    const value = Number(fields.get(name) ?? NaN);
+    return value > 0 && Number.isFinite(value) ? value : null;
+  };
+  if (kind === 'offset') {
+    const side = offsetSides.find((one) => one === fields.get('side')) ?? 'outwards';
+    // Without a distance it is nothing.
+    const distance = positive('distance');
+    return distance ? { sources, offset: { distance, side } } : { sources: [] };
+  }
+  if (kind !== 'cut') return { sources };
+  const told = (fields.get('parts') ?? '').split(';').slice(0, mostParts);
+  const parts = told.flatMap((text): PartChoice[] => {
+    const [face, u, v, state] = text.split(',');
+    const point = parsePoint([face, u, v].join(','));
+    return point && (state === 'hidden' || state === 'deleted') ? [{ point, state }] : [];
+  });
+  return { sources, parts, thickness: positive('thickness') ?? 0 };
+}
