@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "cases.h"
 #include "curve_support.h"
 #include "curves/curve.h"
 #include "generators/control_polygons.h"
@@ -278,7 +279,7 @@ void expectRefinedCurvesAreTheSameElsewhere(const char* name, const TriangleMesh
 }
 
 TEST(CurveInvariance, OfRefinedCurvesToRounding) {
-  const int polygons = longRun() ? 40 : 2;
+  const int polygons = longRun() ? 40 : casesOf(2, 1);
   expectRefinedCurvesAreTheSameElsewhere("bunny", bunnyMesh(), 81, polygons);
   if (leavesLongestOut()) return;
   expectRefinedCurvesAreTheSameElsewhere("knot", importMesh(makeShape(Shape::kKnot, 3000)).mesh, 82,
