@@ -43,7 +43,7 @@ void checkOptions(const CurveOptions& options) {
     throw Error(ErrorCode::kBadArgument, "the tolerance of levels is at least 0 mean edges, not " +
                                              inSentence(options.levelsTolerance));
   }
-  if (options.field.method == Method::kPaper && options.levels != 0 &&
+  if (!takesLevels(options.field.method) && options.levels != 0 &&
       options.levels != kAutomaticLevels) {
     throw Error(ErrorCode::kBadArgument,
                 "the paper's method is one center of mass a segment: it takes 0 levels");

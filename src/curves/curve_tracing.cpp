@@ -121,7 +121,7 @@ SurfacePoint Curve::centerOf(const SurfacePoint& point) {
   const std::shared_ptr<PointField> field = fieldSet_->at(point, true);
   workspace_->fields.assign(1, field.get());
   constexpr double kOne[] = {1};
-  const CenterOfMass center = findCenter(blendFields().blend, kOne, point, Method::kKarcher);
+  const CenterOfMass center = walkToCenter(blendFields().blend, kOne, point);
   return center.status == Status::kConverged ? center.point : point;
 }
 

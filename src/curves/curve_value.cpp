@@ -30,7 +30,7 @@ std::array<int, 2> legsAt(const CurveValue& value, int i) {
 }  // namespace
 
 bool mayHaveLevels(const CurveOptions& options) {
-  return options.levels != 0 && options.field.method == Method::kKarcher &&
+  return options.levels != 0 && takesLevels(options.field.method) &&
          takesLevels(options.shape.kind);
 }
 

@@ -35,10 +35,6 @@ struct CenterOfMass {
 /// near by (deepest_zero.h).
 bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point);
 
-/// Newton's method along geodesics (Algorithm 1) from `start`. A zero that two neighbouring faces
-/// each place in the other is taken on their edge (FieldBlend::zeroAlongEdge).
-CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
-
 /// The zero on an edge behind which the cells on both sides each have theirs, or around the end
 /// that it lies beyond. `h` is a half-edge of a cell, not of the boundary.
 CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h);

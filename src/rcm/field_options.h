@@ -37,6 +37,9 @@ inline bool areHeldToExact(const FieldOptions& options) {
   return options.method == Method::kKarcher && options.solver != Solver::kGraph;
 }
 
+/// Whether curves by the method may be refined: the paper's are one center of mass a segment.
+inline bool takesLevels(Method method) { return method != Method::kPaper; }
+
 /// Throws Error kBadArgument for a combination that does not exist.
 void checkFieldOptions(const FieldOptions& options);
 

@@ -7,9 +7,11 @@
 
 #include "mesh/error.h"
 #include "mesh/positions.h"
+#include "rcm/center_search.h"
 #include "rcm/exact_minimum.h"
 #include "rcm/first_start.h"
 #include "rcm/mean_of_many.h"
+#include "rcm/paper_method.h"
 #include "rcm/summed_field.h"
 
 namespace karcher {
@@ -172,8 +174,9 @@ class MinimumSearch {
 
  private:
   CenterOfMass search(const SurfacePoint& start) {
-    if (method_ == Method::kPaper) return newtonCenter(fields_, weights_, start);
-    return walkToCenter(fields_, weights_, facedDownhill(fields_, weights_, start));
+    const bool goesDown = goesOnWhereIndefinite(method_);
+    return findCenter(fields_, weights_, goesDown ? facedDownhill(fields_, weights_, start) : start,
+                      method_);
   }
 
   FieldBlend& fields_;
@@ -315,15 +318,16 @@ Mean search(Surface& surface, FieldBlend& fields, const Array<double>& weights,
             const MeanOptions& options) {
   MinimumSearch minima(fields, weights, options.field.method);
   const bool lowest = !options.start;
+  const bool goesDown = goesOnWhereIndefinite(options.field.method);
   if (options.start) {
     minima.from(*options.start, lowest);
-  } else if (options.field.method == Method::kPaper && !options.looksForOthers) {
-    minima.from(points[firstLargest(ofPoints)], lowest);
-  } else if (options.field.method == Method::kKarcher) {
+  } else if (goesDown) {
     searchFew(surface, points, ofPoints, options.looksForOthers, minima);
+  } else if (!options.looksForOthers) {
+    minima.from(points[firstLargest(ofPoints)], lowest);
   }
   if (options.looksForOthers) {
-    const bool hasAll = lowest && options.field.method == Method::kKarcher;
+    const bool hasAll = lowest && goesDown;
     if (!hasAll) {
       for (const SurfacePoint& point : points) minima.from(point, lowest);
     }

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "intrinsic/straightest.h"
-#include "rcm/center_of_mass.h"
+#include "rcm/paper_method.h"
 
 /// Algorithm 1 of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes".
 /// What the paper leaves open: the tolerance and the bound on iterations, and what happens when

@@ -1,19 +1,16 @@
 #include "rcm/point_field.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "distance/window_distance.h"
 #include "intrinsic/tangent.h"
 #include "mesh/error.h"
+#include "rcm/paper_method.h"
 
 namespace karcher {
 
 namespace {
-
-/// Of a caller's own. Its square and products of several are doubles, on the smallest faces too.
-constexpr double kLargestDistance = 1e60;
 
 [[noreturn]] void throwUnreachable() {
   throw Error(ErrorCode::kUnreachable,
@@ -41,11 +38,10 @@ void PointField::setPoint(const SurfacePoint& point, bool isNear) {
 }
 
 void PointField::makePaperField() {
-  squaredDistances_ =
+  Array<double> squares =
       distancesFrom(*makeDistanceSolver(surface_, options_), point_, surface_.mesh().vertexCount());
-  for (double& d : squaredDistances_) d = d == kInfinity ? 0 : d * d;
-  gradients_ = applyGradient(surface_.gradientOperator(options_.star), squaredDistances_);
-  field_.reset([this](int v) { return FieldValue{gradients_[v], squaredDistances_[v]}; });
+  for (double& d : squares) d = d == kInfinity ? 0 : d * d;
+  field_ = fieldOfSquares(surface_, options_.star, std::move(squares));
 }
 
 void PointField::makeNearField() {
@@ -152,34 +148,6 @@ Array<ControlField*> controlFields(const Array<PointField*>& points) {
   Array<ControlField*> fields;
   for (PointField* point : points) fields.push_back(&point->field());
   return fields;
-}
-
-ControlField fieldFromDistances(Surface& surface, const Array<double>& distances) {
-  const int vertexCount = surface.mesh().vertexCount();
-  if (distances.count() != vertexCount) {
-    throw Error(ErrorCode::kBadArgument,
-                "a field takes one distance a vertex: " + std::to_string(vertexCount) + ", not " +
-                    std::to_string(distances.size()));
-  }
-  auto squares = std::make_shared<Array<double>>(distances);
-  for (int v = 0; v < vertexCount; ++v) {
-    if (!std::isfinite(distances[v]) || distances[v] < 0) {
-      throw Error(ErrorCode::kNotFinite, "the distance at vertex " + std::to_string(v) +
-                                             " must be a finite number of at least 0, not " +
-                                             inSentence(distances[v]));
-    }
-    if (distances[v] > kLargestDistance) {
-      throw Error(ErrorCode::kBadArgument, "the distance at vertex " + std::to_string(v) + " is " +
-                                               inSentence(distances[v]) + "; at most " +
-                                               inSentence(kLargestDistance) + " is allowed");
-    }
-    (*squares)[v] *= distances[v];
-  }
-  auto gradients =
-      std::make_shared<Array<Vec2>>(applyGradient(surface.gradientOperator(), *squares));
-  ControlField field;
-  field.reset([squares, gradients](int v) { return FieldValue{(*gradients)[v], (*squares)[v]}; });
-  return field;
 }
 
 }  // namespace karcher

@@ -77,17 +77,9 @@ class PointField {
   std::unique_ptr<DistanceSolver> solver_;
   StencilTable* stencils_ = nullptr;
   std::optional<PagedArray<LogEntry, 4>> logVectors_;
-  // Of the paper's method.
-  Array<double> squaredDistances_;
-  Array<Vec2> gradients_;
 };
 
 /// The fields of points, as a blend takes them.
 Array<ControlField*> controlFields(const Array<PointField*>& points);
-
-/// A field from a caller's own distances, one a vertex, by the paper's gradient (Eq. 3). The result
-/// holds all it needs but the surface's frames. Throws Error kBadArgument (not one a vertex, or
-/// beyond 1e60) or kNotFinite (NaN or negative).
-ControlField fieldFromDistances(Surface& surface, const Array<double>& distances);
 
 }  // namespace karcher

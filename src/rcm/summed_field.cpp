@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "rcm/paper_method.h"
 #include "rcm/point_field.h"
 
 namespace karcher {
@@ -76,15 +77,8 @@ ControlField sumOfFields(Surface& surface, const Array<SurfacePoint>& points,
     addPoint(*solver, points[i], weights[i], !paper, *sums);
   }
 
+  if (paper) return fieldOfSquares(surface, options.star, std::move(sums->squaredDistances));
   ControlField field;
-  if (paper) {
-    sums->logVectors =
-        applyGradient(surface.gradientOperator(options.star), sums->squaredDistances);
-    field.reset([sums](int v) {
-      return FieldValue{sums->logVectors[v], sums->squaredDistances[v]};
-    });
-    return field;
-  }
   field.reset([sums, &stencils = surface.stencils(estimator)](int v) {
     const double own = sums->squaredDistances[v];
     const Vec2 gradient = stencils.at(v).apply(

@@ -11,6 +11,7 @@
 #include "mesh/shapes.h"
 #include "rcm/gradient_operator.h"
 #include "rcm/mean.h"
+#include "rcm/paper_method.h"
 #include "support.h"
 
 namespace karcher {

@@ -219,9 +219,9 @@ void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
   const bool isWhole =
       workspace.jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
   if (isWhole) return;
-  // Samples that a tolerance placed are dense enough for the branch that they follow; the paper's
-  // method is from start to end.
-  if (table != nullptr && method == Method::kKarcher) {
+  // Samples that a tolerance placed are dense enough for the branch that they follow; a search
+  // whose answer depends on its start has none.
+  if (table != nullptr && goesOnWhereIndefinite(method)) {
     takeBestBranches(fields, table->samples, method, samples, workspace.back);
     lookForJumps();
   }

@@ -4,12 +4,6 @@
 
 namespace karcher {
 
-CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
-                        Method method) {
-  return method == Method::kPaper ? newtonCenter(fields, weights, start)
-                                  : walkToCenter(fields, weights, start);
-}
-
 int heaviest(Weights weights) {
   // Weights that should be equal may differ by rounding.
   constexpr double kEqual = 1e-9;
@@ -36,7 +30,7 @@ WeightTable tabulate(const Basis& basis, int count) {
 
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order) {
   order.clear();
-  if (method == Method::kKarcher) {
+  if (goesOnWhereIndefinite(method)) {
     if (!isEnd) order.push_back(heaviest(weights));
     return;
   }

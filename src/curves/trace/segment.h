@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "curves/trace/sample_status.h"
+#include "rcm/center_search.h"
 #include "rcm/point_field.h"
 
 /// One segment of a curve: the center of mass of its control points with weights that a basis
@@ -66,9 +67,8 @@ struct SegmentFields {
 };
 
 /// Where a search for a center of mass that failed starts again: at control points of positive
-/// weight, the heaviest first; at the ends of a segment that one has been tried. Newton's method,
-/// the paper's, stops where the Hessian is not positive definite, and tries all of them. Our walk
-/// goes on there, and tries the heaviest only. Written to `order`.
+/// weight, the heaviest first; at the ends of a segment that one has been tried. A search that goes
+/// on where the Hessian is not positive definite tries the heaviest only. Written to `order`.
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);
 
 /// One sample per row of the table. The search for the first and the last sample starts at the
@@ -78,9 +78,5 @@ void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order)
 /// the memory of `samples`. Backwards, the search goes from the last row to the first.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
                                 Array<CurveSample> samples = {}, bool backwards = false);
-
-/// The center of mass of the blended fields, by the method's search.
-CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
-                        Method method);
 
 }  // namespace karcher
