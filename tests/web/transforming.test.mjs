@@ -39,6 +39,8 @@ function flatArrays(cells) {
 
 /** Of the viewer's surface what a move asks for, on a plane seen from above. */
 const flatSurface = {
+  frame: { scale: 1 },
+  position: (point, target) => target.fromArray(placesOf([point], flatArrays(16))[0]),
   normal: () => new Vector3(0, 0, 1),
   directionFromScene: (direction) => direction.toArray?.() ?? direction,
 };
@@ -122,8 +124,8 @@ describe('objects that are placed anew', () => {
   test('stop where one would leave the surface', async () => {
     const { client } = page.session;
     const move = await page.Move.of(client, flatSurface, [objectOf(pen())], at(5, 7));
-    assert.equal(await move.placed({ scale: 5 }), null);
-    assert.equal(await move.to(at(15, 15)), null);
+    assert.match(await move.placed({ scale: 5 }), /leave the surface/);
+    assert.match(await move.to(at(15, 15)), /leave the surface/);
   });
 
   test('mirrored in a line are its reflections, and turn the other way', async () => {
