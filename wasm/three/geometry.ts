@@ -20,9 +20,10 @@ export interface GeometryGroup {
  * normals are smooth across seams. `groups` are taken over, as those of the geometry it was made of.
  */
 export function geometryOf(
-  { triangles }: Surface<AnyMesh>,
+  surface: Surface<AnyMesh>,
   { groups = [] }: { groups?: readonly GeometryGroup[] } = {},
 ): BufferGeometry {
+  const { triangles } = surface;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(triangles.positions), 3));
   const index = Uint32Array.from(triangles.corners, (v) => triangles.first(v));

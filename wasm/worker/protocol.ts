@@ -1,5 +1,6 @@
 import { KarcherError } from '../errors.js';
 import type { EnginePath, EngineRegion } from '../karcher-engine.mjs';
+import type { CompiledModule } from '../platform.js';
 import type { CurveOptions, ErrorCode, MeshInfo } from '../types.js';
 import type { ViewData } from '../view.js';
 
@@ -34,7 +35,7 @@ export type Request = Call | { cancel: number } | FirstRequest;
 
 /** What a worker may hear before all else: the engine that it is to take. */
 export interface FirstRequest {
-  wasm: WebAssembly.Module;
+  wasm: CompiledModule;
 }
 
 export type Reply =
