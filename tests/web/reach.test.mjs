@@ -22,6 +22,14 @@ const fragment = [
   'circle=100,0.3,0.3;0.1,1,0,0',
 ].join('&');
 
+/** Kinds that no tool draws: they are made of other objects. */
+const made = ['union', 'intersection', 'difference', 'exclusion'];
+/** Two circles that lie across each other, of which others can be made. */
+const twoCircles = [
+  'mesh=sphere:6000&kind=circle&circle=100,0.3,0.3;0.5,1,0,0',
+  `other=${encodeURIComponent('kind=circle&circle=110,0.3,0.3;0.5,1,0,0')}`,
+].join('&');
+
 const coloredTetrahedron = `v 0 0 0 1 0 0
 v 1 0 0 0 1 0
 v 0 1 0 0 0 1
@@ -40,19 +48,25 @@ describe('every control is hit where it is clicked', () => {
   });
   after(() => browser.close());
 
+  /** The controls of a page of some size, which count with those of all pages. */
+  async function look(page, viewport) {
+    await page.setViewportSize(viewport);
+    const controls = new Controls(page);
+    await controls.install();
+    looked.push({
+      controls,
+      names: await page.evaluate(() => window.reach.names()),
+      panels: await page.evaluate(() => window.reach.panels()),
+    });
+    await controls.look('at first');
+    return controls;
+  }
+
   for (const [name, viewport] of Object.entries(sizes)) {
     test(`in a ${name} window`, async (t) => {
       const tab = await Tab.open(browser, fragment);
       const { page } = tab;
-      await page.setViewportSize(viewport);
-      const controls = new Controls(page);
-      await controls.install();
-      looked.push({
-        controls,
-        names: await page.evaluate(() => window.reach.names()),
-        panels: await page.evaluate(() => window.reach.panels()),
-      });
-      await controls.look('at first');
+      const controls = await look(page, viewport);
       await unfold(controls);
       await controls.click(page.locator('#points button').first());
       await controls.look('a point selected');
@@ -90,7 +104,7 @@ describe('every control is hit where it is clicked', () => {
       await controls.click(page.locator('#compare-off'));
       const radios = page.locator('[name="kind"]');
       const kinds = await radios.evaluateAll((inputs) => inputs.map(({ value }) => value));
-      for (const kind of [...kinds, 'pen']) {
+      for (const kind of [...kinds.filter((one) => !made.includes(one)), 'pen']) {
         await tab.choose(kind);
         const radio = page.locator(`[name="kind"][value="${kind}"]`).filter({ visible: true });
         if ((await radio.count()) > 0) await controls.click(radio);
@@ -149,8 +163,38 @@ describe('every control is hit where it is clicked', () => {
     });
   }
 
+  for (const [name, viewport] of Object.entries(sizes)) {
+    test(`of what is made of other objects, in a ${name} window`, async () => {
+      const tab = await Tab.open(browser, twoCircles);
+      const { page } = tab;
+      const controls = await look(page, viewport);
+      const make = async (maker) => {
+        await page.locator('#stage').focus();
+        await page.keyboard.press('Control+a');
+        await controls.click(page.locator('#makers').getByRole('button', { name: maker }));
+        await tab.settled();
+        await controls.look(maker);
+      };
+      await make('Union');
+      const radios = page.locator('[name="kind"]').filter({ visible: true });
+      assert.equal(await radios.count(), made.length);
+      for (const radio of (await radios.all()).toReversed()) {
+        await controls.click(radio);
+        await tab.settled();
+        assert.equal((await tab.state()).figure.kind, await radio.getAttribute('value'));
+      }
+      for (const maker of ['Offset', 'Cut']) {
+        await page.locator('#stage').focus();
+        await page.keyboard.press('Control+z');
+        await make(maker);
+      }
+      assert.deepEqual(tab.logged, []);
+      await page.close();
+    });
+  }
+
   test('and none, and no panel, is left out', () => {
-    assert.equal(looked.length, 2);
+    assert.equal(looked.length, 4);
     const [names, panels, reached, withControls] = [
       looked.flatMap((one) => one.names),
       looked.flatMap((one) => one.panels),
