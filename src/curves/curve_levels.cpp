@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// By how large a part a field's distance may differ from the length of the same path: twice the most
-/// that fast fields are mostly off.
+/// By how large a part a field's distance may differ from the length of the same path: twice the
+/// most that fast fields are mostly off.
 constexpr double kSameLength = 0.02;
 
 }  // namespace
@@ -52,8 +52,9 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
 }
 
 /// Whether the shortest paths between the points of a segment and its ends are those to which the
-/// legs are pulled tight, by the fields of level 0. Shorter ones go another way, as round a tube, and
-/// centers of mass would jump to these. Where a field tells of longer ones it is wrong: these are paths.
+/// legs are pulled tight, by the fields of level 0. Shorter ones go another way, as round a tube,
+/// and centers of mass would jump to these. Where a field tells of longer ones it is wrong: these
+/// are paths.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {

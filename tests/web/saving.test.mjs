@@ -66,7 +66,7 @@ describe('saving', () => {
         let [clear, blue] = [0, 0];
         for (let i = 0; i < data.length; i += 4) {
           if (data[i + 3] === 0) clear++;
-          if (data[i + 2] > data[i] + 120) blue++;
+          if (data[i + 2] > data[i] + 80) blue++;
         }
         return { width, height, clear: clear / (width * height), blue };
       }, bytes);
