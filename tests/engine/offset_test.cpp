@@ -139,7 +139,9 @@ TEST(PathDistance, OnMeshesItIsTheLeastOfThatOfItsPoints) {
     EXPECT_LT(nearest, rounding) << name;
     EXPECT_LT(farthest, step / 2 + rounding) << name;
     EXPECT_LT(sum / mesh.vertexCount(), step / 100) << name;
-    if (isConvex) EXPECT_LT(worst, 1.5) << name;
+    if (isConvex) {
+      EXPECT_LT(worst, 1.5) << name;
+    }
   }
 }
 
