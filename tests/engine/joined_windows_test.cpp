@@ -84,7 +84,7 @@ TriangleMesh tube(double radius, int around, int along) {
   return buildMesh(soup.positions, soup.triangles);
 }
 
-TEST(MergedWindows, AreNearExactOnRingTubesOfAnyProportion) {
+TEST(JoinedWindows, AreNearExactOnRingTubesOfAnyProportion) {
   const uint64_t seed = 71;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -99,7 +99,7 @@ TEST(MergedWindows, AreNearExactOnRingTubesOfAnyProportion) {
   }
 }
 
-TEST(MergedWindows, AreNearExactWhereVirtualSourcesAreFarOff) {
+TEST(JoinedWindows, AreNearExactOnThinTubes) {
   for (const auto& [radius, around, along] :
        {std::tuple{0.02, 12, 60}, {0.03, 12, 60}, {0.015, 9, 90}}) {
     const TriangleMesh mesh = tube(radius, around, along);
@@ -107,7 +107,7 @@ TEST(MergedWindows, AreNearExactWhereVirtualSourcesAreFarOff) {
   }
 }
 
-TEST(MergedWindows, AreNearExactOnTheGallery) {
+TEST(JoinedWindows, AreNearExactOnTheGallery) {
   const uint64_t seed = 5;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -121,7 +121,7 @@ TEST(MergedWindows, AreNearExactOnTheGallery) {
   }
 }
 
-TEST(MergedWindows, LoseNothingWhereTheyAreEqual) {
+TEST(JoinedWindows, LoseNothingWhereTheyAreEqual) {
   const uint64_t seed = 6;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -144,7 +144,7 @@ TEST(MergedWindows, LoseNothingWhereTheyAreEqual) {
   }
 }
 
-TEST(MergedWindows, AreStraightOnStretchedAndShearedPlanes) {
+TEST(JoinedWindows, AreStraightOnStretchedAndShearedPlanes) {
   const uint64_t seed = 11;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -166,7 +166,7 @@ TEST(MergedWindows, AreStraightOnStretchedAndShearedPlanes) {
   }
 }
 
-TEST(MergedWindows, AreStraightAcrossVerticesOfManyEdges) {
+TEST(JoinedWindows, AreStraightAcrossVerticesOfManyEdges) {
   // A disk: rings of 100 vertices, equally far apart, around one.
   constexpr int kRound = 100;
   Array<Vec3> positions{Vec3::Zero()};
@@ -193,7 +193,7 @@ TEST(MergedWindows, AreStraightAcrossVerticesOfManyEdges) {
   }
 }
 
-TEST(MergedWindows, AreStraightAcrossFansOfAcuteTriangles) {
+TEST(JoinedWindows, AreStraightAcrossFansOfAcuteTriangles) {
   for (const int q : {3, 5, 8, 16}) {
     for (const double jitter : {0.0, 0.4}) {
       SCOPED_TRACE("q = " + std::to_string(q) + ", jitter " + std::to_string(jitter));
@@ -208,7 +208,7 @@ TEST(MergedWindows, AreStraightAcrossFansOfAcuteTriangles) {
   }
 }
 
-TEST(MergedWindows, AreNotFarBelowTheStraightLine) {
+TEST(JoinedWindows, AreNotFarBelowTheStraightLine) {
   for (const char* const name : {"ring tube, r = 0.1, quads 20:1", "rough sheet, sheared 10",
                                  "rough sheet, needles 1e-08", "rough sheet, needles 1e-10"}) {
     SCOPED_TRACE(name);
@@ -225,7 +225,7 @@ TEST(MergedWindows, AreNotFarBelowTheStraightLine) {
   }
 }
 
-TEST(MergedWindows, ResumedAreTheSame) {
+TEST(JoinedWindows, ResumedAreTheSame) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   const SurfacePoint source{1000, {0.1, 0.2, 0.7}};
@@ -247,7 +247,7 @@ TEST(MergedWindows, ResumedAreTheSame) {
   }
 }
 
-TEST(MergedWindows, GrownToAVertexAreTheSame) {
+TEST(JoinedWindows, GrownToAVertexAreTheSame) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   const uint64_t seed = 12;
@@ -270,7 +270,7 @@ TEST(MergedWindows, GrownToAVertexAreTheSame) {
   }
 }
 
-TEST(MergedWindows, ChooseBetweenPathsOfOneLengthByNumbers) {
+TEST(JoinedWindows, ChooseBetweenPathsOfOneLengthByNumbers) {
   // On a regular cone two paths of one length lead to the vertices across the tip. A turned one is
   // the same but for rounding.
   const TriangleMesh cone = galleryMesh("cone of 36 degrees");
@@ -293,7 +293,7 @@ TEST(MergedWindows, ChooseBetweenPathsOfOneLengthByNumbers) {
   }
 }
 
-TEST(MergedWindows, GrowToNoVertexOfAnotherComponent) {
+TEST(JoinedWindows, GrowToNoVertexOfAnotherComponent) {
   const TriangleMesh mesh = buildMesh(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
   const Geometry geometry = buildGeometry(mesh);

@@ -40,16 +40,21 @@ export function choicesOf(
 export function lies({ face, bary }: SurfacePoint, { faces, weights }: SurfacePart): boolean {
   const [, x, y] = bary;
   for (let i = faces.indexOf(face); i >= 0; i = faces.indexOf(face, i + 1)) {
-    const [ax, ay, bx, by, cx, cy] = weights.subarray(6 * i, 6 * i + 6) as unknown as Six;
-    const side = (px: number, py: number, qx: number, qy: number) =>
-      (qx - px) * (y - py) - (qy - py) * (x - px);
-    const signs = [side(ax, ay, bx, by), side(bx, by, cx, cy), side(cx, cy, ax, ay)];
-    if (signs.every((sign) => sign >= 0) || signs.every((sign) => sign <= 0)) return true;
+    if (isInTriangle(weights, i, x, y)) return true;
   }
   return false;
 }
 
 type Six = [number, number, number, number, number, number];
+
+/** Whether a point of the plane lies in the triangle whose corners are the numbers from 6 times `i` on, or on its rim. */
+export function isInTriangle(corners: Float32Array, i: number, x: number, y: number): boolean {
+  const [ax, ay, bx, by, cx, cy] = corners.subarray(6 * i, 6 * i + 6) as unknown as Six;
+  const side = (px: number, py: number, qx: number, qy: number) =>
+    (qx - px) * (y - py) - (qy - py) * (x - px);
+  const signs = [side(ax, ay, bx, by), side(bx, by, cx, cy), side(cx, cy, ax, ay)];
+  return signs.every((sign) => sign >= 0) || signs.every((sign) => sign <= 0);
+}
 
 /** The choices with another one for the part that has a point. */
 export function withChoice(

@@ -1,6 +1,7 @@
 import type { SurfacePoint } from 'karcher';
 import { type BufferGeometry, Color, Group, Mesh, type ShaderMaterial, Vector3 } from 'three';
 import type { FillStyle } from '../model/drawing';
+import { isInTriangle } from '../model/parts';
 import type { Region } from '../model/traced';
 import { paint, type Surface } from './surface';
 import type { Vantage } from './vantage';
@@ -116,16 +117,10 @@ export function holds({ whole, parts, corners }: Region, { face, bary }: Surface
   if (whole[firstOf(whole, face)] === face) return true;
   const [, x, y] = bary;
   for (let i = firstOf(parts, face); parts[i] === face; i++) {
-    const [ax, ay, bx, by, cx, cy] = corners.subarray(6 * i, 6 * i + 6) as unknown as Six;
-    const side = (px: number, py: number, qx: number, qy: number) =>
-      (qx - px) * (y - py) - (qy - py) * (x - px);
-    const signs = [side(ax, ay, bx, by), side(bx, by, cx, cy), side(cx, cy, ax, ay)];
-    if (signs.every((sign) => sign >= 0) || signs.every((sign) => sign <= 0)) return true;
+    if (isInTriangle(corners, i, x, y)) return true;
   }
   return false;
 }
-
-type Six = [number, number, number, number, number, number];
 
 /** Where a number begins in sorted ones. */
 function firstOf(sorted: Int32Array, value: number): number {
