@@ -237,6 +237,9 @@ export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
   return { face, bary: [Math.max(0, 1 - u - v), u, v] };
 }
 
+/** The place of a point, without what else it has. */
+export const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
+
 /** Whether nothing of the figure's kind is on the surface yet. */
 export function isEmpty({ kind, points, circle, derived }: Figure): boolean {
   if (isDerived(kind)) return (derived?.sources.length ?? 0) === 0;

@@ -8,6 +8,7 @@ import {
   askedLevels,
   type ControlPoint,
   type Figure,
+  plain,
   type Side,
   type Tangent,
   type Tangents,
@@ -121,11 +122,11 @@ export function penOptions(
   const knots = [0];
   for (let i = 0; i < count; i++) {
     const next = (i + 1) % points.length;
-    const [from, to] = [placeOf(points[i]!), placeOf(points[next]!)];
+    const [from, to] = [plain(points[i]!), plain(points[next]!)];
     control.push(from, drawn[i]?.after?.point ?? from, drawn[next]?.before?.point ?? to);
     knots.push(i, i, i);
   }
-  control.push(placeOf(points[count % points.length]!));
+  control.push(plain(points[count % points.length]!));
   knots.push(count, count, count, count);
   return {
     ...options,
@@ -148,8 +149,6 @@ export function controlPointsOf(figure: Figure, anchor: number): number[] {
   const around = [3 * anchor - 1, 3 * anchor, 3 * anchor + 1].filter((i) => i >= 0 && i <= last);
   return anchor === 0 && isClosed(figure) ? [...around, last - 1, last] : around;
 }
-
-const placeOf = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 
 /** An anchor with one of its handles of another length; the other handle stays as it is. */
 export function withHandleLength(

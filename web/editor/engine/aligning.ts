@@ -2,12 +2,12 @@
 import type { SurfacePoint } from 'karcher';
 import type { Command } from '../../model/commands';
 import type { DrawnObject } from '../../model/drawing';
-import { isRound, withLeg } from '../../model/figure';
+import { isRound, plain, withLeg } from '../../model/figure';
 import { placesOf } from '../../model/moving';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 import { type Editor, type State, selectedObjects } from '../state/editor';
-import { Move, movableObjects, plain, replacing } from './moving';
+import { Move, movableObjects, replacing } from './moving';
 import type { Session } from './session';
 
 /** Onto the line where it is nearest, or at even distances along it. */

@@ -1,6 +1,6 @@
 /** A segment of the pen that is bent by a drag: the curve goes through the pointer, at one parameter. */
 import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
-import type { Figure, Vector } from '../../model/figure';
+import { type Figure, plain, type Vector } from '../../model/figure';
 import type { FigureCommand } from '../../model/figure_commands';
 import { penOptions } from '../../model/pen';
 import type { DrawnTangents } from '../../model/pen_legs';
@@ -13,7 +13,6 @@ import { drawnTangents } from './pen_drawing';
 /** How near the curve is brought to the pointer, as a part of the surface's diagonal. */
 const nearEnough = 1e-7;
 
-const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 const sum = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
 export class Bend {

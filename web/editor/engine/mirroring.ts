@@ -1,11 +1,11 @@
 /** Mirror images of objects in the geodesic through two points. */
 import type { SurfacePoint } from 'karcher';
 import type { DrawnObject } from '../../model/drawing';
-import type { Figure, Vector } from '../../model/figure';
+import { type Figure, plain, type Vector } from '../../model/figure';
 import { carriedOf, movedFigures } from '../../model/moving';
 import { type EngineClient, KarcherError } from '../../worker/client';
 import { directionOf } from './circle_drawing';
-import { directionsOf, plain } from './moving';
+import { directionsOf } from './moving';
 
 /**
  * How far the geodesic goes on beyond the two points, in the surface's diagonals. Round a closed surface a

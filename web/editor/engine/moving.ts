@@ -3,10 +3,10 @@ import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import type { Command } from '../../model/commands';
 import { isDerived } from '../../model/derived';
-import { withSources } from '../../model/sources';
 import { type Drawing, type DrawnObject, objectOf } from '../../model/drawing';
-import { type Figure, isEmpty, type Vector } from '../../model/figure';
+import { type Figure, isEmpty, plain, type Vector } from '../../model/figure';
 import { type Carried, type CarriedTo, carriedOf, movedFigures } from '../../model/moving';
+import { withSources } from '../../model/sources';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 import { isTorn } from './tearing';
@@ -34,8 +34,6 @@ export interface Placed {
 export const leaves = 'The move stops where something would leave the surface.';
 const tears =
   'The move stops where it would tear a figure: from there its points go different ways round the surface.';
-
-export const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 
 const samePoint = (a: SurfacePoint, b: SurfacePoint) =>
   a.face === b.face && `${a.bary}` === `${b.bary}`;

@@ -1,8 +1,14 @@
 /** Anchors of the pen taken out: one segment comes in the place of two, as near to them as one can be. */
 import type { SurfacePoint } from 'karcher';
 import type { Cubic, Planar } from '../../model/cubic_fit';
-import type { Side } from '../../model/figure';
-import { type ControlPoint, type Figure, type Vector, withLeg } from '../../model/figure';
+import {
+  type ControlPoint,
+  type Figure,
+  plain,
+  type Side,
+  type Vector,
+  withLeg,
+} from '../../model/figure';
 import { withHandleAt, withHandleLength } from '../../model/pen';
 import type { DrawnTangents } from '../../model/pen_legs';
 import { mergedCubic } from '../../model/pen_shape';
@@ -10,7 +16,6 @@ import type { EngineClient } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 import { drawnTangents } from './pen_drawing';
 
-const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 const cross = (a: Vector, b: Vector): Vector => [
   a[1] * b[2] - a[2] * b[1],
   a[2] * b[0] - a[0] * b[2],

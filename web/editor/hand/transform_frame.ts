@@ -5,11 +5,11 @@
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import type { DrawnObject } from '../../model/drawing';
-import { isRound, type Vector } from '../../model/figure';
+import { isRound, plain, type Vector } from '../../model/figure';
 import { type Carried, type CarriedTo, placesOf } from '../../model/moving';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
-import { faceNormal, plain } from '../engine/moving';
+import { faceNormal } from '../engine/moving';
 
 export interface TransformFrame {
   pivot: SurfacePoint;
