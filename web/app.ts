@@ -1,25 +1,25 @@
 import { align } from './editor/engine/aligning';
 import type { Beside } from './editor/engine/beside';
-import type { ShownCut } from './editor/engine/cut';
 import { Comparison } from './editor/engine/comparison';
 import { messageOf, polylinesOf } from './editor/engine/compute';
 import { CurveEdits } from './editor/engine/curve_edits';
+import type { ShownCut } from './editor/engine/cut';
 import { Distances } from './editor/engine/distances';
 import { Expansion } from './editor/engine/expansion';
-import { Editor, type State } from './editor/state/editor';
-import { Gestures } from './editor/hand/gestures';
 import { Measure } from './editor/engine/measure';
+import { Session } from './editor/engine/session';
+import { Gestures } from './editor/hand/gestures';
 import { MirrorTool } from './editor/hand/mirror_tool';
 import { Ruler } from './editor/hand/ruler';
-import { Session } from './editor/engine/session';
+import { Editor, type State } from './editor/state/editor';
 import { exposeState } from './inspection';
 import { styleOf } from './model/drawing';
 import { isEmpty } from './model/figure';
-import { withSources } from './model/sources';
 import { formatLink } from './model/link';
 import { meshLabel, readAs } from './model/meshes';
 import { isMethod, type MethodId } from './model/methods';
 import { placesOf } from './model/moving';
+import { withSources } from './model/sources';
 import { onKeeping, recall, recallInTab, remember, rememberInTab } from './model/storage';
 import { workOffline } from './offline';
 import { Opening } from './opening';
@@ -219,7 +219,7 @@ export async function start(): Promise<void> {
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
     // What is not selected is only seen.
-    viewer.showPolygon(editor.state.none ? [] : view.legs, view.polygonOnly);
+    viewer.aids.showPolygon(editor.state.none ? [] : view.legs, view.polygonOnly);
     distances.update();
     if (viewer.surface !== surfaceShown && distances.shown) distances.onChange(distances.shown);
     const isNew = view.others !== besideShown || viewer.surface !== surfaceShown;
@@ -232,8 +232,8 @@ export async function start(): Promise<void> {
     showCut();
     cutPanel.show(editor.state, view);
     comparison.update(editor.state, view);
-    viewer.showShorter(view.shorter.map(({ polyline }) => polyline));
-    viewer.showMarks(view.curve?.marks?.position ?? []);
+    viewer.aids.showShorter(view.shorter.map(({ polyline }) => polyline));
+    viewer.aids.showMarks(view.curve?.marks?.position ?? []);
     comb.show();
     gestures.show();
     curvePanel.show(editor.state, view);
@@ -249,7 +249,7 @@ export async function start(): Promise<void> {
     distanceLegend.show(shown, distances.on, editor.state);
   };
   measure.onChange = (measured) => {
-    viewer.showTangent(measured);
+    viewer.aids.showTangent(measured);
     gestures.showMeasured(measured?.position ?? null);
     status.showMeasured(measured, editor.state, session.view);
   };
@@ -287,7 +287,7 @@ export async function start(): Promise<void> {
   });
   const checkUpPanel = new CheckUpPanel(
     checkedUp,
-    (places) => viewer.showPlaces(places),
+    (places) => viewer.aids.showPlaces(places),
     (weld) => void opening.reread(readAs(editor.state.mesh, { weld })),
   );
   opening.onEnd = () => {
@@ -354,7 +354,7 @@ export async function start(): Promise<void> {
     const ended = before.dragging && !state.dragging;
     if (state.revision !== before.revision || ended) session.update(state);
     if (state.none !== before.none)
-      viewer.showPolygon(state.none ? [] : session.view.legs, session.view.polygonOnly);
+      viewer.aids.showPolygon(state.none ? [] : session.view.legs, session.view.polygonOnly);
     if (state.tool !== before.tool) {
       rememberInTab('tool', state.tool);
       remember('tool', state.tool);

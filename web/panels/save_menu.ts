@@ -1,8 +1,8 @@
 import type { SurfacePoint } from 'karcher';
 import { polylinesOf } from '../editor/engine/compute';
-import { type Editor, selectedObjects } from '../editor/state/editor';
 import type { Session } from '../editor/engine/session';
 import type { View } from '../editor/engine/view';
+import { type Editor, selectedObjects } from '../editor/state/editor';
 import { jsonOf, longestInside, partsOfObj, partsWithFile } from '../export/curve_file';
 import {
   type DrawnFill,
@@ -186,16 +186,6 @@ export class SaveMenu {
     }
   }
 
-  /** How wide a line is seen, in its middle. */
-  get #widths(): Widths {
-    const { viewer } = this;
-    return (style, line) => {
-      const middle = 3 * Math.floor(line.length / 6);
-      const [x = 0, y = 0, z = 0] = line.subarray(middle, middle + 3);
-      return Number(viewer.seenWidth(style, viewer.surface!.inScene([x, y, z])).toFixed(2));
-    };
-  }
-
   /** What is seen now. */
   async #drawing(): Promise<SvgDrawing> {
     const { viewer } = this;
@@ -224,7 +214,7 @@ export class SaveMenu {
     }
     const { objects } = this.editor.state.drawing;
     const shown = { ...view, others, ...(ownToo ? {} : { curve: null, isolines: null, legs: [] }) };
-    const lines = await gathered(seenLines(shown, active, objects, vantage, this.#widths, colors));
+    const lines = await gathered(seenLines(shown, active, objects, vantage, colors));
     const all = await gathered(seenFills(viewer, vantage, colors));
     const fills = all.filter(({ id }) => this.#isMeant(id));
     return { ...vantage.size, fills, lines, points: dots };
@@ -248,19 +238,18 @@ function* seenLines(
   active: DrawnObject,
   objects: readonly DrawnObject[],
   vantage: Vantage,
-  widths: Widths,
   colors: ViewerColors,
 ): Generator<DrawnLine> {
   for (const { id, style, lines } of others) {
     const object = objects.find((one) => one.id === id);
     for (const line of lines) {
-      const look = drawnStyle(style, widths(style, line), colors.curve);
+      const look = drawnStyle(style, vantage.widthOf(style, line), colors.curve);
       yield { ...vantage.seen(line), ...look, ...(object && named(object)) };
     }
   }
   for (const leg of legs) yield { ...vantage.seen(leg), color: colors.polygon, width: 1.2 };
   const own = (line: Float32Array) => ({
-    ...drawnStyle(active, widths(active, line), colors.curve),
+    ...drawnStyle(active, vantage.widthOf(active, line), colors.curve),
     ...named(active),
   });
   if (curve) {
@@ -276,8 +265,6 @@ function* seenLines(
 const named = (object: DrawnObject) => ({
   object: { id: object.id, name: nameOf(object), opacity: object.opacity },
 });
-
-type Widths = (style: LineStyle, line: Float32Array) => number;
 
 /** A line's style in an SVG, where dashes are told in pixels. */
 function drawnStyle({ color, dash }: LineStyle, width: number, curve: string) {

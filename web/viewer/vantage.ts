@@ -1,4 +1,5 @@
-import { type PerspectiveCamera, Ray, Vector3 } from 'three';
+import { Matrix4, type PerspectiveCamera, Ray, Vector3 } from 'three';
+import type { LineStyle } from '../model/drawing';
 import type { Surface } from './surface';
 
 /** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
@@ -6,6 +7,14 @@ export interface SeenLine {
   x: number[];
   y: number[];
   hidden: boolean[];
+}
+
+/** A point of a line that was looked for at a place of the stage. */
+export interface NearestSeen {
+  /** In the scene. */
+  position: Vector3;
+  /** From the place, in CSS pixels. */
+  distance: number;
 }
 
 /** What is so little farther than the surface, in the scene, lies on it. */
@@ -35,10 +44,7 @@ export class Vantage {
 
   /** Takes a point of the scene to where it is on the stage, in CSS pixels, and its depth. */
   onStage(position: Vector3): Vector3 {
-    const place = position.project(this.camera);
-    place.x = ((place.x + 1) / 2) * this.size.width;
-    place.y = ((1 - place.y) / 2) * this.size.height;
-    return place;
+    return toStage(position.project(this.camera), this.size);
   }
 
   /** A polyline in the surface's coordinates as it is seen on the stage. */
@@ -53,4 +59,58 @@ export class Vantage {
     }
     return line;
   }
+  /** The point of a polyline of the scene that is seen nearest to a place of the stage; null where it is behind the camera. */
+  nearest(line: Float32Array, place: { x: number; y: number }): NearestSeen | null {
+    const { camera, size } = this;
+    const matrix = new Matrix4().multiplyMatrices(
+      camera.projectionMatrix,
+      camera.matrixWorldInverse,
+    );
+    const seen = (i: number, target: Vector3) =>
+      toStage(target.fromArray(line, i).applyMatrix4(matrix), size);
+    let best: { distance: number; at: number; part: number } | null = null;
+    const [a, b] = [new Vector3(), new Vector3()];
+    if (line.length >= 3) seen(0, b);
+    for (let i = 3; i < line.length; i += 3) {
+      a.copy(b);
+      seen(i, b);
+      if (a.z > 1 || b.z > 1) continue;
+      const [dx, dy] = [b.x - a.x, b.y - a.y];
+      const length = dx * dx + dy * dy;
+      const along = ((place.x - a.x) * dx + (place.y - a.y) * dy) / (length || 1);
+      const part = Math.min(1, Math.max(0, along));
+      const distance = Math.hypot(a.x + part * dx - place.x, a.y + part * dy - place.y);
+      if (!best || distance < best.distance) best = { distance, at: i, part };
+    }
+    if (!best) return null;
+    const from = new Vector3().fromArray(line, best.at - 3);
+    const to = new Vector3().fromArray(line, best.at);
+    return { position: from.lerp(to, best.part), distance: best.distance };
+  }
+
+  /** How far so many CSS pixels reach at a point of the scene, in the surface's unit. */
+  reach(position: Vector3, pixels: number): number {
+    const away = this.camera.position.distanceTo(position);
+    const height = 2 * away * Math.tan((this.camera.fov * Math.PI) / 360);
+    return ((height / this.size.height) * pixels) / (this.surface?.frame.scale ?? 1);
+  }
+
+  /** How wide a line is at a point of the scene where the surface faces the view, in CSS pixels. */
+  seenWidth({ width, onSurface }: LineStyle, position: Vector3): number {
+    return onSurface ? width / this.reach(position, 1) : width;
+  }
+
+  /** How wide the middle of a polyline in the surface's coordinates is seen, to a hundredth of a CSS pixel. */
+  widthOf(style: LineStyle, polyline: Float32Array): number {
+    const middle = 3 * Math.floor(polyline.length / 6);
+    const [x = 0, y = 0, z = 0] = polyline.subarray(middle, middle + 3);
+    return Number(this.seenWidth(style, this.surface!.inScene([x, y, z])).toFixed(2));
+  }
+}
+
+/** Takes a place between -1 and 1 across the stage to CSS pixels from its corner. */
+function toStage(place: Vector3, { width, height }: { width: number; height: number }): Vector3 {
+  place.x = ((place.x + 1) / 2) * width;
+  place.y = ((1 - place.y) / 2) * height;
+  return place;
 }

@@ -2,25 +2,21 @@ import type { SurfacePoint } from 'karcher';
 import { Box3, Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import { defaultStyle, type LineStyle, styleOf } from '../model/drawing';
 import type { ViewPlace } from '../model/view_place';
+import { AidLines } from './aid_lines';
 import { litSurface, type ViewerColors } from './colors';
 import { outliveContextLoss } from './context_loss';
-import { nearestOnScreen } from './curve_pick';
 import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine, fineDash } from './fat_line';
 import { Halos } from './halos';
 import type { Layer } from './layer';
-import { dotAt, fatStyle, mostMarks, type ObjectDrawing, ObjectLines } from './object_lines';
+import { LinesAt, type ObjectsIn, objectsIn, type PickableLines } from './lines_at';
+import { fatStyle, mostMarks, type ObjectDrawing, ObjectLines } from './object_lines';
 import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
 import { type PaintedRegion, Regions } from './regions';
 import { colorSurface, type Pick, Surface, showRelief, sinkSurface, turnLight } from './surface';
 import { type SeenLine, Vantage } from './vantage';
-
-type Vector = [number, number, number];
-
-/** How long a tangent is drawn, in the scene; a surface's diagonal is 2. */
-const tangentLength = 0.16;
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
 export class Viewer {
@@ -30,24 +26,12 @@ export class Viewer {
   readonly #raycaster = new Raycaster();
   readonly #curve = new FatLine({ width: 4, hidden: 0.26 }, 4);
   readonly #lost = new FatLine({ width: 4, dash: fineDash, hidden: 0.4 }, 4);
-  readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
-  readonly #sketch = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.25 }, 2);
-  readonly #stroke = new FatLine({ width: 3, hidden: 0.25 }, 4);
-  readonly #band = new FatLine({ width: 2, dash: fineDash, hidden: 0.2 }, 4);
   readonly #beside = new ObjectLines(2);
   readonly #regions = new Regions();
   readonly #halos = new Halos();
-  readonly #shorter = new FatLine({ width: 2.5, dash: fineDash, hidden: 0.3 }, 2);
-  readonly #marks = new FatLine({ width: 7.5, hidden: 0.26 }, 6);
-  readonly #tangent = new FatLine({ width: 2.5, hidden: 0.5 }, 7);
-  readonly #frameLines = new FatLine({ width: 1.5, dash: fineDash, hidden: 0.2 }, 5);
-  readonly #places = new FatLine({ width: 3, hidden: 0.45 }, 5);
-  readonly #lines = [
-    ...[this.#curve, this.#lost, this.#polygon, this.#sketch, this.#beside],
-    ...[this.#shorter, this.#marks, this.#tangent, this.#places, this.#stroke],
-    this.#frameLines,
-    this.#band,
-  ];
+  /** The lines that show what is not of the drawing. */
+  readonly aids = new AidLines(() => this.requestFrame());
+  readonly #lines = [this.#curve, this.#lost, this.#beside, this.aids];
   readonly #layers: Layer[] = [];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
@@ -61,7 +45,6 @@ export class Viewer {
   #isChosen = false;
   #hovered: number | null | undefined = undefined;
   #hiddenLines = true;
-  #shorterLines: Float32Array[] = [];
   #edges = false;
   #fileColors = true;
   #relief = true;
@@ -144,16 +127,9 @@ export class Viewer {
     this.#halos.surface = this.#surface;
     this.showCurve(null);
     this.#showStyle();
-    this.showPolygon([], false);
-    this.showMarks([]);
-    this.showTangent(null);
     this.showObjects([]);
     this.showRegions([]);
-    this.showShorter([]);
-    this.showPlaces([]);
-    this.showStroke(new Float32Array());
-    this.showBand(new Float32Array());
-    this.showFrame([]);
+    this.aids.clear(this.#surface);
     return this.#surface;
   }
 
@@ -161,18 +137,13 @@ export class Viewer {
     colorSurface(colors);
     const surface = litSurface(colors);
     this.#colors = colors;
-    const lost = new Color(colors.lost);
-    for (const line of [this.#lost, this.#places]) line.setColor(lost, surface);
-    this.#polygon.setColor(new Color(colors.polygon), surface);
+    this.#lost.setColor(new Color(colors.lost), surface);
+    this.aids.setColors(colors);
     this.#beside.setColors(new Color(colors.curve), surface);
     this.#regions.setColor(new Color(colors.curve));
     this.#halos.setColors(colors);
     this.#showStyle();
     this.#showHalo();
-    const center = new Color(colors.center);
-    for (const line of [this.#shorter, this.#tangent]) line.setColor(center, surface);
-    this.#frameLines.setColor(new Color(colors.frame), surface);
-    this.#marks.setColor(new Color(colors.marks), surface);
     for (const layer of this.#layers) layer.setColors(colors);
     this.requestFrame();
   }
@@ -246,55 +217,9 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Marks points of the curve: x, y, z each, in the surface's coordinates. */
-  showMarks(places: ArrayLike<number>): void {
-    const points = this.#surface?.toScene(Float32Array.from(places)) ?? new Float32Array();
-    const dots = Array.from({ length: points.length / 3 }, (_, i) =>
-      dotAt(new Vector3().fromArray(points, 3 * i)),
-    );
-    this.#marks.set(dots);
-    this.requestFrame();
-  }
-
   /** Shows parts of the surface in its place, each with a color over it or none; null shows all of it. */
   showParts(parts: Parameters<Surface['showParts']>[0]): void {
     this.#surface?.showParts(parts);
-    this.requestFrame();
-  }
-
-  /** Outlines of places of the surface, in its coordinates; those before go. */
-  showPlaces(lines: readonly Float32Array[]): void {
-    const surface = this.#surface;
-    this.#places.set(surface ? lines.map((line) => surface.toScene(line)) : []);
-    this.requestFrame();
-  }
-
-  /** The way to the point that a click would add. */
-  showBand(line: Float32Array): void {
-    this.#band.set(line.length > 0 ? [line] : []);
-    this.requestFrame();
-  }
-
-  /** A stroke that is being drawn, in the scene. */
-  showStroke(line: Float32Array): void {
-    this.#stroke.set(line.length > 0 ? [line] : []);
-    this.requestFrame();
-  }
-
-  /** The frame round what is transformed: polylines in the scene. */
-  showFrame(lines: readonly Float32Array[]): void {
-    this.#frameLines.set(lines);
-    this.requestFrame();
-  }
-
-  /** A curve's tangent at a place, in the surface's coordinates. */
-  showTangent(at: { position: Vector; tangent: Vector } | null): void {
-    const surface = this.#surface;
-    const start = at && surface?.inScene(at.position);
-    if (at && surface && start) {
-      const tip = surface.directionInScene(at.tangent).setLength(tangentLength).add(start);
-      this.#tangent.set([Float32Array.from([...start.toArray(), ...tip.toArray()])]);
-    } else this.#tangent.set([]);
     this.requestFrame();
   }
 
@@ -383,24 +308,7 @@ export class Viewer {
     this.#curve.setStyle({ ...style, mark: mostMarks + 1 });
     this.#curve.setColor(own, surface);
     this.#lost.setStyle({ ...style, dash: fineDash, opacity: 1 });
-    for (const line of [this.#sketch, this.#stroke, this.#band]) line.setColor(own, surface);
-  }
-
-  /** Shorter ways than the legs of the curve. */
-  showShorter(lines: readonly Float32Array[]): void {
-    const surface = this.#surface;
-    this.#shorterLines = surface ? lines.map((line) => surface.toScene(line)) : [];
-    this.#shorter.set(this.#shorterLines);
-    this.requestFrame();
-  }
-
-  /** The geodesics between control points; bold while they stand for the curve. */
-  showPolygon(legs: readonly Float32Array[], bold: boolean): void {
-    const surface = this.#surface;
-    const lines = surface ? legs.map((leg) => surface.toScene(leg)) : [];
-    this.#polygon.set(bold ? [] : lines);
-    this.#sketch.set(bold ? lines : []);
-    this.requestFrame();
+    this.aids.setOwnColor(own, surface);
   }
 
   /** The surface's point at a place of the window, in CSS pixels. */
@@ -416,87 +324,30 @@ export class Viewer {
     return this.#surface.pick(this.#raycaster.ray);
   }
 
-  /** The curve's point there, in the scene, if one is seen within so many CSS pixels. */
-  pickCurve(clientX: number, clientY: number, within: number): Vector3 | null {
-    return this.#pickLine(this.#line, clientX, clientY, within, this.#style);
-  }
-
-  /** The id of the topmost object beside the edited one that is seen there; null without one. */
-  pickObject(clientX: number, clientY: number, within: number): number | null {
-    const found = this.#beside.objects.findLast(({ locked, style, lines, dots }) => {
-      const isSeen = (line: Float32Array) => this.#pickLine(line, clientX, clientY, within, style);
-      return !locked && (lines.some(isSeen) || dots.some((dot) => isSeen(dotAt(dot))));
-    });
-    return found?.id ?? null;
-  }
-
-  /** The place, in the scene, of a line beside the edited object that is seen nearest; null without one. */
-  nearestOnObjects(clientX: number, clientY: number, within: number): Vector3 | null {
-    const { box, camera } = { box: this.box, camera: this.#view.camera };
-    const place = { x: clientX - box.left, y: clientY - box.top };
-    camera.updateMatrixWorld();
-    const found = this.#beside.objects
-      .flatMap(({ lines }) => lines.map((line) => nearestOnScreen(line, camera, this.size, place)))
-      .filter((one) => one !== null)
-      .filter(({ position, distance }) => distance <= within && !this.project(position).hidden)
-      .sort((a, b) => a.distance - b.distance);
-    return found[0]?.position ?? null;
-  }
-
-  /** Whether the edited object is seen there. */
-  pickOwn(clientX: number, clientY: number, within: number): boolean {
-    const style = this.#style;
-    return this.#own.some((line) => this.#pickLine(line, clientX, clientY, within, style));
-  }
-
-  /** The objects of which something is seen in a box of the window; what is locked is not among them. */
-  objectsIn(
-    left: number,
-    top: number,
-    width: number,
-    height: number,
-  ): { others: number[]; edited: boolean } {
+  /** What lines are seen at a place of the window, in CSS pixels. */
+  linesAt(clientX: number, clientY: number): LinesAt {
     const { box } = this;
     this.#view.camera.updateMatrixWorld();
-    const place = new Vector3();
-    const vantage = this.#vantage;
-    const isWithin = (line: Float32Array) => {
-      for (let i = 0; i < line.length; i += 3) {
-        const { x, y } = vantage.onStage(place.fromArray(line, i));
-        const [dx, dy] = [x + box.left - left, y + box.top - top];
-        if (dx < 0 || dx > width || dy < 0 || dy > height) continue;
-        if (!this.project(new Vector3().fromArray(line, i)).hidden) return true;
-      }
-      return false;
+    const place = { x: clientX - box.left, y: clientY - box.top };
+    return new LinesAt(this.#vantage, this.#pickable, place);
+  }
+
+  /** The objects of which something is seen in a box of the window; locked ones are not among them. */
+  objectsIn(left: number, top: number, width: number, height: number): ObjectsIn {
+    const { box } = this;
+    this.#view.camera.updateMatrixWorld();
+    const onStage = { left: left - box.left, top: top - box.top, width, height };
+    return objectsIn(this.#vantage, this.#pickable, onStage);
+  }
+
+  get #pickable(): PickableLines {
+    return {
+      curve: this.#line,
+      own: this.#own,
+      style: this.#style,
+      objects: this.#beside.objects,
+      shorter: this.aids.shorter,
     };
-    const others = this.#beside.objects.filter(
-      ({ locked, lines, dots }) =>
-        !locked && (lines.some(isWithin) || dots.map(dotAt).some(isWithin)),
-    );
-    return { others: others.map(({ id }) => id), edited: this.#own.some(isWithin) };
-  }
-
-  /** The number of the shorter way that is seen there; -1 without one. */
-  pickShorter(clientX: number, clientY: number, within: number): number {
-    return this.#shorterLines.findIndex((line) => this.#pickLine(line, clientX, clientY, within));
-  }
-
-  /** The line's point there; of a style all of its width is the line. */
-  #pickLine(
-    line: Float32Array,
-    clientX: number,
-    clientY: number,
-    within: number,
-    style: LineStyle | null = null,
-  ): Vector3 | null {
-    const { box } = this;
-    const place = { x: clientX - box.left, y: clientY - box.top };
-    this.#view.camera.updateMatrixWorld();
-    const nearest = nearestOnScreen(line, this.#view.camera, this.size, place);
-    if (!nearest) return null;
-    const half = style ? this.seenWidth(style, nearest.position) / 2 : 0;
-    if (nearest.distance > Math.max(within, half)) return null;
-    return this.project(nearest.position).hidden ? null : nearest.position;
   }
 
   /** Where a point of the scene is on the stage, in CSS pixels, and whether the surface hides it. */
@@ -521,15 +372,7 @@ export class Viewer {
 
   /** How far so many CSS pixels reach at a point of the scene, in the surface's unit. */
   reach(position: Vector3, pixels: number): number {
-    const { camera } = this.#view;
-    const away = camera.position.distanceTo(position);
-    const height = 2 * away * Math.tan((camera.fov * Math.PI) / 360);
-    return ((height / this.#size.height) * pixels) / (this.#surface?.frame.scale ?? 1);
-  }
-
-  /** How wide a line is at a point of the scene where the surface faces the view, in CSS pixels. */
-  seenWidth({ width, onSurface }: LineStyle, position: Vector3): number {
-    return onSurface ? width / this.reach(position, 1) : width;
+    return this.#vantage.reach(position, pixels);
   }
 
   /** Where the stage is in the window: asked of the page once, as its size is. */

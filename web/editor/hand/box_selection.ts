@@ -73,9 +73,10 @@ export class BoxSelection {
   }
 
   #toggleAt({ x, y }: Place): void {
-    const other = this.viewer.pickObject(x, y, reach);
+    const lines = this.viewer.linesAt(x, y);
+    const other = lines.object(reach);
     if (other !== null) this.editor.toggle(other);
-    else if (this.viewer.pickOwn(x, y, reach)) this.editor.toggle(this.editor.state.drawing.active);
+    else if (lines.own(reach)) this.editor.toggle(this.editor.state.drawing.active);
   }
 }
 

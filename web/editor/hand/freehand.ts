@@ -7,9 +7,9 @@ import { anchorsOf, type StrokeSample } from '../../model/stroke';
 import type { Pick } from '../../viewer/surface';
 import type { SeenLine } from '../../viewer/vantage';
 import type { Viewer } from '../../viewer/viewer';
-import type { Editor } from '../state/editor';
 import { drawnTangents } from '../engine/pen_drawing';
 import type { Session } from '../engine/session';
+import type { Editor } from '../state/editor';
 import type { Snapping } from './snapping';
 import type { Hold, Place } from './stage_pointer';
 
@@ -49,7 +49,7 @@ export class FreehandGestures {
     const stroke = [first];
     const show = () => {
       const line = stroke.flatMap(({ position }) => position.toArray());
-      this.viewer.showStroke(Float32Array.from(line));
+      this.viewer.aids.showStroke(Float32Array.from(line));
     };
     return {
       drag: (_, way) => {
@@ -72,9 +72,9 @@ export class FreehandGestures {
             ),
           );
         }
-        this.viewer.showStroke(new Float32Array());
+        this.viewer.aids.showStroke(null);
       },
-      cancel: () => this.viewer.showStroke(new Float32Array()),
+      cancel: () => this.viewer.aids.showStroke(null),
     };
   }
 

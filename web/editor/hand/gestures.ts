@@ -226,7 +226,7 @@ export class Gestures {
     const drawn = typeof selection === 'number' && this.editor.isOpen;
     const { before, after } = (drawn && this.session.view.tangents?.[selection as number]) || {};
     const paths = [before, after].flatMap((tangent) => (tangent ? [tangent.path] : []));
-    this.viewer.showPolygon(paths, false);
+    this.viewer.aids.showPolygon(paths, false);
   }
 
   /** Places what is selected by numbers. */

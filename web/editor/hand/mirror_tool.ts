@@ -1,11 +1,11 @@
 import type { SurfacePoint } from 'karcher';
 import type { Viewer } from '../../viewer/viewer';
-import type { Editor } from '../state/editor';
 import { copiesOf, mirroredAcross, mirrorLine } from '../engine/mirroring';
 import { movableObjects, replacing } from '../engine/moving';
-import { isTorn } from '../engine/tearing';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
+import { isTorn } from '../engine/tearing';
+import type { Editor } from '../state/editor';
 
 /** Takes the tool that moves, turns and scales what is selected, or puts it away. */
 export function toggleTransform(editor: Editor): void {
@@ -90,14 +90,14 @@ export class MirrorTool {
     const line = await mirrorLine(client, first, point).catch(() => null);
     if (!line || this.#first !== first) return;
     const places = line.flatMap((one) => surface.position(one).toArray());
-    this.viewer.showFrame([Float32Array.from(places)]);
+    this.viewer.aids.showFrame([Float32Array.from(places)]);
   }
 
   #drop(): void {
     if (!this.#first) return;
     this.#first = null;
     this.#aimed.drop();
-    this.viewer.showFrame([]);
+    this.viewer.aids.showFrame([]);
     this.onChange();
   }
 }

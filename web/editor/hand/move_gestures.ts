@@ -1,15 +1,15 @@
 import { leavingCopies } from '../../model/arranging';
 import type { Command } from '../../model/commands';
-import { withSources } from '../../model/sources';
 import { placesOf } from '../../model/moving';
+import { withSources } from '../../model/sources';
 import type { Viewer } from '../../viewer/viewer';
-import type { Editor } from '../state/editor';
 import { leaves, Move, movableObjects } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
+import type { Editor } from '../state/editor';
+import { isResting } from '../state/tool';
 import type { Hold, Place } from './stage_pointer';
 import { reach, targetAt } from './targets';
-import { isResting } from '../state/tool';
 
 /** A line that is dragged, and what is moved with it. */
 interface HeldLine {
@@ -82,7 +82,7 @@ export class MoveGestures {
     const target = targetAt(this.viewer, state, place);
     if (target?.type === 'other') return target.id;
     const within = place.touch ? reach.touch : reach.mouse;
-    const own = target?.type === 'curve' || this.viewer.pickOwn(place.x, place.y, within);
+    const own = target?.type === 'curve' || this.viewer.linesAt(place.x, place.y).own(within);
     return own && isOpen ? state.drawing.active : null;
   }
 

@@ -1,15 +1,12 @@
 import type { SurfacePoint } from 'karcher';
-import { type ControlPoint, isCurve } from '../../model/figure';
+import { type ControlPoint, isCurve, plain } from '../../model/figure';
 import { methodOptions } from '../../model/methods';
 import type { Viewer } from '../../viewer/viewer';
 import type { EngineClient } from '../../worker/client';
 import { segmentValue } from '../engine/bend';
-import type { Editor } from '../state/editor';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
-
-const nothing = new Float32Array();
-const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
+import type { Editor } from '../state/editor';
 
 /** How many places of a curved band are found. */
 const samples = 24;
@@ -51,7 +48,7 @@ export class RubberBand {
     const isCurrent = line && this.#wanted === to && this.#last === from;
     if (!isCurrent || this.viewer.surface !== surface) return;
     this.#isShown = true;
-    this.viewer.showBand(surface.toScene(line));
+    this.viewer.aids.showBand(surface.toScene(line));
   }
 
   async #lineTo(client: EngineClient, from: ControlPoint, to: SurfacePoint) {
@@ -73,6 +70,6 @@ export class RubberBand {
   #hide(): void {
     if (!this.#isShown) return;
     this.#isShown = false;
-    this.viewer.showBand(nothing);
+    this.viewer.aids.showBand(null);
   }
 }

@@ -1,8 +1,8 @@
 import type { SurfacePoint } from 'karcher';
 import type { Viewer } from '../../viewer/viewer';
-import type { Editor } from '../state/editor';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
+import type { Editor } from '../state/editor';
 
 /** How far it is from one point of the surface to another, in the surface's unit. */
 export interface Ruled {
@@ -48,7 +48,7 @@ export class Ruler {
   #clear(): void {
     [this.#from, this.#to] = [null, null];
     this.#newest.drop();
-    this.viewer.showBand(new Float32Array());
+    this.viewer.aids.showBand(null);
     this.onChange(null, false);
   }
 
@@ -62,7 +62,7 @@ export class Ruler {
     if (this.viewer.surface !== surface) return;
     const line = path.polyline();
     const straight = Math.hypot(...[0, 1, 2].map((axis) => line.at(axis - 3)! - line[axis]!));
-    this.viewer.showBand(surface.toScene(line));
+    this.viewer.aids.showBand(surface.toScene(line));
     this.onChange({ along: path.length, straight }, true);
   }
 }

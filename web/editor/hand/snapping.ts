@@ -86,7 +86,7 @@ export class Snapping {
   }
 
   #curveNear({ x, y }: Where, reach: number): Snapped | null {
-    const position = this.viewer.nearestOnObjects(x, y, reach);
+    const position = this.viewer.linesAt(x, y).nearestOnObjects(reach);
     if (!position) return null;
     const { surface } = this.viewer;
     const point = surface!.nearest(position);

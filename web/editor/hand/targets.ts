@@ -29,9 +29,10 @@ export function targetAt(
   // A stroke goes over all there is.
   if (tool === 'freehand') return null;
   const pick = viewer.pick(place.x, place.y);
+  const lines = viewer.linesAt(place.x, place.y);
   if (tool === 'measure') {
     const near = place.touch ? measuredWithin.touch : measuredWithin.mouse;
-    const position = isCurve(kind) && !none ? viewer.pickCurve(place.x, place.y, near) : null;
+    const position = isCurve(kind) && !none ? lines.curve(near) : null;
     if (position) return { type: 'curve', position };
     return pick && { type: 'surface', pick };
   }
@@ -40,8 +41,8 @@ export function targetAt(
   if (tool === 'select' || tool === 'transform' || tool === 'look') {
     // What was just duplicated lies over what it is a copy of.
     const { id, locked } = activeObject(drawing);
-    if (!locked && viewer.pickOwn(place.x, place.y, within)) return { type: 'other', id };
-    const other = viewer.pickObject(place.x, place.y, within);
+    if (!locked && lines.own(within)) return { type: 'other', id };
+    const other = lines.object(within);
     if (other !== null) return { type: 'other', id: other };
     const painted = pick && viewer.pickRegion(pick.point);
     return painted === null ? null : { type: 'other', id: painted };
@@ -49,21 +50,20 @@ export function targetAt(
   // The pen edits its own path: over another line it goes on as over the surface.
   if (kind === 'pen' && tool === 'insert') {
     const own = !none && !activeObject(drawing).locked;
-    const position = own ? viewer.pickCurve(place.x, place.y, within) : null;
+    const position = own ? lines.curve(within) : null;
     if (position) return { type: 'curve', position };
-    const shorter = own ? viewer.pickShorter(place.x, place.y, within) : -1;
+    const shorter = own ? lines.shorter(within) : -1;
     if (shorter >= 0) return { type: 'shorter', index: shorter };
     return pick && { type: 'surface', pick };
   }
-  if (none && viewer.pickOwn(place.x, place.y, within))
-    return { type: 'other', id: drawing.active };
+  if (none && lines.own(within)) return { type: 'other', id: drawing.active };
   if (isCurve(kind) && !activeObject(drawing).locked) {
-    const position = tool !== 'join' && viewer.pickCurve(place.x, place.y, within);
+    const position = tool !== 'join' && lines.curve(within);
     if (position) return { type: 'curve', position };
-    const shorter = tool === 'insert' ? viewer.pickShorter(place.x, place.y, within) : -1;
+    const shorter = tool === 'insert' ? lines.shorter(within) : -1;
     if (shorter >= 0) return { type: 'shorter', index: shorter };
   }
-  const other = tool !== 'split' ? viewer.pickObject(place.x, place.y, within) : null;
+  const other = tool !== 'split' ? lines.object(within) : null;
   if (other !== null) return { type: 'other', id: other };
   if (tool !== 'insert') return null;
   return pick && { type: 'surface', pick };

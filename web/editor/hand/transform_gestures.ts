@@ -5,10 +5,10 @@ import type { Vector } from '../../model/figure';
 import { Handles } from '../../viewer/handles';
 import type { Viewer } from '../../viewer/viewer';
 import type { EngineClient } from '../../worker/client';
-import type { Editor } from '../state/editor';
 import { faceNormal, leaves, Move, movableObjects, type Placement } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
+import type { Editor } from '../state/editor';
 import {
   acrossFrame,
   carriedFrame,
@@ -166,7 +166,7 @@ export class TransformGestures {
 
   #draw(): void {
     const { lines = [], handles = [] } = this.#shown ?? {};
-    this.viewer.showFrame(lines);
+    this.viewer.aids.showFrame(lines);
     this.#handles.show(
       handles.map(({ id, position }) => ({
         ...{ id, position, label: labels[id], selected: this.#held?.id === id },

@@ -1,0 +1,101 @@
+import { Vector3 } from 'three';
+import type { LineStyle } from '../model/drawing';
+import { dotAt, type ObjectDrawing } from './object_lines';
+import type { Vantage } from './vantage';
+
+/** The lines that a pointer may mean, in the scene. */
+export interface PickableLines {
+  /** The edited curve; empty where the edited object is none. */
+  curve: Float32Array;
+  /** All lines of the edited object, and how they are drawn. */
+  own: readonly Float32Array[];
+  style: LineStyle;
+  /** The objects beside it, the topmost last. */
+  objects: readonly ObjectDrawing[];
+  /** Shorter ways than the legs of the curve. */
+  shorter: readonly Float32Array[];
+}
+
+/** What lines are seen at a place of the stage. Distances are in CSS pixels; a wide line is hit within its width. */
+export class LinesAt {
+  constructor(
+    private readonly vantage: Vantage,
+    private readonly lines: PickableLines,
+    private readonly place: { x: number; y: number },
+  ) {}
+
+  /** The curve's point there, in the scene, if one is seen. */
+  curve(within: number): Vector3 | null {
+    return this.#pointOf(this.lines.curve, within, this.lines.style);
+  }
+
+  /** Whether the edited object is seen there. */
+  own(within: number): boolean {
+    const { own, style } = this.lines;
+    return own.some((line) => this.#pointOf(line, within, style));
+  }
+
+  /** The id of the topmost object beside the edited one that is seen there; null without one. */
+  object(within: number): number | null {
+    const found = this.lines.objects.findLast(({ locked, style, lines, dots }) => {
+      const isSeen = (line: Float32Array) => this.#pointOf(line, within, style);
+      return !locked && (lines.some(isSeen) || dots.some((dot) => isSeen(dotAt(dot))));
+    });
+    return found?.id ?? null;
+  }
+
+  /** The number of the shorter way that is seen there; -1 without one. */
+  shorter(within: number): number {
+    return this.lines.shorter.findIndex((line) => this.#pointOf(line, within));
+  }
+
+  /** The point, in the scene, of a line beside the edited object that is seen nearest; null without one. */
+  nearestOnObjects(within: number): Vector3 | null {
+    const found = this.lines.objects
+      .flatMap(({ lines }) => lines.map((line) => this.vantage.nearest(line, this.place)))
+      .filter((one) => one !== null)
+      .filter(({ position, distance }) => distance <= within && this.#isSeen(position))
+      .sort((a, b) => a.distance - b.distance);
+    return found[0]?.position ?? null;
+  }
+
+  #pointOf(line: Float32Array, within: number, style: LineStyle | null = null): Vector3 | null {
+    const nearest = this.vantage.nearest(line, this.place);
+    if (!nearest) return null;
+    const half = style ? this.vantage.seenWidth(style, nearest.position) / 2 : 0;
+    const isNear = nearest.distance <= Math.max(within, half);
+    return isNear && this.#isSeen(nearest.position) ? nearest.position : null;
+  }
+
+  #isSeen(position: Vector3): boolean {
+    return !this.vantage.project(position).hidden;
+  }
+}
+
+/** The ids of objects beside the edited one, and whether that is among them. */
+export interface ObjectsIn {
+  others: number[];
+  edited: boolean;
+}
+
+/** The objects of which something is seen in a box of the stage; locked ones are not among them. */
+export function objectsIn(
+  vantage: Vantage,
+  { objects, own }: PickableLines,
+  { left, top, width, height }: { left: number; top: number; width: number; height: number },
+): ObjectsIn {
+  const place = new Vector3();
+  const isWithin = (line: Float32Array) => {
+    for (let i = 0; i < line.length; i += 3) {
+      const { x, y } = vantage.onStage(place.fromArray(line, i));
+      if (x < left || x > left + width || y < top || y > top + height) continue;
+      if (!vantage.project(place.fromArray(line, i)).hidden) return true;
+    }
+    return false;
+  };
+  const others = objects.filter(
+    ({ locked, lines, dots }) =>
+      !locked && (lines.some(isWithin) || dots.map(dotAt).some(isWithin)),
+  );
+  return { others: others.map(({ id }) => id), edited: own.some(isWithin) };
+}
