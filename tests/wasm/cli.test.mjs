@@ -94,7 +94,10 @@ test('a result goes to the file of --out, or nothing is written', async () => {
   await failure('path', squareFile, '--from', 'v:0', '--to', 'v:99', '--out', unwritten);
   assert.ok(!existsSync(unwritten), 'a command that failed wrote a file');
   const nowhere = join(folder.path, 'no folder', 'path.json');
-  assert.match(await failure(...pathOf, '--out', nowhere), /^cannot write to .*no folder/);
+  assert.match(
+    await failure(...pathOf, '--out', nowhere),
+    /^cannot write to .*no folder.*: there is no such folder$/,
+  );
 });
 
 test('control characters of names never reach a terminal', async () => {

@@ -91,13 +91,49 @@ test('mean prints the center of mass', async () => {
   assert.deepEqual(certified, mesh.centerOfMass(points, masses, { certificate: true }));
 });
 
+test('mean of many rows of weights, from a start, and of equal weights', async () => {
+  const args = ['mean', gridFile, '--points', pointsFile];
+  const rows = [
+    [0.1, 0.2, 0.3, 0.4, 0],
+    [0.5, 0, 0, 0, 0.5],
+  ];
+  const lines = rows.map((row) => row.join(' ')).join('\n');
+  const file = folder.write('rows.txt', `# two means\n${lines}\n`);
+  const { means } = await printed(...args, '--rows', file, '--check');
+  assert.equal(means.length, 2);
+  for (const [i, row] of rows.entries()) {
+    const alone = mesh.centerOfMass(points, row);
+    for (const name of ['point', 'position', 'status', 'energy']) {
+      assert.deepEqual(means[i][name], alone[name]);
+    }
+  }
+  const start = { vertex: 84 };
+  const equal = [0.2, 0.2, 0.2, 0.2, 0.2];
+  const from = await printed(...args, '--start', 'v:84');
+  assert.deepEqual(from, mesh.centerOfMass(points, equal, { start }));
+  for (const [more, message] of [
+    [['--rows', file, '--weights', '1'], /--rows has no use with --weights/],
+    [['--check'], /--check has no use without --rows/],
+    [['--rows', file, '--paths'], /--paths has no use with --rows/],
+    [['--rows', pointsFile], /3 weights|rows? /],
+  ]) {
+    assert.match(await failure(...args, ...more), message);
+  }
+});
+
+test('distance from the nearest of several points', async () => {
+  const { distance } = await printed('distance', gridFile, '--from', 'v:3 0:0.2,0.3');
+  const sources = [{ vertex: 3 }, { face: 0, bary: [0.5, 0.2, 0.3] }];
+  assert.deepEqual(distance, Array.from(mesh.distance(sources)));
+});
+
 test('weights prints those that make a point the center of mass', async () => {
   const [{ face, bary }] = points;
   const at = `${face}:${bary[1]},${bary[2]}`;
   const args = ['weights', gridFile, '--points', pointsFile, '--point', at];
   const plain = mesh.weightsOf(points[0], points);
   assert.deepEqual(await printed(...args), { ...plain, weights: Array.from(plain.weights) });
-  const given = await printed(...args, '--weights', weights, '--nonnegative', '--solver', 'exact');
+  const given = await printed(...args, '--weights', weights, '--non-negative', '--solver', 'exact');
   const options = { weights: weights.split(',').map(Number), nonNegative: true, solver: 'exact' };
   assert.deepEqual(given.weights, Array.from(mesh.weightsOf(points[0], points, options).weights));
   assert.match(
@@ -162,7 +198,7 @@ test('trace prints the samples of a curve', async () => {
 test('trace knows every kind of curve', async () => {
   const curves = [
     [['--closed', '--degree', '2'], { kind: 'bspline', closed: true, degree: 2 }],
-    [['--clamped'], { kind: 'bspline', knots: 'clamped' }],
+    [['--knots', 'clamped'], { kind: 'bspline', knots: 'clamped' }],
     [
       ['--degree', '2', '--knots', '0,0,0,1,3,4,4,4', '--weights', '1,2,1,1,1'],
       { kind: 'bspline', degree: 2, knots: [0, 0, 0, 1, 3, 4, 4, 4], weights: [1, 2, 1, 1, 1] },
@@ -241,10 +277,13 @@ test('circle prints samples at the radius', async () => {
   assert.deepEqual(notShortest, []);
 });
 
-test('circle --type linear and exact, and ellipse', async () => {
+test('isolines of both types, and ellipse', async () => {
   const about = ['--center', 'v:84'];
   for (const type of ['linear', 'exact']) {
-    const { lines } = await printed('circle', gridFile, ...about, '--radius', '3', '--type', type);
+    const { isolines } = await printed(
+      ...['isolines', gridFile, ...about, '--radius', '3', '--type', type],
+    );
+    const [{ lines }] = isolines;
     const expected = mesh.isolines({ vertex: 84 }, { radius: 3, type });
     assert.equal(lines.length, 1);
     assert.equal(lines[0].closed, true);
@@ -301,6 +340,7 @@ test('bad points, weights and radii: a sentence and status 1', async () => {
   const mean = (text, list) => ['mean', gridFile, '--points', file(text), '--weights', list];
   const trace = (text, ...more) => ['trace', gridFile, '--points', file(text), ...more];
   const circle = (radius) => ['circle', gridFile, '--center', 'v:84', '--radius', radius];
+  const isolines = (radius) => ['isolines', gridFile, '--center', 'v:84', '--radius', radius];
   const three = '0 0 0\n1 0 0\n2 0 0\n';
   const wrong = [
     [from('v:999'), /no vertex 999/],
@@ -336,17 +376,17 @@ test('bad points, weights and radii: a sentence and status 1', async () => {
     [trace(three, '--levels', '1.5'), /--levels must be a whole number, auto or limit, not '1.5'/],
     [trace(three, '--samples', '9', '--tolerance', '1e-3'), /--samples or --tolerance, not both/],
     [trace(three, '--tolerance', '0'), /tolerance must be positive/],
-    [trace(three, '--clamped', '--knots', '0,1'), /--knots or --clamped, not both/],
     [trace(three, '--degree', '2', '--knots', '0,1,2'), /takes 6 knots, not 3/],
     [trace(three, '--degree', '9'), /degree 1 to 5, not 9/],
     [trace(three, '--kind', 'rational', '--weights', '1,2'), /3 control points but 2 weights/],
     [trace(three, '--kind', 'bezier', '--weights', '1,2,1'), /has no weights/],
     [trace(three, '--kind', 'bezier', '--degree', '2'), /'bezier' takes no degree/],
-    [trace(three, '--kind', 'bezier', '--clamped'), /'bezier' takes no knots/],
+    [trace(three, '--knots', 'clampd'), /--knots must be uniform, clamped or numbers/],
+    [trace(three, '--kind', 'bezier', '--knots', 'clamped'), /'bezier' takes no knots/],
     [trace(three, '--parametrization', 'uniform'), /'bspline' takes no parametrization/],
     [trace(three, '--rings', '3'), /'fast' has no rings/],
     [trace(three, '--kind', 'barycentric', '--betas', '1,x,1'), /number 2 of --betas/],
-    [trace(three, '--closed', '--clamped', '--degree', '2'), /no ends to clamp/],
+    [trace(three, '--closed', '--knots', 'clamped', '--degree', '2'), /no ends to clamp/],
     [trace(three, '--method', 'other'), /--method must be one of/],
     [circle('100'), /goes beyond the farthest vertex/],
     [circle('5.99'), /meets the boundary/],
@@ -355,11 +395,9 @@ test('bad points, weights and radii: a sentence and status 1', async () => {
     [[...circle('2'), '--arcs', '2'], /there can be 3 to 64 arcs, not 2/],
     [[...circle('2'), '--arcs', '5', '--tolerance', '.1'], /--tolerance has no use with --arcs/],
     [[...circle('2'), '--tolerance', '0'], /tolerance must be a positive number, not 0/],
-    [[...circle('2'), '--type', 'exact', '--arcs', '5'], /--arcs has no use with --type exact/],
-    [[...circle('2'), '--type', 'linear', '--method', 'paper'], /--method has no use/],
-    [[...circle('2'), '--type', 'exact', '--solver', 'fast'], /--solver has no use/],
-    [[...circle('2'), '--type', 'linear', '--rings', '3'], /'exact' has no rings/],
-    [[...circle('0'), '--type', 'linear'], /distance must be a positive number/],
+    [[...isolines('2'), '--solver', 'fast'], /--solver has no use/],
+    [[...isolines('2'), '--type', 'linear', '--rings', '3'], /'exact' has no rings/],
+    [[...isolines('0'), '--type', 'linear'], /distance must be a positive number/],
   ];
   for (const [args, message] of wrong) assert.match(await failure(...args), message);
 });

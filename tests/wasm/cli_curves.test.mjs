@@ -40,11 +40,11 @@ function expectSame({ samples }, curve) {
   });
 }
 
-test('trace --at, --nearest and --spaced measure the curve', async () => {
+test('trace --at, --nearest and --equally-spaced measure the curve', async () => {
   const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
-  const { at, nearest, spaced } = await traced(
+  const { at, nearest, equallySpaced } = await traced(
     ...curveArgs,
-    ...['--at', '0,0.3,1,2', '--nearest', '6,5,1', '--spaced', '4'],
+    ...['--at', '0,0.3,1,2', '--nearest', '6,5,1', '--equally-spaced', '4'],
   );
   assert.equal(at.length, 4);
   [0, 0.3, 1, 2].forEach((parameter, i) => {
@@ -57,19 +57,19 @@ test('trace --at, --nearest and --spaced measure the curve', async () => {
   assert.deepEqual(nearest, asJson(curve.nearest([6, 5, 1])));
   const { parameter, face, bary, position } = curve.equallySpaced(4);
   assert.deepEqual(
-    spaced.map((one) => one.parameter),
+    equallySpaced.map((one) => one.parameter),
     Array.from(parameter),
   );
   assert.deepEqual(
-    spaced.map(({ point }) => point.face),
+    equallySpaced.map(({ point }) => point.face),
     Array.from(face),
   );
   assert.deepEqual(
-    spaced.flatMap(({ point }) => point.bary),
+    equallySpaced.flatMap(({ point }) => point.bary),
     Array.from(bary),
   );
   assert.deepEqual(
-    spaced.flatMap((one) => one.position),
+    equallySpaced.flatMap((one) => one.position),
     Array.from(position),
   );
   const toVertex = await traced(...curveArgs, '--nearest', 'v:58');
@@ -81,18 +81,18 @@ test('trace --at, --nearest and --spaced measure the curve', async () => {
 });
 
 const edits = [
-  [['--insert-at', '0.5'], (curve) => curve.insertOnCurve(0.5)],
+  [['--insert-on-curve', '0.5'], (curve) => curve.insertOnCurve(0.5)],
   [
-    ['--move', `1=${places[3][0]}:0.5,0.25`],
+    ['--move-point', `1=${places[3][0]}:0.5,0.25`],
     (curve) => curve.movePoint(1, { face: places[3][0], bary: [0.25, 0.5, 0.25] }),
   ],
-  [['--insert', '2=v:70'], (curve) => curve.insertPoint(2, { vertex: 70 })],
-  [['--remove', '4'], (curve) => curve.removePoint(4)],
-  [['--reorder', '0=3'], (curve) => curve.movePointInOrder(0, 3)],
-  [['--weight', '2=3.5'], (curve) => curve.setWeight(2, 3.5)],
+  [['--insert-point', '2=v:70'], (curve) => curve.insertPoint(2, { vertex: 70 })],
+  [['--remove-point', '4'], (curve) => curve.removePoint(4)],
+  [['--move-point-in-order', '0=3'], (curve) => curve.movePointInOrder(0, 3)],
+  [['--set-weight', '2=3.5'], (curve) => curve.setWeight(2, 3.5)],
   [['--reverse'], (curve) => curve.reverse()],
-  [['--close'], (curve) => curve.setClosed(true)],
-  [['--to-kind', 'catmullrom'], (curve) => curve.setKind('catmullrom')],
+  [['--set-closed', 'true'], (curve) => curve.setClosed(true)],
+  [['--set-kind', 'catmullrom'], (curve) => curve.setKind('catmullrom')],
 ];
 
 test('edit prints a curve that trace reads', async () => {
@@ -141,23 +141,30 @@ test('every kind comes back, with all that it has', async () => {
     [{ kind: 'barycentric', betas: [1, 4, 6, 4, 1] }, ['--betas', '1,4,6,4,1']],
     [{ kind: 'catmullrom', parametrization: 'uniform' }, ['--parametrization', 'uniform']],
     [{ kind: 'polyline', closed: true }, ['--closed']],
-    [{ kind: 'bspline', degree: 2, knots: 'clamped' }, ['--degree', '2', '--clamped']],
+    [{ kind: 'bspline', degree: 2, knots: 'clamped' }, ['--degree', '2', '--knots', 'clamped']],
   ];
   for (const [options, args] of kinds) {
     const curve = mesh.curve({ points, samples: 9, ...options });
     curve.insertOnCurve(0.5);
-    const all = [...curveArgs, '--kind', options.kind, ...args, '--insert-at', '0.5'];
+    const all = [...curveArgs, '--kind', options.kind, ...args, '--insert-on-curve', '0.5'];
     expectSame(await traced('--curve', fileOf(await edited(...all))), curve);
   }
-  const opened = await edited(...curveArgs, '--kind', 'polyline', '--closed', '--open');
+  const opened = await edited(
+    ...curveArgs,
+    '--kind',
+    'polyline',
+    '--closed',
+    '--set-closed',
+    'false',
+  );
   assert.equal(opened.curves[0].closed, false);
-  const beta = await edited(...curveArgs, '--kind', 'barycentric', '--beta', '1=4');
+  const beta = await edited(...curveArgs, '--kind', 'barycentric', '--set-beta', '1=4');
   assert.deepEqual(beta.curves[0].betas, [1, 4, 1, 1, 1]);
 });
 
 test('curves split and joined again', async () => {
   const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
-  const parts = await edited(...curveArgs, '--split-at', '1.5');
+  const parts = await edited(...curveArgs, '--split', '1.5');
   assert.equal(parts.curves.length, 2);
   const file = fileOf(parts);
   for (const [i, part] of curve.split(1.5).entries()) {
@@ -170,7 +177,7 @@ test('curves split and joined again', async () => {
   // A file of points makes a curve of the same kind.
   const more = folder.write('more.txt', linesOf(places.toReversed()));
   const clamped = { kind: 'bspline', degree: 2, knots: 'clamped', samples: 9 };
-  const both = await edited(...curveArgs, '--degree', '2', '--clamped', '--join', more);
+  const both = await edited(...curveArgs, '--degree', '2', '--knots', 'clamped', '--join', more);
   const expected = mesh
     .curve({ ...clamped, points })
     .join(mesh.curve({ ...clamped, points: points.toReversed() }));
@@ -180,27 +187,33 @@ test('curves split and joined again', async () => {
 test('curves and edits that cannot be: a sentence and status 1', async () => {
   const edit = (...args) => ['edit', meshFile, ...curveArgs, ...args];
   const trace = (...args) => ['trace', meshFile, ...args];
-  const two = fileOf(await edited(...curveArgs, '--split-at', '1'));
+  const two = fileOf(await edited(...curveArgs, '--split', '1'));
   const { curves } = await edited(...curveArgs, '--reverse');
   const wrong = [
-    [edit(), /edit takes one of --insert-at, --split-at, .*--to-kind$/],
-    [edit('--reverse', '--close'), /edit takes one of .*, not two/],
+    [edit(), /edit takes one of --insert-on-curve, --split, .*--set-kind$/],
+    [edit('--reverse', '--set-closed', 'true'), /edit takes one of .*, not two/],
     [['edit', meshFile, '--reverse'], /edit needs --points FILE or --curve FILE/],
     [trace(), /trace needs --points FILE or --curve FILE/],
-    [edit('--insert-at', 'x'), /--insert-at must be a number, not 'x'/],
-    [edit('--insert-at', '9'), /no parameter 9/],
-    [edit('--split-at', '0'), /cannot be split at 0, its end/],
-    [edit('--move', '1'), /--move must be a point's number and a value, 'I=…'/],
-    [edit('--move', '1=2=3'), /--move must be a point's number and a value/],
-    [edit('--move', 'x=v:1'), /the number in --move must be a number, not 'x'/],
-    [edit('--move', '1.5=v:1'), /the number in --move must be a whole number, not '1\.5'/],
-    [edit('--move', '1=here'), /the point of --move must be a point/],
-    [edit('--move', '9=v:1'), /no control point 9/],
-    [edit('--remove', '0.5'), /--remove must be a whole number/],
-    [edit('--reorder', '0=x'), /the new number in --reorder must be a number/],
-    [edit('--weight', '0=-1'), /weight of point 0 must be from 1e-12 to 1e12, not -1/],
-    [edit('--beta', '0=1'), /has no betas/],
-    [edit('--to-kind', 'circle'), /--to-kind must be one of/],
+    [edit('--insert-on-curve', 'x'), /--insert-on-curve must be a number, not 'x'/],
+    [edit('--insert-on-curve', '9'), /no parameter 9/],
+    [edit('--split', '0'), /cannot be split at 0, its end/],
+    [edit('--move-point', '1'), /--move-point must be a point's number and a value, 'I=…'/],
+    [edit('--move-point', '1=2=3'), /--move-point must be a point's number and a value/],
+    [edit('--move-point', 'x=v:1'), /the number in --move-point must be a number, not 'x'/],
+    [
+      edit('--move-point', '1.5=v:1'),
+      /the number in --move-point must be a whole number, not '1\.5'/,
+    ],
+    [edit('--move-point', '1=here'), /the point of --move-point must be a point/],
+    [edit('--move-point', '9=v:1'), /no control point 9/],
+    [edit('--remove-point', '0.5'), /--remove-point must be a whole number/],
+    [
+      edit('--move-point-in-order', '0=x'),
+      /the new number in --move-point-in-order must be a number/,
+    ],
+    [edit('--set-weight', '0=-1'), /weight of point 0 must be from 1e-12 to 1e12, not -1/],
+    [edit('--set-beta', '0=1'), /has no betas/],
+    [edit('--set-kind', 'circle'), /--set-kind must be one of/],
     [edit('--join', `${folder.path}/none`), /no such file/],
     [edit('--join', two), /holds 2 curves: --join takes a file of one/],
     [edit('--closed', '--join', pointsFile), /closed curve has no end to join/],
@@ -222,8 +235,8 @@ test('curves and edits that cannot be: a sentence and status 1', async () => {
     [trace(...curveArgs, '--at', '9'), /no parameter 9/],
     [trace(...curveArgs, '--nearest', '1,2'), /must be a point or a place 'x,y,z'/],
     [trace(...curveArgs, '--nearest', 'v:x'), /--nearest must be a point/],
-    [trace(...curveArgs, '--spaced', '1'), /2 to 1000000/],
-    [trace(...curveArgs, '--spaced', '0'), /2 to 1000000/],
+    [trace(...curveArgs, '--equally-spaced', '1'), /2 to 1000000/],
+    [trace(...curveArgs, '--equally-spaced', '0'), /2 to 1000000/],
     [trace(...curveArgs, '--at', '1', '--format', 'obj'), /--at has no use with --format obj/],
   ];
   for (const [args, message] of wrong) assert.match(await failure(...args), message);

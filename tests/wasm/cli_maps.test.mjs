@@ -81,21 +81,21 @@ test('straightest geodesics, transport and mirror on a plane', async () => {
   near(JSON.parse(mirrored.stdout).positions[0], [3, 2, 0]);
 });
 
-test('isolines of several values', async () => {
-  const base = ['isolines', plane, '--from', at(4, 4), '--values', '1.5,3,30'];
+test('isolines of several radii', async () => {
+  const base = ['isolines', plane, '--center', at(4, 4), '--radius', '1.5,3,30'];
   const { isolines } = await printed(...base);
   assert.deepEqual(
-    isolines.map(({ value, lines }) => [value, lines.length]),
+    isolines.map(({ radius, lines }) => [radius, lines.length]),
     [
       [1.5, 1],
       [3, 1],
       [30, 0],
     ],
   );
-  for (const { value, lines } of isolines) {
+  for (const { radius, lines } of isolines) {
     for (const { closed, length, polyline } of lines) {
-      assert.ok(closed && Math.abs(length - 2 * Math.PI * value) < 1e-6);
-      for (const [x, y] of polyline) assert.ok(Math.abs(Math.hypot(x - 4, y - 4) - value) < 1e-9);
+      assert.ok(closed && Math.abs(length - 2 * Math.PI * radius) < 1e-6);
+      for (const [x, y] of polyline) assert.ok(Math.abs(Math.hypot(x - 4, y - 4) - radius) < 1e-9);
     }
   }
   const linear = await printed(...base, '--type', 'linear', '--solver', 'graph', '--rings', '3');
@@ -201,7 +201,7 @@ test('drawings of the page are curves and points', async () => {
   );
   const lines = points.map(({ face, bary }) => `${face} ${bary[1]} ${bary[2]}\n`).join('');
   const plain = folder.write('plain.txt', lines);
-  const same = ['--points', plain, '--degree', '2', '--clamped', '--weights', '1,3,1'];
+  const same = ['--points', plain, '--degree', '2', '--knots', 'clamped', '--weights', '1,3,1'];
   const { polyline } = await printed('trace', plane, ...same);
   const traced = await printed('trace', plane, '--curve', file);
   near(traced.polyline.flat(), polyline.flat());
@@ -282,10 +282,7 @@ test('several meshes are a line each, and one that fails does not stop the other
   writeFileSync(other, glbFile(square));
   const { status, stdout, stderr } = await karcher('info', plane, 'missing.obj', other);
   assert.equal(status, 1);
-  assert.match(
-    stderr,
-    /^karcher: missing\.obj: cannot read missing\.obj: there is no such file\n$/,
-  );
+  assert.match(stderr, /^karcher: cannot read missing\.obj: there is no such file\n$/);
   const lines = stdout
     .trim()
     .split('\n')
@@ -352,7 +349,7 @@ test('medians and Huber’s means', async () => {
   const { position, converged } = await printed(...base, '--median');
   near(position, [4, 3, 0]);
   assert.equal(converged, true);
-  near((await printed(...base, '--huber', '100')).position, [13 / 3, 7 / 3, 0], 1e-6);
+  near((await printed(...base, '--huber-mean', '100')).position, [13 / 3, 7 / 3, 0], 1e-6);
   assert.match(await failure(...base, '--median', '--paths'), /--paths has no use with --median/);
-  assert.match(await failure(...base, '--huber', '-1'), /threshold must be positive/);
+  assert.match(await failure(...base, '--huber-mean', '-1'), /threshold must be positive/);
 });

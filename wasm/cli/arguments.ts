@@ -19,7 +19,7 @@ import type {
 } from '../types.js';
 import { fileError, UsageError } from './errors.js';
 import { type Described, type Option, outOption } from './options.js';
-import { decimalOf, parseNumber, parsePoint, parsePoints, parseVectors } from './syntax.js';
+import { decimalOf, isJson, parseNumber, parsePoint, parsePoints, parseRows } from './syntax.js';
 
 /** The arguments of one command, checked: known options, once each, with a value where one belongs. */
 export class Arguments {
@@ -128,6 +128,13 @@ export class Arguments {
     return parsePoint(this.text(name), `--${name}`);
   }
 
+  /** Points with spaces between them, or one point as JSON. */
+  pointList(name: string): PointLike[] {
+    const text = this.text(name).trim();
+    const entries = isJson(text) ? [text] : text.split(/\s+/);
+    return entries.map((entry) => parsePoint(entry, `--${name}`));
+  }
+
   /** A point of the surface, or a place in space. */
   place(name: string): PointLike | [number, number, number] {
     const text = this.text(name);
@@ -144,7 +151,16 @@ export class Arguments {
   }
 
   async vectors(): Promise<[number, number, number][]> {
-    return parseVectors(await this.file('vectors'), this.text('vectors'));
+    const path = this.text('vectors');
+    return parseRows(await this.file('vectors'), path, 'vectors').map((row, i) => {
+      if (row.length === 3) return row as [number, number, number];
+      throw new UsageError(`vector ${i} of ${path} must be three numbers`);
+    });
+  }
+
+  /** Rows of numbers, each as long as it is. */
+  async rows(name: string): Promise<number[][]> {
+    return parseRows(await this.file(name), this.text(name), name);
   }
 
   /** The text of the file that an option names, or of standard input for '-'. */

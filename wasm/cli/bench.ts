@@ -17,6 +17,7 @@ const rings = 6;
 
 export const bench: Command = {
   name: 'bench',
+  call: 'mesh.prepare(options) and mesh.curve(options), timed',
   summary: "how long the steps take, for a B-spline: the default method and the paper's",
   output:
     "{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, steady: {levels, dragMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians of several runs, but for graphMs. The paper's fields and gradient are of all vertices, those of karcher and exact of fieldVertices, within a tenth of the diagonal. dragMs: a point moved, weightMs: its weight changed, both without joinMs, the paths between all samples; steady is the curve of levels 'auto', its dragMs a whole step of a drag",

@@ -2,7 +2,7 @@ import type { Circle, Ellipse } from '../path_types.js';
 import type { Command, Result } from './command.js';
 import { UsageError } from './errors.js';
 import { fieldOptions, formatOption, levelsOption, type Option } from './options.js';
-import { linesResult, sampleRecords, triples } from './output.js';
+import { sampleRecords, triples } from './output.js';
 
 const arcOptions = (byDefault: string): readonly Option[] => [
   { name: 'arcs', value: 'N', help: `the number of arcs, 3 to 64; without it ${byDefault}` },
@@ -31,17 +31,12 @@ function resultOf(circle: Ellipse & Partial<Circle>): Result {
 
 export const circle: Command = {
   name: 'circle',
-  summary: 'a geodesic circle of rational quadratic arcs, or lines of points at one distance',
-  output: `${circleOutput}; with --type linear or exact {lines: [{closed, length, polyline}, …]}`,
+  call: 'mesh.circle(center, options)',
+  summary: 'a geodesic circle of rational quadratic arcs',
+  output: circleOutput,
   options: [
     { name: 'center', value: 'POINT', help: 'the center', required: true },
     { name: 'radius', value: 'R', help: 'the radius, in units of the mesh', required: true },
-    {
-      name: 'type',
-      value: 'arcs|linear|exact',
-      help: 'rational arcs, or the isoline of the distance: linear in triangles (by default of --solver exact), or exact',
-      default: 'arcs',
-    },
     ...arcOptions('as many as the tolerance takes'),
     {
       name: 'tolerance',
@@ -55,28 +50,22 @@ export const circle: Command = {
   async run(args) {
     const center = args.point('center');
     const radius = args.number('radius');
-    const type = args.choice<'arcs' | 'linear' | 'exact'>('type');
     const options = {
       ...args.whereGiven(['arcs'], (name) => args.integer(name)),
       samples: args.integer('samples'),
       levels: args.levels(),
       tolerance: args.number('tolerance'),
     };
-    const { method, ...distance } = args.field();
-    if (type !== 'arcs')
-      args.refuse(['arcs', 'samples', 'levels', 'method', 'tolerance'], `with --type ${type}`);
+    const field = args.field();
     if (args.given('arcs')) args.refuse(['tolerance'], 'with --arcs');
-    if (type === 'exact') args.refuse(['solver', 'rings'], 'with --type exact');
     const mesh = await args.mesh();
-    if (type === 'arcs') {
-      return resultOf(mesh.circle(center, { radius, ...options, method, ...distance }));
-    }
-    return linesResult(mesh.isolines(center, { radius, type, ...distance }));
+    return resultOf(mesh.circle(center, { radius, ...options, ...field }));
   },
 };
 
 export const ellipse: Command = {
   name: 'ellipse',
+  call: 'mesh.ellipse(center, options)',
   summary: 'an ellipse of rational quadratic arcs about a point',
   output: circleOutput,
   options: [

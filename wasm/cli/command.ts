@@ -16,6 +16,8 @@ export interface Result {
 export interface Command extends Described {
   /** A line for the list of commands. */
   summary: string;
+  /** The call that does the same in JavaScript; its options have the same names. */
+  call: string;
   /** What the JSON object holds. */
   output: string;
   /** `tell` says on standard error how far a long command is. */

@@ -31,6 +31,7 @@ const formatOption: Option = {
 
 export const convert: Command = {
   name: 'convert',
+  call: "meshFromFile and meshFile of 'karcher/formats'",
   summary: 'the mesh in another format, as it is read: of triangles, mended where that is safe',
   output:
     "{file, vertices, triangles, repairs: [{kind, count, message}, …]}; with --out - the mesh's bytes instead",
@@ -40,6 +41,7 @@ export const convert: Command = {
 
 export const repair: Command = {
   name: 'repair',
+  call: "mesh.info.repairs, and meshFile of 'karcher/formats'",
   summary: 'what is mended of a mesh that is no surface, and the mesh after that',
   output: convert.output,
   options: [outOption, formatOption],

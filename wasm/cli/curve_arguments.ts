@@ -42,11 +42,11 @@ const partOptions: readonly Option[] = [
   { name: 'kind', value: kinds, help: 'the kind of curve', default: 'bspline' },
   { name: 'closed', help: 'a curve that ends where it starts' },
   { name: 'degree', value: 'P', help: 'of a B-spline, 1 to 5', default: '3' },
-  { name: 'clamped', help: 'a B-spline from its first to its last point' },
   {
     name: 'knots',
-    value: 'u0,u1,…',
-    help: 'of a B-spline of n points: n + P + 1 knots, of a closed one n + 1',
+    value: 'uniform|clamped|u0,u1,…',
+    help: 'of a B-spline: clamped ones lead from the first to the last point; of n points there are n + P + 1, of a closed curve n + 1',
+    default: 'uniform',
   },
   { name: 'weights', value: 'w0,w1,…', help: 'a weight a point, of the kinds bspline, rational' },
   { name: 'betas', value: 'b0,b1,…', help: 'a beta a point, of the kind barycentric' },
@@ -97,17 +97,24 @@ export async function readCurves(args: Arguments): Promise<[CurveRecord, ...Curv
 }
 
 function shapeOf(args: Arguments): Omit<CurveRecord, 'points'> {
-  if (args.given('knots') && args.given('clamped')) {
-    throw new UsageError(`${args.command} takes --knots or --clamped, not both`);
-  }
   return {
     kind: args.choice<CurveKind>('kind'),
     closed: args.given('closed'),
     ...args.whereGiven(['degree'], (name) => args.integer(name)),
-    ...(args.given('clamped') && { knots: 'clamped' as const }),
-    ...args.whereGiven(['knots', 'weights', 'betas'], (name) => args.numbers(name)),
+    ...args.whereGiven(['knots'], () => knotsOf(args)),
+    ...args.whereGiven(['weights', 'betas'], (name) => args.numbers(name)),
     ...args.whereGiven(['parametrization'], (name) => args.choice<Parametrization>(name)),
   };
+}
+
+/** A name of knots, or the knots themselves. */
+function knotsOf(args: Arguments): 'uniform' | 'clamped' | number[] {
+  const text = args.text('knots');
+  if (text === 'uniform' || text === 'clamped') return text;
+  if (/^[a-z]+$/i.test(text)) {
+    throw new UsageError(`--knots must be uniform, clamped or numbers, not '${text}'`);
+  }
+  return args.numbers('knots');
 }
 
 /** The other curve of a join: a file of a curve, or of points that make one of the same kind. */
@@ -123,7 +130,7 @@ export async function readOther(args: Arguments, name: string, like: Curve): Pro
   return {
     kind,
     ...(kind === 'bspline' && { degree: like.degree }),
-    ...(args.given('clamped') && { knots: 'clamped' as const }),
+    ...(args.text('knots') === 'clamped' && { knots: 'clamped' as const }),
     ...(kind === 'catmullrom' && { parametrization: like.parametrization }),
     points: parsePoints(text, path),
   };

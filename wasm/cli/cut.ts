@@ -8,6 +8,7 @@ import { outlineOptions, readOutlines } from './outlines.js';
 
 export const cut: Command = {
   name: 'cut',
+  call: "mesh.cut(paths), and thickened of 'karcher/checkup'",
   summary: 'the mesh cut apart along curves, a file a part',
   output:
     '{parts: [{file, triangles, area, oriented, closed, volume, allowed}, …]}, the largest first; volume is null of what is not closed. On both sides of a cut positions are equal to the last bit',

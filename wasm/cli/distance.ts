@@ -3,11 +3,17 @@ import type { Command } from './command.js';
 
 export const distance: Command = {
   name: 'distance',
-  summary: 'geodesic distances from a point to all vertices',
+  call: 'mesh.distance(from, options)',
+  summary: 'geodesic distances from a point, or from the nearest of several, to all vertices',
   output:
     "{distance: […]}, in the file's vertex order: null at a vertex of no face and where no path leads",
   options: [
-    { name: 'from', value: 'POINT', help: 'the source', required: true },
+    {
+      name: 'from',
+      value: 'POINTS',
+      help: 'the source, or several with spaces between them',
+      required: true,
+    },
     {
       name: 'solver',
       value: 'fast|exact|graph',
@@ -17,7 +23,7 @@ export const distance: Command = {
     { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
   ],
   async run(args) {
-    const from = args.point('from');
+    const from = args.pointList('from');
     const solver = args.choice<Solver>('solver');
     const rings = args.whereGiven(['rings'], (name) => args.integer(name));
     const mesh = await args.mesh();

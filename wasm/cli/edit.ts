@@ -44,16 +44,16 @@ function entry(args: Arguments, name: string): [number, string] {
 
 const edits: readonly Edit[] = [
   {
-    name: 'insert-at',
+    name: 'insert-on-curve',
     value: 'T',
     help: 'puts a control point in on the curve, at a parameter',
-    apply: (curve, args) => ({ point: curve.insertOnCurve(args.number('insert-at')) }),
+    apply: (curve, args) => ({ point: curve.insertOnCurve(args.number('insert-on-curve')) }),
   },
   {
-    name: 'split-at',
+    name: 'split',
     value: 'T',
     help: 'the curves before and after a parameter; a closed one is opened there',
-    apply: (curve, args) => ({ curves: curve.split(args.number('split-at')) }),
+    apply: (curve, args) => ({ curves: curve.split(args.number('split')) }),
   },
   {
     name: 'join',
@@ -64,48 +64,65 @@ const edits: readonly Edit[] = [
       return { curves: [curve.join(other)] };
     },
   },
-  inPlace({ name: 'move', value: 'I=POINT', help: 'moves control point I' }, (curve, args) => {
-    const [i, point] = entry(args, 'move');
-    curve.movePoint(i, parsePoint(point, 'the point of --move'));
-  }),
   inPlace(
-    { name: 'insert', value: 'I=POINT', help: 'a new control point, which gets the number I' },
+    { name: 'move-point', value: 'I=POINT', help: 'moves control point I' },
     (curve, args) => {
-      const [i, point] = entry(args, 'insert');
-      curve.insertPoint(i, parsePoint(point, 'the point of --insert'));
+      const [i, point] = entry(args, 'move-point');
+      curve.movePoint(i, parsePoint(point, 'the point of --move-point'));
     },
   ),
-  inPlace({ name: 'remove', value: 'I', help: 'takes control point I away' }, (curve, args) =>
-    curve.removePoint(args.integer('remove')),
-  ),
   inPlace(
-    { name: 'reorder', value: 'I=J', help: 'makes control point I the one of number J' },
+    {
+      name: 'insert-point',
+      value: 'I=POINT',
+      help: 'a new control point, which gets the number I',
+    },
     (curve, args) => {
-      const [from, to] = entry(args, 'reorder');
-      curve.movePointInOrder(from, numberOf(to, 'the new number in --reorder'));
+      const [i, point] = entry(args, 'insert-point');
+      curve.insertPoint(i, parsePoint(point, 'the point of --insert-point'));
     },
   ),
-  inPlace({ name: 'weight', value: 'I=W', help: 'sets the weight of point I' }, (curve, args) => {
-    const [i, weight] = entry(args, 'weight');
-    curve.setWeight(i, parseNumber(weight, 'the weight in --weight'));
-  }),
-  inPlace({ name: 'beta', value: 'I=B', help: 'sets the beta of point I' }, (curve, args) => {
-    const [i, beta] = entry(args, 'beta');
-    curve.setBeta(i, parseNumber(beta, 'the beta in --beta'));
+  inPlace({ name: 'remove-point', value: 'I', help: 'takes control point I away' }, (curve, args) =>
+    curve.removePoint(args.integer('remove-point')),
+  ),
+  inPlace(
+    {
+      name: 'move-point-in-order',
+      value: 'I=J',
+      help: 'makes control point I the one of number J',
+    },
+    (curve, args) => {
+      const [from, to] = entry(args, 'move-point-in-order');
+      curve.movePointInOrder(from, numberOf(to, 'the new number in --move-point-in-order'));
+    },
+  ),
+  inPlace(
+    { name: 'set-weight', value: 'I=W', help: 'sets the weight of point I' },
+    (curve, args) => {
+      const [i, weight] = entry(args, 'set-weight');
+      curve.setWeight(i, parseNumber(weight, 'the weight in --set-weight'));
+    },
+  ),
+  inPlace({ name: 'set-beta', value: 'I=B', help: 'sets the beta of point I' }, (curve, args) => {
+    const [i, beta] = entry(args, 'set-beta');
+    curve.setBeta(i, parseNumber(beta, 'the beta in --set-beta'));
   }),
   inPlace({ name: 'reverse', help: 'runs the curve backwards' }, (curve) => curve.reverse()),
-  inPlace({ name: 'close', help: 'closes the curve' }, (curve) => curve.setClosed(true)),
-  inPlace({ name: 'open', help: 'opens the curve' }, (curve) => curve.setClosed(false)),
-  inPlace({ name: 'to-kind', value: kinds, help: 'changes the kind' }, (curve, args) =>
-    curve.setKind(args.choice<CurveKind>('to-kind')),
+  inPlace(
+    { name: 'set-closed', value: 'true|false', help: 'closes the curve, or opens it' },
+    (curve, args) => curve.setClosed(args.choice('set-closed') === 'true'),
+  ),
+  inPlace({ name: 'set-kind', value: kinds, help: 'changes the kind' }, (curve, args) =>
+    curve.setKind(args.choice<CurveKind>('set-kind')),
   ),
 ];
 
 export const edit: Command = {
   name: 'edit',
+  call: 'mesh.curve(options), and the method of the same name, such as insertOnCurve for --insert-on-curve',
   summary: "an edit of a curve's control points: what the curve then is",
   output:
-    "{curves: [{kind, closed, degree, knots, weights, betas, parametrization, points: [{face, bary: [b0, b1, b2]}, …], legs: [[{face, bary}, …], null, …]}, …], point: the new point's number with --insert-at}; a curve has what its kind has a use for, weights and betas unless all are 1, legs unless all are shortest paths: those that are not by points on their way. A file of it is what --curve reads, here and in trace",
+    "{curves: [{kind, closed, degree, knots, weights, betas, parametrization, points: [{face, bary: [b0, b1, b2]}, …], legs: [[{face, bary}, …], null, …]}, …], point: the new point's number with --insert-on-curve}; a curve has what its kind has a use for, weights and betas unless all are 1, legs unless all are shortest paths: those that are not by points on their way. A file of it is what --curve reads, here and in trace",
   options: [...edits.map(({ apply: _, ...option }) => option), ...curveOptions, ...fieldOptions],
   async run(args) {
     const [chosen, second] = edits.filter(({ name }) => args.given(name));

@@ -4,9 +4,18 @@ import type { Option } from './options.js';
 const label = (option: Option) =>
   `--${option.name}${option.value === undefined ? '' : ` ${option.value}`}`;
 
+/** The left column is no wider than this: what follows a longer entry has a line of its own. */
+const mostWidth = 28;
+
 const indented = (rows: readonly (readonly [string, string])[]) => {
-  const width = Math.max(...rows.map(([left]) => left.length));
-  return rows.map(([left, right]) => `  ${left.padEnd(width)}  ${right}\n`).join('');
+  const short = rows.map(([left]) => left.length).filter((length) => length <= mostWidth);
+  const width = Math.max(...short);
+  return rows
+    .map(([left, right]) => {
+      const gap = left.length > width ? `\n${' '.repeat(width + 2)}` : '';
+      return `  ${left.padEnd(width)}${gap}  ${right}\n`;
+    })
+    .join('');
 };
 
 export function generalHelp(commands: readonly Command[]): string {
@@ -33,5 +42,6 @@ export function commandHelp(command: Command): string {
 
 ${indented(rows)}
 Prints ${command.output}
+In JavaScript: ${command.call}
 `;
 }

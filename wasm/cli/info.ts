@@ -5,6 +5,7 @@ import type { Command } from './command.js';
 
 export const info: Command = {
   name: 'info',
+  call: "mesh.info, and checkUp of 'karcher/checkup'",
   summary:
     'what a mesh consists of, what was mended while it was read, and what to expect of curves',
   output:

@@ -5,13 +5,19 @@ import { triples } from './output.js';
 
 export const isolines: Command = {
   name: 'isolines',
+  call: 'mesh.isolines(center, options), a radius a call',
   summary: 'lines of points at given distances from a point',
   output:
-    '{isolines: [{value, lines: [{closed, length, polyline: [[x, y, z], …]}, …]}, …]}, no line where nothing is as far',
+    '{isolines: [{radius, lines: [{closed, length, polyline: [[x, y, z], …]}, …]}, …]}, no line where nothing is as far',
   options: [
-    { name: 'from', value: 'POINT', help: 'the source', required: true },
     {
-      name: 'values',
+      name: 'center',
+      value: 'POINT',
+      help: 'the point from which distances are measured',
+      required: true,
+    },
+    {
+      name: 'radius',
       value: 'r1,r2,…',
       help: 'the distances, in units of the mesh',
       required: true,
@@ -32,8 +38,8 @@ export const isolines: Command = {
     formatOption,
   ],
   async run(args) {
-    const from = args.point('from');
-    const values = args.numbers('values');
+    const center = args.point('center');
+    const radii = args.numbers('radius');
     const type = args.choice<'exact' | 'linear'>('type');
     if (type === 'exact') args.refuse(['solver', 'rings'], 'with --type exact');
     const solver = args.choice<Solver>('solver');
@@ -43,10 +49,10 @@ export const isolines: Command = {
     };
     const mesh = await args.mesh();
     const polylines: Float64Array[] = [];
-    const found = values.map((value) => {
-      const lines = mesh.isolines(from, { radius: value, type, ...distance });
+    const found = radii.map((radius) => {
+      const lines = mesh.isolines(center, { radius, type, ...distance });
       return {
-        value,
+        radius,
         lines: lines.map((line) => {
           const polyline = line.polyline({ bits: 64 });
           polylines.push(polyline);

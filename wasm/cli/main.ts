@@ -74,7 +74,7 @@ export async function main(
   const tell = (sentence: string) => terminal.tell(sentence);
   const fail = (error: unknown, mesh?: string) => {
     const sentence = error instanceof Error ? error.message : String(error);
-    tell(mesh === undefined ? sentence : `${mesh}: ${sentence}`);
+    tell(mesh === undefined || sentence.includes(mesh) ? sentence : `${mesh}: ${sentence}`);
     status = 1;
   };
   try {
@@ -153,7 +153,8 @@ async function* batch(
 
 function commandNamed(name: string | undefined): Command {
   const names = commands.map((command) => command.name).join(', ');
-  if (name === undefined) throw new UsageError(`karcher needs a command: ${names}`);
+  if (name === undefined)
+    throw new UsageError(`karcher needs a command: ${names}; 'karcher help' says more`);
   const command = commands.find((candidate) => candidate.name === name);
   if (command === undefined) {
     throw new UsageError(`karcher has no command '${name}'; it has ${names}`);

@@ -26,6 +26,7 @@ function* vectorRecords(flat: Float64Array) {
 
 export const log: Command = {
   name: 'log',
+  call: 'mesh.logMap(from, points)',
   summary: 'the log map: points, or all vertices, as vectors of the tangent plane at a point',
   output:
     "{vectors: [[x, y, z], …]}, of all vertices in the file's order: null at a vertex of no face and where no path leads",
@@ -48,6 +49,7 @@ export const log: Command = {
 
 export const exp: Command = {
   name: 'exp',
+  call: 'mesh.expMap(from, vectors)',
   summary: 'the exp map: where straightest geodesics along vectors of the tangent plane end',
   output:
     '{points: [{face, bary}, …], positions: [[x, y, z], …], remaining: [the length that was left at the boundary, else 0, …]}',
@@ -69,6 +71,7 @@ export const exp: Command = {
 
 export const transport: Command = {
   name: 'transport',
+  call: 'mesh.transport(from, to, vectors)',
   summary: 'vectors of a tangent plane, carried along the shortest path to another point',
   output: '{vectors: [[x, y, z], …]}',
   options: [
@@ -87,6 +90,7 @@ export const transport: Command = {
 
 export const straightest: Command = {
   name: 'straightest',
+  call: 'mesh.straightest(from, direction, length)',
   summary: 'the straightest geodesic that leaves a point in a direction',
   output:
     '{length, polyline: [[x, y, z], …], points: [{face, bary}, …], lengths: from the start to each point, end: {face, bary}, stop: complete|boundary|limit, remaining: the length that was not walked}',
@@ -117,6 +121,7 @@ export const straightest: Command = {
 
 export const mirror: Command = {
   name: 'mirror',
+  call: 'mesh.mirror(line, points)',
   summary: 'points mirrored in a geodesic',
   output:
     '{points: [{face, bary}, …], positions: [[x, y, z], …], remaining: [the length that was left at the boundary, else 0, …]}',

@@ -1,36 +1,88 @@
+import type { CentersOfMass, CentersOptions, PointLike, StartOptions } from '../types.js';
 import type { Arguments } from './arguments.js';
 import type { Command, Result } from './command.js';
 import { fieldOptions, pointsOption } from './options.js';
-import { triples } from './output.js';
+import { triple, triples } from './output.js';
 
-const ofMeansAlone = ['uniqueness', 'certificate', 'paths', 'method', 'solver', 'rings', 'star'];
+const ofMeansAlone = [
+  'rows',
+  'uniqueness',
+  'certificate',
+  'paths',
+  'method',
+  'solver',
+  'rings',
+  'star',
+];
 
-async function robustMean(args: Arguments, kind: string, weights: number[]): Promise<Result> {
-  if (args.given('median')) args.refuse(['huber'], 'with --median');
+const weightsFor = (points: readonly PointLike[], args: Arguments) =>
+  args.given('weights') ? args.numbers('weights') : points.map(() => 1 / points.length);
+
+async function robustMean(args: Arguments, kind: string, start: StartOptions): Promise<Result> {
+  if (args.given('median')) args.refuse(['huber-mean'], 'with --median');
   args.refuse(ofMeansAlone, `with --${kind}`);
   const { huberMean, median } = await import('../statistics/index.js');
-  const threshold = kind === 'huber' ? args.number('huber') : 0;
+  const threshold = kind === 'huber-mean' ? args.number('huber-mean') : 0;
   const points = await args.points();
+  const weights = weightsFor(points, args);
   const mesh = await args.mesh();
   return {
     json: await (kind === 'median'
-      ? median(mesh, points, weights)
-      : huberMean(mesh, points, weights, { threshold })),
+      ? median(mesh, points, weights, start)
+      : huberMean(mesh, points, weights, { threshold, ...start })),
   };
+}
+
+/** A center for each row of weights. */
+async function meansOfRows(args: Arguments, options: CentersOptions): Promise<Result> {
+  args.refuse(['uniqueness', 'certificate', 'paths'], 'with --rows');
+  const rows = await args.rows('rows');
+  const points = await args.points();
+  const mesh = await args.mesh();
+  const means = mesh.centersOfMass(points, rows, { ...options, check: args.given('check') });
+  return { json: { means: meanRecords(means) } };
+}
+
+/** Centers as objects, one after the other. */
+function* meanRecords({ count, face, bary, position, status, energy }: CentersOfMass) {
+  for (let i = 0; i < count; i++) {
+    yield {
+      point: { face: face[i]!, bary: triple(bary, i) },
+      position: triple(position, i),
+      status: status[i]!,
+      energy: energy[i]!,
+    };
+  }
 }
 
 export const mean: Command = {
   name: 'mean',
+  call: "mesh.centerOfMass(points, weights, options); with --rows mesh.centersOfMass; median and huberMean of 'karcher/statistics'",
   summary: 'the Riemannian center of mass of weighted points',
   output:
-    '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, uniqueness: certain|likely|notUnique|notLooked, otherMinima: notLooked|[{point, position, energy}, …], certificate: {energy, residual} with --certificate; with --median and --huber {point, position, value, steps, converged}; paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
+    '{point: {face, bary: [b0, b1, b2]}, position: [x, y, z], status, iterations, energy, uniqueness: certain|likely|notUnique|notLooked, otherMinima: notLooked|[{point, position, energy}, …], certificate: {energy, residual} with --certificate; with --median and --huber-mean {point, position, value, steps, converged}; with --rows {means: [{point, position, status, energy}, …]}; paths: [{length, polyline: [[x, y, z], …]}, …] with --paths}',
   options: [
     pointsOption,
     {
       name: 'weights',
       value: 'w1,w2,…',
       help: 'a weight for each point; they must sum to 1 within 1e-9',
-      required: true,
+      default: '1 / n each',
+    },
+    {
+      name: 'rows',
+      value: 'FILE',
+      help: 'instead of these, a line of weights for each of many means of the same points, which take much less time than one by one',
+    },
+    {
+      name: 'check',
+      help: 'with --rows: whether each center is a minimum of the exact energy, too',
+    },
+    {
+      name: 'start',
+      value: 'POINT',
+      help: 'where the search starts',
+      default: 'each of the points in turn',
     },
     { name: 'normalize', help: 'divide the weights by their sum instead' },
     { name: 'uniqueness', help: 'look for other minima all over the surface' },
@@ -40,7 +92,7 @@ export const mean: Command = {
     },
     { name: 'median', help: 'the geometric median instead: it minimizes the sum of distances' },
     {
-      name: 'huber',
+      name: 'huber-mean',
       value: 'T',
       help: 'Huber’s mean instead, by squares of distances up to T and distances beyond',
     },
@@ -48,18 +100,20 @@ export const mean: Command = {
     ...fieldOptions,
   ],
   async run(args) {
-    const weights = args.numbers('weights');
+    if (args.given('weights')) args.refuse(['rows'], 'with --weights');
+    if (!args.given('rows')) args.refuse(['check'], 'without --rows');
     const field = args.field();
-    const robust = ['median', 'huber'].find((name) => args.given(name));
-    if (robust) return robustMean(args, robust, weights);
+    const start = args.whereGiven(['start'], (name) => args.point(name));
+    const robust = ['median', 'huber-mean'].find((name) => args.given(name));
+    if (robust) return robustMean(args, robust, start);
+    const options = { ...field, ...start, normalize: args.given('normalize') };
+    if (args.given('rows')) return meansOfRows(args, options);
+    const uniqueness = args.given('uniqueness');
+    const certificate = args.given('certificate');
     const points = await args.points();
+    const weights = weightsFor(points, args);
     const mesh = await args.mesh();
-    const center = mesh.centerOfMass(points, weights, {
-      ...field,
-      normalize: args.given('normalize'),
-      uniqueness: args.given('uniqueness'),
-      certificate: args.given('certificate'),
-    });
+    const center = mesh.centerOfMass(points, weights, { ...options, uniqueness, certificate });
     if (!args.given('paths')) return { json: center };
     const paths = points.map((point) => mesh.shortestPath(center.point, point));
     return {

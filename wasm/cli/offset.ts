@@ -5,6 +5,7 @@ import { linesResult } from './output.js';
 
 export const offset: Command = {
   name: 'offset',
+  call: 'mesh.offset(paths, options)',
   summary: 'lines at a distance from curves, on one side or on both',
   output:
     '{lines: [{closed, length, polyline: [[x, y, z], …]}, …]}: the points whose exact distance from the nearest curve it is; corners are round, and what runs into itself is trimmed',

@@ -2,7 +2,7 @@ import type { Writable } from 'node:stream';
 import type { Path } from '../path.js';
 import type { CurvePoints, CurveSamples, Status } from '../types.js';
 import type { Result } from './command.js';
-import { UsageError } from './errors.js';
+import { writeError } from './errors.js';
 
 /** x, y, z, … as [x, y, z], …, one after the other. */
 export function* triples(flat: ArrayLike<number>): Generator<[number, number, number]> {
@@ -43,7 +43,8 @@ export interface SampleRecord {
   status: Status;
 }
 
-const triple = (flat: Float64Array, i: number): [number, number, number] => [
+/** Entry i of x, y, z, …. */
+export const triple = (flat: Float64Array, i: number): [number, number, number] => [
   flat[3 * i]!,
   flat[3 * i + 1]!,
   flat[3 * i + 2]!,
@@ -161,9 +162,7 @@ export const printable = (text: string) =>
 function write(text: string | Uint8Array, stream: Writable, name: string): Promise<void> {
   return new Promise((resolve, reject) => {
     const fail = (cause: NodeJS.ErrnoException) => {
-      const reason =
-        cause.code === 'EPIPE' ? 'it was closed before everything was written' : cause.message;
-      reject(new UsageError(`cannot write to ${name}: ${reason}`, { cause }));
+      reject(writeError(name, cause));
     };
     stream.once('error', fail);
     stream.write(typeof text === 'string' ? printable(text) : text, (error) => {

@@ -4,6 +4,7 @@ import { pathRecord } from './output.js';
 
 export const path: Command = {
   name: 'path',
+  call: 'mesh.shortestPath(from, to)',
   summary: 'the exact shortest path between two points',
   output:
     '{length, polyline: [[x, y, z], …], points: [{face, bary}, …], lengths: from the start to each point}',

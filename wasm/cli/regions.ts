@@ -6,6 +6,7 @@ import { triples } from './output.js';
 
 export const regions: Command = {
   name: 'regions',
+  call: 'mesh.regions(shapes, options)',
   summary: 'what closed curves, or curves from boundary to boundary, enclose',
   output:
     '{regions: [{area, perimeter, boundary: [{length, polyline: [[x, y, z], …]}, …]}, …]}: one a curve, or one of all with --combine or --inside; the boundary is closed lines, which have the region to their left: its outline and those of its holes',

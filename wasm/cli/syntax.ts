@@ -93,10 +93,10 @@ function pointsOfJson(value: unknown, path: string): PointLike[] {
   return list.map((entry, i) => pointOfJson(entry, `point ${i} of ${path}`));
 }
 
-/** Vectors: JSON, or a line `x y z` each. */
-export function parseVectors(text: string, path: string): [number, number, number][] {
+/** Lists of numbers: JSON, a list of lists or an object that has one by this name, or a line each. */
+export function parseRows(text: string, path: string, name: string): number[][] {
   const rows = isJson(text)
-    ? vectorsOfJson(parseJson(text, path), path)
+    ? listOfJson(parseJson(text, path), path, name)
     : text.split(/\r\n|\n|\r/).flatMap((line, i) => {
         const words = line
           .replace(/#.*/, '')
@@ -106,15 +106,15 @@ export function parseVectors(text: string, path: string): [number, number, numbe
         return [words.map((word) => parseNumber(word, `a number of line ${i + 1} of ${path}`))];
       });
   return rows.map((row, i) => {
-    if (Array.isArray(row) && row.length === 3) return row as [number, number, number];
-    throw new UsageError(`vector ${i} of ${path} must be three numbers`);
+    if (Array.isArray(row)) return row as number[];
+    throw new UsageError(`entry ${i} of the ${name} in ${path} must be a list of numbers`);
   });
 }
 
-function vectorsOfJson(value: unknown, path: string): unknown[] {
-  const list = Array.isArray(value) ? value : Object(value).vectors;
+function listOfJson(value: unknown, path: string, name: string): unknown[] {
+  const list = Array.isArray(value) ? value : Object(value)[name];
   if (Array.isArray(list)) return list;
-  throw new UsageError(`${path} must hold vectors, as 'karcher log' prints them`);
+  throw new UsageError(`${path} must hold ${name}: lists of numbers`);
 }
 
 function surfacePoint(face: string, b1: string, b2: string, what: string): SurfacePoint {

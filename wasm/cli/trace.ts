@@ -10,9 +10,10 @@ import { samplingOf, samplingOptions } from './sampling.js';
 
 export const trace: Command = {
   name: 'trace',
+  call: 'mesh.curve(options), and what that curve is asked',
   summary: 'a spline with control points',
   output:
-    '{levels, samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, polygon, fields, trace, bridge, join}, at: [{parameter, point: {face, bary}, position, status, tangent: {inFace: changes of bary, inSpace}, length: from the start}, …] with --at, nearest: {parameter, point, position, status, distance} with --nearest, spaced: [{parameter, point, position}, …] with --spaced}',
+    '{levels, samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, polygon, fields, trace, bridge, join}, at: [{parameter, point: {face, bary}, position, status, tangent: {inFace: changes of bary, inSpace}, length: from the start}, …] with --at, nearest: {parameter, point, position, status, distance} with --nearest, equallySpaced: [{parameter, point, position}, …] with --equally-spaced}',
   options: [
     ...curveOptions,
     ...samplingOptions,
@@ -26,7 +27,11 @@ export const trace: Command = {
       value: 'PLACE',
       help: "the curve's nearest point in space to a point, or to a place 'x,y,z'",
     },
-    { name: 'spaced', value: 'N', help: 'N points with the same length of curve between them' },
+    {
+      name: 'equally-spaced',
+      value: 'N',
+      help: 'N points with the same length of curve between them',
+    },
     ...fieldOptions,
     formatOption,
   ],
@@ -34,7 +39,7 @@ export const trace: Command = {
     const sampling = samplingOf(args);
     const field = args.field();
     if (args.choice('format') === 'obj') {
-      args.refuse(['at', 'nearest', 'spaced'], 'with --format obj');
+      args.refuse(['at', 'nearest', 'equally-spaced'], 'with --format obj');
     }
     const measures = measuresOf(args);
     const record = await readCurve(args);
@@ -66,13 +71,13 @@ export const trace: Command = {
 function measuresOf(args: Arguments): (mesh: Mesh, curve: Curve) => object {
   const { at } = args.whereGiven(['at'], (name) => args.numbers(name));
   const { nearest } = args.whereGiven(['nearest'], (name) => args.place(name));
-  const { spaced } = args.whereGiven(['spaced'], (name) => args.integer(name));
+  const spaced = args.given('equally-spaced') ? args.integer('equally-spaced') : undefined;
   return (mesh, curve) => ({
     at: at?.map((parameter) => {
       const { inFace, inSpace, ...point } = curve.tangentAt(parameter);
       return { ...point, tangent: { inFace, inSpace }, length: curve.lengthAt(parameter) };
     }),
     nearest: nearest && curve.nearest(Array.isArray(nearest) ? nearest : mesh.position(nearest)),
-    spaced: spaced === undefined ? undefined : pointRecords(curve.equallySpaced(spaced)),
+    equallySpaced: spaced === undefined ? undefined : pointRecords(curve.equallySpaced(spaced)),
   });
 }

@@ -3,6 +3,7 @@ import { fieldOptions, pointsOption } from './options.js';
 
 export const weights: Command = {
   name: 'weights',
+  call: 'mesh.weightsOf(point, points, options)',
   summary: 'weights of points for which a given point is their center of mass',
   output: '{weights: [w1, w2, …], isMinimum}',
   options: [
@@ -13,7 +14,7 @@ export const weights: Command = {
       value: 'w1,w2,…',
       help: 'weights that are changed as little as can be; equal ones by default',
     },
-    { name: 'nonnegative', help: 'take no weight below 0' },
+    { name: 'non-negative', help: 'take no weight below 0' },
     ...fieldOptions,
   ],
   async run(args) {
@@ -22,7 +23,7 @@ export const weights: Command = {
     const field = args.field();
     const points = await args.points();
     const mesh = await args.mesh();
-    const nonNegative = args.given('nonnegative');
+    const nonNegative = args.given('non-negative');
     const found = mesh.weightsOf(point, points, { ...field, ...given, nonNegative });
     return { json: { weights: Array.from(found.weights), isMinimum: found.isMinimum } };
   },
