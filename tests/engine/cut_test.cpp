@@ -10,10 +10,10 @@
 
 #include "generators/plane.h"
 #include "generators/random_points.h"
+#include "generators/region_drawings.h"
 #include "generators/sphere.h"
 #include "generators/torus.h"
 #include "mesh/shapes.h"
-#include "region_drawings.h"
 #include "support.h"
 
 /// Surfaces cut apart along paths.

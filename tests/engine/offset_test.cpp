@@ -11,6 +11,7 @@
 #include "generators/gallery.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
+#include "generators/region_drawings.h"
 #include "generators/rough.h"
 #include "generators/sphere.h"
 #include "generators/torus.h"
@@ -18,7 +19,6 @@
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
-#include "region_drawings.h"
 #include "support.h"
 
 /// Distances from paths, and their isolines.

@@ -3,17 +3,16 @@
 #include <string>
 #include <utility>
 
-#include "distance/find_path.h"
 #include "generators/plane.h"
 #include "generators/random_points.h"
-#include "generators/sphere.h"
+#include "generators/region_drawings.h"
 #include "generators/torus.h"
 #include "mesh/shapes.h"
-#include "region_drawings.h"
 #include "regions/region.h"
 #include "support.h"
 
-/// Cells and regions against closed forms, clipped polygons, and crossings counted one by one.
+/// Cells and regions against closed forms and clipped polygons; region_fuzz_test.cpp has random
+/// ones.
 namespace karcher {
 namespace {
 
@@ -307,129 +306,6 @@ TEST(Regions, OfPathsThatLeaveTheirFacesAreRefused) {
   path.points = {{0, Vec3(0.2, 0.3, 0.5)}, {17, Vec3(0.2, 0.3, 0.5)}};
   path.lengths = {0, 1};
   EXPECT_EQ(codeOf([&] { arrange(sheet.geometry, std::span(&path, 1)); }), ErrorCode::kBadArgument);
-}
-
-/// How often a path crosses another, by their pieces in every face; -1 where it is too close.
-int crossings(const Geometry& geometry, const SurfacePath& a, const SurfacePath& b) {
-  const TriangleMesh& mesh = *geometry.mesh;
-  struct Piece {
-    Vec2 from;
-    Vec2 to;
-  };
-  const auto piecesOf = [&](const SurfacePath& path) {
-    Array<Array<Piece>> pieces(static_cast<size_t>(mesh.faceCount()));
-    for (int i = 1; i < path.points.count(); ++i) {
-      const int f = commonFace(mesh, path.points[i - 1], path.points[i]);
-      const Piece piece{pointInFace(geometry, inFace(mesh, path.points[i - 1], f)),
-                        pointInFace(geometry, inFace(mesh, path.points[i], f))};
-      if (piece.from != piece.to) pieces[f].push_back(piece);
-    }
-    return pieces;
-  };
-  // At a vertex pieces of different faces meet.
-  Array<uint8_t> isOnFirst(static_cast<size_t>(mesh.vertexCount()), 0);
-  for (const SurfacePoint& point : a.points) {
-    const PointLocation place = locate(mesh, point);
-    if (place.simplex == Simplex::kVertex) isOnFirst[place.vertex] = 1;
-  }
-  for (const SurfacePoint& point : b.points) {
-    const PointLocation place = locate(mesh, point);
-    if (place.simplex == Simplex::kVertex && isOnFirst[place.vertex] != 0) return -1;
-  }
-  const Array<Array<Piece>> first = piecesOf(a);
-  const Array<Array<Piece>> second = piecesOf(b);
-  int count = 0;
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    for (const Piece& one : first[f]) {
-      for (const Piece& other : second[f]) {
-        const Vec2 way = one.to - one.from;
-        const Vec2 across = other.to - other.from;
-        // Distances of ends from the other piece's line.
-        const double s = cross(across, one.from - other.from) / across.norm();
-        const double t = cross(across, one.to - other.from) / across.norm();
-        const double u = cross(way, other.from - one.from) / way.norm();
-        const double v = cross(way, other.to - one.from) / way.norm();
-        const double close = 1e-9 * geometry.diagonal;
-        if (std::min(s, t) > close || std::max(s, t) < -close) continue;
-        if (std::min(u, v) > close || std::max(u, v) < -close) continue;
-        for (const double distance : {s, t, u, v}) {
-          if (std::abs(distance) < close) return -1;
-        }
-        ++count;
-      }
-    }
-  }
-  return count;
-}
-
-struct Counts {
-  int drawings = 0;
-  int bounding = 0;
-  int points = 0;
-};
-
-void drawAtRandom(const std::string& name, const TriangleMesh& mesh, uint64_t seed,
-                  Counts& counts) {
-  SCOPED_TRACE(name + ", seed " + std::to_string(seed));
-  const Geometry geometry = buildGeometry(mesh);
-  Random random(seed);
-  const Array<SurfacePath> paths = randomDrawing(geometry, random);
-  const Arrangement all = arrange(geometry, paths);
-  expectSound(geometry, all);
-  ++counts.drawings;
-  Region whole(static_cast<size_t>(all.cellCount()), 1);
-  expectGaussBonnet(geometry, all, whole);
-  for (int c = 0; c < all.cellCount(); c += 1 + all.cellCount() / 12) {
-    Region one(static_cast<size_t>(all.cellCount()), 0);
-    one[c] = 1;
-    expectGaussBonnet(geometry, all, one);
-  }
-  for (int i = 0; i < paths.count(); ++i) {
-    std::optional<Region> region;
-    try {
-      region = enclosed(all, {i, 1}, FillRule::kEvenOdd);
-    } catch (const Error&) {
-      continue;
-    }
-    ++counts.bounding;
-    expectGaussBonnet(geometry, all, *region);
-    const auto isIn = [&](const SurfacePoint& point) {
-      return (*region)[all.cellOfPiece[pieceHolding(mesh, all, point)]] != 0;
-    };
-    FindPathWorkspace workspace;
-    SurfacePath path;
-    const SurfacePoint from = randomPoint(mesh, random);
-    for (int k = 0; k < 12; ++k) {
-      const SurfacePoint to = randomPoint(mesh, random);
-      if (!findPath(geometry, from, to, workspace, path)) continue;
-      const int crossed = crossings(geometry, path, paths[i]);
-      if (crossed < 0) continue;
-      ++counts.points;
-      EXPECT_EQ(isIn(from) != isIn(to), crossed % 2 == 1) << "curve " << i << ", point " << k;
-    }
-  }
-}
-
-TEST(Regions, OfRandomDrawingsHoldTheirPoints) {
-  const std::pair<const char*, TriangleMesh> meshes[] = {
-      {"plane", meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 600, 3))},
-      {"stretched plane", meshOf(tessellatedPlane(PlaneTessellation::kStretched, 600, 3))},
-      {"sphere", meshOf(randomSphere(800, 2))},
-      {"coarse sphere", meshOf(icosphere(1))},
-      {"torus", meshOf(irregularTorus(800, 1, 4))},
-      {"genus 3", meshOf(makeShape(Shape::kGenus3, 1500))},
-      {"knot", meshOf(makeShape(Shape::kKnot, 800))},
-      {"open sheet", meshOf(makeShape(Shape::kOpenSheet, 800))},
-      {"corner", gridWithCorner()}};
-  const uint64_t rounds = longRun() ? 400 : 8;
-  Counts counts;
-  for (const auto& [name, mesh] : meshes) {
-    for (uint64_t round = 0; round < rounds; ++round) drawAtRandom(name, mesh, 1 + round, counts);
-  }
-  std::printf("%d drawings, %d bounding curves, %d points\n", counts.drawings, counts.bounding,
-              counts.points);
-  EXPECT_GT(counts.bounding, counts.drawings);
-  EXPECT_GT(counts.points, 5 * counts.bounding);
 }
 
 /// Lines through few places, which lie as far apart as what becomes one, and a bit more.

@@ -1,4 +1,4 @@
-#include "region_drawings.h"
+#include "generators/region_drawings.h"
 
 #include <utility>
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "intrinsic/geometry.h"
+
+/// Random drawings on surfaces of genus 0 to 3 and with rims, and what must hold of their cells and
+/// regions whatever the paths do.
+namespace karcher {
+
+struct RegionSurface {
+  RegionSurface(std::string itsName, TriangleMesh itsMesh);
+  RegionSurface(const RegionSurface&) = delete;
+  RegionSurface& operator=(const RegionSurface&) = delete;
+
+  std::string name;
+  TriangleMesh mesh;
+  Geometry geometry;
+  Array<int> rim;  ///< half-edges without a twin
+};
+
+/// Spheres, tori, plates with two holes and surfaces of genus 3, even and uneven, each whole and
+/// with some of its vertices taken out; and sheets.
+Array<std::unique_ptr<RegionSurface>> regionSurfaces();
+
+/// What was found, summed over drawings.
+struct RegionTally {
+  int drawings = 0;
+  int paths = 0;
+  int cells = 0;
+  int regions = 0;    ///< that sets of paths bound
+  int unbounded = 0;  ///< sets of paths that bound none
+  int points = 0;
+  double largestAreaError = 0;    ///< of the cells' sum, as a part of the surface's area
+  double largestBonnetError = 0;  ///< of a region's curvature and turns
+  Array<std::string> faults;      ///< sentences
+};
+
+/// Draws closed polygons, walks along edges and the rim, stretches of one another, copies that are
+/// moved by less or more than what becomes one, and paths from rim to rim or into the open. Checks
+/// the areas of cells, the theorem of Gauss and Bonnet, which sets of paths bound, and for a
+/// hundred points in which regions they are, by crossings that are counted face by face without the
+/// arrangement. Everything depends on the seed alone.
+void fuzzRegions(const RegionSurface& surface, uint64_t seed, RegionTally& tally);
+
+}  // namespace karcher
