@@ -58,6 +58,7 @@ export class Curve {
     disposable(Curve.prototype);
   }
 
+  /** Calls `dispose`, for `using`. */
   declare readonly [Symbol.dispose]: () => void;
   readonly #engine: Engine;
   readonly #mesh: Handle<EngineMesh>;
@@ -126,6 +127,7 @@ export class Curve {
     return toSurfacePoints(this.#call((curve) => curve.value()).points);
   }
 
+  /** The samples: the centers of mass of which the curve is made, and how the search for each ended. */
   samples(): CurveSamples {
     return this.view().samples;
   }
@@ -171,14 +173,17 @@ export class Curve {
     return this.view().unconverged.slice();
   }
 
+  /** The length of the path, in units of the mesh. */
   get length(): number {
     return this.#told.length;
   }
 
+  /** The kind of the curve; `setKind` changes it. */
   get kind(): CurveKind {
     return this.#shape.kind;
   }
 
+  /** Whether the curve ends where it starts; `setClosed` changes it. */
   get closed(): boolean {
     return this.#shape.closed;
   }
@@ -208,6 +213,7 @@ export class Curve {
     return this.#filled(this.#shape.betas);
   }
 
+  /** The number of segments; parameters run from 0 to it. */
   get segmentCount(): number {
     return this.#told.segmentCount;
   }
@@ -284,6 +290,7 @@ export class Curve {
     this.#edit((curve) => curve.insertPoint(index, wire));
   }
 
+  /** Removes control point `i`; those after it move down by one. */
   removePoint(i: number): void {
     const index = checkInteger(i, 'the number of the control point');
     this.#edit((curve) => curve.removePoint(index));
@@ -357,6 +364,7 @@ export class Curve {
     this.#edit((curve) => curve.setKind(kind));
   }
 
+  /** Closes the curve, or opens it; its control points stay. */
   setClosed(closed: boolean): void {
     checkBoolean(closed, 'closed');
     this.#edit((curve) => curve.setClosed(closed));

@@ -5,7 +5,9 @@ import type { ErrorCode } from './types.js';
  * and the limit. After a failure everything is as it was before the call.
  */
 export class KarcherError extends Error {
+  /** The name of the class, as errors have it. */
   override readonly name = 'KarcherError';
+  /** The kind of the failure, for programs. */
   readonly code: ErrorCode;
 
   constructor(code: ErrorCode, message: string, options?: ErrorOptions) {

@@ -83,6 +83,7 @@ export class Mesh {
     disposable(Mesh.prototype);
   }
 
+  /** Calls `dispose`, for `using`. */
   declare readonly [Symbol.dispose]: () => void;
   readonly #engine: Engine;
   readonly #handle: Handle<EngineMesh>;

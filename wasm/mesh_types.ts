@@ -24,6 +24,7 @@ export interface ObjOptions extends MeshOptions {
 
 /** An object or group of an OBJ file, a solid of an STL file, a primitive of a glTF scene. */
 export interface FilePart {
+  /** The name that the file gives it, or one of its kind and number. */
   name: string;
   /** Of polygons, as many as they are cut into. */
   triangles: number;

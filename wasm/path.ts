@@ -15,6 +15,7 @@ export class Path {
     this.#data = data;
   }
 
+  /** The length on the surface, in units of the mesh. */
   get length(): number {
     return this.#data.length;
   }
@@ -29,6 +30,7 @@ export class Path {
     return this.#data.face.length;
   }
 
+  /** The points of the path; between two of them it is straight, in a face that both have in common. */
   points(): SurfacePoint[] {
     const { face, bary } = this.#data;
     return Array.from(face, (number, i) => ({

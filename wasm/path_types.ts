@@ -33,6 +33,7 @@ export interface Circle extends Ellipse {
   deviation: number;
 }
 
+/** An ellipse on a surface, as a path and as the curve that it was traced of. */
 export interface Ellipse {
   /** `segment` is the number of the arc. */
   samples: CurveSamples;

@@ -15,6 +15,7 @@ export class Region {
     this.#data = data;
   }
 
+  /** The area, in squared units of the mesh. */
   get area(): number {
     return this.#data.area;
   }

@@ -188,7 +188,9 @@ export type ErrorCode =
  * `paper` it is `exact`.
  */
 export interface FieldOptions {
+  /** How log vectors are estimated from distances; `karcher` by default. */
   method?: Method | undefined;
+  /** How distances are found; `fast` by default, of the method `paper` `exact`. */
   solver?: Solver | undefined;
   /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
   rings?: number | undefined;
@@ -330,6 +332,7 @@ export interface CentersOfMass {
   energy: Float64Array;
 }
 
+/** What joins the samples of a curve: geodesics, or the curve's own crossings of edges. */
 export type CurveGeometry = 'geodesic' | 'exact';
 
 /** The number of levels of a curve, or `auto`. */
@@ -451,6 +454,7 @@ export interface CurvePoint {
 export interface CurveTangent extends CurvePoint {
   /** As changes of the weights of the face's corners; they sum to 0. */
   inFace: [number, number, number];
+  /** The same as a vector in space: x, y, z. */
   inSpace: [number, number, number];
 }
 

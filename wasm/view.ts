@@ -17,7 +17,9 @@ export class CurveView {
   readonly unconverged: Uint8Array;
   /** The length from the start to each point of the path. */
   readonly lengths: Float64Array;
+  /** The length of the path, in units of the mesh. */
   readonly length: number;
+  /** The samples, and how the search for each ended. */
   readonly samples: CurveSamples;
   /** Where and why the curve is no center of mass. */
   readonly bridged: BridgedInterval[];
@@ -30,6 +32,7 @@ export class CurveView {
   readonly legs: readonly (Float32Array | Float64Array)[];
   /** A B-spline's knots; of other kinds none. */
   readonly knots: Float64Array;
+  /** The number of segments; parameters run from 0 to it. */
   readonly segmentCount: number;
   /** How many levels the curve has, also where `levels` leaves that to it. */
   readonly levels: number;

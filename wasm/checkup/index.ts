@@ -33,8 +33,11 @@ export interface CheckUp {
 
 /** A mesh of this thread or of a worker. */
 export interface CheckedMesh {
+  /** What the mesh consists of, as `Mesh.info`. */
   readonly info: Readonly<MeshInfo>;
+  /** The positions of the vertices, as `Mesh.positions` gives them. */
   positions(): Float64Array | Promise<Float64Array>;
+  /** Three vertex numbers a triangle, as `Mesh.triangles` gives them. */
   triangles(): Int32Array | Promise<Int32Array>;
 }
 

@@ -1,6 +1,7 @@
 import { batchMask, type Slices } from '../slices.js';
 import type { Boundary } from './boundary.js';
 
+/** Boundaries that nearly touch, and the `weld` that would join them. */
 export interface NearBoundaries {
   /**
    * The coordinates x, y, z of boundary vertices near another boundary vertex: within 1e-4 of the diagonal, and

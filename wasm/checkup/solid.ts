@@ -1,5 +1,6 @@
 /** What triangles are worth for printing. */
 export interface Solid {
+  /** The sum of the triangles' areas. */
   area: number;
   /** Whether no edge runs the same way in two triangles. */
   oriented: boolean;

@@ -5,6 +5,7 @@ import { KarcherError } from '../errors.js';
 export interface Thickened {
   /** x, y, z a vertex: those that were given, and behind them the same moved by the thickness. */
   positions: Float64Array;
+  /** Three vertex numbers a triangle: the part, its copy turned over, and walls along the boundary. */
   triangles: Int32Array;
   /**
    * The thickness that the shape allows, where that is less: beyond it the shell runs into itself. Null where

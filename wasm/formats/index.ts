@@ -18,17 +18,21 @@ export { meshFile, type Triangles, type WrittenFormat, writtenFormats } from './
 
 /** A mesh that tells what an OBJ file said of it. */
 export interface MarkedMesh {
+  /** The parts, materials and colors of the file. */
   fileMarks(): FileMarks | Promise<FileMarks>;
 }
 
 /** What makes a mesh: a `Karcher`, in this thread or in a worker. */
 export interface MeshMaker<Mesh extends MarkedMesh> {
+  /** Makes a mesh of an OBJ file's bytes, as `Karcher.meshFromObj`. */
   meshFromObj(bytes: Uint8Array, options?: ObjOptions): Mesh | Promise<Mesh>;
+  /** Makes a mesh of arrays, as `Karcher.meshFromArrays`. */
   meshFromArrays(
     positions: Float64Array,
     triangles: Int32Array,
     options?: MeshOptions,
   ): Mesh | Promise<Mesh>;
+  /** Makes a mesh of polygons, as `Karcher.meshFromPolygons`. */
   meshFromPolygons(
     positions: Float64Array,
     corners: Int32Array,

@@ -2,6 +2,7 @@ import type { FileMarks, LongWorkOptions, MeshOptions } from '../types.js';
 
 export type { FileMarks, FilePart } from '../types.js';
 
+/** The formats of mesh files that are read; `gltf` stands for GLB too. */
 export type MeshFormat = 'obj' | 'ply' | 'stl' | 'off' | 'gltf';
 
 /** An axis of a file's coordinates that points up. */
@@ -18,6 +19,7 @@ export interface FileOptions extends LongWorkOptions, MeshOptions {
 
 /** What a file is, beside its surface. */
 export interface FileInfo extends FileMarks {
+  /** The format of the file. */
   format: MeshFormat;
   /** Sentences about what the file holds and no mesh has: lines, skins, other elements. */
   notRead: string[];
@@ -31,5 +33,6 @@ export interface Polygons {
   corners: Int32Array;
   /** Corners a polygon; null where all are triangles. */
   sizes: Int32Array | null;
+  /** The format, parts and marks of the file. */
   info: Pick<FileInfo, 'format' | 'parts' | 'notRead'> & Partial<FileMarks>;
 }

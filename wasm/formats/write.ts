@@ -8,10 +8,13 @@ import { linearLight } from './marks.js';
  * `FileMarks` has it, which can be spread into it: colors are written to PLY, OBJ and GLB, parts to OBJ and GLB.
  */
 export interface Triangles {
+  /** The positions of the vertices: x, y, z each. */
   positions: ArrayLike<number>;
+  /** Three vertex numbers a triangle. */
   triangles: ArrayLike<number>;
   /** Red, green and blue of each vertex, 0 to 255. */
   colors?: ArrayLike<number> | null | undefined;
+  /** The names of the parts, for the formats that have some. */
   parts?: readonly { name: string }[] | undefined;
   /** Per triangle the number of its part. */
   partOf?: ArrayLike<number> | null | undefined;
@@ -19,6 +22,7 @@ export interface Triangles {
 
 const writers = { stl: stlFile, ply: plyFile, obj: objFile, glb: glbFile };
 
+/** A format of mesh files that is written, which is the ending of a file's name too. */
 export type WrittenFormat = keyof typeof writers;
 
 /** The formats that are written, which are the endings of files' names too. */

@@ -23,6 +23,7 @@ export { comparedMethods };
 
 /** What a method did on a mesh; null is a number that was not measured. */
 export interface MethodResult {
+  /** Whether the method gave a curve. */
   ok: boolean;
   /** Why it failed, or what was not measured of it. */
   reason: string | null;
@@ -38,7 +39,9 @@ export interface MethodResult {
   dragFieldMs: number | null;
   /** What the method holds with its curve, in bytes, the mesh itself apart. */
   memory: number | null;
+  /** The number of samples. */
   samples: number | null;
+  /** The number of samples that did not converge. */
   lost: number | null;
   /** Those that its own authors would not have accepted either (`MethodCurve.lostByOwnRule`). */
   lostByOwnRule: number | null;
@@ -47,10 +50,13 @@ export interface MethodResult {
    * `traceMs * asked / made`.
    */
   logMaps: LogMapCounts | null;
+  /** The distances from the reference (`CurveMeasures.deviation`). */
   deviation: CurveMeasures['deviation'];
+  /** The unevenness of the curve's turning (`CurveMeasures.turningNoise`). */
   turningNoise: number | null;
   /** Where the curve leaps (`CurveMeasures.breaks`). */
   breaks: number | null;
+  /** The largest angle at a sample (`CurveMeasures.sharpestTurn`). */
   sharpestTurn: CurveMeasures['sharpestTurn'];
   /** By exact shortest paths, the same for all methods; null where no ruler was given. */
   ruler: RulerMeasures | null;
@@ -60,6 +66,7 @@ export interface MethodResult {
 
 /** A result with the curve itself, where there is one. */
 export interface MethodRun extends MethodResult {
+  /** The samples and the line through them; null where the method failed. */
   curve: ({ samples: CurveSamples } & ComparedLine) | null;
 }
 

@@ -11,6 +11,7 @@ const dragEdges = 2;
 
 /** How steadily a curve follows the hand: a control point dragged in small even steps. */
 export interface DragMeasures {
+  /** The number of steps of the drag. */
   steps: number;
   /** Steps in which a sample moved more than five times as far as the hand. */
   leaps: number;

@@ -6,6 +6,7 @@ import { at, cross, dot, length, subtract, type Vector } from './vectors.js';
 
 /** How a curve differs from a reference that was sampled at the same parameters. */
 export interface CurveMeasures {
+  /** The number of samples. */
   samples: number;
   /** Samples that did not converge. */
   lost: number;

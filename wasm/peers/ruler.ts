@@ -26,12 +26,15 @@ export interface RulerMeasures {
   energy: { median: number; excess: number | null } | null;
   /** Samples that were measured: those that converged, of `rulerSamples` or of all where there are fewer. */
   measured: number;
+  /** The number of samples that were to be measured. */
   of: number;
 }
 
 /** What is read at each of a ruler's samples; NaN where the sample did not converge. */
 export interface RulerReading {
+  /** The length of the weighted sum of log vectors, in units of the mesh. */
   residual: Float64Array;
+  /** The weighted sum of squared distances, in squared units of the mesh. */
   energy: Float64Array;
 }
 

@@ -25,10 +25,13 @@ export type ComparedMethod =
   | 'karcher'
   | 'leveled';
 
+/** The choice of a method, and its settings. */
 export interface MethodOptions {
+  /** The method that makes the curve. */
   method: ComparedMethod;
   /** `paper` and `karcher`: how distances are found; by default as in `FieldOptions`. */
   solver?: Solver;
+  /** `paper` and `karcher`: the k of the solver `graph`, as in `FieldOptions`. */
   rings?: number;
   /** `paper`: as in `FieldOptions`. */
   star?: Star;
@@ -53,8 +56,11 @@ export interface MethodOptions {
 
 /** Weights at parameters t in [0, 1]: row after row, as many as a segment has control points. */
 export interface WeightTable {
+  /** The number of control points of a segment, which is that of the columns. */
   points: number;
+  /** The parameter of each row. */
   t: Float64Array;
+  /** The weights, row after row. */
   weights: Float64Array;
 }
 
@@ -63,8 +69,11 @@ export interface WeightTable {
  * the table has columns, from `first[j]` on, with a sample for each row.
  */
 export interface CurvePlan {
+  /** The control points of the whole curve. */
   points: readonly PointLike[];
+  /** The number of each segment's first control point. */
   first: readonly number[];
+  /** The weights of a segment's points at each of its samples. */
   table: WeightTable;
   /** What kind of curve that is, where it is one that can be subdivided: for `bSurf`
    * and `leveled`. */
@@ -73,33 +82,49 @@ export interface CurvePlan {
 
 /** A curve by one of the methods, until `dispose` (compared_curve.ts). */
 export interface MethodCurve {
+  /** Replaces control point `i`; the segments that it touches are to be traced again. */
   movePoint(i: number, point: PointLike): void;
+  /** Starts the searches of each segment at a point of the surface. */
   startAt(point: PointLike): void;
+  /** Makes what is missing at once, and returns the milliseconds that it took. */
   finish(): number;
+  /** Does the same as `finish` in slices, with pauses that do not count. */
   trace(work?: LongWorkOptions): Promise<number>;
+  /** The milliseconds of the last `trace` that its fields took; 0 of methods without fields. */
   readonly fieldsMs: number;
+  /** The samples of all segments, and how the search for each ended. */
   samples(): CurveSamples;
+  /** The samples joined by geodesics, for drawing. */
   line(): ComparedLine;
+  /** The number of samples that the method's own authors would not have accepted either. */
   lostByOwnRule(): number;
+  /** The log maps that were made and asked for; null of methods without any. */
   logMaps(): LogMapCounts | null;
+  /** Gives the memory back. Safe to repeat. */
   dispose(): void;
 }
 
 /** A method prepared on a mesh, until `dispose` (prepared_method.ts). */
 export interface PreparedCurves {
+  /** The method and its settings. */
   readonly options: MethodOptions;
+  /** The milliseconds that the preparation for the mesh took. */
   readonly prepareMs: number;
+  /** Makes a curve of a plan; `trace` or `finish` makes its samples. */
   curve(plan: CurvePlan): MethodCurve;
+  /** Finds one center of mass by this method. */
   centerOfMass(
     points: readonly PointLike[],
     weights: ArrayLike<number>,
     options?: { start?: PointLike },
   ): ComparedCenter;
+  /** Gives the memory back, that of the curves too. Safe to repeat. */
   dispose(): void;
 }
 
 /** A curve for drawing. */
 export interface ComparedLine {
+  /** The path through the samples. */
   path: Path;
   /** A number for each point of the path: 1 where the sample that it leads to did not converge. */
   unconverged: Uint8Array;
@@ -110,6 +135,8 @@ export type ComparedCenter = Pick<CenterOfMass, 'point' | 'position' | 'status'>
 
 /** Log maps of a heat method's curve: how many were made, and how many asked for. */
 export interface LogMapCounts {
+  /** The number of log maps that were made. */
   made: number;
+  /** The number of log maps that were asked for, each of which a library would make anew. */
   asked: number;
 }

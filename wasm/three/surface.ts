@@ -44,6 +44,7 @@ const farthest = 1e-6;
  * coordinates, which are those of the objects that draw it.
  */
 export class Surface<OfMesh extends AnyMesh = AnyMesh> {
+  /** The mesh, for all that is asked of the surface. */
   readonly mesh: OfMesh;
   /** @internal The triangles as they were when the mesh was made, in their order then. */
   readonly triangles: Triangles;

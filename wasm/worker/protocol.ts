@@ -6,10 +6,13 @@ import type { ViewData } from '../view.js';
 
 /** A page's worker, or one of Node's. */
 export interface WorkerLike {
+  /** Sends a message to the worker. */
   postMessage(message: unknown): void;
+  /** Ends the worker. */
   terminate(): unknown;
-  /** Of Node's: whether the process waits for it. */
+  /** Of Node's: makes the process wait for the worker again. */
   ref?(): void;
+  /** Of Node's: lets the process end while the worker waits. */
   unref?(): void;
 }
 
