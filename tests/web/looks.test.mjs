@@ -36,22 +36,73 @@ describe('hollows', () => {
   }
   const middle = (cells) => (cells / 2) * (cells + 1) + cells / 2;
 
-  test('are none in a plane, deep in a pit, and as deep whatever the size; hills are the opposite', () => {
+  /** Of a vertex, from the widest neighborhood to the narrowest, from -1 to 1. */
+  const at = (hollows, vertex) =>
+    [...hollows.slice(4 * vertex, 4 * vertex + 4)].map((v) => v / 127);
+  const pit = (x, y) => -0.15 * Math.exp(-40 * (x * x + y * y));
+
+  test('are none in a plane and where a saddle bends as much to both sides', () => {
     const cells = 40;
-    const flat = hollowsOf(...grid(cells, () => 0));
-    assert.ok(Math.abs(flat[middle(cells)]) < 1e-6);
-    const pit = (x, y) => -0.15 * Math.exp(-40 * (x * x + y * y));
-    const [positions, normals, triangles] = grid(cells, pit);
-    const deep = hollowsOf(positions, normals, triangles)[middle(cells)];
-    assert.ok(deep > 0.2 && deep <= 1, `${deep}`);
-    const large = hollowsOf(
-      positions.map((value) => 1000 * value),
-      normals,
-      triangles,
-    );
-    assert.ok(Math.abs(large[middle(cells)] - deep) < 1e-3);
-    const hill = hollowsOf(...grid(cells, (x, y) => -pit(x, y)))[middle(cells)];
-    assert.ok(Math.abs(hill + deep) < 1e-3, `${hill} ${deep}`);
+    for (const height of [() => 0, (x, y) => x * x - y * y, (x, y) => x + 2 * y]) {
+      for (const value of at(hollowsOf(...grid(cells, height)), middle(cells))) {
+        assert.ok(Math.abs(value) < 0.02, `${value}`);
+      }
+    }
+  });
+
+  test('are deep in a pit, and hills are the opposite', () => {
+    const cells = 40;
+    const deep = at(hollowsOf(...grid(cells, pit)), middle(cells));
+    assert.ok(deep[0] > 0.7, `${deep}`);
+    // A neighborhood of the curvature of a ball of its size is dark, a narrower one less so.
+    for (let i = 1; i < 4; i++) assert.ok(deep[i] > 0 && deep[i] < deep[i - 1], `${deep}`);
+    const hill = at(hollowsOf(...grid(cells, (x, y) => -pit(x, y))), middle(cells));
+    for (const [i, value] of hill.entries()) assert.ok(Math.abs(value + deep[i]) < 0.01);
+  });
+
+  test('are the same however finely a place is cut into triangles', () => {
+    const values = [20, 40, 80].map((cells) => at(hollowsOf(...grid(cells, pit)), middle(cells)));
+    // A grid whose lines are four times as dense on one side as on the other.
+    const graded = grid(80, pit);
+    const cells = 80;
+    const warp = (t) => t + 0.6 * (t * t - 0.25);
+    const place = (k) => warp(k / cells - 0.5);
+    const h = 1e-5;
+    for (let j = 0; j <= cells; j++) {
+      for (let i = 0; i <= cells; i++) {
+        const [x, y] = [place(i), place(j)];
+        const slope = [pit(x + h, y) - pit(x - h, y), pit(x, y + h) - pit(x, y - h)];
+        const normal = [-slope[0] / (2 * h), -slope[1] / (2 * h), 1];
+        const length = Math.hypot(...normal);
+        const to = 3 * (j * (cells + 1) + i);
+        graded[0].set([x, y, pit(x, y)], to);
+        graded[1].set(
+          normal.map((value) => value / length),
+          to,
+        );
+      }
+    }
+    // Where the pit's middle is in it.
+    let nearest = 0;
+    for (let k = 0; k < graded[0].length / 3; k++) {
+      const far = (v) => Math.hypot(graded[0][3 * v], graded[0][3 * v + 1]);
+      if (far(k) < far(nearest)) nearest = k;
+    }
+    values.push(at(hollowsOf(...graded), nearest));
+    for (const [i, value] of values.entries()) {
+      for (const width of [0, 1]) {
+        const apart = Math.abs(value[width] - values[1][width]);
+        assert.ok(apart < 0.06, `${i}: ${value} beside ${values[1]}`);
+      }
+    }
+  });
+
+  test('have a value at each vertex, whatever the triangles: needles, none, of no area', () => {
+    const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 0.5, 1e-7, 0, 0.5, 0, 0, 9, 9, 9]);
+    const normals = Float32Array.from({ length: 15 }, (_, i) => (i % 3 === 2 ? 1 : 0));
+    const hollows = hollowsOf(positions, normals, Uint32Array.from([0, 1, 2, 0, 3, 1, 0, 0, 1]));
+    assert.equal(hollows.length, 20);
+    assert.ok(hollows.every((value) => Math.abs(value) <= 127));
   });
 });
 
@@ -83,6 +134,26 @@ describe('looks', () => {
       },
       [png, offsets],
     );
+  }
+
+  /** The pixels of the stage that are of the warm clay of inner sides, and how many are of the other. */
+  async function specksOf(tab) {
+    const { x, y } = await tab.middle();
+    const clip = { x: x - 300, y: y - 250, width: 600, height: 500 };
+    const png = (await tab.page.screenshot({ clip })).toString('base64');
+    return tab.page.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(600, 500).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, 600, 500);
+      const [inner, front] = [[], []];
+      for (let i = 0; i < data.length; i += 4) {
+        if (data[i] > data[i + 2] + 8) inner.push([(i / 4) % 600, Math.floor(i / 2400)]);
+        else if (data[i] < data[i + 2] - 3) front.push(i);
+      }
+      return { inner, seen: front.length };
+    }, png);
   }
 
   test('the light turns by a click, with the hand or by keys', async () => {
@@ -124,6 +195,30 @@ describe('looks', () => {
     const darker = shown.filter((value, i) => value < plain[i] - 10).length;
     assert.ok(darker > 50, `${darker}`);
     assert.deepEqual(tab.logged, []);
+    await tab.page.close();
+  });
+
+  test('the rim of an open surface shows no specks of its inner side', async () => {
+    const tab = await Tab.open(browser, 'mesh=bunny:2');
+    const { positions, triangles } = await tab.mesh();
+    const rows = (values, letter, add) =>
+      Array.from({ length: values.length / 3 }, (_, i) =>
+        [letter, ...values.slice(3 * i, 3 * i + 3).map((value) => value + add)].join(' '),
+      );
+    // One triangle at the bottom is left out, which is not seen.
+    let lowest = 0;
+    for (let i = 0; i < triangles.length; i += 3) {
+      const height = (at) => positions[3 * triangles[at] + 1];
+      if (height(i) < height(lowest)) lowest = i;
+    }
+    triangles.splice(lowest, 3);
+    await tab.drop('open.obj', [...rows(positions, 'v', 0), ...rows(triangles, 'f', 1)].join('\n'));
+    await tab.page.getByText('1 boundary').first().waitFor();
+    await tab.settled();
+    await tab.still();
+    const specks = await specksOf(tab);
+    assert.ok(specks.seen > 20_000, `${specks.seen} pixels are the surface's`);
+    assert.deepEqual(specks.inner, []);
     await tab.page.close();
   });
 

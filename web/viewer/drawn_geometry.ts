@@ -10,8 +10,8 @@ export interface DrawnGeometry {
   /** In the scene's coordinates. */
   positions: Float32Array;
   normals: Float32Array;
-  /** How deep each vertex lies in a hollow, from -1 on a ridge to 1 (`hollows.ts`). */
-  hollows: Float32Array;
+  /** How the neighborhoods of each vertex are sunken (`hollows.ts`). */
+  hollows: Int8Array;
   triangles: Uint32Array;
   /** Bytes of red, green and blue at the vertices; null for clay. */
   colors: Uint8Array | null;

@@ -1,73 +1,152 @@
 /**
- * How deep each vertex of a surface lies in a hollow, from -1 on a ridge to 1, 0 where it is flat: what
- * its neighbors' places have along its normal, at first of the nearest ones, and then of ever wider
- * neighborhoods, whose share is as large. So small relief is seen as large one is.
+ * How the surface bends at each vertex, for relief: how much a neighborhood of each of `hollowRadii` sinks,
+ * as `widths` bytes a vertex, positive in hollows, negative on ridges, 0 where it is flat or a saddle
+ * bends as much to both sides.
+ *
+ * A triangle's bend is the flux of its normals through its border, which is the integral of twice the mean
+ * curvature whatever the triangle's shape; heat that flows along the surface spreads it to a radius, so it
+ * does not matter how finely a place is cut into triangles. Positions are of the scene, in which a surface
+ * is about 2 wide.
  */
 export function hollowsOf(
   positions: Float32Array,
   normals: Float32Array,
   triangles: Uint32Array,
-): Float32Array {
+): Int8Array {
   const count = positions.length / 3;
-  const hollows = new Float32Array(count);
-  const degrees = new Float32Array(count);
-  for (let i = 0; i < triangles.length; i++) degrees[triangles[i]!]! += 2;
-  let smooth = positions;
-  for (let width = 0; width < widths; width++) {
-    for (let round = 0; round < (width === 0 ? 1 : 4 ** width - 4 ** (width - 1)); round++) {
-      smooth = averaged(smooth, triangles, degrees);
-    }
-    // An edge is half as long as its ends' neighborhoods are wide, and each round widens them as a walk.
-    const reach = 2 ** width * meanEdge(positions, triangles);
+  const hollows = new Int8Array(hollowWidths * count);
+  const { areas, bends, weights } = measured(positions, normals, triangles);
+  const curvatures = new Float64Array(count);
+  // From the finest to the widest, each begins with what the one before it found.
+  for (let width = hollowWidths - 1; width >= 0; width--) {
+    const radius = hollowRadii[width]!;
+    spread(curvatures, bends, areas, { triangles, weights, time: radius ** 2 / 4 });
     for (let i = 0; i < count; i++) {
-      let rise = 0;
-      for (let axis = 3 * i; axis < 3 * i + 3; axis++) {
-        rise += (smooth[axis]! - positions[axis]!) * normals[axis]!;
-      }
-      hollows[i]! += Math.tanh((steepness * rise) / reach) / widths;
+      const sunken = Math.tanh(-steepness * radius * curvatures[i]!);
+      hollows[hollowWidths * i + width] = Math.round(127 * sunken);
     }
   }
   return hollows;
 }
 
-/** Neighborhoods of 1, 4 and 16 rounds of averages. */
-const widths = 3;
-/** A rise of an eighth of a neighborhood's width is dark. */
-const steepness = 8;
+/** How many neighborhoods a vertex has. */
+export const hollowWidths = 4;
+/** Each a fourth of the one before: on the whole surface the second is some 15 pixels wide. */
+export const hollowRadii = [0.2, 0.05, 0.0125, 0.003125] as const;
+/** A ball of four times a neighborhood's radius is nearly as dark, from within, as can be. */
+const steepness = 2;
+/** Steps of conjugate gradients: each reaches one edge farther, and so does what relief is seen of. */
+const mostSteps = 16;
+/** Bytes cannot tell a smaller error. */
+const precision = 1e-2;
 
-/** Each vertex in the middle of its neighbors; each triangle tells of two of them. */
-function averaged(
-  positions: Float32Array,
-  triangles: Uint32Array,
-  degrees: Float32Array,
-): Float32Array {
-  const sums = new Float32Array(positions.length);
-  for (let i = 0; i < triangles.length; i += 3) {
-    const [a, b, c] = [3 * triangles[i]!, 3 * triangles[i + 1]!, 3 * triangles[i + 2]!];
-    for (let axis = 0; axis < 3; axis++) {
-      const [x, y, z] = [positions[a + axis]!, positions[b + axis]!, positions[c + axis]!];
-      sums[a + axis]! += y + z;
-      sums[b + axis]! += x + z;
-      sums[c + axis]! += x + y;
+/** Of vertices the areas and integrals of twice the mean curvature, of triangles' edges what heat they carry. */
+function measured(positions: Float32Array, normals: Float32Array, triangles: Uint32Array) {
+  const areas = new Float64Array(positions.length / 3);
+  const bends = new Float64Array(positions.length / 3);
+  const weights = new Float32Array(triangles.length);
+  const edges = new Float64Array(9);
+  for (let at = 0; at < triangles.length; at += 3) {
+    // The edge across from each corner.
+    for (let corner = 0; corner < 3; corner++) {
+      const from = 3 * triangles[at + ((corner + 1) % 3)]!;
+      const to = 3 * triangles[at + ((corner + 2) % 3)]!;
+      for (let axis = 0; axis < 3; axis++) {
+        edges[3 * corner + axis] = positions[to + axis]! - positions[from + axis]!;
+      }
+    }
+    const across = (axis: number) => {
+      const [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+      return edges[next]! * edges[3 + last]! - edges[last]! * edges[3 + next]!;
+    };
+    const [x, y, z] = [across(0), across(1), across(2)];
+    const twice = Math.hypot(x, y, z);
+    if (twice === 0) continue;
+    let bend = 0;
+    for (let corner = 0; corner < 3; corner++) {
+      const [ex, ey, ez] = [edges[3 * corner]!, edges[3 * corner + 1]!, edges[3 * corner + 2]!];
+      const normal = 3 * triangles[at + corner]!;
+      bend +=
+        (normals[normal]! * (y * ez - z * ey) +
+          normals[normal + 1]! * (z * ex - x * ez) +
+          normals[normal + 2]! * (x * ey - y * ex)) /
+        (2 * twice);
+      // As the cotangents of an equilateral triangle, and never negative.
+      weights[at + corner] = Math.min(twice / (3 * (ex * ex + ey * ey + ez * ez)), longest);
+    }
+    for (let corner = 0; corner < 3; corner++) {
+      const vertex = triangles[at + corner]!;
+      areas[vertex]! += twice / 6;
+      bends[vertex]! += bend / 3;
     }
   }
-  for (let i = 0; i < sums.length; i++) {
-    const degree = degrees[Math.floor(i / 3)]!;
-    // Half way: a vertex and its neighbors would change places else.
-    sums[i] = degree > 0 ? (positions[i]! + sums[i]! / degree) / 2 : positions[i]!;
-  }
-  return sums;
+  return { areas, bends, weights };
 }
 
-function meanEdge(positions: Float32Array, triangles: Uint32Array): number {
-  let sum = 0;
-  for (let i = 0; i < triangles.length; i += 3) {
-    const [a, b] = [3 * triangles[i]!, 3 * triangles[i + 1]!];
-    sum += Math.hypot(
-      positions[a]! - positions[b]!,
-      positions[a + 1]! - positions[b + 1]!,
-      positions[a + 2]! - positions[b + 2]!,
-    );
+/** Heat crosses no edge more easily than one of a triangle a thousand times as long as wide. */
+const longest = 1e3;
+
+/**
+ * Curvatures become what those of the bends are after a time, by one implicit step: the solution of
+ * (areas + time L) curvatures = bends, by conjugate gradients.
+ */
+function spread(
+  curvatures: Float64Array,
+  bends: Float64Array,
+  areas: Float64Array,
+  heat: { triangles: Uint32Array; weights: Float32Array; time: number },
+): void {
+  const { triangles, weights, time } = heat;
+  const count = areas.length;
+  const diagonal = areas.slice();
+  for (let at = 0; at < triangles.length; at++) {
+    const corner = at % 3;
+    const [a, b] = [
+      triangles[at - corner + ((corner + 1) % 3)]!,
+      triangles[at - corner + ((corner + 2) % 3)]!,
+    ];
+    diagonal[a]! += time * weights[at]!;
+    diagonal[b]! += time * weights[at]!;
   }
-  return (3 * sum) / triangles.length || 1;
+  const applied = (to: Float64Array, x: Float64Array) => {
+    for (let i = 0; i < count; i++) to[i] = areas[i]! * x[i]!;
+    for (let at = 0; at < triangles.length; at += 3) {
+      const [a, b, c] = [triangles[at]!, triangles[at + 1]!, triangles[at + 2]!];
+      const toA = time * weights[at]! * (x[c]! - x[b]!);
+      const toB = time * weights[at + 1]! * (x[a]! - x[c]!);
+      const toC = time * weights[at + 2]! * (x[b]! - x[a]!);
+      to[a]! += toB - toC;
+      to[b]! += toC - toA;
+      to[c]! += toA - toB;
+    }
+  };
+  const rest = new Float64Array(count);
+  const product = new Float64Array(count);
+  applied(rest, curvatures);
+  let [size, whole] = [0, 0];
+  const way = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    // A vertex without triangles is alone.
+    if (diagonal[i] === 0) diagonal[i] = 1;
+    rest[i] = bends[i]! - rest[i]!;
+    way[i] = rest[i]! / diagonal[i]!;
+    size += rest[i]! * way[i]!;
+    whole += bends[i]! ** 2 / diagonal[i]!;
+  }
+  for (let step = 0; step < mostSteps && size > precision ** 2 * whole; step++) {
+    applied(product, way);
+    let along = 0;
+    for (let i = 0; i < count; i++) along += way[i]! * product[i]!;
+    const length = size / along;
+    let next = 0;
+    for (let i = 0; i < count; i++) {
+      curvatures[i]! += length * way[i]!;
+      rest[i]! -= length * product[i]!;
+      next += rest[i]! ** 2 / diagonal[i]!;
+    }
+    for (let i = 0; i < count; i++) {
+      way[i] = rest[i]! / diagonal[i]! + (next / size) * way[i]!;
+    }
+    size = next;
+  }
 }

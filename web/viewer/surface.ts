@@ -20,10 +20,9 @@ import {
 import { MeshBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/figure';
 import type { MeshBlobs } from '../model/mesh_blobs';
-import type { Region } from '../model/traced';
 import type { SurfacePart } from '../model/parts';
+import type { Region } from '../model/traced';
 import { rampForShader } from './color_ramp';
-import { SurfaceParts } from './surface_parts';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
   directionFromScene,
@@ -33,6 +32,8 @@ import {
   placeInScene,
   placesInScene,
 } from './frame';
+import { hollowRadii, hollowWidths } from './hollows';
+import { SurfaceParts } from './surface_parts';
 
 /** Digits after the point that the weights of a picked point have, so that links are short. */
 const shortened = (weight: number) => Math.floor(weight * 1e9) / 1e9;
@@ -72,9 +73,15 @@ const light = {
 const sunk = { value: 0 };
 const steepest = 4;
 
+/** How large a CSS pixel is at a distance of 1. */
+const pixel = { value: 1 };
+/** Neighborhoods of so many pixels are what relief is seen of, and less and less those four times as wide or narrow. */
+const reliefPixels = 16;
+
 /** Lines that reach so many CSS pixels to both sides are to be seen whole, on a stage of that height. */
-export function sinkSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
-  sunk.value = (2 * pixels * Math.tan((camera.fov * Math.PI) / 360)) / height;
+export function fitSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
+  pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / height;
+  sunk.value = pixels * pixel.value;
 }
 
 /** Clay lit by a soft sky and a key light that goes with the camera. */
@@ -84,6 +91,8 @@ const clay = {
     back: { value: new Color() },
     ...light,
     sunk,
+    pixel,
+    leastSlope: { value: 0 },
     frontIsOutside: { value: true },
     ramp: { value: rampForShader() },
     most: { value: 0 },
@@ -93,8 +102,10 @@ const clay = {
   vertexShader: `
     attribute float value;
     attribute vec3 tint;
-    attribute float hollow;
+    attribute vec4 hollow;
     uniform float sunk;
+    uniform float pixel;
+    uniform float leastSlope;
     varying vec3 vNormal;
     varying vec3 vEye;
     varying float vValue;
@@ -102,14 +113,16 @@ const clay = {
     varying float vHollow;
     void main() {
       vValue = value;
-      vHollow = hollow;
       // From sRGB, as files have it, to light.
       vTint = mix(tint / 12.92, pow((tint + 0.055) / 1.055, vec3(2.4)), step(0.04045, tint));
       vec4 eye = modelViewMatrix * vec4(position, 1.0);
       vEye = -eye.xyz;
       vNormal = normalMatrix * normal;
+      vec4 octaves = log2(vec4(${hollowRadii.join(', ')}) / (${reliefPixels.toFixed(1)} * pixel * max(-eye.z, 1e-6))) / 2.0;
+      vHollow = dot(hollow, exp(-octaves * octaves)) / ${Math.sqrt(Math.PI)};
       float facing = abs(dot(normalize(vNormal), normalize(vEye)));
-      float slope = min(${steepest.toFixed(1)}, sqrt(1.0 - facing * facing) / max(facing, 0.01));
+      float slope = sqrt(1.0 - facing * facing) / max(facing, 0.01);
+      slope = clamp(slope, leastSlope, ${steepest.toFixed(1)});
       // Along the ray, so that it is seen where it is.
       gl_Position = projectionMatrix * vec4(eye.xyz * (1.0 + sunk * slope), 1.0);
     }`,
@@ -156,6 +169,23 @@ const clay = {
     }`,
 };
 const material = new ShaderMaterial(clay);
+/**
+ * The inner sides where both are seen. They lie back the most, wherever they face: else at the rim some of
+ * them would come out before the outer sides, and be specks.
+ */
+const inner = new ShaderMaterial({
+  ...clay,
+  uniforms: { ...clay.uniforms, leastSlope: { value: steepest } },
+  side: BackSide,
+});
+const materials = [material, inner];
+
+/** A mesh of the surface's clay, on both sides. */
+function clayMesh(geometry: BufferGeometry): Mesh {
+  geometry.clearGroups();
+  for (const i of materials.keys()) geometry.addGroup(0, Number.POSITIVE_INFINITY, i);
+  return new Mesh(geometry, materials);
+}
 
 /** The same clay of another color, over the surface that it lies on. */
 export function paint(color: Color, opacity: number): ShaderMaterial {
@@ -166,7 +196,7 @@ export function paint(color: Color, opacity: number): ShaderMaterial {
       ...{ front: { value: color }, back: { value: color } },
       ...{ most: { value: 0 }, colored: { value: false }, opacity: { value: opacity } },
     },
-    side: material.side,
+    side: inner.visible ? DoubleSide : material.side,
     // Opaque ones, too: else they would be drawn before all that are not.
     transparent: true,
     depthWrite: false,
@@ -183,7 +213,7 @@ const unitWeights = [
 ] as const;
 
 /** Only the sides that are seen are drawn: the others would show as specks at the silhouette. */
-const sides = { front: FrontSide, back: BackSide, both: DoubleSide };
+const sides = { front: FrontSide, back: BackSide, both: FrontSide };
 
 const edgeMaterial = new MeshBasicMaterial({
   wireframe: true,
@@ -222,14 +252,14 @@ export class Surface {
   readonly #positions: Float32Array;
   readonly #triangles: Uint32Array;
   readonly #normals: Float32Array;
-  readonly #hollows: Float32Array;
+  readonly #hollows: Int8Array;
   readonly #outside: DrawnGeometry['outside'];
   /** 1 for each face of which something is seen; null where all are. */
   #seen: Uint8Array | null = null;
   readonly #edges: Mesh;
   readonly #whole: Mesh;
   /** What is seen in its place, where it is cut. */
-  readonly #parts = new SurfaceParts(material, paint);
+  readonly #parts = new SurfaceParts(clayMesh, paint);
   readonly #along = new WeakMap<Float32Array, Float32Array>();
 
   constructor(drawn: DrawnGeometry) {
@@ -242,7 +272,7 @@ export class Surface {
     this.#geometry.setAttribute('position', new BufferAttribute(drawn.positions, 3));
     this.#geometry.setAttribute('normal', new BufferAttribute(drawn.normals, 3));
     this.#hollows = drawn.hollows;
-    this.#geometry.setAttribute('hollow', new BufferAttribute(drawn.hollows, 1));
+    this.#geometry.setAttribute('hollow', new BufferAttribute(drawn.hollows, hollowWidths, true));
     this.hasColors = drawn.colors !== null;
     if (drawn.colors) {
       this.#geometry.setAttribute('tint', new BufferAttribute(drawn.colors, 3, true));
@@ -251,13 +281,14 @@ export class Surface {
     // Of the frame's box; three.js would look at all vertices.
     this.#geometry.boundingSphere = new Sphere(new Vector3(), 1);
     material.side = sides[drawn.outside];
+    inner.visible = drawn.outside === 'both';
     material.uniforms.frontIsOutside!.value = drawn.outside !== 'back';
     material.uniforms.most!.value = 0;
     material.needsUpdate = true;
     this.#tree = MeshBVH.deserialize(drawn.tree, this.#geometry, { setIndex: false });
     this.#edges = new Mesh(this.#geometry, edgeMaterial);
     this.#edges.visible = false;
-    this.#whole = new Mesh(this.#geometry, material);
+    this.#whole = clayMesh(this.#geometry);
     this.object.add(this.#whole, this.#edges, this.#parts.object);
   }
 
@@ -301,13 +332,16 @@ export class Surface {
   regionGeometry({ whole, parts, corners }: Region): BufferGeometry {
     const count = 3 * (whole.length + parts.length);
     const [positions, normals] = [new Float32Array(3 * count), new Float32Array(3 * count)];
-    const hollows = new Float32Array(count);
+    const bent = new Float32Array(hollowWidths * count);
     let to = 0;
     const add = (face: number, weights: readonly [number, number, number]) => {
       for (let corner = 0; corner < 3; corner++) {
         const from = 3 * this.#triangles[3 * face + corner]!;
         const weight = weights[corner]!;
-        hollows[to / 3]! += weight * this.#hollows[from / 3]!;
+        for (let width = 0; width < hollowWidths; width++) {
+          const sunken = this.#hollows[(from / 3) * hollowWidths + width]!;
+          bent[(to / 3) * hollowWidths + width]! += weight * sunken;
+        }
         for (let axis = 0; axis < 3; axis++) {
           positions[to + axis]! += weight * this.#positions[from + axis]!;
           normals[to + axis]! += weight * this.#normals[from + axis]!;
@@ -325,7 +359,10 @@ export class Surface {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('normal', new BufferAttribute(normals, 3));
-    geometry.setAttribute('hollow', new BufferAttribute(hollows, 1));
+    geometry.setAttribute(
+      'hollow',
+      new BufferAttribute(Int8Array.from(bent, Math.round), hollowWidths, true),
+    );
     geometry.boundingSphere = new Sphere(new Vector3(), 1);
     return geometry;
   }

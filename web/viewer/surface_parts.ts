@@ -16,9 +16,9 @@ export class SurfaceParts {
   /** By the triangles of the parts. */
   readonly #drawn = new Map<Int32Array, Drawn>();
 
-  /** `paint` makes the material of a color over the surface. */
+  /** `clay` makes what is seen of the surface itself, and `paint` the material of a color over it. */
   constructor(
-    private readonly material: ShaderMaterial,
+    private readonly clay: (geometry: BufferGeometry) => Mesh,
     private readonly paint: (color: Color, opacity: number) => ShaderMaterial,
   ) {}
 
@@ -37,7 +37,7 @@ export class SurfaceParts {
       const before = this.#drawn.get(part.triangles);
       if (before && before.meshes.length > 0) continue;
       const geometry = before?.geometry ?? geometryOf(part);
-      const meshes = [new Mesh(geometry, this.material)];
+      const meshes = [this.clay(geometry)];
       if (color) {
         const tint = new Mesh(geometry, this.paint(new Color(color), opacity));
         tint.renderOrder = 0.05;
@@ -56,9 +56,8 @@ export class SurfaceParts {
 
   #remove(drawn: Drawn, forgets: boolean): void {
     this.object.remove(...drawn.meshes);
-    for (const { material } of drawn.meshes) {
-      if (material !== this.material) (material as ShaderMaterial).dispose();
-    }
+    // All but the clay, which is everyone's.
+    for (const { material } of drawn.meshes.slice(1)) (material as ShaderMaterial).dispose();
     drawn.meshes.length = 0;
     if (forgets) drawn.geometry.dispose();
   }

@@ -15,7 +15,7 @@ import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
 import { type PaintedRegion, Regions } from './regions';
-import { colorSurface, type Pick, Surface, showRelief, sinkSurface, turnLight } from './surface';
+import { colorSurface, fitSurface, type Pick, Surface, showRelief, turnLight } from './surface';
 import { type SeenLine, Vantage } from './vantage';
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
@@ -457,7 +457,7 @@ export class Viewer {
   }
 
   #render(): void {
-    sinkSurface(this.#halos.reach, this.#view.camera, this.#size.height);
+    fitSurface(this.#halos.reach, this.#view.camera, this.#size.height);
     this.#renderer.render(this.#scene, this.#view.camera);
   }
 

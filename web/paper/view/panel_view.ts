@@ -12,7 +12,7 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { DrawnGeometry } from '../../viewer/drawn_geometry';
 import { FatLine, fineDash } from '../../viewer/fat_line';
-import { Surface, sinkSurface } from '../../viewer/surface';
+import { fitSurface, Surface } from '../../viewer/surface';
 import type { LineResult, Panel, Vector } from '../figures/types';
 import type { SharedRenderer } from './shared_renderer';
 
@@ -99,7 +99,7 @@ export class PanelView {
       seen.follow(this.#camera.position);
       lost.follow(this.#camera.position);
     }
-    sinkSurface(widestLine / 2, this.#camera, clientHeight);
+    fitSurface(widestLine / 2, this.#camera, clientHeight);
     for (const listener of this.#beforeFrame) listener();
     this.renderer.draw(this.#scene, this.#camera, this.canvas, clientWidth, clientHeight);
   }
