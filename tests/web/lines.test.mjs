@@ -96,6 +96,64 @@ describe('lines', () => {
     await close(tab);
   });
 
+  test('that are dashed and selected have no white between their dashes', async () => {
+    const tab = await two();
+    await tab.page.keyboard.press('Control+a');
+    await tab.page.locator('#width').fill('12');
+    await tab.page.keyboard.press('Enter');
+    await tab.page.locator('#dash').selectOption('dashed');
+    await tab.page.locator('#color').fill('#c81e5b');
+    await tab.page.locator('#color').blur();
+    await tab.settled();
+    // Both lines run across the stage: their middles are looked for from the left to the right.
+    const kinds = new Set();
+    for (let i = 0; i < 40; i++) {
+      const place = await tab.onCurve(0.3 + 0.01 * i);
+      const [[r, g, b]] = await column(tab, place, 1);
+      kinds.add(r - g > 100 ? 'dash' : Math.min(r, g, b) > 248 ? 'white' : 'between');
+    }
+    assert.deepEqual([...kinds].sort(), ['between', 'dash']);
+    await close(tab);
+  });
+
+  test('that differ have settings that say so in whole words', async () => {
+    const tab = await two();
+    const { x, y } = await tab.onCurve(0.5);
+    await tab.page.mouse.click(x, y);
+    await tab.page.locator('#width').fill('12');
+    await tab.page.keyboard.press('Enter');
+    await tab.page.locator('#dash').selectOption('dashed');
+    for (const id of ['#opacity', '#fill']) {
+      await tab.page.locator(id).fill('30');
+      await tab.page.keyboard.press('Enter');
+    }
+    await tab.page.locator('#width-unit').selectOption('surface');
+    await tab.page.locator('#stage').focus();
+    await tab.page.keyboard.press('Control+a');
+    await tab.settled();
+    const cut = await tab.page.evaluate(() => {
+      const context = new OffscreenCanvas(1, 1).getContext('2d');
+      const fields = [...document.querySelectorAll('.panel input, .panel select')].filter(
+        (field) =>
+          field.checkVisibility() &&
+          (field.placeholder === 'mixed' || field.selectedOptions?.[0]?.text === 'mixed'),
+      );
+      return fields.map((field) => {
+        const { paddingLeft, paddingRight } = getComputedStyle(field);
+        const words = getComputedStyle(field, field.placeholder ? '::placeholder' : null);
+        context.font = `${words.fontSize} ${words.fontFamily}`;
+        const room = field.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
+        return [field.id, room - context.measureText('mixed').width];
+      });
+    });
+    assert.ok(cut.length >= 4, JSON.stringify(cut));
+    assert.deepEqual(
+      cut.filter(([, left]) => left < 0),
+      [],
+    );
+    await close(tab);
+  });
+
   test('that the surface hides show through until that is switched off', async () => {
     const tab = await two();
     const place = await tab.onCurve(0.5);

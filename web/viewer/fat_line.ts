@@ -1,4 +1,5 @@
 import {
+  AlwaysStencilFunc,
   type Color,
   DynamicDrawUsage,
   Float32BufferAttribute,
@@ -6,6 +7,7 @@ import {
   Group,
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
+  KeepStencilOp,
   NotEqualStencilFunc,
   ReplaceStencilOp,
   type Vector3,
@@ -26,9 +28,14 @@ export interface LineStyle {
   band?: Band | null;
   /** Less than 1 where what lies below is seen through the line. */
   opacity?: number;
-  /** From 1 to 255: lines that are seen through are told apart by it. */
+  /** From 1 to 254: lines that are seen through are told apart by it. */
   mark?: number;
+  /** `inside` is not seen, but keeps its pixels free of what is `around`. */
+  frames?: 'inside' | 'around' | null;
 }
+
+/** The mark of pixels that are kept free. */
+const free = 255;
 
 /** Lines are drawn this part of the way to the camera nearer, so that the surface cuts none. */
 const nearer = 0.003;
@@ -96,7 +103,8 @@ export class FatLine {
     this.clear();
   }
 
-  setStyle({ width, dash, band = null, opacity = 1, mark = 1 }: Omit<LineStyle, 'hidden'>): void {
+  setStyle(style: Omit<LineStyle, 'hidden'>): void {
+    const { width, dash, band = null, opacity = 1, mark = 1, frames = null } = style;
     for (const [i, material] of this.#materials.entries()) {
       // What is hidden is thin beside what is seen.
       const part = i === 0 ? hiddenWidth : 1;
@@ -109,10 +117,11 @@ export class FatLine {
     this.#opacity = opacity;
     seen.opacity = opacity;
     // Each pixel once, where segments lie over each other.
-    seen.stencilWrite = opacity < 1;
-    seen.stencilRef = mark;
-    seen.stencilFunc = NotEqualStencilFunc;
-    seen.stencilZPass = ReplaceStencilOp;
+    seen.stencilWrite = opacity < 1 || frames !== null;
+    seen.stencilRef = frames === null ? mark : free;
+    seen.stencilFunc = frames === 'inside' ? AlwaysStencilFunc : NotEqualStencilFunc;
+    seen.stencilZPass = frames === 'around' ? KeepStencilOp : ReplaceStencilOp;
+    seen.colorWrite = frames !== 'inside';
     const isNew = band !== null && this.#normals === null;
     this.#normals = band?.normals ?? null;
     if (isNew) this.#again();

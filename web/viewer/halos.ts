@@ -24,12 +24,14 @@ const around = (objects: readonly Drawn[]): ObjectDrawing[] =>
 
 /** What is drawn around lines: of what is selected, of what a click would take, and of what is hard to see. */
 export class Halos {
-  readonly #halo = new ObjectLines(0.2, { hidden: 0, wider: haloWider });
+  /** The lines themselves: between dashes, and through what is not opaque, the surface is seen as ever. */
+  readonly #inside = new ObjectLines(0.1, { hidden: 0, frames: 'inside' });
+  readonly #halo = new ObjectLines(0.2, { hidden: 0, wider: haloWider, frames: 'around' });
   /** Between the halo and the line, so that it is seen beside any color. */
-  readonly #seam = new ObjectLines(0.5, { hidden: 0, wider: seamWider });
-  readonly #hover = new ObjectLines(0.8, { hidden: 0, wider: seamWider });
+  readonly #seam = new ObjectLines(0.5, { hidden: 0, wider: seamWider, frames: 'around' });
+  readonly #hover = new ObjectLines(0.8, { hidden: 0, wider: seamWider, frames: 'around' });
   readonly #rim = new ObjectLines(1, { hidden: 0, wider: rimWider });
-  readonly #all = [this.#halo, this.#seam, this.#hover, this.#rim];
+  readonly #all = [this.#inside, this.#halo, this.#seam, this.#hover, this.#rim];
   readonly objects = this.#all.map(({ object }) => object);
   #colors: ViewerColors | null = null;
   /** Half of the widest line with what is around it, in CSS pixels. */
@@ -49,6 +51,7 @@ export class Halos {
 
   /** All that is drawn, and what of it is selected, and what a click would take. */
   show(all: readonly Drawn[], chosen: readonly Drawn[], hovered: readonly Drawn[]): void {
+    this.#inside.show(around([...chosen, ...hovered]));
     this.#halo.show(around(chosen));
     this.#seam.show(around(chosen));
     this.#hover.show(around(hovered));

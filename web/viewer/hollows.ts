@@ -55,16 +55,16 @@ function measured(positions: Float32Array, normals: Float32Array, triangles: Uin
         edges[3 * corner + axis] = positions[to + axis]! - positions[from + axis]!;
       }
     }
-    const across = (axis: number) => {
-      const [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
-      return edges[next]! * edges[3 + last]! - edges[last]! * edges[3 + next]!;
-    };
-    const [x, y, z] = [across(0), across(1), across(2)];
-    const twice = Math.hypot(x, y, z);
+    const x = edges[1]! * edges[5]! - edges[2]! * edges[4]!;
+    const y = edges[2]! * edges[3]! - edges[0]! * edges[5]!;
+    const z = edges[0]! * edges[4]! - edges[1]! * edges[3]!;
+    const twice = Math.sqrt(x * x + y * y + z * z);
     if (twice === 0) continue;
     let bend = 0;
     for (let corner = 0; corner < 3; corner++) {
-      const [ex, ey, ez] = [edges[3 * corner]!, edges[3 * corner + 1]!, edges[3 * corner + 2]!];
+      const ex = edges[3 * corner]!;
+      const ey = edges[3 * corner + 1]!;
+      const ez = edges[3 * corner + 2]!;
       const normal = 3 * triangles[at + corner]!;
       bend +=
         (normals[normal]! * (y * ez - z * ey) +
@@ -99,19 +99,20 @@ function spread(
   const { triangles, weights, time } = heat;
   const count = areas.length;
   const diagonal = areas.slice();
-  for (let at = 0; at < triangles.length; at++) {
-    const corner = at % 3;
-    const [a, b] = [
-      triangles[at - corner + ((corner + 1) % 3)]!,
-      triangles[at - corner + ((corner + 2) % 3)]!,
-    ];
-    diagonal[a]! += time * weights[at]!;
-    diagonal[b]! += time * weights[at]!;
+  for (let at = 0; at < triangles.length; at += 3) {
+    const toA = time * weights[at]!;
+    const toB = time * weights[at + 1]!;
+    const toC = time * weights[at + 2]!;
+    diagonal[triangles[at]!]! += toB + toC;
+    diagonal[triangles[at + 1]!]! += toC + toA;
+    diagonal[triangles[at + 2]!]! += toA + toB;
   }
   const applied = (to: Float64Array, x: Float64Array) => {
     for (let i = 0; i < count; i++) to[i] = areas[i]! * x[i]!;
     for (let at = 0; at < triangles.length; at += 3) {
-      const [a, b, c] = [triangles[at]!, triangles[at + 1]!, triangles[at + 2]!];
+      const a = triangles[at]!;
+      const b = triangles[at + 1]!;
+      const c = triangles[at + 2]!;
       const toA = time * weights[at]! * (x[c]! - x[b]!);
       const toB = time * weights[at + 1]! * (x[a]! - x[c]!);
       const toC = time * weights[at + 2]! * (x[b]! - x[a]!);

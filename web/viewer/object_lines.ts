@@ -1,6 +1,6 @@
 import { Color, Group, type Vector3 } from 'three';
 import { type Dash, defaultStyle, type LineStyle } from '../model/drawing';
-import { FatLine } from './fat_line';
+import { FatLine, type LineStyle as FatLineStyle } from './fat_line';
 import type { Surface } from './surface';
 
 /** An object as it is drawn: lines and single points, in the scene. */
@@ -47,7 +47,7 @@ export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
 /** How much of the color is left where the surface hides a line. */
 const usuallyHidden = 0.22;
 /** Lines that are seen through are told apart by so many numbers; the edited one has one more. */
-export const mostMarks = 254;
+export const mostMarks = 253;
 /** A point is so many times as wide as a line. */
 export const dotWidth = 2.4;
 
@@ -69,7 +69,9 @@ export class ObjectLines {
   constructor(
     private readonly order: number,
     /** How much is left where the surface hides a line, and how much wider it is than its style says. */
-    private readonly looks: { hidden?: number; wider?: number } = {},
+    private readonly looks: Partial<Pick<FatLineStyle, 'hidden' | 'frames'>> & {
+      wider?: number;
+    } = {},
   ) {}
 
   get objects(): readonly ObjectDrawing[] {
@@ -120,9 +122,10 @@ export class ObjectLines {
   }
 
   #make(key: string, style: LineStyle): FatLine {
-    const { hidden = usuallyHidden, wider = 0 } = this.looks;
+    const { hidden = usuallyHidden, wider = 0, frames = null } = this.looks;
     const mark = 1 + (this.#lines.size % mostMarks);
-    const line = new FatLine({ ...fatStyle(style, this.surface, wider), hidden, mark }, this.order);
+    const drawn = { ...fatStyle(style, this.surface, wider), hidden, mark, frames };
+    const line = new FatLine(drawn, this.order);
     line.showHidden(this.#hiddenShown);
     this.#lines.set(key, line);
     this.object.add(line.object);
